@@ -1,0 +1,22 @@
+// What went wrong, and how is it mended?  The exceptions of the library; there are no others.
+//
+// Law: predicates are total over finite doubles; only input that stands for no real number, misuse and bad files throw.
+// Every text names the argument, or the file with its line or byte, and what was expected.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace plumb {
+
+/// Base of everything the library throws.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A NaN or an infinity was given where a real number is needed; the text names the argument.
+struct NonFinite : Error {
+  using Error::Error;
+};
+
+}  // namespace plumb
