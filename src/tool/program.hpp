@@ -1,0 +1,12 @@
+// How does the program run?  Reads the command line, runs one command, flushes, and answers with the exit code:
+// 0 done, 1 a wrong sign was found that --fail-on-wrong asked for, 2 bad input (also an output that cannot be written).
+//
+// Law: nothing that can go wrong ends in silence or in a crash: every failure is one line `plumb: ...` on standard
+// error.
+#pragma once
+
+namespace plumb::tool {
+
+int run_program(int argc, char** argv);
+
+}  // namespace plumb::tool
