@@ -1,0 +1,160 @@
+// What is the exact value, in integers?  Two's-complement integers of a fixed width that grows through the expression.
+//
+// Laws: WideInt<B> holds every integer with |x| < 2^B.  A sum has one bit more than its longer term, a product the bits
+// of both factors: nothing overflows, nothing is allocated, and no more limbs are computed than the value can need.
+// Source: Knuth, TAOCP 4.3.1.  Cost: one 64x64-bit product for each pair of limbs; no branch on values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "plumb/arith/sign.hpp"
+
+namespace plumb {
+
+__extension__ using Int128 = __int128;
+__extension__ using UInt128 = unsigned __int128;
+
+template <int Bits> struct WideInt {
+  static_assert(Bits > 0);
+  static constexpr int bits = Bits;
+  static constexpr int limbs = Bits / 64 + 1;  // Bits and a sign bit
+
+  std::array<std::uint64_t, limbs> limb{};  // least significant first
+
+  constexpr WideInt() = default;
+  constexpr explicit WideInt(std::int64_t x) {
+    limb[0] = static_cast<std::uint64_t>(x);
+    for (std::size_t i = 1; i < limbs; ++i) limb[i] = static_cast<std::uint64_t>(x >> 63);
+  }
+  constexpr explicit WideInt(Int128 x) requires(limbs >= 2) {
+    limb[0] = static_cast<std::uint64_t>(x);
+    limb[1] = static_cast<std::uint64_t>(x >> 64);
+    for (std::size_t i = 2; i < limbs; ++i) limb[i] = static_cast<std::uint64_t>(x >> 127);
+  }
+
+  [[nodiscard]] constexpr bool negative() const { return static_cast<std::int64_t>(limb[limbs - 1]) < 0; }
+  /// All ones when negative: the limbs beyond the last.
+  [[nodiscard]] constexpr std::uint64_t extension() const {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(limb[limbs - 1]) >> 63);
+  }
+  [[nodiscard]] constexpr std::uint64_t limb_or_extension(std::size_t i) const {
+    return i < limbs ? limb[i] : extension();
+  }
+  /// The value of the lowest one (two) limbs as a built-in integer; the whole value when there are no more.
+  [[nodiscard]] constexpr std::int64_t low64() const { return static_cast<std::int64_t>(limb[0]); }
+  [[nodiscard]] constexpr Int128 low128() const {
+    return static_cast<Int128>(static_cast<UInt128>(limb_or_extension(1)) << 64 | limb[0]);
+  }
+
+  [[nodiscard]] constexpr Sign sign() const {
+    std::uint64_t any = 0;
+    for (const std::uint64_t x : limb) any |= x;
+    return static_cast<Sign>(any == 0 ? 0 : negative() ? -1 : 1);
+  }
+};
+
+namespace wide {
+
+constexpr int sum_bits(int a, int b) { return (a > b ? a : b) + 1; }
+
+// a + b + carry and a - b - borrow; the carry ends as 0 or 1.
+constexpr std::uint64_t add(std::uint64_t a, std::uint64_t b, std::uint64_t& carry) {
+  const UInt128 s = static_cast<UInt128>(a) + b + carry;
+  carry = static_cast<std::uint64_t>(s >> 64);
+  return static_cast<std::uint64_t>(s);
+}
+constexpr std::uint64_t subtract(std::uint64_t a, std::uint64_t b, std::uint64_t& borrow) {
+  const UInt128 d = static_cast<UInt128>(a) - b - borrow;
+  borrow = static_cast<std::uint64_t>(d >> 64) & 1;
+  return static_cast<std::uint64_t>(d);
+}
+
+}  // namespace wide
+
+template <int A, int B> constexpr WideInt<wide::sum_bits(A, B)> operator+(const WideInt<A>& a, const WideInt<B>& b) {
+  using Result = WideInt<wide::sum_bits(A, B)>;
+  Result r;
+  if constexpr (Result::limbs == 1) {
+    r.limb[0] = a.limb[0] + b.limb[0];
+  } else if constexpr (Result::limbs == 2) {
+    return Result{a.low128() + b.low128()};
+  } else {
+    std::uint64_t carry = 0;
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < Result::limbs; ++i)
+      r.limb[i] = wide::add(a.limb_or_extension(i), b.limb_or_extension(i), carry);
+  }
+  return r;
+}
+
+template <int A, int B> constexpr WideInt<wide::sum_bits(A, B)> operator-(const WideInt<A>& a, const WideInt<B>& b) {
+  using Result = WideInt<wide::sum_bits(A, B)>;
+  Result r;
+  if constexpr (Result::limbs == 1) {
+    r.limb[0] = a.limb[0] - b.limb[0];
+  } else if constexpr (Result::limbs == 2) {
+    return Result{a.low128() - b.low128()};
+  } else {
+    std::uint64_t borrow = 0;
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < Result::limbs; ++i) {
+      r.limb[i] = wide::subtract(a.limb_or_extension(i), b.limb_or_extension(i), borrow);
+    }
+  }
+  return r;
+}
+
+template <int A, int B> constexpr WideInt<A + B> operator*(const WideInt<A>& a, const WideInt<B>& b) {
+  using Result = WideInt<A + B>;
+  constexpr std::size_t na = WideInt<A>::limbs, nb = WideInt<B>::limbs, n = Result::limbs;
+  Result r;
+  if constexpr (n == 1) {
+    r.limb[0] = a.limb[0] * b.limb[0];
+  } else if constexpr (na == 1 && nb == 1) {
+    return Result{static_cast<Int128>(a.low64()) * b.low64()};
+  } else {
+    // The unsigned product of the limbs, modulo 2^(64 * n) ...
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < na; ++i) {
+      std::uint64_t carry = 0;
+#pragma GCC unroll 16
+      for (std::size_t j = 0; j < nb; ++j) {
+        if (i + j >= n) break;
+        const UInt128 t = static_cast<UInt128>(a.limb[i]) * b.limb[j] + r.limb[i + j] + carry;
+        r.limb[i + j] = static_cast<std::uint64_t>(t);
+        carry = static_cast<std::uint64_t>(t >> 64);
+      }
+      if (i + nb < n) r.limb[i + nb] = carry;
+    }
+    // ... counts a negative factor as 2^(64 * limbs) too much: take the other factor off again there.
+    std::uint64_t borrow = 0;
+#pragma GCC unroll 16
+    for (std::size_t k = na; k < n; ++k) {
+      r.limb[k] = wide::subtract(r.limb[k], b.limb_or_extension(k - na) & a.extension(), borrow);
+    }
+    borrow = 0;
+#pragma GCC unroll 16
+    for (std::size_t k = nb; k < n; ++k) {
+      r.limb[k] = wide::subtract(r.limb[k], a.limb_or_extension(k - nb) & b.extension(), borrow);
+    }
+  }
+  return r;
+}
+
+/// m * 2^shift, for a shift and a product that fit: |m| * 2^shift < 2^Bits.
+template <int Bits> constexpr WideInt<Bits> shifted(std::int64_t m, int shift) {
+  WideInt<Bits> r;
+  const std::size_t word = static_cast<std::size_t>(shift) / 64;
+  const int bit = shift % 64;
+  const auto low = static_cast<std::uint64_t>(m) << bit;
+  const auto high = static_cast<std::uint64_t>(m >> (63 - bit) >> 1);
+  const auto extension = static_cast<std::uint64_t>(m >> 63);
+  for (std::size_t i = 0; i < r.limbs; ++i) {
+    r.limb[i] = i < word ? 0 : i == word ? low : i == word + 1 ? high : extension;
+  }
+  return r;
+}
+
+}  // namespace plumb

@@ -1,0 +1,48 @@
+// What is the sign of a formula at these coordinates, exactly?  The chain of stages.
+//
+// Laws: the answer is the sign of the exact value for all finite doubles; anything else throws NonFinite, naming the
+// argument.  The order of the stages changes the time, never the answer.
+// Source: docs/proof.md; the order and what is left out: docs/measurements.md, "Stages".
+// Cost: the filter where it is sure; then as exact_stages.hpp says.
+#pragma once
+
+#include "plumb/certify/decision.hpp"
+#include "plumb/certify/exact_stages.hpp"
+#include "plumb/certify/filter_stage.hpp"
+#include "plumb/predicates/manifest.hpp"
+
+namespace plumb {
+
+/// Throws NonFinite for the first coordinate that is NaN or infinite: "orient2d: c.y is nan, not a real number".
+[[noreturn]] void throw_non_finite(std::string_view formula, int dimension, std::span<const double> coordinates);
+
+/// Exact stages in the order of their cost; for coordinates that the filter could not decide.
+template <Formula F> [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
+  const std::uint64_t largest = largest_pattern(p);
+  if (largest >= 0x7ffull << 52) throw_non_finite(F::name, F::dimension, p);
+  if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
+  if (const auto s = integer_sign<F>(p, largest); s.certain()) return {s.value(), Stage::integer};
+  if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
+  if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
+  return {big_integer_sign(program<F>(), p), Stage::big_integer};
+}
+
+/// The sign of F at p.  The recorder is told which stage decided.
+template <Formula F, class Recorder = NoRecorder>
+constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
+  if (const int s = magnitude_filter<F>(p); s != 0) [[likely]] {
+    recorder.decided(Stage::filter);
+    return static_cast<Sign>(s);
+  }
+  const Decision d = decide_exactly<F>(p);
+  recorder.decided(d.stage);
+  return d.sign;
+}
+
+// The exact stages of the manifest's formulas are compiled once, into the library.
+#define PLUMB_DECLARE(formula) \
+  extern template Decision decide_exactly<predicates::formula>(const Coordinates<predicates::formula>&);
+PLUMB_PREDICATES(PLUMB_DECLARE)
+#undef PLUMB_DECLARE
+
+}  // namespace plumb

@@ -1,0 +1,51 @@
+// Is the machine, and the code around the call, as the proofs assume?
+//
+// Laws: checks, never changes.  What concerns compiled code (contraction, fast-math) is looked at in the translation
+// unit that calls check_environment(), since the hot paths are inline there; the rest is the state of this thread.
+// Source: RTCD 11.2.3, docs/proof.md "Assumptions".  Cost: a microsecond.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plumb/arith/strict.hpp"
+
+namespace plumb {
+
+struct Environment {
+  bool rounds_to_nearest;                     // the rounding mode of this thread
+  bool keeps_subnormals;                      // neither flush-to-zero nor denormals-are-zero
+  bool contracts;                             // the caller's a * b + c is fused (needs -ffp-contract=off)
+  bool fast_math;                             // the caller's code may reorder or drop operations
+  std::string version;                        // of the library
+  std::string compiler;                       // that built the library
+  std::string build;                          // its options
+  std::vector<std::string> instruction_sets;  // of this processor, those the library or its users may profit from
+
+  /// All assumptions hold.
+  [[nodiscard]] bool sound() const { return rounds_to_nearest && keeps_subnormals && !contracts && !fast_math; }
+};
+
+namespace environment {
+
+Environment inspect(bool contracts, bool fast_math);
+
+// Internal linkage on purpose: each translation unit must answer for its own flags.
+[[maybe_unused]] static bool contracts_here() {
+  const volatile double a = 1 + 0x1p-30, minus_square = -(1 + 0x1p-29);
+  const double x = a, y = minus_square;
+  return x * x + y != 0;  // fused, the square keeps its last bit 2^-60
+}
+[[maybe_unused]] static bool fast_math_here() {
+  const volatile double large = 0x1p53, one = 1, nan = large * 0x1p1000 * 0 / (large - large);
+  const double l = large, o = one, n = nan;
+  return (l + o) - l != 0 || n == n;  // reassociated, the sum is exact; finite-only, a NaN equals itself
+}
+
+}  // namespace environment
+
+[[maybe_unused]] static Environment check_environment() {
+  return environment::inspect(environment::contracts_here(), environment::fast_math_here());
+}
+
+}  // namespace plumb

@@ -1,0 +1,94 @@
+#include "plumb/certify/case_line.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/certify/catalog.hpp"
+
+namespace plumb {
+namespace {
+
+std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
+
+// The next word of the line, which is cut off it; a '#' ends the line.
+std::string_view next_word(std::string_view& line) {
+  constexpr std::string_view blank = " \t\r\n";
+  const std::size_t begin = line.find_first_not_of(blank);
+  if (begin == line.npos || line[begin] == '#') return line = {};
+  const std::size_t end = std::min(line.find_first_of(blank, begin), line.size());
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+Sign parse_sign(std::string_view word) {
+  for (const Sign s : {Sign::negative, Sign::zero, Sign::positive}) {
+    if (word.size() == 1 && word[0] == to_char(s)) return s;
+  }
+  throw Error("after '=' comes the expected sign '+', '0' or '-', not " + quoted(word));
+}
+
+std::string known_predicates() {
+  std::string names;
+  for (const CatalogEntry& e : catalog()) names += (names.empty() ? "" : ", ") + std::string(e.name);
+  return names;
+}
+
+}  // namespace
+
+double parse_double(std::string_view word) {
+  std::string_view rest = word;
+  const bool minus = rest.starts_with('-');
+  if (minus || rest.starts_with('+')) rest.remove_prefix(1);
+  const bool hexadecimal = rest.starts_with("0x") || rest.starts_with("0X");
+  if (hexadecimal) rest.remove_prefix(2);
+  const char first = rest.empty() ? ' ' : rest.front();  // from_chars would take a second sign
+  double x = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), x,
+                                            hexadecimal ? std::chars_format::hex : std::chars_format::general);
+  if (error == std::errc::result_out_of_range) throw Error(quoted(word) + " is beyond the range of doubles");
+  if (first == '-' || error != std::errc{} || end != rest.data() + rest.size()) {
+    throw Error(quoted(word) + " is not a number; give a decimal or hexadecimal double, such as 0.1 or 0x1.8p-3");
+  }
+  if (!std::isfinite(x)) throw NonFinite(quoted(word) + " is not a real number; give a finite double");
+  return minus ? -x : x;
+}
+
+std::string hexadecimal(double x) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::fabs(x), std::chars_format::hex).ptr;
+  return (std::signbit(x) ? "-0x" : "0x") + std::string(text.data(), end);
+}
+
+std::optional<CaseLine> parse_case_line(std::string_view line) {
+  const std::string_view name = next_word(line);
+  if (name.empty()) return std::nullopt;
+  const CatalogEntry* entry = find_predicate(name);
+  if (entry == nullptr) throw Error("there is no predicate " + quoted(name) + "; there are " + known_predicates());
+  CaseLine c{std::string(name), {}, {}};
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+    if (word == "=") {
+      c.expected = Unsure{parse_sign(next_word(line))};
+      if (const auto more = next_word(line); !more.empty())
+        throw Error("nothing may follow the sign , but here comes " + quoted(more));
+      break;
+    }
+    c.coordinates.push_back(parse_double(word));
+  }
+  if (c.coordinates.size() != entry->arity()) {
+    throw Error(c.predicate + " takes " + std::to_string(entry->points) + " points of " +
+                std::to_string(entry->dimension) + " coordinates, " + std::to_string(entry->arity()) +
+                " numbers in all, not " + std::to_string(c.coordinates.size()));
+  }
+  return c;
+}
+
+std::string to_string(const CaseLine& c) {
+  std::string line = c.predicate;
+  for (const double x : c.coordinates) line += " " + hexadecimal(x);
+  if (c.expected.certain()) line += std::string(" = ") + to_char(c.expected.value());
+  return line;
+}
+
+}  // namespace plumb
