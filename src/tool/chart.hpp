@@ -1,0 +1,44 @@
+// How do methods compare in two numbers each?  A scatter chart as SVG: logarithmic axes, one named point a method.
+//
+// Exact zeros have no place on a logarithmic axis: they stand in a band of their own below a break in the y axis,
+// marked 0.  Colors are those of Okabe and Ito, told apart by color-blind readers, and every point has a shape of its
+// own as well; the chart follows the reader's choice of light or dark.  Plain SVG text, no script, no font of its own.
+//
+// Laws: (1) well-formed XML whatever the labels hold; (2) labels never overlap each other or a marker (the chart grows
+// where there is no room); (3) greater values lie further right or up, zero lies below all; (4) same input, same text.
+// Source: none; cost: about a millisecond.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "label_placement.hpp"
+
+namespace plumb::tool {
+
+struct ChartPoint {
+  std::string label;
+  double x;  // positive
+  double y;  // zero or positive
+};
+
+struct ChartText {
+  std::string title, subtitle;
+  std::string x_axis, y_axis;
+};
+
+/// Where everything stands, in pixels.
+struct ChartLayout {
+  double width, height;
+  Box plot;         // with the band of zeros
+  double break_at;  // the top of that band; the plot's bottom where no value is zero
+  std::vector<Box> markers;
+  std::vector<LabelPlace> labels;
+};
+
+/// Throws plumb::Error where a point has no place (x not positive, y negative, not finite).
+ChartLayout lay_out_chart(std::span<const ChartPoint> points);
+std::string scatter_chart(const ChartText& text, std::span<const ChartPoint> points);
+
+}  // namespace plumb::tool
