@@ -1,0 +1,30 @@
+// How is a polygon cut into triangles?
+//
+// Laws: a face of n corners gives n - 2 triangles on its own corners: no vertex is invented or left out, and each edge
+// of the face is an edge of just one of them, in the same direction.  Seen along an axis, every point is covered as
+// often as the face winds around it; so a face that projects to a simple polygon is tiled, by triangles of positive
+// area, corners on straight edges and keyhole bridges to holes included.  Every decision is the exact orient2d of
+// projected corners.  The axis is that of the largest normal component, or another one where that one shows no simple
+// polygon.  Where none does (all corners on one line, edges that cross) the face becomes a fan about its first corner,
+// and is counted.
+// Source: RTCD 12.5.1, 12.5.2 (ears); coverage: winding numbers add up over the triangles, all of which turn the same
+// way. Cost: linear for triangles, quadrilaterals and faces convex at the first corner, otherwise quadratic at worst in
+// the corners.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plumb/surface/mesh.hpp"
+
+namespace plumb {
+
+/// `fans`, if given, gets the number of faces that no axis shows as a simple polygon.
+TriangleMesh triangulate(const PolygonMesh& mesh, std::uint64_t* fans = nullptr);
+
+/// Triangles of one face, given by its corners, put at the end of `out`.  False when it became a fan.
+bool triangulate_face(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
+                      std::vector<Triangle>& out);
+
+}  // namespace plumb

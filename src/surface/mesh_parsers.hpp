@@ -1,0 +1,52 @@
+// Who reads which format?  One function a format; each fills a mesh and its share of the report, or throws.
+//
+// Law: they check indices and numbers as they go, so that errors have a line or byte; parse_mesh (read_mesh.cpp) does
+// what is the same for all.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "mesh_failure.hpp"
+#include "plumb/surface/decimal.hpp"
+#include "plumb/surface/mesh.hpp"
+#include "plumb/surface/read_mesh.hpp"
+
+namespace plumb::surface {
+
+struct Parse {
+  std::string_view bytes, file;
+  PolygonMesh mesh{};
+  LoadReport report{};
+  DecimalReader decimals{};
+
+  /// Ends the face whose corners were put at the end of mesh.corners; drops it when they are fewer than three.
+  void end_face() {
+    if (mesh.corners.size() - mesh.first.back() < 3) {
+      mesh.corners.resize(mesh.first.back());
+      ++report.dropped_faces;
+    } else {
+      if (mesh.corners.size() > std::numeric_limits<std::uint32_t>::max())
+        fail_at_file(MeshFileProblem::unsupported, file,
+                     "more than 4294967295 corners, expected fewer; cut the mesh up");
+      mesh.first.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    }
+  }
+};
+
+void parse_obj(Parse& parse);
+void parse_off(Parse& parse);
+void parse_stl(Parse& parse);
+void parse_ply(Parse& parse);
+
+/// Is the length the one that an STL of so many triangles has, as told at its byte 80?
+bool is_binary_stl(std::string_view bytes);
+
+/// The first word of an OFF file: what stands before OFF, and the first count where it follows without a space.
+struct OffHeader {
+  std::string_view prefix, count;
+};
+std::optional<OffHeader> off_header(std::string_view word);
+
+}  // namespace plumb::surface

@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "byte_reader.hpp"
+#include "mesh_parsers.hpp"
+#include "ply_header.hpp"
+#include "text_lines.hpp"
+
+namespace plumb::surface {
+namespace {
+
+using Role = PlyProperty::Role;
+
+double& coordinate_of(Point3& point, Role role) {
+  return role == Role::x ? point.x : role == Role::y ? point.y : point.z;
+}
+
+std::string progress(const PlyElement& element, std::uint64_t have) {
+  return in_quotes(element.name) + " " + std::to_string(have + 1) + " of the " + std::to_string(element.count) +
+         " that the header claims";
+}
+
+class AsciiBody {
+ public:
+  AsciiBody(Parse& parse, const PlyHeader& header)
+      : parse_(parse), header_(header), lines_(parse.bytes.substr(header.size), parse.file, {}, header.first_line) {}
+
+  void read(const PlyElement& element) {
+    if (element.properties.empty()) return;  // says nothing, however often
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      lines_.require_line(progress(element, i));
+      Point3 point{};
+      for (const auto& property : element.properties) read(property, point);
+      if (const auto more = lines_.next_token(); !more.empty())
+        lines_.fail(MeshFileProblem::syntax, "found " + in_quotes(more) +
+                                                 " after the properties of the header, expected the "
+                                                 "end of the line; mend the line or the header");
+      if (element.name == "vertex") parse_.mesh.vertices.push_back(point);
+      if (element.name == "face") parse_.end_face();
+    }
+  }
+
+  void finish() {
+    if (lines_.next_line())
+      lines_.fail(MeshFileProblem::syntax, "found " + in_quotes(lines_.rest()) +
+                                               " after the last element, expected the end of the file; correct the "
+                                               "counts in the header");
+  }
+
+ private:
+  void read(const PlyProperty& property, Point3& point) {
+    if (property.count_type) {
+      const std::uint64_t count = lines_.count("the list's length");
+      for (std::uint64_t k = 0; k < count; ++k) {
+        if (property.role == Role::corners)
+          parse_.mesh.corners.push_back(lines_.index(header_.vertices));
+        else
+          lines_.require_token("an entry of list " + in_quotes(property.name));
+      }
+    } else if (property.role == Role::ignored) {
+      lines_.require_token("property " + in_quotes(property.name));
+    } else {
+      coordinate_of(point, property.role) = lines_.coordinate(parse_.decimals, "coordinate " + property.name);
+    }
+  }
+
+  Parse& parse_;
+  const PlyHeader& header_;
+  TextLines lines_;
+};
+
+class BinaryBody {
+ public:
+  BinaryBody(Parse& parse, const PlyHeader& header)
+      : parse_(parse),
+        header_(header),
+        bytes_(parse.bytes, parse.file, header.size,
+               header.encoding == MeshEncoding::binary_big_endian ? std::endian::big : std::endian::little) {}
+
+  void read(const PlyElement& element) {
+    bytes_.require(element.count, element.size(), "the elements that the header claims");
+    const bool vertex = element.name == "vertex", face = element.name == "face";
+    if (!vertex && !element.has_lists()) {
+      bytes_.skip(element.count, element.size(), "an element");
+      return;
+    }
+    // At least three bytes a vertex were just found to be there.
+    if (vertex) parse_.mesh.vertices.reserve(static_cast<std::size_t>(element.count));
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      Point3 point{};
+      for (const auto& property : element.properties) read(property, point);
+      if (vertex) parse_.mesh.vertices.push_back(point);
+      if (face) parse_.end_face();
+    }
+  }
+
+  // Some writers end with a line end.
+  void finish() const {
+    if (bytes_.rest().find_first_not_of(" \t\r\n") != std::string_view::npos)
+      bytes_.fail(MeshFileProblem::syntax, "found " + std::to_string(bytes_.left()) +
+                                               " more bytes after the last element, expected the end of the file; "
+                                               "correct the counts in the header");
+  }
+
+ private:
+  void read(const PlyProperty& property, Point3& point) {
+    if (property.count_type) {
+      const std::int64_t count = integer(*property.count_type);
+      if (count < 0) refuse(MeshFileProblem::syntax, *property.count_type, "the list's length", count, "at least 0");
+      bytes_.require(static_cast<std::uint64_t>(count), size_of(property.type), "the entries of a list");
+      if (property.role == Role::corners)
+        for (std::int64_t k = 0; k < count; ++k) read_corner(property.type);
+      else
+        bytes_.skip(static_cast<std::uint64_t>(count), size_of(property.type), "a list");
+    } else if (property.role == Role::ignored) {
+      bytes_.skip(1, size_of(property.type), "a property");
+    } else {
+      coordinate_of(point, property.role) = coordinate(property);
+    }
+  }
+
+  void read_corner(PlyType type) {
+    const std::int64_t vertex = integer(type);
+    if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= header_.vertices)
+      refuse(MeshFileProblem::bad_index, type, "the face's vertex", vertex,
+             "from 0 and below " + std::to_string(header_.vertices) + ", the number of vertices");
+    parse_.mesh.corners.push_back(static_cast<std::uint32_t>(vertex));
+  }
+
+  std::int64_t integer(PlyType type) {
+    switch (type) {
+      case PlyType::int8:
+        return bytes_.read<std::int8_t>("an integer");
+      case PlyType::uint8:
+        return bytes_.read<std::uint8_t>("an integer");
+      case PlyType::int16:
+        return bytes_.read<std::int16_t>("an integer");
+      case PlyType::uint16:
+        return bytes_.read<std::uint16_t>("an integer");
+      case PlyType::int32:
+        return bytes_.read<std::int32_t>("an integer");
+      default:
+        return bytes_.read<std::uint32_t>("an integer");
+    }
+  }
+
+  double coordinate(const PlyProperty& property) {
+    const std::size_t at = bytes_.offset();
+    const double value = property.type == PlyType::float64   ? bytes_.read<double>("a coordinate")
+                         : property.type == PlyType::float32 ? static_cast<double>(bytes_.read<float>("a coordinate"))
+                                                             : static_cast<double>(integer(property.type));
+    if (!std::isfinite(value))
+      fail_at_byte(MeshFileProblem::bad_number, parse_.file, at,
+                   "coordinate " + property.name + " of vertex " + std::to_string(parse_.mesh.vertices.size()) +
+                       (std::isnan(value) ? " is NaN" : " is infinite") +
+                       ", expected a finite number; mend the tool that computed it");
+    return value;
+  }
+
+  [[noreturn]] void refuse(MeshFileProblem problem, PlyType type, const char* what, std::int64_t found,
+                           const std::string& expected) const {
+    fail_at_byte(
+        problem, parse_.file, bytes_.offset() - size_of(type),
+        std::string(what) + " is " + std::to_string(found) + ", expected " + expected + "; export the file again");
+  }
+
+  Parse& parse_;
+  const PlyHeader& header_;
+  ByteReader bytes_;
+};
+
+template <class Body>
+void read_body(Parse& parse, const PlyHeader& header) {
+  Body body(parse, header);
+  for (const auto& element : header.elements) body.read(element);
+  body.finish();
+}
+
+}  // namespace
+
+void parse_ply(Parse& parse) {
+  const PlyHeader header = read_ply_header(parse.bytes, parse.file);
+  parse.report.encoding = header.encoding;
+  if (header.encoding == MeshEncoding::ascii)
+    read_body<AsciiBody>(parse, header);
+  else
+    read_body<BinaryBody>(parse, header);
+}
+
+}  // namespace plumb::surface
