@@ -15,7 +15,8 @@ namespace plumb::predicates {
 struct InCircle {
   static constexpr std::string_view name = "incircle";
   static constexpr int points = 4, dimension = 2;
-  template <class T> constexpr auto operator()(const std::array<T, 8>& p) const {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 8>& p) const {
     const auto ax = p[0] - p[6], ay = p[1] - p[7];
     const auto bx = p[2] - p[6], by = p[3] - p[7];
     const auto cx = p[4] - p[6], cy = p[5] - p[7];
@@ -28,7 +29,8 @@ struct InCircle {
 struct InSphere {
   static constexpr std::string_view name = "insphere";
   static constexpr int points = 5, dimension = 3;
-  template <class T> constexpr auto operator()(const std::array<T, 15>& p) const {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 15>& p) const {
     const auto ax = p[0] - p[12], ay = p[1] - p[13], az = p[2] - p[14];
     const auto bx = p[3] - p[12], by = p[4] - p[13], bz = p[5] - p[14];
     const auto cx = p[6] - p[12], cy = p[7] - p[13], cz = p[8] - p[14];

@@ -15,7 +15,8 @@ namespace plumb::predicates {
 struct Orient2d {
   static constexpr std::string_view name = "orient2d";
   static constexpr int points = 3, dimension = 2;
-  template <class T> constexpr auto operator()(const std::array<T, 6>& p) const {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 6>& p) const {
     return det2(p[0] - p[4], p[1] - p[5],  //
                 p[2] - p[4], p[3] - p[5]);
   }
@@ -26,7 +27,8 @@ struct Orient2d {
 struct Orient3d {
   static constexpr std::string_view name = "orient3d";
   static constexpr int points = 4, dimension = 3;
-  template <class T> constexpr auto operator()(const std::array<T, 12>& p) const {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 12>& p) const {
     return det3(p[0] - p[9], p[1] - p[10], p[2] - p[11],  //
                 p[3] - p[9], p[4] - p[10], p[5] - p[11],  //
                 p[6] - p[9], p[7] - p[10], p[8] - p[11]);

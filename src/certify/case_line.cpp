@@ -71,7 +71,7 @@ std::optional<CaseLine> parse_case_line(std::string_view line) {
     if (word == "=") {
       c.expected = Unsure{parse_sign(next_word(line))};
       if (const auto more = next_word(line); !more.empty())
-        throw Error("nothing may follow the sign , but here comes " + quoted(more));
+        throw Error("nothing may follow the sign, but here comes " + quoted(more));
       break;
     }
     c.coordinates.push_back(parse_double(word));
@@ -86,7 +86,7 @@ std::optional<CaseLine> parse_case_line(std::string_view line) {
 
 std::string to_string(const CaseLine& c) {
   std::string line = c.predicate;
-  for (const double x : c.coordinates) line += " " + hexadecimal(x);
+  for (const double x : c.coordinates) line.append(" ").append(hexadecimal(x));
   if (c.expected.certain()) line += std::string(" = ") + to_char(c.expected.value());
   return line;
 }

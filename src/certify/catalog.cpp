@@ -7,7 +7,8 @@
 namespace plumb {
 namespace {
 
-template <Formula F> Coordinates<F> copy(std::span<const double> coordinates) {
+template <Formula F>
+Coordinates<F> copy(std::span<const double> coordinates) {
   Coordinates<F> p{};
   std::ranges::copy(coordinates.first(p.size()), p.begin());
   return p;
@@ -15,11 +16,12 @@ template <Formula F> Coordinates<F> copy(std::span<const double> coordinates) {
 
 Unsure<Sign> of_filter(int s) { return s == 0 ? Unsure<Sign>{} : Unsure{static_cast<Sign>(s)}; }
 
-template <Formula F> Unsure<Sign> ask(Stage stage, std::span<const double> coordinates) {
+template <Formula F>
+Unsure<Sign> ask(Stage stage, std::span<const double> coordinates) {
   const Coordinates<F> p = copy<F>(coordinates);
   switch (stage) {
     case Stage::filter:
-      return of_filter(magnitude_filter<F>(p));
+      return of_filter(filter<F>(p));
     case Stage::structural_zero:
       return structural_zero_sign<F>(p);
     case Stage::integer:
@@ -34,7 +36,8 @@ template <Formula F> Unsure<Sign> ask(Stage stage, std::span<const double> coord
   return {};
 }
 
-template <Formula F> Decision decide_with_stage(std::span<const double> coordinates) {
+template <Formula F>
+Decision decide_with_stage(std::span<const double> coordinates) {
   struct Last {
     Stage stage{};
     void decided(Stage s) { stage = s; }
@@ -43,16 +46,17 @@ template <Formula F> Decision decide_with_stage(std::span<const double> coordina
   return {s, last.stage};
 }
 
-template <Formula F> CatalogEntry entry() {
-  return {F::name,
-          F::points,
-          F::dimension,
-          degree<F>(),
-          filter_constant<F>(),
-          program<F>(),
-          decide_with_stage<F>,
-          ask<F>,
-          [](std::span<const double> p) { return of_filter(largest_filter<F>(copy<F>(p))); }};
+template <Formula F>
+Unsure<Sign> ask_other_filter(std::span<const double> coordinates) {
+  const Coordinates<F> p = copy<F>(coordinates);
+  return of_filter(filter_is_magnitude<F> ? largest_filter<F>(p) : magnitude_filter<F>(p));
+}
+
+template <Formula F>
+CatalogEntry entry() {
+  return {
+      F::name, F::points,          F::dimension, degree<F>(), filter_constant<F>(), program<F>(), decide_with_stage<F>,
+      ask<F>,  ask_other_filter<F>};
 }
 
 }  // namespace

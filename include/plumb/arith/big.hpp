@@ -11,7 +11,8 @@
 
 namespace plumb {
 
-template <class Value> struct Big {
+template <class Value>
+struct Big {
   Value value;
 
   [[nodiscard]] Sign sign() const { return sign_of_number(sgn(value)); }

@@ -1,38 +1,19 @@
 // How large can the magnitude be, given the largest difference per axis?  Filter B: the magnitude of filter A with
 // every difference replaced by the largest one of its axis.
 //
-// Law: rounding is monotone, so the magnitude over the largest differences is never below Filtered's own; the same
-// constant of Bound therefore serves both filters.  The magnitude needs no per-term absolute values and its equal
-// subterms are computed once; known bounds of a scene turn it into a constant (semi-static filter).
-// Source: RTCD 11.2; the maxima are those of semi-static filters.  Cost: one |x| and one maximum per difference.
+// Laws: rounding is monotone, so the magnitude over the largest differences is never below Filtered's own; the same
+// constant of Bound therefore serves both filters.  The largest differences start from a floor whose product in the
+// formula's degree is a normal number, so that no product's magnitude underflows and no guard is needed.
+// Equal terms of the magnitude are computed once, and known bounds of a scene turn it into a constant.
+// Source: RTCD 11.2; the maxima are those of semi-static filters.  Cost: one |x| and one maximum for each difference.
 #pragma once
+
+#include <array>
+#include <cstddef>
 
 #include "plumb/arith/filtered.hpp"
 
 namespace plumb {
-
-/// Plain value; every difference of coordinates also raises the largest difference of its axis.
-struct Watched {
-  struct Input {
-    double value;
-    double* largest;
-  };
-
-  double value;
-
-  constexpr explicit Watched(double v) : value(v) {}
-  constexpr Watched(Input x) : value(x.value) { raise(x); }  // NOLINT: a coordinate by itself counts as a difference
-
-  static constexpr void raise(Input x) {
-    const double m = magnitude_of(x.value);
-    *x.largest = m > *x.largest ? m : *x.largest;  // a NaN is not kept here: it ends in the value
-  }
-  friend constexpr Watched operator-(Input a, Input b) { return Watched{Input{a.value - b.value, a.largest}}; }
-  friend constexpr Watched operator+(Input a, Input b) { return Watched{Input{a.value + b.value, a.largest}}; }
-  friend constexpr Watched operator+(Watched a, Watched b) { return Watched{a.value + b.value}; }
-  friend constexpr Watched operator-(Watched a, Watched b) { return Watched{a.value - b.value}; }
-  friend constexpr Watched operator*(Watched a, Watched b) { return Watched{a.value * b.value}; }
-};
 
 /// Upper bound of Filtered's magnitude; the input is the largest difference of the coordinate's axis.
 struct LargestMagnitude {
@@ -52,7 +33,33 @@ struct LargestMagnitude {
   }
   friend constexpr LargestMagnitude operator-(LargestMagnitude a, LargestMagnitude b) { return a + b; }
   friend constexpr LargestMagnitude operator*(LargestMagnitude a, LargestMagnitude b) {
-    return LargestMagnitude{a.magnitude * b.magnitude + underflow_guard};
+    return LargestMagnitude{a.magnitude * b.magnitude};
+  }
+};
+
+/// Degree in each axis: when every term of a formula has the same, its magnitude is one product of the largest
+/// differences times the number of terms.
+template <std::size_t Dimension>
+struct AxisDegrees {
+  struct Input {
+    std::size_t axis;
+  };
+
+  std::array<int, Dimension> degree{};
+  bool equal_terms = true;
+
+  constexpr AxisDegrees() = default;
+  constexpr AxisDegrees(Input x) { degree[x.axis] = 1; }  // NOLINT: mixes as an intermediate value
+
+  friend constexpr AxisDegrees operator+(AxisDegrees a, AxisDegrees b) {
+    a.equal_terms = a.equal_terms && b.equal_terms && a.degree == b.degree;
+    return a;
+  }
+  friend constexpr AxisDegrees operator-(AxisDegrees a, AxisDegrees b) { return a + b; }
+  friend constexpr AxisDegrees operator*(AxisDegrees a, AxisDegrees b) {
+    for (std::size_t i = 0; i < Dimension; ++i) a.degree[i] += b.degree[i];
+    a.equal_terms = a.equal_terms && b.equal_terms;
+    return a;
   }
 };
 

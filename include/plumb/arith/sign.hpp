@@ -14,13 +14,17 @@ constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)
 constexpr Sign operator*(Sign s, Sign t) { return static_cast<Sign>(static_cast<int>(s) * static_cast<int>(t)); }
 
 /// Sign of a number whose comparisons with zero are exact (an integer, a rational, a double).
-template <class T> constexpr Sign sign_of_number(const T& x) { return static_cast<Sign>((x > 0) - (x < 0)); }
+template <class T>
+constexpr Sign sign_of_number(const T& x) {
+  return static_cast<Sign>((x > 0) - (x < 0));
+}
 
 /// '+', '0' or '-': how case lines and reports write a sign.
 constexpr char to_char(Sign s) { return s == Sign::positive ? '+' : s == Sign::negative ? '-' : '0'; }
 
 /// An answer that a stage may be unable to give.
-template <class T> class Unsure {
+template <class T>
+class Unsure {
  public:
   constexpr Unsure() = default;  // NOLINT: the undecided answer
   constexpr explicit Unsure(T answer) : answer_(answer) {}

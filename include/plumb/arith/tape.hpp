@@ -25,7 +25,8 @@ struct Program {
   std::span<const Instruction> instructions;
 };
 
-template <std::size_t Capacity> struct Tape {
+template <std::size_t Capacity>
+struct Tape {
   std::array<Instruction, Capacity> instructions{};
   std::size_t size = 0;
   std::size_t arity = 0;
@@ -37,7 +38,8 @@ template <std::size_t Capacity> struct Tape {
   }
 };
 
-template <std::size_t Capacity> struct Recorded {
+template <std::size_t Capacity>
+struct Recorded {
   Tape<Capacity>* tape;
   std::uint16_t index;
 

@@ -16,7 +16,8 @@ namespace plumb {
 __extension__ using Int128 = __int128;
 __extension__ using UInt128 = unsigned __int128;
 
-template <int Bits> struct WideInt {
+template <int Bits>
+struct WideInt {
   static_assert(Bits > 0);
   static constexpr int bits = Bits;
   static constexpr int limbs = Bits / 64 + 1;  // Bits and a sign bit
@@ -73,7 +74,8 @@ constexpr std::uint64_t subtract(std::uint64_t a, std::uint64_t b, std::uint64_t
 
 }  // namespace wide
 
-template <int A, int B> constexpr WideInt<wide::sum_bits(A, B)> operator+(const WideInt<A>& a, const WideInt<B>& b) {
+template <int A, int B>
+constexpr WideInt<wide::sum_bits(A, B)> operator+(const WideInt<A>& a, const WideInt<B>& b) {
   using Result = WideInt<wide::sum_bits(A, B)>;
   Result r;
   if constexpr (Result::limbs == 1) {
@@ -89,7 +91,8 @@ template <int A, int B> constexpr WideInt<wide::sum_bits(A, B)> operator+(const 
   return r;
 }
 
-template <int A, int B> constexpr WideInt<wide::sum_bits(A, B)> operator-(const WideInt<A>& a, const WideInt<B>& b) {
+template <int A, int B>
+constexpr WideInt<wide::sum_bits(A, B)> operator-(const WideInt<A>& a, const WideInt<B>& b) {
   using Result = WideInt<wide::sum_bits(A, B)>;
   Result r;
   if constexpr (Result::limbs == 1) {
@@ -106,7 +109,8 @@ template <int A, int B> constexpr WideInt<wide::sum_bits(A, B)> operator-(const 
   return r;
 }
 
-template <int A, int B> constexpr WideInt<A + B> operator*(const WideInt<A>& a, const WideInt<B>& b) {
+template <int A, int B>
+constexpr WideInt<A + B> operator*(const WideInt<A>& a, const WideInt<B>& b) {
   using Result = WideInt<A + B>;
   constexpr std::size_t na = WideInt<A>::limbs, nb = WideInt<B>::limbs, n = Result::limbs;
   Result r;
@@ -144,7 +148,8 @@ template <int A, int B> constexpr WideInt<A + B> operator*(const WideInt<A>& a, 
 }
 
 /// m * 2^shift, for a shift and a product that fit: |m| * 2^shift < 2^Bits.
-template <int Bits> constexpr WideInt<Bits> shifted(std::int64_t m, int shift) {
+template <int Bits>
+constexpr WideInt<Bits> shifted(std::int64_t m, int shift) {
   WideInt<Bits> r;
   const std::size_t word = static_cast<std::size_t>(shift) / 64;
   const int bit = shift % 64;

@@ -22,8 +22,8 @@ struct CatalogEntry {
   Decision (*decide)(std::span<const double> coordinates);
   /// What one stage alone answers; finite coordinates.
   Unsure<Sign> (*ask)(Stage stage, std::span<const double> coordinates);
-  /// What the other filter, that of the largest differences, answers.
-  Unsure<Sign> (*ask_largest_filter)(std::span<const double> coordinates);
+  /// What the filter that the chain does not use for this predicate answers.
+  Unsure<Sign> (*ask_other_filter)(std::span<const double> coordinates);
 
   [[nodiscard]] std::size_t arity() const { return static_cast<std::size_t>(points * dimension); }
 };

@@ -17,7 +17,8 @@ namespace plumb {
 [[noreturn]] void throw_non_finite(std::string_view formula, int dimension, std::span<const double> coordinates);
 
 /// Exact stages in the order of their cost; for coordinates that the filter could not decide.
-template <Formula F> [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
+template <Formula F>
+[[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
   const std::uint64_t largest = largest_pattern(p);
   if (largest >= 0x7ffull << 52) throw_non_finite(F::name, F::dimension, p);
   if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
@@ -30,7 +31,7 @@ template <Formula F> [[gnu::noinline]] Decision decide_exactly(const Coordinates
 /// The sign of F at p.  The recorder is told which stage decided.
 template <Formula F, class Recorder = NoRecorder>
 constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
-  if (const int s = magnitude_filter<F>(p); s != 0) [[likely]] {
+  if (const int s = filter<F>(p); s != 0) [[likely]] {
     recorder.decided(Stage::filter);
     return static_cast<Sign>(s);
   }

@@ -22,22 +22,20 @@
 namespace plumb {
 
 /// Certain only of zeros that equal inputs force.
-template <Formula F> constexpr Unsure<Sign> structural_zero_sign(const Coordinates<F>& p) {
-  std::array<StructuralZero::Input, arity<F>> in{};
-  for (std::size_t i = 0; i < in.size(); ++i) in[i] = {p[i]};
-  return StructuralZero(F{}(in)).certain ? Unsure{Sign::zero} : Unsure<Sign>{};
+template <Formula F>
+constexpr Unsure<Sign> structural_zero_sign(const Coordinates<F>& p) {
+  const StructuralZero r = evaluate<F>([&](std::size_t i) { return StructuralZero::Input{p[i]}; });
+  return r.certain ? Unsure{Sign::zero} : Unsure<Sign>{};
 }
 
-template <Formula F> constexpr Unsure<Sign> interval_sign(const Coordinates<F>& p) {
-  std::array<Interval, arity<F>> in = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Interval, arity<F>>{Interval{p[I]}...};
-  }
-  (std::make_index_sequence<arity<F>>{});
-  return F{}(in).sign();
+template <Formula F>
+constexpr Unsure<Sign> interval_sign(const Coordinates<F>& p) {
+  return evaluate<F>([&](std::size_t i) { return Interval{p[i]}; }).sign();
 }
 
 /// The largest |x| as a bit pattern, whose order is that of the magnitudes; NaN and infinity come last.
-template <std::size_t N> constexpr std::uint64_t largest_pattern(const std::array<double, N>& p) {
+template <std::size_t N>
+constexpr std::uint64_t largest_pattern(const std::array<double, N>& p) {
   std::array<std::uint64_t, N> pattern{};
   for (std::size_t i = 0; i < N; ++i) pattern[i] = std::bit_cast<std::uint64_t>(p[i]) & ~(1ull << 63);
   for (std::size_t n = N; n > 1; n = (n + 1) / 2) {  // a tree: the comparisons do not wait for one another
@@ -51,17 +49,11 @@ namespace integer {
 // Coordinates of this many bits leave room for the carries of three-term sums in whole limbs.
 inline constexpr int short_bits = 29, long_bits = 61;
 
-template <int Bits, Formula F, class MakeCoordinate> constexpr Sign sign_over(MakeCoordinate make) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return F{}(std::array<WideInt<Bits>, arity<F>>{make(I)...}).sign();
-  }
-  (std::make_index_sequence<arity<F>>{});
-}
-
 }  // namespace integer
 
 /// Certain when all coordinates lie on a lattice of at most 61 bits.  `largest` is largest_pattern(p).
-template <Formula F> constexpr Unsure<Sign> integer_sign(const Coordinates<F>& p, std::uint64_t largest) {
+template <Formula F>
+constexpr Unsure<Sign> integer_sign(const Coordinates<F>& p, std::uint64_t largest) {
   const std::uint64_t exponent = largest >> 52;
   if (exponent <= 60) return {};  // all below 2^-962: the scale would not be a double
   // The largest coordinate's leading bit goes to bit 60; whatever comes back unchanged was an integer there.
@@ -78,24 +70,23 @@ template <Formula F> constexpr Unsure<Sign> integer_sign(const Coordinates<F>& p
   if (!exact) return {};
   const int zeros = std::countr_zero(ones);
   if (integer::long_bits - zeros <= integer::short_bits) {
-    return Unsure{integer::sign_over<integer::short_bits, F>(
-        [&](std::size_t i) { return WideInt<integer::short_bits>{m[i] >> zeros}; })};
+    return Unsure{evaluate<F>([&](std::size_t i) { return WideInt<integer::short_bits>{m[i] >> zeros}; }).sign()};
   }
-  return Unsure{
-      integer::sign_over<integer::long_bits, F>([&](std::size_t i) { return WideInt<integer::long_bits>{m[i]}; })};
+  return Unsure{evaluate<F>([&](std::size_t i) { return WideInt<integer::long_bits>{m[i]}; }).sign()};
 }
 
 /// Certain when the value fits 1024 bits; the width is the least of a few that the coordinates' span allows.
-template <Formula F> constexpr Unsure<Sign> wide_integer_sign(const Coordinates<F>& p) {
+template <Formula F>
+constexpr Unsure<Sign> wide_integer_sign(const Coordinates<F>& p) {
   const Lattice lattice = lattice_of(p);
   Unsure<Sign> answer;
   const auto try_bits = [&]<int Bits>() {
     if constexpr (value_bits<F>(Bits) < 1024) {
       if (answer.certain() || lattice.bits > Bits) return;
-      answer = Unsure{integer::sign_over<Bits, F>([&](std::size_t i) {
-        const OddForm f = odd_form(p[i]);
-        return shifted<Bits>(f.mantissa, f.mantissa == 0 ? 0 : f.exponent - lattice.exponent);
-      })};
+      answer = Unsure{evaluate<F>([&](std::size_t i) {
+                        const OddForm f = odd_form(p[i]);
+                        return shifted<Bits>(f.mantissa, f.mantissa == 0 ? 0 : f.exponent - lattice.exponent);
+                      }).sign()};
     }
   };
   try_bits.template operator()<125>();

@@ -14,33 +14,112 @@
 namespace plumb {
 
 /// -1, 0 or 1, where 0 is 'unsure': the form in which the hot path uses a filter.
-template <class Value> constexpr int beyond(Value value, Value threshold) {
+template <class Value>
+constexpr int beyond(Value value, Value threshold) {
   return static_cast<int>(value > threshold) - static_cast<int>(value < -threshold);
 }
 
 /// Filter A: against the sum of the absolute products.
-template <Formula F> constexpr int magnitude_filter(const Coordinates<F>& p) {
-  std::array<Filtered::Input, arity<F>> in{};
-  for (std::size_t i = 0; i < in.size(); ++i) in[i] = {p[i]};
-  const Filtered r = F{}(in);
+template <Formula F>
+constexpr int magnitude_filter(const Coordinates<F>& p) {
+  const Filtered r = evaluate<F>([&](std::size_t i) { return Filtered::Input{p[i]}; });
   return beyond(r.value, filter_constant<F>() * r.magnitude);
 }
 
-/// The threshold of filter B for differences up to these bounds, one for each axis.
 template <Formula F>
-constexpr double largest_threshold(const std::array<double, static_cast<std::size_t>(F::dimension)>& largest) {
-  std::array<LargestMagnitude::Input, arity<F>> in{};
-  for (std::size_t i = 0; i < in.size(); ++i) in[i] = {largest[i % largest.size()]};
-  return filter_constant<F>() * F{}(in).magnitude;
+using Largest = std::array<double, static_cast<std::size_t>(F::dimension)>;
+
+template <Formula F, class Make>
+constexpr Largest<F> per_axis(Make make) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) { return Largest<F>{make(I)...}; }
+  (std::make_index_sequence<static_cast<std::size_t>(F::dimension)>{});
+}
+
+/// Where the largest differences start: a power of two whose power in the formula's degree is at least 2^-1021.
+template <Formula F>
+inline constexpr double largest_floor = [] {
+  double x = 1;
+  for (int i = 0; i < 1021 / degree<F>(); ++i) x /= 2;
+  return x;
+}();
+
+template <Formula F>
+constexpr std::size_t axis_of_input(std::size_t i) {
+  return i % static_cast<std::size_t>(F::dimension);
+}
+
+/// The largest difference (or sum, or coordinate by itself) that the formula forms in each axis.
+template <Formula F>
+constexpr Largest<F> largest_differences(const Coordinates<F>& p) {
+  Largest<F> largest = per_axis<F>([](std::size_t) { return largest_floor<F>; });
+  const auto raise = [&](std::size_t axis, double x) {
+    const double m = magnitude_of(x);
+    largest[axis] = m > largest[axis] ? m : largest[axis];  // a NaN is not kept: it ends in the value
+  };
+  const auto look_at = [&]<std::size_t I>() {
+    constexpr Instruction i = tape::of<F>.instructions[I];
+    constexpr bool left = i.left < arity<F>, right = i.right < arity<F>;
+    if constexpr (left && right && i.operation != '*') {
+      raise(axis_of_input<F>(i.left), i.operation == '-' ? p[i.left] - p[i.right] : p[i.left] + p[i.right]);
+    } else {
+      if constexpr (left) raise(axis_of_input<F>(i.left), p[i.left]);
+      if constexpr (right) raise(axis_of_input<F>(i.right), p[i.right]);
+    }
+  };
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (look_at.template operator()<I>(), ...); }
+  (std::make_index_sequence<tape::of<F>.size>{});
+  return largest;
+}
+
+template <Formula F>
+inline constexpr auto axis_degrees = [] {
+  using Degrees = AxisDegrees<static_cast<std::size_t>(F::dimension)>;
+  return Degrees(evaluate<F>([](std::size_t i) { return typename Degrees::Input{axis_of_input<F>(i)}; }));
+}();
+
+template <Formula F>
+constexpr double magnitude_over(const Largest<F>& largest) {
+  return LargestMagnitude(
+             evaluate<F>([&](std::size_t i) { return LargestMagnitude::Input{largest[axis_of_input<F>(i)]}; }))
+      .magnitude;
+}
+
+/// The threshold of filter B for differences up to these bounds, one for each axis, none below largest_floor; for a
+/// value that is finite.
+template <Formula F>
+constexpr double largest_threshold(const Largest<F>& largest) {
+  if constexpr (axis_degrees<F>.equal_terms) {
+    // The terms differ in nothing but their roundings, of which 2^-45 pays for more than a hundred.
+    constexpr double terms = magnitude_over<F>(per_axis<F>([](std::size_t) { return 1.0; }));
+    double product = 1;
+    for (std::size_t axis = 0; axis < largest.size(); ++axis) {
+      for (int i = 0; i < axis_degrees<F>.degree[axis]; ++i) product *= largest[axis];
+    }
+    return filter_constant<F>() * terms * (1 + 0x1p-45) * product;
+  } else {
+    return filter_constant<F>() * magnitude_over<F>(largest);
+  }
 }
 
 /// Filter B: against the magnitude that the largest differences allow.
-template <Formula F> constexpr int largest_filter(const Coordinates<F>& p) {
-  std::array<double, static_cast<std::size_t>(F::dimension)> largest{};
-  std::array<Watched::Input, arity<F>> in{};
-  for (std::size_t i = 0; i < in.size(); ++i) in[i] = {p[i], &largest[i % largest.size()]};
-  const Watched r = F{}(in);
-  return beyond(r.value, largest_threshold<F>(largest));
+template <Formula F>
+constexpr int largest_filter(const Coordinates<F>& p) {
+  const double value = F{}(p);
+  // value - value is NaN, and so nothing is beyond, where an intermediate product overflowed though no threshold did.
+  return beyond(value, largest_threshold<F>(largest_differences<F>(p)) + (value - value));
+}
+
+/// Which filter the chain uses: the cheaper one by measurement (docs/measurements.md, "Stages").
+template <Formula F>
+inline constexpr bool filter_is_magnitude = degree<F>() < 3;
+
+template <Formula F>
+constexpr int filter(const Coordinates<F>& p) {
+  if constexpr (filter_is_magnitude<F>) {
+    return magnitude_filter<F>(p);
+  } else {
+    return largest_filter<F>(p);
+  }
 }
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 #include <concepts>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "plumb/arith/bound.hpp"
 #include "plumb/arith/degree.hpp"
@@ -27,29 +28,45 @@ concept Formula = std::default_initializable<F> && requires {
 };
 
 /// How many coordinates the formula takes, point after point.
-template <Formula F> inline constexpr std::size_t arity = static_cast<std::size_t>(F::points* F::dimension);
+template <Formula F>
+inline constexpr std::size_t arity = static_cast<std::size_t>(F::points* F::dimension);
 
-template <Formula F> using Coordinates = std::array<double, arity<F>>;
+template <Formula F>
+using Coordinates = std::array<double, arity<F>>;
+
+/// Runs F over the numbers make(0), make(1), ...; expanded, not looped, so that optimizers keep all of them in
+/// registers.
+template <Formula F, class Make>
+constexpr auto evaluate(Make make) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return F{}(std::array<decltype(make(std::size_t{})), arity<F>>{make(I)...});
+  }
+  (std::make_index_sequence<arity<F>>{});
+}
 
 /// The degree of the homogeneous polynomial.
-template <Formula F> consteval int degree() { return Degree(F{}(std::array<Degree::Input, arity<F>>{})).degree; }
+template <Formula F>
+consteval int degree() {
+  return Degree(F{}(std::array<Degree::Input, arity<F>>{})).degree;
+}
 
 /// With |coordinates| < 2^bits, the exact value is below 2^(this) in magnitude.
-template <Formula F> constexpr int value_bits(int bits) {
-  std::array<BitLength, arity<F>> in{};
-  for (BitLength& b : in) b = {bits};
-  return F{}(in).bits;
+template <Formula F>
+constexpr int value_bits(int bits) {
+  return evaluate<F>([bits](std::size_t) { return BitLength{bits}; }).bits;
 }
 
 /// c with: a computed value beyond c * magnitude has the sign of the exact value.  The two units added pay for the
 /// roundings of the magnitude's last sum and of the product with c.
-template <Formula F> consteval double filter_constant() {
+template <Formula F>
+consteval double filter_constant() {
   return static_cast<double>(Bound(F{}(std::array<Bound::Input, arity<F>>{})).root + 2) * 0x1p-85;
 }
 
 namespace tape {
 
-template <Formula F, std::size_t Capacity> consteval Tape<Capacity> record() {
+template <Formula F, std::size_t Capacity>
+consteval Tape<Capacity> record() {
   Tape<Capacity> tape;
   tape.arity = arity<F>;
   std::array<Recorded<Capacity>, arity<F>> in{};
@@ -58,11 +75,15 @@ template <Formula F, std::size_t Capacity> consteval Tape<Capacity> record() {
   return tape;
 }
 
-template <Formula F> inline constexpr auto of = record<F, record<F, 4096>().size>();
+template <Formula F>
+inline constexpr auto of = record<F, record<F, 4096>().size>();
 
 }  // namespace tape
 
 /// The formula as data.
-template <Formula F> constexpr Program program() { return {arity<F>, tape::of<F>.instructions}; }
+template <Formula F>
+constexpr Program program() {
+  return {arity<F>, tape::of<F>.instructions};
+}
 
 }  // namespace plumb
