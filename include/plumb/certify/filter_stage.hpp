@@ -84,6 +84,15 @@ constexpr double magnitude_over(const Largest<F>& largest) {
       .magnitude;
 }
 
+template <int N>
+constexpr double power(double x) {
+  if constexpr (N == 0) {
+    return 1;
+  } else {
+    return x * power<N - 1>(x);
+  }
+}
+
 /// The threshold of filter B for differences up to these bounds, one for each axis, none below largest_floor; for a
 /// value that is finite.
 template <Formula F>
@@ -91,10 +100,10 @@ constexpr double largest_threshold(const Largest<F>& largest) {
   if constexpr (axis_degrees<F>.equal_terms) {
     // The terms differ in nothing but their roundings, of which 2^-45 pays for more than a hundred.
     constexpr double terms = magnitude_over<F>(per_axis<F>([](std::size_t) { return 1.0; }));
-    double product = 1;
-    for (std::size_t axis = 0; axis < largest.size(); ++axis) {
-      for (int i = 0; i < axis_degrees<F>.degree[axis]; ++i) product *= largest[axis];
+    const double product = [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return (power<axis_degrees<F>.degree[I]>(largest[I]) * ...);
     }
+    (std::make_index_sequence<std::tuple_size_v<Largest<F>>>{});
     return filter_constant<F>() * terms * (1 + 0x1p-45) * product;
   } else {
     return filter_constant<F>() * magnitude_over<F>(largest);
