@@ -63,7 +63,9 @@ double float32_coordinate(Entropy& entropy) {
 
 double grid_coordinate(Entropy& entropy, int bits) { return integer(entropy.within((std::int64_t{1} << bits) - 1)); }
 
-double near_half_coordinate(Entropy& entropy) { return 0.5 + integer(entropy.within(256)) * 0x1p-53; }
+double near_half_coordinate(Entropy& entropy, std::int64_t most) {
+  return 0.5 + integer(entropy.within(most)) * 0x1p-53;
+}
 
 double wide_coordinate(Entropy& entropy) {
   const double mantissa = integer(entropy.within((std::int64_t{1} << 53) - 1));
@@ -99,7 +101,7 @@ double coordinate_of(CoordinateClass which, Entropy& entropy) {
     case CoordinateClass::float32:
       return float32_coordinate(entropy);
     case CoordinateClass::near_half:
-      return near_half_coordinate(entropy);
+      return near_half_coordinate(entropy, 256);
     case CoordinateClass::wide:
       return wide_coordinate(entropy);
     case CoordinateClass::special:

@@ -46,7 +46,7 @@ std::uint64_t Entropy::read(std::uint64_t largest) {
     if (choices_.empty()) return 0;
     const std::uint64_t choice = choices_.front();
     choices_ = choices_.subspan(1);
-    return choice <= largest ? choice : 0;
+    return choice <= largest ? choice : choice % (largest + 1);
   }
   std::uint64_t value = 0;
   for (int shift = 0; shift < static_cast<int>(std::bit_width(largest)) && !bytes_.empty(); shift += 8) {

@@ -19,6 +19,8 @@ Int positive(Entropy& entropy, int bits) {
   return bits == 0 ? 1 : 1 + static_cast<Int>(entropy.below(static_cast<std::uint64_t>(largest(bits))));
 }
 
+double squared(Int x) { return static_cast<double>(x) * static_cast<double>(x); }
+
 Int nonnegative(Entropy& entropy, int bits) { return static_cast<Int>(entropy.bits(bits)); }
 
 // An offset generator is set up once a set from `budget` and then makes points whose coordinates stay below 2^budget.
@@ -35,7 +37,7 @@ class FlatOffsets {
     if (plane && entropy.below(8) != 7) second_ = direction(dimension, bits - multiple_bits_, entropy);
   }
 
-  Int3 next(Entropy& entropy) const {
+  Int3 next(Entropy& entropy) {
     const Int i = entropy.within(largest(multiple_bits_));
     const Int j = plane_ ? entropy.within(largest(multiple_bits_)) : 0;
     return {i * first_[0] + j * second_[0], i * first_[1] + j * second_[1], i * first_[2] + j * second_[2]};
@@ -54,6 +56,30 @@ class FlatOffsets {
   Int3 first_{}, second_{};
 };
 
+// Different numbers below `range`, as long as there are enough for all points: equal points are a family of their own.
+class Walk {
+ public:
+  Walk() = default;
+  Walk(std::uint64_t range, std::size_t points, Entropy& entropy)
+      : range_(range), longest_step_(range / (points + 1)), at_(range - 1 + entropy.below(range)) {}
+
+  std::uint64_t next(Entropy& entropy) {
+    at_ = (at_ + 1 + entropy.below(longest_step_)) % range_;
+    return at_;
+  }
+
+ private:
+  std::uint64_t range_ = 1, longest_step_ = 1, at_ = 0;
+};
+
+// A factor that stretches a circle or sphere of this radius to any size below 2^budget, half the time the greatest odd
+// one: differences then take up to a bit more than 53.
+Int stretch(double radius, int budget, Entropy& entropy) {
+  const double most = std::ldexp(1 - 0x1p-40, budget) / radius;  // the few roundings of the radius are far below 2^-40
+  const auto whole = static_cast<std::uint64_t>(most);
+  return static_cast<Int>(entropy.coin() ? (whole - 1) | 1 : 1 + entropy.below(whole));
+}
+
 // (x + i y) = product of Gaussian integers; conjugating a factor keeps the norm, as do the eight symmetries of a
 // square.
 class CircleOffsets {
@@ -63,18 +89,25 @@ class CircleOffsets {
                  : budget < 15                 ? 2
                  : points <= 16 || budget < 20 ? 3
                                                : 5) {
-    // |product| < 2^(factors * (bits + 1/2)).
-    const int bits = (budget - (factors_ + 1) / 2) / factors_;
-    for (int f = 0; f < factors_; ++f)
-      factor_[static_cast<std::size_t>(f)] = {positive(entropy, bits), nonnegative(entropy, bits)};
+    // |product| < 2^(sum of bits + factors / 2).
+    const int bits = budget - (factors_ + 1) / 2;
+    double radius = 1;
+    for (int f = 0; f < factors_; ++f) {
+      const int own = (bits + f) / factors_;
+      const Int re = positive(entropy, own), im = nonnegative(entropy, own);
+      factor_[static_cast<std::size_t>(f)] = {re, im};
+      radius *= std::sqrt(static_cast<double>(re * re + im * im));
+    }
+    stretch_ = stretch(radius, budget, entropy);
+    walk_ = Walk(std::uint64_t{4} << factors_, points, entropy);  // conjugating the first factor too gives nothing new
   }
 
-  std::pair<Int, Int> next(Entropy& entropy) const {
-    const std::uint64_t choice = entropy.bits(factors_ + 3);
-    Int x = 1, y = 0;
+  std::pair<Int, Int> next(Entropy& entropy) {
+    const std::uint64_t choice = walk_.next(entropy);
+    Int x = stretch_, y = 0;
     for (int f = 0; f < factors_; ++f) {
       const auto [re, absolute_im] = factor_[static_cast<std::size_t>(f)];
-      const Int im = (choice >> (f + 3)) % 2 == 0 ? absolute_im : -absolute_im;
+      const Int im = f == 0 || (choice >> (f + 2)) % 2 == 0 ? absolute_im : -absolute_im;
       const Int next_x = x * re - y * im;
       y = x * im + y * re;
       x = next_x;
@@ -86,6 +119,8 @@ class CircleOffsets {
  private:
   int factors_;
   std::array<std::pair<Int, Int>, 5> factor_{};
+  Int stretch_ = 1;
+  Walk walk_;
 };
 
 struct Quaternion {
@@ -110,16 +145,23 @@ Int3 symmetric(const Int3& v, std::uint64_t which) {
 // q v q': |result| = N(q) |v|, whatever the order and the signs of the parts of q.
 class SphereOffsets {
  public:
-  SphereOffsets(int budget, Entropy& entropy) {
+  SphereOffsets(int budget, std::size_t points, Entropy& entropy) {
     // |q v q'| < 2^(2 bits + 2) * sqrt(3) 2^vector_bits; without a rotation the vector has the whole budget.
     rotation_bits_ = entropy.below(4) == 0 ? 0 : (budget - 3) / 3;
-    const int vector_bits = rotation_bits_ == 0 ? budget : budget - 3 - 2 * rotation_bits_;
+    const int vector_bits = rotation_bits_ == 0 ? budget - 1 : budget - 3 - 2 * rotation_bits_;
     rotation_ = quaternion(rotation_bits_, entropy);
-    vector_ = {positive(entropy, vector_bits), nonnegative(entropy, vector_bits), nonnegative(entropy, vector_bits)};
+    const Int x = positive(entropy, vector_bits), y = nonnegative(entropy, vector_bits);
+    const Int z = nonnegative(entropy, vector_bits);
+    const auto [a, b, c, d] = rotation_;
+    const Int by =
+        stretch(static_cast<double>(a * a + b * b + c * c + d * d) * std::sqrt(squared(x) + squared(y) + squared(z)),
+                budget, entropy);
+    vector_ = {by * x, by * y, by * z};
+    walk_ = Walk(rotation_bits_ == 0 ? 48 : 48 * 48 * 4, points, entropy);
   }
 
-  Int3 next(Entropy& entropy) const {
-    std::uint64_t choice = entropy.below(rotation_bits_ == 0 ? 48 : 48 * 48 * 4);
+  Int3 next(Entropy& entropy) {
+    std::uint64_t choice = walk_.next(entropy);
     const Int3 start = symmetric(vector_, choice % 48);
     if (rotation_bits_ == 0) return start;
     choice /= 48;
@@ -138,15 +180,16 @@ class SphereOffsets {
   int rotation_bits_;
   Quaternion rotation_;
   Int3 vector_{};
+  Walk walk_;
 };
 
 // x u + y w for (x, y) on a circle and u, w two columns of the rotation of a quaternion: orthogonal and of one length.
 class SpaceCircleOffsets {
  public:
   SpaceCircleOffsets(int budget, std::size_t points, Entropy& entropy)
-      : SpaceCircleOffsets(budget, entropy.below(4) == 0 ? 0 : budget / 6, points, entropy) {}
+      : SpaceCircleOffsets(budget, entropy.coin() ? budget / 6 : 0, points, entropy) {}
 
-  Int3 next(Entropy& entropy) const {
+  Int3 next(Entropy& entropy) {
     const auto [x, y] = circle_.next(entropy);
     const Int3 v = {x * u_[0] + y * w_[0], x * u_[1] + y * w_[1], x * u_[2] + y * w_[2]};
     return symmetric(v, 8 * order_);
@@ -190,13 +233,13 @@ void place(const Layout& layout, int dimension, std::span<double> coordinates, E
 
 void fill(Degeneracy degeneracy, int dimension, const Layout& layout, std::span<double> coordinates, Entropy& entropy) {
   const std::size_t points = coordinates.size() / static_cast<std::size_t>(dimension);
-  const auto run = [&](const auto& offsets) {
+  const auto run = [&](auto offsets) {
     place(layout, dimension, coordinates, entropy, [&](Entropy& choices) { return offsets.next(choices); });
   };
   if (is_flat(degeneracy))
     return run(FlatOffsets(degeneracy == Degeneracy::coplanar && dimension == 3, dimension, layout.budget, entropy));
   if (dimension == 2) {
-    const CircleOffsets circle(layout.budget, points, entropy);
+    CircleOffsets circle(layout.budget, points, entropy);
     return place(layout, dimension, coordinates, entropy, [&](Entropy& choices) {
       const auto [x, y] = circle.next(choices);
       return Int3{x, y, 0};
@@ -206,7 +249,7 @@ void fill(Degeneracy degeneracy, int dimension, const Layout& layout, std::span<
   if (degeneracy == Degeneracy::cocircular || entropy.below(8) == 7) {
     return run(SpaceCircleOffsets(layout.budget, points, entropy));
   }
-  run(SphereOffsets(layout.budget, entropy));
+  run(SphereOffsets(layout.budget, points, entropy));
 }
 
 }  // namespace

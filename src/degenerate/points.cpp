@@ -10,7 +10,8 @@ namespace {
 
 using Coordinates = std::span<double>;
 
-template <class Make> void fill_each(Coordinates coordinates, const Make& make) {
+template <class Make>
+void fill_each(Coordinates coordinates, const Make& make) {
   for (double& x : coordinates) x = make();
 }
 
@@ -25,7 +26,7 @@ void fill_exact_any(Degeneracy degeneracy, int dimension, Coordinates coordinate
 }
 
 void fill_grid(Coordinates coordinates, Entropy& entropy) {
-  const int bits = 2 + static_cast<int>(entropy.below(19));
+  const int bits = 1 + static_cast<int>(entropy.below(20));
   fill_each(coordinates, [&] { return grid_coordinate(entropy, bits); });
 }
 
@@ -40,13 +41,14 @@ void fill_uniform(Coordinates coordinates, Entropy& entropy) {
 // Neighbors of (1/2, 1/2), and far points of the diagonal such as (12, 12) and (24, 24), which all but line up.
 void fill_near_half(int dimension, Coordinates coordinates, Entropy& entropy) {
   const auto stride = static_cast<std::size_t>(dimension);
+  const std::int64_t most = std::int64_t{4} << entropy.below(7);
   for (std::size_t first = 0; first + stride <= coordinates.size(); first += stride) {
     const Coordinates point = coordinates.subspan(first, stride);
     if (entropy.below(4) == 3) {
       const auto far = static_cast<double>(entropy.below(32));
       fill_each(point, [&] { return far; });
     } else {
-      fill_each(point, [&] { return near_half_coordinate(entropy); });
+      fill_each(point, [&] { return near_half_coordinate(entropy, most); });
     }
   }
 }

@@ -6,10 +6,15 @@
 
 namespace plumb {
 
-ChoiceShrinks::ChoiceShrinks(std::vector<std::uint64_t> choices) : current_(std::move(choices)) {
-  block_ = std::bit_floor(current_.size());
-  place_ = current_.size();
-}
+namespace {
+
+// How far the choices after a simpler one are shifted to give it other followers, such as a simpler family other
+// points.
+constexpr std::size_t longest_redraw = 12;
+
+}  // namespace
+
+ChoiceShrinks::ChoiceShrinks(std::vector<std::uint64_t> choices) : current_(std::move(choices)) {}
 
 bool ChoiceShrinks::next() {
   if (started_) advance();
@@ -29,6 +34,14 @@ bool ChoiceShrinks::propose() {
     candidate_[place_] -= amount_;
     return true;
   }
+  if (pass_ == Pass::redraw) {
+    if (place_ + block_ >= current_.size() || current_[place_] == 0) return false;
+    const auto place = current_.begin() + static_cast<std::ptrdiff_t>(place_);
+    candidate_.assign(current_.begin(), place);
+    candidate_.push_back(0);
+    candidate_.insert(candidate_.end(), place + 1 + static_cast<std::ptrdiff_t>(block_), current_.end());
+    return true;
+  }
   if (block_ == 0 || place_ < block_) return false;
   const auto end = current_.begin() + static_cast<std::ptrdiff_t>(place_);
   const auto begin = end - static_cast<std::ptrdiff_t>(block_);
@@ -45,11 +58,21 @@ void ChoiceShrinks::advance() {
     if (accepted) {
       amount_ = std::min(amount_, current_[place_]);  // the same step once more
     } else if (amount_ > 1) {
-      amount_ /= 2;
+      amount_ = std::bit_floor(amount_ - 1);  // powers of two keep the parity, which is a sign in Entropy::within
     } else if (++place_ < current_.size()) {
       amount_ = current_[place_];
     } else {
       pass_ = Pass::done;
+    }
+    return;
+  }
+  if (pass_ == Pass::redraw) {
+    if (!accepted && block_ < longest_redraw) {
+      ++block_;
+    } else if (block_ = 0; ++place_ >= current_.size()) {
+      pass_ = Pass::drop;
+      block_ = std::bit_floor(current_.size());
+      place_ = current_.size();
     }
     return;
   }
@@ -61,7 +84,9 @@ void ChoiceShrinks::advance() {
     --place_;
     return;
   }
-  block_ /= 2;
+  block_ = block_ > 8
+               ? block_ / 2
+               : block_ - std::min<std::size_t>(block_, 1);  // every short length: points take one to six choices
   place_ = current_.size();
   if (block_ > 0) return;
   if (pass_ == Pass::drop) {

@@ -81,7 +81,8 @@ class Shrinker {
   }
 
   // The coordinates first, first + stride, ... replaced by what `change` makes of them.
-  template <class Change> bool attempt_slice(std::size_t first, std::size_t stride, const Change& change) {
+  template <class Change>
+  bool attempt_slice(std::size_t first, std::size_t stride, const Change& change) {
     Coordinates candidate = current_;
     for (std::size_t i = first; i < candidate.size(); i += stride) {
       candidate[i] = change(candidate[i]);
@@ -97,10 +98,11 @@ class Shrinker {
   std::size_t calls_left_;
 };
 
-// Steps that keep what the points are to one another: scaling, translation, reflection.
+// Steps that keep what the points are to one another: projection, translation, scaling, reflection.
 bool shrink_together(Shrinker& shrinker, std::size_t first, std::size_t stride) {
   bool improved = false;
   const auto each = [&](const auto& change) { improved |= shrinker.attempt_slice(first, stride, change); };
+  each([](double) { return 0.0; });
   for (std::size_t i = first; i < shrinker.current().size(); i += stride) {
     const double origin = shrinker.current()[i];
     each([&](double x) { return x - origin; });

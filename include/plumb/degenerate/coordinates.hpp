@@ -21,8 +21,8 @@ double float32_coordinate(Entropy& entropy);
 /// An integer of at most `bits` bits and a sign, for bits in [1, 53].
 double grid_coordinate(Entropy& entropy, int bits);
 
-/// 0.5 + k 2^-53 with |k| <= 256: neighbors of one half, whose differences are exact and tiny.
-double near_half_coordinate(Entropy& entropy);
+/// 0.5 + k 2^-53 with |k| <= most <= 2^51: neighbors of one half, whose differences are exact and tiny.
+double near_half_coordinate(Entropy& entropy, std::int64_t most);
 
 /// A 53-bit mantissa and an exponent in [-40, 40].
 double wide_coordinate(Entropy& entropy);

@@ -23,7 +23,7 @@ class Entropy {
   /// Choices read from a fuzzer's bytes, each from as few bytes as it needs; the bytes must outlive the stream.
   static Entropy from_bytes(std::span<const std::uint8_t> bytes);
 
-  /// Choices as recorded; one too large for its question is answered by 0.  They must outlive the stream.
+  /// Choices as recorded; one too large for its question is reduced modulo its range.  They must outlive the stream.
   static Entropy from_choices(std::span<const std::uint64_t> choices);
 
   /// Appends every choice from here on to `choices` (nullptr: stop).

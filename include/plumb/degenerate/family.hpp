@@ -40,10 +40,11 @@ struct FamilyInfo {
 };
 
 inline constexpr std::array families = {
-    FamilyInfo{Family::grid, "grid", "integers of 2 to 20 bits, the size chosen once a set"},
+    FamilyInfo{Family::grid, "grid", "integers of 1 to 20 bits, the size chosen once a set"},
     FamilyInfo{Family::uniform, "uniform", "uniform doubles in [0, 1) or (-1, 1), multiples of 2^-53"},
     FamilyInfo{Family::float32, "float32", "values a float32 holds, of magnitude below 1"},
-    FamilyInfo{Family::near_half, "near_half", "0.5 + k 2^-53, and some small integers on the diagonal"},
+    FamilyInfo{Family::near_half, "near_half",
+               "0.5 + k 2^-53 with |k| up to 4 ... 256, and some small integers on the diagonal"},
     FamilyInfo{Family::degenerate_short, "degenerate_short", "exactly degenerate integers of 6 to 20 bits"},
     FamilyInfo{Family::degenerate_long, "degenerate_long", "exactly degenerate with mantissas of up to 53 bits"},
     FamilyInfo{Family::off_by_ulps, "off_by_ulps", "exactly degenerate, then up to three coordinates moved by ulps"},

@@ -43,14 +43,14 @@ class ChoiceShrinks {
   void accept();
 
  private:
-  enum class Pass : unsigned char { drop, zero, lower, done };
+  enum class Pass : unsigned char { redraw, drop, zero, lower, done };
   bool propose();
   void advance();
 
   std::vector<std::uint64_t> current_, candidate_;
-  Pass pass_ = Pass::drop;
-  std::size_t block_ = 0;     // length of the block to drop or zero
-  std::size_t place_ = 0;     // drop and zero: end of the block; lower: the choice
+  Pass pass_ = Pass::redraw;  // first, while there are choices left to shift into place
+  std::size_t block_ = 0;     // length of the block to drop or zero; redraw: how many choices to skip
+  std::size_t place_ = 0;     // drop and zero: end of the block; redraw and lower: the choice
   std::uint64_t amount_ = 0;  // lower: by how much
   bool started_ = false, accepted_ = false;
 };
