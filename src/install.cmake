@@ -1,0 +1,43 @@
+# What `cmake --install` puts where: libraries, headers, a CMake package and pkg-config files.  The tree may be moved
+# afterwards: nothing in it knows its own place.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS plumb_predicates plumb_degenerate plumb_plumb EXPORT plumb_targets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/plumb DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/predicates/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/predicates
+  FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(PLUMB_BUILD_PROGRAM)
+  file(RELATIVE_PATH from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(plumb_program PROPERTIES INSTALL_RPATH "$ORIGIN/${from_program}")
+  install(TARGETS plumb_program)
+endif()
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plumb)
+install(EXPORT plumb_targets NAMESPACE plumb:: FILE plumb-targets.cmake DESTINATION ${package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/src/plumb-config.cmake.in
+  ${PROJECT_BINARY_DIR}/plumb-config.cmake INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/plumb-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/plumb-config.cmake ${PROJECT_BINARY_DIR}/plumb-config-version.cmake
+  DESTINATION ${package_dir})
+
+# pkg-config: one file a library.  Paths are relative to the file's own folder.
+set(pc_dir ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH pc_libdir ${pc_dir} ${CMAKE_INSTALL_FULL_LIBDIR})
+file(RELATIVE_PATH pc_includedir ${pc_dir} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+# plumb_write_pc(NAME DESCRIPTION LIBRARY REQUIRES NEEDS): needs are other people's libraries.  A static library brings
+# nothing along, so what it needs goes on every link line; a shared one knows it already.
+function(plumb_write_pc pc_name pc_description pc_library pc_requires pc_needs)
+  string(STRIP "-L\${libdir} -l${pc_library}" pc_libs)
+  set(pc_private_libs ${pc_needs})
+  if(NOT BUILD_SHARED_LIBS)
+    string(STRIP "${pc_libs} ${pc_needs}" pc_libs)
+    set(pc_private_libs)
+  endif()
+  configure_file(${PROJECT_SOURCE_DIR}/src/plumb.pc.in ${PROJECT_BINARY_DIR}/${pc_name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+plumb_write_pc(plumb-predicates "Exact signs of geometric predicates" plumb_predicates "" -lgmp)
+plumb_write_pc(plumb-degenerate "Hard inputs for geometric code" plumb_degenerate "plumb-predicates = ${PROJECT_VERSION}" "")
+plumb_write_pc(plumb "${PROJECT_DESCRIPTION}" plumb "plumb-predicates = ${PROJECT_VERSION}" "")

@@ -1,0 +1,123 @@
+// Does this tree keep the house's rules, and would the check notice if it did not?
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "house/rules.hpp"
+
+namespace plumb::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(House, ThisTreeKeepsTheRules) { EXPECT_THAT(breaches(PLUMB_SOURCE_DIR), testing::IsEmpty()); }
+
+/// A small tree that keeps every rule.
+class SmallTree : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "plumb-house-XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    tree_ = pattern;
+    for (const std::string& name : top_level) {
+      if (name.find('.') == std::string::npos && name != "bootstrap" && name != "LICENSE") {
+        fs::create_directory(tree_ / name);
+      } else {
+        write(name, "");
+      }
+    }
+    write("predicates/orient.hpp", "#include <array>\n#include <plumb/predicates/determinant.hpp>\n");
+    write("predicates/determinant.hpp", "");
+    write("include/plumb/arith/rational.hpp", "#include <gmpxx.h>\n");
+    write("include/plumb/arith/sign.hpp", "#include <optional>\n");
+    write("include/plumb/certify/decide.hpp",
+          "#include \"plumb/arith/sign.hpp\"\n#include \"plumb/predicates/orient.hpp\"\n");
+    write("include/plumb/predicates.hpp", "#include \"plumb/certify/decide.hpp\"\n");
+    write("include/plumb/surface.hpp", "#include \"plumb/surface/mesh.hpp\"\n");
+    write("include/plumb/surface/mesh.hpp", "#include \"plumb/predicates.hpp\"\n");
+    write("include/plumb/plumb.hpp", "#include \"plumb/surface.hpp\"\n");
+    write("src/surface/read.cpp", "#include \"plumb/surface/mesh.hpp\"\n#include \"parser.hpp\"\n");
+    write("src/surface/parser.hpp", "");
+    write("src/install.cmake", "");
+    write("src/tool/main.cpp", "#include \"tool/report.hpp\"\n#include <fmt/core.h>\n");
+    write("tests/oracle/cgal.cpp", "#include <CGAL/Gmpq.h>\n");
+    write(".clang-format", "");
+    write("build/release/anything_common.txt", "");
+  }
+  void TearDown() override { fs::remove_all(tree_); }
+
+  void write(const std::string& path, const std::string& text) {
+    fs::create_directories((tree_ / path).parent_path());
+    std::ofstream(tree_ / path) << text;
+  }
+
+  fs::path tree_;
+};
+
+MATCHER_P2(Is, file, what, "") { return arg.file == file && arg.what.find(what) != std::string::npos; }
+
+TEST_F(SmallTree, IsWithoutBreach) { EXPECT_THAT(breaches(tree_), testing::IsEmpty()); }
+
+TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
+  struct Case {
+    std::string path, text, what;
+  };
+  const std::vector<Case> cases = {
+      {"notes.md", "", "not a name of the top level"},
+      {"cmake/flags.cmake", "", "not a name of the top level"},
+      {"include/other.hpp", "", "no rung"},
+      {"include/plumb/sphere.hpp", "", "no rung"},
+      {"include/plumb/tool/report.hpp", "", "no rung"},
+      {"include/plumb/predicates/orient.hpp", "", "no rung"},
+      {"include/plumb/geometry/sphere.hpp", "", "no rung"},
+      {"src/geometry/sphere.cpp", "", "no rung"},
+      {"src/sphere.cpp", "", "no rung"},
+      {"predicates/orient.cpp", "", "no rung"},
+      {"predicates/circle.hpp", "#include <plumb/arith/sign.hpp>\n", "later folder"},
+      {"include/plumb/arith/filter.hpp", "# include \"plumb/certify/decide.hpp\"\n", "later folder"},
+      {"include/plumb/certify/all.hpp", "#include \"plumb/plumb.hpp\"\n", "later folder"},
+      {"include/plumb/certify/mesh.hpp", "  #include <plumb/surface.hpp>\n", "later folder"},
+      {"include/plumb/certify/odd.hpp", "#include \"plumb/geometry/sphere.hpp\"\n", "no rung"},
+      {"include/plumb/query.hpp", "#include \"plumb/space/grid.hpp\"\n", "later folder"},
+      {"src/arith/filter.cpp", "#include \"surface/parser.hpp\"\n", "later folder"},
+      {"src/world/scene.cpp", "#include \"tool/report.hpp\"\n", "later folder"},
+      {"src/world/scene.cpp", "#include \"../surface/parser.hpp\"\n", "climbs"},
+      {"predicates/circle.hpp", "#include <gmp.h>\n", "stays in arith"},
+      {"include/plumb/certify/slow.hpp", "#include <gmpxx.h>\n", "stays in arith"},
+      {"include/plumb/figure/fit.hpp", "#include <Eigen/Dense>\n", "stays at the edge"},
+      {"include/plumb/figure/fit.hpp", "#include <fmt/core.h>\n", "the program's"},
+      {"include/plumb/degenerate/points.hpp", "#include <rapidcheck.h>\n", "stays in its bridge"},
+      {"src/certify/slow.cpp", "#include <CGAL/Gmpq.h>\n", "oracles and rivals"},
+      {"tests/certify/law_test.cpp", "#include <boost/multiprecision/gmp.hpp>\n", "oracles and rivals"},
+      {"include/plumb/figure.hpp", "#include \"plumb/arith/rational.hpp\"\n", "brings gmpxx.h along"},
+      {"src/surface/utils.hpp", "", "says nothing"},
+      {"tests/tool/string_helpers.hpp", "", "says nothing"},
+      {"src/tool/long.cpp", std::string(501, '\n'), "501 lines"},
+  };
+  for (const Case& c : cases) {
+    write(c.path, c.text);
+    const std::vector<Breach> found = breaches(tree_);
+    ASSERT_EQ(found.size(), 1u) << c.path << " " << c.text << testing::PrintToString(found);
+    EXPECT_TRUE(c.path.starts_with(found[0].file)) << found[0];  // the file, or a folder on the way to it
+    EXPECT_THAT(found[0].what, testing::HasSubstr(c.what)) << c.path;
+    fs::remove(tree_ / c.path);
+    fs::path folder = (tree_ / c.path).parent_path();
+    for (; folder != tree_ && fs::is_empty(folder); folder = folder.parent_path()) fs::remove(folder);
+    ASSERT_THAT(breaches(tree_), testing::IsEmpty()) << "after " << c.path;
+  }
+}
+
+TEST_F(SmallTree, EveryNameOfTheTopLevelIsNeeded) {
+  for (const std::string& name : top_level) {
+    fs::rename(tree_ / name, tree_ / ".elsewhere");
+    EXPECT_THAT(breaches(tree_), testing::Contains(Is(name, "missing from the top level")));
+    fs::rename(tree_ / ".elsewhere", tree_ / name);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::house

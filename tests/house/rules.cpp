@@ -1,0 +1,226 @@
+#include "house/rules.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace plumb::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_file = 500;
+constexpr int above_all = 1000;  // the rung of the program and of plumb.hpp
+
+struct Source {
+  std::string path;  // relative to the tree, with slashes
+  std::size_t lines = 0;
+  std::vector<std::string> includes;  // as spelled
+};
+
+bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_build_product(const std::string& name) {  // what .gitignore leaves out of the tree
+  return name.starts_with(".") || name.starts_with("build") || name == "compile_commands.json";
+}
+
+/// The spelling between the quotes or brackets, where the line is an #include.
+std::optional<std::string> included(std::string_view line) {
+  const auto skip = [&line] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+  skip();
+  if (!line.starts_with('#')) return {};
+  line.remove_prefix(1);
+  skip();
+  if (!line.starts_with("include")) return {};
+  line.remove_prefix(7);
+  skip();
+  if (!line.starts_with('"') && !line.starts_with('<')) return {};
+  const std::size_t end = line.find(line.front() == '"' ? '"' : '>', 1);
+  if (end == std::string_view::npos) return {};
+  return std::string(line.substr(1, end - 1));
+}
+
+bool is_source(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  return one_of(extension, {".hpp", ".cpp", ".cmake", ".in"}) || path.filename() == "CMakeLists.txt";
+}
+
+std::vector<Source> read_sources(const fs::path& tree) {
+  std::vector<Source> sources;
+  for (const char* top : {"include", "src", "predicates", "tests", "fuzz", "docs"}) {
+    if (!fs::is_directory(tree / top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(tree / top)) {
+      if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+      Source source{fs::relative(entry.path(), tree).generic_string(), 0, {}};
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line); ++source.lines) {
+        if (auto spelled = included(line)) source.includes.push_back(*spelled);
+      }
+      sources.push_back(std::move(source));
+    }
+  }
+  std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
+  return sources;
+}
+
+/// The rung of a name directly below include/plumb or src: a folder, or a face such as surface.hpp.
+std::optional<int> rung_of(std::string name) {
+  if (name == "tool" || name == "plumb.hpp") return above_all;
+  if (name == "predicates.hpp") name = "certify.hpp";  // the face of the signs
+  if (name.ends_with(".hpp")) name.resize(name.size() - 4);
+  const auto found = std::find(ladder.begin(), ladder.end(), name);
+  if (found == ladder.end()) return {};
+  return static_cast<int>(found - ladder.begin());
+}
+
+std::string first_part(const std::string& path) { return path.substr(0, path.find('/')); }
+
+/// The rung of a source; none for those off the ladder (tests and the like).
+std::optional<int> own_rung(const std::string& path) {
+  for (const std::string start : {"include/plumb/", "src/"}) {
+    if (path.starts_with(start)) return rung_of(first_part(path.substr(start.size())));
+  }
+  if (path.starts_with("predicates/")) return 0;
+  return {};
+}
+
+/// The rung of what an #include names; none for what is not ours or lies in the same folder.
+std::optional<int> included_rung(const std::string& spelled) {
+  if (spelled.starts_with("plumb/")) return rung_of(first_part(spelled.substr(6)));
+  if (spelled.find('/') == std::string::npos) return {};
+  return rung_of(first_part(spelled));
+}
+
+void check_top_level(const fs::path& tree, std::vector<Breach>& out) {
+  for (const auto& entry : fs::directory_iterator(tree)) {
+    const std::string name = entry.path().filename().string();
+    if (is_build_product(name)) continue;
+    if (std::find(top_level.begin(), top_level.end(), name) == top_level.end()) {
+      out.push_back({name, "is not a name of the top level"});
+    }
+  }
+  for (const std::string& name : top_level) {
+    if (!fs::exists(tree / name)) out.push_back({name, "is missing from the top level"});
+  }
+}
+
+void check_folders(const fs::path& tree, std::vector<Breach>& out) {
+  for (const std::string top : {"include/plumb", "src"}) {
+    if (!fs::is_directory(tree / top)) continue;
+    for (const auto& entry : fs::directory_iterator(tree / top)) {
+      const std::string name = entry.path().filename().string();
+      const std::string extension = entry.path().extension().string();
+      const bool known = entry.is_directory()
+                             ? rung_of(name) && name != "predicates" && (name != "tool" || top == "src")
+                         : top == "src" ? one_of(extension, {".cmake", ".in"})
+                                        : extension == ".hpp" && rung_of(name).has_value();
+      if (!known) out.push_back({top + "/" + name, "is no rung of the ladder"});
+    }
+  }
+  for (const std::string top : {"include", "predicates"}) {
+    if (!fs::is_directory(tree / top)) continue;
+    for (const auto& entry : fs::directory_iterator(tree / top)) {
+      const bool known = top == "include" ? entry.path().filename() == "plumb" : entry.path().extension() == ".hpp";
+      if (!known) out.push_back({fs::relative(entry.path(), tree).generic_string(), "is no rung of the ladder"});
+    }
+  }
+}
+
+void check_ladder(const Source& source, std::vector<Breach>& out) {
+  const auto own = own_rung(source.path);
+  if (!own) return;
+  for (const std::string& spelled : source.includes) {
+    if (spelled.starts_with("..")) out.push_back({source.path, "includes " + spelled + ", by a path that climbs"});
+    if (spelled.starts_with("plumb/") && !included_rung(spelled)) {
+      out.push_back({source.path, "includes " + spelled + ", which is on no rung of the ladder"});
+    }
+    const auto other = included_rung(spelled);
+    if (other && *other > *own) out.push_back({source.path, "includes " + spelled + ", of a later folder"});
+  }
+}
+
+bool is_gmp(const std::string& spelled) { return one_of(spelled, {"gmp.h", "gmpxx.h", "mpfr.h"}); }
+
+void check_libraries(const Source& source, std::vector<Breach>& out) {
+  const std::string& path = source.path;
+  const bool for_users = path.starts_with("include/") || path.starts_with("predicates/");
+  const auto forbid = [&](const std::string& spelled, const char* why) {
+    out.push_back({path, "includes " + spelled + ", " + why});
+  };
+  for (const std::string& spelled : source.includes) {
+    const std::string library = first_part(spelled);
+    if (one_of(library, {"CGAL", "boost"}) && !path.starts_with("tests/oracle/") && !path.starts_with("tests/bench/")) {
+      forbid(spelled, "which is for oracles and rivals only");
+    }
+    if (!for_users) continue;
+    if (is_gmp(spelled) && !path.starts_with("include/plumb/arith/")) forbid(spelled, "which stays in arith/");
+    if (library == "Eigen" && path != "include/plumb/figure/eigen.hpp") forbid(spelled, "which stays at the edge");
+    if (one_of(library, {"rapidcheck", "rapidcheck.h"}) && path != "include/plumb/degenerate/rapidcheck.hpp") {
+      forbid(spelled, "which stays in its bridge");
+    }
+    if (one_of(library, {"fmt", "CLI", "nlohmann", "tbb", "oneapi"})) forbid(spelled, "which is the program's");
+  }
+}
+
+/// The faces, which every user includes, must not bring GMP along by any way.
+void check_faces(const std::vector<Source>& sources, std::vector<Breach>& out) {
+  std::map<std::string, const Source*> by_spelling;
+  for (const Source& source : sources) {
+    if (source.path.starts_with("include/")) by_spelling[source.path.substr(8)] = &source;
+    if (source.path.starts_with("predicates/")) by_spelling["plumb/" + source.path] = &source;
+  }
+  for (const auto& [spelling, face] : by_spelling) {
+    const bool is_face = face->path == "include/" + spelling && face->path.find('/', 14) == std::string::npos;
+    if (!is_face) continue;
+    std::set<std::string> seen = {spelling};
+    std::vector<const Source*> open = {face};
+    while (!open.empty()) {
+      const Source* source = open.back();
+      open.pop_back();
+      for (const std::string& spelled : source->includes) {
+        if (is_gmp(spelled)) out.push_back({face->path, "brings " + spelled + " along, through " + source->path});
+        const auto found = by_spelling.find(spelled);
+        if (found != by_spelling.end() && seen.insert(spelled).second) open.push_back(found->second);
+      }
+    }
+  }
+}
+
+void check_names(const fs::path& tree, std::vector<Breach>& out) {
+  for (const char* top : {"include", "src", "predicates", "tests", "fuzz", "docs"}) {
+    if (!fs::is_directory(tree / top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(tree / top)) {
+      const std::string stem = entry.path().stem().string();
+      for (const std::string vague : {"utils", "util", "common", "shared", "misc", "helpers", "helper"}) {
+        if (stem != vague && !stem.ends_with("_" + vague)) continue;
+        out.push_back({fs::relative(entry.path(), tree).generic_string(), "has a name that says nothing"});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Breach> breaches(const fs::path& tree) {
+  std::vector<Breach> out;
+  check_top_level(tree, out);
+  check_folders(tree, out);
+  check_names(tree, out);
+  const std::vector<Source> sources = read_sources(tree);
+  for (const Source& source : sources) {
+    check_ladder(source, out);
+    check_libraries(source, out);
+    if (source.lines > longest_file) {
+      out.push_back({source.path, "has " + std::to_string(source.lines) + " lines; 500 are the most"});
+    }
+  }
+  check_faces(sources, out);
+  return out;
+}
+
+}  // namespace plumb::house
