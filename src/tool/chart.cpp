@@ -204,7 +204,8 @@ class Drawing {
   }
 
  private:
-  template <class... A> void put(fmt::format_string<A...> form, A&&... values) {
+  template <class... A>
+  void put(fmt::format_string<A...> form, A&&... values) {
     fmt::format_to(std::back_inserter(out_), form, std::forward<A>(values)...);
   }
 

@@ -1,0 +1,30 @@
+// `plumb check`: how often is floating point wrong on these meshes, and where?
+//
+// Laws: exit code 0 when done, 1 when a method named by --fail-on-wrong took a wrong sign; bad input throws Error.
+// Source: RTCD 11.2 (what rounding does to geometric decisions); cost: as the meshes demand, on all cores.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb::tool {
+
+/// The ways of taking a decision that are compared; --fail-on-wrong takes these names.
+inline constexpr std::array<std::string_view, 7> method_names{"float32",     "double",   "absolute", "relative",
+                                                              "long-double", "interval", "exact"};
+
+struct CheckOptions {
+  std::vector<std::string> meshes;         // none: the embedded part
+  std::optional<std::string> json, chart;  // "-" is standard output
+  std::optional<std::string> write_sample;
+  unsigned threads = 0;  // 0: as many as the machine has
+  bool verify = false;   // take every decision in rationals again
+  std::vector<std::string> fail_on_wrong;
+};
+
+int run_check(const CheckOptions& options);
+
+}  // namespace plumb::tool

@@ -1,0 +1,184 @@
+#include "help_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "plumb/certify/catalog.hpp"
+
+namespace plumb::tool {
+namespace {
+
+const std::string kExitStatus = R"(
+0      Done.
+1      A sign was wrong: one that --fail-on-wrong asked for, or one that
+       a case of `plumb sign` did not expect.
+2      Bad input: wrong usage, a file that cannot be read or is no mesh,
+       an output that cannot be written. What was wrong stands on
+       standard error.)";
+
+const std::string kEnvironment = R"(
+NO_COLOR
+       When set to anything, no colors. Without it, colors are used only
+       where the output is a terminal.)";
+
+/// What a positive sign and a zero mean; a predicate without a line here is listed by its name and points alone.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMeanings{{
+    {"orient2d", "'+' when a, b, c turn counterclockwise, '0' when collinear."},
+    {"orient3d",
+     "'+' when d lies below the plane of a, b, c, where above is the\n"
+     "       side that sees them counterclockwise; '0' when coplanar."},
+    {"incircle", "For counterclockwise a, b, c: '+' when d is inside their circle."},
+    {"insphere", "For orient3d(a, b, c, d) = '+': '+' when e is inside their sphere."},
+}};
+
+/// "orient2d ax ay bx by cx cy", and what it means.
+std::string predicates() {
+  std::string text;
+  for (const CatalogEntry& entry : catalog()) {
+    text += text.empty() ? "" : "\n";
+    text += entry.name;
+    for (int point = 0; point < entry.points; ++point) {
+      for (int axis = 0; axis < entry.dimension; ++axis) text += fmt::format(" {:c}{}", 'a' + point, "xyz"[axis]);
+    }
+    const auto meaning =
+        std::ranges::find(kMeanings, entry.name, &std::pair<std::string_view, std::string_view>::first);
+    if (meaning != kMeanings.end()) text += fmt::format("\n       {}", meaning->second);
+  }
+  return text;
+}
+
+}  // namespace
+
+Manual program_manual() {
+  return {"plumb",
+          "exact signs for geometry, and a check of the inexact ones",
+          {"plumb COMMAND [OPTION]...", "plumb COMMAND --help"},
+          {{"DESCRIPTION", R"(
+Geometric programs decide by signs: on which side of a line, in or out
+of a circle. Computed in floating point such a sign can be wrong, and
+one wrong sign is enough to break a mesh. plumb decides them exactly,
+for every finite double, and shows what the inexact ways get wrong.)"},
+           {"COMMANDS", R"(
+check [MESH]...
+       Takes the decisions that mesh software takes on these meshes, in
+       floating point and exactly, and says where floating point errs.
+
+sign PREDICATE COORDINATE...
+       Decides one sign exactly and says which stage decided it.
+
+doctor
+       Looks whether this machine and build are as the proofs assume.)"}},
+          {{"EXIT STATUS", kExitStatus}, {"ENVIRONMENT", kEnvironment}, {"EXAMPLES", R"(
+plumb check
+       The check on the mesh that the program brings along.
+
+plumb sign orient2d 0 0 1 0 0 1
+       Prints "+ filter": the points turn counterclockwise.)"}}};
+}
+
+Manual check_manual() {
+  return {"plumb check",
+          "how often is floating point wrong on a mesh, and where?",
+          {"plumb check [OPTION]... [MESH]...", "plumb check --write-sample FILE"},
+          {{"DESCRIPTION", R"(
+Reads each MESH (OBJ, OFF, STL, PLY; text or binary) and reports its
+size, its lattice (the largest power of two that divides every
+coordinate, and how many bits the coordinates then take), repeated
+vertices, triangles of exactly zero area and non-manifold edges.
+
+Then it takes the decisions that mesh software takes: for every
+interior edge whether it is convex, flat or reflex (orient3d) and
+whether it is locally Delaunay (incircle where flat, insphere
+elsewhere), for every face on which side of it fixed points lie
+(orient3d), and orient2d and incircle on the three axis projections.
+Every decision is taken by every method; the exact one is the judge.
+
+Without a MESH it checks the one that it brings along: a bolted flange,
+turned by an angle that no lattice likes, with the defects of real
+files.)"},
+           {"METHODS", R"(
+float32
+       The formula as commonly written, in single precision.
+double
+       The same in double precision.
+absolute
+       double; values below 1e-9 in magnitude count as zero.
+relative
+       double; values below 1e-9 times the size of their terms count as
+       zero.
+long-double
+       The formula in the widest type of the processor.
+interval
+       Interval arithmetic alone: never wrong, at times unsure.
+exact
+       The signs of this library: never wrong, never unsure.
+
+For each method and predicate the report counts the decisions, wrong
+signs, zeros missed (a zero taken for a sign), zeros invented (a sign
+taken for zero) and unsure answers, and gives the time per decision;
+for the exact method also the share that each stage decided. The worst
+case found is printed as a line that `plumb sign` takes.)"}},
+          {{"EXIT STATUS", kExitStatus}, {"ENVIRONMENT", kEnvironment}, {"EXAMPLES", R"(
+plumb check part.stl --json report.json --chart chart.svg
+       The report on the terminal, as JSON and as a picture.
+
+plumb check --verify --fail-on-wrong exact part.ply
+       Exits with 1 should the exact signs ever differ from those of
+       rational arithmetic.
+
+plumb check --write-sample flange.obj
+       Writes the mesh that the program brings along.)"}}};
+}
+
+Manual sign_manual() {
+  return {"plumb sign",
+          "decide signs exactly",
+          {"plumb sign PREDICATE COORDINATE...", "plumb sign < CASES"},
+          {{"DESCRIPTION", R"(
+Prints the sign of PREDICATE at the points whose coordinates follow,
+point after point: '+', '0' or '-', then the stage that decided.
+Coordinates are decimal (0.1, -3e-7) or hexadecimal (0x1.8p-3), and
+stand for their nearest double; NaN and infinities are refused.
+
+Without arguments, cases are read from standard input, one a line:
+
+       PREDICATE COORDINATE... [= SIGN] [# remark]
+
+Where the expected SIGN is given and is not the true one, the answer
+says so and the exit status is 1. Blank lines and remarks are passed
+over; after a bad line nothing more is read.)"},
+           {"PREDICATES", predicates()},
+           {"STAGES",
+            fmt::format("In the order of their cost, each sure where it answers:\n{}.", fmt::join(stage_names, ", "))}},
+          {{"EXIT STATUS", kExitStatus}, {"EXAMPLES", R"(
+plumb sign orient2d 0 0 1 0 0 1
+       Prints "+ filter".
+
+plumb sign orient2d -0.1 -0.2 0x1p-1 0.3 1e300 -1e-300
+       Prints "- filter": signs are signs, not options.
+
+echo 'incircle 0 0 1 0 1 1 0 1 = 0' | plumb sign
+       Four corners of a square lie on one circle.)"}}};
+}
+
+Manual doctor_manual() {
+  return {"plumb doctor",
+          "is this machine as the proofs assume?",
+          {"plumb doctor"},
+          {{"DESCRIPTION", R"(
+Exact signs rest on IEEE-754 doubles, rounded to nearest, with
+subnormals, without fused or reordered operations. This command looks
+whether that holds here, and prints the version, the build and the
+instruction sets at hand: what a bug report should contain.)"}},
+          {{"EXIT STATUS", R"(
+0      Everything is as the proofs assume.
+1      Something is not; the report names it and its mend.
+2      Wrong usage, or the report could not be written.)"},
+           {"ENVIRONMENT", kEnvironment}}};
+}
+
+}  // namespace plumb::tool

@@ -1,0 +1,17 @@
+// What does the program tell of itself?  The manual pages of `plumb` and its commands, but for their options.
+//
+// Laws: (1) no line is wider than 80 columns once indented; (2) every predicate of the manifest is listed; (3) every
+// example of `plumb sign` prints what its text says.
+// (tests). Source: none; cost: none.
+#pragma once
+
+#include "man_page.hpp"
+
+namespace plumb::tool {
+
+Manual program_manual();
+Manual check_manual();
+Manual sign_manual();
+Manual doctor_manual();
+
+}  // namespace plumb::tool

@@ -1,0 +1,70 @@
+#include "man_page.hpp"
+
+#include <fmt/format.h>
+
+namespace plumb::tool {
+namespace {
+
+constexpr std::size_t kWidth = 80;
+
+std::string indented(std::string_view text, int columns) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    out += line.empty() ? "\n" : fmt::format("{:{}}{}\n", "", columns, line);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+/// Broken at blanks so that no line passes the width.
+std::string filled(std::string_view text, std::size_t columns) {
+  std::string out, line;
+  const auto end_line = [&] {
+    out += fmt::format("{:{}}{}\n", "", columns, line);
+    line.clear();
+  };
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (!line.empty() && columns + line.size() + 1 + end > kWidth) end_line();
+    line += (line.empty() ? "" : " ") + std::string(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  end_line();
+  return out;
+}
+
+std::string option_entry(const CLI::Option& option, const Style& style) {
+  std::string names;
+  if (option.get_positional()) {
+    names = style.bold(option.get_name(true));
+  } else {
+    for (const std::string& s : option.get_snames()) names += (names.empty() ? "" : ", ") + style.bold("-" + s);
+    for (const std::string& l : option.get_lnames()) names += (names.empty() ? "" : ", ") + style.bold("--" + l);
+    const std::string type = option.get_type_name();  // "METHOD:{float32,...}": the checks follow the colon
+    if (option.get_items_expected_max() > 0) names += fmt::format(" {}", type.substr(0, type.find(':')));
+  }
+  return indented(names, 7) + filled(option.get_description(), 14);
+}
+
+std::string section(const Section& s, const Style& style) {
+  std::string_view text = s.text;
+  if (text.starts_with('\n')) text.remove_prefix(1);
+  return "\n" + style.bold(s.title) + "\n" + indented(text, 7);
+}
+
+}  // namespace
+
+std::string manual_page(const Manual& manual, const CLI::App& app, const Style& style) {
+  std::string page = style.bold("NAME") + "\n" + indented(fmt::format("{} - {}", manual.name, manual.purpose), 7);
+  page += "\n" + style.bold("SYNOPSIS") + "\n";
+  for (const std::string_view s : manual.synopsis) page += indented(s, 7);
+  for (const Section& s : manual.before_options) page += section(s, style);
+  page += "\n" + style.bold("OPTIONS") + "\n";
+  for (const CLI::Option* option : app.get_options()) page += option_entry(*option, style);
+  for (const Section& s : manual.after_options) page += section(s, style);
+  return page;
+}
+
+}  // namespace plumb::tool

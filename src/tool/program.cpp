@@ -1,0 +1,144 @@
+#include "program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <new>
+
+#include "check_command.hpp"
+#include "doctor_command.hpp"
+#include "help_text.hpp"
+#include "plumb/arith/error.hpp"
+#include "sign_command.hpp"
+#include "terminal.hpp"
+
+namespace plumb::tool {
+namespace {
+
+class Program {
+ public:
+  Program() {
+    for (CLI::App* page : {&app_, check_, sign_, doctor_}) page->set_help_flag("-h,--help", "Show this page.");
+    app_.add_flag("--version", version_, "Print the version.");
+    add_check();
+    sign_->prefix_command();  // what follows is a case: a leading '-' there is a sign, not an option
+  }
+
+  int run(int argc, char** argv) {
+    // What follows "--" is kept from the parser, which would not take it for a MESH once there is another.
+    char** const end = argv + argc;
+    char** const dashes = std::find_if(argv, end, [](const char* word) { return std::string_view(word) == "--"; });
+    const std::vector<std::string> rest(dashes == end ? end : dashes + 1, end);
+    app_.parse(static_cast<int>(dashes - argv), argv);
+    if (version_) {
+      say(fmt::format("plumb {}\n", check_environment().version));
+      return 0;
+    }
+    if (*check_) {
+      check_options_.meshes.insert(check_options_.meshes.end(), rest.begin(), rest.end());
+      return run_check(check_options_);
+    }
+    if (*sign_) {
+      std::vector<std::string> words = sign_->remaining();
+      words.insert(words.end(), rest.begin(), rest.end());
+      return run_case(words);
+    }
+    if (!rest.empty()) throw CLI::ExtrasError(rest);
+    if (*doctor_) return run_doctor();
+    throw Error("a command is needed: check, sign or doctor; 'plumb --help' explains");
+  }
+
+  /// The page of the command that was named, or of the program.
+  void help() const {
+    const Style style(stdout);
+    if (*check_) return say(manual_page(check_manual(), *check_, style));
+    if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
+    if (*doctor_) return say(manual_page(doctor_manual(), *doctor_, style));
+    say(manual_page(program_manual(), app_, style));
+  }
+
+  [[nodiscard]] std::string help_hint() const {
+    for (const CLI::App* command : {check_, sign_, doctor_}) {
+      if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
+    }
+    return "'plumb --help' explains";
+  }
+
+ private:
+  void add_check() {
+    const std::vector<std::string> methods(method_names.begin(), method_names.end());
+    CheckOptions& o = check_options_;
+    check_->add_option("MESH", o.meshes, "Mesh files, each checked in turn.");
+    check_->add_option("--json", o.json, "Write the report as JSON; '-' is standard output.")->type_name("FILE");
+    check_->add_option("--chart", o.chart, "Draw the share of wrong signs against the time per decision, as SVG.")
+        ->type_name("FILE");
+    check_->add_option("--threads", o.threads, "How many threads work; as many as the machine has when not given.")
+        ->check(CLI::Range(1U, 4096U))
+        ->type_name("N");
+    check_->add_flag("--verify", o.verify,
+                     "Take every decision once more in rational numbers (of a big mesh a sample, and say so), and "
+                     "judge the exact method by them.");
+    check_->add_option("--fail-on-wrong", o.fail_on_wrong, "Exit with 1 when METHOD takes a wrong sign; repeatable.")
+        ->check(CLI::IsMember(methods))
+        ->allow_extra_args(false)
+        ->type_name("METHOD");
+    check_
+        ->add_option("--write-sample", o.write_sample,
+                     "Write the mesh that the program brings along, in the format of the extension, and stop.")
+        ->type_name("FILE");
+  }
+
+  int run_case(const std::vector<std::string>& words) {
+    if (std::ranges::any_of(words, [](const std::string& w) { return w == "--help" || w == "-h"; })) {
+      help();
+      return 0;
+    }
+    if (!words.empty() && words.front().starts_with('-')) throw CLI::ExtrasError({words.front()});
+    errno = 0;
+    const int code = run_sign(words, std::cin);
+    // The stream ends alike at the end of a file and at a failure; only the C stream below it knows which it was.
+    if (std::ferror(stdin) != 0) throw Error(fmt::format("cannot read standard input: {}", std::strerror(errno)));
+    return code;
+  }
+
+  CLI::App app_;
+  bool version_ = false;
+  CheckOptions check_options_;
+  CLI::App* check_ = app_.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
+  CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");
+  CLI::App* doctor_ = app_.add_subcommand("doctor", "Look whether this machine is as the proofs assume.");
+};
+
+int complain(std::string_view text) {
+  std::fflush(stdout);  // answers given before the fault come first; whether they arrived no longer matters
+  fmt::print(stderr, "{} {}\n", Style(stderr).red("plumb:"), text);
+  return 2;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) try {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that left is an output error like a full disk, not sudden death
+  Program program;
+  int code = 0;
+  try {
+    code = program.run(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    program.help();
+  } catch (const CLI::ParseError& e) {
+    return complain(fmt::format("{}; {}", e.what(), program.help_hint()));
+  }
+  flush_output();
+  return code;
+} catch (const std::bad_alloc&) {
+  return complain("out of memory");
+} catch (const std::exception& e) {
+  return complain(e.what());
+}
+
+}  // namespace plumb::tool

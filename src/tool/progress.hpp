@@ -1,0 +1,45 @@
+// How far is the work?  A bar on standard error while a long task runs, gone when it ends.
+//
+// Laws: (1) any number of threads may advance it; (2) it is drawn at most ten times a second, by whichever thread comes
+// by, and nobody waits for the drawing; (3) on a stream that is no terminal nothing is ever written; (4) its line is
+// erased when it ends, however it ends.
+// Source: none; cost: an atomic addition and a look at the clock an advance, so advance by chunks.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <mutex>
+#include <string>
+
+namespace plumb::tool {
+
+class Progress {
+ public:
+  /// On standard error, when that is a terminal.
+  Progress(std::string task, std::uint64_t total);
+  /// On this stream, when `shown`.
+  Progress(std::string task, std::uint64_t total, std::FILE* stream, bool shown);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+
+  void advance(std::uint64_t steps = 1);
+  [[nodiscard]] std::uint64_t done() const { return done_.load(std::memory_order_relaxed); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void draw(std::uint64_t done);
+
+  const std::string task_;
+  const std::uint64_t total_;
+  std::FILE* const stream_;
+  const bool shown_;
+  std::atomic<std::uint64_t> done_{0};
+  std::atomic<Clock::rep> next_drawing_;
+  std::mutex drawing_;
+  bool drawn_ = false;  // guarded by drawing_
+};
+
+}  // namespace plumb::tool

@@ -1,0 +1,45 @@
+// How does the program speak?  Colors where a terminal shows them, and output that is known to have arrived.
+//
+// Laws: (1) no escape sequence reaches a stream that is no terminal, nor any stream when NO_COLOR is set to something
+// (no-color.org) or TERM is "dumb"; (2) a full disk, a broken pipe or a closed stream is an Error that names the
+// output, never a silent success. Source: none; cost: one system call a stream.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace plumb::tool {
+
+bool is_terminal(std::FILE* stream);
+
+/// Columns of the terminal that shows the stream; 80 where it does not say.
+int terminal_width(std::FILE* stream);
+
+class Style {
+ public:
+  /// Colors as suits the stream.
+  explicit Style(std::FILE* stream);
+  explicit Style(bool colored) : colored_(colored) {}
+
+  [[nodiscard]] std::string bold(std::string_view text) const { return wrapped("1", text); }
+  [[nodiscard]] std::string dim(std::string_view text) const { return wrapped("2", text); }
+  [[nodiscard]] std::string red(std::string_view text) const { return wrapped("31", text); }
+  [[nodiscard]] std::string green(std::string_view text) const { return wrapped("32", text); }
+  [[nodiscard]] std::string yellow(std::string_view text) const { return wrapped("33", text); }
+
+ private:
+  [[nodiscard]] std::string wrapped(std::string_view code, std::string_view text) const;
+  bool colored_;
+};
+
+/// Writes to standard output; throws Error.
+void say(std::string_view text);
+
+/// Hands everything said so far to the system; throws Error.
+void flush_output();
+
+/// The whole of a text file, "-" being standard output; throws Error, which names the file.
+void write_text_file(const std::string& path, std::string_view text);
+
+}  // namespace plumb::tool

@@ -1,0 +1,139 @@
+// The program as a user meets it: help, version, exit codes, messages, outputs that cannot be written, colors.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "plumb/certify/catalog.hpp"
+#include "run_program.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+void expect_refusal(const Outcome& o, const std::string& words) {
+  EXPECT_EQ(o.code, 2) << o.err;
+  EXPECT_EQ(o.out, "");
+  EXPECT_THAT(o.err, AllOf(StartsWith("plumb: "), HasSubstr(words)));
+  EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+}
+
+TEST(Help, IsAManualPageOfEightyColumns) {
+  for (const std::string command : {"", "check", "sign", "doctor"}) {
+    const Outcome o = run("$PLUMB " + command + " --help");
+    EXPECT_EQ(o.code, 0);
+    EXPECT_EQ(o.err, "");
+    for (const char* section : {"NAME\n", "\nSYNOPSIS\n", "\nDESCRIPTION\n", "\nOPTIONS\n", "\nEXIT STATUS\n"}) {
+      EXPECT_THAT(o.out, HasSubstr(section)) << command;
+    }
+    EXPECT_THAT(o.out, HasSubstr("plumb " + command));
+    std::istringstream lines(o.out);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 80U) << line;
+      EXPECT_TRUE(line.empty() || line.back() != ' ') << '"' << line << '"';
+    }
+    EXPECT_EQ(run("$PLUMB " + command + " -h").out, o.out);
+  }
+}
+
+TEST(Help, TellsEveryOptionAndPredicate) {
+  const std::string check = run("$PLUMB check --help").out;
+  for (const char* name : {"MESH", "--json FILE", "--chart FILE", "--threads N", "--verify", "--fail-on-wrong METHOD",
+                           "--write-sample FILE", "float32", "long-double", "interval"}) {
+    EXPECT_THAT(check, HasSubstr(name));
+  }
+  const std::string sign = run("$PLUMB sign --help").out;
+  for (const CatalogEntry& e : catalog()) EXPECT_THAT(sign, HasSubstr("       " + std::string(e.name) + " ax ay"));
+  EXPECT_EQ(run("$PLUMB sign orient2d 0 0 --help").out, sign);
+}
+
+TEST(Help, ShowsExamplesThatDoWhatTheySay) {
+  std::istringstream lines(run("$PLUMB sign --help").out);
+  int examples = 0;
+  std::string command;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("       plumb sign orient") || line.starts_with("       echo ")) {
+      command = line.substr(7);
+      command.replace(command.find("plumb"), 5, "$PLUMB");
+    } else if (!command.empty()) {
+      const Outcome o = run(command);
+      EXPECT_EQ(o.code, 0) << command;
+      const std::size_t begin = line.find("Prints \"") + 8;
+      if (begin != std::string::npos + 8) {
+        EXPECT_EQ(o.out, line.substr(begin, line.find('"', begin) - begin) + "\n");
+      } else {
+        EXPECT_THAT(o.out, StartsWith("0 ")) << command;  // the square's corners
+      }
+      command.clear();
+      ++examples;
+    }
+  }
+  EXPECT_EQ(examples, 3);
+}
+
+TEST(Version, IsOneLine) {
+  const Outcome o = run("$PLUMB --version");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_THAT(o.out, testing::MatchesRegex("plumb [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(Usage, IsRefusedInItsOwnWords) {
+  expect_refusal(run("$PLUMB"), "a command is needed");
+  expect_refusal(run("$PLUMB frobnicate"), "frobnicate");
+  expect_refusal(run("$PLUMB check --frobnicate"), "'plumb check --help' explains");
+  expect_refusal(run("$PLUMB check --json"), "--json");
+  expect_refusal(run("$PLUMB check --threads 0"), "--threads");
+  expect_refusal(run("$PLUMB check --threads -3"), "--threads");
+  expect_refusal(run("$PLUMB check --threads many"), "many");
+  expect_refusal(run("$PLUMB check --fail-on-wrong luck"), "luck not in");
+  expect_refusal(run("$PLUMB doctor now"), "now");
+  expect_refusal(run("$PLUMB doctor -- now"), "now");
+  expect_refusal(run("$PLUMB sign --frobnicate orient2d"), "--frobnicate");
+}
+
+TEST(Doctor, FindsNothingHere) {
+  const Outcome o = run("$PLUMB doctor");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_THAT(o.out, AllOf(HasSubstr("rounding mode"), HasSubstr("subnormals"), HasSubstr("contraction"),
+                           HasSubstr("fast-math"), HasSubstr("built by"), HasSubstr("instruction sets"),
+                           HasSubstr("Everything is as the proofs assume."), Not(HasSubstr("BAD"))));
+}
+
+TEST(Output, ThatCannotBeWrittenIsNoSuccess) {
+  for (const std::string command : {"--version", "--help", "doctor", "sign --help", "sign orient2d 0 0 1 0 0 1"}) {
+    const Outcome full = run("$PLUMB " + command + " >/dev/full");
+    EXPECT_EQ(full.code, 2) << command;
+    EXPECT_THAT(full.err, AllOf(StartsWith("plumb: cannot write standard output"), HasSubstr("No space"))) << command;
+    const Outcome closed = run("$PLUMB " + command + " >&-");
+    EXPECT_EQ(closed.code, 2) << command;
+    EXPECT_THAT(closed.err, StartsWith("plumb: cannot write standard output")) << command;
+  }
+}
+
+TEST(Output, IntoABrokenPipeIsNoSuccess) {
+  std::string cases;
+  for (int i = 0; i < 20000; ++i) cases += "orient2d 0 0 1 0 0 1\n";
+  const Outcome o = run("{ $PLUMB sign; echo \"exit $?\" >&2; } | true", cases);
+  EXPECT_THAT(o.err, AllOf(StartsWith("plumb: cannot write standard output"), HasSubstr("exit 2")));
+}
+
+TEST(Colors, AreForTerminalsOnly) {
+  EXPECT_THAT(run("$PLUMB doctor").out, Not(HasSubstr("\033")));
+  EXPECT_THAT(run("TERM=xterm $PLUMB bad").err, Not(HasSubstr("\033")));
+  EXPECT_THAT(run_on_terminal("unset NO_COLOR; $PLUMB doctor").out, HasSubstr("\033[32mok\033[0m"));
+  EXPECT_THAT(run_on_terminal("unset NO_COLOR; $PLUMB --help").out, HasSubstr("\033[1mNAME\033[0m"));
+  EXPECT_THAT(run_on_terminal("unset NO_COLOR; $PLUMB bad").out, HasSubstr("\033[31mplumb:\033[0m"));
+  EXPECT_THAT(run_on_terminal("NO_COLOR= $PLUMB doctor").out, HasSubstr("\033["));
+  EXPECT_THAT(run_on_terminal("NO_COLOR=1 $PLUMB doctor").out, Not(HasSubstr("\033")));
+  EXPECT_THAT(run_on_terminal("TERM=dumb $PLUMB doctor").out, Not(HasSubstr("\033")));
+}
+
+}  // namespace
+}  // namespace plumb::tool

@@ -1,0 +1,74 @@
+// What does the built program do for its user?  Runs a shell line, in which $PLUMB is the program, and keeps what it
+// wrote and how it ended; also on a terminal, as far as the program can tell.
+#pragma once
+
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace plumb::tool {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+inline std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A folder of this test's own, removed at the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = "/tmp/plumb-test-XXXXXX";
+    path_ = ::mkdtemp(name.data());
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::system(("rm -rf " + path_).c_str()); }
+  [[nodiscard]] std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+inline Outcome run(const std::string& line, const std::string& input = "") {
+  const Folder folder;
+  std::ofstream(folder / "in") << input;
+  ::setenv("PLUMB", PLUMB_PROGRAM, 1);
+  const int status = std::system(
+      ("{ " + line + "\n} <" + (folder / "in") + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
+}
+
+/// With the three standard streams on a terminal; `out` has all that it showed.
+inline Outcome run_on_terminal(const std::string& line) {
+  ::setenv("PLUMB", PLUMB_PROGRAM, 1);
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    ::setenv("TERM", "xterm", 1);
+    ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    ::_exit(127);
+  }
+  Outcome outcome;
+  std::array<char, 4096> bytes{};
+  for (ssize_t n = 0; (n = ::read(terminal, bytes.data(), bytes.size())) > 0;) {
+    outcome.out.append(bytes.data(), static_cast<std::size_t>(n));
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(terminal);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+}  // namespace plumb::tool
