@@ -54,8 +54,8 @@ PlyProperty::Role role_of(const PlyElement& element, std::string_view property) 
   using Role = PlyProperty::Role;
   if (element.name == "vertex")
     return property == "x" ? Role::x : property == "y" ? Role::y : property == "z" ? Role::z : Role::ignored;
-  const bool corners = element.name == "face" && (property == "vertex_indices" || property == "vertex_index");
-  return corners ? Role::corners : Role::ignored;
+  if (property != "vertex_indices" && property != "vertex_index") return Role::ignored;
+  return element.name == "face" ? Role::corners : element.name == "tristrips" ? Role::strip : Role::ignored;
 }
 
 void read_property(TextLines& lines, std::vector<PlyElement>& elements) {
@@ -75,7 +75,7 @@ void read_property(TextLines& lines, std::vector<PlyElement>& elements) {
   property.name = lines.require_token("the property's name");
   property.role = role_of(element, property.name);
   const std::string name = "property " + in_quotes(property.name) + " of element " + in_quotes(element.name);
-  const bool corners = property.role == Role::corners;
+  const bool corners = property.role == Role::corners || property.role == Role::strip;
   if (property.role != Role::ignored && corners != property.count_type.has_value())
     lines.fail(
         MeshFileProblem::syntax,
@@ -115,6 +115,8 @@ std::string missing(const PlyHeader& header) {
         if (!has_role(element, role)) return std::string("property ") + name + " of element vertex";
     }
     if (element.name == "face" && !has_role(element, Role::corners)) return "list vertex_indices of element face";
+    if (element.name == "tristrips" && !has_role(element, Role::strip))
+      return "list vertex_indices of element tristrips";
   }
   return vertex ? "" : "element vertex";
 }

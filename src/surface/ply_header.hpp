@@ -20,7 +20,7 @@ constexpr std::uint64_t size_of(PlyType type) {
 constexpr bool is_integer(PlyType type) { return type < PlyType::float32; }
 
 struct PlyProperty {
-  enum class Role { ignored, x, y, z, corners };
+  enum class Role { ignored, x, y, z, corners, strip };
   std::string name;
   PlyType type = PlyType::int8;
   std::optional<PlyType> count_type;  // of a list

@@ -18,10 +18,10 @@ struct ForwardReference {
 
 std::string bad_vertex(std::int64_t vertex, std::size_t vertices) {
   const std::string count = std::to_string(vertices);
-  if (vertex == 0) return "the face names vertex 0, but OBJ counts from 1; add 1 to every index";
+  if (vertex == 0) return "the face names vertex 0, expected numbers from 1 in OBJ; add 1 to every index";
   if (vertex < 0)
-    return "the face names vertex " + std::to_string(vertex) + ", but only " + count +
-           " stand before it; renumber the face";
+    return "the face names vertex " + std::to_string(vertex) + ", expected at least -" + count +
+           ", for only so many vertices stand before it; renumber the face";
   return "the face names vertex " + std::to_string(vertex) + ", but the file has " + count + ", expected 1 to " +
          count + " or, counted backwards, -1 and below; renumber the face or restore the vertices";
 }

@@ -74,7 +74,8 @@ void parse_off(Parse& parse) {
   for (std::uint64_t i = 0; i < counts.faces; ++i) {
     lines.require_line(progress(i, counts.faces, "face"));
     const std::uint64_t corners = lines.count("the face's number of corners");
-    for (std::uint64_t k = 0; k < corners; ++k) mesh.corners.push_back(lines.index(counts.vertices));
+    for (std::uint64_t k = 0; k < corners; ++k)
+      mesh.corners.push_back(lines.index(lines.require_token("a vertex number"), counts.vertices));
     parse.end_face();
   }
   if (lines.next_line())

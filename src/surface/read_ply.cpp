@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <string>
@@ -21,6 +21,28 @@ std::string progress(const PlyElement& element, std::uint64_t have) {
   return in_quotes(element.name) + " " + std::to_string(have + 1) + " of the " + std::to_string(element.count) +
          " that the header claims";
 }
+
+// Triangles from a strip: each further vertex makes one with the two before it, every second one the other way around.
+// A strip that names a vertex twice does so to turn or to jump; that is no face.
+class Strip {
+ public:
+  void restart() { length_ = 0; }
+  void add(std::uint32_t vertex, Parse& parse) {
+    if (length_ >= 2) {
+      const bool turned = length_ % 2 == 1;
+      auto& corners = parse.mesh.corners;
+      if (vertex != last_[0] && vertex != last_[1] && last_[0] != last_[1])
+        corners.insert(corners.end(), {last_[turned], last_[!turned], vertex});
+      parse.end_face();
+    }
+    last_ = {last_[1], vertex};
+    ++length_;
+  }
+
+ private:
+  std::array<std::uint32_t, 2> last_{};
+  std::uint64_t length_ = 0;
+};
 
 class AsciiBody {
  public:
@@ -53,11 +75,16 @@ class AsciiBody {
   void read(const PlyProperty& property, Point3& point) {
     if (property.count_type) {
       const std::uint64_t count = lines_.count("the list's length");
+      const std::string entry = "an entry of list " + in_quotes(property.name);
+      Strip strip;
       for (std::uint64_t k = 0; k < count; ++k) {
-        if (property.role == Role::corners)
-          parse_.mesh.corners.push_back(lines_.index(header_.vertices));
+        const std::string_view token = lines_.require_token(entry);
+        if (property.role == Role::corners) parse_.mesh.corners.push_back(lines_.index(token, header_.vertices));
+        if (property.role != Role::strip) continue;
+        if (token == "-1")
+          strip.restart();
         else
-          lines_.require_token("an entry of list " + in_quotes(property.name));
+          strip.add(lines_.index(token, header_.vertices), parse_);
       }
     } else if (property.role == Role::ignored) {
       lines_.require_token("property " + in_quotes(property.name));
@@ -110,10 +137,18 @@ class BinaryBody {
       const std::int64_t count = integer(*property.count_type);
       if (count < 0) refuse(MeshFileProblem::syntax, *property.count_type, "the list's length", count, "at least 0");
       bytes_.require(static_cast<std::uint64_t>(count), size_of(property.type), "the entries of a list");
-      if (property.role == Role::corners)
-        for (std::int64_t k = 0; k < count; ++k) read_corner(property.type);
-      else
+      if (property.role == Role::ignored)
         bytes_.skip(static_cast<std::uint64_t>(count), size_of(property.type), "a list");
+      Strip strip;
+      for (std::int64_t k = 0; k < count && property.role != Role::ignored; ++k) {
+        const std::int64_t vertex = integer(property.type);
+        if (property.role == Role::corners)
+          parse_.mesh.corners.push_back(index(vertex, property.type));
+        else if (vertex == -1)
+          strip.restart();
+        else
+          strip.add(index(vertex, property.type), parse_);
+      }
     } else if (property.role == Role::ignored) {
       bytes_.skip(1, size_of(property.type), "a property");
     } else {
@@ -121,12 +156,11 @@ class BinaryBody {
     }
   }
 
-  void read_corner(PlyType type) {
-    const std::int64_t vertex = integer(type);
+  std::uint32_t index(std::int64_t vertex, PlyType type) const {
     if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= header_.vertices)
       refuse(MeshFileProblem::bad_index, type, "the face's vertex", vertex,
              "from 0 and below " + std::to_string(header_.vertices) + ", the number of vertices");
-    parse_.mesh.corners.push_back(static_cast<std::uint32_t>(vertex));
+    return static_cast<std::uint32_t>(vertex);
   }
 
   std::int64_t integer(PlyType type) {

@@ -40,8 +40,8 @@ void parse_binary(Parse& parse) {
   const auto problem = bytes.size() < size ? MeshFileProblem::truncated : MeshFileProblem::syntax;
   if (bytes.size() != size)
     fail_at_byte(problem, parse.file, header_size,
-                 "claims " + std::to_string(triangles) + " triangles, which take " + std::to_string(size) +
-                     " bytes, but the file has " + std::to_string(bytes.size()) +
+                 "claims " + std::to_string(triangles) + " triangles, expected " + std::to_string(size) +
+                     " bytes in all, but the file has " + std::to_string(bytes.size()) +
                      (bytes.size() < size ? "; it is cut short or no STL: fetch or export it again"
                                           : "; the count is wrong or something was appended: export it again"));
   ByteReader reader(bytes, parse.file, count_end, std::endian::little);

@@ -104,7 +104,7 @@ double TextLines::coordinate(DecimalReader& decimals, std::string_view name) {
       fail(MeshFileProblem::bad_number, found() + ", expected a finite number; mend the tool that computed it");
     case DecimalReader::Outcome::too_large:
       fail(MeshFileProblem::bad_number,
-           found() + ", beyond the largest double (1.7976931348623157e308); scale the mesh down");
+           found() + ", beyond the largest double, expected at most 1.7976931348623157e308; scale the mesh down");
     case DecimalReader::Outcome::not_decimal:
       break;
   }
@@ -128,8 +128,7 @@ std::uint64_t TextLines::count(std::string_view name) {
   return static_cast<std::uint64_t>(value);
 }
 
-std::uint32_t TextLines::index(std::uint64_t vertices) {
-  const std::string_view token = require_token("a vertex number");
+std::uint32_t TextLines::index(std::string_view token, std::uint64_t vertices) const {
   std::int64_t value = -1;
   if (!read_integer(token, value) || value < 0 || static_cast<std::uint64_t>(value) >= vertices)
     fail(MeshFileProblem::bad_index, "the face names vertex " + in_quotes(token) +

@@ -43,8 +43,8 @@ class TextLines {
   Point3 point(DecimalReader& decimals);
   /// A whole number that is not negative; `name` says of what.
   std::uint64_t count(std::string_view name);
-  /// A vertex number, from 0, below `vertices`.
-  std::uint32_t index(std::uint64_t vertices);
+  /// The vertex number, from 0 and below `vertices`, that a word of this line is.
+  [[nodiscard]] std::uint32_t index(std::string_view token, std::uint64_t vertices) const;
 
  private:
   std::string_view physical_line();

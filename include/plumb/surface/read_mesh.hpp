@@ -4,12 +4,13 @@
 // as they are in the file (STL, which has no indices, gets one vertex per distinct point, -0 and +0 being one point, in
 // the order of first use).  Indices are in range, coordinates finite, or the file is refused.  Memory is bounded by a
 // small multiple of the file's size, never by a number that the file claims.
-//   OBJ: v, f (any corner form, negative indices, forward references), continued lines; other statements are passed
-//   over. OFF: the prefixes ST, C, N; counts on the header line or below; what follows a vertex or face on its line is
-//   ignored. PLY: any scalar types; other elements and properties are passed over; a coordinate written in ASCII is
-//   read as the
-//        decimal that it is, also where the header calls it `float`.
-// Faces of one or two corners, which OBJ, OFF and PLY allow, are no surface: left out, and counted in the report.
+// - OBJ: v, f (any corner form, negative indices, forward references), continued lines; the rest is passed over.
+// - OFF: the prefixes ST, C, N; counts on the header line or below; what follows a vertex or face on its line is not
+//   read.
+// - PLY: any scalar types, faces and triangle strips; other elements and properties are passed over; a coordinate in
+//   ASCII is read as the decimal that it is, also where the header calls it `float`.
+// Faces of one or two corners, which OBJ, OFF and PLY allow, and the turns of strips, which name a vertex twice, are no
+// surface: left out, and counted in the report.
 // Source: RTCD 2.2.1; cost: linear in the file (STL: n log n), some 50 to 100 MB/s for text.
 #pragma once
 
