@@ -1,0 +1,82 @@
+// How does a point set look?  A small SVG canvas whose text is the same on every machine.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb_test {
+
+struct Dot {
+  double x, y;
+};
+
+class Picture {
+ public:
+  Picture(int width, int height) {
+    text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(width) + "\" height=\"" +
+            std::to_string(height) + "\" font-family=\"sans-serif\" font-size=\"11\">\n";
+    rectangle(0, 0, width, height, "#ffffff");
+  }
+
+  void rectangle(double x, double y, double width, double height, std::string_view fill) {
+    element("rect", {{"x", x}, {"y", y}, {"width", width}, {"height", height}}, "fill", fill);
+  }
+  void dot(Dot at, double radius = 2.5, std::string_view fill = "#1f5fa8") {
+    element("circle", {{"cx", at.x}, {"cy", at.y}, {"r", radius}}, "fill", fill);
+  }
+  void ring(Dot at, double radius, std::string_view stroke = "#c0c0c0") {
+    element("circle", {{"cx", at.x}, {"cy", at.y}, {"r", radius}}, "fill=\"none\" stroke", stroke);
+  }
+  void line(Dot from, Dot to, std::string_view stroke = "#c0c0c0") {
+    element("line", {{"x1", from.x}, {"y1", from.y}, {"x2", to.x}, {"y2", to.y}}, "stroke", stroke);
+  }
+  void words(Dot at, std::string_view what, std::string_view anchor = "start") {
+    text_ += "<text x=\"" + tenths(at.x) + "\" y=\"" + tenths(at.y) + "\" text-anchor=\"" + std::string(anchor) +
+             "\">" + std::string(what) + "</text>\n";
+  }
+
+  [[nodiscard]] std::string text() const { return text_ + "</svg>\n"; }
+
+ private:
+  struct Attribute {
+    std::string_view name;
+    double value;
+  };
+  static std::string tenths(double x) {
+    const long rounded = std::lround(10 * x);
+    const long whole = std::labs(rounded) / 10, tenth = std::labs(rounded) % 10;
+    return (rounded < 0 ? "-" : "") + std::to_string(whole) + (tenth != 0 ? "." + std::to_string(tenth) : "");
+  }
+  void element(std::string_view name, const std::vector<Attribute>& attributes, std::string_view paint,
+               std::string_view color) {
+    text_ += "<" + std::string(name);
+    for (const Attribute& a : attributes) text_ += " " + std::string(a.name) + "=\"" + tenths(a.value) + "\"";
+    text_ += " " + std::string(paint) + "=\"" + std::string(color) + "\"/>\n";
+  }
+
+  std::string text_;
+};
+
+// A square of a picture onto which a square of the plane is mapped, y upwards.
+struct Panel {
+  double left, top, size;
+  double x_min, y_min, extent;
+
+  static Panel around(const std::vector<Dot>& dots, double left, double top, double size) {
+    double x_min = INFINITY, x_max = -INFINITY, y_min = INFINITY, y_max = -INFINITY;
+    for (const Dot& d : dots) {
+      x_min = std::fmin(x_min, d.x), x_max = std::fmax(x_max, d.x);
+      y_min = std::fmin(y_min, d.y), y_max = std::fmax(y_max, d.y);
+    }
+    const double extent = 1.1 * std::fmax(x_max - x_min, y_max - y_min);
+    return {left, top, size, (x_min + x_max - extent) / 2, (y_min + y_max - extent) / 2, extent};
+  }
+  [[nodiscard]] Dot at(Dot d) const {
+    return {left + size * ((d.x - x_min) / extent), top + size * (1 - (d.y - y_min) / extent)};
+  }
+  [[nodiscard]] double length(double r) const { return size * (r / extent); }
+};
+
+}  // namespace plumb_test
