@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,8 @@ struct Dot {
 class Picture {
  public:
   Picture(int width, int height) {
-    text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(width) + "\" height=\"" +
-            std::to_string(height) + "\" font-family=\"sans-serif\" font-size=\"11\">\n";
+    add({"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", std::to_string(width), "\" height=\"",
+         std::to_string(height), "\" font-family=\"sans-serif\" font-size=\"11\">\n"});
     rectangle(0, 0, width, height, "#ffffff");
   }
 
@@ -33,8 +34,7 @@ class Picture {
     element("line", {{"x1", from.x}, {"y1", from.y}, {"x2", to.x}, {"y2", to.y}}, "stroke", stroke);
   }
   void words(Dot at, std::string_view what, std::string_view anchor = "start") {
-    text_ += "<text x=\"" + tenths(at.x) + "\" y=\"" + tenths(at.y) + "\" text-anchor=\"" + std::string(anchor) +
-             "\">" + std::string(what) + "</text>\n";
+    add({"<text x=\"", tenths(at.x), "\" y=\"", tenths(at.y), "\" text-anchor=\"", anchor, "\">", what, "</text>\n"});
   }
 
   [[nodiscard]] std::string text() const { return text_ + "</svg>\n"; }
@@ -47,13 +47,19 @@ class Picture {
   static std::string tenths(double x) {
     const long rounded = std::lround(10 * x);
     const long whole = std::labs(rounded) / 10, tenth = std::labs(rounded) % 10;
-    return (rounded < 0 ? "-" : "") + std::to_string(whole) + (tenth != 0 ? "." + std::to_string(tenth) : "");
+    std::string text = std::to_string(whole);
+    if (tenth != 0) text.append(".").append(std::to_string(tenth));
+    if (rounded < 0) text.insert(text.begin(), '-');
+    return text;
+  }
+  void add(std::initializer_list<std::string_view> pieces) {
+    for (const std::string_view piece : pieces) text_ += piece;
   }
   void element(std::string_view name, const std::vector<Attribute>& attributes, std::string_view paint,
                std::string_view color) {
-    text_ += "<" + std::string(name);
-    for (const Attribute& a : attributes) text_ += " " + std::string(a.name) + "=\"" + tenths(a.value) + "\"";
-    text_ += " " + std::string(paint) + "=\"" + std::string(color) + "\"/>\n";
+    add({"<", name});
+    for (const Attribute& a : attributes) add({" ", a.name, "=\"", tenths(a.value), "\""});
+    add({" ", paint, "=\"", color, "\"/>\n"});
   }
 
   std::string text_;

@@ -1,7 +1,5 @@
 // Laws 1, 3 and 4 of degenerate/points.hpp, and how well each family meets its aim: shares of exact zeros, of points
 // that moved, of different points.
-#include "plumb/degenerate/points.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +7,7 @@
 #include <map>
 
 #include "degenerate/rational_signs.hpp"
-#include "plumb/degenerate/exact.hpp"
-#include "plumb/degenerate/ulps.hpp"
+#include "plumb/degenerate.hpp"
 
 namespace {
 
@@ -146,6 +143,13 @@ TEST(AnySize, FromNoPointToMany) {
       }
     }
   }
+}
+
+TEST(Catalog, ItsFirstLinesRun) {
+  plumb::Entropy entropy(1, 42);
+  std::array<double, 15> c =
+      plumb::coordinates3<5>(plumb::Family::off_by_ulps, plumb::Degeneracy::cospherical, entropy);
+  EXPECT_TRUE(std::all_of(c.begin(), c.end(), [](double x) { return std::isfinite(x); }));
 }
 
 TEST(Families, NamesAreUniqueAndFound) {
