@@ -1,8 +1,8 @@
 // Which points make geometric code fail?  Sets of points of every family, from one stream of choices.
 //
 // Laws: (1) every coordinate is finite; (2) the same choices give the same points, bit for bit, everywhere;
-// (3) degenerate_short and degenerate_long are degenerate as asked in real arithmetic; (4) the families grid, uniform,
-// float32, near_half and repeated take no notice of the degeneracy asked for; repeated holds two equal points at least.
+// (3) degenerate_short and degenerate_long are degenerate as asked in real arithmetic; (4) grid, uniform,
+// float32 and near_half take no notice of the degeneracy asked for; a repeated set holds two equal points at least.
 // Source: RTCD 11 and its figures of failing tests; exactness by integer constructions (degenerate/exact.hpp).
 // Cost: below 1 us for the points of one predicate, without allocation.
 #pragma once
