@@ -130,8 +130,9 @@ std::optional<std::vector<LabelPlace>> place_labels(std::span<const LabelRequest
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<LabelPlace> best(requests.size()), places(requests.size());
   double best_cost = std::numeric_limits<double>::infinity();
-  for (std::size_t attempt = 0; attempt < std::max<std::size_t>(1, std::min<std::size_t>(requests.size(), 16));
-       ++attempt) {
+  // Each order in turn puts another point first, which gets the best place; a crowd gets fewer turns.
+  const std::size_t attempts = std::clamp<std::size_t>(400 / std::max<std::size_t>(requests.size(), 1), 1, 16);
+  for (std::size_t attempt = 0; attempt < std::clamp<std::size_t>(requests.size(), 1, attempts); ++attempt) {
     const double cost = placement.place(order, places);
     if (cost < best_cost) {
       best_cost = cost;

@@ -113,7 +113,7 @@ TEST(Chart, PlacesHardCases) {
 
 TEST(Chart, GrowsWhereLabelsHaveNoRoom) {
   Points crowd;
-  for (int i = 0; i < 120; ++i) crowd.push_back({"method number " + std::to_string(i), 10 + i * 0.01, 0.1});
+  for (int i = 0; i < 70; ++i) crowd.push_back({"method number " + std::to_string(i), 10 + i * 0.01, 0.1});
   expect_sound_layout(crowd);
   EXPECT_GT(lay_out_chart(crowd).height, 520);
 }
