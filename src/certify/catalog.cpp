@@ -54,9 +54,8 @@ Unsure<Sign> ask_other_filter(std::span<const double> coordinates) {
 
 template <Formula F>
 CatalogEntry entry() {
-  return {
-      F::name, F::points,          F::dimension, degree<F>(), filter_constant<F>(), program<F>(), decide_with_stage<F>,
-      ask<F>,  ask_other_filter<F>};
+  return {F::name,      F::points,     F::dimension,         degree<F>(), filter_constant<F>(),
+          program<F>(), value_bits<F>, decide_with_stage<F>, ask<F>,      ask_other_filter<F>};
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct CatalogEntry {
   int degree;
   double filter_constant;  // in units of one, about `roundings` times 2^-53
   Program program;
+  /// Bits that the exact value takes when the coordinates are integers of this many bits.
+  int (*value_bits)(int coordinate_bits);
   /// Sign and stage; throws NonFinite.  As many coordinates as points * dimension, point after point.
   Decision (*decide)(std::span<const double> coordinates);
   /// What one stage alone answers; finite coordinates.

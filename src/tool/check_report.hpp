@@ -1,0 +1,25 @@
+// What did the check find?  The same findings as text for people and as JSON for programs.
+//
+// Laws: text and JSON hold the same numbers; nothing is written that was not measured.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "check_mesh.hpp"
+#include "terminal.hpp"
+
+namespace plumb::tool {
+
+std::string text_report(const MeshCheck& check, const Style& style);
+
+/// The totals over several meshes; the table alone.
+std::string text_total(std::span<const MeshCheck> checks, const Style& style);
+
+nlohmann::json json_report(std::span<const MeshCheck> checks, unsigned threads);
+
+/// Share of wrong signs against time per decision, one point a method.
+std::string chart_svg(std::span<const MeshCheck> checks);
+
+}  // namespace plumb::tool

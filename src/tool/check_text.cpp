@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "check_command.hpp"
+#include "check_report.hpp"
+#include "lattice_savings.hpp"
+#include "plumb/certify/catalog.hpp"
+
+namespace plumb::tool {
+namespace {
+
+// 1,234,567
+std::string grouped(std::uint64_t n) {
+  std::string s = std::to_string(n);
+  for (std::size_t i = s.size(); i > 3;) s.insert(i -= 3, 1, ',');
+  return s;
+}
+
+std::string plural(std::uint64_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", grouped(n), n == 1 ? one : many);
+}
+
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+  if (part == 0 || whole == 0) return std::string(1, '0');
+  const double p = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  return p < 0.01 ? fmt::format("{:.1e}%", p) : fmt::format("{:.3g}%", p);
+}
+
+std::string file_lines(const MeshCheck& c) {
+  if (!c.from_file) return "  the embedded part; `plumb check --write-sample FILE` writes it\n";
+  const LoadReport& l = c.load;
+  std::string s = fmt::format("  file        {}, {}, {}; {}, {}\n", name_of(l.format), name_of(l.encoding),
+                              plural(l.bytes, "byte", "bytes"), plural(l.vertices, "vertex", "vertices"),
+                              plural(l.faces, "face", "faces"));
+  if (l.polygons != 0)
+    s += fmt::format("              {} of more than three corners, triangulated{}\n",
+                     plural(l.polygons, "face", "faces"),
+                     l.fans != 0 ? fmt::format(" ({} as fans: not simple polygons)", grouped(l.fans)) : "");
+  if (l.dropped_faces != 0)
+    s += fmt::format("              {} of fewer than three corners left out\n",
+                     plural(l.dropped_faces, "face", "faces"));
+  if (l.merged_vertices != 0)
+    s += fmt::format("              {} merged with an equal point\n", plural(l.merged_vertices, "corner", "corners"));
+  if (l.inexact_decimals != 0) {
+    s += fmt::format("  rounding    {} of {} decimals are no doubles; the farthest moved by {:.2g}\n",
+                     grouped(l.inexact_decimals), grouped(l.decimals), l.largest_move);
+  }
+  return s;
+}
+
+std::string lattice_lines(const Lattice& lattice) {
+  std::string s = fmt::format("  lattice     2^{}, {} bits: coordinates are integers below 2^{} times 2^{}\n",
+                              lattice.exponent, lattice.bits, lattice.bits, lattice.exponent);
+  for (const Saving& saving : lattice_savings(lattice)) {
+    s += fmt::format("              {:<9} exact in {} ({} bits){}\n", saving.predicate, saving.suffices,
+                     saving.value_bits, saving.skips.empty() ? "" : fmt::format("; never needs {}", saving.skips));
+  }
+  return s;
+}
+
+std::string defect_lines(const MeshStatistics& m) {
+  std::string s;
+  const auto line = [&](std::uint64_t n, std::string_view one, std::string_view many) {
+    if (n != 0) s += fmt::format("{}{}\n", s.empty() ? "  defects     " : "              ", plural(n, one, many));
+  };
+  line(m.repeated_vertices, "repeated vertex", "repeated vertices");
+  line(m.zero_area_faces, "triangle of exactly zero area", "triangles of exactly zero area");
+  line(m.repeated_corners, "triangle that names a vertex twice", "triangles that name a vertex twice");
+  line(m.non_manifold_edges, "edge of more than two faces", "edges of more than two faces");
+  line(m.inconsistent_edges, "edge whose two faces are wound against each other",
+       "edges whose two faces are wound against each other");
+  line(m.boundary_edges, "boundary edge", "boundary edges");
+  line(m.unused_vertices, "unused vertex", "unused vertices");
+  return s.empty() ? fmt::format("  defects     none\n") : s;
+}
+
+std::string stage_line(const StageCounts& stages) {
+  std::string s;
+  for (std::size_t i = 0; i < stage_names.size(); ++i) {
+    if (stages.count[i] == 0) continue;
+    s += fmt::format("{}{} {}", s.empty() ? "" : ", ", stage_names[i], percent(stages.count[i], stages.total()));
+  }
+  return s;
+}
+
+std::string table(std::string_view predicate, const Comparison& c, const Style& style) {
+  if (c.taken() == 0) return {};
+  std::string s =
+      style.bold(fmt::format("  {:<12}{:>12}{:>12}{:>11}{:>12}{:>12}{:>12}{:>10}{:>10}\n", predicate, "decisions",
+                             "wrong", "share", "opposite", "0 missed", "0 invented", "unsure", "ns"));
+  for (std::size_t m = 0; m < method_count; ++m) {
+    const Tally& t = c.method[m];
+    const std::string row =
+        fmt::format("    {:<12}{:>10}{:>12}{:>11}{:>12}{:>12}{:>12}{:>10}{:>10.1f}\n", method_names[m],
+                    grouped(t.taken), grouped(t.wrong()), percent(t.wrong(), t.taken), grouped(t.opposite),
+                    grouped(t.zeros_missed), grouped(t.zeros_invented), grouped(t.unsure), t.ns_per_decision());
+    s += t.wrong() != 0 ? style.red(row) : row;
+  }
+  return s + style.dim(fmt::format("    exact decided by: {}\n", stage_line(c.stages)));
+}
+
+std::string worst_lines(const Comparison& total, const Style& style) {
+  std::string s;
+  for (std::size_t m = 0; m < method_count; ++m) {
+    const WorstCase& w = total.method[m].worst;
+    if (w.badness < 0) continue;
+    s += fmt::format("    {}, {}: it says {:.6g}\n      {}\n", style.bold(method_names[m]),
+                     kinds[static_cast<std::size_t>(w.kind)].name, w.claimed, w.case_line);
+  }
+  return s.empty() ? s : fmt::format("  worst case of each method, as `plumb sign` takes it\n{}", s);
+}
+
+std::string verification_line(const Comparison& total, const Style& style) {
+  if (total.verified == 0) return {};
+  const std::string which = total.verified == total.taken() ? "all of them" : "a sample, evenly spread";
+  const std::string s = fmt::format("  verified    {} of {} exact signs taken again in rationals ({}): {} wrong\n",
+                                    grouped(total.verified), grouped(total.taken()), which, grouped(total.refuted));
+  return total.refuted == 0 ? style.green(s) : style.red(s);
+}
+
+std::string tables(std::span<const MeshCheck> checks, const Style& style) {
+  std::string s;
+  for (const CatalogEntry& entry : catalog()) {
+    Comparison sum;
+    for (const MeshCheck& c : checks) sum += c.of_predicate(entry.name);
+    s += table(entry.name, sum, style);
+  }
+  return s;
+}
+
+}  // namespace
+
+std::string text_report(const MeshCheck& c, const Style& style) {
+  const MeshStatistics& m = c.statistics;
+  std::string s = style.bold(c.name) + "\n" + file_lines(c);
+  s += fmt::format("  mesh        {}, {}, {}\n", plural(m.vertices, "vertex", "vertices"),
+                   plural(m.faces, "triangle", "triangles"), plural(m.edges, "edge", "edges"));
+  s += defect_lines(m);
+  s += fmt::format("  edges       of {} interior: {} convex, {} exactly flat, {} reflex\n", grouped(m.interior_edges),
+                   grouped(c.edges.convex), grouped(c.edges.flat), grouped(c.edges.reflex));
+  s += lattice_lines(c.lattice) + "\n" + tables({&c, 1}, style) + "\n";
+  const Comparison total = c.total();
+  return s + worst_lines(total, style) + verification_line(total, style);
+}
+
+std::string text_total(std::span<const MeshCheck> checks, const Style& style) {
+  Comparison total;
+  for (const MeshCheck& c : checks) total += c.total();
+  return style.bold(fmt::format("all {} meshes\n", checks.size())) + tables(checks, style) +
+         verification_line(total, style);
+}
+
+}  // namespace plumb::tool
