@@ -70,11 +70,32 @@ void EarClipping::clip(std::uint32_t i, Corners corners, std::vector<Triangle>& 
   if (--left_ < by_x_.size() / 2) std::erase_if(by_x_, [&](std::uint32_t u) { return clipped_[u]; });
 }
 
+// Does the path turn back at i on itself, or stand still?  Such an ear covers nothing and leads nowhere.
+bool EarClipping::folds_back(std::uint32_t i) const {
+  const Point2 &a = points_[previous_[i]], &b = points_[i], &c = points_[next_[i]];
+  if (a == b || b == c || a == c) return true;
+  const bool between = std::min(a.x, c.x) <= b.x && b.x <= std::max(a.x, c.x) &&  //
+                       std::min(a.y, c.y) <= b.y && b.y <= std::max(a.y, c.y);
+  return !between && orient2d(a, b, c) == Sign::zero;
+}
+
+// At i, and at the neighbors that this brings together.
+void EarClipping::clip_folds(std::uint32_t i, Corners corners, std::vector<Triangle>& out) {
+  while (left_ > 3 && folds_back(i)) {
+    const std::uint32_t p = previous_[i], n = next_[i];
+    clip(i, corners, out);
+    i = folds_back(p) ? p : n;
+  }
+}
+
 bool EarClipping::clip_next(Ears ears, Corners corners, std::vector<Triangle>& out) {
   for (std::size_t tries = left_; tries > 0; --tries, at_ = next_[at_])
     if (is_ear(at_, ears)) {
+      const std::uint32_t p = previous_[at_], n = next_[at_];
       clip(at_, corners, out);
       has_area_ = has_area_ || ears != Ears::flat;
+      clip_folds(p, corners, out);
+      if (!clipped_[n]) clip_folds(n, corners, out);
       return true;
     }
   return false;
@@ -82,9 +103,8 @@ bool EarClipping::clip_next(Ears ears, Corners corners, std::vector<Triangle>& o
 
 bool EarClipping::run(Corners corners, std::vector<Triangle>& out) {
   const std::size_t before = out.size();
-  // A corner right behind its equal is no obstacle to anything.
-  for (std::uint32_t i = 0; i < points_.size() && left_ > 3; ++i)
-    if (points_[i] == points_[previous_[i]]) clip(i, corners, out);
+  for (std::uint32_t i = 0; i < points_.size(); ++i)
+    if (!clipped_[i]) clip_folds(i, corners, out);
   while (left_ > 3)
     if (!clip_next(Ears::empty_closed, corners, out) && !clip_next(Ears::flat, corners, out) &&
         !clip_next(Ears::empty_open, corners, out))

@@ -34,7 +34,9 @@ class EarClipping {
   bool blocks(std::uint32_t u, std::uint32_t i, Ears ears) const;
   bool edges_enter(std::uint32_t u, const Point2& corner, const Point2& from, const Point2& to) const;
   bool turns(const Point2& a, const Point2& b, const Point2& c) const;
+  bool folds_back(std::uint32_t i) const;
   void clip(std::uint32_t i, Corners corners, std::vector<Triangle>& out);
+  void clip_folds(std::uint32_t i, Corners corners, std::vector<Triangle>& out);
   bool clip_next(Ears ears, Corners corners, std::vector<Triangle>& out);
 
   std::span<const Point2> points_;

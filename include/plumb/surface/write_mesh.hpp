@@ -20,8 +20,8 @@
 namespace plumb {
 
 struct WriteOptions {
-  std::optional<MeshFormat> format;      // otherwise by the extension
-  std::optional<MeshEncoding> encoding;  // otherwise ASCII, for PLY binary little endian (coordinates in float64)
+  std::optional<MeshFormat> format{};      // otherwise by the extension
+  std::optional<MeshEncoding> encoding{};  // otherwise ASCII, for PLY binary little endian (coordinates in float64)
 };
 
 /// Throws MeshFileError; NonFinite for a NaN or infinity, Error for an index out of range, in the mesh.
