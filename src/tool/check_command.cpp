@@ -53,20 +53,32 @@ int run_check(const CheckOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   const CheckSettings settings{options.verify};
   const Style style(stdout);
+  const bool text_wanted = options.json != "-" && options.chart != "-";  // standard output is for one of them alone
   std::vector<MeshCheck> checks;
   const auto add = [&](MeshCheck check) {
-    if (!checks.empty()) say("\n");
-    say(text_report(check, style));
+    if (text_wanted) {
+      if (!checks.empty()) say("\n");
+      say(text_report(check, style));
+    }
     checks.push_back(std::move(check));
   };
   if (options.meshes.empty()) add(check_sample(settings));
-  for (const std::string& path : options.meshes) add(check_file(path, settings));
-  if (checks.size() > 1) {
+  bool bad_input = false;
+  for (const std::string& path : options.meshes) {
+    try {
+      add(check_file(path, settings));
+    } catch (const MeshFileError& e) {  // the other meshes are still worth checking
+      complain(e.what());
+      bad_input = true;
+    }
+  }
+  if (text_wanted && checks.size() > 1) {
     say("\n");
     say(text_total(checks, style));
   }
   if (options.json) write_text_file(*options.json, json_report(checks, threads).dump(2) + "\n");
   if (options.chart) write_text_file(*options.chart, chart_svg(checks));
+  if (bad_input) return 2;
   return any_wrong(checks, options.fail_on_wrong) ? 1 : 0;
 }
 

@@ -114,9 +114,8 @@ class Program {
   CLI::App* doctor_ = app_.add_subcommand("doctor", "Look whether this machine is as the proofs assume.");
 };
 
-int complain(std::string_view text) {
-  std::fflush(stdout);  // answers given before the fault come first; whether they arrived no longer matters
-  fmt::print(stderr, "{} {}\n", Style(stderr).red("plumb:"), text);
+int refuse(std::string_view text) {
+  complain(text);
   return 2;
 }
 
@@ -131,14 +130,14 @@ int run_program(int argc, char** argv) try {
   } catch (const CLI::CallForHelp&) {
     program.help();
   } catch (const CLI::ParseError& e) {
-    return complain(fmt::format("{}; {}", e.what(), program.help_hint()));
+    return refuse(fmt::format("{}; {}", e.what(), program.help_hint()));
   }
   flush_output();
   return code;
 } catch (const std::bad_alloc&) {
-  return complain("out of memory");
+  return refuse("out of memory");
 } catch (const std::exception& e) {
-  return complain(e.what());
+  return refuse(e.what());
 }
 
 }  // namespace plumb::tool

@@ -49,6 +49,11 @@ void flush_output() {
   if (std::fflush(stdout) != 0) fail("standard output", errno);
 }
 
+void complain(std::string_view text) {
+  std::fflush(stdout);  // answers given before the fault come first; whether they arrived no longer matters
+  fmt::print(stderr, "{} {}\n", Style(stderr).red("plumb:"), text);
+}
+
 void write_text_file(const std::string& path, std::string_view text) {
   if (path == "-") return say(text);
   struct Close {

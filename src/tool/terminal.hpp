@@ -39,6 +39,9 @@ void say(std::string_view text);
 /// Hands everything said so far to the system; throws Error.
 void flush_output();
 
+/// One line "plumb: text" on standard error, after everything said so far.
+void complain(std::string_view text);
+
 /// The whole of a text file, "-" being standard output; throws Error, which names the file.
 void write_text_file(const std::string& path, std::string_view text);
 
