@@ -26,9 +26,10 @@ double LogAxis::at(double value) const { return at_log(std::log10(value)); }
 
 std::vector<Tick> LogAxis::ticks() const {
   const double decades = high_ - low_;
+  const double pixels = std::abs(to_ - from_) / decades;
   const int step = std::max(1, static_cast<int>(std::ceil(decades / 12)));  // decades between labels
-  const bool label_all = decades < 2;                                       // 1, 2, 5 within a decade as well
-  const bool fine = std::abs(to_ - from_) / decades > 90;                   // pixels a decade; closer lines are a haze
+  const bool label_all = decades < 2 || pixels > 200;                       // 1, 2, 5 within a decade as well
+  const bool fine = pixels > 90;                                            // closer lines are a haze
   std::vector<Tick> ticks;
   for (int power = static_cast<int>(std::floor(low_)); power <= static_cast<int>(std::ceil(high_)); ++power) {
     for (int mantissa = 1; mantissa < (fine ? 10 : 2); ++mantissa) {

@@ -88,8 +88,9 @@ class Program {
         ->allow_extra_args(false)
         ->type_name("METHOD");
     check_
-        ->add_option("--write-sample", o.write_sample,
-                     "Write the mesh that the program brings along, in the format of the extension, and stop.")
+        ->add_option(
+            "--write-sample", o.write_sample,
+            "Write the mesh that the program brings along, in the format of the extension; alone, it checks nothing.")
         ->type_name("FILE");
   }
 
