@@ -5,7 +5,9 @@
 // unpredictable. Source: RTCD 11.2, docs/proof.md; cost: 1.2 to 2 times the plain formula.
 #pragma once
 
-#include <algorithm>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "plumb/arith/filtered.hpp"
 #include "plumb/arith/largest.hpp"
@@ -48,6 +50,19 @@ constexpr std::size_t axis_of_input(std::size_t i) {
   return i % static_cast<std::size_t>(F::dimension);
 }
 
+/// x, of which the optimizer forgets how it came about.  GCC otherwise finds that the square of a maximum is the square
+/// of one of its arguments, which it has already, and branches on an unpredictable comparison to save one product.
+constexpr double opaque(double x) {
+  if (!std::is_constant_evaluated()) {
+#if defined(__SSE2__)
+    __asm__("" : "+x"(x));
+#elif defined(__aarch64__)
+    __asm__("" : "+w"(x));
+#endif
+  }
+  return x;
+}
+
 /// The largest difference (or sum, or coordinate by itself) that the formula forms in each axis.
 template <Formula F>
 constexpr Largest<F> largest_differences(const Coordinates<F>& p) {
@@ -68,7 +83,7 @@ constexpr Largest<F> largest_differences(const Coordinates<F>& p) {
   };
   [&]<std::size_t... I>(std::index_sequence<I...>) { (look_at.template operator()<I>(), ...); }
   (std::make_index_sequence<tape::of<F>.size>{});
-  return largest;
+  return per_axis<F>([&](std::size_t axis) { return opaque(largest[axis]); });
 }
 
 template <Formula F>
