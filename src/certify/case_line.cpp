@@ -1,7 +1,9 @@
 #include "plumb/certify/case_line.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/catalog.hpp"
@@ -29,6 +31,25 @@ Sign parse_sign(std::string_view word) {
   throw Error("after '=' comes the expected sign '+', '0' or '-', not " + quoted(word));
 }
 
+// Is this unsigned literal, beyond the range of doubles, too small rather than too large?  Its first significant digit
+// stands behind the point once the exponent has moved it.
+bool below_one(std::string_view literal, bool hexadecimal) {
+  const std::size_t mark = std::min(literal.find_first_of(hexadecimal ? "pP" : "eE"), literal.size());
+  const std::string_view digits = literal.substr(0, mark);
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  const std::size_t first = digits.find_first_not_of("0.");
+  if (first == digits.npos) return true;
+  std::int64_t exponent = 0;
+  std::string_view power = literal.substr(std::min(mark + 1, literal.size()));
+  if (power.starts_with('+')) power.remove_prefix(1);
+  if (std::from_chars(power.data(), power.data() + power.size(), exponent).ec == std::errc::result_out_of_range) {
+    return power.starts_with('-');
+  }
+  const auto places =
+      point - static_cast<std::int64_t>(first);  // positive: digits before the point, the first included
+  return exponent / (hexadecimal ? 4 : 1) + places < 0;
+}
+
 std::string known_predicates() {
   std::string names;
   for (const CatalogEntry& e : catalog()) names += (names.empty() ? "" : ", ") + std::string(e.name);
@@ -47,8 +68,11 @@ double parse_double(std::string_view word) {
   double x = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), x,
                                             hexadecimal ? std::chars_format::hex : std::chars_format::general);
-  if (error == std::errc::result_out_of_range) throw Error(quoted(word) + " is beyond the range of doubles");
-  if (first == '-' || error != std::errc{} || end != rest.data() + rest.size()) {
+  if (error == std::errc::result_out_of_range) {
+    if (!below_one(rest, hexadecimal)) throw Error(quoted(word) + " is beyond the largest double");
+    x = 0;  // the nearest double
+  }
+  if (first == '-' || error == std::errc::invalid_argument || end != rest.data() + rest.size()) {
     throw Error(quoted(word) + " is not a number; give a decimal or hexadecimal double, such as 0.1 or 0x1.8p-3");
   }
   if (!std::isfinite(x)) throw NonFinite(quoted(word) + " is not a real number; give a finite double");
