@@ -1,0 +1,95 @@
+// Which cases must every predicate get right, and do all its stages?  The shared part of the tests of certify/.
+//
+// Laws: case number i of a predicate and family is the same on every machine; a failure is shrunk and told as one case
+// line that `plumb sign` replays.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "oracle/oracle.hpp"
+#include "plumb/certify/case_line.hpp"
+#include "plumb/certify/catalog.hpp"
+#include "plumb/degenerate.hpp"
+
+namespace plumb::battery {
+
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+/// Cases for each predicate and family.
+#if defined(PLUMB_LONG_TESTS)
+inline constexpr std::uint64_t cases = 10'000'000;
+#else
+inline constexpr std::uint64_t cases = sanitized ? 10'000 : 100'000;
+#endif
+/// Every how many cases CGAL is asked as well.
+inline constexpr std::uint64_t cgal_every = 10;
+
+inline constexpr std::array stages = {Stage::filter,   Stage::structural_zero, Stage::integer,
+                                      Stage::interval, Stage::wide_integer,    Stage::big_integer};
+static_assert(stages.size() == stage_names.size());
+
+/// What makes a predicate zero: a polynomial of the least degree that the dimension allows vanishes on flats.
+inline Degeneracy zero_set(const CatalogEntry& e) {
+  if (e.dimension == 2) return e.degree == 2 ? Degeneracy::collinear : Degeneracy::cocircular;
+  return e.degree == 3 ? Degeneracy::coplanar : Degeneracy::cospherical;
+}
+
+/// Case number `index`.
+inline std::vector<double> coordinates_of(const CatalogEntry& e, Family family, std::uint64_t index) {
+  Entropy entropy(static_cast<std::uint64_t>(e.degree * 100 + e.dimension * 10 + e.points), index);
+  std::vector<double> p(e.arity());
+  fill_points(family, zero_set(e), e.dimension, p, entropy);
+  return p;
+}
+
+inline std::string case_line(const CatalogEntry& e, std::span<const double> p) {
+  return to_string(CaseLine{std::string(e.name), {p.begin(), p.end()}, Unsure{oracle::rational_sign(e.name, p)}});
+}
+
+/// Empty when every way of answering agrees with the oracle at p; otherwise who does not.
+inline std::string disagreement(const CatalogEntry& e, std::span<const double> p, bool ask_cgal) {
+  const Sign truth = oracle::rational_sign(e.name, p);
+  const auto objection = [&](std::string_view who, Sign said) {
+    return std::string(who) + " says " + to_char(said) + ", rationals say " + to_char(truth);
+  };
+  const Decision decided = e.decide(p);
+  if (decided.sign != truth) return objection("decide", decided.sign);
+  bool first = true;
+  for (const Stage stage : stages) {
+    const Unsure<Sign> said = e.ask(stage, p);
+    if (!said.certain()) continue;
+    if (said.value() != truth) return objection(to_string(stage), said.value());
+    if (first && stage != decided.stage) {
+      return std::string(to_string(stage)) + " was certain, but " + std::string(to_string(decided.stage)) + " decided";
+    }
+    first = false;
+  }
+  if (first) return "no stage was certain";
+  if (const auto said = e.ask_other_filter(p); said.certain() && said.value() != truth) {
+    return objection("the other filter", said.value());
+  }
+  if (ask_cgal) {
+    if (const auto said = oracle::cgal_sign(e.name, p); said && *said != truth) return objection("CGAL", *said);
+  }
+  return {};
+}
+
+/// A failure as people should read it: shrunk, with the line that replays it.
+inline std::string report(const CatalogEntry& e, std::span<const double> p) {
+  const auto fails = [&](std::span<const double> q) { return !disagreement(e, q, true).empty(); };
+  const std::vector<double> least = shrink_coordinates({p.begin(), p.end()}, e.dimension, fails, 5'000);
+  return disagreement(e, least, true) + "\n  " + case_line(e, least) + "\nshrunk from\n  " + case_line(e, p);
+}
+
+}  // namespace plumb::battery

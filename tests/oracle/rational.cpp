@@ -1,0 +1,30 @@
+// The formulas of the manifest over GMP's rationals.
+#include <plumb/predicates/manifest.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "oracle/oracle.hpp"
+#include "plumb/arith/big.hpp"
+#include "plumb/certify/formula.hpp"
+
+namespace plumb::oracle {
+namespace {
+
+template <Formula F>
+Sign run(std::span<const double> p) {
+  return evaluate<F>([&](std::size_t i) { return big_rational(p[i]); }).sign();
+}
+
+}  // namespace
+
+Sign rational_sign(std::string_view predicate, std::span<const double> coordinates) {
+#define PLUMB_IF_NAMED(formula)                                                                   \
+  if (predicate == predicates::formula::name && coordinates.size() == arity<predicates::formula>) \
+    return run<predicates::formula>(coordinates);
+  PLUMB_PREDICATES(PLUMB_IF_NAMED)
+#undef PLUMB_IF_NAMED
+  throw std::invalid_argument("no predicate " + std::string(predicate) + " of " + std::to_string(coordinates.size()) +
+                              " coordinates");
+}
+
+}  // namespace plumb::oracle
