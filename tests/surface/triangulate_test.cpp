@@ -183,6 +183,24 @@ TEST(Triangulate, LongCombs) {
   expect_boundary(g, found.triangles);
 }
 
+// A band whose only ears are at its two ends.
+TEST(Triangulate, LongSpirals) {
+  Grid outside, inside;
+  for (long k = 0; k < 4000; ++k) {
+    const long r = 4 * (k / 4) + 4;
+    const std::array<std::array<long, 2>, 4> way{{{r, -r}, {r, r}, {-r, r}, {-r, -r - 4}}};
+    const std::array<std::array<long, 2>, 4> near{{{r - 2, -r + 2}, {r - 2, r - 2}, {-r + 2, r - 2}, {-r + 2, -r - 2}}};
+    outside.push_back(way[static_cast<std::size_t>(k % 4)]);
+    inside.push_back(near[static_cast<std::size_t>(k % 4)]);
+  }
+  Grid g = outside;
+  g.insert(g.end(), inside.rbegin(), inside.rend());
+  ASSERT_TRUE(is_simple(g));
+  const Cut found = cut(g);
+  EXPECT_TRUE(found.simple);
+  expect_boundary(g, found.triangles);
+}
+
 TEST(Triangulate, WholeMeshes) {
   const PolygonMesh mesh{
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 3, 0, 1, 2, 0, 2, 1, 3, 3, 2, 1, 0}, {0, 4, 7, 11, 15}};
