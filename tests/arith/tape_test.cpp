@@ -1,0 +1,90 @@
+#include "plumb/arith/tape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "arith/samples.hpp"
+#include "arith/watched.hpp"
+#include "plumb/arith/big.hpp"
+
+namespace plumb {
+namespace {
+
+// Replays a program over numbers of any one type.
+template <class T>
+T replay(const Program& program, std::vector<T> number) {
+  for (const Instruction& i : program.instructions) {
+    const T l = number[i.left], r = number[i.right];
+    number.push_back(i.operation == '+' ? T(l + r) : i.operation == '-' ? T(l - r) : T(l * r));
+  }
+  return number.back();
+}
+
+TEST(TapeTest, ReplayDoesExactlyWhatTheFormulaDoes) {
+  for_each_formula([]<Formula F>() {
+    SCOPED_TRACE(F::name);
+    Entropy entropy(1);
+    Coordinates<F> p{};
+    for (int i = 0; i < 5'000; ++i) {
+      fill_points(any_family(entropy), Degeneracy::cocircular, F::dimension, p, entropy);
+      // Bit for bit, roundings, overflows and NaN included: the same operations in the same order.
+      const double direct = F{}(p), replayed = replay(program<F>(), std::vector<double>(p.begin(), p.end()));
+      ASSERT_TRUE(std::bit_cast<std::uint64_t>(direct) == std::bit_cast<std::uint64_t>(replayed) ||
+                  (direct != direct && replayed != replayed));
+    }
+  });
+}
+
+TEST(TapeTest, NamesEarlierResultsOnly) {
+  for_each_formula([]<Formula F>() {
+    const Program p = program<F>();
+    EXPECT_EQ(p.arity, arity<F>);
+    std::vector<bool> used(p.arity + p.instructions.size());
+    for (std::size_t i = 0; i < p.instructions.size(); ++i) {
+      const Instruction& at = p.instructions[i];
+      ASSERT_LT(at.left, p.arity + i);
+      ASSERT_LT(at.right, p.arity + i);
+      ASSERT_TRUE(at.operation == '+' || at.operation == '-' || at.operation == '*');
+      used[at.left] = used[at.right] = true;
+    }
+    for (std::size_t i = 0; i + 1 < used.size(); ++i)
+      EXPECT_TRUE(used[i]) << F::name << " computes " << i << " in vain";
+  });
+}
+
+TEST(TapeTest, IsOfFixedLength) {
+  Tape<1> tape;
+  tape.arity = 2;
+  EXPECT_EQ(tape.write('+', 0, 1), 2);
+  EXPECT_THROW(tape.write('*', 0, 1), std::length_error);
+}
+
+TEST(BigTest, IntegersAndRationalsAreTheDoublesExactly) {
+  Entropy entropy(2);
+  std::vector<double> values = samples::special_values();
+  for (int i = 0; i < 20'000; ++i) values.push_back(samples::any_double(entropy));
+  for (const double x : values) {
+    ASSERT_TRUE(big_rational(x).value == samples::rational(x));
+    ASSERT_EQ(big_rational(x).sign(), sign_of_number(x));
+    const int exponent = lattice_of(std::span(&x, 1)).exponent;
+    for (const int lower : {0, 1, 7, 2000}) {
+      const BigInteger i = big_integer(x, exponent - lower);
+      ASSERT_TRUE(mpq_class(i.value) * samples::power_of_two(exponent - lower) == samples::rational(x));
+      ASSERT_EQ(i.sign(), sign_of_number(x));
+    }
+  }
+}
+
+TEST(BigTest, OperatorsAreGmps) {
+  const BigInteger a{mpz_class("123456789012345678901234567890")}, b{mpz_class("-987654321098765432109876543210")};
+  EXPECT_TRUE((a + b).value == mpz_class("-864197532086419753208641975320"));
+  EXPECT_TRUE((a - b).value == mpz_class("1111111110111111111011111111100"));
+  EXPECT_TRUE((a * a - a * a).value == 0);
+  const BigRational third{mpq_class(1, 3)};
+  EXPECT_EQ((third + third + third - BigRational{mpq_class(1)}).sign(), Sign::zero);
+  EXPECT_EQ((third * BigRational{mpq_class(-3)}).sign(), Sign::negative);
+}
+
+}  // namespace
+}  // namespace plumb
