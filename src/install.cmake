@@ -39,5 +39,6 @@ function(plumb_write_pc pc_name pc_description pc_library pc_requires pc_needs)
   install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 plumb_write_pc(plumb-predicates "Exact signs of geometric predicates" plumb_predicates "" -lgmp)
-plumb_write_pc(plumb-degenerate "Hard inputs for geometric code" plumb_degenerate "plumb-predicates = ${PROJECT_VERSION}" "")
+plumb_write_pc(plumb-degenerate "Hard inputs for geometric code" plumb_degenerate
+  "plumb-predicates = ${PROJECT_VERSION}" "")
 plumb_write_pc(plumb "${PROJECT_DESCRIPTION}" plumb "plumb-predicates = ${PROJECT_VERSION}" "")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Does ./bootstrap say what it needs, and touch nothing where it cannot have it?  Runs it in a made-up machine: a PATH of
-# a few links and of stand-ins for Debian's tools.   bootstrap_offline.sh SOURCE WORK
+# Does ./bootstrap say what it needs, and touch nothing where it cannot have it?  Runs it in a made-up machine: a PATH
+# of a few links and of stand-ins for Debian's tools.   bootstrap_offline.sh SOURCE WORK
 set -euo pipefail
 machine=$2
 bootstrap=$machine/tree/bootstrap
@@ -40,7 +40,8 @@ expect 1 "libcli11-dev" demo
 # A Debian that lacks two packages, without apt-get; then one where apt-get knows no such package.
 stand_in dpkg-query 'case "$*" in *libtbb-dev | *g++) echo not-installed; exit 1 ;; *) echo installed ;; esac'
 expect 1 "  g++ libtbb-dev" demo
-stand_in apt-get 'echo "apt-get $*" >>'"$machine/asked" 'case "$*" in *install*) echo "E: no such package"; exit 100 ;; esac'
+stand_in apt-get 'echo "apt-get $*" >>'"$machine/asked" \
+  'case "$*" in *install*) echo "E: no such package"; exit 100 ;; esac'
 stand_in sudo '"$@"'
 expect 1 "E: no such package" demo
 [ "$(tail -n 1 "$machine/asked")" = \
