@@ -23,8 +23,8 @@ template <Formula F>
   if (largest >= 0x7ffull << 52) throw_non_finite(F::name, F::dimension, p);
   if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
   if (const auto s = integer_sign<F>(p, largest); s.certain()) return {s.value(), Stage::integer};
-  if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
   if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
+  if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
   return {big_integer_sign(program<F>(), p), Stage::big_integer};
 }
 

@@ -12,11 +12,11 @@
 
 namespace plumb {
 
-/// In the order of their cost.
-enum class Stage : std::uint8_t { filter, structural_zero, integer, interval, wide_integer, big_integer };
+/// In the order of the chain.
+enum class Stage : std::uint8_t { filter, structural_zero, integer, wide_integer, interval, big_integer };
 
-inline constexpr std::array<std::string_view, 6> stage_names{"filter",   "structural-zero", "integer",
-                                                             "interval", "wide-integer",    "big-integer"};
+inline constexpr std::array<std::string_view, 6> stage_names{"filter",       "structural-zero", "integer",
+                                                             "wide-integer", "interval",        "big-integer"};
 
 constexpr std::string_view to_string(Stage s) { return stage_names[static_cast<std::size_t>(s)]; }
 

@@ -1,0 +1,52 @@
+// What does each stage cost by itself?  Both filters on uniform points, the exact stages on exactly degenerate ones.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "bench/inputs.hpp"
+#include "plumb/certify/decide.hpp"
+
+namespace plumb::bench {
+namespace {
+
+template <Formula F, class Take>
+void add(const char* stage, const std::string& name, Take take) {
+  const auto all = std::make_shared<std::vector<double>>(inputs(F::name, arity<F>, F::dimension, name));
+  benchmark::RegisterBenchmark(
+      (std::string(F::name) + "/" + name + "/" + stage).c_str(), [all, take](benchmark::State& state) {
+        std::vector<Coordinates<F>> sets(cases);
+        for (std::size_t i = 0; i < cases; ++i) std::copy_n(&(*all)[i * arity<F>], arity<F>, sets[i].begin());
+        for (auto _ : state) {
+          long sum = 0;
+          for (const Coordinates<F>& p : sets) sum += static_cast<long>(take(p));
+          benchmark::DoNotOptimize(sum);
+        }
+        state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * cases * 1e-9,
+                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+      });
+}
+
+template <Formula F>
+void register_predicate() {
+  using C = Coordinates<F>;
+  add<F>("magnitude-filter", "uniform", [](const C& p) { return magnitude_filter<F>(p); });
+  add<F>("largest-filter", "uniform", [](const C& p) { return largest_filter<F>(p); });
+  for (const char* name : {"lattice20", "degenerate_long"}) {
+    const std::string class_name = name;
+    add<F>("structural-zero", class_name, [](const C& p) { return structural_zero_sign<F>(p).certain(); });
+    add<F>("integer", class_name, [](const C& p) { return integer_sign<F>(p, largest_pattern(p)).certain(); });
+    add<F>("interval", class_name, [](const C& p) { return interval_sign<F>(p).certain(); });
+    add<F>("wide-integer", class_name, [](const C& p) { return wide_integer_sign<F>(p).certain(); });
+    add<F>("big-integer", class_name, [](const C& p) { return big_integer_sign(program<F>(), p) == Sign::zero; });
+  }
+}
+
+[[maybe_unused]] const bool registered = [] {
+#define PLUMB_REGISTER(formula) register_predicate<predicates::formula>();
+  PLUMB_PREDICATES(PLUMB_REGISTER)
+#undef PLUMB_REGISTER
+  return true;
+}();
+
+}  // namespace
+}  // namespace plumb::bench

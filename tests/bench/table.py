@@ -1,0 +1,25 @@
+"""Prints a Markdown table of a benchmark's JSON (standard input): ns for each predicate/class, one column a method.
+
+With --benchmark_repetitions the medians are taken.  A method's column is followed by its ratio to the first and, where
+there is an 'epick', by how many times faster than that it is.
+"""
+import json
+import statistics
+import sys
+
+samples = {}
+for run in json.load(sys.stdin)["benchmarks"]:
+    if run.get("run_type") != "aggregate":
+        samples.setdefault(tuple(run["run_name"].split("/")), []).append(run["ns"])
+table = {}
+for (predicate, inputs, method), ns in samples.items():
+    table.setdefault((predicate, inputs), {})[method] = statistics.median(ns)
+methods = list(dict.fromkeys(m for row in table.values() for m in row))
+rival = "epick" in methods
+print("| predicate | inputs | " + " | ".join(methods) + (" | plumb / bare | epick / plumb |" if rival else " |"))
+print("| --- | --- |" + " ---: |" * (len(methods) + 2 * rival))
+for (predicate, inputs), row in table.items():
+    cells = [f"{row[m]:.1f}" if m in row else "" for m in methods]
+    if rival:
+        cells += [f"{row['plumb'] / row['bare']:.2f}", f"{row['epick'] / row['plumb']:.1f}"]
+    print(f"| {predicate} | {inputs} | " + " | ".join(cells) + " |")
