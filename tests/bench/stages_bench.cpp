@@ -26,6 +26,9 @@ void add(const char* stage, const std::string& name, Take take) {
       });
 }
 
+// The sign itself, so that no stage's last operations are left out as unused.
+int answer(Unsure<Sign> s) { return s.certain() ? static_cast<int>(s.value()) : 2; }
+
 template <Formula F>
 void register_predicate() {
   using C = Coordinates<F>;
@@ -33,11 +36,11 @@ void register_predicate() {
   add<F>("largest-filter", "uniform", [](const C& p) { return largest_filter<F>(p); });
   for (const char* name : {"lattice20", "degenerate_long"}) {
     const std::string class_name = name;
-    add<F>("structural-zero", class_name, [](const C& p) { return structural_zero_sign<F>(p).certain(); });
-    add<F>("integer", class_name, [](const C& p) { return integer_sign<F>(p, largest_pattern(p)).certain(); });
-    add<F>("interval", class_name, [](const C& p) { return interval_sign<F>(p).certain(); });
-    add<F>("wide-integer", class_name, [](const C& p) { return wide_integer_sign<F>(p).certain(); });
-    add<F>("big-integer", class_name, [](const C& p) { return big_integer_sign(program<F>(), p) == Sign::zero; });
+    add<F>("structural-zero", class_name, [](const C& p) { return answer(structural_zero_sign<F>(p)); });
+    add<F>("integer", class_name, [](const C& p) { return answer(integer_sign<F>(p, largest_pattern(p))); });
+    add<F>("interval", class_name, [](const C& p) { return answer(interval_sign<F>(p)); });
+    add<F>("wide-integer", class_name, [](const C& p) { return answer(wide_integer_sign<F>(p)); });
+    add<F>("big-integer", class_name, [](const C& p) { return answer(Unsure{big_integer_sign(program<F>(), p)}); });
   }
 }
 
