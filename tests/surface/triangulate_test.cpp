@@ -125,6 +125,38 @@ TEST(Triangulate, RandomSimplePolygons) {
   EXPECT_GT(concave, 1000);
 }
 
+// A square with one or two holes, joined to it by bridges that are walked both ways.
+TEST(Triangulate, RandomHoles) {
+  std::mt19937 random(8);
+  int holes = 0;
+  while (holes < 1500) {
+    Grid hole(3 + random() % 6);
+    const long at = 1 + holes % 3;
+    for (auto& p : hole) p = {at + static_cast<long>(random() % 5), at + static_cast<long>(random() % 5)};
+    if (!is_simple(hole)) continue;
+    if (twice_area(hole) > 0) std::reverse(hole.begin(), hole.end());
+    // Nothing of the hole lies between the corner at the origin and the hole's corner nearest to it along the diagonal.
+    const auto nearest = std::min_element(hole.begin(), hole.end(),
+                                          [](const auto& l, const auto& r) { return l[0] + l[1] < r[0] + r[1]; });
+    std::rotate(hole.begin(), nearest, hole.end());
+    Grid g{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}};
+    g.insert(g.end(), hole.begin(), hole.end());
+    g.push_back(hole.front());
+    if (holes % 2 == 0) {  // its mirror image behind the opposite corner
+      for (std::size_t k = 1; k < 4; ++k) g[k] = {g[k][0] * 2, g[k][1] * 2};
+      Grid other;
+      for (const auto& p : hole) other.push_back({16 - p[0], 16 - p[1]});
+      other.push_back(other.front());
+      other.push_back({16, 16});
+      g.insert(g.begin() + 3, other.begin(), other.end());
+    }
+    std::rotate(g.begin(), g.begin() + static_cast<long>(random() % g.size()), g.end());
+    expect_tiled(g, true);
+    ++holes;
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
 TEST(Triangulate, AnyClosedPath) {
   std::mt19937 random(5);
   int fans = 0;

@@ -2,8 +2,11 @@
 #include "plumb/surface/write_mesh.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <bit>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -179,6 +182,30 @@ TEST(WriteMesh, FailuresAreReportedAndLeaveNothing) {
   EXPECT_EQ(problem_of_writing(folder.path / "folder.off"), MeshFileProblem::unwritable);
   EXPECT_EQ(folder.files(), 1);
   write_mesh("/dev/null", surface_test::tetrahedron(), {.format = MeshFormat::stl});
+}
+
+TEST(WriteMesh, AFullDiskLeavesTheOldFile) {
+  const Folder folder;
+  const fs::path file = folder.path / "mesh.obj";
+  std::ofstream(file) << "old";
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 5000;
+  setrlimit(RLIMIT_FSIZE, &small);
+  std::string said;
+  try {
+    write_mesh(file, hard_doubles());
+  } catch (const MeshFileError& error) {
+    EXPECT_EQ(error.problem, MeshFileProblem::unwritable);
+    said = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(said.find("cannot be written: File too large"), std::string::npos) << said;
+  EXPECT_EQ(fs::file_size(file), 3U);
+  EXPECT_EQ(folder.files(), 1);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 // projected corners.  The axis is that of the largest normal component, or another one where that one shows no simple
 // polygon.  Where none does (all corners on one line, edges that cross) the face becomes a fan about its first corner,
 // and is counted.
-// Source: RTCD 12.5.1, 12.5.2 (ears); coverage: winding numbers add up over the triangles, all of which turn the same
-// way. Cost: linear for triangles, quadrilaterals and faces convex at the first corner, otherwise quadratic at worst in
-// the corners.
+// Source: RTCD 12.5.1, 12.5.1.1 (ears).  Coverage: winding numbers add up over triangles that all turn the same way.
+// Cost: linear for triangles, quadrilaterals and faces that a fan about the first corner tiles, otherwise at worst
+// quadratic in the corners.
 #pragma once
 
 #include <cstdint>
