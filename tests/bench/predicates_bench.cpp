@@ -6,23 +6,11 @@
 #include <memory>
 
 #include "bench/cgal_rival.hpp"
-#include "bench/inputs.hpp"
+#include "bench/measure.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb::bench {
 namespace {
-
-template <Formula F>
-std::vector<Coordinates<F>> sets_of(const std::vector<double>& all) {
-  std::vector<Coordinates<F>> sets(cases);
-  for (std::size_t i = 0; i < cases; ++i) std::copy_n(&all[i * arity<F>], arity<F>, sets[i].begin());
-  return sets;
-}
-
-void report(benchmark::State& state) {
-  state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * cases * 1e-9,
-                                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
 
 template <class F, class Take>
 [[gnu::noinline]] long sum_over(const std::vector<Coordinates<F>>& sets, Take take) {
@@ -35,19 +23,12 @@ template <Formula F>
 void register_class(const std::string& name) {
   const auto all = std::make_shared<std::vector<double>>(inputs(F::name, arity<F>, F::dimension, name));
   const auto sets = std::make_shared<std::vector<Coordinates<F>>>(sets_of<F>(*all));
-  const std::string prefix = std::string(F::name) + "/" + name;
-  const auto add = [&](const char* method, std::function<long()> run) {
-    benchmark::RegisterBenchmark((prefix + "/" + method).c_str(), [run](benchmark::State& state) {
-      for (auto _ : state) benchmark::DoNotOptimize(run());
-      report(state);
-    });
-  };
-  add("bare", [sets] {
+  add(F::name, name, "bare", [sets] {
     return sum_over<F>(*sets, [](const Coordinates<F>& p) { return static_cast<int>(sign_of_number(F{}(p))); });
   });
-  add("plumb",
+  add(F::name, name, "plumb",
       [sets] { return sum_over<F>(*sets, [](const Coordinates<F>& p) { return static_cast<int>(decide<F>(p)); }); });
-  add("epick", epick(F::name, *all));
+  add(F::name, name, "epick", epick(F::name, *all));
 }
 
 template <Formula F>

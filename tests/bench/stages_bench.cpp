@@ -3,27 +3,21 @@
 
 #include <memory>
 
-#include "bench/inputs.hpp"
+#include "bench/measure.hpp"
 #include "plumb/certify/decide.hpp"
 
 namespace plumb::bench {
 namespace {
 
 template <Formula F, class Take>
-void add(const char* stage, const std::string& name, Take take) {
-  const auto all = std::make_shared<std::vector<double>>(inputs(F::name, arity<F>, F::dimension, name));
-  benchmark::RegisterBenchmark(
-      (std::string(F::name) + "/" + name + "/" + stage).c_str(), [all, take](benchmark::State& state) {
-        std::vector<Coordinates<F>> sets(cases);
-        for (std::size_t i = 0; i < cases; ++i) std::copy_n(&(*all)[i * arity<F>], arity<F>, sets[i].begin());
-        for (auto _ : state) {
-          long sum = 0;
-          for (const Coordinates<F>& p : sets) sum += static_cast<long>(take(p));
-          benchmark::DoNotOptimize(sum);
-        }
-        state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * cases * 1e-9,
-                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-      });
+void add_stage(const char* stage, const std::string& name, Take take) {
+  const auto sets =
+      std::make_shared<std::vector<Coordinates<F>>>(sets_of<F>(inputs(F::name, arity<F>, F::dimension, name)));
+  add(F::name, name, stage, [sets, take] {
+    long sum = 0;
+    for (const Coordinates<F>& p : *sets) sum += static_cast<long>(take(p));
+    return sum;
+  });
 }
 
 // The sign itself, so that no stage's last operations are left out as unused.
@@ -32,15 +26,16 @@ int answer(Unsure<Sign> s) { return s.certain() ? static_cast<int>(s.value()) : 
 template <Formula F>
 void register_predicate() {
   using C = Coordinates<F>;
-  add<F>("magnitude-filter", "uniform", [](const C& p) { return magnitude_filter<F>(p); });
-  add<F>("largest-filter", "uniform", [](const C& p) { return largest_filter<F>(p); });
+  add_stage<F>("magnitude-filter", "uniform", [](const C& p) { return magnitude_filter<F>(p); });
+  add_stage<F>("largest-filter", "uniform", [](const C& p) { return largest_filter<F>(p); });
   for (const char* name : {"lattice20", "degenerate_long"}) {
     const std::string class_name = name;
-    add<F>("structural-zero", class_name, [](const C& p) { return answer(structural_zero_sign<F>(p)); });
-    add<F>("integer", class_name, [](const C& p) { return answer(integer_sign<F>(p, largest_pattern(p))); });
-    add<F>("interval", class_name, [](const C& p) { return answer(interval_sign<F>(p)); });
-    add<F>("wide-integer", class_name, [](const C& p) { return answer(wide_integer_sign<F>(p)); });
-    add<F>("big-integer", class_name, [](const C& p) { return answer(Unsure{big_integer_sign(program<F>(), p)}); });
+    add_stage<F>("structural-zero", class_name, [](const C& p) { return answer(structural_zero_sign<F>(p)); });
+    add_stage<F>("integer", class_name, [](const C& p) { return answer(integer_sign<F>(p, largest_pattern(p))); });
+    add_stage<F>("interval", class_name, [](const C& p) { return answer(interval_sign<F>(p)); });
+    add_stage<F>("wide-integer", class_name, [](const C& p) { return answer(wide_integer_sign<F>(p)); });
+    add_stage<F>("big-integer", class_name,
+                 [](const C& p) { return answer(Unsure{big_integer_sign(program<F>(), p)}); });
   }
 }
 

@@ -1,11 +1,16 @@
-// On which inputs is speed measured?  The same classes everywhere: every family of degenerate/, aimed at the question
-// of the predicate, and the exactly degenerate lattice of 20-bit coordinates.
+// On which inputs is speed measured, and how?  The same classes everywhere: every family of degenerate/, aimed at the
+// question of the predicate, and the exactly degenerate lattice of 20-bit coordinates.
 #pragma once
 
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "plumb/certify/formula.hpp"
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/degenerate/points.hpp"
 
@@ -39,6 +44,24 @@ inline std::vector<double> inputs(std::string_view predicate, std::size_t arity,
     }
   }
   return all;
+}
+
+template <Formula F>
+std::vector<Coordinates<F>> sets_of(const std::vector<double>& all) {
+  std::vector<Coordinates<F>> sets(cases);
+  for (std::size_t i = 0; i < cases; ++i) std::copy_n(&all[i * arity<F>], arity<F>, sets[i].begin());
+  return sets;
+}
+
+/// Registers "predicate/class/method": `run` goes through all cases once.  Reports ns for a case.
+inline void add(std::string_view predicate, const std::string& inputs_name, const std::string& method,
+                std::function<long()> run) {
+  const std::string name = std::string(predicate) + "/" + inputs_name + "/" + method;
+  benchmark::RegisterBenchmark(name.c_str(), [run = std::move(run)](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(run());
+    state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * cases * 1e-9,
+                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  });
 }
 
 }  // namespace plumb::bench
