@@ -35,9 +35,12 @@ inline constexpr std::uint64_t cases = sanitized ? 10'000 : 100'000;
 /// Every how many cases CGAL is asked as well.
 inline constexpr std::uint64_t cgal_every = 10;
 
-inline constexpr std::array stages = {Stage::filter,   Stage::structural_zero, Stage::integer,
-                                      Stage::interval, Stage::wide_integer,    Stage::big_integer};
-static_assert(stages.size() == stage_names.size());
+/// All stages, in the order in which the chain asks them.
+inline constexpr auto stages = [] {
+  std::array<Stage, stage_names.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Stage>(i);
+  return all;
+}();
 
 /// What makes a predicate zero: a polynomial of the least degree that the dimension allows vanishes on flats.
 inline Degeneracy zero_set(const CatalogEntry& e) {
