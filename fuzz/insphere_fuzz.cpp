@@ -1,0 +1,7 @@
+#include <plumb/predicates/in_sphere.hpp>
+
+#include "predicate_fuzz.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return plumb::fuzz::run<plumb::predicates::InSphere>({data, size});
+}
