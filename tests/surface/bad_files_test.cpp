@@ -138,7 +138,7 @@ TEST(BadFiles, Stl) {
       at_line("solid a\nfacet normal 0 0 1 outer loop\nvertex 0 NaN 0\n", bad_number, 3, {"coordinate y is \"NaN\""}),
       at_byte("garbage", truncated, 7, {"is this an STL file?"}),
       at_byte(header + raw(2U) + triangle, truncated, 80, {"claims 2 triangles", "184 bytes", "has 134"}),
-      at_byte("solid" + header.substr(5) + raw(2U) + triangle, truncated, 80, {"claims 2 triangles"}),
+      at_byte("solid " + header.substr(6) + raw(2U) + triangle, truncated, 80, {"claims 2 triangles"}),
       at_byte(header + raw(4294967295U) + triangle, truncated, 80, {"claims 4294967295 triangles"}),
       at_byte(header + raw(1U) + triangle + "x", syntax, 80, {"claims 1 triangles", "has 135", "appended"}),
       at_byte(header + raw(1U) + std::string(16, '\0') + raw(NAN) + std::string(30, '\0'), bad_number, 100,
