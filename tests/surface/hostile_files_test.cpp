@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -145,7 +146,11 @@ TEST(HostileFiles, NotEvenAFile) {
   EXPECT_TRUE(has(words_of(folder / "empty.stl" / "x.obj", MeshFileProblem::missing), "there is no such file"));
   EXPECT_TRUE(has(words_of(folder, MeshFileProblem::unreadable), "is a directory"));
   EXPECT_TRUE(has(words_of("/dev/zero", MeshFileProblem::unreadable), "is a device"));
-  EXPECT_TRUE(has(words_of("/proc/self/mem", MeshFileProblem::unreadable), "cannot be read: Input/output error"));
+  if (std::filesystem::exists("/proc/self/mem")) {
+    EXPECT_TRUE(has(words_of("/proc/self/mem", MeshFileProblem::unreadable), "cannot be read: Input/output error"));
+  } else {
+    std::puts("No /proc here: a file whose reading fails half-way is skipped.");
+  }
   EXPECT_TRUE(has(words_of(folder / "empty.stl", MeshFileProblem::empty_file), "is empty (0 bytes)"));
   EXPECT_TRUE(has(words_of(folder / "notes.txt", MeshFileProblem::unknown_format), "tells the format"));
   std::filesystem::remove_all(folder);

@@ -159,6 +159,7 @@ TEST(Check, RefusesOutputsThatCannotBeWritten) {
 }
 
 TEST(Check, UsesColorsOnATerminalOnly) {
+  if (!has_terminals()) return;
   const Outcome o = run_on_terminal("unset NO_COLOR; $PLUMB check");
   EXPECT_EQ(o.code, 0);
   EXPECT_THAT(o.out, HasSubstr("\033["));

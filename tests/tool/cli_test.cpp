@@ -127,6 +127,7 @@ TEST(Output, IntoABrokenPipeIsNoSuccess) {
 TEST(Colors, AreForTerminalsOnly) {
   EXPECT_THAT(run("$PLUMB doctor").out, Not(HasSubstr("\033")));
   EXPECT_THAT(run("TERM=xterm $PLUMB bad").err, Not(HasSubstr("\033")));
+  if (!has_terminals()) return;
   EXPECT_THAT(run_on_terminal("unset NO_COLOR; $PLUMB doctor").out, HasSubstr("\033[32mok\033[0m"));
   EXPECT_THAT(run_on_terminal("unset NO_COLOR; $PLUMB --help").out, HasSubstr("\033[1mNAME\033[0m"));
   EXPECT_THAT(run_on_terminal("unset NO_COLOR; $PLUMB bad").out, HasSubstr("\033[31mplumb:\033[0m"));

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -47,6 +48,18 @@ inline Outcome run(const std::string& line, const std::string& input = "") {
   const int status = std::system(
       ("{ " + line + "\n} <" + (folder / "in") + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
+}
+
+/// Whether this machine has terminals to give; says so where it has none, as in a bare chroot.
+inline bool has_terminals() {
+  int ours = -1, theirs = -1;
+  if (::openpty(&ours, &theirs, nullptr, nullptr, nullptr) != 0) {
+    std::puts("No pseudo-terminals here: what the program shows on a terminal is skipped.");
+    return false;
+  }
+  ::close(ours);
+  ::close(theirs);
+  return true;
 }
 
 /// With the three standard streams on a terminal; `out` has all that it showed.
