@@ -2,7 +2,7 @@
 //
 // Laws: every coordinate is an integer multiple of 2^exponent, and 2^exponent is the largest such power; the integers
 // are below 2^bits in magnitude, and bits is the least such number.  All zeros: bits 0, exponent 0.
-// A scene of few bits needs only small integers (section 3 of docs/proof.md).  Source: RTCD 11.4; cost: a few ns a
+// A scene of few bits needs only small integers (section 3 of docs/proof.md).  Source: RTCD 11.5.1; cost: a few ns a
 // value.
 #pragma once
 
@@ -36,18 +36,29 @@ constexpr OddForm odd_form(double x) {
   return {(pattern >> 63) != 0 ? -odd : odd, (biased != 0 ? biased : 1) - 1075 + zeros};
 }
 
-/// The lattice of a set of finite doubles.
-constexpr Lattice lattice_of(std::span<const double> coordinates) {
-  int lowest = 4096, end = -4096;  // beyond every double
-  for (const double x : coordinates) {
-    const OddForm f = odd_form(x);
-    if (f.mantissa == 0) continue;
+/// The exponents that a set of coordinates spans.
+class ExponentSpan {
+ public:
+  constexpr void include(const OddForm& f) {
+    if (f.mantissa == 0) return;
     const auto magnitude = static_cast<std::uint64_t>(f.mantissa < 0 ? -f.mantissa : f.mantissa);
     const int top = f.exponent + static_cast<int>(std::bit_width(magnitude));
-    lowest = f.exponent < lowest ? f.exponent : lowest;
-    end = top > end ? top : end;
+    lowest_ = f.exponent < lowest_ ? f.exponent : lowest_;
+    end_ = top > end_ ? top : end_;
   }
-  return end < lowest ? Lattice{} : Lattice{lowest, end - lowest};
+  [[nodiscard]] constexpr Lattice lattice() const {
+    return end_ < lowest_ ? Lattice{} : Lattice{lowest_, end_ - lowest_};
+  }
+
+ private:
+  int lowest_ = 4096, end_ = -4096;  // beyond every double
+};
+
+/// The lattice of a set of finite doubles.
+constexpr Lattice lattice_of(std::span<const double> coordinates) {
+  ExponentSpan span;
+  for (const double x : coordinates) span.include(odd_form(x));
+  return span.lattice();
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "plumb/arith/sign.hpp"
 
@@ -60,15 +61,34 @@ namespace wide {
 
 constexpr int sum_bits(int a, int b) { return (a > b ? a : b) + 1; }
 
-// a + b + carry and a - b - borrow; the carry ends as 0 or 1.
-constexpr std::uint64_t add(std::uint64_t a, std::uint64_t b, std::uint64_t& carry) {
+// a + b + carry and a - b - borrow; the carry ends as 0 or 1.  By the instruction that does it, where compilers do not
+// find it by themselves.
+constexpr std::uint64_t add(std::uint64_t a, std::uint64_t b, std::uint8_t& carry) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (!std::is_constant_evaluated()) {
+    unsigned long long sum = 0;
+    carry = __builtin_ia32_addcarryx_u64(carry, a, b, &sum);
+    return sum;
+  }
+#endif
   const UInt128 s = static_cast<UInt128>(a) + b + carry;
-  carry = static_cast<std::uint64_t>(s >> 64);
+  carry = static_cast<std::uint8_t>(s >> 64);
   return static_cast<std::uint64_t>(s);
 }
-constexpr std::uint64_t subtract(std::uint64_t a, std::uint64_t b, std::uint64_t& borrow) {
+constexpr std::uint64_t subtract(std::uint64_t a, std::uint64_t b, std::uint8_t& borrow) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (!std::is_constant_evaluated()) {
+    unsigned long long difference = 0;
+#if defined(__clang__)
+    borrow = __builtin_ia32_subborrow_u64(borrow, a, b, &difference);
+#else
+    borrow = __builtin_ia32_sbb_u64(borrow, a, b, &difference);
+#endif
+    return difference;
+  }
+#endif
   const UInt128 d = static_cast<UInt128>(a) - b - borrow;
-  borrow = static_cast<std::uint64_t>(d >> 64) & 1;
+  borrow = static_cast<std::uint8_t>(d >> 64 & 1);
   return static_cast<std::uint64_t>(d);
 }
 
@@ -83,7 +103,7 @@ constexpr WideInt<wide::sum_bits(A, B)> operator+(const WideInt<A>& a, const Wid
   } else if constexpr (Result::limbs == 2) {
     return Result{a.low128() + b.low128()};
   } else {
-    std::uint64_t carry = 0;
+    std::uint8_t carry = 0;
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < Result::limbs; ++i)
       r.limb[i] = wide::add(a.limb_or_extension(i), b.limb_or_extension(i), carry);
@@ -100,7 +120,7 @@ constexpr WideInt<wide::sum_bits(A, B)> operator-(const WideInt<A>& a, const Wid
   } else if constexpr (Result::limbs == 2) {
     return Result{a.low128() - b.low128()};
   } else {
-    std::uint64_t borrow = 0;
+    std::uint8_t borrow = 0;
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < Result::limbs; ++i) {
       r.limb[i] = wide::subtract(a.limb_or_extension(i), b.limb_or_extension(i), borrow);
@@ -133,7 +153,7 @@ constexpr WideInt<A + B> operator*(const WideInt<A>& a, const WideInt<B>& b) {
       if (i + nb < n) r.limb[i + nb] = carry;
     }
     // ... counts a negative factor as 2^(64 * limbs) too much: take the other factor off again there.
-    std::uint64_t borrow = 0;
+    std::uint8_t borrow = 0;
 #pragma GCC unroll 16
     for (std::size_t k = na; k < n; ++k) {
       r.limb[k] = wide::subtract(r.limb[k], b.limb_or_extension(k - na) & a.extension(), borrow);

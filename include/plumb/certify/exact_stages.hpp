@@ -4,8 +4,8 @@
 // values allow; big_integer_sign is certain always.  All take finite coordinates only.
 // A homogeneous formula keeps its sign when all coordinates are multiplied by 2^-exponent of their lattice, so integers
 // may stand for the doubles (docs/proof.md, "Integers").
-// Source: RTCD 11.4; cost: integer_sign 10 to 60 ns, wide_integer_sign 30 to 500 ns, big_integer_sign a microsecond or
-// more.
+// Source: RTCD 11.4, 11.5.1; cost: integer_sign 10 to 60 ns, wide_integer_sign 30 to 500 ns, big_integer_sign a
+// microsecond or more.
 #pragma once
 
 #include <algorithm>
@@ -78,15 +78,21 @@ constexpr Unsure<Sign> integer_sign(const Coordinates<F>& p, std::uint64_t large
 /// Certain when the value fits 1024 bits; the width is the least of a few that the coordinates' span allows.
 template <Formula F>
 constexpr Unsure<Sign> wide_integer_sign(const Coordinates<F>& p) {
-  const Lattice lattice = lattice_of(p);
+  std::array<OddForm, arity<F>> form{};
+  ExponentSpan span;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    form[i] = odd_form(p[i]);
+    span.include(form[i]);
+  }
+  const Lattice lattice = span.lattice();
   Unsure<Sign> answer;
   const auto try_bits = [&]<int Bits>() {
     if constexpr (value_bits<F>(Bits) < 1024) {
       if (answer.certain() || lattice.bits > Bits) return;
-      answer = Unsure{evaluate<F>([&](std::size_t i) {
-                        const OddForm f = odd_form(p[i]);
-                        return shifted<Bits>(f.mantissa, f.mantissa == 0 ? 0 : f.exponent - lattice.exponent);
-                      }).sign()};
+      const auto coordinate = [&](std::size_t i) {
+        return shifted<Bits>(form[i].mantissa, form[i].mantissa == 0 ? 0 : form[i].exponent - lattice.exponent);
+      };
+      answer = Unsure{evaluate<F>(coordinate).sign()};
     }
   };
   try_bits.template operator()<125>();
