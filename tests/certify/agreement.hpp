@@ -58,7 +58,7 @@ constexpr Promise promise_of(Family family) {
     case Family::degenerate_long:
       return {1, 1, 1, 0};
     case Family::off_by_ulps:
-      return {1, 0.005, 0.15, 0.02};
+      return {1, 0.005, 0.20, 0.02};
     case Family::repeated:
       return {1, 1, 1, 0.20};
     case Family::wide:

@@ -42,17 +42,27 @@ inline constexpr auto stages = [] {
   return all;
 }();
 
-/// What makes a predicate zero: a polynomial of the least degree that the dimension allows vanishes on flats.
-inline Degeneracy zero_set(const CatalogEntry& e) {
-  if (e.dimension == 2) return e.degree == 2 ? Degeneracy::collinear : Degeneracy::cocircular;
-  return e.degree == 3 ? Degeneracy::coplanar : Degeneracy::cospherical;
+/// What makes a predicate zero, all but the last being special cases: points of a line lie in a plane, points of a
+/// plane or circle make the determinant of any sphere vanish.
+inline std::span<const Degeneracy> zero_sets(const CatalogEntry& e) {
+  static constexpr std::array flat2{Degeneracy::collinear};
+  static constexpr std::array round2{Degeneracy::collinear, Degeneracy::cocircular};
+  static constexpr std::array flat3{Degeneracy::collinear, Degeneracy::cocircular, Degeneracy::coplanar};
+  static constexpr std::array round3{Degeneracy::collinear, Degeneracy::coplanar, Degeneracy::cocircular,
+                                     Degeneracy::cospherical};
+  // A polynomial of the least degree that the dimension allows vanishes on flats.
+  const bool flat = e.degree <= e.dimension;
+  if (e.dimension == 2) return flat ? std::span<const Degeneracy>(flat2) : round2;
+  return flat ? std::span<const Degeneracy>(flat3) : round3;
 }
 
-/// Case number `index`.
+/// Case number `index`; every fourth is of a special zero set.
 inline std::vector<double> coordinates_of(const CatalogEntry& e, Family family, std::uint64_t index) {
+  const auto sets = zero_sets(e);
+  const Degeneracy degeneracy = index % 4 == 3 ? sets[index / 4 % sets.size()] : sets.back();
   Entropy entropy(static_cast<std::uint64_t>(e.degree * 100 + e.dimension * 10 + e.points), index);
   std::vector<double> p(e.arity());
-  fill_points(family, zero_set(e), e.dimension, p, entropy);
+  fill_points(family, degeneracy, e.dimension, p, entropy);
   return p;
 }
 
