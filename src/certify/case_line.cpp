@@ -11,7 +11,20 @@
 namespace plumb {
 namespace {
 
-std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
+// Control characters are spelled out: a NUL would end the text of an exception, others would steer a terminal.
+std::string quoted(std::string_view word) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "'";
+  for (const char c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= ' ' && byte != 0x7f) {
+      text += c;
+    } else {
+      text.append("\\x").append({digits[byte / 16], digits[byte % 16]});
+    }
+  }
+  return text + "'";
+}
 
 // The next word of the line, which is cut off it; a '#' ends the line.
 std::string_view next_word(std::string_view& line) {
