@@ -12,13 +12,13 @@
 namespace plumb::tool {
 namespace {
 
-const std::string kExitStatus = R"(
-0      Done.
-1      A sign was wrong: one that --fail-on-wrong asked for, or one that
-       a case of `plumb sign` did not expect.
+const std::string kBadInput = R"(
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,
        an output that cannot be written. What was wrong stands on
        standard error.)";
+
+/// What the status 1 means differs; its text comes without the number.
+std::string exit_status(std::string_view one) { return fmt::format("0      Done.\n1      {}{}", one, kBadInput); }
 
 const std::string kEnvironment = R"(
 NO_COLOR
@@ -72,7 +72,10 @@ sign PREDICATE COORDINATE...
 
 doctor
        Looks whether this machine and build are as the proofs assume.)"}},
-          {{"EXIT STATUS", kExitStatus}, {"ENVIRONMENT", kEnvironment}, {"EXAMPLES", R"(
+          {{"EXIT STATUS", exit_status("No: a wrong sign, a machine that is not as the proofs assume.\n       `plumb "
+                                       "COMMAND --help` says which.")},
+           {"ENVIRONMENT", kEnvironment},
+           {"EXAMPLES", R"(
 plumb check
        The check on the mesh that the program brings along.
 
@@ -90,39 +93,56 @@ size, its lattice (the largest power of two that divides every
 coordinate, and how many bits the coordinates then take), repeated
 vertices, triangles of exactly zero area and non-manifold edges.
 
-Then it takes the decisions that mesh software takes: for every
-interior edge whether it is convex, flat or reflex (orient3d) and
-whether it is locally Delaunay (incircle where flat, insphere
-elsewhere), for every face on which side of it fixed points lie
-(orient3d), and orient2d and incircle on the three axis projections.
-Every decision is taken by every method; the exact one is the judge.
+Then it takes the decisions that mesh software takes:
+
+       orient3d, for every edge of two faces: is it convex, flat or
+       reflex, and are the vertices opposite to it coplanar with it?
+       For every face: on which side of it are sixteen fixed points
+       (the corners of the mesh's box, and eight vertices)?
+
+       insphere, for every flat edge: is it locally Delaunay in its
+       plane, that is, is one opposite vertex outside the circle of the
+       other face? For every other edge: is a neighboring vertex in the
+       sphere through its two faces?
+
+       orient2d and incircle, on the projections along the three axes:
+       how does each face turn, and is each edge locally Delaunay?
+
+Which edges are flat is decided exactly. Every decision is then taken
+by every method; the exact one is the judge.
 
 Without a MESH it checks the one that it brings along: a bolted flange,
 turned by an angle that no lattice likes, with the defects of real
 files.)"},
            {"METHODS", R"(
 float32
-       The formula as commonly written, in single precision.
+       The formula in single precision, on coordinates rounded to it.
 double
-       The same in double precision.
+       The same formula in double precision.
 absolute
-       double; values below 1e-9 in magnitude count as zero.
+       As double, but a value of at most 1e-9 in magnitude is zero.
 relative
-       double; values below 1e-9 times the size of their terms count as
-       zero.
+       As double, but a value is zero when its magnitude is at most 1e-9
+       times the largest difference of a coordinate to that of the last
+       point, to the power of the formula's degree (2 for orient2d, 3
+       for orient3d, 4 for incircle, 5 for insphere).
 long-double
-       The formula in the widest type of the processor.
+       The same formula in the compiler's long double.
 interval
        Interval arithmetic alone: never wrong, at times unsure.
 exact
        The signs of this library: never wrong, never unsure.
 
-For each method and predicate the report counts the decisions, wrong
-signs, zeros missed (a zero taken for a sign), zeros invented (a sign
-taken for zero) and unsure answers, and gives the time per decision;
-for the exact method also the share that each stage decided. The worst
-case found is printed as a line that `plumb sign` takes.)"}},
-          {{"EXIT STATUS", kExitStatus}, {"ENVIRONMENT", kEnvironment}, {"EXAMPLES", R"(
+For each method and predicate the report counts the decisions, the
+wrong ones and their share, and of the wrong ones those of opposite
+sign, zeros missed (a zero taken for a sign) and zeros invented (a sign
+taken for zero); then unsure answers, and the nanoseconds a decision
+takes; for the exact method also the share that each stage decided. The
+worst case of each method is printed as a line that `plumb sign` takes.)"}},
+          {{"EXIT STATUS", exit_status("A sign was wrong: one of a METHOD that --fail-on-wrong names, or\n       an "
+                                       "exact one that --verify refuted.")},
+           {"ENVIRONMENT", kEnvironment},
+           {"EXAMPLES", R"(
 plumb check part.stl --json report.json --chart chart.svg
        The report on the terminal, as JSON and as a picture.
 
@@ -154,7 +174,7 @@ over; after a bad line nothing more is read.)"},
            {"PREDICATES", predicates()},
            {"STAGES",
             fmt::format("In the order of their cost, each sure where it answers:\n{}.", fmt::join(stage_names, ", "))}},
-          {{"EXIT STATUS", kExitStatus}, {"EXAMPLES", R"(
+          {{"EXIT STATUS", exit_status("A sign was not the one that its case expected.")}, {"EXAMPLES", R"(
 plumb sign orient2d 0 0 1 0 0 1
        Prints "+ filter".
 
