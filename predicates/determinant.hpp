@@ -1,7 +1,7 @@
 // Determinants of small matrices by cofactor expansion, over any number type with + - *.
 //
 // Laws: swapping two rows or columns flips the sign; homogeneous of degree n in the entries.
-// Rows are given one after another.  Source: RTCD 3.1.4.
+// Rows are given one after another.  Source: RTCD 3.1.3.
 // Cost: det2 2 products, det3 9 products.
 #pragma once
 
