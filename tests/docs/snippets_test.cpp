@@ -1,0 +1,169 @@
+// Does everything that README.md and docs/*.md show work as shown?  docs/index.md, "How these pages are tested", tells
+// the reader what is done with each kind of block.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "docs/markdown.hpp"
+#include "tool/run_program.hpp"
+
+namespace plumb::docs {
+namespace {
+
+using tool::Folder, tool::Outcome;
+
+const fs::path tree = PLUMB_SOURCE_DIR;
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+/// Does `text` read as `shown`, in which "..." stands for anything?
+bool reads_as(const std::string& text, const std::string& shown) {
+  std::size_t at = 0, from = 0;
+  for (bool first = true;; first = false) {
+    const std::size_t dots = shown.find("...", from);
+    const std::string piece = shown.substr(from, dots == shown.npos ? shown.npos : dots - from);
+    const bool last = dots == shown.npos;
+    const std::size_t found = last && !first ? text.size() < at + piece.size() ? text.npos : text.size() - piece.size()
+                                             : text.find(piece, at);
+    if (found == text.npos || (first && found != 0) || text.compare(found, piece.size(), piece) != 0) return false;
+    at = found + piece.size();
+    if (last) return at == text.size();
+    from = dots + 3;
+  }
+}
+
+TEST(Snippets, DotsStandForAnything) {
+  EXPECT_TRUE(reads_as("a b c\n", "a b c\n"));
+  EXPECT_TRUE(reads_as("a b c\n", "a ... c\n"));
+  EXPECT_TRUE(reads_as("a b c\nd\n", "a ...\nd\n"));
+  EXPECT_TRUE(reads_as("a b c\n", "...\n"));
+  EXPECT_FALSE(reads_as("a b c\n", "a b\n"));
+  EXPECT_FALSE(reads_as("a b c\n", "b c\n"));
+  EXPECT_FALSE(reads_as("a b c\n", "... b\n"));
+  EXPECT_FALSE(reads_as("a b c\n", "a ... d ...\n"));
+  EXPECT_FALSE(reads_as("ab\n", "ab...b\n"));
+}
+
+/// Preset names of CMakePresets.json.
+bool is_preset(const std::string& name) {
+  return text_of(tree / "CMakePresets.json").find("\"name\": \"" + name + "\"") != std::string::npos;
+}
+
+/// Commands that build the whole tree are run by .ci/run, not here: they are looked up.  Nothing for other commands.
+std::optional<bool> looked_up(const std::string& line) {
+  std::istringstream words(line);
+  std::string word, next;
+  words >> word >> next;
+  if (word == "./bootstrap") return text_of(tree / "bootstrap").find("\n  " + next + ")\n") != std::string::npos;
+  if (const std::size_t at = line.find("--preset "); at != line.npos) {
+    std::istringstream(line.substr(at + 9)) >> next;
+    return is_preset(next);
+  }
+  if (word.starts_with("build/")) {
+    word.erase(0, 6);
+    return is_preset(word.substr(0, word.find('/')));
+  }
+  return std::nullopt;
+}
+
+class Documents : public testing::TestWithParam<fs::path> {
+ protected:
+  void SetUp() override {
+    fs::create_directory(folder_ / "bin");
+    fs::create_symlink(PLUMB_PROGRAM, folder_ / "bin/plumb");
+    fs::create_directory_symlink(tree / "docs", folder_ / "docs");
+    fs::create_directory_symlink(tree / "include", folder_ / "include");
+    fs::create_directory_symlink(tree / "predicates", folder_ / "predicates");
+  }
+
+  [[nodiscard]] Outcome run_here(const std::string& lines) const {
+    return tool::run("cd '" + (folder_ / "") + "'; PATH='" + (folder_ / "bin") + "':$PATH; set -e\n" + lines);
+  }
+
+  Outcome run_commands(const Block& block) const {
+    std::string lines;
+    std::istringstream in(block.text);
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with("doxygen ") && tool::run("command -v doxygen").code != 0) {
+        std::cout << "skipped, doxygen is not installed: " << line << '\n';
+      } else if (const auto known = looked_up(line)) {
+        EXPECT_TRUE(*known) << line;
+      } else {
+        lines += line + '\n';
+      }
+    }
+    return run_here(lines);
+  }
+
+  // A whole program as it is; statements as the body of one.
+  Outcome run_program(const Block& block) {
+    const std::string source = folder_ / ("block" + std::to_string(block.line) + ".cpp");
+    const bool whole = block.text.find("int main(") != std::string::npos;
+    main_ = whole ? block.text
+                  : "#include <plumb/degenerate.hpp>\n#include <plumb/predicates.hpp>\n#include <plumb/surface.hpp>\n"
+                    "int main() {\n" +
+                        block.text + "}\n";
+    write(source, main_);
+    const Outcome built =
+        run_here(PLUMB_COMPILE " -I. " PLUMB_INCLUDES " '" + source + "' -o program " PLUMB_LIBRARIES);
+    return built.code == 0 ? run_here("./program") : built;
+  }
+
+  // The project of this CMakeLists.txt with the last program as main.cpp, against an installed tree.
+  Outcome build_project(const Block& block) const {
+    fs::create_directory(folder_ / "project");
+    write(folder_ / "project/CMakeLists.txt", block.text);
+    write(folder_ / "project/main.cpp", main_);
+    return run_here("cmake --install " PLUMB_BINARY_DIR
+                    " --prefix prefix\n"
+                    "cmake -S project -B project/build -DCMAKE_PREFIX_PATH=$PWD/prefix"
+                    " -DCMAKE_CXX_COMPILER=" PLUMB_CXX " -DCMAKE_CXX_FLAGS='" PLUMB_SANITIZE_FLAGS
+                    "'\n"
+                    "cmake --build project/build");
+  }
+
+  Folder folder_;
+  std::string main_;
+};
+
+TEST_P(Documents, RunsAsShown) {
+  const Document document = read_document(GetParam());
+  Outcome last;
+  bool ran = false;
+  for (const Block& block : document.blocks) {
+    const std::string place = document.path.string() + ":" + std::to_string(block.line) + "\n" + block.text;
+    const std::string about = block.remark.substr(0, block.remark.rfind(' '));
+    const std::string file = block.remark.substr(block.remark.rfind(' ') + 1);
+    if (about == "from") {
+      EXPECT_NE(text_of(tree / file).find(block.text), std::string::npos) << place << "is not in " << file;
+      write(folder_ / fs::path(file).filename().string(), block.text);
+    } else if (about == "file") {
+      write(folder_ / file, block.text);
+    } else if (block.language == "text" && ran) {
+      EXPECT_TRUE(reads_as(last.out, block.text)) << place << "but it prints\n" << last.out;
+    } else if (block.remark != "fragment" && about != "add to" && block.language != "text" && block.language != "") {
+      if (block.language == "sh") {
+        last = run_commands(block);
+      } else if (block.language == "cpp") {
+        last = run_program(block);
+      } else if (block.language == "cmake") {
+        last = build_project(block);
+      } else {
+        ADD_FAILURE() << place << "is in a language that is not tested: " << block.language;
+      }
+      EXPECT_EQ(last.code, 0) << place << last.out << last.err;
+      ran = true;
+      continue;
+    }
+    ran = false;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Documents, testing::ValuesIn(document_paths()),
+                         [](const auto& at) { return at.param.stem().string(); });
+
+}  // namespace
+}  // namespace plumb::docs
