@@ -32,8 +32,13 @@ inline constexpr std::uint64_t cases = 10'000'000;
 #else
 inline constexpr std::uint64_t cases = sanitized ? 10'000 : 100'000;
 #endif
-/// Every how many cases CGAL is asked as well.
-inline constexpr std::uint64_t cgal_every = 10;
+/// Every how many cases the rationals judge (elsewhere the last stage does, which they have judged), and CGAL is asked;
+/// odd, so that the special zero sets, every fourth case, get their turn.
+#if defined(PLUMB_LONG_TESTS)
+inline constexpr std::uint64_t rationals_every = 21, cgal_every = 201;
+#else
+inline constexpr std::uint64_t rationals_every = 1, cgal_every = 9;
+#endif
 
 /// All stages, in the order in which the chain asks them.
 inline constexpr auto stages = [] {
@@ -71,10 +76,15 @@ inline std::string case_line(const CatalogEntry& e, std::span<const double> p) {
 }
 
 /// Empty when every way of answering agrees with the oracle at p; otherwise who does not.
-inline std::string disagreement(const CatalogEntry& e, std::span<const double> p, bool ask_cgal) {
-  const Sign truth = oracle::rational_sign(e.name, p);
+struct Judges {
+  bool rationals = true, cgal = true;
+};
+
+inline std::string disagreement(const CatalogEntry& e, std::span<const double> p, Judges ask = {}) {
+  const Sign truth = ask.rationals ? oracle::rational_sign(e.name, p) : e.ask(Stage::big_integer, p).value();
   const auto objection = [&](std::string_view who, Sign said) {
-    return std::string(who) + " says " + to_char(said) + ", rationals say " + to_char(truth);
+    return std::string(who) + " says " + to_char(said) +
+           (ask.rationals ? ", rationals say " : ", the last stage says ") + to_char(truth);
   };
   const Decision decided = e.decide(p);
   if (decided.sign != truth) return objection("decide", decided.sign);
@@ -92,7 +102,7 @@ inline std::string disagreement(const CatalogEntry& e, std::span<const double> p
   if (const auto said = e.ask_other_filter(p); said.certain() && said.value() != truth) {
     return objection("the other filter", said.value());
   }
-  if (ask_cgal) {
+  if (ask.cgal) {
     if (const auto said = oracle::cgal_sign(e.name, p); said && *said != truth) return objection("CGAL", *said);
   }
   return {};
@@ -100,9 +110,9 @@ inline std::string disagreement(const CatalogEntry& e, std::span<const double> p
 
 /// A failure as people should read it: shrunk, with the line that replays it.
 inline std::string report(const CatalogEntry& e, std::span<const double> p) {
-  const auto fails = [&](std::span<const double> q) { return !disagreement(e, q, true).empty(); };
+  const auto fails = [&](std::span<const double> q) { return !disagreement(e, q).empty(); };
   const std::vector<double> least = shrink_coordinates({p.begin(), p.end()}, e.dimension, fails, 5'000);
-  return disagreement(e, least, true) + "\n  " + case_line(e, least) + "\nshrunk from\n  " + case_line(e, p);
+  return disagreement(e, least) + "\n  " + case_line(e, least) + "\nshrunk from\n  " + case_line(e, p);
 }
 
 }  // namespace plumb::battery
