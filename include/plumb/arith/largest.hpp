@@ -1,9 +1,10 @@
 // How large can the magnitude be, given the largest difference per axis?  Filter B: the magnitude of filter A with
 // every difference replaced by the largest one of its axis.
 //
-// Laws: rounding is monotone, so the magnitude over the largest differences is never below Filtered's own; the same
-// constant of Bound therefore serves both filters.  The largest differences start from a floor whose product in the
-// formula's degree is a normal number, so that no product's magnitude underflows and no guard is needed.
+// Laws: rounding is monotone, so the magnitude over the largest differences is never below that of the terms
+// themselves; the same constant of Bound therefore serves both filters.  The largest differences start from a floor
+// whose power in the formula's degree is a normal number: no product's magnitude underflows, and the guards of filter A
+// are not needed.
 // Equal terms of the magnitude are computed once, and known bounds of a scene turn it into a constant.
 // Source: RTCD 11.2; the maxima are those of semi-static filters.  Cost: one |x| and one maximum for each difference.
 #pragma once
