@@ -13,8 +13,10 @@ void throw_non_finite(std::string_view formula, int dimension, std::span<const d
   std::size_t i = 0;
   while (i + 1 < coordinates.size() && std::isfinite(coordinates[i])) ++i;
   const double x = coordinates[i];
-  const std::string point(1, static_cast<char>('a' + i / axes)), axis(1, "xyz"[i % axes]);
-  throw NonFinite(std::string(formula) + ": " + point + "." + axis + " is " +
+  const bool has_letters = axes <= 3 && i / axes < 26;
+  const std::string place = has_letters ? std::string{static_cast<char>('a' + i / axes), '.', "xyz"[i % axes]}
+                                        : "coordinate " + std::to_string(i);
+  throw NonFinite(std::string(formula) + ": " + place + " is " +
                   (std::isnan(x)     ? "nan"
                    : std::signbit(x) ? "-inf"
                                      : "inf") +

@@ -37,4 +37,7 @@ class Unsure {
   std::optional<T> answer_;
 };
 
+template <class T>
+Unsure(T) -> Unsure<T>;
+
 }  // namespace plumb

@@ -21,7 +21,7 @@ template <int Bits>
 struct WideInt {
   static_assert(Bits > 0);
   static constexpr int bits = Bits;
-  static constexpr int limbs = Bits / 64 + 1;  // Bits and a sign bit
+  static constexpr std::size_t limbs = Bits / 64 + 1;  // Bits and a sign bit
 
   std::array<std::uint64_t, limbs> limb{};  // least significant first
 

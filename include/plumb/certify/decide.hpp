@@ -13,7 +13,8 @@
 
 namespace plumb {
 
-/// Throws NonFinite for the first coordinate that is NaN or infinite: "orient2d: c.y is nan, not a real number".
+/// Throws NonFinite for the first coordinate that is NaN or infinite: "orient2d: c.y is nan, not a real number". Beyond
+/// three dimensions or 26 points it is counted, from 0: "coordinate 7 is nan".
 [[noreturn]] void throw_non_finite(std::string_view formula, int dimension, std::span<const double> coordinates);
 
 /// Exact stages in the order of their cost; for coordinates that the filter could not decide.

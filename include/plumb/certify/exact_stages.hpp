@@ -1,7 +1,7 @@
 // What is the sign when the filter is unsure?  The exact stages, each callable by itself.
 //
-// Laws: a certain answer is the sign of the exact value; wide_integer_sign is certain up to the span that 1024-bit
-// values allow; big_integer_sign is certain always.  All take finite coordinates only.
+// Laws: a certain answer is the sign of the exact value; wide_integer_sign is certain up to the widest coordinates of
+// wide_bits whose values stay below 1024 bits; big_integer_sign is certain always.  All take finite coordinates only.
 // A homogeneous formula keeps its sign when all coordinates are multiplied by 2^-exponent of their lattice, so integers
 // may stand for the doubles (docs/proof.md, "Integers").
 // Source: RTCD 11.4, 11.5.1; cost: integer_sign 10 to 60 ns, wide_integer_sign 30 to 500 ns, big_integer_sign a
@@ -9,9 +9,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "plumb/arith/interval.hpp"
 #include "plumb/arith/lattice.hpp"
@@ -48,6 +50,13 @@ namespace integer {
 
 // Coordinates of this many bits leave room for the carries of three-term sums in whole limbs.
 inline constexpr int short_bits = 29, long_bits = 61;
+inline constexpr std::array wide_bits{125, 189, 253, 317, 509};
+
+/// Does wide_integer_sign decide whatever lies on a lattice of this many bits?
+template <Formula F>
+constexpr bool wide_enough(int bits) {
+  return std::ranges::any_of(wide_bits, [&](int wide) { return bits <= wide && value_bits<F>(wide) < 1024; });
+}
 
 }  // namespace integer
 
@@ -75,7 +84,7 @@ constexpr Unsure<Sign> integer_sign(const Coordinates<F>& p, std::uint64_t large
   return Unsure{evaluate<F>([&](std::size_t i) { return WideInt<integer::long_bits>{m[i]}; }).sign()};
 }
 
-/// Certain when the value fits 1024 bits; the width is the least of a few that the coordinates' span allows.
+/// Certain when wide_enough; the width is the least of wide_bits that the coordinates' span allows.
 template <Formula F>
 constexpr Unsure<Sign> wide_integer_sign(const Coordinates<F>& p) {
   std::array<OddForm, arity<F>> form{};
@@ -95,11 +104,8 @@ constexpr Unsure<Sign> wide_integer_sign(const Coordinates<F>& p) {
       answer = Unsure{evaluate<F>(coordinate).sign()};
     }
   };
-  try_bits.template operator()<125>();
-  try_bits.template operator()<189>();
-  try_bits.template operator()<253>();
-  try_bits.template operator()<317>();
-  try_bits.template operator()<509>();
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (try_bits.template operator()<integer::wide_bits[I]>(), ...); }
+  (std::make_index_sequence<integer::wide_bits.size()>{});
   return answer;
 }
 

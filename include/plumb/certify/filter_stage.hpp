@@ -113,13 +113,15 @@ constexpr double power(double x) {
 template <Formula F>
 constexpr double largest_threshold(const Largest<F>& largest) {
   if constexpr (axis_degrees<F>.equal_terms) {
-    // The terms differ in nothing but their roundings, of which 2^-45 pays for more than a hundred.
+    // The terms differ in nothing but their roundings, which are paid for twice over: one for each operation, and those
+    // of this product.
     constexpr double terms = magnitude_over<F>(per_axis<F>([](std::size_t) { return 1.0; }));
+    constexpr double slack = 1 + static_cast<double>(tape::of<F>.size + degree<F>() + 4) * 0x1p-52;
     const double product = [&]<std::size_t... I>(std::index_sequence<I...>) {
       return (power<axis_degrees<F>.degree[I]>(largest[I]) * ...);
     }
     (std::make_index_sequence<std::tuple_size_v<Largest<F>>>{});
-    return filter_constant<F>() * terms * (1 + 0x1p-45) * product;
+    return filter_constant<F>() * terms * slack * product;
   } else {
     return filter_constant<F>() * magnitude_over<F>(largest);
   }

@@ -10,6 +10,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -71,12 +72,21 @@ consteval Tape<Capacity> record() {
   tape.arity = arity<F>;
   std::array<Recorded<Capacity>, arity<F>> in{};
   for (std::size_t i = 0; i < in.size(); ++i) in[i] = {&tape, static_cast<std::uint16_t>(i)};
-  [[maybe_unused]] const auto last = F{}(in);
+  const auto result = F{}(in);
+  if (result.index < arity<F>) throw std::logic_error("a formula returns a coordinate as it is given");
+  tape.size = result.index + 1 - arity<F>;  // what is computed after the result is no part of it
   return tape;
 }
 
 template <Formula F>
-inline constexpr auto of = record<F, record<F, 4096>().size>();
+inline constexpr auto of = [] {
+  constexpr auto recorded = record<F, 4096>();
+  Tape<recorded.size> tape;
+  tape.size = recorded.size;
+  tape.arity = recorded.arity;
+  for (std::size_t i = 0; i < tape.size; ++i) tape.instructions[i] = recorded.instructions[i];
+  return tape;
+}();
 
 }  // namespace tape
 
