@@ -2,37 +2,46 @@
 
 #include <array>
 
-#include "plumb/certify/catalog.hpp"
+#include "plumb/certify/exact_stages.hpp"
+#include "plumb/predicates/manifest.hpp"
 
 namespace plumb::tool {
 namespace {
 
 struct Arithmetic {
   int bits;  // values below 2^bits are exact
-  const char *name, *skips;
+  const char* name;
 };
 
-constexpr std::array<Arithmetic, 7> ladder{{
-    {53, "plain double", "filter and all exact stages"},
-    {63, "64-bit integers", "interval, wide integers, GMP"},
-    {127, "128-bit integers", "interval, wide integers, GMP"},
-    {255, "256-bit integers", "GMP"},
-    {511, "512-bit integers", "GMP"},
-    {1023, "1024-bit integers", "GMP"},
-    {1 << 30, "GMP integers", ""},
-}};
+constexpr std::array<Arithmetic, 6> ladder{{{63, "64-bit integers"},
+                                            {127, "128-bit integers"},
+                                            {255, "256-bit integers"},
+                                            {511, "512-bit integers"},
+                                            {1023, "1024-bit integers"},
+                                            {1 << 30, "GMP integers"}}};
+
+template <Formula F>
+Saving saving(const Lattice& lattice) {
+  const int bits = value_bits<F>(lattice.bits);
+  // In doubles every intermediate value is a multiple of 2^(exponent * degree), which must not underflow or overflow.
+  const int unit = lattice.exponent * degree<F>();
+  if (bits <= 53 && unit >= -1074 && unit + bits <= 1023)
+    return {std::string(F::name), bits, "plain double", "the filter or an exact stage"};
+  const Arithmetic* a = ladder.data();
+  while (bits > a->bits) ++a;
+  const bool in_words = lattice.bits <= integer::long_bits && lattice.exponent >= integer::least_exponent;
+  return {std::string(F::name), bits, a->name,
+          in_words                                ? "wide-integer, interval, big-integer"
+          : integer::wide_enough<F>(lattice.bits) ? "interval, big-integer"
+                                                  : ""};
+}
 
 }  // namespace
 
 std::vector<Saving> lattice_savings(const Lattice& lattice) {
-  std::vector<Saving> savings;
-  for (const CatalogEntry& entry : catalog()) {
-    const int bits = entry.value_bits(lattice.bits);
-    const Arithmetic* a = ladder.data();
-    while (bits > a->bits) ++a;
-    savings.push_back({std::string(entry.name), bits, a->name, a->skips});
-  }
-  return savings;
+#define PLUMB_SAVING(formula) saving<predicates::formula>(lattice),
+  return {PLUMB_PREDICATES(PLUMB_SAVING)};
+#undef PLUMB_SAVING
 }
 
 }  // namespace plumb::tool

@@ -1,7 +1,8 @@
 // What does a mesh's lattice let the kernel skip?  The cheapest arithmetic that is exact for every input of the
 // lattice.
 //
-// Law: the answer follows from the derived bit growth of the formula alone (arith/degree.hpp).
+// Law: the answer follows from the formula's derived degree and bit growth (arith/degree.hpp) and from the widths that
+// the exact stages have (certify/exact_stages.hpp): what is said to be skipped never decides on such input.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ namespace plumb::tool {
 struct Saving {
   std::string predicate;
   int value_bits;        // of the exact value, at most
-  std::string suffices;  // "plain double", "64-bit integers", ..., "GMP"
+  std::string suffices;  // "plain double", "64-bit integers", ..., "GMP integers"
   std::string skips;     // what is then never needed; empty when nothing
 };
 

@@ -50,6 +50,8 @@ namespace integer {
 
 // Coordinates of this many bits leave room for the carries of three-term sums in whole limbs.
 inline constexpr int short_bits = 29, long_bits = 61;
+// Below 2^least_exponent the scale that brings the largest coordinate there would not be a double.
+inline constexpr int least_exponent = -962;
 inline constexpr std::array wide_bits{125, 189, 253, 317, 509};
 
 /// Does wide_integer_sign decide whatever lies on a lattice of this many bits?
@@ -64,7 +66,7 @@ constexpr bool wide_enough(int bits) {
 template <Formula F>
 constexpr Unsure<Sign> integer_sign(const Coordinates<F>& p, std::uint64_t largest) {
   const std::uint64_t exponent = largest >> 52;
-  if (exponent <= 60) return {};  // all below 2^-962: the scale would not be a double
+  if (exponent < static_cast<std::uint64_t>(1023 + integer::least_exponent)) return {};
   // The largest coordinate's leading bit goes to bit 60; whatever comes back unchanged was an integer there.
   const auto scale = std::bit_cast<double>((2106 - exponent) << 52),
              unscale = std::bit_cast<double>((exponent - 60) << 52);
