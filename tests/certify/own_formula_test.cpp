@@ -58,9 +58,24 @@ struct AcrossAxes {
   }
 };
 
+// More operations than some compilers nest, every term of the same degree; zero, however long it takes.
+struct Long {
+  static constexpr std::string_view name = "long";
+  static constexpr int points = 3, dimension = 1;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 3>& p) const {
+    const auto a = p[0] - p[2], b = p[1] - p[2];
+    const auto none = [&](const auto& x) { return x * a * b - b * x * a + a * a * x - x * a * a; };
+    const auto few = [&](const auto& x) { return none(x) + none(x + a) - none(x - b); };
+    const auto some = [&](const auto& x) { return few(x) - few(x + b) + few(x - a); };
+    return some(a) + some(b) + some(a + b);
+  }
+};
+static_assert(program<Long>().instructions.size() > 256);
+
 template <class F>
 class OwnFormulaTest : public testing::Test {};
-using OwnFormulas = testing::Types<Mixed, Leftover, FourVectors, AcrossAxes>;
+using OwnFormulas = testing::Types<Mixed, Leftover, FourVectors, AcrossAxes, Long>;
 TYPED_TEST_SUITE(OwnFormulaTest, OwnFormulas);
 
 TYPED_TEST(OwnFormulaTest, EveryStageAgreesWithRationals) {

@@ -81,7 +81,10 @@ constexpr Largest<F> largest_differences(const Coordinates<F>& p) {
       if constexpr (right) raise(axis_of_input<F>(i.right), p[i.right]);
     }
   };
-  [&]<std::size_t... I>(std::index_sequence<I...>) { (look_at.template operator()<I>(), ...); }
+  // A list, not a fold: Clang nests folds and stops at 256.
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [[maybe_unused]] const bool in_turn[]{(look_at.template operator()<I>(), true)...};
+  }
   (std::make_index_sequence<tape::of<F>.size>{});
   return per_axis<F>([&](std::size_t axis) { return opaque(largest[axis]); });
 }
