@@ -10,6 +10,7 @@
 
 #include "log_axis.hpp"
 #include "plumb/arith/error.hpp"
+#include "utf8.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -49,7 +50,7 @@ std::string shown_label(const std::string& label) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : in_utf8(text)) {
     switch (c) {
       case '&':
         out += "&amp;";

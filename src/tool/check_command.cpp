@@ -76,7 +76,11 @@ int run_check(const CheckOptions& options) {
     say("\n");
     say(text_total(checks, style));
   }
-  if (options.json) write_text_file(*options.json, json_report(checks, threads).dump(2) + "\n");
+  if (options.json) {
+    // A file's name may be any bytes; JSON is UTF-8.
+    const std::string text = json_report(checks, threads).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    write_text_file(*options.json, text + "\n");
+  }
   if (options.chart) write_text_file(*options.chart, chart_svg(checks));
   if (bad_input) return 2;
   return any_wrong(checks, options.fail_on_wrong) ? 1 : 0;

@@ -21,7 +21,7 @@ using Answers = std::array<Unsure<Sign>, block_size>;
 // What one thread has gathered of one kind.
 struct Gathered {
   Comparison comparison;
-  std::array<std::vector<double>, method_count> block_ns;  // per decision, one entry a full block
+  std::array<std::vector<double>, method_count> block_ns;  // per decision, one entry a block
 };
 
 // Not inlined: each method gets the registers that it would have in a loop of its own.

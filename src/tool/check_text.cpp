@@ -106,7 +106,8 @@ std::string worst_lines(const Comparison& total, const Style& style) {
     const WorstCase& w = total.method[m].worst;
     if (w.badness < 0) continue;
     s += fmt::format("    {}, {}: it says {:.6g}\n      {}\n", style.bold(method_names[m]),
-                     kinds[static_cast<std::size_t>(w.kind)].name, w.claimed, w.case_line);
+                     kinds[static_cast<std::size_t>(w.kind)].name,
+                     std::isnan(w.claimed) ? std::fabs(w.claimed) : w.claimed, w.case_line);
   }
   return s.empty() ? s : fmt::format("  worst case of each method, as `plumb sign` takes it\n{}", s);
 }

@@ -51,7 +51,8 @@ void flush_output() {
 
 void complain(std::string_view text) {
   std::fflush(stdout);  // answers given before the fault come first; whether they arrived no longer matters
-  fmt::print(stderr, "{} {}\n", Style(stderr).red("plumb:"), text);
+  // Where standard error is closed the exit status alone speaks.
+  std::fputs(fmt::format("{} {}\n", Style(stderr).red("plumb:"), text).c_str(), stderr);
 }
 
 void write_text_file(const std::string& path, std::string_view text) {

@@ -116,6 +116,16 @@ TEST(Check, ChecksSeveralMeshesAndDrawsThem) {
   EXPECT_THAT(content(chart), AllOf(StartsWith("<svg"), HasSubstr(">exact"), HasSubstr(">float32")));
 }
 
+TEST(Check, TakesNamesOfAnyBytes) {
+  const Folder folder;
+  const std::string mesh = folder / "na\xFF\xFEme.obj", chart = folder / "chart.svg";
+  put(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const json report = report_of(mesh);
+  EXPECT_THAT(std::string(report.at("meshes").at(0).at("name")), testing::EndsWith("na\uFFFD\uFFFDme.obj"));
+  EXPECT_EQ(run("$PLUMB check --chart " + chart + " " + mesh).code, 0);
+  EXPECT_THAT(content(chart), AllOf(HasSubstr("na\uFFFD\uFFFDme.obj"), Not(HasSubstr("\xFF"))));
+}
+
 TEST(Check, RefusesEachBadFileInItsOwnWords) {
   const Folder folder;
   put(folder / "empty.obj", "");

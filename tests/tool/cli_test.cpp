@@ -117,6 +117,11 @@ TEST(Output, ThatCannotBeWrittenIsNoSuccess) {
   }
 }
 
+TEST(Output, OfComplaintsMayBeClosed) {
+  EXPECT_EQ(run("$PLUMB check /no/such/mesh.obj 2>&-").code, 2);
+  EXPECT_EQ(run("$PLUMB bad 2>/dev/full").code, 2);
+}
+
 TEST(Output, IntoABrokenPipeIsNoSuccess) {
   std::string cases;
   for (int i = 0; i < 20000; ++i) cases += "orient2d 0 0 1 0 0 1\n";
