@@ -6,6 +6,8 @@
 // Source: Knuth, TAOCP 4.2.2; Dekker 1971, Veltkamp's splitting.  Cost: 6 and 17 operations; 2 with a hardware fma.
 #pragma once
 
+#include <type_traits>
+
 namespace plumb {
 
 struct Rounded {
@@ -21,14 +23,13 @@ constexpr Rounded two_sum(double a, double b) {
 constexpr Rounded two_product(double a, double b) {
   const double p = a * b;
 #ifdef __FMA__
-  return {p, __builtin_fma(a, b, -p)};
-#else
+  if (!std::is_constant_evaluated()) return {p, __builtin_fma(a, b, -p)};  // which Clang does not evaluate
+#endif
   constexpr double splitter = 0x1p27 + 1;
   const double ca = splitter * a, cb = splitter * b;
   const double ah = ca - (ca - a), bh = cb - (cb - b);
   const double al = a - ah, bl = b - bh;
   return {p, al * bl - (((p - ah * bh) - al * bh) - ah * bl)};
-#endif
 }
 
 }  // namespace plumb
