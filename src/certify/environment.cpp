@@ -72,6 +72,8 @@ bool keeps_subnormals() {
 
 }  // namespace
 
+bool thread_is_sound() { return rounds_to_nearest() && keeps_subnormals(); }
+
 Environment inspect(bool contracts, bool fast_math) {
   return {rounds_to_nearest(), keeps_subnormals(), contracts, fast_math,
           PLUMB_VERSION,       compiler(),         build(),   instruction_sets()};

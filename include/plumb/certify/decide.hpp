@@ -1,12 +1,17 @@
 // What is the sign of a formula at these coordinates, exactly?  The chain of stages.
 //
 // Laws: the answer is the sign of the exact value for all finite doubles; anything else throws NonFinite, naming the
-// argument.  The order of the stages changes the time, never the answer.
+// argument.  The order of the stages changes the time, never the answer.  Debug builds (no NDEBUG) assert before each
+// decision that the thread rounds as the proofs assume.
 // Source: docs/proof.md; the order and what is left out: docs/measurements.md, "Stages".
 // Cost: the filter where it is sure; then as exact_stages.hpp says.
 #pragma once
 
+#include <cassert>
+#include <type_traits>
+
 #include "plumb/certify/decision.hpp"
+#include "plumb/certify/environment.hpp"
 #include "plumb/certify/exact_stages.hpp"
 #include "plumb/certify/filter_stage.hpp"
 #include "plumb/predicates/manifest.hpp"
@@ -32,6 +37,8 @@ template <Formula F>
 /// The sign of F at p.  The recorder is told which stage decided.
 template <Formula F, class Recorder = NoRecorder>
 constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
+  assert((std::is_constant_evaluated() || environment::thread_is_sound()) &&
+         "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
   if (const int s = filter<F>(p); s != 0) [[likely]] {
     recorder.decided(Stage::filter);
     return static_cast<Sign>(s);

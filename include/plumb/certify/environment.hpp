@@ -30,6 +30,9 @@ namespace environment {
 
 Environment inspect(bool contracts, bool fast_math);
 
+/// Does this thread round to nearest and keep subnormals?  Tens of ns; asserted before every decision of a debug build.
+bool thread_is_sound();
+
 // Internal linkage on purpose: each translation unit must answer for its own flags.
 [[maybe_unused]] static bool contracts_here() {
   const volatile double a = 1 + 0x1p-30, minus_square = -(1 + 0x1p-29);
