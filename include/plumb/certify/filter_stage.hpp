@@ -1,8 +1,9 @@
 // Does plain floating point prove the sign?  The two derived filters.
 //
 // Laws: a certain answer is the sign of the exact value, for any doubles at all (NaN, infinity, overflow and underflow
-// end as unsure); zero is never certain here.  The answer is formed without a branch on the sign: signs are
-// unpredictable. Source: RTCD 11.2, docs/proof.md; cost: 1.2 to 2 times the plain formula.
+// end as unsure); zero is never certain here.  No branch on the sign forms the answer: signs cannot be
+// predicted.
+// Source: RTCD 11.2, docs/proof.md; cost: 1.2 to 2 times the plain formula.
 #pragma once
 
 #include <tuple>

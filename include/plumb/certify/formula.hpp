@@ -3,8 +3,9 @@
 // A formula is a type with `name`, `points` and `dimension`, and a call operator template over std::array<T, points *
 // dimension> that uses + - * only (predicates/orient.hpp is an example).  It is stated once; running it over different
 // numbers yields every stage.
-// Laws: a formula that adds terms of unequal degree, or that needs more error than the bound can hold, does not
-// compile. Source: docs/proof.md; cost: compile time only.
+// Laws: a formula that adds terms of unequal degree, that needs more error than the bound can hold, or that returns a
+// coordinate as it is given, does not compile.
+// Source: docs/proof.md; cost: compile time only.
 #pragma once
 
 #include <array>
