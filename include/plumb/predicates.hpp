@@ -5,7 +5,7 @@
 //       (3) Powers of two and translations that round nothing change nothing.  (4) The same input gives the same sign
 //       on every compiler, instruction set and thread.
 // A coordinate that is NaN or infinite throws NonFinite, naming it; nothing else throws.
-// Source: RTCD 3.1.6, 11.2.  Cost: 1.2 to 2 times the plain formula where floating point suffices; tens of nanoseconds
+// Source: RTCD 3.1.6, 11.2.  Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds
 // on degenerate input (docs/measurements.md).
 #pragma once
 

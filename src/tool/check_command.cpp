@@ -48,6 +48,10 @@ int run_check(const CheckOptions& options) {
     if (options.meshes.empty() && !options.json && !options.chart && options.fail_on_wrong.empty() && !options.verify)
       return 0;
   }
+  if (options.json && options.json == options.chart) throw Error("--json and --chart name the same output");
+  for (const auto& output : {options.json, options.chart}) {
+    if (output) require_writable(*output);  // before minutes of work, not after
+  }
   const unsigned threads =
       options.threads != 0 ? options.threads : static_cast<unsigned>(tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

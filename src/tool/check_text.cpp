@@ -88,7 +88,7 @@ std::string table(std::string_view predicate, const Comparison& c, const Style& 
   if (c.taken() == 0) return {};
   std::string s =
       style.bold(fmt::format("  {:<12}{:>12}{:>12}{:>11}{:>12}{:>12}{:>12}{:>10}{:>10}\n", predicate, "decisions",
-                             "wrong", "share", "opposite", "0 missed", "0 invented", "unsure", "ns"));
+                             "wrong", "share", "opposite", "missed 0", "invented 0", "unsure", "ns"));
   for (std::size_t m = 0; m < method_count; ++m) {
     const Tally& t = c.method[m];
     const std::string row =
@@ -98,6 +98,14 @@ std::string table(std::string_view predicate, const Comparison& c, const Style& 
     s += t.wrong() != 0 ? style.red(row) : row;
   }
   return s + style.dim(fmt::format("    exact decided by: {}\n", stage_line(c.stages)));
+}
+
+std::string legend(const Style& style) {
+  return style.dim(
+      "  wrong: not the exact sign; that is opposite (+ for -, or - for +), missed 0 (a sign, where the points are "
+      "exactly\n"
+      "  degenerate) or invented 0 (the other way round).  unsure: the method declines to answer.  ns: time a "
+      "decision\n");
 }
 
 std::string worst_lines(const Comparison& total, const Style& style) {
@@ -134,13 +142,13 @@ std::string tables(std::span<const MeshCheck> checks, const Style& style) {
 
 std::string text_report(const MeshCheck& c, const Style& style) {
   const MeshStatistics& m = c.statistics;
-  std::string s = style.bold(c.name) + "\n" + file_lines(c);
+  std::string s = style.bold(printable(c.name)) + "\n" + file_lines(c);
   s += fmt::format("  mesh        {}, {}, {}\n", plural(m.vertices, "vertex", "vertices"),
                    plural(m.faces, "triangle", "triangles"), plural(m.edges, "edge", "edges"));
   s += defect_lines(m);
   s += fmt::format("  edges       of {} interior: {} convex, {} exactly flat, {} reflex\n", grouped(m.interior_edges),
                    grouped(c.edges.convex), grouped(c.edges.flat), grouped(c.edges.reflex));
-  s += lattice_lines(c.lattice) + "\n" + tables({&c, 1}, style) + "\n";
+  s += lattice_lines(c.lattice) + "\n" + legend(style) + tables({&c, 1}, style) + "\n";
   const Comparison total = c.total();
   return s + worst_lines(total, style) + verification_line(total, style);
 }

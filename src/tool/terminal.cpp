@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -49,10 +50,24 @@ void flush_output() {
   if (std::fflush(stdout) != 0) fail("standard output", errno);
 }
 
+std::string printable(std::string_view text) {
+  std::string s(text);
+  std::ranges::replace_if(
+      s, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  return s;
+}
+
 void complain(std::string_view text) {
   std::fflush(stdout);  // answers given before the fault come first; whether they arrived no longer matters
   // Where standard error is closed the exit status alone speaks.
   std::fputs(fmt::format("{} {}\n", Style(stderr).red("plumb:"), text).c_str(), stderr);
+}
+
+void require_writable(const std::string& path) {
+  if (path == "-") return;
+  std::FILE* file = std::fopen(path.c_str(), "ab");
+  if (file == nullptr) fail(path, errno);
+  std::fclose(file);
 }
 
 void write_text_file(const std::string& path, std::string_view text) {

@@ -39,8 +39,14 @@ void say(std::string_view text);
 /// Hands everything said so far to the system; throws Error.
 void flush_output();
 
+/// The text with control characters, which a file's name may hold and a terminal would obey, replaced by '?'.
+std::string printable(std::string_view text);
+
 /// One line "plumb: text" on standard error, after everything said so far.
 void complain(std::string_view text);
+
+/// Throws Error, which names the file, where it cannot be opened for writing; what it holds is kept, "-" always passes.
+void require_writable(const std::string& path);
 
 /// The whole of a text file, "-" being standard output; throws Error, which names the file.
 void write_text_file(const std::string& path, std::string_view text);

@@ -1,0 +1,5 @@
+// Everything: the signs, and meshes with their files.  Generators of hard inputs are apart, in plumb/degenerate.hpp.
+#pragma once
+
+#include "plumb/predicates.hpp"
+#include "plumb/surface.hpp"
