@@ -1,4 +1,4 @@
-// The last stage: replays a formula's tape over GMP integers.
+// The last stage: replays a formula's tape over GMP integers with exponents.
 #include <vector>
 
 #include "plumb/arith/big.hpp"
@@ -7,12 +7,11 @@
 namespace plumb {
 
 Sign big_integer_sign(Program program, std::span<const double> coordinates) {
-  const int exponent = lattice_of(coordinates).exponent;
-  std::vector<BigInteger> number;
+  std::vector<BigDyadic> number;
   number.reserve(coordinates.size() + program.instructions.size());
-  for (const double x : coordinates) number.push_back(big_integer(x, exponent));
+  for (const double x : coordinates) number.emplace_back(x);
   for (const Instruction& i : program.instructions) {
-    const BigInteger &l = number[i.left], &r = number[i.right];
+    const BigDyadic &l = number[i.left], &r = number[i.right];
     number.push_back(i.operation == '+' ? l + r : i.operation == '-' ? l - r : l * r);
   }
   return number.back().sign();
