@@ -119,7 +119,7 @@ class Documents : public testing::TestWithParam<fs::path> {
     write(folder_ / "project/main.cpp", main_);
     return run_here("cmake --install " PLUMB_BINARY_DIR
                     " --prefix prefix\n"
-                    "cmake -S project -B project/build -DCMAKE_PREFIX_PATH=$PWD/prefix"
+                    "cmake -G Ninja -S project -B project/build -DCMAKE_PREFIX_PATH=$PWD/prefix"
                     " -DCMAKE_CXX_COMPILER=" PLUMB_CXX " -DCMAKE_CXX_FLAGS='" PLUMB_SANITIZE_FLAGS
                     "'\n"
                     "cmake --build project/build");
