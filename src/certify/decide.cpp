@@ -8,15 +8,26 @@
 
 namespace plumb {
 
-void throw_non_finite(std::string_view formula, int dimension, std::span<const double> coordinates) {
-  const auto axes = static_cast<std::size_t>(dimension);
+namespace {
+
+// "b.y", "b" or "coordinate 4".
+std::string place_of(std::size_t coordinate, std::span<const int> arguments) {
+  std::size_t argument = 0, axis = coordinate;
+  while (axis >= static_cast<std::size_t>(arguments[argument])) axis -= static_cast<std::size_t>(arguments[argument++]);
+  const int axes = arguments[argument];
+  if (axes > 3 || argument >= 26) return "coordinate " + std::to_string(coordinate);
+  std::string place(1, static_cast<char>('a' + argument));
+  if (axes > 1) place.append({'.', "xyz"[axis]});
+  return place;
+}
+
+}  // namespace
+
+void throw_non_finite(std::string_view formula, std::span<const int> arguments, std::span<const double> coordinates) {
   std::size_t i = 0;
   while (i + 1 < coordinates.size() && std::isfinite(coordinates[i])) ++i;
   const double x = coordinates[i];
-  const bool has_letters = axes <= 3 && i / axes < 26;
-  const std::string place = has_letters ? std::string{static_cast<char>('a' + i / axes), '.', "xyz"[i % axes]}
-                                        : "coordinate " + std::to_string(i);
-  throw NonFinite(std::string(formula) + ": " + place + " is " +
+  throw NonFinite(std::string(formula) + ": " + place_of(i, arguments) + " is " +
                   (std::isnan(x)     ? "nan"
                    : std::signbit(x) ? "-inf"
                                      : "inf") +

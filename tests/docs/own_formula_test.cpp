@@ -60,7 +60,6 @@ TEST(OwnFormula, EveryStageIsExactOnEveryFamily) {
   }
   EXPECT_GT(all.of(Stage::filter), 0u);
   EXPECT_GT(all.of(Stage::integer), 0u);
-  EXPECT_GT(all.of(Stage::wide_integer), 0u);
   EXPECT_GT(all.of(Stage::big_integer), 0u);
 }
 

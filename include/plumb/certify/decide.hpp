@@ -18,19 +18,40 @@
 
 namespace plumb {
 
-/// Throws NonFinite for the first coordinate that is NaN or infinite: "orient2d: c.y is nan, not a real number". Beyond
-/// three dimensions or 26 points it is counted, from 0: "coordinate 7 is nan".
-[[noreturn]] void throw_non_finite(std::string_view formula, int dimension, std::span<const double> coordinates);
+/// Throws NonFinite for the first coordinate that is NaN or infinite: "orient2d: c.y is nan, not a real number". An
+/// argument of one number has its letter alone; beyond three coordinates an argument or 26 arguments they are counted,
+/// from 0: "coordinate 7 is nan".
+[[noreturn]] void throw_non_finite(std::string_view formula, std::span<const int> arguments,
+                                   std::span<const double> coordinates);
+
+/// Does it pay to compile the wide integers and the interval for this formula?  For those that are asked most, by
+/// measurement (docs/measurements.md, "Stages"); the last stage serves the others without code of their own.
+template <Formula F>
+inline constexpr bool has_wide_stages = false;
+template <>
+inline constexpr bool has_wide_stages<predicates::Orient2d> = true;
+template <>
+inline constexpr bool has_wide_stages<predicates::Orient3d> = true;
+template <>
+inline constexpr bool has_wide_stages<predicates::InCircle> = true;
+template <>
+inline constexpr bool has_wide_stages<predicates::InSphere> = true;
 
 /// Exact stages in the order of their cost; for coordinates that the filter could not decide.
 template <Formula F>
 [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
   const std::uint64_t largest = largest_pattern(p);
-  if (largest >= 0x7ffull << 52) throw_non_finite(F::name, F::dimension, p);
+  if (largest >= 0x7ffull << 52) throw_non_finite(F::name, arguments<F>, p);
   if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
-  if (const auto s = integer_sign<F>(p, largest); s.certain()) return {s.value(), Stage::integer};
-  if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
-  if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
+  if constexpr (is_homogeneous<F>) {
+    if (const auto s = integer_sign<F>(p, largest); s.certain()) return {s.value(), Stage::integer};
+  }
+  if constexpr (is_homogeneous<F> && has_wide_stages<F>) {
+    if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
+  }
+  if constexpr (has_wide_stages<F>) {
+    if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
+  }
   return {big_integer_sign(program<F>(), p), Stage::big_integer};
 }
 

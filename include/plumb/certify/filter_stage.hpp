@@ -141,7 +141,13 @@ constexpr int largest_filter(const Coordinates<F>& p) {
 
 /// Which filter the chain uses: the cheaper one by measurement (docs/measurements.md, "Stages").
 template <Formula F>
-inline constexpr bool filter_is_magnitude = degree<F>() < 3;
+inline constexpr bool filter_is_magnitude = [] {
+  if constexpr (TakesPoints<F> && is_homogeneous<F>) {
+    return degree<F>() < 3;
+  } else {
+    return true;  // the largest differences are those of axes and one degree
+  }
+}();
 
 template <Formula F>
 constexpr int filter(const Coordinates<F>& p) {

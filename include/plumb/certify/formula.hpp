@@ -1,16 +1,17 @@
 // What is known of a formula before it is run?  Degree, error constant, tape: all derived when compiled.
 //
-// A formula is a type with `name`, `points` and `dimension`, and a call operator template over std::array<T, points *
-// dimension> that uses + - * only (predicates/orient.hpp is an example).  It is stated once; running it over different
-// numbers yields every stage.
-// Laws: a formula that adds terms of unequal degree, that needs more error than the bound can hold, or that returns a
-// coordinate as it is given, does not compile.
-// Source: docs/proof.md; cost: compile time only.
+// A formula is a type with `name`, the shape of its input, and a call operator template over std::array<T, arity> that
+// uses + - * only (predicates/orient.hpp is an example).  The shape is `points` and `dimension`, or, where arguments
+// differ in kind, the number of coordinates of each in `arguments`.  It is stated once; running it over different
+// numbers yields every stage. Laws: a formula that needs more error than the bound can hold, or that returns a
+// coordinate as it is given, does not compile; nor does one that adds terms of unequal degree, unless it says
+// `homogeneous = false` (it has no integer stages then). Source: docs/proof.md; cost: compile time only.
 #pragma once
 
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -22,16 +23,37 @@
 
 namespace plumb {
 
+/// All arguments are points of one dimension.
 template <class F>
-concept Formula = std::default_initializable<F> && requires {
-  { F::name } -> std::convertible_to<std::string_view>;
+concept TakesPoints = requires {
   { F::points } -> std::convertible_to<int>;
   { F::dimension } -> std::convertible_to<int>;
 };
 
-/// How many coordinates the formula takes, point after point.
+template <class F>
+concept Formula = std::default_initializable<F> && requires {
+  { F::name } -> std::convertible_to<std::string_view>;
+} &&(TakesPoints<F> || requires { std::span<const int>(F::arguments); });
+
+/// How many coordinates each argument has.
 template <Formula F>
-inline constexpr std::size_t arity = static_cast<std::size_t>(F::points* F::dimension);
+inline constexpr auto arguments = [] {
+  if constexpr (TakesPoints<F>) {
+    std::array<int, static_cast<std::size_t>(F::points)> all{};
+    all.fill(F::dimension);
+    return all;
+  } else {
+    return F::arguments;
+  }
+}();
+
+/// How many coordinates the formula takes, argument after argument.
+template <Formula F>
+inline constexpr std::size_t arity = [] {
+  std::size_t sum = 0;
+  for (const int n : arguments<F>) sum += static_cast<std::size_t>(n);
+  return sum;
+}();
 
 template <Formula F>
 using Coordinates = std::array<double, arity<F>>;
@@ -45,6 +67,16 @@ constexpr auto evaluate(Make make) {
   }
   (std::make_index_sequence<arity<F>>{});
 }
+
+/// All terms have one degree: scaling the coordinates by a power of two keeps the sign.
+template <Formula F>
+inline constexpr bool is_homogeneous = [] {
+  if constexpr (requires { F::homogeneous; }) {
+    return F::homogeneous;
+  } else {
+    return true;
+  }
+}();
 
 /// The degree of the homogeneous polynomial.
 template <Formula F>
