@@ -36,6 +36,8 @@ class SmallTree : public testing::Test {
     write("include/plumb/arith/sign.hpp", "#include <optional>\n");
     write("include/plumb/certify/decide.hpp",
           "#include \"plumb/arith/sign.hpp\"\n#include \"plumb/predicates/orient.hpp\"\n");
+    write("include/plumb/certify/cgal_kernel.hpp",
+          "#include <CGAL/enum.h>\n#include \"plumb/certify/cgal_signs.hpp\"\n");
     write("include/plumb/predicates.hpp", "#include \"plumb/certify/decide.hpp\"\n");
     write("include/plumb/surface.hpp", "#include \"plumb/surface/mesh.hpp\"\n");
     write("include/plumb/surface/mesh.hpp", "#include \"plumb/predicates.hpp\"\n");
@@ -92,6 +94,8 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"include/plumb/figure/fit.hpp", "#include <fmt/core.h>\n", "the program's"},
       {"include/plumb/degenerate/points.hpp", "#include <rapidcheck.h>\n", "stays in its bridge"},
       {"src/certify/slow.cpp", "#include <CGAL/Gmpq.h>\n", "oracles and rivals"},
+      {"include/plumb/surface/cgal.hpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
+      {"include/plumb/surface/hull.hpp", "#include \"plumb/certify/cgal_kernel.hpp\"\n", "for its users alone"},
       {"tests/certify/law_test.cpp", "#include <boost/multiprecision/gmp.hpp>\n", "oracles and rivals"},
       {"include/plumb/figure.hpp", "#include \"plumb/arith/rational.hpp\"\n", "brings gmpxx.h along"},
       {"src/surface/utils.hpp", "", "says nothing"},

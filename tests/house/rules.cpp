@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_file = 500;
+constexpr std::string_view cgal_adaptor = "include/plumb/certify/cgal_";
 constexpr int above_all = 1000;  // the rung of the program and of plumb.hpp
 
 struct Source {
@@ -154,8 +155,13 @@ void check_libraries(const Source& source, std::vector<Breach>& out) {
   };
   for (const std::string& spelled : source.includes) {
     const std::string library = first_part(spelled);
-    if (one_of(library, {"CGAL", "boost"}) && !path.starts_with("tests/oracle/") && !path.starts_with("tests/bench/")) {
-      forbid(spelled, "which is for oracles and rivals only");
+    const bool adapts = path.starts_with(cgal_adaptor);
+    if (one_of(library, {"CGAL", "boost"}) && !adapts && !path.starts_with("tests/oracle/") &&
+        !path.starts_with("tests/bench/")) {
+      forbid(spelled, "which is for oracles and rivals (and the adaptor) only");
+    }
+    if (("include/" + spelled).starts_with(cgal_adaptor) && !adapts && !path.starts_with("tests/")) {
+      forbid(spelled, "which needs CGAL and is for its users alone");
     }
     if (!for_users) continue;
     if (is_gmp(spelled) && !path.starts_with("include/plumb/arith/")) forbid(spelled, "which stays in arith/");
