@@ -13,6 +13,7 @@
 #include <iostream>
 #include <vector>
 
+#include "certify/argument_cases.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/case_line.hpp"
@@ -33,7 +34,11 @@ inline std::vector<double> coordinates_from(const CatalogEntry& e, Bytes bytes) 
   if (family) {
     Entropy entropy = Entropy::from_bytes(bytes);
     const Family which = any_family(entropy);
-    fill_points(which, degeneracies[entropy.below(degeneracies.size())], e.dimension, p, entropy);
+    if (e.dimension == 2 || e.dimension == 3) {
+      fill_points(which, degeneracies[entropy.below(degeneracies.size())], e.dimension, p, entropy);
+    } else {
+      battery::fill_arguments(e, which, p, entropy);
+    }
   } else if (!bytes.empty()) {
     std::memcpy(p.data(), bytes.data(), std::min(bytes.size(), p.size() * sizeof(double)));
   }
@@ -80,17 +85,24 @@ struct Checked {
   }
 };
 
-template <Formula F>
-int run(Bytes bytes) {
-  const CatalogEntry& e = *find_predicate(F::name);
+/// Tries one predicate; truth(p) is its sign by rationals.
+template <class Truth>
+int run(const CatalogEntry& e, Bytes bytes, const Truth& truth) {
   const std::vector<double> p = coordinates_from(e, bytes);
   const Checked checked{e, p};
   if (!std::ranges::all_of(p, [](double x) { return std::isfinite(x); })) {
     checked.refused();
   } else {
-    checked.agreed(evaluate<F>([&](std::size_t i) { return big_rational(p[i]); }).sign());
+    checked.agreed(truth(p));
   }
   return 0;
+}
+
+template <Formula F>
+int run(Bytes bytes) {
+  return run(*find_predicate(F::name), bytes, [](const std::vector<double>& p) {
+    return evaluate<F>([&](std::size_t i) { return big_rational(p[i]); }).sign();
+  });
 }
 
 }  // namespace plumb::fuzz

@@ -65,8 +65,20 @@ bool below_one(std::string_view literal, bool hexadecimal) {
 
 std::string known_predicates() {
   std::string names;
-  for (const CatalogEntry& e : catalog()) names += (names.empty() ? "" : ", ") + std::string(e.name);
-  return names;
+  for (const CatalogEntry& e : classics()) names += (names.empty() ? "" : ", ") + std::string(e.name);
+  return names + " and " + std::to_string(catalog().size() - classics().size()) +
+         " more, which `plumb sign --help` lists";
+}
+
+// "3 points of 2 coordinates", or "arguments of 3, 1 and 3 coordinates".
+std::string shape_of(const CatalogEntry& e) {
+  if (e.points != 0) return std::to_string(e.points) + " points of " + std::to_string(e.dimension) + " coordinates";
+  std::string counts;
+  for (std::size_t i = 0; i < e.arguments.size(); ++i) {
+    counts += i == 0 ? "" : i + 1 == e.arguments.size() ? " and " : ", ";
+    counts += std::to_string(e.arguments[i]);
+  }
+  return "arguments of " + counts + " coordinates";
 }
 
 }  // namespace
@@ -114,8 +126,7 @@ std::optional<CaseLine> parse_case_line(std::string_view line) {
     c.coordinates.push_back(parse_double(word));
   }
   if (c.coordinates.size() != entry->arity()) {
-    throw Error(c.predicate + " takes " + std::to_string(entry->points) + " points of " +
-                std::to_string(entry->dimension) + " coordinates, " + std::to_string(entry->arity()) +
+    throw Error(c.predicate + " takes " + shape_of(*entry) + ", " + std::to_string(entry->arity()) +
                 " numbers in all, not " + std::to_string(c.coordinates.size()));
   }
   return c;

@@ -86,7 +86,7 @@ json json_of(const MeshCheck& c) {
          {"predicates", json::array()},
          {"kinds", json::array()}};
   if (c.from_file) j["file"] = json_of(c.load);
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry& entry : classics()) {
     json p = json_of(c.of_predicate(entry.name));
     p["predicate"] = entry.name;
     j["predicates"].push_back(std::move(p));

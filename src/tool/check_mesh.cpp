@@ -122,7 +122,7 @@ using CompareBlock = void (*)(const MeshDecisions&, Kind, std::uint64_t, std::ui
 CompareBlock comparer_of(std::string_view predicate) {
 #define PLUMB_COMPARE(formula) \
   if (predicate == predicates::formula::name) return compare_block<predicates::formula>;
-  PLUMB_PREDICATES(PLUMB_COMPARE)
+  PLUMB_CLASSICS(PLUMB_COMPARE)
 #undef PLUMB_COMPARE
   return nullptr;
 }

@@ -35,14 +35,27 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMeanings
     {"insphere", "For orient3d(a, b, c, d) = '+': '+' when e is inside their sphere."},
 }};
 
+/// " ax ay az", " a" for a number by itself, " a1 a2 a3 a4" where there are more than letters.
+std::string words_of(const CatalogEntry& entry, std::size_t argument) {
+  const auto letter = static_cast<char>('a' + argument);
+  const auto count = static_cast<std::size_t>(entry.arguments[argument]);
+  if (count == 1) return fmt::format(" {}", letter);
+  std::string words;
+  for (std::size_t i = 0; i < count; ++i) {
+    words +=
+        count <= entry.axes.size() ? fmt::format(" {}{}", letter, entry.axes[i]) : fmt::format(" {}{}", letter, i + 1);
+  }
+  return words;
+}
+
 /// "orient2d ax ay bx by cx cy", and what it means.
 std::string predicates() {
   std::string text;
   for (const CatalogEntry& entry : catalog()) {
     text += text.empty() ? "" : "\n";
     text += entry.name;
-    for (int point = 0; point < entry.points; ++point) {
-      for (int axis = 0; axis < entry.dimension; ++axis) text += fmt::format(" {:c}{}", 'a' + point, "xyz"[axis]);
+    for (std::size_t argument = 0; argument < entry.arguments.size(); ++argument) {
+      text += words_of(entry, argument);
     }
     const auto meaning =
         std::ranges::find(kMeanings, entry.name, &std::pair<std::string_view, std::string_view>::first);

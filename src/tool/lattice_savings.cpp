@@ -40,7 +40,7 @@ Saving saving(const Lattice& lattice) {
 
 std::vector<Saving> lattice_savings(const Lattice& lattice) {
 #define PLUMB_SAVING(formula) saving<predicates::formula>(lattice),
-  return {PLUMB_PREDICATES(PLUMB_SAVING)};
+  return {PLUMB_CLASSICS(PLUMB_SAVING)};
 #undef PLUMB_SAVING
 }
 

@@ -12,7 +12,7 @@ Sign rational_sign(std::string_view predicate, std::span<const double> coordinat
   if (predicate == predicates::formula::name) {                                                               \
     return evaluate<predicates::formula>([&](std::size_t i) { return big_rational(coordinates[i]); }).sign(); \
   }
-  PLUMB_PREDICATES(PLUMB_RATIONAL)
+  PLUMB_CLASSICS(PLUMB_RATIONAL)
 #undef PLUMB_RATIONAL
   throw Error("there is no predicate " + std::string(predicate));
 }

@@ -11,7 +11,7 @@
 
 namespace plumb::tool {
 
-/// The predicate must be of the manifest, the coordinates finite and as many as it takes.
+/// The predicate must be one of the four classics, the coordinates finite and as many as it takes.
 Sign rational_sign(std::string_view predicate, std::span<const double> coordinates);
 
 }  // namespace plumb::tool

@@ -88,7 +88,7 @@ struct HighPower {
 template <class Visit>
 void for_each_formula(const Visit& visit) {
 #define PLUMB_VISIT(formula) visit.template operator()<predicates::formula>();
-  PLUMB_PREDICATES(PLUMB_VISIT)
+  PLUMB_CLASSICS(PLUMB_VISIT)
 #undef PLUMB_VISIT
   visit.template operator()<Irregular>();
   visit.template operator()<HighPower>();

@@ -41,7 +41,7 @@ void register_predicate() {
 
 [[maybe_unused]] const bool registered = [] {
 #define PLUMB_REGISTER(formula) register_predicate<predicates::formula>();
-  PLUMB_PREDICATES(PLUMB_REGISTER)
+  PLUMB_CLASSICS(PLUMB_REGISTER)
 #undef PLUMB_REGISTER
   return true;
 }();

@@ -1,16 +1,16 @@
 // Does every stage of every predicate agree with the oracles on every family, and is the filter as sure as promised?
 //
-// One parametrized test a predicate of the catalog and family; the families are dealt to programs (agreement_*_test),
+// One parametrized test a classic predicate and family; the families are dealt to programs (agreement_*_test),
 // so that a machine with few cores can run them side by side.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <iomanip>
 #include <iostream>
 #include <tuple>
 
 #include "certify/battery.hpp"
+#include "certify/tally.hpp"
 
 namespace plumb::battery {
 
@@ -71,43 +71,16 @@ constexpr Promise promise_of(Family family) {
   return {0.8, 0.10, 0.25, 0.40};
 }
 
-struct Tally {
-  StageCounts by;
-  std::array<std::uint64_t, 3> sign{};
-
-  void add(const Decision& d) {
-    by.decided(d.stage);
-    ++sign[place_of_sign(d.sign)];
-  }
-  [[nodiscard]] double decided(Stage s) const { return share_of(by.of(s)); }
-  [[nodiscard]] double share(Sign s) const { return share_of(sign[place_of_sign(s)]); }
-
-  friend std::ostream& operator<<(std::ostream& out, const Tally& t) {
-    out << std::fixed << std::setprecision(3);
-    for (const Stage s : stages) out << ' ' << to_string(s) << ' ' << 100 * t.decided(s) << '%';
-    for (const Sign s : {Sign::negative, Sign::zero, Sign::positive}) {
-      out << ' ' << to_char(s) << ' ' << 100 * t.share(s) << '%';
-    }
-    return out;
-  }
-
- private:
-  static std::size_t place_of_sign(Sign s) { return static_cast<std::size_t>(static_cast<int>(s) + 1); }
-  [[nodiscard]] double share_of(std::uint64_t n) const {
-    return static_cast<double>(n) / static_cast<double>(by.total());
-  }
-};
-
 using PredicateAndFamily = std::tuple<std::size_t, Family>;
 
 class Agreement : public testing::TestWithParam<PredicateAndFamily> {};
 
 inline std::string name_of_test(const testing::TestParamInfo<PredicateAndFamily>& info) {
-  return std::string(catalog()[std::get<0>(info.param)].name) + "_" + std::string(name_of(std::get<1>(info.param)));
+  return std::string(classics()[std::get<0>(info.param)].name) + "_" + std::string(name_of(std::get<1>(info.param)));
 }
 
 TEST_P(Agreement, EveryStageTellsTheTrueSign) {
-  const CatalogEntry& e = catalog()[std::get<0>(GetParam())];
+  const CatalogEntry& e = classics()[std::get<0>(GetParam())];
   const Family family = std::get<1>(GetParam());
   Tally tally;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -131,7 +104,7 @@ TEST_P(Agreement, EveryStageTellsTheTrueSign) {
 
 inline std::vector<PredicateAndFamily> parameters_of(Shard shard) {
   std::vector<PredicateAndFamily> all;
-  for (std::size_t i = 0; i < catalog().size(); ++i) {
+  for (std::size_t i = 0; i < classics().size(); ++i) {
     for (const FamilyInfo& f : families) {
       if (shard_of(f.family) == shard) all.emplace_back(i, f.family);
     }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/argument_cases.hpp"
 #include "oracle/oracle.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/certify/catalog.hpp"
@@ -47,8 +48,13 @@ inline constexpr auto stages = [] {
   return all;
 }();
 
-/// What makes a predicate zero, all but the last being special cases: points of a line lie in a plane, points of a
-/// plane or circle make the determinant of any sphere vanish.
+/// Is it one of the four, whose zeros are what the families are degenerate in?
+inline bool is_classic(const CatalogEntry& e) {
+  return std::ranges::any_of(classics(), [&](const CatalogEntry& c) { return c.name == e.name; });
+}
+
+/// What makes a classic predicate zero, all but the last being special cases: points of a line lie in a plane, points
+/// of a plane or circle make the determinant of any sphere vanish.
 inline std::span<const Degeneracy> zero_sets(const CatalogEntry& e) {
   static constexpr std::array flat2{Degeneracy::collinear};
   static constexpr std::array round2{Degeneracy::collinear, Degeneracy::cocircular};
@@ -61,8 +67,21 @@ inline std::span<const Degeneracy> zero_sets(const CatalogEntry& e) {
   return flat ? std::span<const Degeneracy>(flat3) : round3;
 }
 
-/// Case number `index`; every fourth is of a special zero set.
+/// A number for the cases of this predicate alone.
+inline std::uint64_t start_of(const CatalogEntry& e) {
+  std::uint64_t start = 0;
+  for (const char c : e.name) start = start * 31 + static_cast<unsigned char>(c);
+  return start;
+}
+
+/// Case number `index`; of a classic predicate every fourth is of a special zero set.
 inline std::vector<double> coordinates_of(const CatalogEntry& e, Family family, std::uint64_t index) {
+  if (!is_classic(e)) {
+    Entropy entropy(start_of(e), index);
+    std::vector<double> p(e.arity());
+    fill_arguments(e, family, p, entropy);
+    return p;
+  }
   const auto sets = zero_sets(e);
   const Degeneracy degeneracy = index % 4 == 3 ? sets[index / 4 % sets.size()] : sets.back();
   Entropy entropy(static_cast<std::uint64_t>(e.degree * 100 + e.dimension * 10 + e.points), index);
@@ -111,7 +130,7 @@ inline std::string disagreement(const CatalogEntry& e, std::span<const double> p
 /// A failure as people should read it: shrunk, with the line that replays it.
 inline std::string report(const CatalogEntry& e, std::span<const double> p) {
   const auto fails = [&](std::span<const double> q) { return !disagreement(e, q).empty(); };
-  const std::vector<double> least = shrink_coordinates({p.begin(), p.end()}, e.dimension, fails, 5'000);
+  const std::vector<double> least = shrink_coordinates({p.begin(), p.end()}, std::max(e.dimension, 1), fails, 5'000);
   return disagreement(e, least) + "\n  " + case_line(e, least) + "\nshrunk from\n  " + case_line(e, p);
 }
 

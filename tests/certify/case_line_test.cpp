@@ -60,7 +60,8 @@ TEST(CaseLineTest, TakesDecimalsBlanksAndRemarks) {
 
 TEST(CaseLineTest, SaysWhatIsWrong) {
   EXPECT_EQ(refusal("orient4d 0 0"),
-            "there is no predicate 'orient4d'; there are orient2d, orient3d, incircle, insphere");
+            "there is no predicate 'orient4d'; there are orient2d, orient3d, incircle, insphere and " +
+                std::to_string(catalog().size() - 4) + " more, which `plumb sign --help` lists");
   EXPECT_EQ(refusal("orient2d 0 0 1 0 0"), "orient2d takes 3 points of 2 coordinates, 6 numbers in all, not 5");
   EXPECT_EQ(refusal("orient2d 0 0 1 0 0 1 2"), "orient2d takes 3 points of 2 coordinates, 6 numbers in all, not 7");
   EXPECT_EQ(refusal("insphere = 0"), "insphere takes 5 points of 3 coordinates, 15 numbers in all, not 0");

@@ -108,7 +108,7 @@ bool noticed(const Program& program, const std::vector<Judged>& judged) {
 class Mutants : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Mutants, AreNoticed) {
-  const CatalogEntry& e = catalog()[GetParam()];
+  const CatalogEntry& e = classics()[GetParam()];
   const std::vector<Judged> judged = battery_of(e);
   ASSERT_FALSE(judged.empty()) << "CGAL has no " << e.name << ": state it anew in tests/oracle/cgal.cpp";
   ASSERT_FALSE(noticed(e.program, judged));
@@ -137,8 +137,8 @@ TEST(SamePolynomialTest, LooksAtValuesNotAtInstructions) {
   EXPECT_FALSE(same_polynomial({2, factored}, {2, sum}));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Mutants, testing::Range<std::size_t>(0, catalog().size()),
-                         [](const auto& at) { return std::string(catalog()[at.param].name); });
+INSTANTIATE_TEST_SUITE_P(All, Mutants, testing::Range<std::size_t>(0, classics().size()),
+                         [](const auto& at) { return std::string(classics()[at.param].name); });
 
 }  // namespace
 }  // namespace plumb::battery

@@ -19,6 +19,20 @@ std::string thrown(const CatalogEntry& e, std::span<const double> p) {
   return "nothing";
 }
 
+// "b.y"; "b" where the argument has one coordinate; counted where it has more of them than letters.
+std::string place_of(const CatalogEntry& e, std::size_t coordinate) {
+  std::vector<std::string> places;
+  for (const int& count : e.arguments) {
+    const std::string letter(1, static_cast<char>('a' + (&count - e.arguments.data())));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+      places.push_back(count == 1                                        ? letter
+                       : static_cast<std::size_t>(count) > e.axes.size() ? "coordinate " + std::to_string(places.size())
+                                                                         : letter + '.' + e.axes[k]);
+    }
+  }
+  return places.at(coordinate);
+}
+
 struct Bad {
   double value;
   std::string name;
@@ -44,11 +58,12 @@ TEST(NonFiniteTest, IsRefusedByNameAtEveryPlaceAndBesideAnything) {
         const double kept = p[i];
         for (const Bad& bad : all_bad) {
           p[i] = bad.value;
-          const auto axes = static_cast<std::size_t>(e.dimension);
           std::string text(e.name);
-          text.append(": ").push_back(static_cast<char>('a' + i / axes));
-          text.append(".").push_back("xyz"[i % axes]);
-          text.append(" is ").append(bad.name).append(", not a real number; give a finite double");
+          text.append(": ")
+              .append(place_of(e, i))
+              .append(" is ")
+              .append(bad.name)
+              .append(", not a real number; give a finite double");
           ASSERT_EQ(thrown(e, p), text);
         }
         p[i] = kept;

@@ -40,15 +40,23 @@ TEST(SignsTest, InsphereIsPositiveInside) {
 
 TEST(CatalogTest, ListsTheManifestInOrder) {
   std::size_t i = 0;
-#define PLUMB_EXPECT_ENTRY(formula)                                    \
-  EXPECT_EQ(catalog()[i].name, predicates::formula::name);             \
-  EXPECT_EQ(catalog()[i].arity(), arity<predicates::formula>);         \
-  EXPECT_EQ(catalog()[i].degree, degree<predicates::formula>());       \
-  EXPECT_EQ(find_predicate(predicates::formula::name), &catalog()[i]); \
+#define PLUMB_EXPECT_ENTRY(formula)                                         \
+  EXPECT_EQ(catalog()[i].name, predicates::formula::name);                  \
+  EXPECT_EQ(catalog()[i].arity(), arity<predicates::formula>);              \
+  EXPECT_EQ(catalog()[i].homogeneous, is_homogeneous<predicates::formula>); \
+  EXPECT_EQ(find_predicate(predicates::formula::name), &catalog()[i]);      \
   ++i;
   PLUMB_PREDICATES(PLUMB_EXPECT_ENTRY)
 #undef PLUMB_EXPECT_ENTRY
   EXPECT_EQ(catalog().size(), i);
+  i = 0;
+#define PLUMB_EXPECT_DEGREE(formula)                              \
+  EXPECT_EQ(classics()[i].name, predicates::formula::name);       \
+  EXPECT_EQ(classics()[i].degree, degree<predicates::formula>()); \
+  ++i;
+  PLUMB_CLASSICS(PLUMB_EXPECT_DEGREE)
+#undef PLUMB_EXPECT_DEGREE
+  EXPECT_EQ(classics().size(), i);
   EXPECT_EQ(find_predicate("orient"), nullptr);
   EXPECT_EQ(find_predicate(""), nullptr);
 }
@@ -75,7 +83,7 @@ TEST(StageCountsTest, StagesHaveDistinctNames) {
 
 // Law 4: threads share nothing, so many at once answer as one does.
 TEST(ThreadsTest, AnswerAsOneDoes) {
-  for (const CatalogEntry& e : catalog()) {
+  for (const CatalogEntry& e : classics()) {
     std::vector<std::vector<double>> inputs;
     std::vector<Decision> expected;
     for (const FamilyInfo& f : families) {

@@ -50,7 +50,8 @@ TEST(Help, TellsEveryOptionAndPredicate) {
     EXPECT_THAT(check, HasSubstr(name));
   }
   const std::string sign = run("$PLUMB sign --help").out;
-  for (const CatalogEntry& e : catalog()) EXPECT_THAT(sign, HasSubstr("       " + std::string(e.name) + " ax ay"));
+  for (const CatalogEntry& e : classics()) EXPECT_THAT(sign, HasSubstr("       " + std::string(e.name) + " ax ay"));
+  for (const CatalogEntry& e : catalog()) EXPECT_THAT(sign, HasSubstr("       " + std::string(e.name) + " a"));
   EXPECT_EQ(run("$PLUMB sign orient2d 0 0 --help").out, sign);
 }
 

@@ -41,8 +41,8 @@ TEST(LatticeSavings, SkipNothingThatDecides) {
       if (exponent + bits > 1024) continue;
       const Lattice lattice{exponent, bits};
       const std::vector<Saving> savings = lattice_savings(lattice);
-      for (std::size_t k = 0; k < catalog().size(); ++k) {
-        const CatalogEntry& e = catalog()[k];
+      for (std::size_t k = 0; k < classics().size(); ++k) {
+        const CatalogEntry& e = classics()[k];
         ASSERT_EQ(savings[k].predicate, e.name);
         plain += savings[k].suffices == "plain double";
         said += !savings[k].skips.empty();

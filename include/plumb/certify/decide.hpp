@@ -19,10 +19,10 @@
 namespace plumb {
 
 /// Throws NonFinite for the first coordinate that is NaN or infinite: "orient2d: c.y is nan, not a real number". An
-/// argument of one number has its letter alone; beyond three coordinates an argument or 26 arguments they are counted,
+/// argument of one number has its letter alone; beyond the named axes of an argument or 26 arguments they are counted,
 /// from 0: "coordinate 7 is nan".
 [[noreturn]] void throw_non_finite(std::string_view formula, std::span<const int> arguments,
-                                   std::span<const double> coordinates);
+                                   std::span<const double> coordinates, std::string_view axes = "xyz");
 
 /// Does it pay to compile the wide integers and the interval for this formula?  For those that are asked most, by
 /// measurement (docs/measurements.md, "Stages"); the last stage serves the others without code of their own.
@@ -41,7 +41,7 @@ inline constexpr bool has_wide_stages<predicates::InSphere> = true;
 template <Formula F>
 [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
   const std::uint64_t largest = largest_pattern(p);
-  if (largest >= 0x7ffull << 52) throw_non_finite(F::name, arguments<F>, p);
+  if (largest >= 0x7ffull << 52) throw_non_finite(F::name, arguments<F>, p, axes<F>);
   if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
   if constexpr (is_homogeneous<F>) {
     if (const auto s = integer_sign<F>(p, largest); s.certain()) return {s.value(), Stage::integer};

@@ -47,6 +47,16 @@ inline constexpr auto arguments = [] {
   }
 }();
 
+/// How the coordinates of an argument are called, "xyz" unless the formula has `axes` of its own.
+template <Formula F>
+inline constexpr std::string_view axes = [] {
+  if constexpr (requires { F::axes; }) {
+    return F::axes;
+  } else {
+    return std::string_view("xyz");
+  }
+}();
+
 /// How many coordinates the formula takes, argument after argument.
 template <Formula F>
 inline constexpr std::size_t arity = [] {
