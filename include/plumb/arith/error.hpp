@@ -1,6 +1,7 @@
 // What went wrong, and how is it mended?  The exceptions of the library; there are no others.
 //
-// Law: predicates are total over finite doubles; only input that stands for no real number, misuse and bad files throw.
+// Law: predicates are total over finite doubles; only input that stands for no real number or no point, misuse and bad
+// files throw.
 // Every text names the argument, or the file with its line or byte, and what was expected.
 #pragma once
 
@@ -16,6 +17,21 @@ struct Error : std::runtime_error {
 
 /// A NaN or an infinity was given where a real number is needed; the text names the argument.
 struct NonFinite : Error {
+  using Error::Error;
+};
+
+/// A construction has no point: parallel lines, a line parallel to the plane.  The text names the argument and why.
+struct DegeneratePoint : Error {
+  using Error::Error;
+};
+
+/// The nearest double to a number would be infinite; the text names the number.
+struct OutOfRange : Error {
+  using Error::Error;
+};
+
+/// A square root of a negative number was asked for; the text names the number.
+struct NegativeRadicand : Error {
   using Error::Error;
 };
 
