@@ -5,9 +5,15 @@
 // all.
 #pragma once
 
+#include <plumb/predicates/determinant.hpp>
 #include <plumb/predicates/direction.hpp>
+#include <plumb/predicates/distance.hpp>
 #include <plumb/predicates/in_sphere.hpp>
+#include <plumb/predicates/line_distance.hpp>
 #include <plumb/predicates/orient.hpp>
+#include <plumb/predicates/plane_distance.hpp>
+#include <plumb/predicates/power.hpp>
+#include <plumb/predicates/smallest_sphere.hpp>
 
 // X(formula)
 
@@ -37,6 +43,56 @@
   X(OrientY)                \
   X(OrientZ)
 
+// predicates/distance.hpp, predicates/line_distance.hpp, predicates/plane_distance.hpp
+#define PLUMB_DISTANCES(X)   \
+  X(CompareDistance2d)       \
+  X(CompareDistance3d)       \
+  X(CompareDistanceFrom2d)   \
+  X(CompareDistanceFrom3d)   \
+  X(DistanceAgainst2d)       \
+  X(DistanceAgainst3d)       \
+  X(SignedLineDistance)      \
+  X(LineDistanceSum)         \
+  X(CompareLineDistance)     \
+  X(LineDistanceAgainst2d)   \
+  X(LineDistanceAgainst3d)   \
+  X(ComparePointLine2d)      \
+  X(ComparePointLine3d)      \
+  X(CompareLineLine2d)       \
+  X(CompareLineLine3d)       \
+  X(SideOfLine)              \
+  X(SideOfPlane)             \
+  X(NormalDistanceAgainst2d) \
+  X(NormalDistanceAgainst3d) \
+  X(SignedPlaneDistance)     \
+  X(PlaneDistanceSum)        \
+  X(PlaneDistanceAgainst)    \
+  X(ComparePointPlane)       \
+  X(CompareLinePlane)        \
+  X(ComparePlanePlane)
+
+// predicates/smallest_sphere.hpp, predicates/power.hpp
+#define PLUMB_SPHERES(X) \
+  X(InSmallestCircle)    \
+  X(InSmallestSphere2)   \
+  X(InSmallestSphere3)   \
+  X(PowerCircle)         \
+  X(PowerSphere)         \
+  X(ComparePower2d)      \
+  X(ComparePower3d)      \
+  X(PowerProduct2d)      \
+  X(PowerProduct3d)
+
+// predicates/determinant.hpp
+#define PLUMB_DETERMINANTS(X) \
+  X(Determinant2)             \
+  X(Determinant3)             \
+  X(Determinant4)             \
+  X(Determinant5)
+
 #define PLUMB_PREDICATES(X) \
   PLUMB_CLASSICS(X)         \
-  PLUMB_DIRECTIONS(X)
+  PLUMB_DIRECTIONS(X)       \
+  PLUMB_DISTANCES(X)        \
+  PLUMB_SPHERES(X)          \
+  PLUMB_DETERMINANTS(X)

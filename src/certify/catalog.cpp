@@ -9,6 +9,9 @@ namespace plumb {
 namespace catalog_part {
 std::span<const CatalogEntry> classics();
 std::span<const CatalogEntry> directions();
+std::span<const CatalogEntry> distances();
+std::span<const CatalogEntry> spheres();
+std::span<const CatalogEntry> determinants();
 }  // namespace catalog_part
 
 std::span<const CatalogEntry> classics() { return catalog().first(catalog_part::classics().size()); }
@@ -16,7 +19,8 @@ std::span<const CatalogEntry> classics() { return catalog().first(catalog_part::
 std::span<const CatalogEntry> catalog() {
   static const std::vector<CatalogEntry> entries = [] {
     std::vector<CatalogEntry> all;
-    for (const auto part : {catalog_part::classics(), catalog_part::directions()}) {
+    for (const auto part : {catalog_part::classics(), catalog_part::directions(), catalog_part::distances(),
+                            catalog_part::spheres(), catalog_part::determinants()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;
