@@ -29,7 +29,9 @@ class Formulas : public testing::TestWithParam<std::size_t> {
     for (std::uint64_t i = 0; i < count && !HasFatalFailure(); ++i) {
       Entropy entropy(start_of(entry()), i);
       fill(p, entropy);
-      [&] { ASSERT_EQ(disagreement(entry(), p), "") << sort << ' ' << i << ": " << report(entry(), p); }();
+      [&] {
+        ASSERT_EQ(disagreement(entry(), p, {true, i % 9 == 0}), "") << sort << ' ' << i << ": " << report(entry(), p);
+      }();
       tally.add(entry().decide(p));
     }
     return tally;

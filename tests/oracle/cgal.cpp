@@ -1,37 +1,35 @@
-// The classic predicates as CGAL states them.
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include "oracle/oracle.hpp"
+// The classic predicates as CGAL states them, and who to ask for the others.
+#include "oracle/cgal_kernel.hpp"
 
 namespace plumb::oracle {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
-
-Sign of(int cgal) { return static_cast<Sign>((cgal > 0) - (cgal < 0)); }
-
-Kernel::Point_2 point2(std::span<const double> p, std::size_t i) {
-  return {CGAL::Gmpq(p[2 * i]), CGAL::Gmpq(p[2 * i + 1])};
-}
-
-Kernel::Point_3 point3(std::span<const double> p, std::size_t i) {
-  return {CGAL::Gmpq(p[3 * i]), CGAL::Gmpq(p[3 * i + 1]), CGAL::Gmpq(p[3 * i + 2])};
+std::optional<Sign> classics_by_cgal(std::string_view predicate, Arguments p) {
+  if (predicate == "orient2d") {
+    const auto a = p.point2(), b = p.point2(), c = p.point2();
+    return of(CGAL::orientation(a, b, c));
+  }
+  if (predicate == "incircle") {
+    const auto a = p.point2(), b = p.point2(), c = p.point2(), d = p.point2();
+    return of(CGAL::side_of_oriented_circle(a, b, c, d));
+  }
+  // CGAL calls a tetrahedron positive that the literature of robust predicates calls negative.
+  if (predicate == "orient3d") {
+    const auto a = p.point3(), b = p.point3(), c = p.point3(), d = p.point3();
+    return -of(CGAL::orientation(a, b, c, d));
+  }
+  if (predicate == "insphere") {
+    const auto a = p.point3(), b = p.point3(), c = p.point3(), d = p.point3(), e = p.point3();
+    return -of(CGAL::side_of_oriented_sphere(a, b, c, d, e));
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Sign> cgal_sign(std::string_view predicate, std::span<const double> p) {
-  if (predicate == "orient2d") return of(CGAL::orientation(point2(p, 0), point2(p, 1), point2(p, 2)));
-  if (predicate == "incircle") {
-    return of(CGAL::side_of_oriented_circle(point2(p, 0), point2(p, 1), point2(p, 2), point2(p, 3)));
-  }
-  // CGAL calls a tetrahedron positive that the literature of robust predicates calls negative.
-  if (predicate == "orient3d") {
-    return -of(CGAL::orientation(point3(p, 0), point3(p, 1), point3(p, 2), point3(p, 3)));
-  }
-  if (predicate == "insphere") {
-    return -of(CGAL::side_of_oriented_sphere(point3(p, 0), point3(p, 1), point3(p, 2), point3(p, 3), point3(p, 4)));
+std::optional<Sign> cgal_sign(std::string_view predicate, std::span<const double> coordinates) {
+  for (const Judge judge : {classics_by_cgal, directions_by_cgal, distances_by_cgal, planes_by_cgal, spheres_by_cgal}) {
+    if (const auto sign = judge(predicate, Arguments(coordinates))) return sign;
   }
   return std::nullopt;
 }
