@@ -2,9 +2,9 @@
 # afterwards: nothing in it knows its own place.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS plumb_predicates plumb_degenerate plumb_plumb EXPORT plumb_targets)
+install(TARGETS plumb_predicates plumb_classic plumb_degenerate plumb_plumb EXPORT plumb_targets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/plumb DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.hpp")
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/predicates/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/predicates
   FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
@@ -38,7 +38,10 @@ function(plumb_write_pc pc_name pc_description pc_library pc_requires pc_needs)
   configure_file(${PROJECT_SOURCE_DIR}/src/plumb.pc.in ${PROJECT_BINARY_DIR}/${pc_name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
-plumb_write_pc(plumb-predicates "Exact signs of geometric predicates" plumb_predicates "" -lgmp)
-plumb_write_pc(plumb-degenerate "Hard inputs for geometric code" plumb_degenerate
+set(needs_cxx20 " (C++20: compile with -std=c++20 or later)")
+plumb_write_pc(plumb-predicates "Exact signs of geometric predicates${needs_cxx20}" plumb_predicates "" -lgmp)
+plumb_write_pc(plumb-classic "The classic C interface of robust predicates" plumb_classic
+  "plumb-predicates = ${PROJECT_VERSION}" -lstdc++)
+plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" plumb_degenerate
   "plumb-predicates = ${PROJECT_VERSION}" "")
-plumb_write_pc(plumb "${PROJECT_DESCRIPTION}" plumb "plumb-predicates = ${PROJECT_VERSION}" "")
+plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb "plumb-predicates = ${PROJECT_VERSION}" "")

@@ -6,11 +6,15 @@
 #include <gmp.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "plumb/certify/exact_stages.hpp"
+#include "plumb/certify/nearest_value.hpp"
 
 namespace plumb {
 namespace {
@@ -123,9 +127,9 @@ class Evaluation {
   Workspace work_;
 };
 
-}  // namespace
-
-Sign big_integer_sign(Program program, std::span<const double> coordinates) {
+/// Runs the tape and returns what `finish` makes of its value, which lives no longer.
+template <class Finish>
+auto replay(Program program, std::span<const double> coordinates, Finish finish) {
   Evaluation evaluation;
   const std::size_t count = coordinates.size() + program.instructions.size();
   std::array<Number, 128> few;
@@ -143,8 +147,44 @@ Sign big_integer_sign(Program program, std::span<const double> coordinates) {
     const Number &l = number[i.left], &r = number[i.right];
     *next++ = i.operation == '*' ? evaluation.product(l, r) : evaluation.sum(l, r, i.operation == '-');
   }
-  const Number& result = next[-1];
-  return static_cast<Sign>(result.size == 0 ? 0 : result.negative ? -1 : 1);
+  return finish(next[-1]);
+}
+
+/// x rounded once, to nearest and even, but never to zero.
+double nearest(const Number& x) {
+  if (x.size == 0) return 0;
+  const mp_limb_t top = x.limb[x.size - 1];
+  const int zeros = std::countl_zero(top);
+  mp_limb_t head = top << zeros, rest = 0;  // the first 64 bits, and whether there are more
+  if (x.size > 1) {
+    const mp_limb_t below = x.limb[x.size - 2];
+    if (zeros > 0) head |= below >> (limb_bits - zeros);
+    rest = (below << zeros) | static_cast<mp_limb_t>(x.size > 2);  // the last limb is not zero
+  }
+  const long end = x.exponent + x.size * limb_bits - zeros;  // 2^(end - 1) <= |x| < 2^end
+  const long kept = std::min(53L, end + 1074);               // bits that a double has there
+  double magnitude = std::numeric_limits<double>::denorm_min();
+  if (kept > 0) {
+    const auto dropped = static_cast<int>(limb_bits - kept);
+    const mp_limb_t whole = head >> dropped, half = mp_limb_t{1} << (dropped - 1);
+    const mp_limb_t fraction = head & (2 * half - 1);
+    const bool up = fraction > half || (fraction == half && (rest != 0 || (whole & 1) != 0));
+    const auto exponent = static_cast<int>(std::min(end - kept, 4096L));
+    magnitude = std::ldexp(static_cast<double>(whole + (up ? 1 : 0)), exponent);
+  }
+  return x.negative ? -magnitude : magnitude;
+}
+
+}  // namespace
+
+Sign big_integer_sign(Program program, std::span<const double> coordinates) {
+  return replay(program, coordinates, [](const Number& x) {
+    return static_cast<Sign>(x.size == 0 ? 0 : x.negative ? -1 : 1);
+  });
+}
+
+double nearest_value(Program program, std::span<const double> coordinates) {
+  return replay(program, coordinates, nearest);
 }
 
 }  // namespace plumb

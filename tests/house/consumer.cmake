@@ -3,7 +3,8 @@
 #   add_subdirectory  the sources beside the consumer's; installs what it built to WORK/prefix_LINKAGE
 #   find_package      from WORK/prefix_LINKAGE
 #   pkg_config        from WORK/prefix_LINKAGE, by the compiler alone
-# Needs SOURCE BUILD WORK COMPILER GENERATOR PKG_CONFIG LIBDIR CONFIG PROGRAM; FLAGS and LAUNCHER may be empty.
+# Needs SOURCE BUILD WORK COMPILER C_COMPILER GENERATOR PKG_CONFIG LIBDIR CONFIG PROGRAM; FLAGS and LAUNCHER may be
+# empty.
 set(consumer ${SOURCE}/tests/consumer)
 set(place ${WORK}/${WAY}${LINKAGE})
 set(prefix ${WORK}/prefix_${LINKAGE})
@@ -33,9 +34,9 @@ endfunction()
 
 function(build_consumer)
   run(${CMAKE_COMMAND} -S ${consumer} -B ${place}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
-    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${ARGN})
+    -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${ARGN})
   run(${CMAKE_COMMAND} --build ${place}/build)
-  run_consumer(${place}/build/consumer ${place}/build/signs_only)
+  run_consumer(${place}/build/consumer ${place}/build/signs_only ${place}/build/classic)
 endfunction()
 
 function(must_exist)
@@ -49,7 +50,8 @@ endfunction()
 if(WAY STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/first --config ${CONFIG})
   file(RENAME ${place}/first ${prefix})
-  must_exist(include/plumb/predicates.hpp include/plumb/predicates/orient.hpp ${LIBDIR}/cmake/plumb/plumb-config.cmake)
+  must_exist(include/plumb/predicates.hpp include/plumb/classic.h include/plumb/predicates/orient.hpp
+    ${LIBDIR}/cmake/plumb/plumb-config.cmake)
   file(GLOB_RECURSE installed RELATIVE ${prefix} ${prefix}/*)
   foreach(path IN LISTS installed)
     if(path MATCHES "_test|_fuzz|_bench|oracle|house|tool")
@@ -83,12 +85,18 @@ elseif(WAY STREQUAL "find_package")
 elseif(WAY STREQUAL "pkg_config")
   set(ENV{PKG_CONFIG_PATH} ${prefix}/${LIBDIR}/pkgconfig)
   set(ENV{LD_LIBRARY_PATH} ${prefix}/${LIBDIR})
-  foreach(program_packages "consumer plumb plumb-degenerate" "signs_only plumb-predicates")
-    separate_arguments(packages UNIX_COMMAND ${program_packages})
-    list(POP_FRONT packages program)
+  foreach(source_packages "consumer.cpp plumb plumb-degenerate" "signs_only.cpp plumb-predicates"
+      "classic.c plumb-classic")
+    separate_arguments(packages UNIX_COMMAND ${source_packages})
+    list(POP_FRONT packages source)
     run(${PKG_CONFIG} --cflags --libs ${packages})
     separate_arguments(flags UNIX_COMMAND ${words})
-    run(${COMPILER} -std=c++20 ${FLAGS} ${consumer}/${program}.cpp ${flags} -o ${place}/${program})
+    set(compile ${COMPILER} -std=c++20)
+    if(source MATCHES "[.]c$")
+      set(compile ${C_COMPILER} -std=c99)
+    endif()
+    cmake_path(GET source STEM program)
+    run(${compile} ${FLAGS} ${consumer}/${source} ${flags} -o ${place}/${program})
     run_consumer(${place}/${program})
   endforeach()
 endif()

@@ -44,6 +44,8 @@ class SmallTree : public testing::Test {
     write("include/plumb/plumb.hpp", "#include \"plumb/surface.hpp\"\n");
     write("src/surface/read.cpp", "#include \"plumb/surface/mesh.hpp\"\n#include \"parser.hpp\"\n");
     write("src/surface/parser.hpp", "");
+    write("include/plumb/classic.h", "");
+    write("src/classic/classic.cpp", "#include \"plumb/classic.h\"\n#include \"plumb/certify/decide.hpp\"\n");
     write("src/install.cmake", "");
     write("src/tool/main.cpp", "#include \"tool/report.hpp\"\n#include <fmt/core.h>\n");
     write("tests/oracle/cgal.cpp", "#include <CGAL/Gmpq.h>\n");
@@ -83,6 +85,8 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"include/plumb/arith/filter.hpp", "# include \"plumb/certify/decide.hpp\"\n", "later folder"},
       {"include/plumb/certify/all.hpp", "#include \"plumb/plumb.hpp\"\n", "later folder"},
       {"include/plumb/certify/mesh.hpp", "  #include <plumb/surface.hpp>\n", "later folder"},
+      {"include/plumb/surface.h", "", "no rung"},
+      {"include/plumb/certify/from_c.hpp", "#include \"plumb/classic.h\"\n", "later folder"},
       {"include/plumb/certify/odd.hpp", "#include \"plumb/geometry/sphere.hpp\"\n", "no rung"},
       {"include/plumb/query.hpp", "#include \"plumb/space/grid.hpp\"\n", "later folder"},
       {"src/arith/filter.cpp", "#include \"surface/parser.hpp\"\n", "later folder"},

@@ -48,7 +48,7 @@ std::optional<std::string> included(std::string_view line) {
 
 bool is_source(const fs::path& path) {
   const std::string extension = path.extension().string();
-  return one_of(extension, {".hpp", ".cpp", ".cmake", ".in"}) || path.filename() == "CMakeLists.txt";
+  return one_of(extension, {".hpp", ".cpp", ".h", ".c", ".cmake", ".in"}) || path.filename() == "CMakeLists.txt";
 }
 
 std::vector<Source> read_sources(const fs::path& tree) {
@@ -73,6 +73,7 @@ std::vector<Source> read_sources(const fs::path& tree) {
 std::optional<int> rung_of(std::string name) {
   if (name == "tool" || name == "plumb.hpp") return above_all;
   if (name == "predicates.hpp") name = "certify.hpp";  // the face of the signs
+  if (name == "classic.h") name = "classic.hpp";       // the face for C
   if (name.ends_with(".hpp")) name.resize(name.size() - 4);
   const auto found = std::find(ladder.begin(), ladder.end(), name);
   if (found == ladder.end()) return {};
@@ -119,7 +120,7 @@ void check_folders(const fs::path& tree, std::vector<Breach>& out) {
       const bool known = entry.is_directory()
                              ? rung_of(name) && name != "predicates" && (name != "tool" || top == "src")
                          : top == "src" ? one_of(extension, {".cmake", ".in"})
-                                        : extension == ".hpp" && rung_of(name).has_value();
+                                        : (extension == ".hpp" || name == "classic.h") && rung_of(name).has_value();
       if (!known) out.push_back({top + "/" + name, "is no rung of the ladder"});
     }
   }
@@ -169,7 +170,8 @@ void check_libraries(const Source& source, std::vector<Breach>& out) {
     if (one_of(library, {"rapidcheck", "rapidcheck.h"}) && path != "include/plumb/degenerate/rapidcheck.hpp") {
       forbid(spelled, "which stays in its bridge");
     }
-    if (one_of(library, {"fmt", "CLI", "nlohmann", "tbb", "oneapi"})) forbid(spelled, "which is the program's");
+    if (one_of(library, {"fmt", "CLI", "nlohmann"})) forbid(spelled, "which is the program's");
+    if (one_of(library, {"tbb", "oneapi", "hwy"})) forbid(spelled, "which stays in .cpp files");
   }
 }
 

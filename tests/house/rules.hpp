@@ -20,8 +20,8 @@ struct Breach {
 inline std::ostream& operator<<(std::ostream& out, const Breach& b) { return out << b.file << ": " << b.what; }
 
 /// The folders of include/plumb and src: each may include those before it and itself.
-inline const std::vector<std::string> ladder = {"predicates", "arith", "certify", "degenerate", "figure",
-                                                "query",      "space", "surface", "world"};
+inline const std::vector<std::string> ladder = {"predicates", "arith", "certify", "classic", "degenerate",
+                                                "figure",     "query", "space",   "surface", "world"};
 
 inline const std::vector<std::string> top_level = {
     "CMakeLists.txt", "CMakePresets.json", "bootstrap", "include", "src", "predicates", "tests", "fuzz",
