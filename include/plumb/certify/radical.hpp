@@ -1,0 +1,182 @@
+// What sign has a + b sqrt(c), or a + b sqrt(c) + d sqrt(e)?  Exact, for numbers and for polynomials of the input.
+//
+// The signs of the terms decide where they agree; otherwise squaring does, again and again (predicates/radical.hpp).
+// Laws: (1) negating a, b (and d) flips the sign.  (2) The two roots may be swapped.  (3) A perfect square under the
+// root gives what its root gives. Any finite numbers, subnormals and the largest included; a radicand below zero throws
+// NegativeRadicand, NaN and infinity throw NonFinite. Source: RTCD 4.3 (radii); repeated squaring.  Cost: for numbers a
+// square root or two where floating point suffices, otherwise signs of degree up to 6; for formulas those of the parts,
+// and where they disagree of up to six times their degree.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <plumb/predicates/radical.hpp>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/certify/decide.hpp"
+
+namespace plumb {
+
+namespace radical {
+
+/// Sign of x + y with the signs of both, where square(): the sign of x^2 - y^2.
+template <class Square>
+constexpr Sign sum(Sign x, Sign y, Square square) {
+  if (x == y || y == Sign::zero) return x;
+  if (x == Sign::zero) return y;
+  return x * square();
+}
+
+// For the roundings of the terms and of their sum, in halves of ulps, and for their underflow: see sign_of_radical.
+inline constexpr double relative = 0x1p-51, absolute = 0x1p-1070;
+
+Sign decide_exactly(double a, double b, double c);
+Sign decide_exactly(double a, double b, double c, double d, double e);
+
+}  // namespace radical
+
+/// The sign of a + b sqrt(c).
+inline Sign sign_of_radical(double a, double b, double c) {
+  // A square root is rounded by u = 2^-53 of itself, the product once more: together less than 3 u |term| + 2^-1074.
+  // The sum's own rounding carries no sign past the threshold, which is a double.
+  const double term = b * std::sqrt(c), value = a + term;
+  const double threshold = radical::relative * (std::fabs(a) + std::fabs(term)) + radical::absolute;
+  if (const int s = beyond(value, threshold); s != 0) [[likely]]
+    return static_cast<Sign>(s);
+  return radical::decide_exactly(a, b, c);
+}
+
+/// The sign of a + b sqrt(c) + d sqrt(e).
+inline Sign sign_of_radicals(double a, double b, double c, double d, double e) {
+  // Likewise; the first sum's rounding is less than u |first|.
+  const double term = b * std::sqrt(c), other = d * std::sqrt(e), first = a + term, value = first + other;
+  const double threshold =
+      radical::relative * (std::fabs(first) + std::fabs(term) + std::fabs(other)) + radical::absolute;
+  if (const int s = beyond(value, threshold); s != 0) [[likely]]
+    return static_cast<Sign>(s);
+  return radical::decide_exactly(a, b, c, d, e);
+}
+
+/// In a radical of formulas: coordinate number I as it is given.  Like is any formula with the same input.
+template <std::size_t I, Formula Like>
+struct Given {
+  static constexpr std::string_view name = "given";
+  static constexpr auto arguments = plumb::arguments<Like>;
+  static constexpr std::size_t index = I;
+  template <class T>
+  constexpr T operator()(const std::array<T, arity<Like>>& p) const {
+    return p[I];
+  }
+};
+
+namespace radical {
+
+/// A factor: a formula, Given, or predicates::One.
+template <class F>
+concept Factor = Formula<F> || std::same_as<F, predicates::One>;
+
+template <Factor F>
+consteval int degree_of() {
+  if constexpr (Formula<F>) {
+    return degree<F>();
+  } else {
+    return 0;
+  }
+}
+
+/// Have a^2 and b^2 c one degree?
+template <Formula A, Factor B, Formula C>
+consteval bool alike() {
+  if constexpr (Formula<B>) {
+    if constexpr (!is_homogeneous<B>) return false;
+  }
+  if constexpr (!is_homogeneous<A> || !is_homogeneous<C>) {
+    return false;
+  } else {
+    return 2 * degree_of<A>() == 2 * degree_of<B>() + degree_of<C>();
+  }
+}
+
+template <Formula A, Factor B, Formula C>
+struct Norm {
+  static constexpr std::string_view name = "radical_norm";
+  static constexpr auto arguments = plumb::arguments<A>;
+  static constexpr bool homogeneous = alike<A, B, C>();
+  template <class T>
+  constexpr auto operator()(const std::array<T, arity<A>>& p) const {
+    return predicates::radical_norm(A{}(p), B{}(p), C{}(p));
+  }
+};
+
+template <Formula A, Factor B, Formula C, Factor D, Formula E>
+struct PairPart {
+  static constexpr std::string_view name = "radical_pair_part";
+  static constexpr auto arguments = plumb::arguments<A>;
+  static constexpr bool homogeneous = alike<A, B, C>() && alike<A, D, E>();
+  template <class T>
+  constexpr auto operator()(const std::array<T, arity<A>>& p) const {
+    return predicates::radical_pair_part(A{}(p), B{}(p), C{}(p), D{}(p), E{}(p));
+  }
+};
+
+template <Formula A, Factor B, Formula C, Factor D, Formula E>
+struct PairNorm {
+  static constexpr std::string_view name = "radical_pair_norm";
+  static constexpr auto arguments = plumb::arguments<A>;
+  static constexpr bool homogeneous = alike<A, B, C>() && alike<A, D, E>();
+  template <class T>
+  constexpr auto operator()(const std::array<T, arity<A>>& p) const {
+    return predicates::radical_pair_norm(A{}(p), B{}(p), C{}(p), D{}(p), E{}(p));
+  }
+};
+
+template <Factor F, std::size_t N>
+Sign sign_of_factor(const std::array<double, N>& p) {
+  if constexpr (!Formula<F>) {
+    return Sign::positive;
+  } else if constexpr (requires { F::index; }) {
+    return sign_of_number(p[F::index]);
+  } else {
+    return decide<F>(p);
+  }
+}
+
+[[noreturn]] void throw_negative(std::string_view radicand);
+
+/// The sign of the radicand's root.
+template <Formula C, std::size_t N>
+Sign sign_of_root(const std::array<double, N>& p) {
+  const Sign s = sign_of_factor<C>(p);
+  if (s == Sign::negative) throw_negative(C::name);
+  return s;
+}
+
+template <Formula A>
+void require_finite(const Coordinates<A>& p) {
+  if (largest_pattern(p) >= 0x7ffull << 52) throw_non_finite("radical", arguments<A>, p);
+}
+
+}  // namespace radical
+
+/// The sign of A + B sqrt(C) at p, for formulas of the same input.  A and C may be Given, B may be predicates::One.
+template <Formula A, radical::Factor B, Formula C>
+Sign sign_of_radical(const Coordinates<A>& p) {
+  radical::require_finite<A>(p);
+  const Sign root = radical::sign_of_root<C>(p);
+  return radical::sum(radical::sign_of_factor<A>(p), radical::sign_of_factor<B>(p) * root,
+                      [&p] { return decide<radical::Norm<A, B, C>>(p); });
+}
+
+/// The sign of A + B sqrt(C) + D sqrt(E) at p, likewise.
+template <Formula A, radical::Factor B, Formula C, radical::Factor D, Formula E>
+Sign sign_of_radicals(const Coordinates<A>& p) {
+  radical::require_finite<A>(p);
+  const Sign a = radical::sign_of_factor<A>(p), b = radical::sign_of_factor<B>(p) * radical::sign_of_root<C>(p),
+             d = radical::sign_of_factor<D>(p) * radical::sign_of_root<E>(p);
+  return radical::sum(radical::sum(a, b, [&p] { return decide<radical::Norm<A, B, C>>(p); }), d, [&] {
+    return radical::sum(decide<radical::PairPart<A, B, C, D, E>>(p), a * b,
+                        [&p] { return decide<radical::PairNorm<A, B, C, D, E>>(p); });
+  });
+}
+
+}  // namespace plumb
