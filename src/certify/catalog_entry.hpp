@@ -44,7 +44,7 @@ Unsure<Sign> ask(Stage stage, std::span<const double> coordinates) {
     case Stage::structural_zero:
       return structural_zero_sign<F>(p);
     case Stage::integer:
-      if constexpr (asks<F>(Stage::integer)) return integer_sign<F>(p, largest_pattern(p));
+      if constexpr (asks<F>(Stage::integer)) return integer_sign<F>(p);
       break;
     case Stage::wide_integer:
       if constexpr (asks<F>(Stage::wide_integer)) return wide_integer_sign<F>(p);

@@ -31,7 +31,7 @@ void register_predicate() {
   for (const char* name : {"lattice20", "degenerate_long"}) {
     const std::string class_name = name;
     add_stage<F>("structural-zero", class_name, [](const C& p) { return answer(structural_zero_sign<F>(p)); });
-    add_stage<F>("integer", class_name, [](const C& p) { return answer(integer_sign<F>(p, largest_pattern(p))); });
+    add_stage<F>("integer", class_name, [](const C& p) { return answer(integer_sign<F>(p)); });
     add_stage<F>("interval", class_name, [](const C& p) { return answer(interval_sign<F>(p)); });
     add_stage<F>("wide-integer", class_name, [](const C& p) { return answer(wide_integer_sign<F>(p)); });
     add_stage<F>("big-integer", class_name,

@@ -99,7 +99,7 @@ TEST_P(Agreement, EveryStageTellsTheTrueSign) {
   EXPECT_LE(tally.decided(Stage::big_integer), promise.most_allocating);
   if (family != Family::repeated) return;
   EXPECT_EQ(tally.decided(Stage::filter), 0);
-  EXPECT_GE(tally.decided(Stage::structural_zero), 0.4);
+  EXPECT_GE(tally.decided(Stage::structural_zero), 0.1);  // the integers come first
 }
 
 inline std::vector<PredicateAndFamily> parameters_of(Shard shard) {

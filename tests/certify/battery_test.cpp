@@ -57,7 +57,7 @@ TEST(BatteryTest, NoticesAStageThatIsPassedOver) {
   e.ask = [](Stage s, std::span<const double> p) {
     return s == Stage::structural_zero ? Unsure{oracle::rational_sign("orient3d", p)} : honest().ask(s, p);
   };
-  expect_objection(e, "structural-zero was certain, but integer decided");
+  expect_objection(e, "structural-zero was certain, but wide-integer decided");
 }
 
 TEST(BatteryTest, NoticesAnotherFilterThatLies) {

@@ -134,7 +134,8 @@ TYPED_TEST(BrokenFilters, AnIntervalThatIsNotRoundedOutwardIsCaught) {
 
 TYPED_TEST(BrokenFilters, IntegersCutOffInsteadOfRefusedAreCaught) {
   const auto stage = [](const Coordinates<TypeParam>& p) {
-    const std::uint64_t exponent = largest_pattern(p) >> 52;
+    const double largest = std::abs(*std::ranges::max_element(p, {}, [](double x) { return std::abs(x); }));
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(largest) >> 52;
     if (exponent <= 60) return Unsure<Sign>{};
     const auto scale = std::bit_cast<double>((2106 - exponent) << 52);
     return Unsure{evaluate<TypeParam>([&](std::size_t i) {

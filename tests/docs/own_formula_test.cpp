@@ -47,7 +47,7 @@ TEST(OwnFormula, EveryStageIsExactOnEveryFamily) {
       ASSERT_EQ(decide<Formula>(p, all), truth) << info.name << ' ' << i;
       const int filtered = filter<Formula>(p);
       ASSERT_TRUE(filtered == 0 || filtered == static_cast<int>(truth)) << info.name << ' ' << i;
-      for (const Unsure<Sign> s : {structural_zero_sign<Formula>(p), integer_sign<Formula>(p, largest_pattern(p)),
+      for (const Unsure<Sign> s : {structural_zero_sign<Formula>(p), integer_sign<Formula>(p),
                                    interval_sign<Formula>(p), wide_integer_sign<Formula>(p)}) {
         ASSERT_TRUE(!s.certain() || s.value() == truth) << info.name << ' ' << i;
       }

@@ -1,14 +1,16 @@
 // What does plain floating point say, and how large were its terms?  A value beside its magnitude: filter A.
 //
 // Law: with e the formula's Bound, |value - exact| <= e * magnitude; magnitude is never below |value|.  Every product
-// adds a guard of 2^-1021 to its magnitude: eps * guard = 2^-1074 pays for its underflow.  Overflow and NaN end in a
+// adds a guard of 2^-968 to its magnitude: eps * guard >= 2^-1074 pays for its underflow.  Overflow and NaN end in a
 // magnitude that nothing exceeds.  Proof: docs/proof.md.
 // Source: RTCD 11.2.  Cost: about one extra operation for each operation of the formula.
 #pragma once
 
 namespace plumb {
 
-inline constexpr double underflow_guard = 0x1p-1021;
+/// From 2^-1021 on it pays for underflow; this much also keeps its product with any filter's constant a normal number:
+/// subnormal ones cost several times as much, and zeros are common.
+inline constexpr double underflow_guard = 0x1p-968;
 
 /// |x| by clearing the sign bit: std::fabs is not constexpr in C++20.
 constexpr double magnitude_of(double x) { return __builtin_fabs(x); }

@@ -51,6 +51,8 @@ struct WideInt {
   }
 
   [[nodiscard]] constexpr Sign sign() const {
+    if constexpr (limbs == 1) return sign_of_number(low64());
+    if constexpr (limbs == 2) return sign_of_number(low128());
     std::uint64_t any = 0;
     for (const std::uint64_t x : limb) any |= x;
     return static_cast<Sign>(any == 0 ? 0 : negative() ? -1 : 1);

@@ -40,12 +40,11 @@ inline constexpr bool has_wide_stages<predicates::InSphere> = true;
 /// Exact stages in the order of their cost; for coordinates that the filter could not decide.
 template <Formula F>
 [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
-  const std::uint64_t largest = largest_pattern(p);
-  if (largest >= 0x7ffull << 52) throw_non_finite(F::name, arguments<F>, p, axes<F>);
-  if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
   if constexpr (is_homogeneous<F>) {
-    if (const auto s = integer_sign<F>(p, largest); s.certain()) return {s.value(), Stage::integer};
+    if (const auto s = integer_sign<F>(p); s.certain()) return {s.value(), Stage::integer};
   }
+  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite(F::name, arguments<F>, p, axes<F>);
+  if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
   if constexpr (is_homogeneous<F> && has_wide_stages<F>) {
     if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
   }

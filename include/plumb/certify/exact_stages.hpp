@@ -10,13 +10,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
 #include <span>
 #include <utility>
 
 #include "plumb/arith/interval.hpp"
 #include "plumb/arith/lattice.hpp"
+#include "plumb/arith/lattice_integers.hpp"
 #include "plumb/arith/structural_zero.hpp"
 #include "plumb/arith/wide_int.hpp"
 #include "plumb/certify/formula.hpp"
@@ -35,23 +34,10 @@ constexpr Unsure<Sign> interval_sign(const Coordinates<F>& p) {
   return evaluate<F>([&](std::size_t i) { return Interval{p[i]}; }).sign();
 }
 
-/// The largest |x| as a bit pattern, whose order is that of the magnitudes; NaN and infinity come last.
-template <std::size_t N>
-constexpr std::uint64_t largest_pattern(const std::array<double, N>& p) {
-  std::array<std::uint64_t, N> pattern{};
-  for (std::size_t i = 0; i < N; ++i) pattern[i] = std::bit_cast<std::uint64_t>(p[i]) & ~(1ull << 63);
-  for (std::size_t n = N; n > 1; n = (n + 1) / 2) {  // a tree: the comparisons do not wait for one another
-    for (std::size_t i = 0; i < n / 2; ++i) pattern[i] = std::max(pattern[i], pattern[n - 1 - i]);
-  }
-  return pattern[0];
-}
-
 namespace integer {
 
 // Coordinates of this many bits leave room for the carries of three-term sums in whole limbs.
 inline constexpr int short_bits = 29, long_bits = 61;
-// Below 2^least_exponent the scale that brings the largest coordinate there would not be a double.
-inline constexpr int least_exponent = -962;
 inline constexpr std::array wide_bits{125, 189, 253, 317, 509};
 
 /// Does wide_integer_sign decide whatever lies on a lattice of this many bits?
@@ -60,30 +46,52 @@ constexpr bool wide_enough(int bits) {
   return std::ranges::any_of(wide_bits, [&](int wide) { return bits <= wide && value_bits<F>(wide) < 1024; });
 }
 
+/// Is whatever lies on the lattice in the range of exponents of LatticeIntegers?
+constexpr bool in_range(const Lattice& lattice) {
+  return lattice.exponent >= -1014 && lattice.exponent + lattice.bits <= 1022;
+}
+
+/// A coordinate of which only differences to others are asked.
+template <int Bits, std::size_t N>
+struct Input {
+  const LatticeIntegers<N>& all;
+  std::size_t index;
+  int zeros;
+
+  friend WideInt<Bits + 1> operator-(const Input& a, const Input& b) {
+    return WideInt<Bits + 1>{a.all.difference(a.index, b.index) >> a.zeros};
+  }
+};
+
+template <Formula F>
+inline constexpr bool enters_by_differences = std::ranges::all_of(tape::of<F>.instructions, [](const Instruction& i) {
+  const int inputs = (i.left < arity<F> ? 1 : 0) + (i.right < arity<F> ? 1 : 0);
+  return inputs == 0 || (inputs == 2 && i.operation == '-');
+});
+
+template <Formula F, int Bits>
+[[gnu::always_inline]] inline Unsure<Sign> sign_of(const LatticeIntegers<arity<F>>& all, int zeros) {
+  if constexpr (enters_by_differences<F>) {
+    return Unsure{evaluate<F>([&](std::size_t i) { return Input<Bits, arity<F>>{all, i, zeros}; }).sign()};
+  } else {
+    return Unsure{evaluate<F>([&](std::size_t i) { return WideInt<Bits>{all.integer(i) >> zeros}; }).sign()};
+  }
+}
+
 }  // namespace integer
 
-/// Certain when all coordinates lie on a lattice of at most 61 bits.  `largest` is largest_pattern(p).
+/// Certain when all coordinates lie on a lattice of at most 61 bits within the range of LatticeIntegers.
 template <Formula F>
-constexpr Unsure<Sign> integer_sign(const Coordinates<F>& p, std::uint64_t largest) {
-  const std::uint64_t exponent = largest >> 52;
-  if (exponent < static_cast<std::uint64_t>(1023 + integer::least_exponent)) return {};
-  // The largest coordinate's leading bit goes to bit 60; whatever comes back unchanged was an integer there.
-  const auto scale = std::bit_cast<double>((2106 - exponent) << 52),
-             unscale = std::bit_cast<double>((exponent - 60) << 52);
-  std::array<std::int64_t, arity<F>> m{};
-  std::uint64_t ones = 0;
-  bool exact = true;
-  for (std::size_t i = 0; i < m.size(); ++i) {
-    m[i] = static_cast<std::int64_t>(p[i] * scale);
-    exact &= static_cast<double>(m[i]) * unscale == p[i];
-    ones |= static_cast<std::uint64_t>(m[i]);
+[[gnu::always_inline]] inline Unsure<Sign> integer_sign(const Coordinates<F>& p) {
+  if constexpr (arity<F> >= 2) {
+    const LatticeIntegers<arity<F>> all(p);
+    if (all.bits() == 0) return {};
+    if (all.bits() - all.zeros() <= integer::short_bits)
+      return integer::sign_of<F, integer::short_bits>(all, all.zeros());
+    return integer::sign_of<F, integer::long_bits>(all, 0);
+  } else {
+    return {};
   }
-  if (!exact) return {};
-  const int zeros = std::countr_zero(ones);
-  if (integer::long_bits - zeros <= integer::short_bits) {
-    return Unsure{evaluate<F>([&](std::size_t i) { return WideInt<integer::short_bits>{m[i] >> zeros}; }).sign()};
-  }
-  return Unsure{evaluate<F>([&](std::size_t i) { return WideInt<integer::long_bits>{m[i]}; }).sign()};
 }
 
 /// Certain when wide_enough; the width is the least of wide_bits that the coordinates' span allows.

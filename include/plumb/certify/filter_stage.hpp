@@ -38,12 +38,17 @@ constexpr Largest<F> per_axis(Make make) {
   (std::make_index_sequence<static_cast<std::size_t>(F::dimension)>{});
 }
 
-/// Where the largest differences start: a power of two whose power in the formula's degree is at least 2^-1021.
+/// Where the largest differences start: the least power of two whose power in the formula's degree is no less than the
+/// guard of filter A.
 template <Formula F>
 inline constexpr double largest_floor = [] {
-  double x = 1;
-  for (int i = 0; i < 1021 / degree<F>(); ++i) x /= 2;
-  return x;
+  double x = 1, power = 1;
+  while (power >= underflow_guard) {
+    x /= 2;
+    power = 1;
+    for (int i = 0; i < degree<F>(); ++i) power *= x;
+  }
+  return 2 * x;
 }();
 
 template <Formula F>
