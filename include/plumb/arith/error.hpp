@@ -20,6 +20,11 @@ struct NonFinite : Error {
   using Error::Error;
 };
 
+/// Spans that belong together have different lengths; the text names them with their lengths.
+struct UnequalLengths : Error {
+  using Error::Error;
+};
+
 /// A construction has no point: parallel lines, a line parallel to the plane.  The text names the argument and why.
 struct DegeneratePoint : Error {
   using Error::Error;
@@ -32,6 +37,11 @@ struct OutOfRange : Error {
 
 /// A square root of a negative number was asked for; the text names the number.
 struct NegativeRadicand : Error {
+  using Error::Error;
+};
+
+/// Two arguments of a perturbed predicate have the same index; the text names both.
+struct RepeatedIndex : Error {
   using Error::Error;
 };
 
