@@ -2,9 +2,10 @@
 //
 // A line o + t d meets the plane of a, b, c, whose normal is n = (b - a) x (c - a), at t = N / D with N = n . (a - o)
 // and D = n . d.  Two such quotients are compared crosswise; the signs of the denominators are those of
-// orient_seen_from. Laws: swapping the two triangles flips the sign; so does swapping two points of one triangle, whose
-// N and D both change sign; a plane parallel to the line makes D zero. Source: RTCD 5.3.1, 5.3.6.  Degree 6; against a
-// parameter the terms differ in degree.
+// orient_seen_from.
+// Laws: swapping the two triangles flips the sign; so does swapping two points of one triangle, whose N and D both
+// change sign; a plane parallel to the line makes D zero.
+// Source: RTCD 5.3.1, 5.3.6.  Degree 6; against a parameter the terms differ in degree.
 #pragma once
 
 #include <array>

@@ -3,9 +3,10 @@
 // Laws: (1) swapping two of a, b, c flips the sign.  (2) Zero exactly when a, b, c are collinear, or when the eye is in
 // their plane or the direction parallel to it.  (3) All triples of points of one plane are told their orientation from
 // the same side.  (4) For points of one plane coplanar_orientation(a, b, c, d) is the product of
-// coplanar_orientation(a, b, c) and coplanar_orientation(a, b, d). A coordinate that is NaN or infinite throws
-// NonFinite. Source: RTCD 3.1.6.1, 3.3.7; CGAL's manual for coplanar_orientation.  Cost: one sign of degree 3 or 4, up
-// to three of degree 2 for three points.
+// coplanar_orientation(a, b, c) and coplanar_orientation(a, b, d).
+// A coordinate that is NaN or infinite throws NonFinite.
+// Source: RTCD 3.1.6.1, 3.3.7; CGAL's manual for coplanar_orientation.  Cost: one sign of degree 3 or 4, up to three of
+// degree 2 for three points.
 #pragma once
 
 #include <plumb/predicates/cross_products.hpp>

@@ -1,10 +1,10 @@
 // How does a directed line pass the three edges of a triangle?  The signs of the ray-triangle test.
 //
-// Laws: (1) a line that is not in the triangle's plane meets the closed triangle exactly when no two of its edge signs
-// are opposite; all positive (negative) where it goes through the inside and comes from where a, b, c turn
-// counterclockwise (clockwise).  (2) The triangle on the other side of an edge is told the opposite sign of it, so no
-// line slips through a closed mesh.  (3) All three zero: the line lies in the plane, or the triangle is a segment or a
-// point and the line meets its line.  (4) Reversing the line flips all signs.
+// Laws: (1) for a triangle with an inside and a line that is not in its plane: they meet exactly when no two of the
+// edge signs are opposite; all positive (negative) where the line goes through the inside and comes from where a, b, c
+// turn counterclockwise (clockwise).  (2) The triangle on the other side of an edge is told the opposite sign of it, so
+// no line slips through a closed mesh.  (3) All three zero: the line lies in the triangle's plane, or the direction is
+// zero, or the triangle is a segment or a point in one plane with the line.  (4) Reversing the line flips all signs.
 // A coordinate that is NaN or infinite throws NonFinite.
 // Source: RTCD 5.3.4, 5.3.6.  Cost: three signs of degree 3.
 #pragma once

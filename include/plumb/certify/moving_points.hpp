@@ -1,12 +1,13 @@
 // Can four linearly moving points be in one plane at some time in [0, 1]?  Signs of the cubic's Bernstein coefficients.
 //
 // orient3d of the points at time t is b0 (1-t)^3 + 3 b1 t (1-t)^2 + 3 b2 t^2 (1-t) + b3 t^3.  Vertex against face and
-// edge against edge meet only at its roots. Laws: (1) swapping two points flips all four signs.  (2) Swapping the two
-// times reverses their order.  (3) The cubic has no root in [0, 1] when all four are positive or all negative; in (0,
-// 1) it has as many roots, counted with multiplicity, as the signs have variations, or an even number less; b0 or b3
-// zero means a root at 0 or 1.  (4) All zero: the points are in one plane at every time. A coordinate that is NaN or
-// infinite throws NonFinite. Source: RTCD 5.5; Provot 1997; Descartes' rule in the Bernstein basis.  Cost: four signs
-// of degree 3.
+// edge against edge meet only at its roots.
+// Laws: (1) swapping two points flips all four signs.  (2) Swapping the two times reverses their order.  (3) The cubic
+// has no root in [0, 1] when all four are positive or all negative; in (0, 1) it has as many roots, counted with
+// multiplicity, as the signs have variations, or an even number less; b0 or b3 zero means a root at 0 or 1.  (4) All
+// zero: the points are in one plane at every time.
+// A coordinate that is NaN or infinite throws NonFinite.
+// Source: RTCD 5.5; Provot 1997; Descartes' rule in the Bernstein basis.  Cost: four signs of degree 3.
 #pragma once
 
 #include <array>

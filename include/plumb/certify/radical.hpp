@@ -2,10 +2,12 @@
 //
 // The signs of the terms decide where they agree; otherwise squaring does, again and again (predicates/radical.hpp).
 // Laws: (1) negating a, b (and d) flips the sign.  (2) The two roots may be swapped.  (3) A perfect square under the
-// root gives what its root gives. Any finite numbers, subnormals and the largest included; a radicand below zero throws
-// NegativeRadicand, NaN and infinity throw NonFinite. Source: RTCD 4.3 (radii); repeated squaring.  Cost: for numbers a
-// square root or two where floating point suffices, otherwise signs of degree up to 6; for formulas those of the parts,
-// and where they disagree of up to six times their degree.
+// root gives what its root gives.
+// Any finite numbers, subnormals and the largest included; a radicand below zero throws NegativeRadicand, NaN and
+// infinity throw NonFinite.
+// Source: RTCD 4.3 (radii); repeated squaring.  Cost: for numbers a square root or two where floating point suffices,
+// otherwise signs of degree up to 6; for formulas those of the parts, and where they disagree of up to six times their
+// degree.
 #pragma once
 
 #include <cmath>

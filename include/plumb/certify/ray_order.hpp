@@ -2,11 +2,13 @@
 //
 // The parameter t counts multiples of the direction from the origin: t = 0 is the origin, and for a segment from p to q
 // t = 1 is q.  The ray is taken as a whole line here: parameters may be negative.  Planes are given by three points
-// each. Laws: (1) comparing in the other order flips the sign.  (2) The points of a plane may be permuted.  (3) Nothing
-// is answered exactly when a plane has no single parameter: it is parallel to the line (or contains it), its three
-// points are collinear, or the direction is zero.  (4) A segment's parameters are those of the ray with the unrounded
-// direction q - p. A coordinate that is NaN or infinite throws NonFinite. Source: RTCD 5.3.1, 5.3.6.  Cost: two or
-// three signs of degree 3, 4 or 6.
+// each.
+// Laws: (1) comparing in the other order flips the sign.  (2) The points of a plane may be permuted.  (3) Nothing is
+// answered exactly when a plane has no single parameter: it is parallel to the line (or contains it), its three points
+// are collinear, or the direction is zero.  (4) A segment's parameters are those of the ray with the unrounded
+// direction q - p.
+// A coordinate that is NaN or infinite throws NonFinite.
+// Source: RTCD 5.3.1, 5.3.6.  Cost: two or three signs of degree 3, 4 or 6.
 #pragma once
 
 #include <array>

@@ -3,10 +3,11 @@
 // A box has `center`, `axes` (three vectors, of any length and at any angle) and `half` (extents, of which the
 // magnitude counts): all points center + sum of s_i axes_i with |s_i| <= half_i.  It is the parallelepiped that its
 // numbers say, so its face normals are cross products of its axes, not the axes themselves.  Two boxes with independent
-// axes are disjoint exactly when one of fifteen axes separates them: three face_gap of each, nine edge_gap. Laws: (1)
-// swapping the boxes changes nothing (edge_gap: the axes swapped as well).  (2) Scaling the factors of the cross
-// product, or reversing any axis, changes nothing.  (3) Nothing is answered exactly when the cross product is the zero
-// vector, which separates nothing and says nothing of touching. A coordinate that is NaN or infinite throws NonFinite.
+// axes are disjoint exactly when one of fifteen axes separates them: three face_gap of each, nine edge_gap.
+// Laws: (1) swapping the boxes changes nothing (edge_gap: the axes swapped as well).  (2) Scaling the factors of the
+// cross product, or reversing any axis, changes nothing.  (3) Nothing is answered exactly when the cross product is the
+// zero vector, which separates nothing and says nothing of touching.
+// A coordinate that is NaN or infinite throws NonFinite.
 // Source: RTCD 4.4.1, table 4.1; 4.4.2, 5.2.1.1 for the zero vector.  Cost: 24 products where floating point suffices;
 // otherwise the five signs that resolve the absolute values, and one of degree 4.
 #pragma once
