@@ -40,8 +40,9 @@ function(plumb_write_pc pc_name pc_description pc_library pc_requires pc_needs)
 endfunction()
 set(needs_cxx20 " (C++20: compile with -std=c++20 or later)")
 plumb_write_pc(plumb-predicates "Exact signs of geometric predicates${needs_cxx20}" plumb_predicates "" -lgmp)
-plumb_write_pc(plumb-classic "The classic C interface of robust predicates" plumb_classic
-  "plumb-predicates = ${PROJECT_VERSION}" -lstdc++)
+# For C's linkers, which know nothing of C++: its library comes last.
+plumb_write_pc(plumb-classic "The classic C interface of robust predicates" plumb_classic ""
+  "-lplumb_predicates -lgmp -lstdc++")
 plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" plumb_degenerate
   "plumb-predicates = ${PROJECT_VERSION}" "")
 plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb "plumb-predicates = ${PROJECT_VERSION}" "")
