@@ -2,7 +2,7 @@
 # afterwards: nothing in it knows its own place.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS plumb_predicates plumb_classic plumb_degenerate plumb_plumb EXPORT plumb_targets)
+install(TARGETS plumb_predicates plumb_batch plumb_classic plumb_degenerate plumb_plumb EXPORT plumb_targets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/plumb DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/predicates/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/predicates
@@ -43,6 +43,8 @@ plumb_write_pc(plumb-predicates "Exact signs of geometric predicates${needs_cxx2
 # For C's linkers, which know nothing of C++: its library comes last.
 plumb_write_pc(plumb-classic "The classic C interface of robust predicates" plumb_classic ""
   "-lplumb_predicates -lgmp -lstdc++")
+plumb_write_pc(plumb-batch "Exact signs of many cases at once" plumb_batch "plumb-predicates = ${PROJECT_VERSION}"
+  "-lhwy -ltbb")
 plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" plumb_degenerate
   "plumb-predicates = ${PROJECT_VERSION}" "")
 plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb "plumb-predicates = ${PROJECT_VERSION}" "")

@@ -10,8 +10,10 @@
 #pragma once
 
 #include "plumb/arith/point.hpp"
+#include "plumb/certify/batch.hpp"
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/environment.hpp"
+#include "plumb/certify/side.hpp"
 
 namespace plumb {
 

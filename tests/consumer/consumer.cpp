@@ -25,6 +25,13 @@ static bool signs() {
          plumb::orient2d({0.1, 0.1}, {0.2, 0.3}, {0.3, 0.5}) != plumb::Sign::zero;
 }
 
+static bool many_signs() {
+  const std::vector<plumb::Point2> a(1000, {0, 0}), b(1000, {0.1, 0.1}), c(1000, {0.3, 0.3});
+  std::vector<plumb::Sign> signs(1000, plumb::Sign::negative);
+  plumb::orient2d(a, b, c, signs, plumb::Execution::parallel);
+  return signs == std::vector<plumb::Sign>(1000, plumb::Sign::zero);
+}
+
 static bool mesh(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "square.obj";
   std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
@@ -45,7 +52,7 @@ static bool hard_inputs() {
 
 int main(int, char** argv) {
   const std::filesystem::path folder = std::filesystem::absolute(argv[0]).parent_path();
-  if (rounded_down(1.5) != 1 || !signs() || !mesh(folder) || !hard_inputs()) {
+  if (rounded_down(1.5) != 1 || !signs() || !many_signs() || !mesh(folder) || !hard_inputs()) {
     std::puts("not as expected");
     return 1;
   }

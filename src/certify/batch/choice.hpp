@@ -1,0 +1,24 @@
+// Which of the compiled filters does this processor take?  Included once by each file of filters, after kernels.hpp.
+//
+// The choice is looked up at each call, not kept: until the first call of all the table holds a function that finds out
+// what the processor has, which takes long.
+namespace plumb::batch {
+namespace {
+
+HWY_EXPORT(many_points);
+HWY_EXPORT(many_coordinates);
+HWY_EXPORT(points_against);
+HWY_EXPORT(coordinates_against);
+
+#define PLUMB_BATCH_CHOSEN(filter)                                                                         \
+  [](const void* given, const double* const* at, std::size_t n, signed char* out, std::uint32_t* unsure) { \
+    return HWY_DYNAMIC_DISPATCH(filter)(given, at, n, out, unsure);                                        \
+  }
+constexpr Filter chosen_many_points = PLUMB_BATCH_CHOSEN(many_points);
+constexpr Filter chosen_many_coordinates = PLUMB_BATCH_CHOSEN(many_coordinates);
+constexpr Filter chosen_points_against = PLUMB_BATCH_CHOSEN(points_against);
+constexpr Filter chosen_coordinates_against = PLUMB_BATCH_CHOSEN(coordinates_against);
+#undef PLUMB_BATCH_CHOSEN
+
+}  // namespace
+}  // namespace plumb::batch
