@@ -43,8 +43,9 @@ plumb_write_pc(plumb-predicates "Exact signs of geometric predicates${needs_cxx2
 # For C's linkers, which know nothing of C++: its library comes last.
 plumb_write_pc(plumb-classic "The classic C interface of robust predicates" plumb_classic ""
   "-lplumb_predicates -lgmp -lstdc++")
-plumb_write_pc(plumb-batch "Exact signs of many cases at once" plumb_batch "plumb-predicates = ${PROJECT_VERSION}"
-  "-lhwy -ltbb")
+plumb_write_pc(plumb-batch "Exact signs of many cases at once${needs_cxx20}" plumb_batch
+  "plumb-predicates = ${PROJECT_VERSION}" "-lhwy -ltbb")
 plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" plumb_degenerate
   "plumb-predicates = ${PROJECT_VERSION}" "")
-plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb "plumb-predicates = ${PROJECT_VERSION}" "")
+plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb
+  "plumb-batch = ${PROJECT_VERSION}, plumb-predicates = ${PROJECT_VERSION}" "")
