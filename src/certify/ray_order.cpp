@@ -1,5 +1,6 @@
 #include "plumb/certify/ray_order.hpp"
 
+#include <algorithm>
 #include <plumb/predicates/line_triangle.hpp>
 #include <plumb/predicates/ray_order.hpp>
 
@@ -46,7 +47,7 @@ Sign facing(const Point3& p, const Point3& q, const Plane& s) {
 template <Formula F>
 std::optional<Sign> sign_of_difference(const Coordinates<F>& p, Sign denominators) {
   if (denominators != Sign::zero) return decide<F>(p) * denominators;
-  if (largest_pattern(p) >= 0x7ffull << 52) throw_non_finite(F::name, arguments<F>, p);
+  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite(F::name, arguments<F>, p);
   return std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 #include "plumb/certify/separating_axis.hpp"
 
+#include <algorithm>
 #include <plumb/predicates/cross_products.hpp>
 #include <plumb/predicates/direction.hpp>
 
@@ -27,7 +28,8 @@ Sign along_axis(const Input& p, const std::array<double, 3>& from, std::size_t t
 }  // namespace
 
 std::optional<Sign> decide_exactly(Input p) {
-  if (largest_pattern(p) >= 0x7ffull << 52) throw_non_finite(BoxGap::name, arguments<BoxGap>, p);
+  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; }))
+    throw_non_finite(BoxGap::name, arguments<BoxGap>, p);
   if (is_zero_axis(p)) return std::nullopt;
   if (along_axis(p, {p[center_a], p[center_a + 1], p[center_a + 2]}, center_b) == Sign::negative) {
     std::swap_ranges(&p[center_a], &p[center_a] + 3, &p[center_b]);

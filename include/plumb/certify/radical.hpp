@@ -10,6 +10,7 @@
 // degree.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <plumb/predicates/radical.hpp>
@@ -155,7 +156,7 @@ Sign sign_of_root(const std::array<double, N>& p) {
 
 template <Formula A>
 void require_finite(const Coordinates<A>& p) {
-  if (largest_pattern(p) >= 0x7ffull << 52) throw_non_finite("radical", arguments<A>, p);
+  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite("radical", arguments<A>, p);
 }
 
 }  // namespace radical
