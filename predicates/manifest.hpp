@@ -5,14 +5,20 @@
 // all.
 #pragma once
 
+#include <plumb/predicates/cross_products.hpp>
 #include <plumb/predicates/determinant.hpp>
 #include <plumb/predicates/direction.hpp>
 #include <plumb/predicates/distance.hpp>
 #include <plumb/predicates/in_sphere.hpp>
 #include <plumb/predicates/line_distance.hpp>
+#include <plumb/predicates/line_triangle.hpp>
+#include <plumb/predicates/moving_points.hpp>
 #include <plumb/predicates/orient.hpp>
 #include <plumb/predicates/plane_distance.hpp>
 #include <plumb/predicates/power.hpp>
+#include <plumb/predicates/radical.hpp>
+#include <plumb/predicates/ray_order.hpp>
+#include <plumb/predicates/separating_axis.hpp>
 #include <plumb/predicates/smallest_sphere.hpp>
 
 // X(formula)
@@ -90,9 +96,36 @@
   X(Determinant4)             \
   X(Determinant5)
 
+// predicates/line_triangle.hpp, predicates/ray_order.hpp
+#define PLUMB_RAYS(X) \
+  X(LineEdge)         \
+  X(OrientSeenFrom)   \
+  X(OrientSeenAlong)  \
+  X(RayOrder)         \
+  X(SegmentOrder)     \
+  X(RayAgainst)       \
+  X(SegmentAgainst)
+
+// predicates/cross_products.hpp, predicates/separating_axis.hpp, predicates/moving_points.hpp
+#define PLUMB_CROSS_PRODUCTS(X) \
+  X(DotOfCrosses)               \
+  X(CoplanarSide)               \
+  X(OrderAlongCross)            \
+  X(BoxGap)                     \
+  X(CoplanarityMiddle)
+
+// predicates/radical.hpp
+#define PLUMB_RADICALS(X) \
+  X(RadicalNorm)          \
+  X(RadicalPairPart)      \
+  X(RadicalPairNorm)
+
 #define PLUMB_PREDICATES(X) \
   PLUMB_CLASSICS(X)         \
   PLUMB_DIRECTIONS(X)       \
   PLUMB_DISTANCES(X)        \
   PLUMB_SPHERES(X)          \
-  PLUMB_DETERMINANTS(X)
+  PLUMB_DETERMINANTS(X)     \
+  PLUMB_RAYS(X)             \
+  PLUMB_CROSS_PRODUCTS(X)   \
+  PLUMB_RADICALS(X)

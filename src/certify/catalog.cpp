@@ -12,6 +12,9 @@ std::span<const CatalogEntry> directions();
 std::span<const CatalogEntry> distances();
 std::span<const CatalogEntry> spheres();
 std::span<const CatalogEntry> determinants();
+std::span<const CatalogEntry> rays();
+std::span<const CatalogEntry> cross_products();
+std::span<const CatalogEntry> radicals();
 }  // namespace catalog_part
 
 std::span<const CatalogEntry> classics() { return catalog().first(catalog_part::classics().size()); }
@@ -20,7 +23,8 @@ std::span<const CatalogEntry> catalog() {
   static const std::vector<CatalogEntry> entries = [] {
     std::vector<CatalogEntry> all;
     for (const auto part : {catalog_part::classics(), catalog_part::directions(), catalog_part::distances(),
-                            catalog_part::spheres(), catalog_part::determinants()}) {
+                            catalog_part::spheres(), catalog_part::determinants(), catalog_part::rays(),
+                            catalog_part::cross_products(), catalog_part::radicals()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -28,7 +28,8 @@ std::optional<Sign> classics_by_cgal(std::string_view predicate, Arguments p) {
 }  // namespace
 
 std::optional<Sign> cgal_sign(std::string_view predicate, std::span<const double> coordinates) {
-  for (const Judge judge : {classics_by_cgal, directions_by_cgal, distances_by_cgal, planes_by_cgal, spheres_by_cgal}) {
+  for (const Judge judge : {classics_by_cgal, directions_by_cgal, distances_by_cgal, planes_by_cgal, spheres_by_cgal,
+                            rays_by_cgal, cross_products_by_cgal, radicals_by_cgal}) {
     if (const auto sign = judge(predicate, Arguments(coordinates))) return sign;
   }
   return std::nullopt;

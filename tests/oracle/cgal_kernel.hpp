@@ -62,5 +62,8 @@ std::optional<Sign> directions_by_cgal(std::string_view predicate, Arguments p);
 std::optional<Sign> distances_by_cgal(std::string_view predicate, Arguments p);
 std::optional<Sign> planes_by_cgal(std::string_view predicate, Arguments p);
 std::optional<Sign> spheres_by_cgal(std::string_view predicate, Arguments p);
+std::optional<Sign> rays_by_cgal(std::string_view predicate, Arguments p);
+std::optional<Sign> cross_products_by_cgal(std::string_view predicate, Arguments p);
+std::optional<Sign> radicals_by_cgal(std::string_view predicate, Arguments p);
 
 }  // namespace plumb::oracle

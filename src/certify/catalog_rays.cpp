@@ -1,0 +1,3 @@
+#include "catalog_entry.hpp"
+
+PLUMB_CATALOG_PART(rays, PLUMB_RAYS)
