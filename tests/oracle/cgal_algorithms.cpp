@@ -142,6 +142,13 @@ std::vector<Answer> answers_on(std::span<const double> c) {
   if (space != CGAL::ZERO) {
     add("side_of_bounded_sphere_3", k.side_of_bounded_sphere_3_object()(p[0], p[1], p[2], p[3], p[4]));
   }
+  add("less_signed_distance_to_plane_3",
+      !k.collinear_3_object()(p[0], p[1], p[2]) &&
+              k.less_signed_distance_to_plane_3_object()(p[0], p[1], p[2], p[3], p[4])
+          ? 1
+          : 0);
+  add("compare_distance_2", k.compare_distance_2_object()(a[0], a[1], a[2]));
+  add("compare_distance_3", k.compare_distance_3_object()(p[0], p[1], p[2]));
   add("coplanar_orientation_3 of three", k.coplanar_orientation_3_object()(p[0], p[1], p[2]));
   if (space == CGAL::ZERO && !k.collinear_3_object()(p[0], p[1], p[2])) {
     add("coplanar_orientation_3", k.coplanar_orientation_3_object()(p[0], p[1], p[2], p[3]));

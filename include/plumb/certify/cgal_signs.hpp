@@ -8,6 +8,9 @@
 
 #include <CGAL/enum.h>
 
+#include <plumb/predicates/distance.hpp>
+#include <plumb/predicates/plane_distance.hpp>
+
 #include "plumb/certify/decide.hpp"
 
 namespace plumb::cgal {
@@ -73,6 +76,13 @@ inline OffPlane off_plane(std::size_t axis, const Xyz& p, const Xyz& q, const Xy
   // Rounding may keep it where it is, and doubles may end on the way.
   off.point[axis] = to != from && to - to == 0 ? to : from != 0 ? -from : -1;
   return off;
+}
+
+/// The signed distance of d from the plane of a, b, c against that of e.
+template <class P>
+Sign signed_plane_distance(const P& a, const P& b, const P& c, const P& d, const P& e) {
+  return decide<predicates::SignedPlaneDistance>({a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z(),  //
+                                                  d.x(), d.y(), d.z(), e.x(), e.y(), e.z()});
 }
 
 template <class Kernel>
@@ -148,6 +158,36 @@ struct SideOfBoundedSphere3 : Kernel::Side_of_bounded_sphere_3 {
   using Kernel::Side_of_bounded_sphere_3::operator();
   CGAL::Bounded_side operator()(const Point& p, const Point& q, const Point& r, const Point& s, const Point& t) const {
     return bounded(insphere(p, q, r, s, t) * orient3d(p, q, r, s));
+  }
+};
+
+/// Whether p lies lower than q, seen from the side of a plane that sees its points a, b, c counterclockwise.
+template <class Kernel>
+struct LessSignedDistanceToPlane3 : Kernel::Less_signed_distance_to_plane_3 {
+  using Point = typename Kernel::Point_3;
+  using Kernel::Less_signed_distance_to_plane_3::operator();
+  bool operator()(const Point& a, const Point& b, const Point& c, const Point& p, const Point& q) const {
+    return signed_plane_distance(a, b, c, p, q) == Sign::negative;
+  }
+};
+
+/// The distance from p to q against that from p to r.
+template <class Kernel>
+struct CompareDistance2 : Kernel::Compare_distance_2 {
+  using Point = typename Kernel::Point_2;
+  using Kernel::Compare_distance_2::operator();
+  CGAL::Comparison_result operator()(const Point& p, const Point& q, const Point& r) const {
+    return to_cgal(decide<predicates::CompareDistanceFrom2d>({p.x(), p.y(), q.x(), q.y(), r.x(), r.y()}));
+  }
+};
+
+template <class Kernel>
+struct CompareDistance3 : Kernel::Compare_distance_3 {
+  using Point = typename Kernel::Point_3;
+  using Kernel::Compare_distance_3::operator();
+  CGAL::Comparison_result operator()(const Point& p, const Point& q, const Point& r) const {
+    return to_cgal(
+        decide<predicates::CompareDistanceFrom3d>({p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(), r.z()}));
   }
 };
 
