@@ -1,4 +1,4 @@
-// Comparisons of distances from points, lines and segments as CGAL states them, or from its squared distances.
+// Comparisons of distances from points and lines as CGAL states them, or from its squared distances.
 //
 // Of a line whose two points are one, the formulas give zero, and so do these.
 #include <CGAL/squared_distance_2.h>
@@ -23,10 +23,6 @@ std::optional<Sign> in_plane(std::string_view predicate, Arguments& p) {
     if (a == b) return Sign::zero;
     return compare(CGAL::squared_distance(c, Line2(a, b)), CGAL::square(p.number()));
   }
-  if (predicate == "segment_distance_against2d") {
-    const Number d = p.number();
-    return d < 0 ? Sign::positive : compare(CGAL::squared_distance(c, Kernel::Segment_2(a, b)), CGAL::square(d));
-  }
   const auto d = p.point2();
   if (predicate == "compare_distance2d") return of(Kernel().compare_distance_2_object()(a, b, c, d));
   if (predicate == "signed_line_distance") return of(CGAL::compare_signed_distance_to_line(a, b, c, d));
@@ -43,10 +39,6 @@ std::optional<Sign> in_plane(std::string_view predicate, Arguments& p) {
     if (a == b || d == e) return Sign::zero;
     return compare(CGAL::squared_distance(c, Line2(a, b)), CGAL::squared_distance(f, Line2(d, e)));
   }
-  if (predicate == "compare_segment_segment2d") {
-    return compare(CGAL::squared_distance(c, Kernel::Segment_2(a, b)),
-                   CGAL::squared_distance(f, Kernel::Segment_2(d, e)));
-  }
   return std::nullopt;
 }
 
@@ -58,10 +50,6 @@ std::optional<Sign> in_space(std::string_view predicate, Arguments& p) {
   if (predicate == "line_distance_against3d") {
     if (a == b) return Sign::zero;
     return compare(CGAL::squared_distance(c, Line3(a, b)), CGAL::square(p.number()));
-  }
-  if (predicate == "segment_distance_against3d") {
-    const Number d = p.number();
-    return d < 0 ? Sign::positive : compare(CGAL::squared_distance(c, Kernel::Segment_3(a, b)), CGAL::square(d));
   }
   const auto d = p.point3();
   if (predicate == "compare_distance3d") return of(Kernel().compare_distance_3_object()(a, b, c, d));
@@ -78,10 +66,6 @@ std::optional<Sign> in_space(std::string_view predicate, Arguments& p) {
   if (predicate == "compare_line_line3d") {
     if (a == b || d == e) return Sign::zero;
     return compare(CGAL::squared_distance(c, Line3(a, b)), CGAL::squared_distance(f, Line3(d, e)));
-  }
-  if (predicate == "compare_segment_segment3d") {
-    return compare(CGAL::squared_distance(c, Kernel::Segment_3(a, b)),
-                   CGAL::squared_distance(f, Kernel::Segment_3(d, e)));
   }
   return std::nullopt;
 }

@@ -20,4 +20,7 @@ Sign rational_sign(std::string_view predicate, std::span<const double> coordinat
 /// CGAL's answer; nothing for a predicate that CGAL does not have.
 std::optional<Sign> cgal_sign(std::string_view predicate, std::span<const double> coordinates);
 
+/// CGAL's answer for a function that composes formulas, by a name of its own (tests/certify/faces_test.cpp).
+std::optional<Sign> face_by_cgal(std::string_view face, std::span<const double> coordinates);
+
 }  // namespace plumb::oracle
