@@ -51,7 +51,7 @@ struct ExplicitKind2 {
   static constexpr int dimension = 2, numbers = 2;
   template <class T>
   static constexpr auto at(const T* p) {
-    return Located{std::array{p[0], p[1]}, std::array<Zero, 2>{}, One{}};
+    return Located{std::array{p[0], p[1]}, std::array<TagZero, 2>{}, TagOne{}};
   }
 };
 
@@ -59,7 +59,7 @@ struct ExplicitKind3 {
   static constexpr int dimension = 3, numbers = 3;
   template <class T>
   static constexpr auto at(const T* p) {
-    return Located{std::array{p[0], p[1], p[2]}, std::array<Zero, 3>{}, One{}};
+    return Located{std::array{p[0], p[1], p[2]}, std::array<TagZero, 3>{}, TagOne{}};
   }
 };
 
@@ -110,7 +110,7 @@ struct SegmentKind2 {
   template <class T>
   static constexpr auto at(const T* p) {
     const auto along = [&](std::size_t i) { return p[4] * (p[2 + i] - p[i]); };
-    return Located{std::array{p[0], p[1]}, std::array{along(0), along(1)}, One{}};
+    return Located{std::array{p[0], p[1]}, std::array{along(0), along(1)}, TagOne{}};
   }
 };
 
@@ -119,7 +119,7 @@ struct SegmentKind3 {
   template <class T>
   static constexpr auto at(const T* p) {
     const auto along = [&](std::size_t i) { return p[6] * (p[3 + i] - p[i]); };
-    return Located{std::array{p[0], p[1], p[2]}, std::array{along(0), along(1), along(2)}, One{}};
+    return Located{std::array{p[0], p[1], p[2]}, std::array{along(0), along(1), along(2)}, TagOne{}};
   }
 };
 
@@ -129,7 +129,7 @@ struct PosedKind2 {
   template <class T>
   static constexpr auto at(const T* p) {
     const auto along = [&](std::size_t i) { return p[2 + i] * p[0] + p[4 + i] * p[1]; };
-    return Located{std::array{p[6], p[7]}, std::array{along(0), along(1)}, One{}};
+    return Located{std::array{p[6], p[7]}, std::array{along(0), along(1)}, TagOne{}};
   }
 };
 
@@ -138,12 +138,12 @@ struct PosedKind3 {
   template <class T>
   static constexpr auto at(const T* p) {
     const auto along = [&](std::size_t i) { return p[3 + i] * p[0] + p[6 + i] * p[1] + p[9 + i] * p[2]; };
-    return Located{std::array{p[12], p[13], p[14]}, std::array{along(0), along(1), along(2)}, One{}};
+    return Located{std::array{p[12], p[13], p[14]}, std::array{along(0), along(1), along(2)}, TagOne{}};
   }
 };
 
 /// Whether a kind has a weight, whose sign counts and which may be zero.
 template <class Kind>
-inline constexpr bool has_weight = !std::same_as<decltype(Kind::at(static_cast<const int*>(nullptr)).weight), One>;
+inline constexpr bool has_weight = !std::same_as<decltype(Kind::at(static_cast<const int*>(nullptr)).weight), TagOne>;
 
 }  // namespace plumb::predicates

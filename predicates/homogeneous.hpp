@@ -29,7 +29,7 @@ struct Row {
 template <class Base, class Offset, class Weight, std::size_t N, class PivotOffset, class PivotWeight>
 constexpr auto row(const Located<Base, Offset, Weight, N>& p, const Located<Base, PivotOffset, PivotWeight, N>& pivot) {
   const auto along = [&](std::size_t i) {
-    if constexpr (std::same_as<PivotWeight, One>) {
+    if constexpr (std::same_as<PivotWeight, TagOne>) {
       return (p.base[i] - pivot.base[i] - pivot.offset[i]) * p.weight + p.offset[i];
     } else {
       return (p.base[i] - pivot.base[i]) * p.weight + p.offset[i];
@@ -43,8 +43,8 @@ constexpr auto row(const Located<Base, Offset, Weight, N>& p, const Located<Base
 
 template <class Base, class Offset, class Weight, std::size_t N>
 constexpr auto pivot_row(const Located<Base, Offset, Weight, N>& pivot) {
-  if constexpr (std::same_as<Weight, One>) {
-    return Row<Zero, One, N>{};
+  if constexpr (std::same_as<Weight, TagOne>) {
+    return Row<TagZero, TagOne, N>{};
   } else {
     return Row<Offset, Weight, N>{pivot.offset, pivot.weight};
   }

@@ -1,50 +1,51 @@
 // How does one formula serve points with and without a weight?  Numbers that vanish when compiled.
 //
-// A point as given has the weight One and the offset Zero.  They are types, not values: a product with One is its other
-// factor, a sum with Zero its other term, and neither leaves an operation behind.
-// Laws: those of 1 and 0.  What would need a negation (Zero - x) or a sum of ones does not compile: formulas are
-// written so that it does not occur. Source: docs/proof.md, "Weights".  Cost: none.
+// A point as given has the weight TagOne and the offset TagZero.  They are types, not values: a product with TagOne is
+// its other factor, a sum with TagZero its other term, and neither leaves an operation behind.
+// Laws: those of 1 and 0.  What would need a negation (TagZero - x) or a sum of ones does not compile: formulas are
+// written so that it does not occur.
+// Source: docs/proof.md, "Weights".  Cost: none.
 #pragma once
 
 namespace plumb::predicates {
 
-struct Zero {};
-struct One {};
+struct TagZero {};
+struct TagOne {};
 
 template <class T>
-constexpr T operator*(const T& x, One) {
+constexpr T operator*(const T& x, TagOne) {
   return x;
 }
 template <class T>
-constexpr T operator*(One, const T& x) {
+constexpr T operator*(TagOne, const T& x) {
   return x;
 }
 template <class T>
-constexpr Zero operator*(const T&, Zero) {
+constexpr TagZero operator*(const T&, TagZero) {
   return {};
 }
 template <class T>
-constexpr Zero operator*(Zero, const T&) {
+constexpr TagZero operator*(TagZero, const T&) {
   return {};
 }
 template <class T>
-constexpr T operator+(const T& x, Zero) {
+constexpr T operator+(const T& x, TagZero) {
   return x;
 }
 template <class T>
-constexpr T operator+(Zero, const T& x) {
+constexpr T operator+(TagZero, const T& x) {
   return x;
 }
 template <class T>
-constexpr T operator-(const T& x, Zero) {
+constexpr T operator-(const T& x, TagZero) {
   return x;
 }
 
-constexpr One operator*(One, One) { return {}; }
-constexpr Zero operator*(One, Zero) { return {}; }
-constexpr Zero operator*(Zero, One) { return {}; }
-constexpr Zero operator*(Zero, Zero) { return {}; }
-constexpr Zero operator+(Zero, Zero) { return {}; }
-constexpr Zero operator-(Zero, Zero) { return {}; }
+constexpr TagOne operator*(TagOne, TagOne) { return {}; }
+constexpr TagZero operator*(TagOne, TagZero) { return {}; }
+constexpr TagZero operator*(TagZero, TagOne) { return {}; }
+constexpr TagZero operator*(TagZero, TagZero) { return {}; }
+constexpr TagZero operator+(TagZero, TagZero) { return {}; }
+constexpr TagZero operator-(TagZero, TagZero) { return {}; }
 
 }  // namespace plumb::predicates

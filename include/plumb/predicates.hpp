@@ -4,15 +4,18 @@
 //       keeps it.  (2) Zero exactly when the points are collinear, coplanar, cocircular or cospherical (or lower).
 //       (3) Powers of two and translations that round nothing change nothing.  (4) The same input gives the same sign
 //       on every compiler, instruction set and thread.
-// A coordinate that is NaN or infinite throws NonFinite, naming it; nothing else throws.
+// Constructed and posed points are taken as well (certify/implicit.hpp).
+// A coordinate that is NaN or infinite throws NonFinite, naming it; nothing else throws for points as given.
 // Source: RTCD 3.1.6, 11.2.  Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds
 // on degenerate input (docs/measurements.md).
 #pragma once
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/batch.hpp"
+#include "plumb/certify/constructed.hpp"
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/environment.hpp"
+#include "plumb/certify/implicit.hpp"
 #include "plumb/certify/side.hpp"
 
 namespace plumb {

@@ -11,6 +11,7 @@
 
 #include "oracle/constructed.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/constructed.hpp"
 #include "plumb/certify/implicit.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/predicates.hpp"

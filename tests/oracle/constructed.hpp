@@ -37,6 +37,14 @@ enum class Question { orient, in_sphere };  // in the plane: incircle
 std::optional<Sign> rational_sign(Question question, std::span<const Constructed> points);
 std::optional<Sign> cgal_sign(Question question, std::span<const Constructed> points);
 
+/// Lexicographic order, and the first axis in which the points differ (their dimension when equal); nothing where a
+/// construction has no point.
+struct Order {
+  Sign sign;
+  int axis;
+};
+std::optional<Order> rational_order(const Constructed& p, const Constructed& q);
+
 /// The exact coordinate as the nearest double, ties to even, and whether it is beyond all of them; nothing where the
 /// construction has no point.
 struct Nearest {

@@ -154,6 +154,16 @@ std::optional<Sign> rational_sign(Question question, std::span<const Constructed
   return dimension == 2 ? run<predicates::InCircle>(exact_points) : run<predicates::InSphere>(exact_points);
 }
 
+std::optional<Order> rational_order(const Constructed& p, const Constructed& q) {
+  const std::optional<Vector> a = construct(p), b = construct(q);
+  if (!a || !b) return {};
+  for (std::size_t i = 0; i < a->size(); ++i) {
+    const int sign = cmp((*a)[i], (*b)[i]);
+    if (sign != 0) return Order{sign_of_number(sign), static_cast<int>(i)};
+  }
+  return Order{Sign::zero, static_cast<int>(a->size())};
+}
+
 std::optional<Nearest> nearest_coordinate(const Constructed& point, int axis) {
   const std::optional<Vector> p = construct(point);
   if (!p) return {};

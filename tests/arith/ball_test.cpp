@@ -1,0 +1,109 @@
+#include "plumb/arith/ball.hpp"
+
+#include <gtest/gtest.h>
+
+#include "arith/samples.hpp"
+
+namespace plumb {
+namespace {
+
+using samples::rational;
+
+testing::AssertionResult contains(const Ball& b, const mpq_class& x) {
+  if (!(b.radius < Ball::infinity)) return testing::AssertionSuccess();  // claims nothing
+  const mpq_class off = abs(x - rational(b.high) - rational(b.low));
+  if (off <= rational(b.radius) && b.high == b.high + b.low) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << std::hexfloat << b.high << " + " << b.low << " +- " << b.radius << " misses "
+                                     << x.get_str();
+}
+
+void check_pair(double a, double b) {
+  SCOPED_TRACE(testing::Message() << std::hexfloat << a << " and " << b);
+  const mpq_class qa = rational(a), qb = rational(b);
+  ASSERT_TRUE(contains(Ball{a} + Ball{b}, qa + qb));
+  ASSERT_TRUE(contains(Ball{a} - Ball{b}, qa - qb));
+  ASSERT_TRUE(contains(Ball{a} * Ball{b}, qa * qb));
+  if (b != 0) {
+    ASSERT_TRUE(contains(quotient(Ball{a}, Ball{b}), qa / qb));
+  }
+}
+
+TEST(BallTest, HoldsTheExactResultForAllPairsOfSpecialValues) {
+  for (const double a : samples::special_values()) {
+    for (const double b : samples::special_values()) {
+      check_pair(a, b);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(BallTest, HoldsTheExactResultOfChains) {
+  int finite = 0, sharp = 0, quotients = 0;
+  for (std::uint64_t index = 0; index < 50'000; ++index) {
+    SCOPED_TRACE(index);
+    Entropy entropy(1, index);
+    const auto draw = [&] {
+      return entropy.below(4) == 0 ? extreme_coordinate(entropy) : std::ldexp(wide_coordinate(entropy), -20);
+    };
+    double last = draw();
+    Ball ball{last};
+    mpq_class exact = rational(last);
+    for (int step = 0; step < 12; ++step) {
+      last = entropy.below(4) == 0 ? moved_by_ulps(-ball.high, entropy.within(3)) : draw();
+      if (!(std::fabs(last) < samples::infinity)) break;
+      const Ball other = Ball{last} * Ball{1 + 0x1p-30} + Ball{0x1p-70};
+      const mpq_class exact_other = rational(last) * rational(1 + 0x1p-30) + rational(0x1p-70);
+      switch (entropy.below(4)) {
+        case 0:
+          ball = ball + other, exact += exact_other;
+          break;
+        case 1:
+          ball = other - ball, exact = exact_other - exact;
+          break;
+        case 2:
+          ball = ball * other, exact *= exact_other;
+          break;
+        default:
+          if (exact_other == 0) break;
+          ball = quotient(ball, other), exact /= exact_other, ++quotients;
+      }
+      ASSERT_TRUE(contains(ball, exact));
+      finite += ball.radius < Ball::infinity;
+      sharp += ball.radius <= std::fabs(ball.high) * 0x1p-90;
+      if (!(ball.radius < Ball::infinity)) break;
+    }
+  }
+  EXPECT_GT(quotients, 20'000);
+  EXPECT_GT(finite, 100'000);
+  EXPECT_GT(sharp * 10, finite * 8);
+}
+
+TEST(BallTest, NearestIsTheNearestDoubleOrNothing) {
+  const double next = moved_by_ulps(1, 1);
+  EXPECT_EQ(Ball(1, 0, 0).nearest(), 1);
+  EXPECT_EQ(Ball(1, 0x1p-53, 0).nearest(), 1);  // a tie, known exactly: `high` is rounded to even
+  EXPECT_FALSE(Ball(1, 0x1p-53, 0x1p-110).nearest());
+  EXPECT_FALSE(Ball(1, 0x1p-53, 0x1p-1074).nearest());
+  EXPECT_EQ(Ball(1, 0x1p-53 - 0x1p-100, 0x1p-103).nearest(), 1);
+  EXPECT_FALSE(Ball(1, 0x1p-53 - 0x1p-103, 0x1p-102).nearest());
+  EXPECT_EQ(Ball(next, -0x1p-53 + 0x1p-100, 0x1p-103).nearest(), next);
+  EXPECT_FALSE(Ball(0, 0, 0x1p-1074).nearest());
+  EXPECT_FALSE(Ball(0, 0, Ball::infinity).nearest());
+  EXPECT_FALSE(std::signbit(*Ball(-0.0, 0, 0).nearest()));
+  const double largest = std::numeric_limits<double>::max();
+  EXPECT_EQ(Ball(largest, 0, 1).nearest(), largest);
+  EXPECT_FALSE(Ball(largest, 0x1p969, 0x1p960).nearest() && std::isinf(*Ball(largest, 0x1p969, 0x1p960).nearest()));
+  EXPECT_FALSE(Ball(largest, 0x1p970, 0x1p900).nearest());
+}
+
+TEST(BallTest, IntegersStayExact) {
+  const Ball seven{7}, three{3};
+  EXPECT_EQ((seven * three - three * three * three).radius, 0);
+  EXPECT_EQ(quotient(seven * three, three).radius, 0);
+  EXPECT_EQ(quotient(seven * three, three).high, 7);
+  EXPECT_GT(quotient(seven, three).radius, 0);
+  EXPECT_FALSE(quotient(seven, three - three).radius < Ball::infinity);
+}
+
+}  // namespace
+}  // namespace plumb
