@@ -1,0 +1,91 @@
+// What is the sign at points of a known lattice?  The predicates with the arithmetic that the lattice's plan says.
+//
+//   const Kernel kernel(plan(lattice_of(coordinates)));
+//   const std::vector<LatticePoint<3>> p = kernel.points(vertices);   // checked here, once
+//   kernel.orient3d(p[0], p[1], p[2], p[3]);                          // exact, at about the cost of the bare formula
+//   kernel.orient3d(vertices[0], vertices[1], vertices[2], query);    // checks its coordinates itself
+//
+// Laws: the sign is that of decide for the same coordinates.  Coordinates off the lattice throw OffLattice, NaN and
+// infinity NonFinite, and points that another lattice's kernel took in OffLattice, naming the argument: no wrong input
+// gets an answer.  Kernels of equal lattices may exchange points.
+// Source: RTCD 11.4, 11.5.1, docs/plans.md.  Cost: 1.0 to 1.4 times the bare formula where plain doubles or factors of
+// one word suffice; beyond, one comparison more than the bare formula unless the value is next to zero.
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "plumb/certify/planned_sign.hpp"
+#include "plumb/certify/sign_of.hpp"
+
+namespace plumb {
+
+/// A point, vector, number or array of coordinates.
+template <class Argument>
+concept AsGiven = requires(const Argument& x) {
+  coordinates(x);
+};
+
+class Kernel {
+ public:
+  explicit Kernel(const Plan& plan) : intake_(plan.lattice()) {}
+  /// Throws Error for a lattice that no double fits (certify/plan.hpp).
+  explicit Kernel(const Lattice& lattice) : intake_(lattice) {}
+
+  [[nodiscard]] const Lattice& lattice() const { return intake_.lattice(); }
+
+  /// Takes it in.
+  template <AsGiven Argument>
+  [[nodiscard]] auto point(const Argument& argument) const {
+    const auto x = coordinates(argument);
+    LatticePoint<std::tuple_size_v<std::remove_const_t<decltype(x)>>> taken;
+    if (!intake_.take(x, taken)) [[unlikely]]
+      intake_.refuse("point", std::array{static_cast<int>(x.size())}, x);
+    return taken;
+  }
+  /// All of them; what is refused is named by its index.
+  [[nodiscard]] std::vector<LatticePoint<2>> points(std::span<const Point2> points) const;
+  [[nodiscard]] std::vector<LatticePoint<3>> points(std::span<const Point3> points) const;
+
+  /// The sign of F at points taken in, one for each argument.
+  template <Formula F, std::size_t... N>
+  [[nodiscard]] Sign sign(const LatticePoint<N>&... p) const {
+    static_assert((N + ...) == arity<F>, "Kernel: the formula takes another number of coordinates than these points");
+    if ((p.stamp() & ...) != intake_.stamp()) [[unlikely]]
+      intake_.refuse_stamp(F::name, std::array{p.stamp()...});
+    return planned_sign<F>(intake_, p...);
+  }
+  /// The sign of F at points, vectors and numbers as given, which are checked.
+  template <Formula F, AsGiven... Arguments>
+  [[nodiscard]] Sign sign(const Arguments&... arguments) const {
+    const auto p =
+        std::apply([](auto... x) { return Coordinates<F>{x...}; }, std::tuple_cat(coordinates(arguments)...));
+    LatticePoint<arity<F>> taken;
+    if (!intake_.take(p, taken)) [[unlikely]]
+      intake_.refuse(F::name, plumb::arguments<F>, p);
+    return planned_sign<F>(intake_, taken);
+  }
+
+  // Points are all LatticePoint<2> or all Point2; in space LatticePoint<3> or Point3.
+  template <class Point>
+  [[nodiscard]] Sign orient2d(const Point& a, const Point& b, const Point& c) const {
+    return sign<predicates::Orient2d>(a, b, c);
+  }
+  template <class Point>
+  [[nodiscard]] Sign orient3d(const Point& a, const Point& b, const Point& c, const Point& d) const {
+    return sign<predicates::Orient3d>(a, b, c, d);
+  }
+  template <class Point>
+  [[nodiscard]] Sign incircle(const Point& a, const Point& b, const Point& c, const Point& d) const {
+    return sign<predicates::InCircle>(a, b, c, d);
+  }
+  template <class Point>
+  [[nodiscard]] Sign insphere(const Point& a, const Point& b, const Point& c, const Point& d, const Point& e) const {
+    return sign<predicates::InSphere>(a, b, c, d, e);
+  }
+
+ private:
+  LatticeIntake intake_;
+};
+
+}  // namespace plumb

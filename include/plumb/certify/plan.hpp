@@ -1,0 +1,117 @@
+// Which arithmetic is already exact for every input of this lattice?  The cheapest one, for each formula.
+//
+//   const Plan scene = plan(lattice_of(coordinates));
+//   scene.arithmetic<predicates::Orient3d>()   // Arithmetic::plain_double, say
+//
+// Laws: what a plan says follows from the formula's own growth (LatticeError, WidthGrowth) and holds for every set of
+// coordinates of the lattice; more bits never mean a cheaper arithmetic.  Kernel (certify/kernel.hpp) takes the signs.
+// A lattice on which no double but 0 lies throws Error.
+// Source: RTCD 11.4, 11.5.1, docs/plans.md; cost: constants of a formula, found when compiled.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "plumb/arith/lattice.hpp"
+#include "plumb/arith/lattice_error.hpp"
+#include "plumb/arith/lattice_word.hpp"
+#include "plumb/certify/formula.hpp"
+
+namespace plumb {
+
+/// In the order of cost.
+enum class Arithmetic : std::uint8_t {
+  plain_double,      // every value is exact; only the last sum may round, which keeps its sign
+  one_word_factors,  // integers of at most 128 bits whose products multiply single words
+  modulo_word,       // doubles with a constant bound; within it, integers modulo 2^64
+  two_words,         // doubles with a constant bound; within it, integers of at most 128 bits
+  chain,             // doubles with a constant bound; within it, the exact stages of decide
+  unplanned,         // decide: the terms differ in degree
+};
+
+/// "plain double", "integers to 128 bits", ...
+std::string_view to_string(Arithmetic a);
+
+namespace planned {
+
+/// The most bits up to `limit` for which `holds`, which more bits do not mend; -1 when there are none.
+template <class Holds>
+consteval int most_bits(int limit, Holds holds) {
+  int low = -1, high = limit + 1;
+  while (high - low > 1) {
+    const int middle = low + (high - low) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The largest integer of so many bits.
+constexpr double largest_of(int bits) {
+  double power = 1;
+  for (int i = 0; i < bits; ++i) power *= 2;
+  return power - 1;
+}
+
+template <Formula F>
+constexpr LatticeError error(int bits) {
+  return evaluate<F>([bits](std::size_t) { return LatticeError::coordinate(largest_of(bits)); });
+}
+
+template <Formula F>
+constexpr WidthGrowth growth(int bits) {  // a difference has one more
+  return evaluate<F>([bits](std::size_t) { return WidthGrowth::Input{bits + 1}; });
+}
+
+template <Formula F>
+inline constexpr int plain_double = most_bits(lattice_word::double_bits, [](int b) { return error<F>(b).root == 0; });
+
+template <Formula F>
+inline constexpr int one_word_factors = most_bits(lattice_word::integer_bits, [](int b) {
+  const WidthGrowth g = growth<F>(b);
+  return g.bits <= 127 && g.widest_factor <= 63;
+});
+
+// |computed| <= root leaves |exact| <= 2 root < 2^63, which its remainder modulo 2^64 tells.
+template <Formula F>
+inline constexpr int modulo_word = most_bits(lattice_word::double_bits,
+                                             [](int b) { return error<F>(b).root < 0x1p62; });
+
+template <Formula F>
+inline constexpr int two_words = most_bits(lattice_word::double_bits, [](int b) { return growth<F>(b).bits <= 127; });
+
+}  // namespace planned
+
+/// The arithmetic that F needs on a lattice of so many bits.
+template <Formula F>
+constexpr Arithmetic arithmetic_for(int bits) {
+  if constexpr (!is_homogeneous<F>) {
+    return Arithmetic::unplanned;
+  } else {
+    if (bits <= planned::plain_double<F>) return Arithmetic::plain_double;
+    if (bits <= planned::one_word_factors<F>) return Arithmetic::one_word_factors;
+    if (bits <= planned::modulo_word<F>) return Arithmetic::modulo_word;
+    if (bits <= planned::two_words<F>) return Arithmetic::two_words;
+    return Arithmetic::chain;
+  }
+}
+
+class Plan {
+ public:
+  explicit Plan(const Lattice& lattice);
+
+  [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+  template <Formula F>
+  [[nodiscard]] Arithmetic arithmetic() const {
+    return arithmetic_for<F>(lattice_.bits);
+  }
+  friend bool operator==(const Plan&, const Plan&) = default;
+
+ private:
+  Lattice lattice_;
+};
+
+/// Throws Error for an exponent below -1074 or coordinates beyond the largest double.
+inline Plan plan(const Lattice& lattice) { return Plan(lattice); }
+
+}  // namespace plumb

@@ -1,0 +1,145 @@
+#include "plumb/certify/lattice_point.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include "plumb/certify/decide.hpp"
+
+namespace plumb {
+namespace {
+
+// Exponents where 1.5 * 2^(52 + exponent) would be no double are brought down by so much first.
+constexpr int highest_center = 971, lowering = 200;
+
+std::string power_of_two(int exponent) { return std::string("2^").append(std::to_string(exponent)); }
+
+std::string described(const Lattice& lattice) {
+  return std::string("multiples of ")
+      .append(power_of_two(lattice.exponent))
+      .append(" below ")
+      .append(power_of_two(lattice.exponent + lattice.bits));
+}
+
+double power_or_infinity(int exponent) {
+  return exponent > 1023 ? std::numeric_limits<double>::infinity() : std::ldexp(1.0, exponent);
+}
+
+// 12 bits of exponent and 12 of bits, with their complement above: as many ones whatever the lattice.
+std::uint64_t stamp_of(const Lattice& lattice) {
+  const auto code =
+      static_cast<std::uint32_t>(lattice.exponent + 1074) << 12 | static_cast<std::uint32_t>(lattice.bits);
+  return static_cast<std::uint64_t>(~code) << 32 | code;
+}
+
+Lattice lattice_of_stamp(std::uint64_t stamp) {
+  return {static_cast<int>(stamp >> 12 & 0xfff) - 1074, static_cast<int>(stamp & 0xfff)};
+}
+
+bool on_lattice(double x, const Lattice& lattice) {
+  if (!std::isfinite(x)) return false;
+  const OddForm f = odd_form(x);
+  const int width = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::abs(f.mantissa))));
+  return f.mantissa == 0 || (f.exponent >= lattice.exponent && f.exponent + width <= lattice.exponent + lattice.bits);
+}
+
+std::size_t first_off(std::span<const double> coordinates, const Lattice& lattice) {
+  std::size_t i = 0;
+  while (i + 1 < coordinates.size() && on_lattice(coordinates[i], lattice)) ++i;
+  return i;
+}
+
+std::string shortest(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
+
+// "b.y", or "b" for an argument of one number.
+std::string place_of(std::size_t coordinate, std::span<const int> arguments) {
+  std::size_t argument = 0;
+  auto axis = static_cast<int>(coordinate);
+  while (axis >= arguments[argument]) axis -= arguments[argument++];
+  if (argument >= 26 || arguments[argument] > 3) return std::string("coordinate ").append(std::to_string(coordinate));
+  std::string place(1, static_cast<char>('a' + argument));
+  if (arguments[argument] > 1) place.append({'.', "xyz"[axis]});
+  return place;
+}
+
+[[noreturn]] void throw_off(const std::string& place, double x, const Lattice& lattice) {
+  throw OffLattice(std::string(place)
+                       .append(" is ")
+                       .append(shortest(x))
+                       .append(", which the plan's lattice does not hold (")
+                       .append(described(lattice))
+                       .append("); plan with the lattice of all coordinates"));
+}
+
+}  // namespace
+
+LatticeIntake::LatticeIntake(const Lattice& lattice) : lattice_(lattice), stamp_(0) {
+  const int end = lattice.exponent + lattice.bits;
+  if (lattice.bits < 0 || lattice.exponent < -1074 || lattice.exponent > 1023 || end > 1024) {
+    throw Error(std::string("a lattice of exponent ")
+                    .append(std::to_string(lattice.exponent))
+                    .append(" and ")
+                    .append(std::to_string(lattice.bits))
+                    .append(" bits holds what no double does; take the lattice of the coordinates (lattice_of)"));
+  }
+  stamp_ = stamp_of(lattice);
+  counted_from_ = lattice.bits <= lattice_word::integer_bits ? lattice_word::center : 0;
+  unit_ = std::ldexp(1.0, lattice.exponent);
+  largest_difference_ = power_or_infinity(end + 1);
+  if (lattice.bits > lattice_word::double_bits) return;
+  const int lowered = lattice.exponent > highest_center ? lowering : 0;
+  scale_ = std::ldexp(1.0, -lowered);
+  unscale_ = std::ldexp(1.0, lowered);
+  center_ = std::ldexp(lattice_word::center, lattice.exponent - lowered);
+  rebase_ = lattice_word::center_pattern - std::bit_cast<std::uint64_t>(center_);
+}
+
+bool LatticeIntake::take_wide(double x, std::uint64_t& word) const {
+  if (!on_lattice(x, lattice_)) return false;
+  if (lattice_.bits > lattice_word::integer_bits) {
+    word = std::bit_cast<std::uint64_t>(x);
+  } else {
+    const OddForm f = odd_form(x);
+    word = lattice_word::of(f.mantissa == 0 ? 0 : f.mantissa * (std::int64_t{1} << (f.exponent - lattice_.exponent)));
+  }
+  return true;
+}
+
+void LatticeIntake::refuse(std::string_view formula, std::span<const int> arguments,
+                           std::span<const double> coordinates) const {
+  for (const double x : coordinates) {
+    if (!std::isfinite(x)) throw_non_finite(formula, arguments, coordinates);
+  }
+  const std::size_t i = first_off(coordinates, lattice_);
+  throw_off(std::string(formula).append(": ").append(place_of(i, arguments)), coordinates[i], lattice_);
+}
+
+void LatticeIntake::refuse_point(std::size_t index, std::span<const double> coordinates) const {
+  const std::string name = std::string("point ").append(std::to_string(index));
+  const int count = static_cast<int>(coordinates.size());
+  refuse(name, {&count, 1}, coordinates);
+}
+
+void LatticeIntake::refuse_stamp(std::string_view formula, std::span<const std::uint64_t> stamps) const {
+  std::size_t i = 0;
+  while (i + 1 < stamps.size() && stamps[i] == stamp_) ++i;
+  std::string text(formula);
+  text.append(": argument ").append(1, static_cast<char>('a' + i % 26));
+  if (stamps[i] == 0) {
+    text.append(" was never taken in; make it by kernel.point");
+  } else {
+    text.append(" was taken in by the kernel of another lattice (")
+        .append(described(lattice_of_stamp(stamps[i])))
+        .append("), not of this one (")
+        .append(described(lattice_))
+        .append(")");
+  }
+  throw OffLattice(text);
+}
+
+}  // namespace plumb
