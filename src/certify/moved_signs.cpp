@@ -11,20 +11,26 @@ MovedSigns::MovedSigns(const Subject& subject, std::span<double> p, std::span<co
     : subject_(subject), p_(p), order_(order) {
   for (const double x : p) reach_ = std::max(reach_, std::fabs(x));
   if (reach_ == 0) reach_ = 1;
-  const auto axes = static_cast<std::size_t>(*std::ranges::max_element(subject.arguments));
+  if (subject.alternating && !subject.degree.empty()) find_equal_arguments();
+}
+
+// How far to move a coordinate both ways: a part of the largest difference between arguments along an axis.
+double MovedSigns::step() const {
+  double extent = 0;
+  const auto axes = static_cast<std::size_t>(*std::ranges::max_element(subject_.arguments));
   for (std::size_t axis = 0; axis < axes; ++axis) {
     double least = HUGE_VAL, most = -HUGE_VAL;
     std::size_t first = 0;
-    for (const int n : subject.arguments) {
+    for (const int n : subject_.arguments) {
       if (axis < static_cast<std::size_t>(n)) {
-        least = std::min(least, p[first + axis]);
-        most = std::max(most, p[first + axis]);
+        least = std::min(least, p_[first + axis]);
+        most = std::max(most, p_[first + axis]);
       }
       first += static_cast<std::size_t>(n);
     }
-    extent_ = std::max(extent_, most - least);
+    extent = std::max(extent, most - least);
   }
-  if (subject.alternating && !subject.degree.empty()) find_equal_arguments();
+  return extent > 0 ? extent / 8 : reach_;
 }
 
 // As long as two equal arguments stay where they are, an alternating formula is zero.
@@ -90,11 +96,11 @@ MovedSigns::Outcome MovedSigns::simple_term() {
     if (degree == 2) std::swap(moved[squares++], moved[k]);
   }
   if (signs_ + (1 << squares) > most_signs) return Outcome::unknown;
-  const double step = extent_ > 0 ? extent_ / 8 : reach_;
+  if (squares != 0 && step_ == 0) step_ = step();
   Sign linear = Sign::positive;
   for (std::size_t k = 0; k < depth_; ++k) {
     x[k] = p_[moved[k]];
-    if (k < squares && !(x[k] + step > x[k] && x[k] - step < x[k] && std::isfinite(std::fabs(x[k]) + step))) {
+    if (k < squares && !(x[k] + step_ > x[k] && x[k] - step_ < x[k] && std::isfinite(std::fabs(x[k]) + step_))) {
       return Outcome::unknown;
     }
     if (k >= squares) {  // toward zero and beyond: never too far
@@ -107,7 +113,7 @@ MovedSigns::Outcome MovedSigns::simple_term() {
     Sign direction = linear;
     for (std::size_t k = 0; k < squares; ++k) {
       const bool down = (corner >> k & 1) != 0;
-      p_[moved[k]] = down ? x[k] - step : x[k] + step;
+      p_[moved[k]] = down ? x[k] - step_ : x[k] + step_;
       if (down) direction = -direction;
     }
     const Sign s = subject_.decide(p_) * direction;

@@ -29,6 +29,7 @@ class MovedSigns {
   static constexpr int most_signs = 64;
   static constexpr std::size_t deepest = 8;
 
+  [[nodiscard]] double step() const;
   void find_equal_arguments();
   [[nodiscard]] bool equal_arguments_stay() const;
   Outcome with(std::size_t number, std::uint64_t allowed);
@@ -38,8 +39,8 @@ class MovedSigns {
   const Subject& subject_;
   std::span<double> p_;
   std::span<const std::uint16_t> order_;
-  double reach_ = 0;   // the largest |coordinate|, or 1
-  double extent_ = 0;  // the largest difference between arguments along an axis
+  double reach_ = 0;  // the largest |coordinate|, or 1
+  double step_ = 0;   // step(), once it is needed
   std::size_t known_zero_ = 0;
   int signs_ = 0;
 
