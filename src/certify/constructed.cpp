@@ -60,7 +60,7 @@ template <class Point>
   }
   const double x = rounded_quotient(h.coordinate[axis], h.weight);
   if (std::isinf(x)) {
-    throw OutOfRange(std::string("approximate: a.").append(1, "xyz"[axis]).append(" is beyond the largest double"));
+    throw BeyondDoubles(std::string("approximate: a.").append(1, "xyz"[axis]).append(" is beyond the largest double"));
   }
   return x;
 }

@@ -34,7 +34,7 @@ void check_point(const Point& p, Seen& seen) {
     }
     if (nearest->overflows) {
       ++seen.beyond;
-      ASSERT_THROW(approximate(p), OutOfRange);
+      ASSERT_THROW(approximate(p), BeyondDoubles);
       return;
     }
   }
@@ -104,10 +104,10 @@ TEST(ApproximateTest, BeyondTheLargestDoubleThrowsByName) {
   try {
     approximate(moved(0x1p970));  // a tie, to even: to what would be the next power of two
     FAIL() << "rounded to infinity";
-  } catch (const OutOfRange& e) {
+  } catch (const BeyondDoubles& e) {
     EXPECT_STREQ(e.what(), "approximate: a.y is beyond the largest double");
   }
-  EXPECT_THROW(approximate(SegmentPoint2{{0, 0}, {-largest, 0}, 1 + 0x1p-52}), OutOfRange);
+  EXPECT_THROW(approximate(SegmentPoint2{{0, 0}, {-largest, 0}, 1 + 0x1p-52}), BeyondDoubles);
 }
 
 TEST(ApproximateTest, PointsAsGivenStayAsTheyAre) {

@@ -31,7 +31,7 @@ struct DegeneratePoint : Error {
 };
 
 /// The nearest double to a number would be infinite; the text names the number.
-struct OutOfRange : Error {
+struct BeyondDoubles : Error {
   using Error::Error;
 };
 

@@ -14,8 +14,8 @@
 
 namespace plumb {
 
-/// Throws DegeneratePoint where there is no point, OutOfRange where a coordinate is beyond the largest double (by half
-/// an ulp or more), NonFinite; all name the argument `a`.
+/// Throws DegeneratePoint where there is no point, BeyondDoubles where a coordinate is beyond the largest double (by
+/// half an ulp or more), NonFinite; all name the argument `a`.
 Point2 approximate(const Point2& a);
 Point2 approximate(const LineLinePoint2& a);
 Point2 approximate(const SegmentPoint2& a);
