@@ -78,6 +78,15 @@ HWY_INLINE void arrange_in_space(V* v) {
   }
 }
 
+inline std::size_t cases_to_boundary(const double* at, std::size_t stride) {
+  constexpr std::size_t bytes = lanes * sizeof(double);
+  const auto address = reinterpret_cast<std::uintptr_t>(at);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    if ((address + i * stride * sizeof(double)) % bytes == 0) return i;
+  }
+  return 0;
+}
+
 /// Points one after the other: x y z x y z ... at at[0].
 struct ArrayOfPoints {
   template <std::size_t Dimension>
@@ -116,10 +125,16 @@ struct ArrayOfPoints {
     }
   }
 
+  /// How many cases there are before one that begins where a vector does; 0 where there is none.
+  template <std::size_t Dimension>
+  static std::size_t to_boundary(const double* const* at) {
+    return cases_to_boundary(at[0], Dimension);
+  }
+
   /// Copies n cases to arrays of `lanes` cases, one after the other.
   template <std::size_t Dimension>
-  static void copy(const double* const* at, std::size_t first, std::size_t n, double* to) {
-    std::memcpy(to, at[0] + first * Dimension, n * Dimension * sizeof(double));
+  static void copy(const double* const* at, std::size_t n, double* to) {
+    std::memcpy(to, at[0], n * Dimension * sizeof(double));
   }
 };
 
@@ -144,8 +159,13 @@ struct ArraysOfCoordinates {
   }
 
   template <std::size_t Dimension>
-  static void copy(const double* const* at, std::size_t first, std::size_t n, double* to) {
-    for (std::size_t k = 0; k < Dimension; ++k) std::memcpy(to + k * lanes, at[k] + first, n * sizeof(double));
+  static std::size_t to_boundary(const double* const* at) {
+    return cases_to_boundary(at[0], 1);
+  }
+
+  template <std::size_t Dimension>
+  static void copy(const double* const* at, std::size_t n, double* to) {
+    for (std::size_t k = 0; k < Dimension; ++k) std::memcpy(to + k * lanes, at[k], n * sizeof(double));
   }
 };
 
@@ -168,15 +188,41 @@ HWY_INLINE unsigned store_signs(const Judged& j, signed char* out) {
   return bits_of(hn::Gt(hn::Abs(j.value), j.threshold)) ^ ((1u << lanes) - 1);
 }
 
-/// Appends the numbers of those of the first n cases of a vector that are in these lanes; returns the list's end.
+/// Appends the numbers of the cases in these lanes that are in [low, high); the vector's first case is number `first`.
+/// Returns the list's end.
 template <class Layout, std::size_t Dimension>
-HWY_INLINE std::uint32_t* list_cases(unsigned set_of_lanes, std::size_t first, std::size_t n, std::uint32_t* list) {
+HWY_INLINE std::uint32_t* list_cases(unsigned set_of_lanes, std::size_t first, std::size_t low, std::size_t high,
+                                     std::uint32_t* list) {
   for (; set_of_lanes != 0; set_of_lanes &= set_of_lanes - 1) {
-    const std::size_t i =
-        Layout::template case_of_lane<Dimension>(static_cast<std::size_t>(__builtin_ctz(set_of_lanes)));
-    if (i < n) *list++ = static_cast<std::uint32_t>(first + i);
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(set_of_lanes));
+    const std::size_t i = first + Layout::template case_of_lane<Dimension>(lane);
+    if (i >= low && i < high) *list++ = static_cast<std::uint32_t>(i);
   }
   return list;
+}
+
+/// One vector of cases, apart from the loop over all of them: at its ends.
+template <class Judge>
+HWY_NOINLINE unsigned filter_vector(const Judge& judge, const double* const* at, std::size_t first, signed char* out) {
+  return store_signs<typename Judge::Points, Judge::dimension>(judge(at, first), out);
+}
+
+/// Fewer cases than lanes, beside zeros.
+template <class Judge>
+HWY_NOINLINE std::size_t filter_few(const Judge& judge, const double* const* at, std::size_t n, signed char* out,
+                                    std::uint32_t* unsure) {
+  using Points = typename Judge::Points;
+  constexpr std::size_t dimension = Judge::dimension, to = Judge::coordinates;
+  double padded[to * lanes] = {};
+  const double* padded_at[to];
+  signed char signs[lanes];
+  for (std::size_t k = 0; k < to; ++k) padded_at[k] = padded + k * lanes;
+  for (std::size_t k = Judge::first_coordinate; k < to; k += dimension) {
+    Points::template copy<dimension>(at + k, n, padded + k * lanes);
+  }
+  const unsigned left = filter_vector(judge, padded_at, 0, signs);
+  std::memcpy(out, signs, n);
+  return static_cast<std::size_t>(list_cases<Points, dimension>(left, 0, 0, n, unsure) - unsure);
 }
 
 /// Filters n cases: their signs, and the list of those that are unsure, whose length it returns.
@@ -184,25 +230,22 @@ template <class Judge>
 HWY_INLINE std::size_t filter_all(const Judge& judge, const double* const* at, std::size_t n, signed char* out,
                                   std::uint32_t* unsure) {
   using Points = typename Judge::Points;
-  constexpr std::size_t dimension = Judge::dimension, from = Judge::first_coordinate, to = Judge::coordinates;
-  const double* mine[to];  // nothing that a store to `out` could change
-  for (std::size_t k = 0; k < to; ++k) mine[k] = at[k];
+  constexpr std::size_t dimension = Judge::dimension;
+  const Judge at_ends = judge;  // the other one stays in registers
+  if (n < lanes) return filter_few(at_ends, at, n, out, unsure);
+  const double* mine[Judge::coordinates];  // nothing that a store to `out` could change
+  for (std::size_t k = 0; k < Judge::coordinates; ++k) mine[k] = at[k];
   std::uint32_t* next = unsure;
-  std::size_t first = 0;
+  // Loads that cross cache lines take twice as long, so that the first vector overlaps the second; as the last does.
+  std::size_t first = Points::template to_boundary<dimension>(at + Judge::first_coordinate);
+  if (first != 0) next = list_cases<Points, dimension>(filter_vector(at_ends, at, 0, out), 0, 0, first, next);
   for (; first + lanes <= n; first += lanes) {
     const unsigned left = store_signs<Points, dimension>(judge(mine, first), out + first);
-    if (HWY_UNLIKELY(left != 0)) next = list_cases<Points, dimension>(left, first, lanes, next);
+    if (HWY_UNLIKELY(left != 0)) next = list_cases<Points, dimension>(left, first, first, first + lanes, next);
   }
-  if (first < n) {  // the rest, beside zeros
-    const std::size_t rest = n - first;
-    double padded[to * lanes] = {};
-    signed char signs[lanes];
-    for (std::size_t k = from; k < to; k += dimension)
-      Points::template copy<dimension>(at + k, first, rest, padded + k * lanes);
-    for (std::size_t k = 0; k < to; ++k) mine[k] = padded + k * lanes;
-    const unsigned left = store_signs<Points, dimension>(judge(mine, 0), signs);
-    std::memcpy(out + first, signs, rest);
-    next = list_cases<Points, dimension>(left, first, rest, next);
+  if (first < n) {
+    const std::size_t last = n - lanes;
+    next = list_cases<Points, dimension>(filter_vector(at_ends, at, last, out + last), last, first, n, next);
   }
   return static_cast<std::size_t>(next - unsure);
 }
