@@ -112,9 +112,11 @@ class Documents : public testing::TestWithParam<fs::path> {
     return built.code == 0 ? run_here("./program") : built;
   }
 
-  // The project of this CMakeLists.txt with the last program as main.cpp, against an installed tree.
+  // The project of this CMakeLists.txt with the last program as main.cpp, and the page's files, against an installed
+  // tree.
   Outcome build_project(const Block& block) const {
     fs::create_directory(folder_ / "project");
+    for (const std::string& file : files_) fs::copy(folder_ / file, folder_ / ("project/" + file));
     write(folder_ / "project/CMakeLists.txt", block.text);
     write(folder_ / "project/main.cpp", main_);
     return run_here("cmake --install " PLUMB_BINARY_DIR
@@ -127,6 +129,7 @@ class Documents : public testing::TestWithParam<fs::path> {
 
   Folder folder_;
   std::string main_;
+  std::vector<std::string> files_;
 };
 
 TEST_P(Documents, RunsAsShown) {
@@ -142,6 +145,7 @@ TEST_P(Documents, RunsAsShown) {
       write(folder_ / fs::path(file).filename().string(), block.text);
     } else if (about == "file") {
       write(folder_ / file, block.text);
+      files_.push_back(file);
     } else if (block.language == "text" && ran) {
       EXPECT_TRUE(reads_as(last.out, block.text)) << place << "but it prints\n" << last.out;
     } else if (block.remark != "fragment" && about != "add to" && block.language != "text" && block.language != "") {
