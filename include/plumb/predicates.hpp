@@ -4,7 +4,8 @@
 //       keeps it.  (2) Zero exactly when the points are collinear, coplanar, cocircular or cospherical (or lower).
 //       (3) Powers of two and translations that round nothing change nothing.  (4) The same input gives the same sign
 //       on every compiler, instruction set and thread.
-// Constructed and posed points are taken as well (certify/implicit.hpp).
+// Constructed and posed points are taken as well (certify/implicit.hpp), and points with an index under symbolic
+// perturbation, of which no sign is zero (certify/perturbed.hpp).
 // A coordinate that is NaN or infinite throws NonFinite, naming it; nothing else throws for points as given.
 // Source: RTCD 3.1.6, 11.2.  Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds
 // on degenerate input (docs/measurements.md).
@@ -16,6 +17,7 @@
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/environment.hpp"
 #include "plumb/certify/implicit.hpp"
+#include "plumb/certify/perturbed.hpp"
 #include "plumb/certify/side.hpp"
 
 namespace plumb {
