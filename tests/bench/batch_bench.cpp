@@ -1,6 +1,7 @@
 // How long does a sign take in a batch?  For each instruction set: what the compiler makes of the bare formula and of
 // the filter alone, then our batches over arrays of points, over arrays of coordinates, and over points against one
-// line, plane, circle or sphere; every sign of ours is exact.  Cases lie in the first or second level cache.
+// line, plane, circle or sphere; every sign of ours is exact.  Cases fit the second-level cache.  Then single points
+// against one of these, by the function and by the object, and a million cases on one thread and on all.
 // `bench_batch --benchmark_format=json | python3 tests/bench/table.py` prints the table of docs/batches.md.
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
@@ -20,7 +21,7 @@
 namespace plumb::bench {
 namespace {
 
-constexpr std::size_t in_cache = 1024;
+constexpr std::size_t in_cache = 4096;
 constexpr std::size_t most = 15;
 
 /// Uniform points: `point[p]` of case i is at p, i; `at[k]` has coordinate k of all cases.
