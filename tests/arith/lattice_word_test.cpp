@@ -75,7 +75,7 @@ consteval bool counts_as_types() {
 }
 #define PLUMB_COUNTS(formula) \
   static_assert(counts_as_types<predicates::formula, 2>() && counts_as_types<predicates::formula, 20>());
-PLUMB_PREDICATES(PLUMB_COUNTS)
+PLUMB_CLASSICS(PLUMB_COUNTS)
 #undef PLUMB_COUNTS
 
 constexpr WidthGrowth::Input a{30}, b{30};
