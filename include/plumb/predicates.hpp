@@ -6,6 +6,8 @@
 //       on every compiler, instruction set and thread.
 // Constructed and posed points are taken as well (certify/implicit.hpp), and points with an index under symbolic
 // perturbation, of which no sign is zero (certify/perturbed.hpp).
+// Beside them: orders, angles, distances, smallest spheres, powers, determinants, rays,
+// planes in space, separating axes, radicals, moving points (docs/predicates.md).
 // A coordinate that is NaN or infinite throws NonFinite, naming it; nothing else throws for points as given.
 // Source: RTCD 3.1.6, 11.2.  Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds
 // on degenerate input (docs/measurements.md).
@@ -13,12 +15,25 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/batch.hpp"
+#include "plumb/certify/compare_distance.hpp"
 #include "plumb/certify/constructed.hpp"
+#include "plumb/certify/coplanar.hpp"
+#include "plumb/certify/cross_products.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/certify/determinant_sign.hpp"
+#include "plumb/certify/direction.hpp"
 #include "plumb/certify/environment.hpp"
 #include "plumb/certify/implicit.hpp"
+#include "plumb/certify/line_triangle.hpp"
+#include "plumb/certify/moving_points.hpp"
 #include "plumb/certify/perturbed.hpp"
+#include "plumb/certify/power.hpp"
+#include "plumb/certify/radical.hpp"
+#include "plumb/certify/ray_order.hpp"
+#include "plumb/certify/separating_axis.hpp"
 #include "plumb/certify/side.hpp"
+#include "plumb/certify/side_of_plane.hpp"
+#include "plumb/certify/smallest_sphere.hpp"
 
 namespace plumb {
 

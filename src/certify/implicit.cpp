@@ -5,6 +5,7 @@
 #include <string>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/direction.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb::mixed {
@@ -14,12 +15,6 @@ namespace {
   std::string text(predicate);
   text.append(": argument ").append(1, argument).append(" has no point: ").append(why);
   throw DegeneratePoint(text);
-}
-
-bool collinear(const Point3& a, const Point3& b, const Point3& c) {
-  return orient2d(Point2{a.x, a.y}, Point2{b.x, b.y}, Point2{c.x, c.y}) == Sign::zero &&
-         orient2d(Point2{a.y, a.z}, Point2{b.y, b.z}, Point2{c.y, c.z}) == Sign::zero &&
-         orient2d(Point2{a.z, a.x}, Point2{b.z, b.x}, Point2{c.z, c.x}) == Sign::zero;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "plumb/predicates.hpp"
+#include "plumb/certify/direction.hpp"
 
 namespace plumb {
 namespace {
@@ -103,13 +103,6 @@ std::vector<std::uint32_t> first_equal(std::span<const Point3> points) {
     first[order[i]] = repeats ? first[order[i - 1]] : order[i];
   }
   return first;
-}
-
-bool collinear(const Point3& a, const Point3& b, const Point3& c) {
-  // The three projected areas are the components of the cross product.
-  return orient2d({a.x, a.y}, {b.x, b.y}, {c.x, c.y}) == Sign::zero &&
-         orient2d({a.y, a.z}, {b.y, b.z}, {c.y, c.z}) == Sign::zero &&
-         orient2d({a.z, a.x}, {b.z, b.x}, {c.z, c.x}) == Sign::zero;
 }
 
 }  // namespace plumb

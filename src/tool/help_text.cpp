@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <utility>
+#include <sstream>
 
+#include "meanings.hpp"
 #include "plumb/certify/catalog.hpp"
 
 namespace plumb::tool {
@@ -25,15 +24,24 @@ NO_COLOR
        When set to anything, no colors. Without it, colors are used only
        where the output is a terminal.)";
 
-/// What a positive sign and a zero mean; a predicate without a line here is listed by its name and points alone.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMeanings{{
-    {"orient2d", "'+' when a, b, c turn counterclockwise, '0' when collinear."},
-    {"orient3d",
-     "'+' when d lies below the plane of a, b, c, where above is the\n"
-     "       side that sees them counterclockwise; '0' when coplanar."},
-    {"incircle", "For counterclockwise a, b, c: '+' when d is inside their circle."},
-    {"insphere", "For orient3d(a, b, c, d) = '+': '+' when e is inside their sphere."},
-}};
+/// The words in lines of at most `width` columns, the later ones with blanks in front.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+  std::string lines, word;
+  std::size_t column = 0;
+  std::istringstream words{std::string(text)};
+  while (words >> word) {
+    if (column + word.size() + 1 > width) {
+      lines.append("\n").append(indent, ' ');
+      column = indent;
+    } else if (column > 0) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+    column += word.size();
+  }
+  return lines;
+}
 
 /// " ax ay az", " a" for a number by itself, " a1 a2 a3 a4" where there are more than letters.
 std::string words_of(const CatalogEntry& entry, std::size_t argument) {
@@ -52,14 +60,13 @@ std::string words_of(const CatalogEntry& entry, std::size_t argument) {
 std::string predicates() {
   std::string text;
   for (const CatalogEntry& entry : catalog()) {
+    std::string call(entry.name);
+    for (std::size_t argument = 0; argument < entry.arguments.size(); ++argument) call += words_of(entry, argument);
     text += text.empty() ? "" : "\n";
-    text += entry.name;
-    for (std::size_t argument = 0; argument < entry.arguments.size(); ++argument) {
-      text += words_of(entry, argument);
+    text += wrapped(call, 72, 4);
+    if (const auto meaning = meaning_of(entry.name); !meaning.empty()) {
+      text += "\n       " + wrapped(meaning, 64, 7);
     }
-    const auto meaning =
-        std::ranges::find(kMeanings, entry.name, &std::pair<std::string_view, std::string_view>::first);
-    if (meaning != kMeanings.end()) text += fmt::format("\n       {}", meaning->second);
   }
   return text;
 }
@@ -143,6 +150,10 @@ long-double
        The same formula in the compiler's long double.
 interval
        Interval arithmetic alone: never wrong, at times unsure.
+plan
+       The signs of this library with the plan of the mesh's lattice:
+       the cheapest arithmetic that is exact for all of its
+       coordinates.
 exact
        The signs of this library: never wrong, never unsure.
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "plumb/certify/direction.hpp"
+
 namespace plumb {
 namespace {
 

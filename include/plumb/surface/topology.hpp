@@ -65,7 +65,4 @@ MeshStatistics mesh_statistics(const TriangleMesh& mesh);
 /// For each point the smallest number of a point equal to it (-0 equals +0), its own where there is none.
 std::vector<std::uint32_t> first_equal(std::span<const Point3> points);
 
-/// Do the three points lie on one line?  Exact.
-bool collinear(const Point3& a, const Point3& b, const Point3& c);
-
 }  // namespace plumb
