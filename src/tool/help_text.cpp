@@ -90,6 +90,10 @@ check [MESH]...
 sign PREDICATE COORDINATE...
        Decides one sign exactly and says which stage decided it.
 
+proof PREDICATE
+       Writes the error bound behind a predicate's filter as a claim that
+       a machine can check.
+
 doctor
        Looks whether this machine and build are as the proofs assume.)"}},
           {{"EXIT STATUS", exit_status("No: a wrong sign, a machine that is not as the proofs assume.\n       `plumb "

@@ -12,6 +12,7 @@ namespace plumb::tool {
 Manual program_manual();
 Manual check_manual();
 Manual sign_manual();
+Manual proof_manual();
 Manual doctor_manual();
 
 }  // namespace plumb::tool

@@ -14,6 +14,7 @@
 #include "doctor_command.hpp"
 #include "help_text.hpp"
 #include "plumb/arith/error.hpp"
+#include "proof_command.hpp"
 #include "sign_command.hpp"
 #include "terminal.hpp"
 
@@ -23,9 +24,10 @@ namespace {
 class Program {
  public:
   Program() {
-    for (CLI::App* page : {&app_, check_, sign_, doctor_}) page->set_help_flag("-h,--help", "Show this page.");
+    for (CLI::App* page : {&app_, check_, sign_, proof_, doctor_}) page->set_help_flag("-h,--help", "Show this page.");
     app_.add_flag("--version", version_, "Print the version.");
     add_check();
+    add_proof();
     sign_->prefix_command();  // what follows is a case: a leading '-' there is a sign, not an option
   }
 
@@ -49,8 +51,9 @@ class Program {
       return run_case(words);
     }
     if (!rest.empty()) throw CLI::ExtrasError(rest);
+    if (*proof_) return run_proof(proof_options_);
     if (*doctor_) return run_doctor();
-    throw Error("a command is needed: check, sign or doctor; 'plumb --help' explains");
+    throw Error("a command is needed: check, sign, proof or doctor; 'plumb --help' explains");
   }
 
   /// The page of the command that was named, or of the program.
@@ -58,12 +61,13 @@ class Program {
     const Style style(stdout);
     if (*check_) return say(manual_page(check_manual(), *check_, style));
     if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
+    if (*proof_) return say(manual_page(proof_manual(), *proof_, style));
     if (*doctor_) return say(manual_page(doctor_manual(), *doctor_, style));
     say(manual_page(program_manual(), app_, style));
   }
 
   [[nodiscard]] std::string help_hint() const {
-    for (const CLI::App* command : {check_, sign_, doctor_}) {
+    for (const CLI::App* command : {check_, sign_, proof_, doctor_}) {
       if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
     }
     return "'plumb --help' explains";
@@ -94,6 +98,20 @@ class Program {
         ->type_name("FILE");
   }
 
+  void add_proof() {
+    ProofOptions& o = proof_options_;
+    CLI::Option* const predicate = proof_->add_option("PREDICATE", o.predicate, "As of `plumb proof --list`.");
+    proof_->add_flag("--every-scale", o.every_scale,
+                     "Claim instead, of every term by itself, what holds at every scale, of an operation that errs by "
+                     "2^-53 of its result and of which nothing else is known.");
+    proof_->add_option("--out", o.out, "Write the script there; '-' is standard output.")->type_name("FILE");
+    proof_
+        ->add_flag("--list", o.list,
+                   "List the predicates with what is derived from each: its degree, its operations, the number of its "
+                   "terms, and the constant of its filter.")
+        ->excludes(predicate);
+  }
+
   int run_case(const std::vector<std::string>& words) {
     if (std::ranges::any_of(words, [](const std::string& w) { return w == "--help" || w == "-h"; })) {
       help();
@@ -112,6 +130,8 @@ class Program {
   CheckOptions check_options_;
   CLI::App* check_ = app_.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
   CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");
+  ProofOptions proof_options_;
+  CLI::App* proof_ = app_.add_subcommand("proof", "Write the claim of a filter's bound for a prover.");
   CLI::App* doctor_ = app_.add_subcommand("doctor", "Look whether this machine is as the proofs assume.");
 };
 

@@ -26,7 +26,7 @@ void expect_refusal(const Outcome& o, const std::string& words) {
 }
 
 TEST(Help, IsAManualPageOfEightyColumns) {
-  for (const std::string command : {"", "check", "sign", "doctor"}) {
+  for (const std::string command : {"", "check", "sign", "proof", "doctor"}) {
     const Outcome o = run("$PLUMB " + command + " --help");
     EXPECT_EQ(o.code, 0);
     EXPECT_EQ(o.err, "");
@@ -108,7 +108,8 @@ TEST(Doctor, FindsNothingHere) {
 }
 
 TEST(Output, ThatCannotBeWrittenIsNoSuccess) {
-  for (const std::string command : {"--version", "--help", "doctor", "sign --help", "sign orient2d 0 0 1 0 0 1"}) {
+  for (const std::string command :
+       {"--version", "--help", "doctor", "proof orient2d", "sign --help", "sign orient2d 0 0 1 0 0 1"}) {
     const Outcome full = run("$PLUMB " + command + " >/dev/full");
     EXPECT_EQ(full.code, 2) << command;
     EXPECT_THAT(full.err, AllOf(StartsWith("plumb: cannot write standard output"), HasSubstr("No space"))) << command;

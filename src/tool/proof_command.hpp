@@ -1,0 +1,24 @@
+// `plumb proof`: can a machine check the error bound of a predicate's filter?
+//
+// Writes the claim for Gappa, of the constant that the filter compares with (certify/proof_script.hpp).
+// Laws: (1) Gappa proves what is written (tests); (2) an unknown predicate throws Error, which names those that there
+// are; (3) a file that cannot be written throws Error and keeps what it holds.
+// Source: docs/proof.md; cost: milliseconds.
+#pragma once
+
+#include <string>
+
+#include "terminal.hpp"
+
+namespace plumb::tool {
+
+struct ProofOptions {
+  std::string predicate;
+  bool every_scale = false;
+  bool list = false;
+  std::string out = "-";
+};
+
+int run_proof(const ProofOptions& options);
+
+}  // namespace plumb::tool
