@@ -8,8 +8,13 @@
 
 #include <CGAL/enum.h>
 
+#include <array>
+#include <cassert>
+#include <cstddef>
 #include <plumb/predicates/distance.hpp>
 #include <plumb/predicates/plane_distance.hpp>
+#include <tuple>
+#include <utility>
 
 #include "plumb/certify/decide.hpp"
 
@@ -18,24 +23,53 @@ namespace plumb::cgal {
 constexpr CGAL::Sign to_cgal(Sign s) { return static_cast<CGAL::Sign>(static_cast<int>(s)); }
 constexpr CGAL::Bounded_side bounded(Sign s) { return static_cast<CGAL::Bounded_side>(static_cast<int>(s)); }
 
+/// Coordinate i of F among CGAL's points.
+template <Formula F, std::size_t I, class... P>
+double coordinate(const P&... points) {
+  constexpr auto dimension = static_cast<std::size_t>(F::dimension);
+  const auto& point = *std::get<I / dimension>(std::tuple(&points...));
+  if constexpr (I % dimension == 0) return point.x();
+  if constexpr (I % dimension == 1) return point.y();
+  if constexpr (I % dimension == 2) return point.z();
+}
+
+template <Formula F, class... P>
+Coordinates<F> coordinates_of(const P&... points) {
+  static_assert(sizeof...(P) == static_cast<std::size_t>(F::points));
+  return [&]<std::size_t... I>(std::index_sequence<I...>) { return Coordinates<F>{coordinate<F, I>(points...)...}; }
+  (std::make_index_sequence<arity<F>>{});
+}
+
+template <Formula F, class... P>
+[[gnu::noinline]] Sign decided_exactly(const P&... points) {
+  return decide_exactly<F>(coordinates_of<F>(points...)).sign;
+}
+
+/// As decide.  Where the filter is unsure the points are read again, so that the filter's are kept in registers alone.
+template <Formula F, class... P>
+[[gnu::flatten]] Sign sign_of_points(const P&... points) {
+  assert(environment::thread_is_sound() && "plumb: this thread does not round to nearest, or flushes subnormals");
+  if (const int s = filter<F>(coordinates_of<F>(points...)); s != 0) [[likely]]
+    return static_cast<Sign>(s);
+  return decided_exactly<F>(points...);
+}
+
 // Our signs of CGAL's points; they keep our conventions.
 template <class P>
 Sign orient2d(const P& p, const P& q, const P& r) {
-  return decide<predicates::Orient2d>({p.x(), p.y(), q.x(), q.y(), r.x(), r.y()});
+  return sign_of_points<predicates::Orient2d>(p, q, r);
 }
 template <class P>
 Sign incircle(const P& p, const P& q, const P& r, const P& t) {
-  return decide<predicates::InCircle>({p.x(), p.y(), q.x(), q.y(), r.x(), r.y(), t.x(), t.y()});
+  return sign_of_points<predicates::InCircle>(p, q, r, t);
 }
 template <class P>
 Sign orient3d(const P& p, const P& q, const P& r, const P& s) {
-  return decide<predicates::Orient3d>(
-      {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(), r.z(), s.x(), s.y(), s.z()});
+  return sign_of_points<predicates::Orient3d>(p, q, r, s);
 }
 template <class P>
 Sign insphere(const P& p, const P& q, const P& r, const P& s, const P& t) {
-  return decide<predicates::InSphere>({p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(), r.z(),  //
-                                       s.x(), s.y(), s.z(), t.x(), t.y(), t.z()});
+  return sign_of_points<predicates::InSphere>(p, q, r, s, t);
 }
 
 using Xyz = std::array<double, 3>;
@@ -81,8 +115,7 @@ inline OffPlane off_plane(std::size_t axis, const Xyz& p, const Xyz& q, const Xy
 /// The signed distance of d from the plane of a, b, c against that of e.
 template <class P>
 Sign signed_plane_distance(const P& a, const P& b, const P& c, const P& d, const P& e) {
-  return decide<predicates::SignedPlaneDistance>({a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z(),  //
-                                                  d.x(), d.y(), d.z(), e.x(), e.y(), e.z()});
+  return sign_of_points<predicates::SignedPlaneDistance>(a, b, c, d, e);
 }
 
 template <class Kernel>
@@ -177,7 +210,7 @@ struct CompareDistance2 : Kernel::Compare_distance_2 {
   using Point = typename Kernel::Point_2;
   using Kernel::Compare_distance_2::operator();
   CGAL::Comparison_result operator()(const Point& p, const Point& q, const Point& r) const {
-    return to_cgal(decide<predicates::CompareDistanceFrom2d>({p.x(), p.y(), q.x(), q.y(), r.x(), r.y()}));
+    return to_cgal(sign_of_points<predicates::CompareDistanceFrom2d>(p, q, r));
   }
 };
 
@@ -186,8 +219,7 @@ struct CompareDistance3 : Kernel::Compare_distance_3 {
   using Point = typename Kernel::Point_3;
   using Kernel::Compare_distance_3::operator();
   CGAL::Comparison_result operator()(const Point& p, const Point& q, const Point& r) const {
-    return to_cgal(
-        decide<predicates::CompareDistanceFrom3d>({p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(), r.z()}));
+    return to_cgal(sign_of_points<predicates::CompareDistanceFrom3d>(p, q, r));
   }
 };
 
