@@ -33,6 +33,33 @@ static_assert(degree<Mixed<HomogeneousInCircle, LineLineKind2, LineLineKind2, Li
 static_assert(degree<Mixed<HomogeneousInSphere, ThreePlaneKind3, ThreePlaneKind3, ThreePlaneKind3, ThreePlaneKind3,
                            ThreePlaneKind3>>() == 65);
 
+// In general position floating point decides, whatever the mix; a promise about speed.
+template <class F>
+int sure_in_a_thousand() {
+  int sure = 0;
+  for (std::uint64_t index = 0; index < 5'000; ++index) {
+    Entropy entropy(13, index);
+    Coordinates<F> p;
+    for (double& x : p) x = signed_unit_coordinate(entropy);
+    sure += filter<F>(p) != 0;
+  }
+  return sure / 5;
+}
+
+TEST(ImplicitFilters, DecideGeneralPosition) {
+  using E = ExplicitKind3;
+  using L = LinePlaneKind3;
+  using T = ThreePlaneKind3;
+  using C = LineLineKind2;
+  EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousOrient2d, C, C, C>>()), 999);
+  EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousInCircle, C, C, C, C>>()), 998);
+  EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousOrient3d, E, E, E, L>>()), 999);
+  EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousOrient3d, T, T, T, T>>()), 999);
+  EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousOrient3d, PosedKind3, PosedKind3, PosedKind3, PosedKind3>>()), 999);
+  EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousInSphere, L, L, L, L, L>>()), 998);
+  EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousInSphere, T, T, T, T, T>>()), 700);  // of degree 65
+}
+
 constexpr std::uint64_t cases = 3'000;
 
 /// Calls check(pool, entropy) for small numbers and for every family.
