@@ -1,4 +1,6 @@
 // Does one line, plane, circle or sphere tell of every point what the predicate tells?  The laws of certify/side.hpp.
+#include <cmath>
+
 #include "certify/batch_cases.hpp"
 #include "plumb/arith/big.hpp"
 
@@ -53,14 +55,14 @@ TYPED_TEST(EveryFormula, TellsTheSignsOfManyPointsAtEveryLength) {
   constexpr std::size_t longest = 70;
   for (const FamilyInfo& f : families) {
     SCOPED_TRACE(f.name);
-    const std::vector<Coordinates<F>> cases = one_against<F>(f.family, 1, longest + 3);
+    const std::vector<Coordinates<F>> cases = one_against<F>(f.family, 1, longest + 7);
     const std::vector<Sign> truth = signs_of<F>(cases);
     const Arrays<F> arrays(cases);
     const Side<F> side = side_of<F>(cases[0]);
     constexpr std::size_t last = side::points<F> - 1;
     on_each_instruction_set([&] {
       for (std::size_t n = 0; n <= longest; ++n) {
-        const std::size_t first = n % 4;
+        const std::size_t first = n * 3 % 8;
         std::vector<Sign> out(n, Sign{7}), of_view(n, Sign{7});
         side(arrays.points_at(last, first, n), out);
         ASSERT_EQ(difference<F>(cases, truth, first, out), "") << n << " points";
@@ -111,6 +113,18 @@ TYPED_TEST(EveryFormula, IsTheSameNumberInItsForm) {
     const auto value = evaluate<F>([&](std::size_t i) { return big_rational(p[i]); });
     EXPECT_EQ((sum - value).sign(), Sign::zero);
   }
+}
+
+// Recorded here, derived when compiled; in units of 2^-53, each a little above a whole number.
+TEST(Sides, HaveFiltersOfTheirOwn) {
+  EXPECT_EQ(std::floor(side::constant<predicates::Orient2d> * 0x1p53), 3);
+  EXPECT_EQ(std::floor(side::constant<predicates::Orient3d> * 0x1p53), 7);
+  EXPECT_EQ(std::floor(side::constant<predicates::InCircle> * 0x1p53), 10);
+  EXPECT_EQ(std::floor(side::constant<predicates::InSphere> * 0x1p53), 16);
+  EXPECT_EQ(LineSide::variables, 2u);
+  EXPECT_EQ(PlaneSide::variables, 3u);
+  EXPECT_EQ(CircleSide::variables, 3u);
+  EXPECT_EQ(SphereSide::variables, 4u);
 }
 
 TYPED_TEST(EveryFormula, FiltersAsSurelyAsTheFunction) {

@@ -11,12 +11,12 @@ TYPED_TEST(EveryFormula, TellsTheSignOfEachCaseAtEveryLength) {
   using F = TypeParam;
   for (const FamilyInfo& f : families) {
     SCOPED_TRACE(f.name);
-    const std::vector<Coordinates<F>> cases = cases_of<F>(f.family, longest + 3);
+    const std::vector<Coordinates<F>> cases = cases_of<F>(f.family, longest + 7);
     const std::vector<Sign> truth = signs_of<F>(cases);
     const Arrays<F> arrays(cases);
     on_each_instruction_set([&] {
       for (std::size_t n = 0; n <= longest; ++n) {
-        const std::size_t first = n % 4;  // not every array begins where vectors do
+        const std::size_t first = n * 3 % 8;  // arrays begin anywhere between two vectors
         for (const auto ask : {ask_points<F>, ask_views<F>}) {
           std::vector<Sign> out(n + 2, untouched);
           ask(arrays, first, n, std::span(out).first(n), Execution::serial);
