@@ -69,6 +69,15 @@ std::optional<bool> looked_up(const std::string& line) {
   return std::nullopt;
 }
 
+/// A program that the command runs, that not everyone has, and that is not installed here.
+std::string missing_tool(const std::string& line) {
+  for (const std::string name : {"doxygen", "gappa"}) {
+    const bool runs = line.starts_with(name + " ") || line.ends_with("| " + name);
+    if (runs && tool::run("command -v " + name).code != 0) return name;
+  }
+  return {};
+}
+
 class Documents : public testing::TestWithParam<fs::path> {
  protected:
   void SetUp() override {
@@ -87,8 +96,8 @@ class Documents : public testing::TestWithParam<fs::path> {
     std::string lines;
     std::istringstream in(block.text);
     for (std::string line; std::getline(in, line);) {
-      if (line.starts_with("doxygen ") && tool::run("command -v doxygen").code != 0) {
-        std::cout << "skipped, doxygen is not installed: " << line << '\n';
+      if (const std::string missing = missing_tool(line); !missing.empty()) {
+        std::cout << "skipped, " << missing << " is not installed: " << line << '\n';
       } else if (const auto known = looked_up(line)) {
         EXPECT_TRUE(*known) << line;
       } else {
