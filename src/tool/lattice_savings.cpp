@@ -29,11 +29,11 @@ Saving saving(const Lattice& lattice) {
     return {std::string(F::name), bits, "plain double", "the filter or an exact stage"};
   const Arithmetic* a = ladder.data();
   while (bits > a->bits) ++a;
-  const bool in_words = lattice.bits <= integer::long_bits && integer::in_range(lattice);
+  const bool in_words = integer::short_enough(lattice);
   return {std::string(F::name), bits, a->name,
-          in_words                                ? "wide-integer, interval, big-integer"
-          : integer::wide_enough<F>(lattice.bits) ? "interval, big-integer"
-                                                  : ""};
+          in_words                           ? "wide-integer, interval, big-integer"
+          : integer::wide_enough<F>(lattice) ? "interval, big-integer"
+                                             : ""};
 }
 
 }  // namespace

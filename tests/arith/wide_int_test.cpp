@@ -149,6 +149,10 @@ TYPED_TEST(WideIntTest, TakesBuiltInIntegers) {
 constexpr WideInt<61> seven{std::int64_t{7}}, minus_three{std::int64_t{-3}};
 static_assert((seven * minus_three + WideInt<30>{std::int64_t{21}}).sign() == Sign::zero);
 static_assert((seven * seven * seven * minus_three).sign() == Sign::negative);
+static_assert(shifted_by<200, 190>(-1).limb == shifted<200>(-1, 190).limb);
+static_assert(shifted_by<127, 64>(-5).limb == shifted<127>(-5, 64).limb);
+static_assert(shifted_by<189, 31>(1ll << 52).limb == shifted<189>(1ll << 52, 31).limb);
+static_assert(fitting_sum(shifted<200>(-1, 190), shifted<200>(1, 190)).sign() == Sign::zero);
 static_assert(shifted<200>(-1, 190).sign() == Sign::negative && shifted<200>(0, 190).sign() == Sign::zero);
 
 }  // namespace

@@ -64,7 +64,7 @@ constexpr Promise promise_of(Family family) {
     case Family::wide:
       return {0.6, 0.45, 0.55, 0.00001};  // a few insphere in ten million span more than 189 bits
     case Family::extreme:
-      return {1, 0.45, 0.60, 0.50};
+      return {1, 0.45, 0.60, 0.53};
     case Family::mixture:
       break;
   }

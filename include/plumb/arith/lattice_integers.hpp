@@ -9,39 +9,28 @@
 // coordinates.
 #pragma once
 
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
+#include "plumb/arith/coordinate_pairs.hpp"
 
 namespace plumb {
 
 template <std::size_t N>
 class LatticeIntegers {
-  static_assert(N >= 2, "two coordinates are converted at a time");
-
  public:
   static constexpr int most_bits = 61;
 
   [[gnu::always_inline]] explicit LatticeIntegers(const std::array<double, N>& p) {
-    std::array<Pair, pairs> x;
-#pragma GCC unroll 64
-    for (std::size_t i = 0; i < pairs; ++i) std::memcpy(&x[i], &p[place(i)], sizeof x[i]);
-    Pair larger = absolute(x[0]);
-#pragma GCC unroll 64
-    for (std::size_t i = 1; i < pairs; ++i) larger = larger > absolute(x[i]) ? larger : absolute(x[i]);
-    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(larger[0] > larger[1] ? larger[0] : larger[1]) >> 52;
+    const Pairs x(p);
+    const std::uint64_t exponent = x.largest_exponent();
     if (exponent - least_exponent > most_exponent - least_exponent) return;
 
     origin_ = addend_bits(exponent + 2);
-    const Pair addend = both(origin_);
+    const Pair addend = Pairs::both(origin_);
     Bits exact = ~Bits{};
     Bits ones{};
 #pragma GCC unroll 64
-    for (std::size_t i = 0; i < pairs; ++i) {
-      const Pair whole = x[i] + addend;
-      exact &= std::bit_cast<Bits>(whole - addend == x[i]);
+    for (std::size_t i = 0; i < Pairs::count; ++i) {
+      const Pair whole = x.pair[i] + addend;
+      exact &= std::bit_cast<Bits>(whole - addend == x.pair[i]);
       ones |= set(i, std::bit_cast<Bits>(whole));
     }
     if ((exact[0] & exact[1]) != 0) {
@@ -61,36 +50,29 @@ class LatticeIntegers {
   }
 
  private:
-  using Pair = double __attribute__((vector_size(16)));
-  using Bits = std::uint64_t __attribute__((vector_size(16)));
+  using Pairs = CoordinatePairs<N>;
+  using Pair = typename Pairs::Pair;
+  using Bits = typename Pairs::Bits;
 
-  static constexpr std::size_t pairs = (N + 1) / 2;
   static constexpr int first_bits = 51, second_bits = most_bits - first_bits;
   // The exponent fields of the largest coordinate whose addends are normal numbers with normal or subnormal units.
   static constexpr std::uint64_t least_exponent = 9, most_exponent = 2044;
 
-  // The last pair of an odd number overlaps the one before.
-  static constexpr std::size_t place(std::size_t pair) { return 2 * pair + 2 <= N ? 2 * pair : N - 2; }
-  static Pair absolute(Pair x) { return std::bit_cast<Pair>(std::bit_cast<Bits>(x) & Bits{~0ull >> 1, ~0ull >> 1}); }
   static std::uint64_t addend_bits(std::uint64_t exponent) { return exponent << 52 | 1ull << 51; }
-  static Pair both(std::uint64_t pattern) {
-    const auto x = std::bit_cast<double>(pattern);
-    return Pair{x, x};
-  }
   Bits set(std::size_t pair, Bits value) {
-    std::memcpy(&raw_[place(pair)], &value, sizeof value);
+    Pairs::store(value, pair, raw_);
     return value;
   }
 
-  [[gnu::always_inline]] void take_second_step(const std::array<Pair, pairs>& x, Pair addend, std::uint64_t exponent) {
+  [[gnu::always_inline]] void take_second_step(const Pairs& x, Pair addend, std::uint64_t exponent) {
     const std::uint64_t second_origin = addend_bits(exponent + 2 - second_bits);
-    const Pair second_addend = both(second_origin);
+    const Pair second_addend = Pairs::both(second_origin);
     origin_ = (origin_ << second_bits) + second_origin;
     Bits exact = ~Bits{};
     Bits ones{};
 #pragma GCC unroll 64
-    for (std::size_t i = 0; i < pairs; ++i) {
-      const Pair whole = x[i] + addend, rest = x[i] - (whole - addend), second = rest + second_addend;
+    for (std::size_t i = 0; i < Pairs::count; ++i) {
+      const Pair whole = x.pair[i] + addend, rest = x.pair[i] - (whole - addend), second = rest + second_addend;
       exact &= std::bit_cast<Bits>(second - second_addend == rest);
       ones |= set(i, (std::bit_cast<Bits>(whole) << second_bits) + std::bit_cast<Bits>(second));
     }

@@ -184,4 +184,28 @@ constexpr WideInt<Bits> shifted(std::int64_t m, int shift) {
   return r;
 }
 
+/// Likewise, for a shift known when compiled.
+template <int Bits, int Shift>
+constexpr WideInt<Bits> shifted_by(std::int64_t m) {
+  WideInt<Bits> r;
+  constexpr std::size_t word = Shift / 64;
+  constexpr int bit = Shift % 64;
+  for (std::size_t i = word; i < r.limbs; ++i) {
+    r.limb[i] = i == word       ? static_cast<std::uint64_t>(m) << bit
+                : i == word + 1 ? static_cast<std::uint64_t>(m >> (63 - bit) >> 1)
+                                : static_cast<std::uint64_t>(m >> 63);
+  }
+  return r;
+}
+
+/// a + b, when that needs no bit more.
+template <int Bits>
+constexpr WideInt<Bits> fitting_sum(const WideInt<Bits>& a, const WideInt<Bits>& b) {
+  WideInt<Bits> r;
+  std::uint8_t carry = 0;
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < r.limbs; ++i) r.limb[i] = wide::add(a.limb[i], b.limb[i], carry);
+  return r;
+}
+
 }  // namespace plumb
