@@ -1,6 +1,11 @@
 // CGAL's algorithms over Epick and over our kernel.
 #include "oracle/cgal_algorithms.hpp"
 
+// Our kernel first, which specializes a template of the hull's header before that declares it.
+// clang-format off
+#include "plumb/certify/cgal_kernel.hpp"
+// clang-format on
+
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Gmpq.h>
@@ -11,8 +16,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-
-#include "plumb/certify/cgal_kernel.hpp"
 
 namespace plumb::oracle {
 namespace {
