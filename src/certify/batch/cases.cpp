@@ -13,8 +13,8 @@
 namespace plumb::batch {
 namespace {
 
-constexpr std::size_t chunk = 1024;
-constexpr std::size_t chunks_for_a_thread = 8;
+constexpr std::size_t chunk = 2048;
+constexpr std::size_t chunks_for_a_thread = 4;
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 class Run {
