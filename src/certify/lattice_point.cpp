@@ -23,10 +23,6 @@ std::string described(const Lattice& lattice) {
       .append(power_of_two(lattice.exponent + lattice.bits));
 }
 
-double power_or_infinity(int exponent) {
-  return exponent > 1023 ? std::numeric_limits<double>::infinity() : std::ldexp(1.0, exponent);
-}
-
 // 12 bits of exponent and 12 of bits, with their complement above: as many ones whatever the lattice.
 std::uint64_t stamp_of(const Lattice& lattice) {
   const auto code =
@@ -88,9 +84,7 @@ LatticeIntake::LatticeIntake(const Lattice& lattice) : lattice_(lattice), stamp_
                     .append(" bits holds what no double does; take the lattice of the coordinates (lattice_of)"));
   }
   stamp_ = stamp_of(lattice);
-  counted_from_ = lattice.bits <= lattice_word::integer_bits ? lattice_word::center : 0;
   unit_ = std::ldexp(1.0, lattice.exponent);
-  largest_difference_ = power_or_infinity(end + 1);
   if (lattice.bits > lattice_word::double_bits) return;
   const int lowered = lattice.exponent > highest_center ? lowering : 0;
   scale_ = std::ldexp(1.0, -lowered);

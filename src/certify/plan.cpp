@@ -17,8 +17,6 @@ std::string_view to_string(Arithmetic a) {
     case Arithmetic::two_words:
       return "bounded double, then integers to 128 bits";
     case Arithmetic::chain:
-      return "bounded double, then the exact stages";
-    case Arithmetic::unplanned:
       break;
   }
   return "the chain of stages";

@@ -49,6 +49,7 @@ TYPED_TEST(KernelTest, TellsTheExactSignOnEveryLattice) {
       const Sign exact = decide<F>(p);
       ++seen[static_cast<std::size_t>(static_cast<int>(exact) + 1)];
       ASSERT_EQ(sign_of_points<F>(kernel, p), exact) << described<F>(lattice, p);
+      ASSERT_EQ(sign_with<F>(kernel, p), exact) << described<F>(lattice, p);
       ASSERT_EQ(sign_as_given<F>(kernel, p), exact) << described<F>(lattice, p);
       if (i % 50 == 0) {
         const Sign rational = evaluate<F>([&](std::size_t k) { return big_rational(p[k]); }).sign();

@@ -1,6 +1,8 @@
 // Cases on a lattice: coordinates that are integers of so many bits times a power of two, of every kind that is hard.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -141,6 +143,16 @@ template <Formula F>
 Sign sign_of_points(const Kernel& kernel, const Coordinates<F>& p) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) { return kernel.sign<F>(kernel.point(argument<F, I>(p))...); }
   (std::make_index_sequence<arguments<F>.size()>{});
+}
+
+/// The same, with the arithmetic chosen beforehand.
+template <Formula F>
+Sign sign_with(const Kernel& kernel, const Coordinates<F>& p) {
+  return kernel.with<F>([&]<class Planned>(const Planned& sign) {
+    EXPECT_EQ(Planned::arithmetic, plan(kernel.lattice()).template arithmetic<F>());
+    return [&]<std::size_t... I>(std::index_sequence<I...>) { return sign(kernel.point(argument<F, I>(p))...); }
+    (std::make_index_sequence<arguments<F>.size()>{});
+  });
 }
 
 /// The sign by coordinates as given, one argument after the other.

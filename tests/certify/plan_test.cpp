@@ -25,7 +25,7 @@ static_assert(arithmetic_for<Orient3d>(31) == Arithmetic::modulo_word);
 static_assert(arithmetic_for<Orient3d>(36) == Arithmetic::two_words);
 static_assert(arithmetic_for<Orient3d>(41) == Arithmetic::chain);
 static_assert(arithmetic_for<Orient2d>(63) == Arithmetic::chain);
-static_assert(arithmetic_for<Paraboloid>(1) == Arithmetic::unplanned);
+static_assert(arithmetic_for<Paraboloid>(1) == Arithmetic::chain);
 static_assert(arithmetic_for<Order>(51) == Arithmetic::plain_double);
 
 template <class F>
@@ -93,7 +93,6 @@ TEST(PlanTest, SaysWhatItIsCalled) {
   EXPECT_EQ(to_string(scene.arithmetic<Orient3d>()), "integers to 128 bits");
   EXPECT_EQ(to_string(scene.arithmetic<InSphere>()), "bounded double, then integers modulo 2^64");
   EXPECT_EQ(to_string(Arithmetic::two_words), "bounded double, then integers to 128 bits");
-  EXPECT_EQ(to_string(Arithmetic::chain), "bounded double, then the exact stages");
   EXPECT_EQ(to_string(scene.arithmetic<Paraboloid>()), "the chain of stages");
 }
 

@@ -29,23 +29,15 @@ constexpr double as_double(std::uint64_t word) { return std::bit_cast<double>(wo
 
 }  // namespace lattice_word
 
-/// Doubles; `from` is what a coordinate by itself is counted from: lattice_word::center, or 0 for plain doubles.
+/// Doubles, for coordinates below 2^51 in magnitude.
 struct WordAsDouble {
-  double value, from;
-
-  friend constexpr double operator-(WordAsDouble a, WordAsDouble b) { return a.value - b.value; }
-  constexpr operator double() const { return value - from; }  // NOLINT: mixes as an intermediate value
-};
-
-/// Doubles of words beyond 2^51: a difference is rounded once, a coordinate by itself is exact where it was a double.
-struct WordAsRoundedDouble {
   std::uint64_t word;
 
-  friend constexpr double operator-(WordAsRoundedDouble a, WordAsRoundedDouble b) {
-    return static_cast<double>(static_cast<std::int64_t>(a.word - b.word));
+  friend constexpr double operator-(WordAsDouble a, WordAsDouble b) {
+    return lattice_word::as_double(a.word) - lattice_word::as_double(b.word);
   }
   constexpr operator double() const {  // NOLINT: mixes as an intermediate value
-    return static_cast<double>(lattice_word::integer(word));
+    return lattice_word::as_double(word) - lattice_word::center;
   }
 };
 

@@ -4,12 +4,13 @@
 //   const std::vector<LatticePoint<3>> p = kernel.points(vertices);   // checked here, once
 //   kernel.orient3d(p[0], p[1], p[2], p[3]);                          // exact, at about the cost of the bare formula
 //   kernel.orient3d(vertices[0], vertices[1], vertices[2], query);    // checks its coordinates itself
+//   kernel.with<predicates::Orient3d>([&](auto orient) { ... });      // for a loop: the arithmetic is chosen outside
 //
 // Laws: the sign is that of decide for the same coordinates.  Coordinates off the lattice throw OffLattice, NaN and
 // infinity NonFinite, and points that another lattice's kernel took in OffLattice, naming the argument: no wrong input
 // gets an answer.  Kernels of equal lattices may exchange points.
-// Source: RTCD 11.4, 11.5.1, docs/plans.md.  Cost: 1.0 to 1.4 times the bare formula where plain doubles or factors of
-// one word suffice; beyond, one comparison more than the bare formula unless the value is next to zero.
+// Source: RTCD 11.4, 11.5.1.  Cost: docs/plans.md; in a loop within `with` 1.0 to 1.4 times the bare formula where
+// plain doubles or factors of one word suffice, and some ns more for choosing at every call.
 #pragma once
 
 #include <tuple>
@@ -47,13 +48,20 @@ class Kernel {
   [[nodiscard]] std::vector<LatticePoint<2>> points(std::span<const Point2> points) const;
   [[nodiscard]] std::vector<LatticePoint<3>> points(std::span<const Point3> points) const;
 
+  /// action(sign), where sign is F in the arithmetic of this lattice: for loops that ask one question often.  The
+  /// action is compiled for each arithmetic that F may need, without a branch on the lattice in it.
+  template <Formula F, class Action>
+  decltype(auto) with(Action&& action) const {
+    return planned::dispatch<F>(lattice().bits, [&](auto arithmetic) -> decltype(auto) {
+      return action(PlannedPredicate<F, arithmetic.value>(intake_));
+    });
+  }
+
   /// The sign of F at points taken in, one for each argument.
   template <Formula F, std::size_t... N>
-  [[nodiscard]] Sign sign(const LatticePoint<N>&... p) const {
-    static_assert((N + ...) == arity<F>, "Kernel: the formula takes another number of coordinates than these points");
-    if ((p.stamp() & ...) != intake_.stamp()) [[unlikely]]
-      intake_.refuse_stamp(F::name, std::array{p.stamp()...});
-    return planned_sign<F>(intake_, p...);
+  [[nodiscard]] [[gnu::always_inline]] Sign sign(const LatticePoint<N>&... p) const {
+    return planned::dispatch<F>(lattice().bits,
+                                [&](auto arithmetic) { return PlannedPredicate<F, arithmetic.value>(intake_)(p...); });
   }
   /// The sign of F at points, vectors and numbers as given, which are checked.
   template <Formula F, AsGiven... Arguments>
@@ -63,7 +71,7 @@ class Kernel {
     LatticePoint<arity<F>> taken;
     if (!intake_.take(p, taken)) [[unlikely]]
       intake_.refuse(F::name, plumb::arguments<F>, p);
-    return planned_sign<F>(intake_, taken);
+    return sign<F>(taken);
   }
 
   // Points are all LatticePoint<2> or all Point2; in space LatticePoint<3> or Point3.

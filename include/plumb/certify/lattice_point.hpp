@@ -63,10 +63,6 @@ class LatticeIntake {
     return on;
   }
 
-  /// What a word as a double is counted from, up to 51 bits and beyond 62.
-  [[nodiscard]] double counted_from() const { return counted_from_; }
-  /// No difference or sum of two coordinates as given is larger; may be infinite.
-  [[nodiscard]] double largest_difference() const { return largest_difference_; }
   /// The double that a word of this lattice stands for.
   [[nodiscard]] double given(std::uint64_t word) const {
     if (lattice_.bits > lattice_word::integer_bits) return std::bit_cast<double>(word);
@@ -99,7 +95,7 @@ class LatticeIntake {
 
   Lattice lattice_;
   std::uint64_t stamp_, rebase_ = 0;
-  double scale_ = 1, unscale_ = 1, center_ = 0, unit_ = 0, counted_from_ = 0, largest_difference_ = 0;
+  double scale_ = 1, unscale_ = 1, center_ = 0, unit_ = 0;
 };
 
 }  // namespace plumb

@@ -26,8 +26,7 @@ enum class Arithmetic : std::uint8_t {
   one_word_factors,  // integers of at most 128 bits whose products multiply single words
   modulo_word,       // doubles with a constant bound; within it, integers modulo 2^64
   two_words,         // doubles with a constant bound; within it, integers of at most 128 bits
-  chain,             // doubles with a constant bound; within it, the exact stages of decide
-  unplanned,         // decide: the terms differ in degree
+  chain,             // the filter and the exact stages of decide; formulas whose terms differ in degree have no other
 };
 
 /// "plain double", "integers to 128 bits", ...
@@ -86,7 +85,7 @@ inline constexpr int two_words = most_bits(lattice_word::double_bits, [](int b) 
 template <Formula F>
 constexpr Arithmetic arithmetic_for(int bits) {
   if constexpr (!is_homogeneous<F>) {
-    return Arithmetic::unplanned;
+    return Arithmetic::chain;
   } else {
     if (bits <= planned::plain_double<F>) return Arithmetic::plain_double;
     if (bits <= planned::one_word_factors<F>) return Arithmetic::one_word_factors;

@@ -1,11 +1,13 @@
-// How does a plan take a sign?  One formula over the words of a lattice, in the arithmetic that arithmetic_for names.
+// How does a plan take a sign?  One formula over the words of a lattice, in one of the arithmetics of a plan.
 //
-// Laws: the sign of the exact value, for the words that this lattice took in.  Which arithmetic is taken depends on the
-// lattice alone, so that its branches are predicted; a constant threshold is one comparison.
-// Source: docs/plans.md, docs/proof.md "Lattices"; cost: that of the arithmetic, see there.
+// Laws: the sign of the exact value, for points that this lattice took in and an arithmetic that arithmetic_for says
+// for its bits.  Points of another lattice throw OffLattice. Source: docs/plans.md, docs/proof.md "Lattices"; cost:
+// that of the arithmetic, see there.
 #pragma once
 
 #include <cassert>
+#include <new>
+#include <tuple>
 
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/lattice_point.hpp"
@@ -23,53 +25,19 @@ constexpr auto over(const LatticeWords<F>& w) {
   return evaluate<F>([&](std::size_t i) { return Input{w[i]}; });
 }
 
-template <Formula F>
-double value_in_doubles(const LatticeWords<F>& w, double from) {
-  return evaluate<F>([&](std::size_t i) { return WordAsDouble{lattice_word::as_double(w[i]), from}; });
-}
-
-/// Do the bounds of the widest words stay finite?  Formulas of very high degree have the filters of decide alone.
-template <Formula F>
-inline constexpr bool has_threshold = error<F>(lattice_word::integer_bits).root < 0x1p1000;
-
-/// For lattices of words without an arithmetic of 128 bits: bounds shrink with the bits at least as fast as the value.
-template <Formula F>
-double word_threshold(int bits) {
-  const int exponent = degree<F>() * (bits - lattice_word::integer_bits);
-  return error<F>(lattice_word::integer_bits).root *
-         std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
-}
-
-/// For coordinates as given, none of whose differences exceeds `largest`: filter B's.  Infinite where some intermediate
-/// value could overflow.
-template <Formula F>
-double given_threshold(double largest) {
-  constexpr double terms =
-      LargestMagnitude(evaluate<F>([](std::size_t) { return LargestMagnitude::Input{1}; })).magnitude;
-  return power<degree<F>()>(largest < largest_floor<F> ? largest_floor<F> : largest) * terms * filter_constant<F>();
-}
-
-template <Formula F>
-Coordinates<F> given(const LatticeWords<F>& w, const LatticeIntake& lattice) {
-  Coordinates<F> p{};
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = lattice.given(w[i]);
-  return p;
-}
-
 template <Formula F, std::size_t... N>
 constexpr LatticeWords<F> words_of(const LatticePoint<N>&... p) {
   return std::apply([](auto... w) { return LatticeWords<F>{w...}; }, std::tuple_cat(p.words()...));
 }
 
-/// Keeps what follows from sharing its loads with the other arithmetics, which would bring doubles in by way of integer
-/// registers.
-[[gnu::always_inline]] inline void load_anew() {
-#if defined(__GNUC__)
-  __asm__ volatile("" ::: "memory");
-#endif
+/// x, of which GCC forgets that it has read it: the arithmetics would share their loads, and bring doubles in by way of
+/// integer registers.
+template <class T>
+[[gnu::always_inline]] inline const T& anew(const T& x) {
+  return *std::launder(&x);
 }
 
-/// For words of up to 62 bits: the widest integers that words need, compiled into the library once.
+/// Of words up to 62 bits: the widest integers that they need, compiled into the library once for the classics.
 template <Formula F>
 [[gnu::noinline]] Sign long_word_sign(const LatticeWords<F>& w) {
   return over<F, WordAsInteger<lattice_word::integer_bits + 1>>(w).sign();
@@ -79,81 +47,112 @@ extern template Sign long_word_sign<predicates::Orient3d>(const LatticeWords<pre
 extern template Sign long_word_sign<predicates::InCircle>(const LatticeWords<predicates::InCircle>&);
 extern template Sign long_word_sign<predicates::InSphere>(const LatticeWords<predicates::InSphere>&);
 
-// What follows is called, with the points themselves, so that the inline part keeps its words in registers.
-
-/// Where doubles do not tell the sign.
+/// What the filter sees of words: their integers, each of which is a double; beyond 62 bits the doubles as given.
 template <Formula F, std::size_t... N>
-[[gnu::noinline]] Sign near_zero_sign(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
-  const LatticeWords<F> w = words_of<F>(p...);
-  const int bits = lattice.lattice().bits;
-  constexpr int widest = two_words<F>;
-  if constexpr (widest > one_word_factors<F>) {
-    if (bits <= widest) return over<F, WordAsInteger<widest + 1>>(w).sign();
-  }
+[[gnu::always_inline]] inline Coordinates<F> doubles_of(int bits, const LatticePoint<N>&... p) {
+  const auto each = [&](auto make) {
+    return std::apply([&](auto... w) { return Coordinates<F>{make(w)...}; }, words_of<F>(anew(p)...));
+  };
+  if (bits <= lattice_word::double_bits) return each([](std::uint64_t w) -> double { return WordAsDouble{w}; });
+  if (bits > lattice_word::integer_bits) return each(lattice_word::as_double);
+  return each([](std::uint64_t w) { return static_cast<double>(lattice_word::integer(w)); });
+}
+
+/// Where the filter is unsure of doubles_of, for a formula without an arithmetic of 128 bits.
+template <Formula F, std::size_t... N>
+[[gnu::noinline]] Sign long_sign(int bits, const LatticePoint<N>&... p) {
   if constexpr (has_wide_stages<F>) {
-    if (bits <= lattice_word::integer_bits) return long_word_sign<F>(w);
+    if (bits <= lattice_word::integer_bits) return long_word_sign<F>(words_of<F>(p...));
   }
-  return decide_exactly<F>(given<F>(w, lattice)).sign;
+  return decide_exactly<F>(doubles_of<F>(bits, p...)).sign;
 }
 
+/// Called with the points themselves, so that the inline part keeps its words in registers.
 template <Formula F, std::size_t... N>
-[[gnu::noinline]] Sign unplanned_sign(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
-  return decide<F>(given<F>(words_of<F>(p...), lattice));
+[[gnu::noinline]] Sign two_word_sign(const LatticePoint<N>&... p) {
+  return over<F, WordAsInteger<two_words<F> + 1>>(words_of<F>(p...)).sign();
 }
 
-/// The bound of the doubles' error where plain doubles are not exact.
-template <Formula F>
-double threshold(const LatticeIntake& lattice) {
-  const int bits = lattice.lattice().bits;
-  if (modulo_word<F> >= 0 && bits <= modulo_word<F>) return error<F>(modulo_word<F>).root;
-  if (two_words<F> >= 0 && bits <= two_words<F>) return error<F>(two_words<F>).root;
-  if (bits <= lattice_word::integer_bits) return word_threshold<F>(bits);
-  return given_threshold<F>(lattice.largest_difference());
+/// Decided from the coordinates as they were given.
+template <Formula F, std::size_t... N>
+[[gnu::noinline]] Sign given_sign(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
+  const LatticeWords<F> w = words_of<F>(p...);
+  Coordinates<F> x{};
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = lattice.given(w[i]);
+  return decide<F>(x);
+}
+
+/// The sign of F in one arithmetic.
+template <Formula F, Arithmetic A, std::size_t... N>
+[[gnu::always_inline]] inline Sign sign_in(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
+  if constexpr (A == Arithmetic::plain_double) {
+    return sign_of_number(static_cast<double>(over<F, WordAsDouble>(words_of<F>(anew(p)...))));
+  } else if constexpr (A == Arithmetic::one_word_factors) {
+    return over<F, WordAsInteger<one_word_factors<F> + 1>>(words_of<F>(anew(p)...)).sign();
+  } else if constexpr (A == Arithmetic::modulo_word || A == Arithmetic::two_words) {
+    constexpr double bound = error<F>(A == Arithmetic::modulo_word ? modulo_word<F> : two_words<F>).root;
+    const double value = over<F, WordAsDouble>(words_of<F>(anew(p)...));
+    if (const int s = beyond(value, bound); s != 0) [[likely]]
+      return static_cast<Sign>(s);
+    if constexpr (A == Arithmetic::modulo_word) {
+      return sign_of_number(over<F, WordModular>(words_of<F>(anew(p)...)).near_zero());
+    } else {
+      return two_word_sign<F>(p...);
+    }
+  } else if constexpr (is_homogeneous<F>) {
+    const int bits = lattice.lattice().bits;
+    if (const int s = filter<F>(doubles_of<F>(bits, p...)); s != 0) [[likely]]
+      return static_cast<Sign>(s);
+    return long_sign<F>(bits, p...);
+  } else {
+    return given_sign<F>(lattice, p...);
+  }
+}
+
+/// Calls action(std::integral_constant<Arithmetic, A>) for the arithmetic of a lattice of so many bits.
+template <Formula F, class Action>
+[[gnu::always_inline]] inline decltype(auto) dispatch(int bits, Action&& action) {
+  if constexpr (is_homogeneous<F>) {
+    constexpr int plain = planned::plain_double<F>, one = planned::one_word_factors<F>,
+                  modulo = planned::modulo_word<F>, two = planned::two_words<F>;
+    if (bits <= plain) return action(std::integral_constant<Arithmetic, Arithmetic::plain_double>{});
+    if constexpr (one > plain) {
+      if (bits <= one) return action(std::integral_constant<Arithmetic, Arithmetic::one_word_factors>{});
+    }
+    if constexpr (modulo > one && modulo > plain) {
+      if (bits <= modulo) return action(std::integral_constant<Arithmetic, Arithmetic::modulo_word>{});
+    }
+    if constexpr (two > modulo && two > one && two > plain) {
+      if (bits <= two) return action(std::integral_constant<Arithmetic, Arithmetic::two_words>{});
+    }
+  }
+  return action(std::integral_constant<Arithmetic, Arithmetic::chain>{});
 }
 
 }  // namespace planned
 
-/// The sign of F at points that this lattice took in.
-template <Formula F, std::size_t... N>
-[[gnu::always_inline]] inline Sign planned_sign(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
-  assert(environment::thread_is_sound() &&
-         "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
-  if constexpr (!is_homogeneous<F>) {
-    return planned::unplanned_sign<F>(lattice, p...);
-  } else {
-    constexpr int plain = planned::plain_double<F>, one_word = planned::one_word_factors<F>,
-                  modulo = planned::modulo_word<F>;
-    const int bits = lattice.lattice().bits;
-    const auto value = [&] {
-      planned::load_anew();
-      return planned::value_in_doubles<F>(planned::words_of<F>(p...), lattice.counted_from());
-    };
-    if (bits <= plain) return sign_of_number(value());
-    if constexpr (one_word > plain) {
-      if (bits <= one_word) {
-        planned::load_anew();
-        return planned::over<F, WordAsInteger<one_word + 1>>(planned::words_of<F>(p...)).sign();
-      }
-    }
-    if constexpr (!planned::has_threshold<F>) {
-      return planned::unplanned_sign<F>(lattice, p...);
-    } else {
-      const auto rounded = [&]() -> double {
-        planned::load_anew();
-        return planned::over<F, WordAsRoundedDouble>(planned::words_of<F>(p...));
-      };
-      const double v = bits > lattice_word::double_bits && bits <= lattice_word::integer_bits ? rounded() : value();
-      if (const int s = beyond(v, planned::threshold<F>(lattice)); s != 0) [[likely]]
-        return static_cast<Sign>(s);
-      if constexpr (modulo > one_word) {
-        if (bits <= modulo) {
-          planned::load_anew();
-          return sign_of_number(planned::over<F, WordModular>(planned::words_of<F>(p...)).near_zero());
-        }
-      }
-      return planned::near_zero_sign<F>(lattice, p...);
-    }
+/// A formula with the arithmetic of a scene fixed: Kernel::with hands it out.  Refers to its kernel.
+template <Formula F, Arithmetic A>
+class PlannedPredicate {
+ public:
+  static constexpr Arithmetic arithmetic = A;
+
+  explicit PlannedPredicate(const LatticeIntake& lattice) : lattice_(&lattice), stamp_(lattice.stamp()) {}
+
+  /// The sign of F at points taken in, one for each argument.
+  template <std::size_t... N>
+  [[nodiscard]] Sign operator()(const LatticePoint<N>&... p) const {
+    static_assert((N + ...) == arity<F>, "Kernel: the formula takes another number of coordinates than these points");
+    assert(environment::thread_is_sound() &&
+           "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
+    if ((p.stamp() & ...) != stamp_) [[unlikely]]
+      lattice_->refuse_stamp(F::name, std::array{p.stamp()...});
+    return planned::sign_in<F, A>(*lattice_, p...);
   }
-}
+
+ private:
+  const LatticeIntake* lattice_;
+  std::uint64_t stamp_;
+};
 
 }  // namespace plumb
