@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,5 +64,18 @@ inline void add(std::string_view predicate, const std::string& inputs_name, cons
                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   });
 }
+
+/// Registers a method that is asked of each set of coordinates by itself.
+template <Formula F, class Take>
+void add_each(const std::string& inputs_name, const std::string& method, std::vector<Coordinates<F>> sets, Take take) {
+  add(F::name, inputs_name, method, [sets = std::make_shared<std::vector<Coordinates<F>>>(std::move(sets)), take] {
+    long sum = 0;
+    for (const Coordinates<F>& p : *sets) sum += static_cast<long>(take(p));
+    return sum;
+  });
+}
+
+/// The sign itself, so that no stage's last operations are left out as unused.
+inline int answer(Unsure<Sign> s) { return s.certain() ? static_cast<int>(s.value()) : 2; }
 
 }  // namespace plumb::bench

@@ -1,8 +1,6 @@
 // What does each stage cost by itself?  Both filters on uniform points, the exact stages on exactly degenerate ones.
 #include <benchmark/benchmark.h>
 
-#include <memory>
-
 #include "bench/measure.hpp"
 #include "plumb/certify/decide.hpp"
 
@@ -11,17 +9,8 @@ namespace {
 
 template <Formula F, class Take>
 void add_stage(const char* stage, const std::string& name, Take take) {
-  const auto sets =
-      std::make_shared<std::vector<Coordinates<F>>>(sets_of<F>(inputs(F::name, arity<F>, F::dimension, name)));
-  add(F::name, name, stage, [sets, take] {
-    long sum = 0;
-    for (const Coordinates<F>& p : *sets) sum += static_cast<long>(take(p));
-    return sum;
-  });
+  add_each<F>(name, stage, sets_of<F>(inputs(F::name, arity<F>, F::dimension, name)), take);
 }
-
-// The sign itself, so that no stage's last operations are left out as unused.
-int answer(Unsure<Sign> s) { return s.certain() ? static_cast<int>(s.value()) : 2; }
 
 template <Formula F>
 void register_predicate() {
