@@ -47,24 +47,26 @@ extern template Sign long_word_sign<predicates::Orient3d>(const LatticeWords<pre
 extern template Sign long_word_sign<predicates::InCircle>(const LatticeWords<predicates::InCircle>&);
 extern template Sign long_word_sign<predicates::InSphere>(const LatticeWords<predicates::InSphere>&);
 
-/// What the filter sees of words: their integers, each of which is a double; beyond 62 bits the doubles as given.
-template <Formula F, std::size_t... N>
-[[gnu::always_inline]] inline Coordinates<F> doubles_of(int bits, const LatticePoint<N>&... p) {
+/// action(coordinates) for what the filter sees of words: their integers, each of which is a double; beyond 62 bits the
+/// doubles as given.  The action is compiled for each kind of words: arrays that meet again would go through memory.
+template <Formula F, class Action, std::size_t... N>
+[[gnu::always_inline]] inline auto in_doubles(int bits, Action action, const LatticePoint<N>&... p) {
   const auto each = [&](auto make) {
     return std::apply([&](auto... w) { return Coordinates<F>{make(w)...}; }, words_of<F>(anew(p)...));
   };
-  if (bits <= lattice_word::double_bits) return each([](std::uint64_t w) -> double { return WordAsDouble{w}; });
-  if (bits > lattice_word::integer_bits) return each(lattice_word::as_double);
-  return each([](std::uint64_t w) { return static_cast<double>(lattice_word::integer(w)); });
+  if (bits <= lattice_word::double_bits) return action(each([](std::uint64_t w) -> double { return WordAsDouble{w}; }));
+  if (bits > lattice_word::integer_bits) return action(each(lattice_word::as_double));
+  return action(each([](std::uint64_t w) { return static_cast<double>(lattice_word::integer(w)); }));
 }
 
-/// Where the filter is unsure of doubles_of, for a formula without an arithmetic of 128 bits.
+/// Where the filter is unsure, for a formula without an arithmetic of 128 bits.
 template <Formula F, std::size_t... N>
 [[gnu::noinline]] Sign long_sign(int bits, const LatticePoint<N>&... p) {
   if constexpr (has_wide_stages<F>) {
     if (bits <= lattice_word::integer_bits) return long_word_sign<F>(words_of<F>(p...));
   }
-  return decide_exactly<F>(doubles_of<F>(bits, p...)).sign;
+  return in_doubles<F>(
+      bits, [](const Coordinates<F>& x) { return decide_exactly<F>(x).sign; }, p...);
 }
 
 /// Called with the points themselves, so that the inline part keeps its words in registers.
@@ -101,7 +103,8 @@ template <Formula F, Arithmetic A, std::size_t... N>
     }
   } else if constexpr (is_homogeneous<F>) {
     const int bits = lattice.lattice().bits;
-    if (const int s = filter<F>(doubles_of<F>(bits, p...)); s != 0) [[likely]]
+    const auto filtered = [](const Coordinates<F>& x) { return filter<F>(x); };
+    if (const int s = in_doubles<F>(bits, filtered, p...); s != 0) [[likely]]
       return static_cast<Sign>(s);
     return long_sign<F>(bits, p...);
   } else {
