@@ -13,8 +13,8 @@
 namespace plumb::tool {
 
 /// The ways of taking a decision that are compared; --fail-on-wrong takes these names.
-inline constexpr std::array<std::string_view, 7> method_names{"float32",     "double",   "absolute", "relative",
-                                                              "long-double", "interval", "exact"};
+inline constexpr std::array<std::string_view, 8> method_names{"float32",     "double",   "absolute", "relative",
+                                                              "long-double", "interval", "plan",     "exact"};
 
 struct CheckOptions {
   std::vector<std::string> meshes;         // none: the embedded part

@@ -71,8 +71,11 @@ json json_of(const MeshStatistics& m) {
 json json_of(const Lattice& lattice) {
   json predicates = json::array();
   for (const Saving& s : lattice_savings(lattice)) {
-    predicates.push_back(
-        {{"predicate", s.predicate}, {"value_bits", s.value_bits}, {"suffices", s.suffices}, {"never_needs", s.skips}});
+    predicates.push_back({{"predicate", s.predicate},
+                          {"value_bits", s.value_bits},
+                          {"suffices", s.suffices},
+                          {"never_needs", s.skips},
+                          {"plan", s.plan}});
   }
   return {{"exponent", lattice.exponent}, {"bits", lattice.bits}, {"predicates", predicates}};
 }

@@ -33,9 +33,27 @@ template <class Input, class Take>
   return elapsed.count() / static_cast<double>(inputs.size());
 }
 
+// One block of decisions, in the form that each method takes.
 template <Formula F>
-double take_all(Method method, std::span<const Coordinates<F>> block, std::span<const RealCoordinates<F, float>> floats,
-                Answers& answers) {
+struct Block {
+  std::vector<Coordinates<F>> coordinates;
+  std::vector<RealCoordinates<F, float>> floats;
+  std::vector<PlannedPoints<F>> points;
+
+  Block(const MeshDecisions& decisions, const Kernel& kernel, Kind kind, std::uint64_t first, std::uint64_t count)
+      : coordinates(count), floats(count), points(count) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      coordinates[i] = decisions.coordinates<F>(kind, first + i);
+      floats[i] = converted<F, float>(coordinates[i]);
+      points[i] = taken_in<F>(kernel, coordinates[i]);
+    }
+  }
+};
+
+template <Formula F>
+double take_all(Method method, const Block<F>& all, const Kernel& kernel, Answers& answers) {
+  const std::span<const Coordinates<F>> block = all.coordinates;
+  const std::span<const RealCoordinates<F, float>> floats = all.floats;
   const auto plain = [](const auto& p) { return Unsure{sign_of_number(F{}(p))}; };
   switch (method) {
     case Method::float32:
@@ -54,6 +72,11 @@ double take_all(Method method, std::span<const Coordinates<F>> block, std::span<
       return timed(block, answers, [&](const Coordinates<F>& p) { return plain(converted<F, long double>(p)); });
     case Method::interval:
       return timed(block, answers, interval_sign<F>);
+    case Method::plan:
+      return kernel.with<F>([&](const auto& sign) {
+        return timed(std::span<const PlannedPoints<F>>(all.points), answers,
+                     [&](const PlannedPoints<F>& p) { return Unsure{std::apply(sign, p)}; });
+      });
     case Method::exact:
       return timed(block, answers, [](const Coordinates<F>& p) { return Unsure{decide<F>(p)}; });
   }
@@ -92,21 +115,17 @@ void judge(Method method, Kind kind, std::uint64_t first, std::span<const Coordi
 }
 
 template <Formula F>
-void compare_block(const MeshDecisions& decisions, Kind kind, std::uint64_t first, std::uint64_t count,
-                   std::uint64_t verify_stride, Gathered& gathered) {
-  std::vector<Coordinates<F>> block(count);
-  std::vector<RealCoordinates<F, float>> floats(count);
-  for (std::uint64_t i = 0; i < count; ++i) {
-    block[i] = decisions.coordinates<F>(kind, first + i);
-    floats[i] = converted<F, float>(block[i]);
-  }
+void compare_block(const MeshDecisions& decisions, const Kernel& kernel, Kind kind, std::uint64_t first,
+                   std::uint64_t count, std::uint64_t verify_stride, Gathered& gathered) {
+  const Block<F> all(decisions, kernel, kind, first, count);
+  const std::span<const Coordinates<F>> block = all.coordinates;
   Comparison& comparison = gathered.comparison;
   Answers given, exact;
   for (const Coordinates<F>& p : block) decide<F>(p, comparison.stages);
   for (std::size_t m = method_count; m-- > 0;) {  // the judge first
     const auto method = static_cast<Method>(m);
     Answers& answers = method == Method::exact ? exact : given;
-    const double ns = take_all<F>(method, block, floats, answers);
+    const double ns = take_all<F>(method, all, kernel, answers);
     gathered.block_ns[m].push_back(ns);
     judge<F>(method, kind, first, block, answers, exact, comparison.method[m]);
   }
@@ -117,7 +136,8 @@ void compare_block(const MeshDecisions& decisions, Kind kind, std::uint64_t firs
   }
 }
 
-using CompareBlock = void (*)(const MeshDecisions&, Kind, std::uint64_t, std::uint64_t, std::uint64_t, Gathered&);
+using CompareBlock = void (*)(const MeshDecisions&, const Kernel&, Kind, std::uint64_t, std::uint64_t, std::uint64_t,
+                              Gathered&);
 
 CompareBlock comparer_of(std::string_view predicate) {
 #define PLUMB_COMPARE(formula) \
@@ -133,7 +153,8 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-Comparison compare_kind(const MeshDecisions& decisions, Kind kind, const CheckSettings& settings, Progress& progress) {
+Comparison compare_kind(const MeshDecisions& decisions, const Kernel& kernel, Kind kind, const CheckSettings& settings,
+                        Progress& progress) {
   const std::uint64_t count = decisions.count(kind);
   const std::uint64_t blocks = (count + block_size - 1) / block_size;
   const std::uint64_t stride = settings.verify ? count / (settings.verified_of_kind + 1) + 1 : 0;
@@ -141,7 +162,7 @@ Comparison compare_kind(const MeshDecisions& decisions, Kind kind, const CheckSe
   tbb::enumerable_thread_specific<Gathered> per_thread;
   tbb::parallel_for(std::uint64_t{0}, blocks, [&](std::uint64_t b) {
     const std::uint64_t first = b * block_size, size = std::min(block_size, count - first);
-    compare(decisions, kind, first, size, stride, per_thread.local());
+    compare(decisions, kernel, kind, first, size, stride, per_thread.local());
     progress.advance(size);
   });
   Gathered all;
@@ -184,11 +205,12 @@ void check_mesh(const TriangleMesh& mesh, const CheckSettings& settings, MeshChe
   check.lattice = lattice_of(coordinates_of(mesh));
   const MeshDecisions decisions(mesh, edges);
   check.edges = decisions.edge_answers();
+  const Kernel kernel(plan(decisions.lattice()));
   std::uint64_t steps = 0;
   for (std::size_t k = 0; k < kinds.size(); ++k) steps += decisions.count(static_cast<Kind>(k));
   Progress progress(check.name, steps);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    check.kind[k] = compare_kind(decisions, static_cast<Kind>(k), settings, progress);
+    check.kind[k] = compare_kind(decisions, kernel, static_cast<Kind>(k), settings, progress);
   }
 }
 

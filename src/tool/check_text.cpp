@@ -55,6 +55,7 @@ std::string lattice_lines(const Lattice& lattice) {
   for (const Saving& saving : lattice_savings(lattice)) {
     s += fmt::format("              {:<9} exact in {} ({} bits){}\n", saving.predicate, saving.suffices,
                      saving.value_bits, saving.skips.empty() ? "" : fmt::format("; never needs {}", saving.skips));
+    s += fmt::format("              {:<9} plan: {}\n", "", saving.plan);
   }
   return s;
 }

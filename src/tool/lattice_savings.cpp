@@ -3,22 +3,23 @@
 #include <array>
 
 #include "plumb/certify/exact_stages.hpp"
+#include "plumb/certify/plan.hpp"
 #include "plumb/predicates/manifest.hpp"
 
 namespace plumb::tool {
 namespace {
 
-struct Arithmetic {
+struct Width {
   int bits;  // values below 2^bits are exact
   const char* name;
 };
 
-constexpr std::array<Arithmetic, 6> ladder{{{63, "64-bit integers"},
-                                            {127, "128-bit integers"},
-                                            {255, "256-bit integers"},
-                                            {511, "512-bit integers"},
-                                            {1023, "1024-bit integers"},
-                                            {1 << 30, "GMP integers"}}};
+constexpr std::array<Width, 6> ladder{{{63, "64-bit integers"},
+                                       {127, "128-bit integers"},
+                                       {255, "256-bit integers"},
+                                       {511, "512-bit integers"},
+                                       {1023, "1024-bit integers"},
+                                       {1 << 30, "GMP integers"}}};
 
 template <Formula F>
 Saving saving(const Lattice& lattice) {
@@ -26,14 +27,16 @@ Saving saving(const Lattice& lattice) {
   // In doubles every intermediate value is a multiple of 2^(exponent * degree), which must not underflow or overflow.
   const int unit = lattice.exponent * degree<F>();
   if (bits <= 53 && unit >= -1074 && unit + bits <= 1023)
-    return {std::string(F::name), bits, "plain double", "the filter or an exact stage"};
-  const Arithmetic* a = ladder.data();
+    return {std::string(F::name), bits, "plain double", "the filter or an exact stage",
+            std::string(to_string(arithmetic_for<F>(lattice.bits)))};
+  const Width* a = ladder.data();
   while (bits > a->bits) ++a;
   const bool in_words = integer::short_enough(lattice);
   return {std::string(F::name), bits, a->name,
           in_words                           ? "wide-integer, interval, big-integer"
           : integer::wide_enough<F>(lattice) ? "interval, big-integer"
-                                             : ""};
+                                             : "",
+          std::string(to_string(arithmetic_for<F>(lattice.bits)))};
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct Saving {
   int value_bits;        // of the exact value, at most
   std::string suffices;  // "plain double", "64-bit integers", ..., "GMP integers"
   std::string skips;     // what is then never needed; empty when nothing
+  std::string plan;      // the arithmetic that a plan takes (certify/plan.hpp)
 };
 
 std::vector<Saving> lattice_savings(const Lattice& lattice);

@@ -104,6 +104,16 @@ MeshDecisions::MeshDecisions(const TriangleMesh& mesh, const MeshEdges& edges)
   }
 }
 
+Lattice MeshDecisions::lattice() const {
+  ExponentSpan span;
+  const auto include = [&](const Point3& p) {
+    for (const double x : {p.x, p.y, p.z}) span.include(odd_form(x));
+  };
+  for (const Point3& p : mesh_.vertices) include(p);
+  for (const FlatEdge& e : flat_) include(e.off);
+  return span.lattice();
+}
+
 std::uint64_t MeshDecisions::count(Kind kind) const {
   switch (kind) {
     case Kind::edge_delaunay_flat:

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/arith/lattice.hpp"
 #include "plumb/certify/formula.hpp"
 #include "plumb/surface/mesh.hpp"
 #include "plumb/surface/topology.hpp"
@@ -60,6 +61,8 @@ class MeshDecisions {
 
   [[nodiscard]] std::uint64_t count(Kind kind) const;
   [[nodiscard]] const EdgeAnswers& edge_answers() const { return answers_; }
+  /// Of all coordinates that the decisions take: the mesh's, and those of points put beside flat edges.
+  [[nodiscard]] Lattice lattice() const;
 
   /// The coordinates of decision i of a kind whose predicate is F.
   template <Formula F>
