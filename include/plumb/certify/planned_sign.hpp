@@ -48,15 +48,17 @@ extern template Sign long_word_sign<predicates::InCircle>(const LatticeWords<pre
 extern template Sign long_word_sign<predicates::InSphere>(const LatticeWords<predicates::InSphere>&);
 
 /// action(coordinates) for what the filter sees of words: their integers, each of which is a double; beyond 62 bits the
-/// doubles as given.  The action is compiled for each kind of words: arrays that meet again would go through memory.
+/// doubles as given.  The action is compiled for each kind of words: arrays that meet again would go through memory,
+/// and GCC would store words one by one to load them back in pairs, were they not opaque.
 template <Formula F, class Action, std::size_t... N>
 [[gnu::always_inline]] inline auto in_doubles(int bits, Action action, const LatticePoint<N>&... p) {
   const auto each = [&](auto make) {
     return std::apply([&](auto... w) { return Coordinates<F>{make(w)...}; }, words_of<F>(anew(p)...));
   };
-  if (bits <= lattice_word::double_bits) return action(each([](std::uint64_t w) -> double { return WordAsDouble{w}; }));
-  if (bits > lattice_word::integer_bits) return action(each(lattice_word::as_double));
-  return action(each([](std::uint64_t w) { return static_cast<double>(lattice_word::integer(w)); }));
+  if (bits <= lattice_word::double_bits) return action(each([](std::uint64_t w) { return opaque(WordAsDouble{w}); }));
+  if (bits > lattice_word::integer_bits)
+    return action(each([](std::uint64_t w) { return opaque(lattice_word::as_double(w)); }));
+  return action(each([](std::uint64_t w) { return opaque(static_cast<double>(lattice_word::integer(w))); }));
 }
 
 /// Where the filter is unsure, for a formula without an arithmetic of 128 bits.
