@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/arith/sign.hpp"
 #include "plumb/certify/formula.hpp"
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/degenerate/points.hpp"

@@ -96,8 +96,8 @@ TYPED_TEST(OwnFormulaTest, EveryStageAgreesWithRationals) {
         ASSERT_EQ(static_cast<Sign>(s), exact) << seed;
       }
     }
-    for (const Unsure<Sign> s : {structural_zero_sign<F>(p), integer_sign<F>(p),
-                                 wide_integer_sign<F>(p), interval_sign<F>(p)}) {
+    for (const Unsure<Sign> s :
+         {structural_zero_sign<F>(p), integer_sign<F>(p), wide_integer_sign<F>(p), interval_sign<F>(p)}) {
       if (s.certain()) {
         ASSERT_EQ(s.value(), exact) << seed;
       }

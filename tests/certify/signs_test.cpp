@@ -63,7 +63,8 @@ TEST(CatalogTest, ListsTheManifestInOrder) {
 
 TEST(StageCountsTest, CountEveryDecisionOnceAndAddUp) {
   StageCounts counts, others;
-  const Coordinates<predicates::Orient2d> easy{0, 0, 1, 0, 0, 1}, flat{0, 0, 1, 1, 2, 2}, equal{1, 1e-300, 1, 1, 1, 1e-300};
+  const Coordinates<predicates::Orient2d> easy{0, 0, 1, 0, 0, 1}, flat{0, 0, 1, 1, 2, 2},
+      equal{1, 1e-300, 1, 1, 1, 1e-300};
   EXPECT_EQ(decide<predicates::Orient2d>(easy, counts), Sign::positive);
   EXPECT_EQ(decide<predicates::Orient2d>(easy, counts), Sign::positive);
   EXPECT_EQ(decide<predicates::Orient2d>(flat, counts), Sign::zero);
