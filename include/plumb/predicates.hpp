@@ -33,28 +33,29 @@
 #include "plumb/certify/separating_axis.hpp"
 #include "plumb/certify/side.hpp"
 #include "plumb/certify/side_of_plane.hpp"
+#include "plumb/certify/sign_of.hpp"
 #include "plumb/certify/smallest_sphere.hpp"
 
 namespace plumb {
 
 /// Positive when a, b, c turn counterclockwise; zero when collinear.
 inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
-  return decide<predicates::Orient2d>({a.x, a.y, b.x, b.y, c.x, c.y});
+  return sign_of(predicates::Orient2d{}, a, b, c);
 }
 
 /// Positive when d lies below the plane of a, b, c, where 'above' sees them counterclockwise; zero when coplanar.
 inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  return decide<predicates::Orient3d>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
+  return sign_of(predicates::Orient3d{}, a, b, c, d);
 }
 
 /// For counterclockwise a, b, c positive when d is inside their circle; zero when cocircular (or all collinear).
 inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  return decide<predicates::InCircle>({a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
+  return sign_of(predicates::InCircle{}, a, b, c, d);
 }
 
 /// For orient3d(a, b, c, d) > 0 positive when e is inside their sphere; zero when cospherical (or all coplanar).
 inline Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
-  return decide<predicates::InSphere>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z});
+  return sign_of(predicates::InSphere{}, a, b, c, d, e);
 }
 
 }  // namespace plumb

@@ -101,9 +101,8 @@ class BoundedPoints {
     template <std::integral... Number>
     [[nodiscard]] Sign operator()(Number... number) const {
       static_assert(sizeof...(Number) == F::points, "BoundedPoints: one number for each point of the formula");
-      assert(environment::thread_is_sound() &&
-             "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
-      if (((static_cast<std::size_t>(number) >= points_.size()) | ...)) [[unlikely]] {
+      assert_sound_thread();
+      if (((static_cast<std::size_t>(number) >= points_.size()) || ...)) [[unlikely]] {
         throw_no_such_point(F::name, std::array{static_cast<std::size_t>(number)...}, points_.size());
       }
       const auto p = std::apply([](auto... x) { return Coordinates<F>{x...}; },

@@ -9,7 +9,6 @@
 #include <CGAL/enum.h>
 
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <plumb/predicates/distance.hpp>
 #include <plumb/predicates/plane_distance.hpp>
@@ -48,7 +47,7 @@ template <Formula F, class... P>
 /// As decide.  Where the filter is unsure the points are read again, so that the filter's are kept in registers alone.
 template <Formula F, class... P>
 [[gnu::flatten]] Sign sign_of_points(const P&... points) {
-  assert(environment::thread_is_sound() && "plumb: this thread does not round to nearest, or flushes subnormals");
+  assert_sound_thread();
   if (const int s = filter<F>(coordinates_of<F>(points...)); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return decided_exactly<F>(points...);

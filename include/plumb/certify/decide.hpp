@@ -54,11 +54,16 @@ template <Formula F>
   return {big_integer_sign(program<F>(), p), Stage::big_integer};
 }
 
+/// In debug builds: the thread rounds as the proofs assume.
+constexpr void assert_sound_thread() {
+  assert((std::is_constant_evaluated() || environment::thread_is_sound()) &&
+         "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
+}
+
 /// The sign of F at p.  The recorder is told which stage decided.
 template <Formula F, class Recorder = NoRecorder>
 constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
-  assert((std::is_constant_evaluated() || environment::thread_is_sound()) &&
-         "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
+  assert_sound_thread();
   if (const int s = filter<F>(p); s != 0) [[likely]] {
     recorder.decided(Stage::filter);
     return static_cast<Sign>(s);

@@ -71,15 +71,30 @@ struct FormulaOf<F, Arguments...> {
   using Type = F;
 };
 
+/// The coordinates of all arguments in turn.
+template <Formula F, class... Arguments>
+constexpr Coordinates<F> coordinates_of(const Arguments&... arguments) {
+  return std::apply([](auto... x) { return Coordinates<F>{x...}; }, std::tuple_cat(coordinates(arguments)...));
+}
+
+/// What the filter could not decide.
+template <Formula F, class... Arguments>
+[[gnu::noinline]] Sign sign_of_unsure(const Arguments&... arguments) {
+  return decide_exactly<F>(coordinates_of<F>(arguments...)).sign;
+}
+
 /// The sign of the polynomial; its arguments are Point2, Point3, Vector2, Vector3, double or std::array<double, N>,
-/// whose coordinates are taken in turn.  Throws NonFinite.
+/// whose coordinates are taken in turn.  Throws NonFinite.  The exact stages read the arguments again, so that the
+/// filter can keep its copy in registers alone.
 template <class Polynomial, class... Arguments>
-constexpr Sign sign_of(Polynomial, const Arguments&... arguments) {
+[[gnu::flatten]] constexpr Sign sign_of(Polynomial, const Arguments&... arguments) {
   using F = typename FormulaOf<Polynomial, Arguments...>::Type;
   static_assert((std::size_t{coordinate_count<Arguments>} + ...) == arity<F>,
                 "sign_of: the polynomial takes another number of coordinates than these arguments have");
-  return decide<F>(
-      std::apply([](auto... x) { return Coordinates<F>{x...}; }, std::tuple_cat(coordinates(arguments)...)));
+  assert_sound_thread();
+  if (const int s = filter<F>(coordinates_of<F>(arguments...)); s != 0) [[likely]]
+    return static_cast<Sign>(s);
+  return sign_of_unsure<F>(arguments...);
 }
 
 }  // namespace plumb
