@@ -12,7 +12,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 
 #include "plumb/arith/implicit_point.hpp"
 #include "plumb/arith/pose.hpp"
@@ -46,8 +45,7 @@ template <Formula F>
 
 template <Formula F>
 Sign sign(const Coordinates<F>& p, const Question& question) {
-  assert(environment::thread_is_sound() &&
-         "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
+  assert_sound_thread();
   if (const int s = filter<F>(p); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return exact_sign<F>(p, question);

@@ -5,7 +5,6 @@
 // that of the arithmetic, see there.
 #pragma once
 
-#include <cassert>
 #include <new>
 #include <tuple>
 
@@ -148,8 +147,7 @@ class PlannedPredicate {
   template <std::size_t... N>
   [[nodiscard]] Sign operator()(const LatticePoint<N>&... p) const {
     static_assert((N + ...) == arity<F>, "Kernel: the formula takes another number of coordinates than these points");
-    assert(environment::thread_is_sound() &&
-           "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
+    assert_sound_thread();
     if ((p.stamp() & ...) != stamp_) [[unlikely]]
       lattice_->refuse_stamp(F::name, std::array{p.stamp()...});
     return planned::sign_in<F, A>(*lattice_, p...);

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -61,8 +60,7 @@ class Side {
   /// The sign for the point p; the recorder is told which stage decided.
   template <class Recorder = NoRecorder>
   Sign operator()(const Point& p, Recorder&& recorder = {}) const {
-    assert(environment::thread_is_sound() &&
-           "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
+    assert_sound_thread();
     if (const int s = filter(p); s != 0) [[likely]] {
       recorder.decided(Stage::filter);
       return static_cast<Sign>(s);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -26,8 +25,7 @@ class Run {
 
   /// Decides a chunk; returns the first of its cases that is no case, or none.
   [[nodiscard]] std::size_t decide(std::size_t number) const {
-    assert(environment::thread_is_sound() &&
-           "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
+    assert_sound_thread();
     const std::size_t begin = number * chunk, n = std::min(chunk, out_.size() - begin);
     std::array<const double*, most_coordinates> at{};
     for (std::size_t k = 0; k < question_.arity; ++k) at[k] = cases_.at[k] + begin * cases_.stride[k];
