@@ -79,19 +79,6 @@ Unsure<Sign> ask_other_filter(std::span<const double> coordinates) {
   }
 }
 
-/// The degree of the terms of the highest degree.
-template <Formula F>
-consteval int highest_degree() {
-  std::array<int, arity<F> + tape::of<F>.size> degree{};
-  for (std::size_t i = 0; i < arity<F>; ++i) degree[i] = 1;
-  for (std::size_t i = 0; i < tape::of<F>.size; ++i) {
-    const Instruction step = tape::of<F>.instructions[i];
-    const int left = degree[step.left], right = degree[step.right];
-    degree[arity<F> + i] = step.operation == '*' ? left + right : std::max(left, right);
-  }
-  return degree.back();
-}
-
 template <Formula F>
 CatalogEntry entry() {
   CatalogEntry e{};
@@ -103,7 +90,7 @@ CatalogEntry entry() {
     e.dimension = F::dimension;
   }
   e.homogeneous = is_homogeneous<F>;
-  e.degree = highest_degree<F>();
+  e.degree = term_degrees<F>().highest;
   e.filter_constant = filter_constant<F>();
   e.filter_is_magnitude = filter_is_magnitude<F>;
   for (std::size_t i = 0; i < e.asks.size(); ++i) e.asks[i] = asks<F>(static_cast<Stage>(i));

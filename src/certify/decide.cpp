@@ -4,12 +4,10 @@
 #include <string>
 
 #include "plumb/arith/error.hpp"
+#include "refused_number.hpp"
 
 namespace plumb {
 
-namespace {
-
-// "b.y", "b" or "coordinate 4".
 std::string place_of(std::size_t coordinate, std::span<const int> arguments, std::string_view axes) {
   std::size_t argument = 0, axis = coordinate;
   while (axis >= static_cast<std::size_t>(arguments[argument])) axis -= static_cast<std::size_t>(arguments[argument++]);
@@ -21,18 +19,17 @@ std::string place_of(std::size_t coordinate, std::span<const int> arguments, std
   return place;
 }
 
-}  // namespace
+void throw_not_a_number(const std::string& place, double x) {
+  std::string text(place);
+  text.append(" is ").append(std::isnan(x) ? "nan" : std::signbit(x) ? "-inf" : "inf");
+  throw NonFinite(text.append(", not a real number; give a finite double"));
+}
 
 void throw_non_finite(std::string_view formula, std::span<const int> arguments, std::span<const double> coordinates,
                       std::string_view axes) {
   std::size_t i = 0;
   while (i + 1 < coordinates.size() && std::isfinite(coordinates[i])) ++i;
-  const double x = coordinates[i];
-  throw NonFinite(std::string(formula) + ": " + place_of(i, arguments, axes) + " is " +
-                  (std::isnan(x)     ? "nan"
-                   : std::signbit(x) ? "-inf"
-                                     : "inf") +
-                  ", not a real number; give a finite double");
+  throw_not_a_number(std::string(formula).append(": ").append(place_of(i, arguments, axes)), coordinates[i]);
 }
 
 }  // namespace plumb

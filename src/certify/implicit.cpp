@@ -7,6 +7,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates.hpp"
+#include "refused_number.hpp"
 
 namespace plumb::mixed {
 namespace {
@@ -30,8 +31,7 @@ void require_finite(const Question& question) {
         std::string text(question.predicate);
         text.append(": ").append(1, argument).append(part.name);
         if (part.numbers > 1) text.append(1, '.').append(1, "xyz"[axis]);
-        text.append(" is ").append(std::isnan(x) ? "nan" : std::signbit(x) ? "-inf" : "inf");
-        throw NonFinite(text.append(", not a real number; give a finite double"));
+        throw_not_a_number(text, x);
       }
     }
     ++argument;

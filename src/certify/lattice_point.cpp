@@ -7,6 +7,7 @@
 #include <string>
 
 #include "plumb/certify/decide.hpp"
+#include "refused_number.hpp"
 
 namespace plumb {
 namespace {
@@ -50,17 +51,6 @@ std::size_t first_off(std::span<const double> coordinates, const Lattice& lattic
 std::string shortest(double x) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
-// "b.y", or "b" for an argument of one number.
-std::string place_of(std::size_t coordinate, std::span<const int> arguments) {
-  std::size_t argument = 0;
-  auto axis = static_cast<int>(coordinate);
-  while (axis >= arguments[argument]) axis -= arguments[argument++];
-  if (argument >= 26 || arguments[argument] > 3) return std::string("coordinate ").append(std::to_string(coordinate));
-  std::string place(1, static_cast<char>('a' + argument));
-  if (arguments[argument] > 1) place.append({'.', "xyz"[axis]});
-  return place;
 }
 
 [[noreturn]] void throw_off(const std::string& place, double x, const Lattice& lattice) {

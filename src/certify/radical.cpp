@@ -1,6 +1,5 @@
 #include "plumb/certify/radical.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace plumb::radical {
@@ -11,7 +10,7 @@ using predicates::RadicalNorm, predicates::RadicalPairNorm, predicates::RadicalP
 // Throws for numbers that are none, and for a radicand below zero.
 template <Formula F>
 void check(std::string_view name, const Coordinates<F>& p) {
-  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite(name, arguments<F>, p);
+  require_finite<F>(p, name);
   for (std::size_t i = 2; i < p.size(); i += 2) {
     if (p[i] < 0) throw_negative(std::string(1, static_cast<char>('a' + i)));
   }

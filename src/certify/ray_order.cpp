@@ -47,7 +47,7 @@ Sign facing(const Point3& p, const Point3& q, const Plane& s) {
 template <Formula F>
 std::optional<Sign> sign_of_difference(const Coordinates<F>& p, Sign denominators) {
   if (denominators != Sign::zero) return decide<F>(p) * denominators;
-  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite(F::name, arguments<F>, p);
+  require_finite<F>(p);
   return std::nullopt;
 }
 

@@ -12,45 +12,31 @@
 #include <cstddef>
 #include <plumb/predicates/distance.hpp>
 #include <plumb/predicates/plane_distance.hpp>
-#include <tuple>
-#include <utility>
 
-#include "plumb/certify/decide.hpp"
+#include "plumb/certify/sign_of.hpp"
 
 namespace plumb::cgal {
 
 constexpr CGAL::Sign to_cgal(Sign s) { return static_cast<CGAL::Sign>(static_cast<int>(s)); }
 constexpr CGAL::Bounded_side bounded(Sign s) { return static_cast<CGAL::Bounded_side>(static_cast<int>(s)); }
 
-/// Coordinate i of F among CGAL's points.
-template <Formula F, std::size_t I, class... P>
-double coordinate(const P&... points) {
-  constexpr auto dimension = static_cast<std::size_t>(F::dimension);
-  const auto& point = *std::get<I / dimension>(std::tuple(&points...));
-  if constexpr (I % dimension == 0) return point.x();
-  if constexpr (I % dimension == 1) return point.y();
-  if constexpr (I % dimension == 2) return point.z();
+/// A point of CGAL's as an argument of sign_of, not copied.
+template <class P>
+struct At {
+  const P& point;
+};
+template <class P>
+constexpr auto coordinates(const At<P>& at) {
+  if constexpr (P::Ambient_dimension::value == 2) {
+    return std::array<double, 2>{at.point.x(), at.point.y()};
+  } else {
+    return std::array<double, 3>{at.point.x(), at.point.y(), at.point.z()};
+  }
 }
 
 template <Formula F, class... P>
-Coordinates<F> coordinates_of(const P&... points) {
-  static_assert(sizeof...(P) == static_cast<std::size_t>(F::points));
-  return [&]<std::size_t... I>(std::index_sequence<I...>) { return Coordinates<F>{coordinate<F, I>(points...)...}; }
-  (std::make_index_sequence<arity<F>>{});
-}
-
-template <Formula F, class... P>
-[[gnu::noinline]] Sign decided_exactly(const P&... points) {
-  return decide_exactly<F>(coordinates_of<F>(points...)).sign;
-}
-
-/// As decide.  Where the filter is unsure the points are read again, so that the filter's are kept in registers alone.
-template <Formula F, class... P>
-[[gnu::flatten]] Sign sign_of_points(const P&... points) {
-  assert_sound_thread();
-  if (const int s = filter<F>(coordinates_of<F>(points...)); s != 0) [[likely]]
-    return static_cast<Sign>(s);
-  return decided_exactly<F>(points...);
+Sign sign_of_points(const P&... points) {
+  return sign_of(F{}, At<P>{points}...);
 }
 
 // Our signs of CGAL's points; they keep our conventions.

@@ -7,6 +7,7 @@
 // Cost: the filter where it is sure; then as exact_stages.hpp says.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <type_traits>
 
@@ -23,6 +24,12 @@ namespace plumb {
 /// from 0: "coordinate 7 is nan".
 [[noreturn]] void throw_non_finite(std::string_view formula, std::span<const int> arguments,
                                    std::span<const double> coordinates, std::string_view axes = "xyz");
+
+/// Throws as that where a coordinate is NaN or infinite, and only there.
+template <Formula F>
+void require_finite(const Coordinates<F>& p, std::string_view name = F::name) {
+  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite(name, arguments<F>, p, axes<F>);
+}
 
 /// Does it pay to compile the wide integers and the interval for this formula?  For those that are asked most, by
 /// measurement (docs/measurements.md, "Stages"); the last stage serves the others without code of their own.
@@ -43,7 +50,7 @@ template <Formula F>
   if constexpr (is_homogeneous<F>) {
     if (const auto s = integer_sign<F>(p); s.certain()) return {s.value(), Stage::integer};
   }
-  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite(F::name, arguments<F>, p, axes<F>);
+  require_finite<F>(p);
   if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
   if constexpr (is_homogeneous<F> && has_wide_stages<F>) {
     if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};

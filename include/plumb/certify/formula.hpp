@@ -133,6 +133,26 @@ inline constexpr auto of = [] {
 
 }  // namespace tape
 
+/// Of the terms of the formula, whether or not they have one degree.
+struct TermDegrees {
+  int highest;
+  bool equal;
+};
+
+template <Formula F>
+consteval TermDegrees term_degrees() {
+  constexpr auto& steps = tape::of<F>.instructions;
+  std::array<int, arity<F> + steps.size()> degree{};
+  for (std::size_t i = 0; i < arity<F>; ++i) degree[i] = 1;
+  bool equal = true;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const int left = degree[steps[i].left], right = degree[steps[i].right];
+    equal = equal && (steps[i].operation == '*' || left == right);
+    degree[arity<F> + i] = steps[i].operation == '*' ? left + right : left > right ? left : right;
+  }
+  return {degree.back(), equal};
+}
+
 /// The formula as data.
 template <Formula F>
 constexpr Program program() {

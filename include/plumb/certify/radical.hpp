@@ -10,7 +10,6 @@
 // degree.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <plumb/predicates/radical.hpp>
@@ -154,17 +153,12 @@ Sign sign_of_root(const std::array<double, N>& p) {
   return s;
 }
 
-template <Formula A>
-void require_finite(const Coordinates<A>& p) {
-  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite("radical", arguments<A>, p);
-}
-
 }  // namespace radical
 
 /// The sign of A + B sqrt(C) at p, for formulas of the same input.  A and C may be Given, B may be predicates::One.
 template <Formula A, radical::Factor B, Formula C>
 Sign sign_of_radical(const Coordinates<A>& p) {
-  radical::require_finite<A>(p);
+  require_finite<A>(p, "radical");
   const Sign root = radical::sign_of_root<C>(p);
   return radical::sum(radical::sign_of_factor<A>(p), radical::sign_of_factor<B>(p) * root,
                       [&p] { return decide<radical::Norm<A, B, C>>(p); });
@@ -173,7 +167,7 @@ Sign sign_of_radical(const Coordinates<A>& p) {
 /// The sign of A + B sqrt(C) + D sqrt(E) at p, likewise.
 template <Formula A, radical::Factor B, Formula C, radical::Factor D, Formula E>
 Sign sign_of_radicals(const Coordinates<A>& p) {
-  radical::require_finite<A>(p);
+  require_finite<A>(p, "radical");
   const Sign a = radical::sign_of_factor<A>(p), b = radical::sign_of_factor<B>(p) * radical::sign_of_root<C>(p),
              d = radical::sign_of_factor<D>(p) * radical::sign_of_root<E>(p);
   return radical::sum(radical::sum(a, b, [&p] { return decide<radical::Norm<A, B, C>>(p); }), d, [&] {

@@ -9,7 +9,6 @@
 // Cost: to make one about twice the plain formula; a query 5 to 15 operations and its filter.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -108,8 +107,7 @@ class Side {
       const auto numbers = side::numbers_of(given[i]);
       for (std::size_t a = 0; a < dimension; ++a) given_[i * dimension + a] = numbers[a];
     }
-    if (!std::ranges::all_of(given_, [](double x) { return x - x == 0; }))
-      throw_non_finite(F::name, arguments<F>, given_);
+    require_finite<F>(given_);
     run_fixed(std::make_index_sequence<side::form_of<F>.fixed.size>());
   }
 

@@ -45,25 +45,11 @@ struct LambdaFormula {
   }
 };
 
-/// Does every sum of the formula add terms of one degree?
-template <Formula F>
-consteval bool adds_equal_degrees() {
-  std::array<int, arity<F> + tape::of<F>.size> degree{};
-  for (std::size_t i = 0; i < arity<F>; ++i) degree[i] = 1;
-  for (std::size_t i = 0; i < tape::of<F>.size; ++i) {
-    const Instruction step = tape::of<F>.instructions[i];
-    const int left = degree[step.left], right = degree[step.right];
-    if (step.operation != '*' && left != right) return false;
-    degree[arity<F> + i] = step.operation == '*' ? left + right : left;
-  }
-  return true;
-}
-
 /// The formula that sign_of takes a polynomial for.
 template <class Polynomial, class... Arguments>
 struct FormulaOf {
   static constexpr bool homogeneous =
-      adds_equal_degrees<LambdaFormula<Polynomial, false, coordinate_count<Arguments>...>>();
+      term_degrees<LambdaFormula<Polynomial, false, coordinate_count<Arguments>...>>().equal;
   using Type = LambdaFormula<Polynomial, homogeneous, coordinate_count<Arguments>...>;
 };
 template <Formula F, class... Arguments>
