@@ -1,5 +1,7 @@
-// Everything: the signs, and meshes with their files.  Generators of hard inputs are apart, in plumb/degenerate.hpp.
+// Everything: the signs, figures, and meshes with their files.  Generators of hard inputs are apart, in
+// plumb/degenerate.hpp.
 #pragma once
 
+#include "plumb/figure.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/surface.hpp"

@@ -1,8 +1,8 @@
 // The face of meshes and their files: everything in plumb/surface/.
 #pragma once
 
+#include "plumb/figure/mesh.hpp"
 #include "plumb/surface/decimal.hpp"
-#include "plumb/surface/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "plumb/surface/topology.hpp"

@@ -1,50 +1,16 @@
 // Rounds constructed points: by pairs of doubles where they leave one nearest double only, else by integers.
 #include "plumb/certify/constructed.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string>
 
 #include "plumb/arith/ball.hpp"
-#include "plumb/arith/big.hpp"
+#include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/implicit.hpp"
 
 namespace plumb {
 namespace {
-
-/// q * 2^exponent rounded to the nearest double, ties to even; `more`: the exact value is a little above q.
-/// 2^54 <= q < 2^57.
-double rounded(std::uint64_t q, bool more, long exponent) {
-  const std::uint64_t all = q << 1 | static_cast<std::uint64_t>(more);
-  const long last = exponent - 1;  // of the last bit of `all`
-  const long top = last + static_cast<long>(std::bit_width(all));
-  const long drop = std::max(top - 53, -1074L) - last;  // doubles have no finer bits
-  if (drop > 62) return 0;
-  const std::uint64_t kept = all >> drop, rest = all & ((1ull << drop) - 1), half = 1ull << (drop - 1);
-  const bool up = rest > half || (rest == half && (kept & 1) != 0);
-  const long place = std::min(last + drop, 2000L);  // beyond every double; fits an int
-  return std::ldexp(static_cast<double>(kept + static_cast<std::uint64_t>(up)), static_cast<int>(place));
-}
-
-/// n / d for d != 0.
-double rounded_quotient(const BigDyadic& n, const BigDyadic& d) {
-  const int sign = sgn(n.mantissa()) * sgn(d.mantissa());
-  if (sign == 0) return 0;
-  mpz_class left = abs(n.mantissa()), right = abs(d.mantissa()), quotient, rest;
-  const long bits =
-      static_cast<long>(mpz_sizeinbase(left.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(right.get_mpz_t(), 2));
-  const long shift = 56 - bits;  // a quotient of 56 or 57 bits
-  if (shift >= 0) {
-    left <<= static_cast<mp_bitcnt_t>(shift);
-  } else {
-    right <<= static_cast<mp_bitcnt_t>(-shift);
-  }
-  mpz_fdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), left.get_mpz_t(), right.get_mpz_t());
-  const double size = rounded(quotient.get_ui(), sgn(rest) != 0, n.exponent() - d.exponent() - shift);
-  return sign < 0 && size != 0 ? -size : size;
-}
 
 template <class Point>
 constexpr std::span<const PointPart> parts{PointTraits<Point>::parts};
@@ -58,7 +24,7 @@ template <class Point>
   if constexpr (predicates::has_weight<KindOf<Point>>) {
     if (h.weight.sign() == Sign::zero) mixed::throw_degenerate("approximate", 'a', point);
   }
-  const double x = rounded_quotient(h.coordinate[axis], h.weight);
+  const double x = rounded_quotient(Rounding::nearest, h.coordinate[axis], h.weight);
   if (std::isinf(x)) {
     throw BeyondDoubles(std::string("approximate: a.").append(1, "xyz"[axis]).append(" is beyond the largest double"));
   }

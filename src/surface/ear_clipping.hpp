@@ -18,7 +18,7 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/sign.hpp"
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 
 namespace plumb::surface {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "mesh_failure.hpp"
+#include "plumb/figure/mesh.hpp"
 #include "plumb/surface/decimal.hpp"
-#include "plumb/surface/mesh.hpp"
 #include "plumb/surface/read_mesh.hpp"
 
 namespace plumb::surface {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 
 namespace plumb::tool {
 

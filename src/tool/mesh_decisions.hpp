@@ -13,7 +13,7 @@
 
 #include "plumb/arith/lattice.hpp"
 #include "plumb/certify/formula.hpp"
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 #include "plumb/surface/topology.hpp"
 
 namespace plumb::tool {

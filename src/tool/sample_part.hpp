@@ -14,7 +14,7 @@
 // Source: RTCD 12.1, 12.2 (what files from the wild hold); cost: about a millisecond.
 #pragma once
 
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 
 namespace plumb::tool {
 

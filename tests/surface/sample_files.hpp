@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 #include "plumb/surface/write_mesh.hpp"
 

@@ -4,13 +4,17 @@
 // has radius 0: small integers stay exact.  Where the error-free transforms do not hold (beyond 2^960 or below 2^-960)
 // the radius is infinite: nothing is claimed there. nearest() gives the double nearest to the exact value when only one
 // can be (Ziv's test); else nothing. Source: Dekker 1971; Ziv 1991.  RTCD 11.4.  Cost: 20 operations a sum, 40 a
-// product, 150 a quotient.
+// product, 150 a quotient or root.
 #pragma once
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "plumb/arith/error_free.hpp"
+#include "plumb/arith/rounding.hpp"
 
 namespace plumb {
 
@@ -22,6 +26,12 @@ struct Ball {
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double size(double x) { return __builtin_fabs(x); }
+  // The double above (1) or below (-1).
+  static constexpr double next(double x, int way) {
+    if (x == 0) return way * std::numeric_limits<double>::denorm_min();
+    const auto pattern = std::bit_cast<std::uint64_t>(x);
+    return std::bit_cast<double>((x > 0) == (way > 0) ? pattern + 1 : pattern - 1);
+  }
   // A sum of what is not negative, after a few roundings: rounded up.
   static constexpr double widened(double r) { return r * (1 + 0x1p-48); }
 
@@ -64,6 +74,33 @@ struct Ball {
     const double left = size(last.high) + size(last.low) + last.radius;
     const Rounded s = two_sum(q, r);
     return {s.value, s.error, left == 0 ? 0 : widened(left / least) + 0x1p-1060};
+  }
+
+  /// The square root; of infinite radius where a may be zero or below, except for zero itself.
+  friend Ball root(const Ball& a) {
+    if (a.high == 0 && a.low == 0 && a.radius == 0) return a;
+    if (!(a.high > 0x1p-900 && a.high < 0x1p900 && a.radius < a.high * 0x1p-10)) return {0, 0, infinity};
+    const double q = std::sqrt(a.high);
+    const Ball rest = a - Ball{q} * Ball{q};
+    const double r = rest.high / (2 * q);
+    const Ball s = Ball{q} + Ball{r};
+    const Ball last = a - s * s;  // the root is off by |last| / (s + root), and both are at least q (1 - 2^-9)
+    const double left = size(last.high) + size(last.low) + last.radius;
+    return {s.high, s.low, left == 0 ? 0 : widened(left / q)};
+  }
+
+  /// The exact value rounded as asked, where that is certain.  Never -0.
+  [[nodiscard]] constexpr std::optional<double> rounded(Rounding rounding) const {
+    if (rounding == Rounding::nearest) return nearest();
+    if (!(size(high) < 0x1p1022 && radius < infinity)) return {};
+    const double reach = radius == 0 ? 0 : radius * (1 + 0x1p-20) + size(low) * 0x1p-50 + 0x1p-1074;
+    const double from = low - reach, to = low + reach;  // off high; both within an ulp of it, or nothing is certain
+    const bool exact = from == 0 && to == 0;
+    if (!exact && !(from > 0 || to < 0)) return {};
+    const double neighbor = next(high, from > 0 ? 1 : -1);
+    if (!exact && !(size(from) < size(neighbor - high) && size(to) < size(neighbor - high))) return {};
+    if (exact || (from > 0) == (rounding == Rounding::down)) return high + 0.0;
+    return neighbor + 0.0;
   }
 
   /// The double nearest to the exact value, ties to even, where that is certain.  Never -0.

@@ -40,6 +40,12 @@ struct NegativeRadicand : Error {
   using Error::Error;
 };
 
+/// Numbers that are no shape: a negative radius, a polygon of two vertices, a bound of no points.  The text says which
+/// and what is wanted.
+struct InvalidShape : Error {
+  using Error::Error;
+};
+
 /// Two arguments of a perturbed predicate have the same index; the text names both.
 struct RepeatedIndex : Error {
   using Error::Error;

@@ -6,6 +6,7 @@
 // Source: RTCD 11.4; Rump, Ogita, Oishi 2009 for the step without nextafter.  Cost: 30 to 150 times the plain formula.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "plumb/arith/error_free.hpp"
@@ -76,6 +77,32 @@ struct Interval {
     const double l1 = product_down(a.lower, b.upper), l2 = product_down(a.upper, b.lower);
     const double u1 = product_up(a.lower, b.lower), u2 = product_up(a.upper, b.upper);
     return {l1 < l2 ? l1 : l2, u1 > u2 ? u1 : u2};
+  }
+
+  static constexpr double quotient_down(double a, double b) {
+    const double q = a / b;
+    const Rounded p = two_product(q, b);
+    const bool exact = p.value == a && p.error == 0 && ((q > 0x1p-900 && q < 0x1p900) || a == 0) &&
+                       __builtin_fabs(b) > 0x1p-900 && __builtin_fabs(b) < 0x1p900;
+    return down(q, exact ? 0 : -1);
+  }
+
+  /// a / b; everything where b may be zero.
+  friend constexpr Interval quotient(Interval a, Interval b) {
+    if (b.lower <= 0 && b.upper >= 0) return {-infinity, infinity};
+    if (b.upper < 0) return quotient(Interval{-a.upper, -a.lower}, Interval{-b.upper, -b.lower});
+    return {quotient_down(a.lower, a.lower >= 0 ? b.upper : b.lower),
+            -quotient_down(-a.upper, a.upper <= 0 ? b.upper : b.lower)};
+  }
+
+  /// The square root of what of a is not negative.
+  friend Interval root(Interval a) {
+    const auto inexact = [](double r, double x) {
+      return x != 0 && !(r > 0x1p-450 && r < 0x1p450 && r * r == x && two_product(r, r).error == 0);
+    };
+    const double l = a.lower > 0 ? std::sqrt(a.lower) : 0, u = a.upper > 0 ? std::sqrt(a.upper) : 0;
+    const double lower = inexact(l, a.lower > 0 ? a.lower : 0) ? l - step(l) : l;
+    return {lower > 0 ? lower : 0, inexact(u, a.upper > 0 ? a.upper : 0) && u < infinity ? u + step(u) : u};
   }
 };
 

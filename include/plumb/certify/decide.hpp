@@ -23,12 +23,14 @@ namespace plumb {
 /// argument of one number has its letter alone; beyond the named axes of an argument or 26 arguments they are counted,
 /// from 0: "coordinate 7 is nan".
 [[noreturn]] void throw_non_finite(std::string_view formula, std::span<const int> arguments,
-                                   std::span<const double> coordinates, std::string_view axes = "xyz");
+                                   std::span<const double> coordinates, std::string_view axes = "xyz",
+                                   std::span<const std::string_view> names = {});
 
 /// Throws as that where a coordinate is NaN or infinite, and only there.
 template <Formula F>
 void require_finite(const Coordinates<F>& p, std::string_view name = F::name) {
-  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; })) throw_non_finite(name, arguments<F>, p, axes<F>);
+  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; }))
+    throw_non_finite(name, arguments<F>, p, axes<F>, argument_names<F>);
 }
 
 /// Does it pay to compile the wide integers and the interval for this formula?  For those that are asked most, by

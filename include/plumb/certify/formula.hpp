@@ -57,6 +57,17 @@ inline constexpr std::string_view axes = [] {
   }
 }();
 
+/// What the arguments are called: a, b, c, ... unless the formula has `argument_names` of its own.
+template <Formula F>
+inline constexpr std::span<const std::string_view> argument_names = [] {
+  if constexpr (requires { F::argument_names; }) {
+    static_assert(F::argument_names.size() == arguments<F>.size());
+    return std::span<const std::string_view>(F::argument_names);
+  } else {
+    return std::span<const std::string_view>();
+  }
+}();
+
 /// How many coordinates the formula takes, argument after argument.
 template <Formula F>
 inline constexpr std::size_t arity = [] {

@@ -18,7 +18,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 
 namespace plumb {

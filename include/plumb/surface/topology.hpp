@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 
 namespace plumb {
 

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 
 namespace plumb {
 

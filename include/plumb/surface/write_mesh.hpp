@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumb/surface/mesh.hpp"
+#include "plumb/figure/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 
 namespace plumb {

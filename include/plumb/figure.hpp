@@ -1,0 +1,12 @@
+// The face of figures: everything in plumb/figure/.
+#pragma once
+
+#include "plumb/figure/box.hpp"
+#include "plumb/figure/convex_polyhedron.hpp"
+#include "plumb/figure/linear.hpp"
+#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/plane.hpp"
+#include "plumb/figure/polygon.hpp"
+#include "plumb/figure/relation.hpp"
+#include "plumb/figure/round.hpp"
+#include "plumb/figure/simplex.hpp"

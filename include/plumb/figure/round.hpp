@@ -1,0 +1,70 @@
+// What is round?  Balls, and sets of points near to something or below a curve: as given, nothing normalized.
+//
+// Laws: a shape is the closed set that its numbers say.  A radius or half extent of zero is a shape; a negative radius
+// is none, and who is asked about it throws InvalidShape.  Of half extents the magnitude counts.
+// Source: RTCD 4.3, 4.5, 4.7; cost: none.
+#pragma once
+
+#include <array>
+
+#include "plumb/arith/point.hpp"
+
+namespace plumb {
+
+struct Circle2 {  // the disk
+  Point2 center;
+  double radius;
+  friend bool operator==(const Circle2&, const Circle2&) = default;
+};
+struct Sphere3 {  // the ball
+  Point3 center;
+  double radius;
+  friend bool operator==(const Sphere3&, const Sphere3&) = default;
+};
+
+/// All points within `radius` of the segment ab: a swept sphere.
+struct Capsule2 {
+  Point2 a, b;
+  double radius;
+  friend bool operator==(const Capsule2&, const Capsule2&) = default;
+};
+struct Capsule3 {
+  Point3 a, b;
+  double radius;
+  friend bool operator==(const Capsule3&, const Capsule3&) = default;
+};
+
+/// All points within `radius` of the parallelogram corner + s edges[0] + t edges[1], 0 <= s, t <= 1: a sphere-swept
+/// rectangle, where the edges are perpendicular.
+struct Lozenge3 {
+  Point3 corner;
+  std::array<Vector3, 2> edges;
+  double radius;
+  friend bool operator==(const Lozenge3&, const Lozenge3&) = default;
+};
+
+/// All points within `radius` of the line ab that lie between the planes through a and b perpendicular to it; for a = b
+/// the ball, of which no direction is known to cut.
+struct Cylinder3 {
+  Point3 a, b;
+  double radius;
+  friend bool operator==(const Cylinder3&, const Cylinder3&) = default;
+};
+
+/// The convex hull of the apex and of the disk of this radius around `base`, perpendicular to the axis; for apex = base
+/// the ball.
+struct Cone3 {
+  Point3 apex, base;
+  double radius;
+  friend bool operator==(const Cone3&, const Cone3&) = default;
+};
+
+/// All center + sum of t_i half_i axes_i with sum of t_i^2 <= 1, whatever the axes.
+struct Ellipsoid3 {
+  Point3 center;
+  std::array<Vector3, 3> axes;
+  Vector3 half;
+  friend bool operator==(const Ellipsoid3&, const Ellipsoid3&) = default;
+};
+
+}  // namespace plumb

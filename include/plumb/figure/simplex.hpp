@@ -1,0 +1,24 @@
+// What do three or four points span?  Triangles and tetrahedra: the smallest convex sets that hold their corners.
+//
+// Laws: any corners will do; a triangle may be a segment or a point, a tetrahedron flat.
+// Source: RTCD 3.4, 3.8 (figure 3.20); cost: none.
+#pragma once
+
+#include "plumb/arith/point.hpp"
+
+namespace plumb {
+
+struct Triangle2 {
+  Point2 a, b, c;
+  friend bool operator==(const Triangle2&, const Triangle2&) = default;
+};
+struct Triangle3 {
+  Point3 a, b, c;
+  friend bool operator==(const Triangle3&, const Triangle3&) = default;
+};
+struct Tetrahedron3 {
+  Point3 a, b, c, d;
+  friend bool operator==(const Tetrahedron3&, const Tetrahedron3&) = default;
+};
+
+}  // namespace plumb

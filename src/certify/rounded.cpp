@@ -1,0 +1,30 @@
+#include "plumb/certify/rounded.hpp"
+
+#include <vector>
+
+#include "plumb/arith/big_rounding.hpp"
+
+namespace plumb::rounding {
+namespace {
+
+BigDyadic value(Program program, std::span<const double> coordinates) {
+  std::vector<BigDyadic> number;
+  number.reserve(coordinates.size() + program.instructions.size());
+  for (const double x : coordinates) number.emplace_back(x);
+  for (const Instruction& i : program.instructions) {
+    const BigDyadic &l = number[i.left], &r = number[i.right];
+    number.push_back(i.operation == '*' ? l * r : i.operation == '-' ? l - r : l + r);
+  }
+  return number.back();
+}
+
+}  // namespace
+
+double by_integers(Rounding rounding, Form form, Program numerator, Program denominator,
+                   std::span<const double> coordinates) {
+  const BigDyadic n = value(numerator, coordinates);
+  const BigDyadic d = denominator.instructions.empty() ? BigDyadic(1) : value(denominator, coordinates);
+  return form == Form::root ? plumb::rounded_root(rounding, n, d) : plumb::rounded_quotient(rounding, n, d);
+}
+
+}  // namespace plumb::rounding
