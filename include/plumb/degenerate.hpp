@@ -3,6 +3,7 @@
 // The bridge to RapidCheck is apart, in plumb/degenerate/rapidcheck.hpp, since it needs RapidCheck.
 #pragma once
 
+#include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/degenerate/exact.hpp"

@@ -76,7 +76,7 @@ struct Panel {
       x_min = std::fmin(x_min, d.x), x_max = std::fmax(x_max, d.x);
       y_min = std::fmin(y_min, d.y), y_max = std::fmax(y_max, d.y);
     }
-    const double extent = 1.1 * std::fmax(x_max - x_min, y_max - y_min);
+    const double spread = std::fmax(x_max - x_min, y_max - y_min), extent = spread > 0 ? 1.1 * spread : 1;
     return {left, top, size, (x_min + x_max - extent) / 2, (y_min + y_max - extent) / 2, extent};
   }
   [[nodiscard]] Dot at(Dot d) const {

@@ -13,6 +13,7 @@
 #include <map>
 
 #include "degenerate/picture.hpp"
+#include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/degenerate/ulps.hpp"
@@ -229,7 +230,26 @@ Picture grid() {
   return picture;
 }
 
+// Every cloud of space from above, four in a row.
+Picture all_clouds() {
+  constexpr int across = 4;
+  const auto rows = static_cast<int>(plumb::clouds.size() + across - 1) / across;
+  Picture picture(across * width, rows * height);
+  for (std::size_t k = 0; k < plumb::clouds.size(); ++k) {
+    Entropy entropy(61, k);
+    std::vector<Dot> dots;
+    for (const Point3& p : cloud3(plumb::clouds[k].cloud, 125, entropy)) dots.push_back({p.x, p.y});
+    const double left = margin + width * static_cast<double>(k % across);
+    const double top = margin + height * static_cast<double>(k / across);
+    const Panel panel = Panel::around(dots, left, top, size);
+    for (const Dot& d : dots) picture.dot(panel.at(d), 1.5);
+    picture.words({left, top + size + words_height}, plumb::clouds[k].name);
+  }
+  return picture;
+}
+
 const std::map<std::string, std::function<Picture()>> pictures = {
+    {"clouds", all_clouds},
     {"grid", grid},
     {"uniform", [] { return scatter(dots_of(points_of(Family::uniform, Degeneracy::collinear, 60, 0)), "uniform"); }},
     {"float32", [] { return scatter(dots_of(points_of(Family::float32, Degeneracy::collinear, 60, 0)), "float32"); }},
@@ -268,6 +288,10 @@ TEST(Pictures, AreAllInTheCatalogWithEveryFamily) {
   for (const auto& info : plumb::families) {
     EXPECT_NE(catalog.find("## " + std::string(info.name) + "\n"), std::string::npos) << info.name;
     EXPECT_NE(catalog.find(info.about), std::string::npos) << info.about;
+  }
+  for (const auto& info : plumb::clouds) {
+    EXPECT_NE(catalog.find("- `" + std::string(info.name) + "`: " + std::string(info.about)), std::string::npos)
+        << info.about;
   }
 }
 
