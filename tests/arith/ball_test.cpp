@@ -96,6 +96,47 @@ TEST(BallTest, NearestIsTheNearestDoubleOrNothing) {
   EXPECT_FALSE(Ball(largest, 0x1p970, 0x1p900).nearest());
 }
 
+TEST(BallTest, HoldsTheExactRoot) {
+  int claimed = 0, sharp = 0;
+  for (std::uint64_t index = 0; index < 50'000; ++index) {
+    SCOPED_TRACE(index);
+    Entropy entropy(2, index);
+    const double x = std::fabs(entropy.coin() ? wide_coordinate(entropy) : extreme_coordinate(entropy));
+    const Ball radicand = Ball{x} + Ball{std::ldexp(x, -60)} * Ball{unit_coordinate(entropy)};
+    const Ball r = root(radicand);
+    if (!(r.radius < Ball::infinity && radicand.radius < Ball::infinity)) continue;
+    ++claimed;
+    const mpq_class least = rational(radicand.high) + rational(radicand.low) - rational(radicand.radius);
+    const mpq_class most = rational(radicand.high) + rational(radicand.low) + rational(radicand.radius);
+    const mpq_class from = rational(r.high) + rational(r.low) - rational(r.radius);
+    const mpq_class to = rational(r.high) + rational(r.low) + rational(r.radius);
+    ASSERT_TRUE(from <= 0 || from * from <= least);
+    ASSERT_TRUE(to >= 0 && to * to >= most);
+    sharp += r.radius <= r.high * 0x1p-90;
+  }
+  EXPECT_GT(claimed, 30'000);
+  EXPECT_GT(sharp * 10, claimed * 9);
+  EXPECT_EQ(root(Ball{49}).radius, 0);
+  EXPECT_EQ(root(Ball{0}).high, 0);
+}
+
+TEST(BallTest, RoundsOutwardOrNotAtAll) {
+  const double above = moved_by_ulps(1, 1), below = moved_by_ulps(1, -1);
+  for (const Rounding way : {Rounding::down, Rounding::up}) {
+    const bool up = way == Rounding::up;
+    EXPECT_EQ(Ball(1, 0, 0).rounded(way), 1);
+    EXPECT_EQ(Ball(1, 0x1p-80, 0).rounded(way), up ? above : 1);
+    EXPECT_EQ(Ball(1, -0x1p-80, 0).rounded(way), up ? 1 : below);
+    EXPECT_EQ(Ball(1, 0x1p-80, 0x1p-90).rounded(way), up ? above : 1);
+    EXPECT_EQ(Ball(-1, 0x1p-80, 0x1p-90).rounded(way), up ? -below : -1);
+    EXPECT_FALSE(Ball(1, 0x1p-80, 0x1p-79).rounded(way));
+    EXPECT_FALSE(Ball(1, 0, 0x1p-1074).rounded(way));
+    EXPECT_EQ(Ball(0, 0, 0).rounded(way), 0);
+    EXPECT_FALSE(Ball(1, 0, Ball::infinity).rounded(way));
+    EXPECT_FALSE(std::signbit(*Ball(-0.0, 0, 0).rounded(way)));
+  }
+}
+
 TEST(BallTest, IntegersStayExact) {
   const Ball seven{7}, three{3};
   EXPECT_EQ((seven * three - three * three * three).radius, 0);

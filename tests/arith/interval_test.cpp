@@ -120,6 +120,39 @@ TEST(IntervalTest, HoldsEveryResultOfContainedNumbers) {
   }
 }
 
+TEST(IntervalTest, HoldsQuotientsAndRoots) {
+  Entropy entropy(3);
+  int finite = 0, tight_ones = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const double x = samples::any_double(entropy), y = samples::any_double(entropy, -x);
+    const double u = samples::any_double(entropy), v = entropy.coin() ? u : samples::any_double(entropy, -u);
+    Interval a{std::min(x, y), std::max(x, y)}, b{std::min(u, v), std::max(u, v)};
+    if (entropy.coin()) a = Interval{x};
+    const double n = inside(a, entropy), d = inside(b, entropy);
+    if (d != 0) {
+      ASSERT_TRUE(contains(quotient(a, b), rational(n) / rational(d))) << std::hexfloat << n << ' ' << d;
+    }
+    if (a.lower == a.upper && b.lower == b.upper && b.lower != 0 && n != 0 && std::fabs(n / d) > 0x1p-900 &&
+        std::fabs(n / d) < 0x1p900) {
+      const Interval q = quotient(a, b);
+      ++finite;
+      tight_ones += place_of(q.upper) - place_of(q.lower) <= 4;
+    }
+    if (n < 0) continue;
+    const Interval r = root(a);  // lower^2 <= n <= upper^2
+    ASSERT_TRUE(rational(r.lower) * rational(r.lower) <= rational(n)) << std::hexfloat << n;
+    ASSERT_TRUE(r.upper == infinity || rational(r.upper) * rational(r.upper) >= rational(n)) << std::hexfloat << n;
+    ASSERT_GE(r.lower, 0);
+  }
+  EXPECT_GT(finite, 5'000);
+  EXPECT_EQ(tight_ones, finite);
+  EXPECT_EQ(quotient(Interval{21}, Interval{-7}).lower, -3);
+  EXPECT_EQ(quotient(Interval{21}, Interval{-7}).upper, -3);
+  EXPECT_EQ(root(Interval{49}).lower, 7);
+  EXPECT_EQ(root(Interval{49}).upper, 7);
+  EXPECT_EQ(quotient(Interval{1}, Interval{0, 1}).upper, infinity);
+}
+
 // The extremes of a product come from the right bounds: no wider than the four products of the bounds.
 TEST(IntervalTest, ProductIsNoWiderThanItsFourCornersNeed) {
   const std::vector<double> ends = {-3, -1, 0, 2, 5};

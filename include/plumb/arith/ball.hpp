@@ -86,7 +86,7 @@ struct Ball {
     const Ball s = Ball{q} + Ball{r};
     const Ball last = a - s * s;  // the root is off by |last| / (s + root), and both are at least q (1 - 2^-9)
     const double left = size(last.high) + size(last.low) + last.radius;
-    return {s.high, s.low, left == 0 ? 0 : widened(left / q)};
+    return {s.high, s.low, left == 0 ? 0 : widened(left / q) + 0x1p-1060};
   }
 
   /// The exact value rounded as asked, where that is certain.  Never -0.

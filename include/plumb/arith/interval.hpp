@@ -81,9 +81,9 @@ struct Interval {
 
   static constexpr double quotient_down(double a, double b) {
     const double q = a / b;
-    const Rounded p = two_product(q, b);
-    const bool exact = p.value == a && p.error == 0 && ((q > 0x1p-900 && q < 0x1p900) || a == 0) &&
-                       __builtin_fabs(b) > 0x1p-900 && __builtin_fabs(b) < 0x1p900;
+    const Rounded p = two_product(q, b);  // holds for moderate factors
+    const auto moderate = [](double x) { return __builtin_fabs(x) > 0x1p-900 && __builtin_fabs(x) < 0x1p900; };
+    const bool exact = a == 0 || (moderate(a) && moderate(b) && moderate(q) && p.value == a && p.error == 0);
     return down(q, exact ? 0 : -1);
   }
 
