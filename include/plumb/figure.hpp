@@ -1,7 +1,10 @@
 // The face of figures: everything in plumb/figure/.
 #pragma once
 
+#include "plumb/figure/aabb.hpp"
+#include "plumb/figure/aabb_relation.hpp"
 #include "plumb/figure/box.hpp"
+#include "plumb/figure/climbing_aabb.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/mesh.hpp"

@@ -1,0 +1,48 @@
+// Is every number that goes in real, and every one that comes out a double?  Lists of names, spans of points, bounds.
+//
+// Cost: a subtraction and an addition for each number.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "named_parts.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/certify/sign_of.hpp"
+
+namespace plumb::figure {
+
+template <class... Parts>
+void require_finite_numbers(std::string_view function, const std::array<std::string_view, sizeof...(Parts)>& names,
+                            const Parts&... parts) {
+  require_finite_parts<sizeof...(Parts)>(function, names, parts...);
+}
+
+template <class Point>
+void require_finite_points(std::string_view function, std::string_view name, std::span<const Point> points) {
+  const auto zero_of = [](const Point& p) {
+    double zero = 0;
+    for (const double x : coordinates(p)) zero += x - x;
+    return zero;
+  };
+  double zero = 0;
+  for (const Point& p : points) zero += zero_of(p);
+  if (zero == 0) return;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (zero_of(points[i]) == 0) continue;
+    const std::string which = std::string(name).append("[").append(std::to_string(i)).append("]");
+    const std::array<std::string_view, 1> names{which};
+    throw_non_finite(function, std::array{coordinate_count<Point>}, coordinates(points[i]), "xyz", names);
+  }
+}
+
+/// The number, which must be a double: an infinity is one that none holds.
+inline double within_doubles(double x, std::string_view function, std::string_view part) {
+  if (x - x == 0) return x;
+  throw BeyondDoubles(std::string(function).append(": ").append(part).append(
+      " is beyond all doubles; scale the shape down by a power of two"));
+}
+
+}  // namespace plumb::figure
