@@ -101,8 +101,8 @@ struct Interval {
       return x != 0 && !(r > 0x1p-450 && r < 0x1p450 && r * r == x && two_product(r, r).error == 0);
     };
     const double l = a.lower > 0 ? std::sqrt(a.lower) : 0, u = a.upper > 0 ? std::sqrt(a.upper) : 0;
-    const double lower = inexact(l, a.lower > 0 ? a.lower : 0) ? l - step(l) : l;
-    return {lower > 0 ? lower : 0, inexact(u, a.upper > 0 ? a.upper : 0) && u < infinity ? u + step(u) : u};
+    const double below = inexact(l, a.lower > 0 ? a.lower : 0) ? l - step(l) : l;
+    return {below > 0 ? below : 0, inexact(u, a.upper > 0 ? a.upper : 0) && u < infinity ? u + step(u) : u};
   }
 };
 
