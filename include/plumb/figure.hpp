@@ -6,6 +6,7 @@
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/climbing_aabb.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
+#include "plumb/figure/hull2.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/mesh.hpp"
 #include "plumb/figure/plane.hpp"
