@@ -3,6 +3,7 @@
 
 #include "plumb/figure/aabb.hpp"
 #include "plumb/figure/aabb_relation.hpp"
+#include "plumb/figure/barycentric.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/climbing_aabb.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
@@ -14,3 +15,4 @@
 #include "plumb/figure/relation.hpp"
 #include "plumb/figure/round.hpp"
 #include "plumb/figure/simplex.hpp"
+#include "plumb/figure/small_system.hpp"
