@@ -6,6 +6,7 @@
 #include "plumb/figure/barycentric.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/climbing_aabb.hpp"
+#include "plumb/figure/contains.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/hull2.hpp"
 #include "plumb/figure/linear.hpp"
