@@ -111,6 +111,7 @@ class Material {
   /// A point that lies near to what was drawn, and is often on its boundary.
   Point2 probe2() {
     if (drawn2_.empty() || below(4) == 0) return fresh2();
+    if (below(6) == 0) return middle(drawn2_);
     const Point2 a = drawn2_[below(drawn2_.size())], b = drawn2_[below(drawn2_.size())];
     const auto [from, to, across] = mixture();
     Point2 p{at(a.x, b.x, from, to), at(a.y, b.y, from, to)};
@@ -123,6 +124,7 @@ class Material {
   }
   Point3 probe3() {
     if (drawn3_.empty() || below(4) == 0) return fresh3();
+    if (below(6) == 0) return middle(drawn3_);
     const Point3 a = drawn3_[below(drawn3_.size())], b = drawn3_[below(drawn3_.size())];
     const auto [from, to, across] = mixture();
     Point3 p{at(a.x, b.x, from, to), at(a.y, b.y, from, to), at(a.z, b.z, from, to)};
@@ -176,6 +178,19 @@ class Material {
       if (std::isfinite(r)) return r;
     }
     return number();
+  }
+
+  static Point2 middle(const std::vector<Point2>& points) {
+    Point2 sum{0, 0};
+    const auto n = static_cast<double>(points.size());
+    for (const Point2& p : points) sum = {sum.x + p.x / n, sum.y + p.y / n};
+    return sum;
+  }
+  static Point3 middle(const std::vector<Point3>& points) {
+    Point3 sum{0, 0, 0};
+    const auto n = static_cast<double>(points.size());
+    for (const Point3& p : points) sum = {sum.x + p.x / n, sum.y + p.y / n, sum.z + p.z / n};
+    return sum;
   }
 
   // Weights of two points (in halves), and whether to go along the vectors.
