@@ -12,6 +12,7 @@
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/mesh.hpp"
 #include "plumb/figure/minimum_sphere.hpp"
+#include "plumb/figure/obb.hpp"
 #include "plumb/figure/plane.hpp"
 #include "plumb/figure/polygon.hpp"
 #include "plumb/figure/relation.hpp"

@@ -1,0 +1,106 @@
+// Volume and surface area of an oriented box, rounded once.
+#include <cmath>
+#include <plumb/predicates/cross.hpp>
+
+#include "finite_parts.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big_rounding.hpp"
+#include "plumb/figure/obb.hpp"
+
+namespace plumb {
+namespace {
+
+using predicates::cross;
+using predicates::dot;
+using predicates::Triple;
+
+template <class N>
+Triple<N> as(const Vector3& v) {
+  return {N(v.x), N(v.y), N(v.z)};
+}
+
+template <class N>
+N signed_volume_of(const Obb3& box) {
+  return N(8) * (N(box.half.x) * N(box.half.y) * N(box.half.z)) *
+         dot(as<N>(box.axes[0]), cross(as<N>(box.axes[1]), as<N>(box.axes[2])));
+}
+
+// The square of the area of both faces through axis i.
+template <class N>
+N squared_area(const Obb3& box, std::size_t i) {
+  const std::array half{box.half.x, box.half.y, box.half.z};
+  const auto normal = cross(as<N>(box.axes[(i + 1) % 3]), as<N>(box.axes[(i + 2) % 3]));
+  const N size = N(8) * (N(half[(i + 1) % 3]) * N(half[(i + 2) % 3]));
+  return size * size * dot(normal, normal);
+}
+
+void require_finite(std::string_view function, const Obb3& box) {
+  figure::require_finite_numbers(function, {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half"},
+                                 box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
+}
+
+// floor(2^bits root(x)) and whether that is all, for bits of the parity of the exponent.
+mpz_class floor_root(const BigDyadic& x, long bits, bool& exact) {
+  mpz_class shifted = x.mantissa();
+  const long shift = x.exponent() + 2 * bits;
+  if (shift >= 0) {
+    shifted <<= static_cast<mp_bitcnt_t>(shift);
+  } else {
+    exact = exact && mpz_divisible_2exp_p(shifted.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift)) != 0;
+    shifted >>= static_cast<mp_bitcnt_t>(-shift);
+  }
+  mpz_class root, rest;
+  mpz_sqrtrem(root.get_mpz_t(), rest.get_mpz_t(), shifted.get_mpz_t());
+  exact = exact && rest == 0;
+  return root;
+}
+
+double nearest(const mpz_class& n, long bits) {
+  const auto power = [](long e) {
+    BigDyadic p(1);
+    for (BigDyadic factor(2); e > 0; e /= 2, factor = factor * factor) {
+      if (e % 2 != 0) p = p * factor;
+    }
+    return p;
+  };
+  BigDyadic whole(0);
+  const std::size_t limbs = mpz_size(n.get_mpz_t());
+  for (std::size_t k = limbs; k-- > 0;) {  // limb by limb, in halves that doubles hold
+    const mp_limb_t limb = mpz_getlimbn(n.get_mpz_t(), static_cast<mp_size_t>(k));
+    whole = whole * BigDyadic(0x1p64) + BigDyadic(static_cast<double>(limb >> 32)) * BigDyadic(0x1p32) +
+            BigDyadic(static_cast<double>(limb & 0xffffffffu));
+  }
+  return rounded_quotient(Rounding::nearest, whole, power(bits));
+}
+
+// A sum of roots is rational only where each root is: then enough bits are exact, and otherwise no tie is met.
+double sum_of_roots(const std::array<BigDyadic, 3>& squares) {
+  for (long bits = 1200;; bits *= 2) {
+    bool exact = true;
+    mpz_class sum = 0;
+    for (const BigDyadic& s : squares) sum += floor_root(s, bits, exact);
+    const double low = nearest(sum, bits);
+    if (exact || nearest(sum + 3, bits) == low) return low;
+  }
+}
+
+}  // namespace
+
+double volume(const Obb3& box) {
+  require_finite("volume", box);
+  const auto quick = signed_volume_of<Ball>(box).nearest();
+  const double v = quick ? *quick : rounded(Rounding::nearest, signed_volume_of<BigDyadic>(box));
+  return figure::within_doubles(std::fabs(v), "volume", "the volume");
+}
+
+double surface_area(const Obb3& box) {
+  require_finite("surface_area", box);
+  const Ball quick =
+      root(squared_area<Ball>(box, 0)) + (root(squared_area<Ball>(box, 1)) + root(squared_area<Ball>(box, 2)));
+  if (const auto area = quick.nearest()) return *area;
+  return figure::within_doubles(
+      sum_of_roots({squared_area<BigDyadic>(box, 0), squared_area<BigDyadic>(box, 1), squared_area<BigDyadic>(box, 2)}),
+      "surface_area", "the surface area");
+}
+
+}  // namespace plumb

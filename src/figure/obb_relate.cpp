@@ -1,0 +1,233 @@
+#include <optional>
+#include <plumb/predicates/direction.hpp>
+
+#include "obb_gaps.hpp"
+#include "plumb/certify/separating_axis.hpp"
+#include "plumb/certify/sign_of.hpp"
+#include "plumb/figure/obb.hpp"
+#include "zonotope.hpp"
+
+namespace plumb {
+namespace {
+
+using namespace obb_gaps;
+
+Triple<double> triple(const Vector3& v) { return {v.x, v.y, v.z}; }
+Triple<double> sizes(const Vector3& v) { return {magnitude_of(v.x), magnitude_of(v.y), magnitude_of(v.z)}; }
+
+double larger(double a, double b) { return a > b ? a : b; }
+double largest(const Triple<double>& v) { return larger(larger(size(v.x), size(v.y)), size(v.z)); }
+
+// No power of degree nine or lower of it underflows, nor its product with an error's constant.
+constexpr double least = 0x1p-100;
+
+// What is certain of the fifteen gaps so far.
+struct Gaps {
+  bool all_negative = true;
+
+  bool positive(double gap, double error) {
+    all_negative = all_negative && gap < -error;
+    return gap > error;
+  }
+  bool any_positive(const Triple<double>& gaps, double error) {
+    const bool x = positive(gaps.x, error), y = positive(gaps.y, error), z = positive(gaps.z, error);
+    return x || y || z;
+  }
+};
+
+// A NaN or infinity anywhere makes `all` one, and nothing is certain then.
+std::optional<Relation> by_doubles(const Obb3& a, const Obb3& b) {
+  const Triple<double> d{b.center.x - a.center.x, b.center.y - a.center.y, b.center.z - a.center.z};
+  const auto a0 = triple(a.axes[0]), a1 = triple(a.axes[1]), a2 = triple(a.axes[2]);
+  const auto b0 = triple(b.axes[0]), b1 = triple(b.axes[1]), b2 = triple(b.axes[2]);
+  const auto half = sizes(a.half), k = sizes(b.half);
+  const double of_d = larger(largest(d), least);
+  const double of_a = larger(larger(largest(a0), largest(a1)), larger(largest(a2), least));
+  const double of_b = larger(larger(largest(b0), largest(b1)), larger(largest(b2), least));
+  const double all = of_d + (of_a * (half.x + half.y + half.z) + of_b * (k.x + k.y + k.z));
+
+  if (dot(d, d) - (reach(half, row(a0, a1, a2, d)) + reach(k, row(b0, b1, b2, d))) > error<CenterGap> * of_d * all)
+    return Relation::disjoint;
+
+  Gaps gaps;
+  const auto n0 = cross(a1, a2), n1 = cross(a2, a0), n2 = cross(a0, a1);
+  const double volume = size(dot(a0, n0));
+  const Triple<double> t{dot(d, n0), dot(d, n1), dot(d, n2)};
+  const Triple<double> h{half.x * volume, half.y * volume, half.z * volume};
+  const auto r0 = row(b0, b1, b2, n0), r1 = row(b0, b1, b2, n1), r2 = row(b0, b1, b2, n2);
+  const double a_error = error<FaceOfA> * (of_a * of_a) * all;
+  static_assert(error<CenterInA> <= error<FaceOfA>);
+  if (gaps.any_positive(
+          {face_gap_of_a(t.x, h.x, r0, k), face_gap_of_a(t.y, h.y, r1, k), face_gap_of_a(t.z, h.z, r2, k)}, a_error))
+    return Relation::disjoint;
+  if (gaps.all_negative && size(t.x) - h.x < -a_error && size(t.y) - h.y < -a_error && size(t.z) - h.z < -a_error)
+    return Relation::overlapping;  // the center of b is inside a; the gaps ask whether b's numbers are real
+
+  const auto c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
+  const double a4 = (of_a * of_a) * (of_a * of_a);
+  if (gaps.any_positive(face_gaps_of_b(t, h, c0, c1, c2, dot(r0, c0), k),
+                        error<FaceOfB> * (a4 * (of_a * of_a)) * (of_b * of_b) * all))
+    return Relation::disjoint;
+  const double edge_error = error<EdgePair> * a4 * of_b * all;
+  if (gaps.any_positive(edge_gaps(t.y, t.z, h.y, h.z, r1, r2, c0, k), edge_error) ||
+      gaps.any_positive(edge_gaps(t.z, t.x, h.z, h.x, r2, r0, c1, k), edge_error) ||
+      gaps.any_positive(edge_gaps(t.x, t.y, h.x, h.y, r0, r1, c2, k), edge_error))
+    return Relation::disjoint;
+  // If all six edges lay in a plane, two that are not parallel would have shown its normal, along which no gap is
+  // negative; so they span space, and the fifteen axes are all there are.
+  if (gaps.all_negative) return Relation::overlapping;
+  return {};
+}
+
+BigDyadic product(double a, double b) { return BigDyadic(a) * BigDyadic(b); }
+BigVector difference(const Point3& from, const Point3& to) {
+  return {BigDyadic(to.x) - BigDyadic(from.x), BigDyadic(to.y) - BigDyadic(from.y),
+          BigDyadic(to.z) - BigDyadic(from.z)};
+}
+BigVector generator(const Vector3& axis, double half) {
+  return {product(axis.x, half), product(axis.y, half), product(axis.z, half)};
+}
+
+// All gaps that are defined, one after another; nothing when they do not decide: some are zero, or none is defined.
+class Verdict {
+ public:
+  /// False when the question is answered.
+  bool add(std::optional<Sign> gap) {
+    if (!gap) return true;
+    any_ = true;
+    zero_ = zero_ || *gap == Sign::zero;
+    disjoint_ = *gap == Sign::positive;
+    return !disjoint_;
+  }
+  [[nodiscard]] std::optional<Relation> relation() const {
+    if (disjoint_) return Relation::disjoint;
+    if (any_ && !zero_) return Relation::overlapping;
+    return {};
+  }
+
+ private:
+  bool any_ = false, zero_ = false, disjoint_ = false;
+};
+
+std::optional<Relation> by_signs(const Obb3& a, const Obb3& b) {
+  Verdict verdict;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!verdict.add(face_gap(a, b, i)) || !verdict.add(face_gap(b, a, i))) return verdict.relation();
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (!verdict.add(edge_gap(a, b, i, j))) return verdict.relation();
+    }
+  }
+  return verdict.relation();
+}
+
+[[gnu::noinline]] Relation exactly(const Obb3& a, const Obb3& b) {
+  require_finite<FaceOfA>(coordinates_of<FaceOfA>(a.center, b.center, a.axes[0], a.axes[1], a.axes[2], b.axes[0],
+                                                  b.axes[1], b.axes[2], a.half, b.half));
+  if (const auto answer = by_signs(a, b)) return *answer;
+  return locate_origin(
+      difference(a.center, b.center),
+      std::array{generator(a.axes[0], a.half.x), generator(a.axes[1], a.half.y), generator(a.axes[2], a.half.z),
+                 generator(b.axes[0], b.half.x), generator(b.axes[1], b.half.y), generator(b.axes[2], b.half.z)});
+}
+
+// In the plane: along the normal of u, |(cb - ca) x u| less what the other three axes reach.
+struct PlaneGap {
+  static constexpr std::string_view name = "relate";
+  static constexpr std::array arguments{2, 2, 2, 2, 2, 2, 1, 1, 1};
+  static constexpr bool homogeneous = false;
+
+  template <class T, class Absolute>
+  static constexpr auto gap(const std::array<T, 15>& p, Absolute absolute) {
+    const auto reach = [&](std::size_t i) { return p[12 + i] * absolute(p[6 + 2 * i] * p[5] - p[7 + 2 * i] * p[4]); };
+    return absolute((p[2] - p[0]) * p[5] - (p[3] - p[1]) * p[4]) - (reach(0) + (reach(1) + reach(2)));
+  }
+  template <class T>
+  constexpr auto operator()(const std::array<T, 15>& p) const {
+    return gap(p, [](const auto& product) { return product; });
+  }
+};
+
+int plane_filter(const Coordinates<PlaneGap>& p) {
+  const Filtered r = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return PlaneGap::gap(std::array{Filtered::Input{p[I]}...}, [](const Filtered& product) {
+      return Filtered{magnitude_of(product.value), product.magnitude};
+    });
+  }
+  (std::make_index_sequence<15>{});
+  return beyond(r.value, filter_constant<PlaneGap>() * r.magnitude);
+}
+
+// Centers are swapped and axes reversed until no product with u's normal is negative.
+std::optional<Sign> plane_gap_exactly(Coordinates<PlaneGap> p) {
+  if (p[4] == 0 && p[5] == 0) return {};
+  const auto cross_u = [&p](double x, double y) { return decide<predicates::Cross2d>({x, y, p[4], p[5]}); };
+  if (sign_of([](auto fx, auto fy, auto tx, auto ty, auto ux, auto uy) { return (tx - fx) * uy - (ty - fy) * ux; },
+              p[0], p[1], p[2], p[3], p[4], p[5]) == Sign::negative) {
+    std::swap(p[0], p[2]);
+    std::swap(p[1], p[3]);
+  }
+  for (std::size_t i = 6; i < 12; i += 2) {
+    if (cross_u(p[i], p[i + 1]) != Sign::negative) continue;
+    p[i] = -p[i];
+    p[i + 1] = -p[i + 1];
+  }
+  return decide<PlaneGap>(p);
+}
+
+// Along the normal of a's axis i.
+std::optional<Sign> plane_gap(const Obb2& a, const Obb2& b, std::size_t i) {
+  const Vector2 &u = a.axes[i], &w = a.axes[1 - i];
+  const Coordinates<PlaneGap> p{a.center.x,
+                                a.center.y,
+                                b.center.x,
+                                b.center.y,
+                                u.x,
+                                u.y,
+                                w.x,
+                                w.y,
+                                b.axes[0].x,
+                                b.axes[0].y,
+                                b.axes[1].x,
+                                b.axes[1].y,
+                                magnitude_of(i == 0 ? a.half.y : a.half.x),
+                                magnitude_of(b.half.x),
+                                magnitude_of(b.half.y)};
+  if (const int s = plane_filter(p); s != 0) [[likely]]
+    return static_cast<Sign>(s);
+  return plane_gap_exactly(p);
+}
+
+struct BothPlane {
+  static constexpr std::string_view name = "relate";
+  static constexpr std::array arguments{2, 2, 2, 2, 2, 2, 2, 2};
+  static constexpr std::array<std::string_view, 8> argument_names{"a.center", "a.axes[0]", "a.axes[1]", "a.half",
+                                                                  "b.center", "b.axes[0]", "b.axes[1]", "b.half"};
+};
+
+}  // namespace
+
+Relation relate(const Obb3& a, const Obb3& b) {
+  assert_sound_thread();
+  if (const auto quick = by_doubles(a, b)) [[likely]]
+    return *quick;
+  return exactly(a, b);
+}
+
+Relation relate(const Obb2& a, const Obb2& b) {
+  const auto p =
+      coordinates_of<BothPlane>(a.center, a.axes[0], a.axes[1], a.half, b.center, b.axes[0], b.axes[1], b.half);
+  require_finite<BothPlane>(p);
+  Verdict verdict;
+  if (!verdict.add(plane_gap(a, b, 0)) || !verdict.add(plane_gap(a, b, 1)) || !verdict.add(plane_gap(b, a, 0)) ||
+      !verdict.add(plane_gap(b, a, 1)))
+    return Relation::disjoint;
+  if (const auto answer = verdict.relation()) return *answer;
+  const auto lifted = [](const Vector2& v) { return Vector3{v.x, v.y, 0}; };
+  return locate_origin(difference({a.center.x, a.center.y, 0}, {b.center.x, b.center.y, 0}),
+                       std::array{generator(lifted(a.axes[0]), a.half.x), generator(lifted(a.axes[1]), a.half.y),
+                                  generator(lifted(b.axes[0]), b.half.x), generator(lifted(b.axes[1]), b.half.y)});
+}
+
+}  // namespace plumb
