@@ -9,6 +9,7 @@
 #include "plumb/figure/contains.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/hull2.hpp"
+#include "plumb/figure/k_dop.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/mesh.hpp"
 #include "plumb/figure/minimum_sphere.hpp"

@@ -1,0 +1,157 @@
+#include <algorithm>
+
+#include "k_dop_sets.hpp"
+#include "plumb/certify/side_of_plane.hpp"
+
+namespace plumb {
+namespace {
+
+using namespace figure;
+
+// The largest of (later start - earlier end): positive where intervals are disjoint; NaN where a number may be none.
+template <class Vector>
+double gap(const KDop<Vector>& a, const KDop<Vector>& b) {
+  const std::size_t n = a.directions.size();
+  double all = 0, widest = -1;
+  for (std::size_t i = 0; i < n; ++i) {
+    all += (a.min[i] + a.max[i]) + (b.min[i] + b.max[i]);
+    widest = std::max(widest, std::max(a.min[i], b.min[i]) - std::min(a.max[i], b.max[i]));
+  }
+  return widest + (all - all);
+}
+
+template <class Vector>
+bool have_one_form(const KDop<Vector>& a, const KDop<Vector>& b) {
+  const std::size_t n = a.directions.size();
+  return a.directions == b.directions && a.min.size() == n && a.max.size() == n && b.min.size() == n &&
+         b.max.size() == n;
+}
+
+template <class Vector>
+bool overlap(std::string_view function, const KDop<Vector>& a, const KDop<Vector>& b) {
+  if (!have_one_form(a, b)) check(function, a, b);
+  const double g = gap(a, b);
+  if (g - g == 0) return g <= 0;
+  check(function, a, b);
+  for (std::size_t i = 0; i < a.min.size(); ++i) {
+    if (std::max(a.min[i], b.min[i]) > std::min(a.max[i], b.max[i])) return false;
+  }
+  return true;
+}
+
+// What lies in both, of one form.
+template <class Vector>
+KDop<Vector> common_part(const KDop<Vector>& a, const KDop<Vector>& b) {
+  KDop<Vector> both = a;
+  for (std::size_t i = 0; i < a.min.size(); ++i) {
+    both.min[i] = std::max(a.min[i], b.min[i]);
+    both.max[i] = std::min(a.max[i], b.max[i]);
+  }
+  return both;
+}
+
+Sign side(const Vector2& d, double offset, const Point2& p) { return side_of_line(d, offset, p); }
+Sign side(const Vector3& d, double offset, const Point3& p) { return side_of_plane(d, offset, p); }
+Point2 point(const std::array<double, 2>& x) { return {x[0], x[1]}; }
+Point3 point(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+// A guess, by projecting onto the middles of the slabs in turn (Kaczmarz); that it is inside is proved.
+template <class Vector>
+bool has_inner_point(const KDop<Vector>& k_dop) {
+  constexpr int rounds = 4;
+  auto x = coordinates(Vector{});
+  const auto all = k_dop.directions.all();
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto d = coordinates(all[i]);
+      double place = 0, square = 0;
+      for (std::size_t k = 0; k < d.size(); ++k) place += d[k] * x[k], square += d[k] * d[k];
+      const double by = (k_dop.min[i] + (k_dop.max[i] - k_dop.min[i]) / 2 - place) / square;
+      for (std::size_t k = 0; k < d.size(); ++k) x[k] += by * d[k];
+    }
+  }
+  for (const double coordinate : x) {
+    if (!(coordinate - coordinate == 0)) return false;
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (side(all[i], k_dop.min[i], point(x)) != Sign::positive ||
+        side(all[i], k_dop.max[i], point(x)) != Sign::negative)
+      return false;
+  }
+  return true;
+}
+
+// Which halfspaces have slack somewhere in the set, which is not empty: those that bound its relative interior.
+std::vector<bool> with_slack(const Constraints& halfspaces) {
+  std::vector<bool> slack(halfspaces.rows.size(), true);
+  for (;;) {
+    const Feasible found = feasible(halfspaces, slack);
+    if (found.slack != 0) return slack;
+    for (const std::size_t i : found.deciding) slack[i] = false;
+  }
+}
+
+template <class Vector>
+Relation relation(std::string_view function, const KDop<Vector>& a, const KDop<Vector>& b) {
+  if (!overlap(function, a, b)) return Relation::disjoint;
+  const KDop<Vector> both = common_part(a, b);
+  if (has_inner_point(both)) return Relation::overlapping;
+  const Constraints common = halfspaces(both);
+  const int slack = feasible(common, std::vector<bool>(common.rows.size(), true)).slack;
+  if (slack != 0) return slack < 0 ? Relation::disjoint : Relation::overlapping;
+  // A common point, but none inside both: the relative interiors may still meet where a set is flat.
+  Constraints all = halfspaces(a);
+  std::vector<bool> strictly = with_slack(all);
+  const Constraints of_b = halfspaces(b);
+  const std::vector<bool> strictly_b = with_slack(of_b);
+  all.rows.insert(all.rows.end(), of_b.rows.begin(), of_b.rows.end());
+  all.limits.insert(all.limits.end(), of_b.limits.begin(), of_b.limits.end());
+  strictly.insert(strictly.end(), strictly_b.begin(), strictly_b.end());
+  return feasible(all, strictly).slack > 0 ? Relation::overlapping : Relation::touching;
+}
+
+template <class Vector>
+bool meet(const KDop<Vector>& a, const KDop<Vector>& b) {
+  if (!overlap("intersects", a, b)) return false;
+  const KDop<Vector> both = common_part(a, b);
+  return has_inner_point(both) || !is_empty(halfspaces(both));
+}
+
+template <class Vector>
+bool is_empty_set(const KDop<Vector>& k_dop) {
+  check("is_empty", "k_dop", k_dop);
+  if (has_empty_interval(k_dop)) return true;
+  return !has_inner_point(k_dop) && is_empty(halfspaces(k_dop));
+}
+
+template <class Vector>
+bool holds(const KDop<Vector>& outer, const KDop<Vector>& inner) {
+  check("contains", "outer", outer);
+  check("contains", "inner", inner);
+  bool nested = outer.directions == inner.directions;
+  for (std::size_t i = 0; nested && i < outer.min.size(); ++i)
+    nested = outer.min[i] <= inner.min[i] && inner.max[i] <= outer.max[i];
+  if (nested) return true;
+  const Constraints within = halfspaces(inner), needed = halfspaces(outer);
+  if (is_empty(within)) return true;
+  for (std::size_t i = 0; i < needed.rows.size(); ++i) {
+    const Optimum farthest = maximize(needed.rows[i], within);
+    if (farthest.kind != Optimum::Kind::optimal || dot(needed.rows[i], farthest.at) > needed.limits[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool intervals_overlap(const KDop2& a, const KDop2& b) { return overlap("intervals_overlap", a, b); }
+bool intervals_overlap(const KDop3& a, const KDop3& b) { return overlap("intervals_overlap", a, b); }
+Relation relate(const KDop2& a, const KDop2& b) { return relation("relate", a, b); }
+Relation relate(const KDop3& a, const KDop3& b) { return relation("relate", a, b); }
+bool intersects(const KDop2& a, const KDop2& b) { return meet(a, b); }
+bool intersects(const KDop3& a, const KDop3& b) { return meet(a, b); }
+bool is_empty(const KDop2& k_dop) { return is_empty_set(k_dop); }
+bool is_empty(const KDop3& k_dop) { return is_empty_set(k_dop); }
+bool contains(const KDop2& outer, const KDop2& inner) { return holds(outer, inner); }
+bool contains(const KDop3& outer, const KDop3& inner) { return holds(outer, inner); }
+
+}  // namespace plumb
