@@ -21,3 +21,4 @@
 #include "plumb/figure/simplex.hpp"
 #include "plumb/figure/small_system.hpp"
 #include "plumb/figure/spanned_sphere.hpp"
+#include "plumb/figure/voronoi_region.hpp"
