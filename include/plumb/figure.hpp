@@ -21,4 +21,6 @@
 #include "plumb/figure/simplex.hpp"
 #include "plumb/figure/small_system.hpp"
 #include "plumb/figure/spanned_sphere.hpp"
+#include "plumb/figure/sphere.hpp"
+#include "plumb/figure/sphere_fits.hpp"
 #include "plumb/figure/voronoi_region.hpp"
