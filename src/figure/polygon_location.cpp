@@ -1,0 +1,195 @@
+#include "plumb/figure/polygon_location.hpp"
+
+#include <array>
+#include <string>
+
+#include "chain_input.hpp"
+#include "named_parts.hpp"
+#include "plane_of_points.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view kFunction = "locate";
+
+bool between(double x, double a, double b) { return (a <= x && x <= b) || (b <= x && x <= a); }
+
+/// How often the chain winds around p; nothing on the chain.  Edges are counted that cross the horizontal ray from p to
+/// the right, an edge with its lower end and without its upper one.
+std::optional<int> winding(std::span<const Point2> chain, const Point2& p) {
+  int turns = 0;
+  Point2 a = chain.back();
+  for (const Point2& b : chain) {
+    if (b == p) return {};
+    if ((a.y <= p.y && p.y < b.y) || (b.y <= p.y && p.y < a.y)) {
+      const int way = a.y < b.y ? 1 : -1;
+      if (p.x < a.x && p.x < b.x) {
+        turns += way;
+      } else if (p.x <= a.x || p.x <= b.x) {  // else the edge is to the left
+        const Sign side = orient2d(a, b, p);
+        if (side == Sign::zero) return {};
+        if (static_cast<int>(side) == way) turns += way;
+      }
+    } else if (a.y == p.y && b.y == p.y && between(p.x, a.x, b.x)) {
+      return {};
+    }
+    a = b;
+  }
+  return turns;
+}
+
+template <class Point>
+void require_point(std::string_view function, const Point& p) {
+  require_finite_parts(function, std::array<std::string_view, 1>{"p"}, p);
+}
+
+template <class Quadrilateral, class Point>
+void require_parts(const Quadrilateral& q, const Point& p) {
+  require_finite_parts(
+      kFunction,
+      std::array<std::string_view, 5>{"quadrilateral.a", "quadrilateral.b", "quadrilateral.c", "quadrilateral.d", "p"},
+      q.a, q.b, q.c, q.d, p);
+}
+
+/// Adds up over chains.
+class Windings {
+ public:
+  void add(std::span<const Point2> chain, const Point2& p) {
+    if (on_chain_) return;
+    if (const auto turns = winding(chain, p)) {
+      odd_ ^= (*turns & 1) != 0;
+    } else {
+      on_chain_ = true;
+    }
+  }
+  [[nodiscard]] Location location() const {
+    return on_chain_ ? Location::boundary : odd_ ? Location::inside : Location::outside;
+  }
+
+ private:
+  bool on_chain_ = false, odd_ = false;
+};
+
+using Chain3 = std::span<const Point3>;
+
+bool on_segment(const Point3& a, const Point3& b, const Point3& p) {
+  return p == a || p == b || (collinear(a, b, p) && are_ordered_along_line(a, p, b));
+}
+
+/// Chains in one plane, or on one line.
+Location locate_in_space(std::span<const Chain3> chains, const Point3& p) {
+  std::vector<Point3> all;
+  for (const Chain3& chain : chains) all.insert(all.end(), chain.begin(), chain.end());
+  const PlaneOfPoints plane = plane_of_points(all);
+  if (plane.dimension == 3) {
+    throw InvalidShape(std::string("locate: the polygon is not planar: its vertex ")
+                           .append(std::to_string(plane.off))
+                           .append(" is off the plane of the vertices ")
+                           .append(std::to_string(plane.span[0]))
+                           .append(", ")
+                           .append(std::to_string(plane.span[1]))
+                           .append(" and ")
+                           .append(std::to_string(plane.span[2]))
+                           .append("; triangulate it"));
+  }
+  if (plane.dimension < 2) {
+    for (const Chain3& chain : chains) {
+      const Point3* a = &chain.back();
+      for (const Point3& b : chain) {
+        if (on_segment(*a, b, p)) return Location::boundary;
+        a = &b;
+      }
+    }
+    return Location::outside;
+  }
+  const auto [i, j, k] = plane.span;
+  if (orient3d(all[i], all[j], all[k], p) != Sign::zero) return Location::outside;
+  const Look look = look_at_plane(all[i], all[j], all[k]);
+  Windings windings;
+  std::vector<Point2> flat;
+  for (const Chain3& chain : chains) {
+    flat.clear();
+    for (const Point3& v : chain) flat.push_back(projected(look, v));
+    windings.add(flat, projected(look, p));
+  }
+  return windings.location();
+}
+
+std::string hole_name(std::size_t k) {
+  return std::string("polygon.holes[").append(std::to_string(k)).append("].vertices");
+}
+
+Location surface(Location in_plane) { return in_plane == Location::outside ? Location::outside : Location::boundary; }
+
+}  // namespace
+
+std::optional<int> winding_number(const Polygon2& polygon, const Point2& p) {
+  require_chain<Point2>("winding_number", "polygon.vertices", polygon.vertices);
+  require_point("winding_number", p);
+  return winding(polygon.vertices, p);
+}
+
+Location locate(const Quadrilateral2& q, const Point2& p) {
+  require_parts(q, p);
+  const std::array chain{q.a, q.b, q.c, q.d};
+  Windings windings;
+  windings.add(chain, p);
+  return windings.location();
+}
+
+Location locate(const Polygon2& polygon, const Point2& p) {
+  require_chain<Point2>(kFunction, "polygon.vertices", polygon.vertices);
+  require_point(kFunction, p);
+  Windings windings;
+  windings.add(polygon.vertices, p);
+  return windings.location();
+}
+
+Location locate(const HoledPolygon2& polygon, const Point2& p) {
+  require_chain<Point2>(kFunction, "polygon.outer.vertices", polygon.outer.vertices);
+  for (std::size_t k = 0; k < polygon.holes.size(); ++k)
+    require_chain<Point2>(kFunction, hole_name(k), polygon.holes[k].vertices);
+  require_point(kFunction, p);
+  Windings windings;
+  windings.add(polygon.outer.vertices, p);
+  for (const Polygon2& hole : polygon.holes) windings.add(hole.vertices, p);
+  return windings.location();
+}
+
+Location locate_in_plane(const Quadrilateral3& q, const Point3& p) {
+  require_parts(q, p);
+  const std::array corners{q.a, q.b, q.c, q.d};
+  const std::array<Chain3, 1> chains{corners};
+  return locate_in_space(chains, p);
+}
+
+Location locate_in_plane(const Polygon3& polygon, const Point3& p) {
+  require_chain<Point3>(kFunction, "polygon.vertices", polygon.vertices);
+  require_point(kFunction, p);
+  const std::array<Chain3, 1> chains{polygon.vertices};
+  return locate_in_space(chains, p);
+}
+
+Location locate_in_plane(const HoledPolygon3& polygon, const Point3& p) {
+  require_chain<Point3>(kFunction, "polygon.outer.vertices", polygon.outer.vertices);
+  std::vector<Chain3> chains{polygon.outer.vertices};
+  for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
+    require_chain<Point3>(kFunction, hole_name(k), polygon.holes[k].vertices);
+    chains.emplace_back(polygon.holes[k].vertices);
+  }
+  require_point(kFunction, p);
+  return locate_in_space(chains, p);
+}
+
+Location locate(const Quadrilateral3& q, const Point3& p) { return surface(locate_in_plane(q, p)); }
+Location locate(const Polygon3& polygon, const Point3& p) { return surface(locate_in_plane(polygon, p)); }
+Location locate(const HoledPolygon3& polygon, const Point3& p) { return surface(locate_in_plane(polygon, p)); }
+
+bool contains(const Quadrilateral2& q, const Point2& p) { return locate(q, p) != Location::outside; }
+bool contains(const Polygon2& polygon, const Point2& p) { return locate(polygon, p) != Location::outside; }
+bool contains(const HoledPolygon2& polygon, const Point2& p) { return locate(polygon, p) != Location::outside; }
+bool contains(const Quadrilateral3& q, const Point3& p) { return locate(q, p) != Location::outside; }
+bool contains(const Polygon3& polygon, const Point3& p) { return locate(polygon, p) != Location::outside; }
+bool contains(const HoledPolygon3& polygon, const Point3& p) { return locate(polygon, p) != Location::outside; }
+
+}  // namespace plumb
