@@ -1,6 +1,7 @@
 // Boxes and rectangles.  All are zonotopes: a center and the multiples of some axes up to a half extent each.  A point
 // is beyond one where its way from the center reaches farther along a face's normal than all axes together do; the
-// normals are zero vectors where the axes are dependent, and then the set is looked at in the flat that it spans.
+// normals are zero vectors where the axes are dependent, and then the set is looked at in the flat that these span.  An
+// axis taken zero times does no harm there: what it adds bounds the set as well.
 #include <plumb/predicates/cross.hpp>
 #include <plumb/predicates/distance.hpp>
 
@@ -94,7 +95,7 @@ Location locate_in_plane(const Point2& center, const Point2& p, const Axes2& axe
   return boundary_if(in_interval(center, p, axes, half));
 }
 
-/// Of a zonotope without interior; no axis is taken zero times.
+/// Of axes that are dependent.
 bool in_flat(const Point3& center, const Point3& p, const Axes3& axes, const Numbers& half) {
   const Numbers c = numbers(center), x = numbers(p);
   if (const auto span = independent(axes)) {
@@ -137,7 +138,7 @@ Sign beyond_face(const Point3& center, const Point3& p, const Vector3& u, const 
   const auto& [u, v, w] = box.axes;
   const Sign determinant = determinant_sign(Rows<3>{numbers(u), numbers(v), numbers(w)});
   if (determinant == Sign::zero) {
-    return boundary_if(in_flat(box.center, p, {taken(u, half[0]), taken(v, half[1]), taken(w, half[2])}, half));
+    return boundary_if(in_flat(box.center, p, {u, v, w}, half));
   }
   return location(farther(beyond_face(box.center, p, u, v, w, half[2], determinant),
                           farther(beyond_face(box.center, p, v, w, u, half[0], determinant),
@@ -191,16 +192,14 @@ Location locate(const AabbCenter3& box, const Point3& p) {
 Location locate(const Obb2& box, const Point2& p) {
   require_numbers(Names<5>{"box.center", "box.axes[0]", "box.axes[1]", "box.half", "p"}, box.center, box.axes[0],
                   box.axes[1], box.half, p);
-  return locate_in_plane(box.center, p, {taken(box.axes[0], box.half.x), taken(box.axes[1], box.half.y), {0, 0}},
-                         {box.half.x, box.half.y, 0});
+  return locate_in_plane(box.center, p, {box.axes[0], box.axes[1], {0, 0}}, {box.half.x, box.half.y, 0});
 }
 
 Location locate(const Rectangle3& rectangle, const Point3& p) {
   const auto& [center, axes, half] = rectangle;
   require_numbers(Names<5>{"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half", "p"}, center,
                   axes[0], axes[1], half, p);
-  return boundary_if(
-      in_flat(center, p, {taken(axes[0], half.x), taken(axes[1], half.y), {0, 0, 0}}, {half.x, half.y, 0}));
+  return boundary_if(in_flat(center, p, {axes[0], axes[1], {0, 0, 0}}, {half.x, half.y, 0}));
 }
 
 Location locate(const Obb3& box, const Point3& p) {

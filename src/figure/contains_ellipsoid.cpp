@@ -63,7 +63,10 @@ struct BeyondReach {
   }
 };
 
-/// For axes that do not span space.
+/// Zero where it is taken zero times.
+constexpr Vector3 taken(const Vector3& axis, double times) { return times == 0 ? Vector3{0, 0, 0} : axis; }
+
+/// For axes that do not span space, none of them taken zero times.
 bool in_flat_ellipsoid(const Point3& center, const Point3& p, const Axes3& axes, const Numbers& half) {
   const Numbers c = numbers(center), x = numbers(p);
   if (const auto span = independent(axes)) {

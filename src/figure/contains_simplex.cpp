@@ -60,9 +60,8 @@ Location locate(const Tetrahedron3& tetrahedron, const Point3& p) {
   const auto& [a, b, c, d] = tetrahedron;
   require_numbers(Names<5>{"tetrahedron.a", "tetrahedron.b", "tetrahedron.c", "tetrahedron.d", "p"}, a, b, c, d, p);
   const Sign turn = orient3d(a, b, c, d);
-  if (turn == Sign::zero) {
-    return boundary_if(in_triangle(a, b, c, p) || in_triangle(a, b, d, p) || in_triangle(a, c, d, p) ||
-                       in_triangle(b, c, d, p));
+  if (turn == Sign::zero) {  // two faces on a diagonal cover it, or one, or the three around a corner: never all four
+    return boundary_if(in_triangle(a, b, c, p) || in_triangle(a, b, d, p) || in_triangle(b, c, d, p));
   }
   return within(std::array{orient3d(p, b, c, d) * turn, orient3d(a, p, c, d) * turn, orient3d(a, b, p, d) * turn,
                            orient3d(a, b, c, p) * turn});

@@ -20,10 +20,6 @@ using Numbers = std::array<double, 3>;
 constexpr Numbers numbers(const Point3& p) { return {p.x, p.y, p.z}; }
 constexpr Numbers numbers(const Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// Zero where it is taken zero times.
-constexpr Vector3 taken(const Vector3& axis, double times) { return times == 0 ? Vector3{0, 0, 0} : axis; }
-constexpr Vector2 taken(const Vector2& axis, double times) { return times == 0 ? Vector2{0, 0} : axis; }
-
 /// Two of the axes, if any, that are not parallel.
 std::optional<std::pair<Vector2, Vector2>> independent(const Axes2& axes);
 std::optional<std::pair<Vector3, Vector3>> independent(const Axes3& axes);

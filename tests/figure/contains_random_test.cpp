@@ -5,6 +5,7 @@
 
 #include "figure/exact_locations.hpp"
 #include "figure/shape_cases.hpp"
+#include "oracle/shapes.hpp"
 #include "plumb/figure/contains.hpp"
 
 namespace plumb {
@@ -97,6 +98,44 @@ TEST(ContainsRandom, Boxes) {
   expect_solid<Obb2, Point2>(4000);
   expect_solid<Obb3, Point3>(3000);
   expect_flat<Rectangle3, Point3>(2500);
+}
+
+/// Of `cases` shapes; CGAL answers for at least this share of them.
+template <class Shape, class Point>
+void hold_against_cgal(std::uint64_t cases, double share) {
+  std::uint64_t answers = 0;
+  on_shapes(42, cases, [&](Material& m) {
+    const auto shape = m.shape<Shape>();
+    const Point p = m.probe<Point>();
+    const std::optional<Location> expected = oracle::locate(shape, p);
+    if (!expected) return;
+    ++answers;
+    EXPECT_EQ(locate(shape, p), *expected) << m.about(shape, p);
+  });
+  EXPECT_GE(static_cast<double>(answers), share * static_cast<double>(cases));
+}
+
+TEST(ContainsRandom, AgreesWithCgal) {
+  hold_against_cgal<Line2, Point2>(500, 0.7);
+  hold_against_cgal<Line3, Point3>(500, 0.7);
+  hold_against_cgal<Ray2, Point2>(500, 0.7);
+  hold_against_cgal<Ray3, Point3>(500, 0.7);
+  hold_against_cgal<Segment2, Point2>(500, 0.7);
+  hold_against_cgal<Segment3, Point3>(500, 0.7);
+  hold_against_cgal<Plane3, Point3>(500, 0.7);
+  hold_against_cgal<ThreePointPlane3, Point3>(500, 0.5);
+  hold_against_cgal<Halfspace2, Point2>(500, 0.7);
+  hold_against_cgal<Halfspace3, Point3>(500, 0.7);
+  hold_against_cgal<Triangle2, Point2>(500, 0.4);
+  hold_against_cgal<Triangle3, Point3>(500, 0.5);
+  hold_against_cgal<Tetrahedron3, Point3>(500, 0.15);
+  hold_against_cgal<Circle2, Point2>(500, 0.5);
+  hold_against_cgal<Sphere3, Point3>(500, 0.5);
+  hold_against_cgal<Capsule2, Point2>(500, 0.4);
+  hold_against_cgal<Capsule3, Point3>(500, 0.4);
+  hold_against_cgal<Aabb2, Point2>(500, 0.4);
+  hold_against_cgal<Aabb3, Point3>(500, 0.15);
+  hold_against_cgal<Obb3, Point3>(500, 0.3);
 }
 
 }  // namespace
