@@ -346,7 +346,7 @@ TEST(ContainsRefuses, WhatIsNoNumber) {
   EXPECT_EQ(refusal([&] {
               contains(Sphere3{{0, 0, 0}, nan}, p);
             }),
-            "contains: sphere.radius is nan, not a real number");
+            "contains: sphere.radius is nan, not a real number; give a finite double");
   EXPECT_THAT(refusal([&] {
                 contains(Obb3{{}, {{{}, {0, nan, 0}, {}}}, {}}, p);
               }),
