@@ -265,7 +265,7 @@ std::string describe(const SurfaceConvexity& c) {
     return std::string(words).append(std::to_string(number));
   };
   const std::string face = with("face ", c.face), vertex = with("vertex ", c.vertex);
-  const std::string edge = with("the edge from vertex ", c.vertex).append(with(" to ", c.other_vertex));
+  const std::string edge = with("the edge from vertex ", c.vertex).append(with(" to vertex ", c.other_vertex));
   switch (c.flaw) {
     case SurfaceFlaw::none:
       return {};
