@@ -1,0 +1,13 @@
+// Which points are certainly inside?  Found at a few operations each, so that few are left to the hull.
+#pragma once
+
+#include "hull3_surface.hpp"
+#include "plumb/certify/batch.hpp"
+
+namespace plumb::hull3 {
+
+/// Nodes for all points but some that are strictly inside the hull; in ascending order.  What is left out is the same
+/// on every number of threads.
+std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& extents, Execution execution);
+
+}  // namespace plumb::hull3
