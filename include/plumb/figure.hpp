@@ -29,5 +29,6 @@
 #include "plumb/figure/sphere.hpp"
 #include "plumb/figure/sphere_fits.hpp"
 #include "plumb/figure/support.hpp"
+#include "plumb/figure/swept_sphere.hpp"
 #include "plumb/figure/verify_hull.hpp"
 #include "plumb/figure/voronoi_region.hpp"

@@ -19,43 +19,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-// A halfspace normal . x <= limit, or < limit.
-struct Half {
-  std::vector<Rational> normal;
-  Rational limit;
-  bool open;
-};
-
-// Is there a point in all of them?  Fourier and Motzkin's elimination, one variable after the other.
-bool have_point(std::vector<Half> halves, std::size_t dimension) {
-  for (std::size_t v = 0; v < dimension; ++v) {
-    std::vector<Half> next;
-    for (const Half& h : halves) {
-      if (h.normal[v] == 0) next.push_back(h);
-    }
-    for (const Half& up : halves) {
-      if (up.normal[v] <= 0) continue;
-      for (const Half& down : halves) {
-        if (down.normal[v] >= 0) continue;
-        Half both{std::vector<Rational>(dimension), up.limit * -down.normal[v] + down.limit * up.normal[v],
-                  up.open || down.open};
-        for (std::size_t k = 0; k < dimension; ++k)
-          both.normal[k] = up.normal[k] * -down.normal[v] + down.normal[k] * up.normal[v];
-        // Of halfspaces with one normal, the strictest will do.
-        bool known = false;
-        for (Half& h : next) {
-          if (h.normal != both.normal) continue;
-          known = true;
-          if (both.limit < h.limit || (both.limit == h.limit && both.open)) h = both;
-        }
-        if (!known) next.push_back(both);
-      }
-    }
-    halves = std::move(next);
-  }
-  return std::ranges::all_of(halves, [](const Half& h) { return h.limit > 0 || (h.limit == 0 && !h.open); });
-}
-
 std::vector<Rational> numbers(const Vector2& v) { return {Rational(v.x), Rational(v.y)}; }
 std::vector<Rational> numbers(const Vector3& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 
