@@ -96,6 +96,7 @@ void expect_merged(std::uint64_t start) {
   int held = 0, beyond = 0, cases = 0;
   on_shapes(start, 15000, [&](Material& m) {
     const Ball a = m.shape<Ball>(), b = neighbor(m, a);
+    const std::vector<Ball> all{a, b, m.shape<Ball>(), m.shape<Ball>()};
     const std::string about = m.about(a, b);
     ++cases;
     try {
@@ -116,13 +117,12 @@ void expect_merged(std::uint64_t start) {
           << about;
       const auto p = a.center;
       EXPECT_TRUE(is_around(merge(b, p), b) && is_around(merge(b, p), Ball{p, 0})) << about;
-      const std::vector<Ball> all{a, b, m.shape<Ball>(), m.shape<Ball>()};
       const Ball around = merge(std::span<const Ball>(all));
       for (const Ball& part : all) EXPECT_TRUE(is_around(around, part)) << about;
     } catch (const BeyondDoubles&) {
       ++beyond;
       double size = 0;
-      for (const Ball& ball : {a, b})
+      for (const Ball& ball : all)
         for (const double x : coordinates(ball.center)) size = std::max({size, std::fabs(x), ball.radius});
       EXPECT_GT(size, 0x1p1000) << about;
     }

@@ -6,10 +6,12 @@
 // order of its points, of equal points the first, and of several possible supports the same is chosen.  (3) The sphere
 // in doubles has the exact center rounded once, and the least radius in doubles with which it encloses every point from
 // there.  (4) The ball of a part is never larger than that of the whole.
-// No points throw InvalidShape; NaN and infinity throw NonFinite; a radius that no double holds throws BeyondDoubles.
-// Source: RTCD 4.3.5; Welzl 1991; Gaertner 1999 for the pivot, the farthest point.  Doubles propose it, exact signs
-// decide everything.  Cost: some passes over the points at 1 to 2 ns a point, and some 20 us; where many points lie on
-// the boundary or off it by ulps, an exact sign for each of them.
+// (5) Of balls likewise: the support is of balls that the smallest one touches from within, no fewer of which hold it.
+// No points or balls, and a negative radius, throw InvalidShape; NaN and infinity throw NonFinite; a radius that no
+// double holds throws BeyondDoubles. Source: RTCD 4.3.5; Welzl 1991; Gaertner 1999 for the pivot, the farthest point;
+// Fischer and Gaertner 2003 for balls.  Doubles propose it, exact signs decide everything.  Cost: some passes over the
+// points at 1 to 2 ns a point, and some 20 us; where many points lie on the boundary or off it by ulps, an exact sign
+// for each of them.  Of balls some passes at 5 ns a ball, and some ms.
 #pragma once
 
 #include <cstdint>
@@ -41,5 +43,17 @@ struct MinimumSphereOptions {
 
 MinimumCircle minimum_circle(std::span<const Point2> points, const MinimumCircleOptions& options = {});
 MinimumSphere minimum_sphere(std::span<const Point3> points, const MinimumSphereOptions& options = {});
+
+struct MinimumCircleOfCircles {
+  Circle2 circle;
+  std::vector<std::uint32_t> support;
+};
+struct MinimumSphereOfSpheres {
+  Sphere3 sphere;
+  std::vector<std::uint32_t> support;
+};
+
+MinimumCircleOfCircles minimum_circle(std::span<const Circle2> circles);
+MinimumSphereOfSpheres minimum_sphere(std::span<const Sphere3> spheres);
 
 }  // namespace plumb

@@ -13,6 +13,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <plumb/predicates/distance.hpp>
 #include <span>
 #include <string_view>
@@ -54,37 +56,63 @@ struct Gap3 {
 Sign gap_exactly(std::string_view function, const Circle2& a, const Circle2& b);
 Sign gap_exactly(std::string_view function, const Sphere3& a, const Sphere3& b);
 
-inline int gap_filter(const Circle2& a, const Circle2& b) {
-  return filter<Gap2>({a.center.x, a.center.y, a.radius, b.center.x, b.center.y, b.radius});
+inline double square_of_distance(const Point2& a, const Point2& b) {
+  const double x = a.x - b.x, y = a.y - b.y;
+  return x * x + y * y;
 }
-inline int gap_filter(const Sphere3& a, const Sphere3& b) {
-  return filter<Gap3>({a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius});
+inline double square_of_distance(const Point3& a, const Point3& b) {
+  const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+  return x * x + y * y + z * z;
 }
 
+/// The filter of Gap2 and Gap3 in fewer operations: |value| > c (square + reach + guards).  No product is negative, so
+/// that their sum is their magnitude; and square + reach is at most 2 square + |value|, so that it is enough to ask
+/// |value| > 3 c square + guard.  The fourth c pays for what rounds otherwise.
+inline constexpr double constant = 4 * filter_constant<Gap3>(), guard = 8 * filter_constant<Gap3>() * underflow_guard;
+static_assert(filter_constant<Gap2>() <= filter_constant<Gap3>());
+
+/// Is one of them negative, or -0?  Asked of integers, who have time left.
+inline bool has_sign(double x, double y) {
+  return static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) | std::bit_cast<std::uint64_t>(y)) < 0;
+}
+
+struct Gap {
+  double value;  // the sign, where sure
+  bool sure;
+};
 template <class Ball>
-Sign gap(std::string_view function, const Ball& a, const Ball& b) {
+Gap gap(const Ball& a, const Ball& b) {
   assert_sound_thread();
-  const int s = gap_filter(a, b);
-  const double least = a.radius < b.radius ? a.radius : b.radius;
-  if ((s != 0) & (least >= 0)) [[likely]]
-    return static_cast<Sign>(s);
-  return gap_exactly(function, a, b);
+  const double square = square_of_distance(a.center, b.center), sum = a.radius + b.radius, reach = sum * sum;
+  const double value = square - reach;
+  return {value, magnitude_of(value) > constant * square + guard && !has_sign(a.radius, b.radius)};
 }
 
 template <class Ball>
 Relation relate(const Ball& a, const Ball& b) {
-  const Sign s = gap("relate", a, b);
+  const Gap g = gap(a, b);
+  if (g.sure) [[likely]]
+    return g.value > 0 ? Relation::disjoint : Relation::overlapping;
+  const Sign s = gap_exactly("relate", a, b);
   // Two equal points: each is the interior of itself.
   if (s == Sign::zero && a.radius == 0 && b.radius == 0) return Relation::overlapping;
   return static_cast<Relation>(-s);
+}
+
+template <class Ball>
+bool intersects(const Ball& a, const Ball& b) {
+  const Gap g = gap(a, b);
+  if (g.sure) [[likely]]
+    return g.value < 0;
+  return gap_exactly("intersects", a, b) != Sign::positive;
 }
 
 }  // namespace sphere
 
 inline Relation relate(const Circle2& a, const Circle2& b) { return sphere::relate(a, b); }
 inline Relation relate(const Sphere3& a, const Sphere3& b) { return sphere::relate(a, b); }
-inline bool intersects(const Circle2& a, const Circle2& b) { return sphere::gap("intersects", a, b) != Sign::positive; }
-inline bool intersects(const Sphere3& a, const Sphere3& b) { return sphere::gap("intersects", a, b) != Sign::positive; }
+inline bool intersects(const Circle2& a, const Circle2& b) { return sphere::intersects(a, b); }
+inline bool intersects(const Sphere3& a, const Sphere3& b) { return sphere::intersects(a, b); }
 
 /// Does the outer ball hold every point of the inner one?
 bool contains(const Circle2& outer, const Circle2& inner);

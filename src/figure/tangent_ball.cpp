@@ -1,0 +1,135 @@
+#include "tangent_ball.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace plumb::spheres {
+namespace {
+
+mpq_class dot(const Rationals& u, const Rationals& v) {
+  mpq_class sum = 0;
+  for (std::size_t a = 0; a < u.size(); ++a) sum += u[a] * v[a];
+  return sum;
+}
+
+/// Solves rows = (matrix | two right-hand sides); false where the matrix is singular.
+bool eliminate(std::vector<Rationals>& rows) {
+  const std::size_t n = rows.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    while (pivot < n && rows[pivot][k] == 0) ++pivot;
+    if (pivot == n) return false;
+    std::swap(rows[k], rows[pivot]);
+    for (std::size_t j = n + 2; j-- > k;) rows[k][j] /= rows[k][k];
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k || rows[i][k] == 0) continue;
+      const mpq_class factor = rows[i][k];
+      for (std::size_t j = k; j < n + 2; ++j) rows[i][j] -= factor * rows[k][j];
+    }
+  }
+  return true;
+}
+
+/// Doubles in their order as integers; zero is 0.
+std::int64_t place_of(double x) {
+  const auto bits = std::bit_cast<std::int64_t>(std::fabs(x));
+  return x < 0 ? -bits : bits;
+}
+double at_place(std::int64_t place) {
+  return place < 0 ? -std::bit_cast<double>(-place) : std::bit_cast<double>(place);
+}
+
+}  // namespace
+
+Sign TangentBall::sign(const mpq_class& a, const mpq_class& b) const {
+  const mpq_class x = a + b * p_, y = b * q_;
+  const int s = sgn(x), t = sgn(y) * sgn(d_);
+  if (s == t || t == 0) return sign_of_number(s);
+  if (s == 0) return sign_of_number(t);
+  return sign_of_number(s * cmp(x * x, y * y * d_));
+}
+
+std::optional<TangentBall> TangentBall::around(std::span<const RationalBall> balls) {
+  const std::size_t n = balls.size() - 1, axes = balls[0].center.size();
+  TangentBall ball;
+  ball.first_ = balls[0];
+  ball.u_.resize(axes), ball.v_.resize(axes);
+  if (n == 0) return ball;
+  std::vector<Rationals> e(n, Rationals(axes)), rows(n, Rationals(n + 2));
+  Rationals s(n), h(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t a = 0; a < axes; ++a) e[i][a] = balls[i + 1].center[a] - balls[0].center[a];
+    s[i] = balls[i + 1].radius - balls[0].radius;
+    h[i] = (dot(e[i], e[i]) - s[i] * s[i]) / 2;
+  }
+  // y = sum w_i e_i with the weights w = f + g rho.
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) rows[i][j] = dot(e[i], e[j]);
+    rows[i][n] = h[i];
+    rows[i][n + 1] = s[i];
+  }
+  if (!eliminate(rows)) return std::nullopt;
+  Rationals f(n), g(n);
+  mpq_class f_sum = 0, g_sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    f[i] = rows[i][n], g[i] = rows[i][n + 1];
+    f_sum += f[i], g_sum += g[i];
+    for (std::size_t a = 0; a < axes; ++a) ball.u_[a] += f[i] * e[i][a], ball.v_[a] += g[i] * e[i][a];
+  }
+  const auto fits = [&] {
+    bool all = ball.sign(0, 1) != Sign::negative && ball.sign(1 - f_sum, -g_sum) == Sign::positive;
+    for (std::size_t i = 0; i < n && all; ++i)
+      all = ball.sign(-s[i], 1) != Sign::negative && ball.sign(f[i], g[i]) == Sign::positive;
+    return all;
+  };
+  // |y|^2 = rho^2: a rho^2 + 2 b rho + c = 0.
+  const mpq_class a = dot(g, s) - 1, b = dot(g, h), c = dot(f, h);
+  if (a == 0) {
+    if (b == 0) return std::nullopt;
+    ball.p_ = -c / (2 * b);
+    return fits() ? std::optional(ball) : std::nullopt;
+  }
+  ball.d_ = b * b - a * c;
+  if (ball.d_ < 0) return std::nullopt;
+  ball.p_ = -b / a;
+  for (const int way : {-1, 1}) {
+    ball.q_ = way / a;
+    if (fits()) return ball;
+  }
+  return std::nullopt;
+}
+
+Sign TangentBall::side(const RationalBall& ball) const {
+  Rationals e = ball.center;
+  for (std::size_t a = 0; a < e.size(); ++a) e[a] -= first_.center[a];
+  const mpq_class s = ball.radius - first_.radius;
+  if (sign(-s, 1) == Sign::negative) return Sign::negative;
+  // (rho - s)^2 - |y - e|^2, where |y|^2 = rho^2.
+  return sign(s * s - dot(e, e) + 2 * dot(u_, e), 2 * (dot(v_, e) - s));
+}
+
+double TangentBall::center(std::size_t axis) const {
+  const mpq_class a = first_.center[axis] + u_[axis], &b = v_[axis];
+  const auto beyond = [&](const mpq_class& x) { return sign(a - x, b); };  // the coordinate less x
+  // The center lies among centers, which are doubles: search the last one that it is not below.
+  const double largest = std::numeric_limits<double>::max();
+  const double guess = mpq_class(a + b * p_).get_d() + mpq_class(b * q_).get_d() * std::sqrt(d_.get_d());
+  std::int64_t low = place_of(std::isfinite(guess) ? guess : 0), high = low;
+  const std::int64_t end = place_of(largest);
+  for (std::int64_t step = 1; low > -end && beyond(mpq_class(at_place(low))) == Sign::negative; step *= 2)
+    high = low, low = low - step > -end ? low - step : -end;
+  for (std::int64_t step = 1; high < end && beyond(mpq_class(at_place(high))) != Sign::negative; step *= 2)
+    low = high, high = high + step < end ? high + step : end;
+  while (high - low > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (beyond(mpq_class(at_place(middle))) == Sign::negative ? high : low) = middle;
+  }
+  const mpq_class half = (mpq_class(at_place(low)) + mpq_class(at_place(high))) / 2;
+  const Sign s = beyond(half);
+  const bool up = s == Sign::positive || (s == Sign::zero && low % 2 != 0);
+  return at_place(up ? high : low);
+}
+
+}  // namespace plumb::spheres
