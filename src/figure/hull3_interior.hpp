@@ -6,8 +6,9 @@
 
 namespace plumb::hull3 {
 
-/// Nodes for all points but some that are strictly inside the hull; in ascending order.  What is left out is the same
-/// on every number of threads.
-std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& extents, Execution execution);
+/// Nodes for all points, in ascending order, but some that are no vertices of the hull; with all_boundary_points, that
+/// are not on its boundary.  What is left out is the same on every number of threads.
+std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& extents, bool all_boundary_points,
+                              Execution execution);
 
 }  // namespace plumb::hull3
