@@ -5,6 +5,7 @@
 #include "plumb/figure/aabb_relation.hpp"
 #include "plumb/figure/barycentric.hpp"
 #include "plumb/figure/box.hpp"
+#include "plumb/figure/box_batch.hpp"
 #include "plumb/figure/box_forms.hpp"
 #include "plumb/figure/choose_bound.hpp"
 #include "plumb/figure/climbing_aabb.hpp"
