@@ -165,8 +165,8 @@ std::vector<std::uint32_t> support_of(std::span<const PointOf<Ball>> points, std
   std::ranges::sort(boundary, [&](std::uint32_t a, std::uint32_t b) {
     return before(points[a], points[b]) || (points[a] == points[b] && a < b);
   });
-  const auto repeated = std::ranges::unique(boundary, [&](auto a, auto b) { return points[a] == points[b]; });
-  boundary.erase(repeated.begin(), repeated.end());
+  const auto equal = [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; };
+  boundary.erase(std::unique(boundary.begin(), boundary.end(), equal), boundary.end());
   if (boundary.size() != size(ball)) {
     ball = {{points[boundary[0]]}, 1};
     for (std::size_t i = 0, in = 0; in < boundary.size(); i = (i + 1) % boundary.size(), ++in) {

@@ -145,8 +145,8 @@ Basis support_of(std::span<const Ball> balls, Basis touched, const Basis& basis)
   std::ranges::sort(touched, [&](std::uint32_t a, std::uint32_t b) {
     return before(balls[a], balls[b]) || (balls[a] == balls[b] && a < b);
   });
-  const auto repeated = std::ranges::unique(touched, [&](auto a, auto b) { return balls[a] == balls[b]; });
-  touched.erase(repeated.begin(), repeated.end());
+  const auto equal = [&](std::uint32_t a, std::uint32_t b) { return balls[a] == balls[b]; };
+  touched.erase(std::unique(touched.begin(), touched.end(), equal), touched.end());
   if (touched.size() == basis.size()) return touched;
   Held held = with(balls, {}, touched[0]);
   for (std::size_t i = 0, in = 0; in < touched.size(); i = (i + 1) % touched.size(), ++in) {

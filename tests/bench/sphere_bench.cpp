@@ -41,7 +41,11 @@ using Fit = Sphere3 (*)(std::span<const Point3>);
 void fit(benchmark::State& state, const std::string& kind, Fit method) {
   const std::vector<Point3> points = points_of(kind, static_cast<std::size_t>(state.range(0)));
   Sphere3 s{};
-  for (auto _ : state) benchmark::DoNotOptimize(s = method(points));
+  for (auto _ : state) {
+    const Sphere3 found = method(points);
+    benchmark::DoNotOptimize(found);
+    s = found;
+  }
   state.counters["radius"] = s.radius / minimum_sphere(points).sphere.radius;
 }
 
@@ -49,7 +53,11 @@ void cgal(benchmark::State& state, const std::string& kind) {
   const std::vector<Point3> points = points_of(kind, static_cast<std::size_t>(state.range(0)));
   const auto find = cgal_minimum_sphere(numbers(points));
   double r = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(r = find());
+  for (auto _ : state) {
+    const double found = find();
+    benchmark::DoNotOptimize(found);
+    r = found;
+  }
   state.counters["radius"] = r / minimum_sphere(points).sphere.radius;
 }
 
@@ -68,7 +76,11 @@ void of_balls(benchmark::State& state, bool ours) {
   const std::vector<Sphere3> balls = balls_of(static_cast<std::size_t>(state.range(0)));
   const auto find = cgal_minimum_sphere_of_balls(numbers(balls));
   double r = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(r = ours ? minimum_sphere(balls).sphere.radius : find());
+  for (auto _ : state) {
+    const double found = ours ? minimum_sphere(balls).sphere.radius : find();
+    benchmark::DoNotOptimize(found);
+    r = found;
+  }
   state.counters["radius"] = r / minimum_sphere(balls).sphere.radius;
 }
 
