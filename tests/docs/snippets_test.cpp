@@ -112,7 +112,8 @@ class Documents : public testing::TestWithParam<fs::path> {
     const std::string source = folder_ / ("block" + std::to_string(block.line) + ".cpp");
     const bool whole = block.text.find("int main(") != std::string::npos;
     main_ = whole ? block.text
-                  : "#include <plumb/degenerate.hpp>\n#include <plumb/predicates.hpp>\n#include <plumb/surface.hpp>\n"
+                  : "#include <plumb/degenerate.hpp>\n#include <plumb/figure.hpp>\n#include <plumb/predicates.hpp>\n"
+                    "#include <plumb/surface.hpp>\n"
                     "int main() {\n" +
                         block.text + "}\n";
     write(source, main_);
