@@ -24,6 +24,14 @@ Id Surface::make_face(Id a, Id b, Id c) {
   return id;
 }
 
+void Surface::widen(const Extents& extents) {
+  widths_ = {extents.max.x - extents.min.x, extents.max.y - extents.min.y, extents.max.z - extents.min.z};
+  for (Id f = 0; f < faces_.size(); ++f) {
+    const auto& v = faces_[f].vertex;
+    if (faces_[f].alive()) planes_[f] = FacePlane(PlaneSide(point(v[0]), point(v[1]), point(v[2])), widths_);
+  }
+}
+
 void Surface::start(const std::array<Id, 4>& simplex) {
   auto [a, b, c, d] = simplex;
   const Point3 &p = point(a), &q = point(b), &r = point(c), &s = point(d);

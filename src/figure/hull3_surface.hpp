@@ -86,6 +86,9 @@ class Surface {
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
   [[nodiscard]] const FacePlane& plane(Id face) const { return planes_[face]; }
 
+  /// From now on points may lie within these extents, which hold the old ones.
+  void widen(const Extents& extents);
+
   /// The tetrahedron of four nodes that are not coplanar, in any order.
   void start(const std::array<Id, 4>& simplex);
 

@@ -262,12 +262,14 @@ TEST(Hull3, OfLargeSets) {
 #ifdef PLUMB_LONG_TESTS
   constexpr std::size_t count = 1'000'000;
 #else
-  constexpr std::size_t count = 40'000;
+  constexpr std::size_t count = 34'000;  // enough to leave out what is inside first
 #endif
   for (const CloudInfo& cloud : clouds) {
     if (cloud.cloud == Cloud::moments) continue;  // integers up to t^3
     Entropy entropy(46, static_cast<std::uint64_t>(cloud.cloud));
-    const Points points = cloud3(cloud.cloud, count, entropy);
+    const bool mostly_vertices =
+        cloud.cloud == Cloud::sphere || cloud.cloud == Cloud::exact_sphere || cloud.cloud == Cloud::prism;
+    const Points points = cloud3(cloud.cloud, mostly_vertices ? count / 8 : count, entropy);
     SCOPED_TRACE(cloud.name);
     const Hull3 hull = convex_hull(points);
     const HullVerdict verdict = verify_hull(hull, points);
@@ -321,6 +323,43 @@ TEST(Hull3, AsAPolyhedron) {
   for (const Point3& p : points) EXPECT_EQ(locate(cube, p), Location::boundary);
   const Hull3 flat = convex_hull(cloud3(Cloud::plane, 10, entropy));
   EXPECT_THROW(convex_polyhedron(flat, points), InvalidShape);
+}
+
+TEST(Hull3Builder, HasTheHullOfThePointsSoFar) {
+  int outside = 0, inside = 0;
+  const auto insert_all = [&](const Points& points) {
+    Hull3Builder builder;
+    EXPECT_EQ(builder.hull(), Hull3{});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool grew = builder.insert(points[i]);
+      const Points so_far(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i + 1));
+      ASSERT_EQ(builder.points().size(), i + 1);
+      for (const bool all : {false, true}) {
+        const HullOptions options{.triangulate = i % 2 == 0, .all_boundary_points = all};
+        ASSERT_EQ(builder.hull(options), convex_hull(so_far, options)) << i;
+      }
+      const Hull3 hull = builder.hull();
+      ASSERT_EQ(builder.dimension(), hull.dimension);
+      ASSERT_EQ(grew, std::ranges::binary_search(hull.vertices, i));
+      ++(grew ? outside : inside);
+    }
+  };
+  for (const CloudInfo& cloud : clouds) {
+    Entropy entropy(49, static_cast<std::uint64_t>(cloud.cloud));
+    SCOPED_TRACE(cloud.name);
+    insert_all(cloud3(cloud.cloud, 80, entropy));
+  }
+  for (std::uint64_t i = 0; i < 100 * rounds; ++i) {
+    Entropy entropy(50, i);
+    SCOPED_TRACE(testing::Message() << "start 50, index " << i);
+    const Family family = any_family(entropy);
+    insert_all(points3(family, degeneracies[entropy.below(4)], 5 + entropy.below(10), entropy));
+  }
+  EXPECT_GE(outside, 500);
+  EXPECT_GE(inside, 500);
+  Hull3Builder builder;
+  EXPECT_THROW(builder.insert({0, 0, std::numeric_limits<double>::quiet_NaN()}), NonFinite);
+  EXPECT_EQ(builder.dimension(), -1);
 }
 
 TEST(ExtremePoints, AreAllThatTie) {

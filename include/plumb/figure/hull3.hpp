@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -62,5 +63,28 @@ ConvexPolyhedron3 convex_polyhedron(const Hull3& hull, std::span<const Point3> p
 /// Indices of the points farthest along the direction, ascending: all of those that tie, equal points included.  All
 /// points for a zero direction.  Linear.
 std::vector<std::uint32_t> extreme_points(std::span<const Point3> points, const Vector3& direction);
+
+/// A hull that grows point by point.  hull(options) is what convex_hull gives for all points so far, number for number.
+/// Cost: an insertion looks at every face once, at a few operations each.
+class Hull3Builder {
+ public:
+  Hull3Builder();
+  ~Hull3Builder();
+  Hull3Builder(Hull3Builder&&) noexcept;
+  Hull3Builder& operator=(Hull3Builder&&) noexcept;
+
+  /// Did the point lie outside?  Its index is the number of those before it.  Throws NonFinite, and InvalidShape for
+  /// more than 2^29 points; the hull is as before then.
+  bool insert(const Point3& point);
+  [[nodiscard]] std::span<const Point3> points() const;
+  /// -1, and 0 to 3 as of a Hull3.
+  [[nodiscard]] int dimension() const;
+  /// Of the options, method does not matter.
+  [[nodiscard]] Hull3 hull(const HullOptions& options = {}) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace plumb
