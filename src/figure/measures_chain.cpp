@@ -41,11 +41,14 @@ double chain_area(Chain2 chain) {
   return nearest([&](const auto& number) { return twice_area(number, chain); }, 2);
 }
 
+auto vector_area(const auto& number, Chain3 chain) {
+  return twice_vector_area(number, chain.size(), [&](std::size_t i) -> const Point3& { return chain[i]; });
+}
+
 double chain_area(Chain3 chain) {
   return nearest_root(
       [&](const auto& number) {
-        const auto n =
-            twice_vector_area(number, chain.size(), [&](std::size_t i) -> const Point3& { return chain[i]; });
+        const auto n = vector_area(number, chain);
         return dot(n, n);
       },
       2);
@@ -121,28 +124,58 @@ Point2 chain_centroid(Chain2 chain) {
       1, [&](std::size_t) { return chain; }, [](std::size_t) { return 1; });
 }
 
-/// Parts (of triangles from the first vertex) are weighed by their share of the normal.
-Point3 chain_centroid(Chain3 chain) {
+/// Of chains with weights; parts (triangles from the first vertex of all) are weighed by their share of the first
+/// chain's normal.
+Point3 area_centroid(std::span<const Chain3> chains, std::span<const int> weights) {
   const auto found = nearest_quotients<3>([&](const auto& number) {
-    using T = Number<std::decay_t<decltype(number)>>;
-    using V = VectorOf<std::decay_t<decltype(number)>>;
-    const V origin = vector(number, chain[0]);
-    const V normal = twice_vector_area(number, chain.size(), [&](std::size_t i) -> const Point3& { return chain[i]; });
-    V sum = signed_sums::zero(number), a = sum;
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-      const V b = vector(number, chain[i]) - origin;
-      sum = sum + dot(cross(a, b), normal) * (a + b);
-      a = b;
+    using Maker = std::decay_t<decltype(number)>;
+    using V = VectorOf<Maker>;
+    const V origin = vector(number, chains[0][0]), normal = vector_area(number, chains[0]);
+    V sum = signed_sums::zero(number);
+    Number<Maker> whole = number(0.0);
+    for (std::size_t k = 0; k < chains.size(); ++k) {
+      const V weighed = number(weights[k]) * normal;
+      V a = vector(number, chains[k].back()) - origin;
+      for (const Point3& p : chains[k]) {
+        const V b = vector(number, p) - origin;
+        const auto part = dot(cross(a, b), weighed);
+        sum = sum + part * (a + b);
+        whole = whole + part;
+        a = b;
+      }
     }
-    const T whole = number(3.0) * dot(normal, normal);
+    whole = number(3.0) * whole;
     const V moved = sum + whole * origin;
-    return std::array<T, 4>{moved.x, moved.y, moved.z, whole};
+    return std::array<Number<Maker>, 4>{moved.x, moved.y, moved.z, whole};
   });
-  if (found.degenerate) return centroid(chain);
+  if (found.degenerate) {
+    std::vector<Point3> all;
+    for (const Chain3& chain : chains) all.insert(all.end(), chain.begin(), chain.end());
+    return centroid(all);
+  }
   const Point3 c{found.value[0], found.value[1], found.value[2]};
   if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z))
     throw BeyondDoubles("centroid: the polygon's centroid is beyond all doubles");
   return c;
+}
+
+Point3 chain_centroid(Chain3 chain) { return area_centroid(std::array{chain}, std::array{1}); }
+
+/// What each chain counts, the outer one first: holes against its normal.
+std::vector<int> weights(const HoledPolygon3& polygon) {
+  std::vector<int> weight{1};
+  for (const Polygon3& hole : polygon.holes) {
+    weight.push_back(-static_cast<int>(exact_sum::sign([&](const auto& number) {
+      return dot(vector_area(number, polygon.outer.vertices), vector_area(number, hole.vertices));
+    })));
+  }
+  return weight;
+}
+
+std::vector<Chain3> chains_of(const HoledPolygon3& polygon) {
+  std::vector<Chain3> chains{polygon.outer.vertices};
+  for (const Polygon3& hole : polygon.holes) chains.emplace_back(hole.vertices);
+  return chains;
 }
 
 template <class Point, class Coordinate>
@@ -214,20 +247,12 @@ double area(const Polygon3& polygon) {
 
 double area(const HoledPolygon3& polygon) {
   require_chains<Point3>("area", polygon);
-  const auto vector_area = [](const auto& number, const Polygon3& chain) {
-    return twice_vector_area(number, chain.vertices.size(),
-                             [&](std::size_t i) -> const Point3& { return chain.vertices[i]; });
-  };
-  std::vector<double> weight;  // of each hole, against the outer chain's normal
-  for (const Polygon3& hole : polygon.holes) {
-    weight.push_back(-static_cast<double>(exact_sum::sign(
-        [&](const auto& number) { return dot(vector_area(number, polygon.outer), vector_area(number, hole)); })));
-  }
+  const std::vector<Chain3> chains = chains_of(polygon);
+  const std::vector<int> weight = weights(polygon);
   return nearest_root(
       [&](const auto& number) {
-        auto sum = vector_area(number, polygon.outer);
-        for (std::size_t k = 0; k < weight.size(); ++k)
-          sum = sum + number(weight[k]) * vector_area(number, polygon.holes[k]);
+        auto sum = signed_sums::zero(number);
+        for (std::size_t k = 0; k < chains.size(); ++k) sum = sum + number(weight[k]) * vector_area(number, chains[k]);
         return dot(sum, sum);
       },
       2);
@@ -288,6 +313,11 @@ Point2 centroid(const HoledPolygon2& polygon) {
   const std::vector<int> weight = weights(polygon);
   return area_centroid(
       weight.size(), [&](std::size_t k) { return chain_of(polygon, k); }, [&](std::size_t k) { return weight[k]; });
+}
+
+Point3 centroid(const HoledPolygon3& polygon) {
+  require_chains<Point3>("centroid", polygon);
+  return area_centroid(chains_of(polygon), weights(polygon));
 }
 
 }  // namespace plumb

@@ -64,6 +64,9 @@ TEST(Known, AreasAndCentroids) {
   EXPECT_EQ(area(HoledPolygon3{{{{0, 0, 0}, {0, 4, 4}, {4, 4, 4}, {4, 0, 0}}},
                                {{{{1, 1, 1}, {2, 1, 1}, {2, 2, 2}, {1, 2, 2}}}}}),
             15 * std::sqrt(2.0));
+  const HoledPolygon3 sloping{{{{0, 0, 0}, {4, 0, 4}, {4, 4, 4}, {0, 4, 0}}},
+                              {{{{1, 1, 1}, {2, 1, 2}, {2, 2, 2}, {1, 2, 1}}}}};
+  EXPECT_EQ(centroid(sloping), (Point3{30.5 / 15, 30.5 / 15, 30.5 / 15}));
   EXPECT_EQ(centroid(Polygon3{{{0, 0, 1}, {4, 0, 1}, {4, 4, 5}, {0, 4, 5}}}), (Point3{2, 2, 3}));
   EXPECT_EQ(area(Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), 1);
   EXPECT_EQ(centroid(Quadrilateral3{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}), (Point3{1, 1, 0}));
@@ -173,7 +176,7 @@ TEST(Rounding, OfCentroidsIsOnce) {
       ASSERT_FALSE(none);
       EXPECT_TRUE(abs(mpq_class(x / whole)) > most || abs(mpq_class(y / whole)) > most) << m.about();
     }
-    // The same in a plane of space, and with a hole that is wound either way.
+    // The same in a plane of space.
     if (!none) {
       Polygon3 table;
       for (const Point2& v : polygon.vertices) table.vertices.push_back({v.y, v.x, v.x});
