@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "k_dop_proof.hpp"
 #include "k_dop_sets.hpp"
-#include "plumb/certify/side_of_plane.hpp"
 
 namespace plumb {
 namespace {
@@ -50,37 +50,6 @@ KDop<Vector> common_part(const KDop<Vector>& a, const KDop<Vector>& b) {
   return both;
 }
 
-Sign side(const Vector2& d, double offset, const Point2& p) { return side_of_line(d, offset, p); }
-Sign side(const Vector3& d, double offset, const Point3& p) { return side_of_plane(d, offset, p); }
-Point2 point(const std::array<double, 2>& x) { return {x[0], x[1]}; }
-Point3 point(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
-
-// A guess, by projecting onto the middles of the slabs in turn (Kaczmarz); that it is inside is proved.
-template <class Vector>
-bool has_inner_point(const KDop<Vector>& k_dop) {
-  constexpr int rounds = 4;
-  auto x = coordinates(Vector{});
-  const auto all = k_dop.directions.all();
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto d = coordinates(all[i]);
-      double place = 0, square = 0;
-      for (std::size_t k = 0; k < d.size(); ++k) place += d[k] * x[k], square += d[k] * d[k];
-      const double by = (k_dop.min[i] + (k_dop.max[i] - k_dop.min[i]) / 2 - place) / square;
-      for (std::size_t k = 0; k < d.size(); ++k) x[k] += by * d[k];
-    }
-  }
-  for (const double coordinate : x) {
-    if (!(coordinate - coordinate == 0)) return false;
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (side(all[i], k_dop.min[i], point(x)) != Sign::positive ||
-        side(all[i], k_dop.max[i], point(x)) != Sign::negative)
-      return false;
-  }
-  return true;
-}
-
 // Which halfspaces have slack somewhere in the set, which is not empty: those that bound its relative interior.
 std::vector<bool> with_slack(const Constraints& halfspaces) {
   std::vector<bool> slack(halfspaces.rows.size(), true);
@@ -95,7 +64,7 @@ template <class Vector>
 Relation relation(std::string_view function, const KDop<Vector>& a, const KDop<Vector>& b) {
   if (!overlap(function, a, b)) return Relation::disjoint;
   const KDop<Vector> both = common_part(a, b);
-  if (has_inner_point(both)) return Relation::overlapping;
+  if (const auto proof = has_inner_point(both)) return *proof ? Relation::overlapping : Relation::disjoint;
   const Constraints common = halfspaces(both);
   const int slack = feasible(common, std::vector<bool>(common.rows.size(), true)).slack;
   if (slack != 0) return slack < 0 ? Relation::disjoint : Relation::overlapping;
@@ -114,14 +83,16 @@ template <class Vector>
 bool meet(const KDop<Vector>& a, const KDop<Vector>& b) {
   if (!overlap("intersects", a, b)) return false;
   const KDop<Vector> both = common_part(a, b);
-  return has_inner_point(both) || !is_empty(halfspaces(both));
+  if (const auto proof = has_inner_point(both)) return *proof;
+  return !is_empty(halfspaces(both));
 }
 
 template <class Vector>
 bool is_empty_set(const KDop<Vector>& k_dop) {
   check("is_empty", "k_dop", k_dop);
   if (has_empty_interval(k_dop)) return true;
-  return !has_inner_point(k_dop) && is_empty(halfspaces(k_dop));
+  if (const auto proof = has_inner_point(k_dop)) return !*proof;
+  return is_empty(halfspaces(k_dop));
 }
 
 template <class Vector>
