@@ -70,6 +70,12 @@ void Checked::check_face(Index f) {
   while (i < n && collinear(points[corner(i)], points[corner(i + 1)], points[corner(i + 2)])) ++i;
   require(i < n, "face ", f, " lies on a line");
   spanned[f] = {corner(i), corner(i + 1), corner(i + 2)};
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool may_be_straight = n > 3 && options.all_boundary_points;
+    if (may_be_straight && collinear(points[corner(k + n - 1)], points[face[k]], points[corner(k + 1)])) continue;
+    bend.push_back(hull.first[f] + static_cast<Index>(k));
+  }
+  first_bend.push_back(static_cast<Index>(bend.size()));
   if (n == 3) return;
   const Look look = look_at_plane(points[spanned[f][0]], points[spanned[f][1]], points[spanned[f][2]]);
   std::vector<Point2> loop;

@@ -47,6 +47,7 @@ struct Checked {
   std::vector<Index> face_of;                 // of each corner; corner i also names the edge that leaves it
   std::vector<Index> twin;                    // the corner whose edge runs back; none on the rim of a flat hull
   std::vector<std::array<Index, 3>> spanned;  // by face: three points of its plane, counterclockwise
+  std::vector<Index> bend, first_bend{0};     // the corners at which a face turns, as corners and first are
   std::vector<unsigned char> flat;            // by corner: both faces at the edge are coplanar
 
   [[nodiscard]] const Point3& at(Index corner) const { return points[hull.corners[corner]]; }

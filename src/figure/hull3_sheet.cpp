@@ -77,7 +77,9 @@ bool Sheet::is_rim(Index corner) const {
 
 std::optional<Index> Sheet::beyond(Index face, const Point2& p, Place& place) const {
   place = {face, false, false, false};
-  const Index first = checked_.hull.first[face], last = checked_.hull.first[face + 1] - 1;
+  // Where a face does not turn, p could be on the line of two edges and on neither: the bends alone are looked at.
+  const std::span<const Index> bends(checked_.bend.begin() + checked_.first_bend[face],
+                                     checked_.bend.begin() + checked_.first_bend[face + 1]);
   const auto passes = [&](Index edge) {
     const Sign s = turn(edge, p);
     if (s == Sign::zero) {
@@ -86,18 +88,18 @@ std::optional<Index> Sheet::beyond(Index face, const Point2& p, Place& place) co
     }
     return s != Sign::negative;
   };
-  for (const Index edge : {first, last}) {
+  for (const Index edge : {bends.front(), bends.back()}) {
     if (!passes(edge)) return edge;
   }
-  // In the angle at the first corner: between which two of the others?
-  Index low = first + 1, high = last;
+  // In the angle at the first bend: between which two of the others?
+  std::size_t low = 1, high = bends.size() - 1;
   while (high - low > 1) {
-    const Index middle = low + (high - low) / 2;
-    const Sign s =
-        sign_of(predicates::Orient2d{}, projected(look_, checked_.at(first)), projected(look_, checked_.at(middle)), p);
+    const std::size_t middle = low + (high - low) / 2;
+    const Sign s = sign_of(predicates::Orient2d{}, projected(look_, checked_.at(bends.front())),
+                           projected(look_, checked_.at(bends[middle])), p);
     (s == -orientation_ ? high : low) = middle;
   }
-  if (!passes(low)) return low;
+  if (!passes(bends[low])) return bends[low];
   if (!place.on_edge) return std::nullopt;
   const auto found = std::ranges::lower_bound(rim_points_, std::pair(p.x, p.y), {}, place_of);
   if (found != rim_points_.end() && found->p == p) {
