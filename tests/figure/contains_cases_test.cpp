@@ -291,6 +291,17 @@ TEST(ContainsCases, FlatEllipsoids) {
   EXPECT_EQ(locate(solid, {3, 8, 0x1p-1074}), outside);
 }
 
+TEST(ContainsCases, NumbersInBracesAreAPoint) {
+  const Aabb3 box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_FALSE(contains(box, {2, 2, 2})) << "and not the start of an empty box";
+  EXPECT_TRUE(contains(box, {1, 1, 1}));
+  EXPECT_FALSE(contains(Aabb2{{0, 0}, {1, 1}}, {2, 2}));
+  EXPECT_FALSE(contains(Sphere3{{0, 0, 0}, 3}, {1, 2, 3}));
+  EXPECT_TRUE(contains(Sphere3{{0, 0, 0}, 3}, {1, 2, 2}));
+  EXPECT_TRUE(contains(Circle2{{0, 0}, 5}, {3, 4}));
+  EXPECT_FALSE(contains(Capsule3{{0, 0, 0}, {1, 0, 0}, 1}, {1, 0, 2}));
+}
+
 template <class Call>
 std::string refusal(Call call) {
   try {

@@ -74,6 +74,19 @@ template <class Shape>
 requires LocatesPoints<Shape, Point3>
 bool contains(const Shape& shape, const Point3& p) { return locate(shape, p) != Location::outside; }
 
+/// The point as numbers in braces.  An overload of its own: elsewhere contains asks of two shapes, and there {1, 2, 3}
+/// could as well be the start of a box.
+template <class Shape>
+requires LocatesPoints<Shape, Point2>
+bool contains(const Shape& shape, const double (&p)[2]) {
+  return locate(shape, Point2{p[0], p[1]}) != Location::outside;
+}
+template <class Shape>
+requires LocatesPoints<Shape, Point3>
+bool contains(const Shape& shape, const double (&p)[3]) {
+  return locate(shape, Point3{p[0], p[1], p[2]}) != Location::outside;
+}
+
 namespace figure_contains {
 
 [[noreturn]] void throw_non_finite(const Aabb2& box, const Point2& p);
