@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 #include "plumb/arith/error.hpp"
@@ -87,7 +88,7 @@ class Search {
       // The farthest one is not outside; nearly always no other is.
       boundary.clear();
       const bool all = scan_.from(limit_, center_, [&](std::size_t i) {
-        const Sign s = side(ball_, points_[i]);
+        const Sign s = fine_side(points_[i]);
         if (s == Sign::zero) boundary.push_back(static_cast<std::uint32_t>(i));
         if (s == Sign::negative) candidates_.assign(1, i);
         return s != Sign::negative;
@@ -102,6 +103,13 @@ class Search {
 
  private:
   static constexpr std::size_t most_candidates = 64;
+
+  /// As side, for many points that lie off the boundary by ulps.
+  Sign fine_side(const Point& p) {
+    if (!fine_) fine_ = fine_ball(ball_);
+    const int s = fine_->side(p);
+    return s != 0 ? static_cast<Sign>(s) : side(ball_, p);
+  }
 
   [[nodiscard]] bool outside(std::size_t i) const { return side(ball_, points_[i]) == Sign::negative; }
 
@@ -132,6 +140,7 @@ class Search {
 
   void become(const Ball& ball) {
     ball_ = ball;
+    fine_.reset();
     if (history_ != nullptr) history_->push_back(ball);
     center_ = center_of(ball_);
     // The exact center is off the rounded one by at most half an ulp in each axis; for `off` twice that is taken, and
@@ -152,6 +161,7 @@ class Search {
   PointScan<Point> scan_;
   std::vector<Ball>* history_;
   Ball ball_{};
+  std::optional<FineBall<Ball>> fine_;
   Point center_{};
   double limit_ = -1;  // whoever is at this computed distance or nearer is in the ball
   std::vector<std::size_t> candidates_;

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "finite_parts.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/error_free.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/certify/rounded.hpp"
 #include "spanned_ball.hpp"
@@ -196,14 +198,35 @@ class PointScan {
   std::vector<double> most_;
 };
 
+/// |cp|^2 to some hundred bits.
+template <class Point>
+Ball fine_square(const Point& c, const Point& p) {
+  const auto from = coordinates(c), to = coordinates(p);
+  const auto term = [&](std::size_t a) {
+    const Rounded d = two_sum(to[a], -from[a]);
+    const Ball difference{d.value, d.error, Ball::size(d.value) <= 0x1p1022 ? 0 : Ball::infinity};
+    return difference * difference;
+  };
+  const Ball sum = term(0) + term(1);
+  if constexpr (std::is_same_v<Point, Point3>) return sum + term(2);
+  return sum;
+}
+
 /// The distance of the farthest point from the center, rounded up once; infinite beyond all doubles.
 template <class Point>
 double enclosing_radius(std::span<const Point> points, PointScan<Point>& scan, const Point& center) {
-  double radius = 0;
+  Ball most{-1};
+  std::vector<std::size_t> farthest;  // whoever was not certainly nearer than another
   scan.from(scan.rivals(scan.pass(center)), center, [&](std::size_t i) {
-    radius = std::max(radius, rounded_root(Rounding::up, SquaredDistance<Point>{}, center, points[i]));
+    const Ball square = fine_square(center, points[i]), more = square - most;
+    const int s = beyond(more.high, more.radius + Ball::size(more.high) * 0x1p-52);
+    if (s > 0 || (s == 0 && !(more.high == 0 && more.radius == 0))) farthest.push_back(i);
+    if (s > 0) most = square;
     return true;
   });
+  double radius = 0;
+  for (const std::size_t i : farthest)
+    radius = std::max(radius, rounded_root(Rounding::up, SquaredDistance<Point>{}, center, points[i]));
   return radius;
 }
 

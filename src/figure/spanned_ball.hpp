@@ -6,6 +6,7 @@
 #include <plumb/predicates/orient.hpp>
 #include <plumb/predicates/smallest_sphere.hpp>
 
+#include "plumb/arith/ball.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/spanned_sphere.hpp"
 
@@ -54,6 +55,34 @@ inline Sign side(const SpannedSphere3& ball, const Point3& p) {
   if (ball.count == 3) return sign_of(predicates::InSmallestSphere3{}, a, b, c, p);
   return sign_of(predicates::Orient3d{}, a, b, c, d) * sign_of(predicates::InSphere{}, a, b, c, d, p);
 }
+
+/// Center and squared radius to some hundred bits: what decides points that lie off the boundary by ulps.
+template <class Spanned>
+struct FineBall {
+  std::array<Ball, static_cast<std::size_t>(dimension<Spanned>)> center;
+  Ball square;
+
+  /// -1 outside, 1 inside, 0 unsure.
+  [[nodiscard]] int side(const PointOf<Spanned>& p) const {
+    const Ball rest = square - square_of_distance(p);
+    // What the high part is off the sum of both is within an ulp of it.
+    return beyond(rest.high, rest.radius + Ball::size(rest.high) * 0x1p-52);
+  }
+  [[nodiscard]] Ball square_of_distance(const PointOf<Spanned>& p) const {
+    const auto x = coordinates(p);
+    const auto term = [&](std::size_t a) {
+      const Ball d = Ball{x[a]} - center[a];
+      return d * d;
+    };
+    Ball sum = term(0) + term(1);
+    if constexpr (dimension<Spanned> == 3) sum = sum + term(2);
+    return sum;
+  }
+};
+
+/// Of a ball that its points do span.
+FineBall<SpannedCircle2> fine_ball(const SpannedCircle2& ball);
+FineBall<SpannedSphere3> fine_ball(const SpannedSphere3& ball);
 
 /// The center of a ball that its points do span.
 Point2 center_of(const SpannedCircle2& ball);

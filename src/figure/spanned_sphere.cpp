@@ -99,6 +99,20 @@ double first_axis(const SpannedSphere3& ball) {
   return first_axis<TetrahedronCenter, TetrahedronWeight>(ball, std::make_index_sequence<4>());
 }
 
+template <class Center, class Weight, class Spanned, std::size_t... I>
+Ball fine_first_axis(const Spanned& ball, std::index_sequence<I...>) {
+  const auto p = coordinates_of<Center>(ball.points[I]...);
+  return quotient(rounding::ball<Center>(p), rounding::ball<Weight>(p));
+}
+
+Ball fine_first_axis(const SpannedCircle2& ball) {
+  return fine_first_axis<CircleCenter, CircleWeight>(ball, std::make_index_sequence<3>());
+}
+Ball fine_first_axis(const SpannedSphere3& ball) {
+  if (ball.count == 3) return fine_first_axis<TriangleCenter, TriangleWeight>(ball, std::make_index_sequence<3>());
+  return fine_first_axis<TetrahedronCenter, TetrahedronWeight>(ball, std::make_index_sequence<4>());
+}
+
 template <class Ball>
 Ball turned(Ball ball) {
   for (auto& p : ball.points) p = turned(p);
@@ -213,7 +227,32 @@ Location located(const Ball& ball, const Point& p) {
   return static_cast<Location>(side(ball, p));
 }
 
+template <class Spanned>
+FineBall<Spanned> with_square(FineBall<Spanned> fine, const Spanned& ball) {
+  fine.square = fine.square_of_distance(ball.points[0]);
+  return fine;
+}
+
+/// Of one point or two.
+template <class Spanned, std::size_t... A>
+FineBall<Spanned> fine_middle(const Spanned& ball, std::index_sequence<A...>) {
+  const auto a = coordinates(ball.points[0]), b = coordinates(ball.points[ball.count == 1 ? 0 : 1]);
+  return with_square({{(Ball{a[A]} + Ball{b[A]}) * Ball{0.5}...}, Ball{0}}, ball);
+}
+
 }  // namespace
+
+FineBall<SpannedCircle2> fine_ball(const SpannedCircle2& ball) {
+  if (ball.count <= 2) return fine_middle(ball, std::make_index_sequence<2>());
+  const Ball y = fine_first_axis(turned(ball));
+  return with_square({{fine_first_axis(ball), y}, Ball{0}}, ball);
+}
+FineBall<SpannedSphere3> fine_ball(const SpannedSphere3& ball) {
+  if (ball.count <= 2) return fine_middle(ball, std::make_index_sequence<3>());
+  const SpannedSphere3 second = turned(ball);
+  return with_square({{fine_first_axis(ball), fine_first_axis(second), fine_first_axis(turned(second))}, Ball{0}},
+                     ball);
+}
 
 Point2 center_of(const SpannedCircle2& ball) {
   const auto& [a, b, c] = ball.points;

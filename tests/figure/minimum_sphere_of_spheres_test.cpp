@@ -45,6 +45,9 @@ auto far_side(const Ball& ball, const decltype(Ball::center)& from) {
     const double by = length > 0 ? r / length : 0;
     p.x = ball.center.x + by * d[0] + (length > 0 ? 0 : r), p.y = ball.center.y + by * d[1];
     if constexpr (requires { p.z; }) p.z = ball.center.z + by * d[2];
+    for (const double x : coordinates(p)) {
+      if (!std::isfinite(x)) return ball.center;
+    }
     const mpq_class radius(ball.radius);
     if (squared_distance(rationals(p), rationals(ball.center)) <= radius * radius) return p;
     if (less > 0.1) return ball.center;
