@@ -48,6 +48,8 @@ std::string shown_label(const std::string& label) {
   return shown;
 }
 
+}  // namespace
+
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : in_utf8(text)) {
@@ -70,6 +72,8 @@ std::string escaped(std::string_view text) {
   }
   return out;
 }
+
+namespace {
 
 struct Scales {
   Box plot;
@@ -128,7 +132,9 @@ double fitting_height(std::span<const ChartPoint> points, ChartLayout& layout) {
   }
 }
 
-constexpr std::string_view kStyle = R"(<style>
+}  // namespace
+
+const std::string_view chart_style = R"(<style>
   text { font-family: system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif; fill: #1f2328; }
   .paper { fill: #ffffff; } .band { fill: #eef3f7; } .muted { fill: #59636e; }
   .grid { stroke: #dde2e7; stroke-width: 1; } .fine { stroke: #f0f2f4; stroke-width: 1; }
@@ -146,6 +152,8 @@ constexpr std::string_view kStyle = R"(<style>
   }
 </style>
 )";
+
+namespace {
 
 std::string marker_shape(std::size_t shape, double x, double y) {
   const auto polygon = [&](std::initializer_list<std::array<double, 2>> corners) {
@@ -194,7 +202,7 @@ class Drawing {
         kWidth, height);
     put("<title>{}</title>\n<desc>{}; {} against {}</desc>\n", escaped(text_.title), escaped(text_.subtitle),
         escaped(text_.y_axis), escaped(text_.x_axis));
-    out_ += kStyle;
+    out_ += chart_style;
     put("<rect class=\"paper\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", kWidth, height);
     draw_axes(scales);
     draw_text(height);

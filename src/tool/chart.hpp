@@ -11,6 +11,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "label_placement.hpp"
@@ -40,5 +41,9 @@ struct ChartLayout {
 /// Throws plumb::Error where a point has no place (x not positive, y negative, not finite).
 ChartLayout lay_out_chart(std::span<const ChartPoint> points);
 std::string scatter_chart(const ChartText& text, std::span<const ChartPoint> points);
+
+/// What all charts share: their classes in light and dark, and text as XML holds it.
+extern const std::string_view chart_style;
+std::string escaped(std::string_view text);
 
 }  // namespace plumb::tool

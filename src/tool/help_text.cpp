@@ -83,6 +83,10 @@ of a circle. Computed in floating point such a sign can be wrong, and
 one wrong sign is enough to break a mesh. plumb decides them exactly,
 for every finite double, and shows what the inexact ways get wrong.)"},
            {"COMMANDS", R"(
+bounds [MESH]...
+       Says of each kind of bounding volume how tight it is on these
+       meshes, how often it overlaps falsely and what its test costs.
+
 check [MESH]...
        Takes the decisions that mesh software takes on these meshes, in
        floating point and exactly, and says where floating point errs.

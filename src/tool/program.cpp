@@ -10,6 +10,7 @@
 #include <iostream>
 #include <new>
 
+#include "bounds_command.hpp"
 #include "check_command.hpp"
 #include "doctor_command.hpp"
 #include "help_text.hpp"
@@ -24,8 +25,10 @@ namespace {
 class Program {
  public:
   Program() {
-    for (CLI::App* page : {&app_, check_, sign_, proof_, doctor_}) page->set_help_flag("-h,--help", "Show this page.");
+    for (CLI::App* page : {&app_, bounds_, check_, sign_, proof_, doctor_})
+      page->set_help_flag("-h,--help", "Show this page.");
     app_.add_flag("--version", version_, "Print the version.");
+    add_bounds();
     add_check();
     add_proof();
     sign_->prefix_command();  // what follows is a case: a leading '-' there is a sign, not an option
@@ -41,6 +44,10 @@ class Program {
       say(fmt::format("plumb {}\n", check_environment().version));
       return 0;
     }
+    if (*bounds_) {
+      bounds_options_.meshes.insert(bounds_options_.meshes.end(), rest.begin(), rest.end());
+      return run_bounds(bounds_options_);
+    }
     if (*check_) {
       check_options_.meshes.insert(check_options_.meshes.end(), rest.begin(), rest.end());
       return run_check(check_options_);
@@ -53,12 +60,13 @@ class Program {
     if (!rest.empty()) throw CLI::ExtrasError(rest);
     if (*proof_) return run_proof(proof_options_);
     if (*doctor_) return run_doctor();
-    throw Error("a command is needed: check, sign, proof or doctor; 'plumb --help' explains");
+    throw Error("a command is needed: bounds, check, sign, proof or doctor; 'plumb --help' explains");
   }
 
   /// The page of the command that was named, or of the program.
   void help() const {
     const Style style(stdout);
+    if (*bounds_) return say(manual_page(bounds_manual(), *bounds_, style));
     if (*check_) return say(manual_page(check_manual(), *check_, style));
     if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
     if (*proof_) return say(manual_page(proof_manual(), *proof_, style));
@@ -67,13 +75,28 @@ class Program {
   }
 
   [[nodiscard]] std::string help_hint() const {
-    for (const CLI::App* command : {check_, sign_, proof_, doctor_}) {
+    for (const CLI::App* command : {bounds_, check_, sign_, proof_, doctor_}) {
       if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
     }
     return "'plumb --help' explains";
   }
 
  private:
+  void add_bounds() {
+    BoundsOptions& o = bounds_options_;
+    bounds_->add_option("MESH", o.meshes, "Mesh files, each rated in turn.");
+    bounds_->add_option("--json", o.json, "Write the numbers as JSON; '-' is standard output.")->type_name("FILE");
+    bounds_->add_option("--chart", o.chart, "Draw the spectrum over all meshes, as SVG.")->type_name("FILE");
+    bounds_->add_option("--placements", o.placements, "How many placements of two copies; 400 when not given.")
+        ->check(CLI::Range(1U, 1'000'000U))
+        ->type_name("N");
+    bounds_
+        ->add_option("--refined", o.refined_ns,
+                     "What the test behind the bounds costs, in nanoseconds; 1000 when not given.")
+        ->check(CLI::Range(0.0, 1e12))
+        ->type_name("NS");
+  }
+
   void add_check() {
     const std::vector<std::string> methods(method_names.begin(), method_names.end());
     CheckOptions& o = check_options_;
@@ -127,6 +150,8 @@ class Program {
 
   CLI::App app_;
   bool version_ = false;
+  BoundsOptions bounds_options_;
+  CLI::App* bounds_ = app_.add_subcommand("bounds", "Rate bounding volumes on meshes.");
   CheckOptions check_options_;
   CLI::App* check_ = app_.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
   CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");
