@@ -29,7 +29,7 @@ void require_radius(std::string_view function, std::string_view part, double rad
                          .append(part)
                          .append(" is ")
                          .append(number.data())
-                         .append("; a radius must not be negative"));
+                         .append(", and a radius must not be negative"));
 }
 
 /// For radicands: the squared length of the segment from a to b.

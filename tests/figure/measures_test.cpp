@@ -377,7 +377,7 @@ TEST(BadInput, IsRefusedByName) {
   EXPECT_EQ(refusal([] {
               volume(Sphere3{{0, 0, 0}, -2});
             }),
-            "volume: sphere.radius is -2; a radius must not be negative");
+            "volume: sphere.radius is -2, and a radius must not be negative");
   EXPECT_EQ(refusal([] {
               surface_area(Cone3{{0, 0, 0}, {1, kInfinity, 0}, 1});
             }),
