@@ -21,6 +21,7 @@
 #include "plumb/figure/measures.hpp"
 #include "plumb/figure/mesh.hpp"
 #include "plumb/figure/minimum_sphere.hpp"
+#include "plumb/figure/minkowski.hpp"
 #include "plumb/figure/obb.hpp"
 #include "plumb/figure/plane.hpp"
 #include "plumb/figure/polygon.hpp"
