@@ -45,8 +45,9 @@ class AllPoints {
                     on_edges_.end());
     for (Outline& outline : outline_) {
       std::ranges::sort(outline.within, [this](Id a, Id b) { return before(a, b); });
-      const auto same = std::ranges::unique(outline.within, {}, [this](Id q) { return point(q); });
-      outline.within.erase(same.begin(), same.end());
+      const auto same = std::unique(outline.within.begin(), outline.within.end(),
+                                    [this](Id a, Id b) { return point(a) == point(b); });
+      outline.within.erase(same, outline.within.end());
     }
   }
 
@@ -141,9 +142,12 @@ class AllPoints {
     for (std::size_t i = 0; i < outline.corner.size(); ++i) {
       const Id a = outline.corner[i], b = outline.corner[i + 1 == outline.corner.size() ? 0 : i + 1];
       polygon.push_back(a);
-      const auto found = std::ranges::equal_range(on_edges_, std::pair<Id, Id>(std::minmax(a, b)), {}, edge_of);
+      const std::pair<Id, Id> edge = std::minmax(a, b);
       const std::size_t old = polygon.size();
-      for (const OnEdge& e : found) polygon.push_back(e.node);
+      for (auto e = std::ranges::lower_bound(on_edges_, edge, {}, edge_of); e != on_edges_.end() && edge_of(*e) == edge;
+           ++e) {
+        polygon.push_back(e->node);
+      }
       if (!precedes(point(a), point(b)))
         std::reverse(polygon.begin() + static_cast<std::ptrdiff_t>(old), polygon.end());
     }

@@ -47,8 +47,8 @@ std::vector<std::uint32_t> on_line(std::span<const Point3> points, bool all) {
   const auto key = [&](std::uint32_t i) { return std::tuple(points[i].x, points[i].y, points[i].z, i); };
   if (all) {
     std::ranges::sort(order, {}, key);
-    const auto same = std::ranges::unique(order, {}, [&](std::uint32_t i) { return points[i]; });
-    order.erase(same.begin(), same.end());
+    const auto same = [&](std::uint32_t i, std::uint32_t j) { return points[i] == points[j]; };
+    order.erase(std::unique(order.begin(), order.end(), same), order.end());
   } else {
     const auto place = [&](std::uint32_t i) { return std::tuple(points[i].x, points[i].y, points[i].z); };
     const auto last = std::ranges::max_element(order, {}, place);  // the first of the largest

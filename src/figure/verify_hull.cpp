@@ -63,8 +63,8 @@ void prove_in_plane(const Checked& checked, const std::array<std::size_t, 3>& sp
   Hull2 rim{2, {}};
   for (const Index c : sheet.rim()) rim.vertices.push_back(hull.corners[c]);
   const auto place = [&](Index v) { return std::tuple(seen[v].x, seen[v].y); };
-  std::ranges::rotate(rim.vertices, std::ranges::min_element(rim.vertices, {}, place));
-  require(verify_hull(rim, seen, {.all_boundary_points = options.all_boundary_points}),
+  std::rotate(rim.vertices.begin(), std::ranges::min_element(rim.vertices, {}, place), rim.vertices.end());
+  require(static_cast<bool>(verify_hull(rim, seen, {.all_boundary_points = options.all_boundary_points})),
           "its outline is not that of the points");
   const Names names(hull, points);
   for (Index i = 0; i < points.size(); ++i) names.check(i, options.all_boundary_points);
@@ -108,7 +108,7 @@ void check_walls(const Checked& checked, const Sheet& upper, const Sheet& lower)
   std::vector<Point2> rim;
   for (const Index c : upper.rim()) rim.push_back(projected(Look::along_z, checked.at(c)));
   const auto place = [](const Point2& p) { return std::pair(p.x, p.y); };
-  std::ranges::rotate(rim, std::ranges::min_element(rim, {}, place));
+  std::rotate(rim.begin(), std::ranges::min_element(rim, {}, place), rim.end());
   const auto last = std::ranges::max_element(rim, {}, place);
   std::array<std::vector<Point2>, 2> chains{std::vector<Point2>(rim.begin(), last + 1),
                                             std::vector<Point2>(last, rim.end())};

@@ -89,7 +89,7 @@ TEST(VerifyHull, WantsCoplanarFacesMerged) {
 
 /// Closed surfaces of triangles whose faces may wind about.
 Hull3 surface_of(std::vector<std::array<std::uint32_t, 3>> faces) {
-  for (auto& f : faces) std::ranges::rotate(f, std::ranges::min_element(f));
+  for (auto& f : faces) std::rotate(f.begin(), std::ranges::min_element(f), f.end());
   std::ranges::sort(faces);
   Hull3 hull;
   hull.dimension = 3;
