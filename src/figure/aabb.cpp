@@ -216,6 +216,28 @@ Aabb3 fit_aabb(const Ellipsoid3& s) {
                 range(2, s.center.z, u.z, v.z, w.z));
 }
 
+Aabb3 fit_aabb(const Cylinder3& s) {
+  require_finite_numbers("fit_aabb", {"cylinder.a", "cylinder.b", "cylinder.radius"}, s.a, s.b, s.radius);
+  require_radius(s.radius, "cylinder");
+  if (s.a == s.b) return fit_aabb(Sphere3{s.a, s.radius});
+  // Along x the disk reaches radius times the sine of the angle between x and the axis d: a root of (y^2 + z^2) / d^2.
+  constexpr auto across = [](auto x, auto y, auto z, auto u, auto v, auto w) {
+    return (x - x) * (u - u) + ((y - v) * (y - v) + (z - w) * (z - w));
+  };
+  constexpr auto along = [](auto x, auto y, auto z, auto u, auto v, auto w) {
+    return (x - u) * (x - u) + (y - v) * (y - v) + (z - w) * (z - w);
+  };
+  constexpr auto product = [](auto x, auto y) { return x * y; };
+  const auto range = [&](std::size_t axis, double a, double b, const Point3& from, const Point3& to) {
+    const double sine = rounded_root_of_quotient(Rounding::up, across, along, from, to);
+    const double reach = std::min(s.radius, rounded_value(Rounding::up, product, sine, s.radius));
+    return swept(axis, a, b, reach);
+  };
+  const Point3 &a = s.a, &b = s.b;
+  return box_of(range(0, a.x, b.x, a, b), range(1, a.y, b.y, {a.y, a.z, a.x}, {b.y, b.z, b.x}),
+                range(2, a.z, b.z, {a.z, a.x, a.y}, {b.z, b.x, b.y}));
+}
+
 Aabb2 merge(const Aabb2& a, const Aabb2& b) {
   require_finite_numbers("merge", {"a.min", "a.max", "b.min", "b.max"}, a.min, a.max, b.min, b.max);
   if (is_empty(a)) return b;

@@ -30,7 +30,6 @@ Sign farther(const Point3& p, const Point3& q, const Vector3& d) {
 struct AlongImage {
   static constexpr std::string_view name = "fit_k_dop";
   static constexpr std::array arguments{3, 3, 3, 3, 3, 3};
-  static constexpr bool homogeneous = false;
   static constexpr std::array<std::string_view, 6> argument_names{
       "points[i]", "direction", "pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation",
   };
@@ -183,16 +182,16 @@ KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions) {
 KDop3 fit_k_dop(std::span<const Point3> points, int k) { return fit(points, k_dop_directions(k)); }
 
 KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, const Pose& pose) {
-  const auto& [c, t] = pose;
+  const auto& c = pose.columns;
   require_finite_numbers("fit_k_dop", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                         c[0], c[1], c[2], t);
+                         c[0], c[1], c[2], pose.translation);
   return fit(
       points, directions,
       [&](const Point3& p, const Point3& q, const Vector3& d) {
         return sign_of(FartherAlongImage{}, p, q, d, c[0], c[1], c[2]);
       },
       [&](Rounding r, const Point3& p, const Vector3& d) {
-        return rounded_value(r, AlongImage{}, p, d, c[0], c[1], c[2], t);
+        return rounded_value(r, AlongImage{}, p, d, c[0], c[1], c[2], pose.translation);
       });
 }
 

@@ -179,6 +179,17 @@ KDop3 tighten(const KDop3& k_dop) {
   return tight(k_dop, std::array{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}});
 }
 
+Aabb3 fit_aabb(const KDop3& k_dop) {
+  check("fit_aabb", "k_dop", k_dop);
+  const Constraints set = halfspaces(k_dop);
+  if (is_empty(set)) return {{1, 1, 1}, {-1, -1, -1}};
+  const auto along = [&](double x, double y, double z, const char* part) {
+    return greatest({x, y, z}, 0, set, "fit_aabb", part);
+  };
+  return {{0.0 - along(-1, 0, 0, "min.x"), 0.0 - along(0, -1, 0, "min.y"), 0.0 - along(0, 0, -1, "min.z")},
+          {along(1, 0, 0, "max.x"), along(0, 1, 0, "max.y"), along(0, 0, 1, "max.z")}};
+}
+
 KDop2 transform(const KDop2& k_dop, const Pose2& pose) {
   const auto& [c, t] = pose;
   require_finite_numbers("transform", {"pose.columns[0]", "pose.columns[1]", "pose.translation"}, c[0], c[1], t);

@@ -239,6 +239,35 @@ TEST(Aabb, EllipsoidsLieWithin) {
   });
 }
 
+// On each side the disk at an end reaches r sqrt(1 - x^2 / d^2) beyond the end.
+TEST(Aabb, CylindersLieWithin) {
+  EXPECT_EQ(fit_aabb(Cylinder3{{0, 0, 0}, {0, 0, 4}, 1}), (Aabb3{{-1, -1, 0}, {1, 1, 4}}));
+  EXPECT_EQ(fit_aabb(Cylinder3{{2, 0, 0}, {2, 0, 0}, 1}), (Aabb3{{1, -1, -1}, {3, 1, 1}}));
+  int fitted = 0;
+  on_shapes(415, 1000, [&](Material& m) {
+    const auto s = m.shape<Cylinder3>();
+    if (s.a == s.b) return;
+    Aabb3 box, of_capsule;
+    try {
+      box = fit_aabb(s);
+      of_capsule = fit_aabb(Capsule3{s.a, s.b, s.radius});
+    } catch (const BeyondDoubles&) {
+      return;
+    }
+    ++fitted;
+    const Rational3 d = sum(rational(s.b), times(-1, rational(s.a)));
+    const auto reaches = [&](double bound, double end, const Rational& along) {
+      const Rational by = abs(Rational(Rational(bound) - Rational(end))), r(s.radius);
+      return by * by * dot(d, d) >= r * r * (dot(d, d) - along * along);
+    };
+    ASSERT_TRUE(reaches(box.min.x, std::min(s.a.x, s.b.x), d[0]) && reaches(box.max.y, std::max(s.a.y, s.b.y), d[1]) &&
+                reaches(box.max.z, std::max(s.a.z, s.b.z), d[2]))
+        << m.about(s, box);
+    ASSERT_TRUE(contains(of_capsule, box)) << m.about(s, box);
+  });
+  EXPECT_GT(fitted, 500);
+}
+
 TEST(Aabb, MergeAndExpand) {
   on_shapes(414, 1500, [](Material& m) {
     const auto a = m.shape<Aabb3>(), b = m.shape<Aabb3>();

@@ -250,6 +250,8 @@ TEST(KDop, VolumesAndSurfaces) {
   EXPECT_EQ(volume(fit_k_dop(flat, 26)), 0);
   EXPECT_EQ(surface_area(fit_k_dop(flat, 26)), 12);
   const KDop3 twice{Directions3({{1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}}), {0, 0, 0, 0}, {1, 2, 1, 1}};
+  EXPECT_EQ(fit_aabb(twice), (Aabb3{{0, 0, 0}, {1, 1, 1}}));
+  EXPECT_EQ(fit_aabb(fit_k_dop(octahedron, 8)), (Aabb3{{-1, -1, -1}, {1, 1, 1}}));
   EXPECT_EQ(volume(twice), 1);
   EXPECT_EQ(surface_area(twice), 6);
 }

@@ -18,6 +18,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/pose.hpp"
+#include "plumb/figure/box.hpp"
 #include "plumb/figure/relation.hpp"
 
 namespace plumb {
@@ -72,6 +73,9 @@ KDop3 transform(const KDop3& k_dop, const Pose& pose);
 /// all intervals [1, -1].
 KDop2 tighten(const KDop2& k_dop);
 KDop3 tighten(const KDop3& k_dop);
+
+/// The box of the set; of an empty set that of all intervals [1, -1].
+Aabb3 fit_aabb(const KDop3& k_dop);
 
 /// Do the intervals of every direction overlap?  The usual test: conservative.
 bool intervals_overlap(const KDop2& a, const KDop2& b);
