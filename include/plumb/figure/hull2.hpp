@@ -21,6 +21,7 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/batch.hpp"
+#include "plumb/figure/verify_hull.hpp"
 
 namespace plumb {
 
@@ -44,8 +45,8 @@ Hull2 convex_hull(std::span<const Point2> points, const Hull2Options& options = 
 
 /// Is this what the laws say, of these points?  By exact signs, without making a hull: the dimension is right, the
 /// vertices turn one way around once, every point is inside or is on an edge, and equal ones are named as law 1 says.
-/// Of the options all_boundary_points counts.  Cost: h + n log h.
-bool verify_hull(const Hull2& hull, std::span<const Point2> points, const Hull2Options& options = {});
+/// The verdict names the first flaw.  Of the options all_boundary_points counts.  Cost: h + n log h.
+HullVerdict verify_hull(const Hull2& hull, std::span<const Point2> points, const Hull2Options& options = {});
 
 /// Indices of the points farthest along the direction, ascending: all of those that tie, equal points included.  All
 /// points for a zero direction.  Linear.
