@@ -1,12 +1,13 @@
 // How far apart are two cores, points, segments or parallelograms?  Over intervals first, over integers for certain.
 //
 // A core is corner + s edges[0] + t edges[1], 0 <= s, t <= 1, over any number type with + - *.
-// Laws: every distance that is visited is one between points of the two cores, as a square of the form numerator /
+// Laws: (1) every distance that is visited is one between points of the two cores, as a square of the form numerator /
 // denominator, denominator > 0; the least of them is the distance of the cores.  It is that of two vertices, of a
 // vertex and an edge or a face that it projects into, of two edges with their nearest points inside, or zero where an
-// edge meets a face.  A parallelogram with parallel edges is the union of its edges. Where an interval does not tell a
-// sign the question says so, and what was visited means nothing. Source: RTCD 5.1.2, 5.1.9.  Cost: for two segments
-// some 100 operations, for two parallelograms some 3000.
+// edge meets a face.  A parallelogram with parallel edges is the union of its edges.  (2) Where an interval does not
+// tell a sign the question says so, and what was visited means nothing.
+// Source: RTCD 5.1.2, 5.1.9.
+// Cost: for two segments some 100 operations, for two parallelograms some 3000.
 #pragma once
 
 #include <array>
