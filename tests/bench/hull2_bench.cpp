@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,7 @@ std::function<Run(const std::vector<Point2>&)> ours(Hull2Options options) {
 
 const bool registered = [] {
   for (const std::string name : {"disk", "square", "grid", "circle"}) {
-    for (const std::size_t count : {10'000, 1'000'000}) {
+    for (const std::size_t count : std::initializer_list<std::size_t>{10'000, 1'000'000}) {
       add(name, count, "chain", ours({}));
       add(name, count, "chain_parallel", ours({.execution = Execution::parallel}));
       add(name, count, "chain_all_points", ours({.all_boundary_points = true}));
