@@ -48,7 +48,9 @@ Sign TangentBall::sign(const mpq_class& a, const mpq_class& b) const {
   const int s = sgn(x), t = sgn(y) * sgn(d_);
   if (s == t || t == 0) return sign_of_number(s);
   if (s == 0) return sign_of_number(t);
-  return sign_of_number(s * cmp(x * x, y * y * d_));
+  // x^2 against y^2 d without fractions in lowest terms, which cost most.
+  const mpz_class left = x.get_num() * y.get_den(), right = y.get_num() * x.get_den();
+  return sign_of_number(s * cmp(mpz_class(left * left * d_.get_den()), mpz_class(right * right * d_.get_num())));
 }
 
 std::optional<TangentBall> TangentBall::around(std::span<const RationalBall> balls) {
@@ -115,7 +117,9 @@ double TangentBall::center(std::size_t axis) const {
   const auto beyond = [&](const mpq_class& x) { return sign(a - x, b); };  // the coordinate less x
   // The center lies among centers, which are doubles: search the last one that it is not below.
   const double largest = std::numeric_limits<double>::max();
-  const double guess = mpq_class(a + b * p_).get_d() + mpq_class(b * q_).get_d() * std::sqrt(d_.get_d());
+  constexpr mp_bitcnt_t bits = 512;
+  const mpf_class root = sqrt(mpf_class(d_, bits)), rational(mpq_class(a + b * p_), bits);
+  const double guess = mpf_class(rational + mpf_class(mpq_class(b * q_), bits) * root).get_d();
   std::int64_t low = place_of(std::isfinite(guess) ? guess : 0), high = low;
   const std::int64_t end = place_of(largest);
   for (std::int64_t step = 1; low > -end && beyond(mpq_class(at_place(low))) == Sign::negative; step *= 2)

@@ -54,16 +54,33 @@ auto far_side(const Ball& ball, const decltype(Ball::center)& from) {
   }
 }
 
+/// Do the numbers' exponents lie farther apart than rationals take in their stride?
+template <class Ball>
+bool is_wide(const std::vector<Ball>& balls) {
+  double least = HUGE_VAL, most = 0;
+  for (const Ball& b : balls) {
+    for (const double x :
+         {coordinates(b.center)[0], coordinates(b.center)[1], coordinates(b.center).back(), b.radius}) {
+      if (x != 0) least = std::min(least, std::fabs(x)), most = std::max(most, std::fabs(x));
+    }
+  }
+  return most > 0 && std::ilogb(most) - std::ilogb(least) > 300;
+}
+
 template <class Ball>
 void expect_smallest(std::uint64_t start, std::uint64_t cases) {
   std::map<std::size_t, int> supports;
-  int beyond = 0, many = 0, bounded = 0;
+  int beyond = 0, many = 0, bounded = 0, wide = 0;
   on_shapes(start, cases, [&](Material& m) {
     std::vector<Ball> balls;
     for (std::size_t n = 1 + m.below(8); n-- > 0;) balls.push_back(m.shape<Ball>());
     std::string about = m.about();
     for (const Ball& b : balls) about.append(m.about(b));
     ++many;
+    if (is_wide(balls)) {
+      ++wide;
+      return;
+    }
     try {
       const auto found = minimum(balls);
       const Ball& ball = round_of(found);
@@ -102,12 +119,13 @@ void expect_smallest(std::uint64_t start, std::uint64_t cases) {
     }
   });
   EXPECT_LT(beyond, many / 10);
+  EXPECT_LT(wide, many / 4);
   EXPECT_GT(bounded, many / 4);
   for (std::size_t k = 1; k <= coordinates(Ball{}.center).size(); ++k) EXPECT_GT(supports[k], many / 50) << k;
 }
 
-TEST(MinimumSphereOfSpheres, IsAroundThemAndNoLarger) { expect_smallest<Sphere3>(91, 1500); }
-TEST(MinimumCircleOfCircles, IsAroundThemAndNoLarger) { expect_smallest<Circle2>(92, 1500); }
+TEST(MinimumSphereOfSpheres, IsAroundThemAndNoLarger) { expect_smallest<Sphere3>(91, 500); }
+TEST(MinimumCircleOfCircles, IsAroundThemAndNoLarger) { expect_smallest<Circle2>(92, 500); }
 
 TEST(MinimumSphereOfSpheres, AgreesWithCgal) {
   std::map<std::size_t, int> supports;
