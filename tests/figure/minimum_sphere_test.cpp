@@ -238,7 +238,8 @@ TEST(MinimumSphere, RefusesWhatIsNoSetOfPoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(text_of<InvalidShape>([] { minimum_sphere(std::span<const Point3>()); }),
             "minimum_sphere: no points; give at least one");
-  EXPECT_EQ(text_of<InvalidShape>([] { minimum_circle(std::span<const Point2>()); }), "minimum_circle: no points; give at least one");
+  EXPECT_EQ(text_of<InvalidShape>([] { minimum_circle(std::span<const Point2>()); }),
+            "minimum_circle: no points; give at least one");
   const std::vector<Point3> bad{{0, 0, 0}, {1, nan, 0}};
   EXPECT_THAT(text_of<NonFinite>([&] { minimum_sphere(bad); }),
               testing::StartsWith("minimum_sphere: points[1].y is nan"));
