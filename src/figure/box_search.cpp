@@ -8,8 +8,8 @@ namespace {
 
 // No volume is sought that is smaller by less than this part of it, nor by less than this much of the cube around.
 constexpr double precision = 0x1p-28, flat = 0x1p-40;
-// Boxes looked at before the best so far is taken: seconds.  Hulls of some thousands of vertices need fewer.
-constexpr long most_boxes = 1L << 23;
+// Boxes looked at before the best so far is taken: about a second.  Hulls of some thousands of vertices need fewer.
+constexpr long most_boxes = 1L << 22;
 // A product of unit vectors below this may be zero.
 constexpr double slack = 0x1p-40;
 
@@ -36,12 +36,12 @@ class Search {
       arcs_.push_back({l, r, e.from, std::max(std::min(dot(a, l), dot(a, r)), std::min(dot(b, l), dot(b, r)))});
     }
     std::ranges::stable_sort(arcs_, {}, &Arc::width);
-    least_width_ = std::max(arcs_.front().width, 0.0);
+    least_width_ = arcs_.front().width;
   }
 
   FoundBox run() {
     for (std::size_t i = 0; i < arcs_.size(); ++i) {
-      const double others = std::max(arcs_[i].width, 0.0) * least_width_;
+      const double others = arcs_[i].width * least_width_;
       for (std::size_t j = i; j < arcs_.size() && boxes_ < most_boxes && others * arcs_[j].width < limit(); ++j)
         try_pair(arcs_[i], arcs_[j]);
     }
@@ -80,11 +80,18 @@ class Search {
 
   void between(const Arc& a, const Arc& b, double s0, double s1) {
     for (const double t : {0.0, 1.0}) {  // where n1 is parallel to the second edge, n2 is any normal of its arc
+      ++boxes_;
       Placed p0, p1;
       const bool free0 = normals(a, b, s0, t, p0), free1 = normals(a, b, s1, t, p1);
-      place(a, b, p0);
-      place(a, b, p1);
-      halve(a, b, s0, p0, s1, p1, 0);
+      Placed mid;
+      (void)normals(a, b, (s0 + s1) / 2, t, mid);
+      const Vector3 third = across(starts_.farthest(mid.normal[2]), mid.normal[2]);
+      const double width = std::min(dot(third, p0.normal[2]), dot(third, p1.normal[2])) - bulge(p0, p1, third);
+      if (a.width * b.width * std::max(width, least_width_) < limit()) {
+        place(a, b, p0);
+        place(a, b, p1);
+        halve(a, b, s0, p0, s1, p1, 0);
+      }
       if (!free0 && !free1) return;
     }
   }
@@ -115,19 +122,21 @@ class Search {
     if (p.volume < best_.volume && is_frame(p)) best_ = {p.normal, p.volume};
   }
 
-  // Of the volume between two angles: the widths of fixed pairs of vertices are concave between them.  The third normal
-  // leaves the great circle between its ends by no more than the square of the angle.
+  // The third normal leaves the great circle between its ends by no more than the squares of the angles: what that may
+  // take from the width along it.
+  static double bulge(const Placed& p, const Placed& q, const Vector3& across) {
+    const Vector3 turn0 = minus(p.normal[0], q.normal[0]), turn1 = minus(p.normal[1], q.normal[1]);
+    return std::sqrt(dot(across, across)) * (dot(turn0, turn0) + dot(turn1, turn1)) / 2;
+  }
+
+  // Of the volume between two angles: the widths of fixed pairs of vertices are concave between them.
   static double lower_bound(const Placed& p, const Placed& q) {
     double product = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const double of_p = std::min(dot(p.across[k], p.normal[k]), dot(p.across[k], q.normal[k]));
       const double of_q = std::min(dot(q.across[k], p.normal[k]), dot(q.across[k], q.normal[k]));
       double width = std::max(of_p, of_q);
-      if (k == 2) {
-        const Vector3 turn0 = minus(p.normal[0], q.normal[0]), turn1 = minus(p.normal[1], q.normal[1]);
-        const double longest = std::sqrt(std::max(dot(p.across[k], p.across[k]), dot(q.across[k], q.across[k])));
-        width -= longest * (dot(turn0, turn0) + dot(turn1, turn1)) / 2;
-      }
+      if (k == 2) width -= std::max(bulge(p, q, p.across[k]), bulge(p, q, q.across[k]));
       product *= std::max(width, 0.0);
     }
     return product;

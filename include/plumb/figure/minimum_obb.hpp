@@ -20,7 +20,7 @@ namespace plumb {
 
 struct MinimumObbOptions {
   /// Hulls of more vertices are searched by local steps alone.
-  std::size_t most_vertices = 20'000;
+  std::size_t most_vertices = 8'192;
   Execution execution = Execution::serial;  // of the hull
 };
 
