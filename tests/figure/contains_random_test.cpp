@@ -135,7 +135,7 @@ TEST(ContainsRandom, AgreesWithCgal) {
   hold_against_cgal<Capsule3, Point3>(500, 0.4);
   hold_against_cgal<Aabb2, Point2>(500, 0.4);
   hold_against_cgal<Aabb3, Point3>(500, 0.15);
-  hold_against_cgal<Obb3, Point3>(500, 0.3);
+  hold_against_cgal<Obb3, Point3>(500, 0.15);
 }
 
 }  // namespace
