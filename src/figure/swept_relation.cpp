@@ -3,6 +3,7 @@
 
 #include "core_distance.hpp"
 #include "finite_parts.hpp"
+#include "lozenge_gap.hpp"
 #include "plumb/figure/swept_sphere.hpp"
 #include "rational_lp.hpp"
 #include "swept_input.hpp"
@@ -140,7 +141,10 @@ std::optional<Sign> quick_gap(const Capsule3& a, const Capsule3& b) {
   return Sign::positive;
 }
 
-Relation capsule_relation(std::string_view function, const Capsule3& a, const Capsule3& b) {
+using swept::quick_gap;
+
+template <class Shape>
+Relation quick_relation(std::string_view function, const Shape& a, const Shape& b) {
   if (const auto gap = quick_gap(a, b)) [[likely]]
     return static_cast<Relation>(-*gap);
   return relation(function, a, b);
@@ -151,12 +155,14 @@ Capsule3 in_space(const Capsule2& c) { return {{c.a.x, c.a.y, 0}, {c.b.x, c.b.y,
 }  // namespace
 
 Relation relate(const Capsule2& a, const Capsule2& b) { return relate(in_space(a), in_space(b)); }
-Relation relate(const Capsule3& a, const Capsule3& b) { return capsule_relation("relate", a, b); }
-Relation relate(const Lozenge3& a, const Lozenge3& b) { return relation("relate", a, b); }
+Relation relate(const Capsule3& a, const Capsule3& b) { return quick_relation("relate", a, b); }
+Relation relate(const Lozenge3& a, const Lozenge3& b) { return quick_relation("relate", a, b); }
 bool intersects(const Capsule2& a, const Capsule2& b) { return intersects(in_space(a), in_space(b)); }
 bool intersects(const Capsule3& a, const Capsule3& b) {
-  return capsule_relation("intersects", a, b) != Relation::disjoint;
+  return quick_relation("intersects", a, b) != Relation::disjoint;
 }
-bool intersects(const Lozenge3& a, const Lozenge3& b) { return relation("intersects", a, b) != Relation::disjoint; }
+bool intersects(const Lozenge3& a, const Lozenge3& b) {
+  return quick_relation("intersects", a, b) != Relation::disjoint;
+}
 
 }  // namespace plumb
