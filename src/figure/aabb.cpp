@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-using figure::require_finite_numbers;
+using figure::require_finite_parts;
 using figure::require_finite_points;
 
 // A bound of what is moved, swept or turned: t + sum of m_i x_i, and a sum of four.
@@ -112,8 +112,8 @@ Aabb3 fit_aabb(std::span<const Point3> points, const Pose& pose) {
   if (points.empty()) throw_no_points();
   require_finite_points("fit_aabb", "points", points);
   const auto& [c, t] = pose;
-  require_finite_numbers("fit_aabb", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                         c[0], c[1], c[2], t);
+  require_finite_parts("fit_aabb", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0],
+                       c[1], c[2], t);
   const auto range = [&](std::size_t axis, double translation, const Vector3& row) {
     const Point3 *least = points.data(), *greatest = least;
     for (const Point3& p : points) {
@@ -140,34 +140,34 @@ Aabb3 fit_aabb(const Triangle3& t) { return box_of3(t.a, t.b, t.c); }
 Aabb3 fit_aabb(const Tetrahedron3& t) { return box_of3(t.a, t.b, t.c, t.d); }
 
 Aabb2 fit_aabb(const Circle2& s) {
-  require_finite_numbers("fit_aabb", {"circle.center", "circle.radius"}, s.center, s.radius);
+  require_finite_parts("fit_aabb", {"circle.center", "circle.radius"}, s.center, s.radius);
   require_radius(s.radius, "circle");
   return box_of(swept(0, s.center.x, s.center.x, s.radius), swept(1, s.center.y, s.center.y, s.radius));
 }
 
 Aabb3 fit_aabb(const Sphere3& s) {
-  require_finite_numbers("fit_aabb", {"sphere.center", "sphere.radius"}, s.center, s.radius);
+  require_finite_parts("fit_aabb", {"sphere.center", "sphere.radius"}, s.center, s.radius);
   require_radius(s.radius, "sphere");
   return box_of(swept(0, s.center.x, s.center.x, s.radius), swept(1, s.center.y, s.center.y, s.radius),
                 swept(2, s.center.z, s.center.z, s.radius));
 }
 
 Aabb2 fit_aabb(const Capsule2& s) {
-  require_finite_numbers("fit_aabb", {"capsule.a", "capsule.b", "capsule.radius"}, s.a, s.b, s.radius);
+  require_finite_parts("fit_aabb", {"capsule.a", "capsule.b", "capsule.radius"}, s.a, s.b, s.radius);
   require_radius(s.radius, "capsule");
   return box_of(swept(0, s.a.x, s.b.x, s.radius), swept(1, s.a.y, s.b.y, s.radius));
 }
 
 Aabb3 fit_aabb(const Capsule3& s) {
-  require_finite_numbers("fit_aabb", {"capsule.a", "capsule.b", "capsule.radius"}, s.a, s.b, s.radius);
+  require_finite_parts("fit_aabb", {"capsule.a", "capsule.b", "capsule.radius"}, s.a, s.b, s.radius);
   require_radius(s.radius, "capsule");
   return box_of(swept(0, s.a.x, s.b.x, s.radius), swept(1, s.a.y, s.b.y, s.radius), swept(2, s.a.z, s.b.z, s.radius));
 }
 
 Aabb3 fit_aabb(const Lozenge3& s) {
   const auto& [e, f] = s.edges;
-  require_finite_numbers("fit_aabb", {"lozenge.corner", "lozenge.edges[0]", "lozenge.edges[1]", "lozenge.radius"},
-                         s.corner, e, f, s.radius);
+  require_finite_parts("fit_aabb", {"lozenge.corner", "lozenge.edges[0]", "lozenge.edges[1]", "lozenge.radius"},
+                       s.corner, e, f, s.radius);
   require_radius(s.radius, "lozenge");
   return box_of(swept(0, s.corner.x, e.x, f.x, s.radius), swept(1, s.corner.y, e.y, f.y, s.radius),
                 swept(2, s.corner.z, e.z, f.z, s.radius));
@@ -175,15 +175,15 @@ Aabb3 fit_aabb(const Lozenge3& s) {
 
 Aabb2 fit_aabb(const Obb2& s) {
   const auto& [u, v] = s.axes;
-  require_finite_numbers("fit_aabb", {"obb.center", "obb.axes[0]", "obb.axes[1]", "obb.half"}, s.center, u, v, s.half);
+  require_finite_parts("fit_aabb", {"obb.center", "obb.axes[0]", "obb.axes[1]", "obb.half"}, s.center, u, v, s.half);
   const std::array half{s.half.x, s.half.y, 0.0};
   return box_of(range_of_box(0, s.center.x, {u.x, v.x, 0}, half), range_of_box(1, s.center.y, {u.y, v.y, 0}, half));
 }
 
 Aabb3 fit_aabb(const Obb3& s) {
   const auto& [u, v, w] = s.axes;
-  require_finite_numbers("fit_aabb", {"obb.center", "obb.axes[0]", "obb.axes[1]", "obb.axes[2]", "obb.half"}, s.center,
-                         u, v, w, s.half);
+  require_finite_parts("fit_aabb", {"obb.center", "obb.axes[0]", "obb.axes[1]", "obb.axes[2]", "obb.half"}, s.center, u,
+                       v, w, s.half);
   const std::array half{s.half.x, s.half.y, s.half.z};
   return box_of(range_of_box(0, s.center.x, {u.x, v.x, w.x}, half), range_of_box(1, s.center.y, {u.y, v.y, w.y}, half),
                 range_of_box(2, s.center.z, {u.z, v.z, w.z}, half));
@@ -191,8 +191,8 @@ Aabb3 fit_aabb(const Obb3& s) {
 
 Aabb3 fit_aabb(const Rectangle3& s) {
   const auto& [u, v] = s.axes;
-  require_finite_numbers("fit_aabb", {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half"},
-                         s.center, u, v, s.half);
+  require_finite_parts("fit_aabb", {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half"},
+                       s.center, u, v, s.half);
   const std::array half{s.half.x, s.half.y, 0.0};
   return box_of(range_of_box(0, s.center.x, {u.x, v.x, 0}, half), range_of_box(1, s.center.y, {u.y, v.y, 0}, half),
                 range_of_box(2, s.center.z, {u.z, v.z, 0}, half));
@@ -200,7 +200,7 @@ Aabb3 fit_aabb(const Rectangle3& s) {
 
 Aabb3 fit_aabb(const Ellipsoid3& s) {
   const auto& [u, v, w] = s.axes;
-  require_finite_numbers(
+  require_finite_parts(
       "fit_aabb", {"ellipsoid.center", "ellipsoid.axes[0]", "ellipsoid.axes[1]", "ellipsoid.axes[2]", "ellipsoid.half"},
       s.center, u, v, w, s.half);
   constexpr auto squares = [](auto x, auto a, auto y, auto b, auto z, auto c) {
@@ -217,7 +217,7 @@ Aabb3 fit_aabb(const Ellipsoid3& s) {
 }
 
 Aabb3 fit_aabb(const Cylinder3& s) {
-  require_finite_numbers("fit_aabb", {"cylinder.a", "cylinder.b", "cylinder.radius"}, s.a, s.b, s.radius);
+  require_finite_parts("fit_aabb", {"cylinder.a", "cylinder.b", "cylinder.radius"}, s.a, s.b, s.radius);
   require_radius(s.radius, "cylinder");
   if (s.a == s.b) return fit_aabb(Sphere3{s.a, s.radius});
   // Along x the disk reaches radius times the sine of the angle between x and the axis d: a root of (y^2 + z^2) / d^2.
@@ -239,7 +239,7 @@ Aabb3 fit_aabb(const Cylinder3& s) {
 }
 
 Aabb2 merge(const Aabb2& a, const Aabb2& b) {
-  require_finite_numbers("merge", {"a.min", "a.max", "b.min", "b.max"}, a.min, a.max, b.min, b.max);
+  require_finite_parts("merge", {"a.min", "a.max", "b.min", "b.max"}, a.min, a.max, b.min, b.max);
   if (is_empty(a)) return b;
   if (is_empty(b)) return a;
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
@@ -247,7 +247,7 @@ Aabb2 merge(const Aabb2& a, const Aabb2& b) {
 }
 
 Aabb3 merge(const Aabb3& a, const Aabb3& b) {
-  require_finite_numbers("merge", {"a.min", "a.max", "b.min", "b.max"}, a.min, a.max, b.min, b.max);
+  require_finite_parts("merge", {"a.min", "a.max", "b.min", "b.max"}, a.min, a.max, b.min, b.max);
   if (is_empty(a)) return b;
   if (is_empty(b)) return a;
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
@@ -256,8 +256,8 @@ Aabb3 merge(const Aabb3& a, const Aabb3& b) {
 
 Aabb2 transform(const Aabb2& box, const Pose2& pose) {
   const auto& [c, t] = pose;
-  require_finite_numbers("transform", {"box.min", "box.max", "pose.columns[0]", "pose.columns[1]", "pose.translation"},
-                         box.min, box.max, c[0], c[1], t);
+  require_finite_parts("transform", {"box.min", "box.max", "pose.columns[0]", "pose.columns[1]", "pose.translation"},
+                       box.min, box.max, c[0], c[1], t);
   if (is_empty(box)) return box;
   const std::array from{box.min.x, box.min.y, 0.0}, to{box.max.x, box.max.y, 0.0};
   return box_of(range_of_image("transform", 0, t.x, {c[0].x, c[1].x, 0}, from, to),
@@ -266,7 +266,7 @@ Aabb2 transform(const Aabb2& box, const Pose2& pose) {
 
 Aabb3 transform(const Aabb3& box, const Pose& pose) {
   const auto& [c, t] = pose;
-  require_finite_numbers(
+  require_finite_parts(
       "transform", {"box.min", "box.max", "pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
       box.min, box.max, c[0], c[1], c[2], t);
   if (is_empty(box)) return box;
@@ -277,7 +277,7 @@ Aabb3 transform(const Aabb3& box, const Pose& pose) {
 }
 
 Aabb2 expand(const Aabb2& box, double margin) {
-  require_finite_numbers("expand", {"box.min", "box.max", "margin"}, box.min, box.max, margin);
+  require_finite_parts("expand", {"box.min", "box.max", "margin"}, box.min, box.max, margin);
   if (is_empty(box)) return box;
   const auto range = [&](std::size_t axis, double from, double to) {
     return Range{least_sum("expand", axis, from, -margin), greatest_sum("expand", axis, to, margin)};
@@ -286,7 +286,7 @@ Aabb2 expand(const Aabb2& box, double margin) {
 }
 
 Aabb3 expand(const Aabb3& box, double margin) {
-  require_finite_numbers("expand", {"box.min", "box.max", "margin"}, box.min, box.max, margin);
+  require_finite_parts("expand", {"box.min", "box.max", "margin"}, box.min, box.max, margin);
   if (is_empty(box)) return box;
   const auto range = [&](std::size_t axis, double from, double to) {
     return Range{least_sum("expand", axis, from, -margin), greatest_sum("expand", axis, to, margin)};

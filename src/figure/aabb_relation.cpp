@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-using figure::require_finite_numbers;
+using figure::require_finite_parts;
 
 // x - y + w, x - y - v - w and the like: the numbers of one axis.
 constexpr auto end_beyond = [](auto start, auto width, auto other) { return (start - other) + width; };
@@ -55,7 +55,7 @@ constexpr std::array<std::string_view, 4> ab_corners{"a.min", "a.max", "b.min", 
 constexpr std::array<std::string_view, 4> corners{"outer.min", "outer.max", "inner.min", "inner.max"};
 
 Relation relate_widths(std::string_view function, const AabbWidths3& a, const AabbWidths3& b) {
-  require_finite_numbers(function, {"a.min", "a.widths", "b.min", "b.widths"}, a.min, a.widths, b.min, b.widths);
+  require_finite_parts(function, {"a.min", "a.widths", "b.min", "b.widths"}, a.min, a.widths, b.min, b.widths);
   const Relation x = of_widths(a.min.x, a.widths.x, b.min.x, b.widths.x);
   if (x == Relation::disjoint) return x;
   const Relation y = of_widths(a.min.y, a.widths.y, b.min.y, b.widths.y);
@@ -64,7 +64,7 @@ Relation relate_widths(std::string_view function, const AabbWidths3& a, const Aa
 }
 
 Relation relate_centers(std::string_view function, const AabbCenter3& a, const AabbCenter3& b) {
-  require_finite_numbers(function, {"a.center", "a.half", "b.center", "b.half"}, a.center, a.half, b.center, b.half);
+  require_finite_parts(function, {"a.center", "a.half", "b.center", "b.half"}, a.center, a.half, b.center, b.half);
   const Relation x = of_centers(a.center.x, a.half.x, b.center.x, b.half.x);
   if (x == Relation::disjoint) return x;
   const Relation y = of_centers(a.center.y, a.half.y, b.center.y, b.half.y);
@@ -77,12 +77,12 @@ Relation relate_centers(std::string_view function, const AabbCenter3& a, const A
 namespace box {
 
 Relation relate_exactly(std::string_view function, const Aabb2& a, const Aabb2& b) {
-  require_finite_numbers(function, ab_corners, a.min, a.max, b.min, b.max);
+  require_finite_parts(function, ab_corners, a.min, a.max, b.min, b.max);
   return std::min(of_axis(a.min.x, a.max.x, b.min.x, b.max.x), of_axis(a.min.y, a.max.y, b.min.y, b.max.y));
 }
 
 Relation relate_exactly(std::string_view function, const Aabb3& a, const Aabb3& b) {
-  require_finite_numbers(function, ab_corners, a.min, a.max, b.min, b.max);
+  require_finite_parts(function, ab_corners, a.min, a.max, b.min, b.max);
   return std::min({of_axis(a.min.x, a.max.x, b.min.x, b.max.x), of_axis(a.min.y, a.max.y, b.min.y, b.max.y),
                    of_axis(a.min.z, a.max.z, b.min.z, b.max.z)});
 }
@@ -99,14 +99,14 @@ bool intersects(const AabbCenter3& a, const AabbCenter3& b) {
 }
 
 bool contains(const Aabb2& outer, const Aabb2& inner) {
-  require_finite_numbers("contains", corners, outer.min, outer.max, inner.min, inner.max);
+  require_finite_parts("contains", corners, outer.min, outer.max, inner.min, inner.max);
   if (inner.min.x > inner.max.x || inner.min.y > inner.max.y) return true;
   return outer.min.x <= inner.min.x && inner.max.x <= outer.max.x &&  //
          outer.min.y <= inner.min.y && inner.max.y <= outer.max.y;
 }
 
 bool contains(const Aabb3& outer, const Aabb3& inner) {
-  require_finite_numbers("contains", corners, outer.min, outer.max, inner.min, inner.max);
+  require_finite_parts("contains", corners, outer.min, outer.max, inner.min, inner.max);
   if (inner.min.x > inner.max.x || inner.min.y > inner.max.y || inner.min.z > inner.max.z) return true;
   return outer.min.x <= inner.min.x && inner.max.x <= outer.max.x &&  //
          outer.min.y <= inner.min.y && inner.max.y <= outer.max.y &&  //
@@ -114,16 +114,16 @@ bool contains(const Aabb3& outer, const Aabb3& inner) {
 }
 
 bool contains(const AabbWidths3& outer, const AabbWidths3& inner) {
-  require_finite_numbers("contains", {"outer.min", "outer.widths", "inner.min", "inner.widths"}, outer.min,
-                         outer.widths, inner.min, inner.widths);
+  require_finite_parts("contains", {"outer.min", "outer.widths", "inner.min", "inner.widths"}, outer.min, outer.widths,
+                       inner.min, inner.widths);
   return widths_within(outer.min.x, outer.widths.x, inner.min.x, inner.widths.x) &&
          widths_within(outer.min.y, outer.widths.y, inner.min.y, inner.widths.y) &&
          widths_within(outer.min.z, outer.widths.z, inner.min.z, inner.widths.z);
 }
 
 bool contains(const AabbCenter3& outer, const AabbCenter3& inner) {
-  require_finite_numbers("contains", {"outer.center", "outer.half", "inner.center", "inner.half"}, outer.center,
-                         outer.half, inner.center, inner.half);
+  require_finite_parts("contains", {"outer.center", "outer.half", "inner.center", "inner.half"}, outer.center,
+                       outer.half, inner.center, inner.half);
   return center_within(outer.center.x, outer.half.x, inner.center.x, inner.half.x) &&
          center_within(outer.center.y, outer.half.y, inner.center.y, inner.half.y) &&
          center_within(outer.center.z, outer.half.z, inner.center.z, inner.half.z);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/rounded.hpp"
 #include "plumb/predicates.hpp"

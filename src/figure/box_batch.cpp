@@ -178,7 +178,7 @@ FourBoxes::FourBoxes(const std::array<Aabb3, 4>& boxes) : min_{}, max_{} {
     const auto& [min, max] = boxes[i];
     const std::string which = std::string("boxes[").append(std::to_string(i)).append("]");
     const std::string names[] = {std::string(which).append(".min"), std::string(which).append(".max")};
-    figure::require_finite_numbers("FourBoxes", {names[0], names[1]}, min, max);
+    figure::require_finite_parts("FourBoxes", {names[0], names[1]}, min, max);
     min_[0][i] = min.x, min_[1][i] = min.y, min_[2][i] = min.z;
     max_[0][i] = max.x, max_[1][i] = max.y, max_[2][i] = max.z;
   }
@@ -194,7 +194,7 @@ BoxBatch::BoxBatch(std::span<const Aabb3> boxes) {
     if (zero == 0) continue;
     const std::string which = std::string("boxes[").append(std::to_string(i)).append("]");
     const std::string min = std::string(which).append(".min"), max = std::string(which).append(".max");
-    figure::require_finite_numbers("BoxBatch", {min, max}, boxes[i].min, boxes[i].max);
+    figure::require_finite_parts("BoxBatch", {min, max}, boxes[i].min, boxes[i].max);
   }
 }
 
@@ -208,7 +208,7 @@ SphereBatch::SphereBatch(std::span<const Sphere3> spheres) {
     if (zero == 0 && radius >= 0) continue;
     const std::string which = std::string("spheres[").append(std::to_string(i)).append("]");
     const std::string c = std::string(which).append(".center"), r = std::string(which).append(".radius");
-    figure::require_finite_numbers("SphereBatch", {c, r}, center, radius);
+    figure::require_finite_parts("SphereBatch", {c, r}, center, radius);
     throw InvalidShape(std::string("SphereBatch: ").append(r).append(" is negative; give zero or more"));
   }
 }
@@ -221,7 +221,7 @@ void intersects(const BoxBatch& a, const BoxBatch& b, std::span<std::uint8_t> ou
 
 void intersects(const Aabb3& one, const BoxBatch& many, std::span<std::uint8_t> out) {
   box_batch::require_length(many.size(), many.size(), "many", out.size());
-  figure::require_finite_numbers("intersects", {"one.min", "one.max"}, one.min, one.max);
+  figure::require_finite_parts("intersects", {"one.min", "one.max"}, one.min, one.max);
   const auto at = box_batch::numbers<6>(many);
   const std::array<const double*, 6> of_one{&one.min.x, &one.min.y, &one.min.z, &one.max.x, &one.max.y, &one.max.z};
   HWY_DYNAMIC_DISPATCH(box_batch::one_box)(of_one.data(), at.data(), out.size(), out.data());
@@ -240,7 +240,7 @@ void intersects(const SphereBatch& a, const SphereBatch& b, std::span<std::uint8
 
 void intersects(const Sphere3& one, const SphereBatch& many, std::span<std::uint8_t> out) {
   box_batch::require_length(many.size(), many.size(), "many", out.size());
-  figure::require_finite_numbers("intersects", {"one.center", "one.radius"}, one.center, one.radius);
+  figure::require_finite_parts("intersects", {"one.center", "one.radius"}, one.center, one.radius);
   if (one.radius < 0) throw InvalidShape("intersects: one.radius is negative; give zero or more");
   const std::array<const double*, 4> of_one{&one.center.x, &one.center.y, &one.center.z, &one.radius};
   box_batch::in_chunks(

@@ -20,21 +20,21 @@ using AxisEnds = std::array<Ends, 3>;
 constexpr std::string_view axis_names = "xyz";
 
 AxisEnds ends_of(std::string_view function, const Aabb3& box) {
-  figure::require_finite_numbers(function, {"box.min", "box.max"}, box.min, box.max);
+  figure::require_finite_parts(function, {"box.min", "box.max"}, box.min, box.max);
   const auto min = coordinates(box.min), max = coordinates(box.max);
   AxisEnds ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {min[i], 0, max[i], 0};
   return ends;
 }
 AxisEnds ends_of(std::string_view function, const AabbWidths3& box) {
-  figure::require_finite_numbers(function, {"box.min", "box.widths"}, box.min, box.widths);
+  figure::require_finite_parts(function, {"box.min", "box.widths"}, box.min, box.widths);
   const auto min = coordinates(box.min), widths = coordinates(box.widths);
   AxisEnds ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {min[i], 0, min[i], magnitude_of(widths[i])};
   return ends;
 }
 AxisEnds ends_of(std::string_view function, const AabbCenter3& box) {
-  figure::require_finite_numbers(function, {"box.center", "box.half"}, box.center, box.half);
+  figure::require_finite_parts(function, {"box.center", "box.half"}, box.center, box.half);
   const auto center = coordinates(box.center), half = coordinates(box.half);
   AxisEnds ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {center[i], -magnitude_of(half[i]), center[i], magnitude_of(half[i])};

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "finite_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/contains.hpp"
@@ -27,12 +28,7 @@ bool are_real(const Parts&... parts) {
 /// Throws NonFinite for the first number that is none, by the name of its part.
 template <std::size_t N, class... Parts>
 void require_numbers(const Names<N>& names, const Parts&... parts) {
-  static_assert(N == sizeof...(Parts));
-  if (are_real(parts...)) [[likely]]
-    return;
-  const auto all = std::apply([](auto... x) { return std::array<double, sizeof...(x)>{x...}; },
-                              std::tuple_cat(coordinates(parts)...));
-  plumb::throw_non_finite("contains", std::array{coordinate_count<Parts>...}, all, "xyz", names);
+  require_finite_parts("contains", names, parts...);
 }
 
 inline void require_radius(double radius, std::string_view name) {

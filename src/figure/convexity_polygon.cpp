@@ -2,7 +2,7 @@
 
 #include "chain_convexity.hpp"
 #include "chain_input.hpp"
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plane_of_points.hpp"
 #include "plumb/certify/coplanar.hpp"
 #include "signed_sums.hpp"

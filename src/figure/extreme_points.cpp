@@ -1,5 +1,4 @@
 #include "finite_parts.hpp"
-#include "named_parts.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/figure/hull3.hpp"
 

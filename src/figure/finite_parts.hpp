@@ -8,18 +8,25 @@
 #include <string>
 #include <string_view>
 
-#include "named_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/sign_of.hpp"
 
-namespace plumb::figure {
+namespace plumb {
 
+/// Throws NonFinite naming the function and the part: "barycentric: triangle.b.y is nan, ...".
 template <class... Parts>
-void require_finite_numbers(std::string_view function, const std::array<std::string_view, sizeof...(Parts)>& names,
-                            const Parts&... parts) {
-  require_finite_parts<sizeof...(Parts)>(function, names, parts...);
+void require_finite_parts(std::string_view function, const std::array<std::string_view, sizeof...(Parts)>& names,
+                          const Parts&... parts) {
+  const auto all = std::apply([](auto... x) { return std::array<double, sizeof...(x)>{x...}; },
+                              std::tuple_cat(coordinates(parts)...));
+  double zero = 0;  // becomes NaN, and stays it
+  for (const double x : all) zero += x - x;
+  if (zero == 0) [[likely]]
+    return;
+  throw_non_finite(function, std::array{coordinate_count<Parts>...}, all, "xyz", names);
 }
 
+/// The same for the first point that is none: "convex_hull: points[17].y is nan, ...".
 template <class Point>
 void require_finite_points(std::string_view function, std::string_view name, std::span<const Point> points) {
   const auto zero_of = [](const Point& p) {
@@ -38,6 +45,10 @@ void require_finite_points(std::string_view function, std::string_view name, std
   }
 }
 
+namespace figure {
+
+using plumb::require_finite_parts, plumb::require_finite_points;
+
 /// The number, which must be a double: an infinity is one that none holds.
 inline double within_doubles(double x, std::string_view function, std::string_view part) {
   if (x - x == 0) return x;
@@ -45,4 +56,6 @@ inline double within_doubles(double x, std::string_view function, std::string_vi
       " is beyond all doubles; scale the shape down by a power of two"));
 }
 
-}  // namespace plumb::figure
+}  // namespace figure
+
+}  // namespace plumb

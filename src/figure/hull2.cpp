@@ -62,7 +62,7 @@ Hull2 convex_hull(std::span<const Point2> points, const Hull2Options& options) {
 
 std::vector<std::uint32_t> extreme_points(std::span<const Point2> points, const Vector2& direction) {
   figure::require_finite_points("extreme_points", "points", points);
-  require_finite_parts<1>("extreme_points", {"direction"}, direction);
+  require_finite_parts("extreme_points", {"direction"}, direction);
   std::vector<std::uint32_t> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Sign s =

@@ -1,9 +1,9 @@
 #include <optional>
 
+#include "finite_parts.hpp"
 #include "hull3_faces.hpp"
 #include "hull3_methods.hpp"
 #include "hull3_start.hpp"
-#include "named_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates.hpp"

@@ -192,14 +192,14 @@ Aabb3 fit_aabb(const KDop3& k_dop) {
 
 KDop2 transform(const KDop2& k_dop, const Pose2& pose) {
   const auto& [c, t] = pose;
-  require_finite_numbers("transform", {"pose.columns[0]", "pose.columns[1]", "pose.translation"}, c[0], c[1], t);
+  require_finite_parts("transform", {"pose.columns[0]", "pose.columns[1]", "pose.translation"}, c[0], c[1], t);
   return image("transform", k_dop, c, t);
 }
 
 KDop3 transform(const KDop3& k_dop, const Pose& pose) {
   const auto& [c, t] = pose;
-  require_finite_numbers("transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                         c[0], c[1], c[2], t);
+  require_finite_parts("transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0],
+                       c[1], c[2], t);
   return image("transform", k_dop, c, t);
 }
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "chain_input.hpp"
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plumb/figure/measures.hpp"
 #include "signed_sums.hpp"
 

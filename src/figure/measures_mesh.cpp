@@ -3,8 +3,8 @@
 #include <numeric>
 #include <vector>
 
+#include "finite_parts.hpp"
 #include "mesh_input.hpp"
-#include "named_parts.hpp"
 #include "plumb/figure/measures.hpp"
 #include "root_bounds.hpp"
 #include "signed_sums.hpp"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/measures.hpp"
 #include "root_bounds.hpp"

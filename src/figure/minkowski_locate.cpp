@@ -116,12 +116,12 @@ Location located_in_polygon(const MinkowskiSum3& sum, const Point3& p) {
 }  // namespace
 
 Location locate(const MinkowskiSum2& sum, const Point2& p) {
-  require_finite_parts<1>("locate", {"p"}, p);
+  require_finite_parts("locate", {"p"}, p);
   return located(sum.vertices, p);
 }
 
 Location locate(const MinkowskiSum3& sum, const Point3& p) {
-  require_finite_parts<1>("locate", {"p"}, p);
+  require_finite_parts("locate", {"p"}, p);
   if (sum.dimension == 2) return located_in_polygon(sum, p);
   if (sum.dimension < 2) {  // a point or segment contains what it contains in each of the three planes
     const bool member = std::ranges::all_of(planes, [&](const auto& plane) {

@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-using figure::require_finite_numbers;
+using figure::require_finite_parts;
 using figure::require_finite_points;
 using figure::within_doubles;
 
@@ -24,7 +24,7 @@ void require_finite_box(std::string_view function, std::string_view name, const 
                                          std::string(text).append(".axes[1]"), std::string(text).append(".axes[2]"),
                                          std::string(text).append(".half")};
   const std::array<std::string_view, 5> names{parts[0], parts[1], parts[2], parts[3], parts[4]};
-  require_finite_numbers(function, names, box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
+  require_finite_parts(function, names, box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
 }
 
 Obb3 checked(const Obb3& box, std::string_view function) {
@@ -126,7 +126,7 @@ std::array<Point2, 4> corners(const Obb2& box) {
 }
 
 Obb3 fit_obb(const Axes& axes, std::span<const Point3> points) {
-  require_finite_numbers("fit_obb", {"axes[0]", "axes[1]", "axes[2]"}, axes[0], axes[1], axes[2]);
+  require_finite_parts("fit_obb", {"axes[0]", "axes[1]", "axes[2]"}, axes[0], axes[1], axes[2]);
   require_finite_points("fit_obb", "points", points);
   if (points.empty()) throw InvalidShape("fit_obb: no points; give at least one");
   if (!enclosing::independent(axes))
@@ -136,7 +136,7 @@ Obb3 fit_obb(const Axes& axes, std::span<const Point3> points) {
 }
 
 Obb2 fit_obb(const std::array<Vector2, 2>& axes, std::span<const Point2> points) {
-  require_finite_numbers("fit_obb", {"axes[0]", "axes[1]"}, axes[0], axes[1]);
+  require_finite_parts("fit_obb", {"axes[0]", "axes[1]"}, axes[0], axes[1]);
   require_finite_points("fit_obb", "points", points);
   std::vector<Point3> lifted;
   lifted.reserve(points.size());
@@ -150,7 +150,7 @@ Obb2 fit_obb(const std::array<Vector2, 2>& axes, std::span<const Point2> points)
 }
 
 Obb3 oriented_box(const Aabb3& box) {
-  require_finite_numbers("oriented_box", {"box.min", "box.max"}, box.min, box.max);
+  require_finite_parts("oriented_box", {"box.min", "box.max"}, box.min, box.max);
   if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z)
     throw InvalidShape("oriented_box: the box is empty; give one with min <= max in every axis");
   return fit_obb({Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, std::array{box.min, box.max});
@@ -185,8 +185,8 @@ Obb3 merge(const Obb3& a, const Obb3& b) {
 
 Obb3 transform(const Obb3& box, const Pose& pose) {
   require_finite_box("transform", "box", box);
-  require_finite_numbers("transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                         pose.columns[0], pose.columns[1], pose.columns[2], pose.translation);
+  require_finite_parts("transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
+                       pose.columns[0], pose.columns[1], pose.columns[2], pose.translation);
   const auto row = [&](double Vector3::*c, const auto& v, double add) {
     return rounded_value(
         Rounding::nearest,

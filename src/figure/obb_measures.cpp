@@ -35,8 +35,8 @@ N squared_area(const Obb3& box, std::size_t i) {
 }
 
 void require_finite(std::string_view function, const Obb3& box) {
-  figure::require_finite_numbers(function, {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half"},
-                                 box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
+  figure::require_finite_parts(function, {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half"},
+                               box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
 }
 
 // floor(2^bits root(x)) and whether that is all, for bits of the parity of the exponent.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "chain_input.hpp"
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plane_of_points.hpp"
 
 namespace plumb {

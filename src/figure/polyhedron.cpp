@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "finite_parts.hpp"
 #include "mesh_input.hpp"
-#include "named_parts.hpp"
 #include "plumb/predicates.hpp"
 #include "surface_proof.hpp"
 

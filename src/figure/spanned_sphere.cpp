@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "finite_parts.hpp"
-#include "named_parts.hpp"
 #include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/interval.hpp"
@@ -212,7 +211,7 @@ auto square_of(const Ball& ball) {
 template <class Ball>
 Sign compared_with_number(const Ball& ball, double r) {
   const auto square = square_of(ball);
-  require_finite_parts<1>("compare_radius", {"radius"}, r);
+  require_finite_parts("compare_radius", {"radius"}, r);
   if (r < 0) return Sign::positive;
   return compared(square, [r](auto make) {
     const auto x = make(r);
@@ -223,7 +222,7 @@ Sign compared_with_number(const Ball& ball, double r) {
 template <class Ball, class Point>
 Location located(const Ball& ball, const Point& p) {
   require_spanned(ball);
-  require_finite_parts<1>("locate", {"p"}, p);
+  require_finite_parts("locate", {"p"}, p);
   return static_cast<Location>(side(ball, p));
 }
 

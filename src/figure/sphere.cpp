@@ -62,7 +62,7 @@ double reach_of(const Point& from, const Ball& ball) {
 template <class Ball>
 void require(std::string_view function, std::string_view name, const Ball& ball) {
   const std::string center = std::string(name).append(".center"), radius = std::string(name).append(".radius");
-  require_finite_parts<2>(function, {center, radius}, ball.center, ball.radius);
+  require_finite_parts(function, {center, radius}, ball.center, ball.radius);
   if (ball.radius < 0)
     throw InvalidShape(std::string(function)
                            .append(": ")
@@ -150,7 +150,7 @@ Ball merged(const Ball& a, const Ball& b) {
 template <class Ball>
 Ball merged(std::string_view name, const Ball& ball, const decltype(ball.center)& p) {
   require("merge", name, ball);
-  require_finite_parts<1>("merge", {"p"}, p);
+  require_finite_parts("merge", {"p"}, p);
   return merged("merge", ball, Ball{p, 0});
 }
 

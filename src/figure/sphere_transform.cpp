@@ -91,12 +91,12 @@ std::array<Vector3, 3> in_space(const Pose2& pose) {
 }
 
 void require_pose(std::string_view function, const Pose2& pose) {
-  require_finite_parts<3>(function, {"pose.columns[0]", "pose.columns[1]", "pose.translation"}, pose.columns[0],
-                          pose.columns[1], pose.translation);
+  require_finite_parts(function, {"pose.columns[0]", "pose.columns[1]", "pose.translation"}, pose.columns[0],
+                       pose.columns[1], pose.translation);
 }
 void require_pose(std::string_view function, const Pose& pose) {
-  require_finite_parts<4>(function, {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                          pose.columns[0], pose.columns[1], pose.columns[2], pose.translation);
+  require_finite_parts(function, {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
+                       pose.columns[0], pose.columns[1], pose.columns[2], pose.translation);
 }
 
 /// A coordinate of the image of the center, and how far from it the exact one may be.

@@ -64,19 +64,18 @@ Support3 of(const Point3& center, const std::array<Vector3, 3>& axes, const Vect
 }  // namespace
 
 Support2 support_point(const Aabb2& box, const Vector2& direction) {
-  require_finite_parts<3>("support_point", Names3{"box.min", "box.max", "direction"}, box.min, box.max, direction);
+  require_finite_parts("support_point", Names3{"box.min", "box.max", "direction"}, box.min, box.max, direction);
   const Support3 s = of(Aabb3{support::raised(box.min), support::raised(box.max)}, support::raised(direction));
   return {{s.point.x, s.point.y}, s.feature, s.unique};
 }
 
 Support3 support_point(const Aabb3& box, const Vector3& direction) {
-  require_finite_parts<3>("support_point", Names3{"box.min", "box.max", "direction"}, box.min, box.max, direction);
+  require_finite_parts("support_point", Names3{"box.min", "box.max", "direction"}, box.min, box.max, direction);
   return of(box, direction);
 }
 
 Support3 support_point(const AabbWidths3& box, const Vector3& direction) {
-  require_finite_parts<3>("support_point", Names3{"box.min", "box.widths", "direction"}, box.min, box.widths,
-                          direction);
+  require_finite_parts("support_point", Names3{"box.min", "box.widths", "direction"}, box.min, box.widths, direction);
   const Vector3& w = box.widths;
   const Ends e = aligned(direction, w.x == 0, w.y == 0, w.z == 0);
   const Point3 p{box.min.x + (e.has(0) ? std::fabs(w.x) : 0), box.min.y + (e.has(1) ? std::fabs(w.y) : 0),
@@ -85,8 +84,7 @@ Support3 support_point(const AabbWidths3& box, const Vector3& direction) {
 }
 
 Support3 support_point(const AabbCenter3& box, const Vector3& direction) {
-  require_finite_parts<3>("support_point", Names3{"box.center", "box.half", "direction"}, box.center, box.half,
-                          direction);
+  require_finite_parts("support_point", Names3{"box.center", "box.half", "direction"}, box.center, box.half, direction);
   const Vector3& h = box.half;
   const Ends e = aligned(direction, h.x == 0, h.y == 0, h.z == 0);
   const auto end = [](double center, double half, bool far) { return center + (far ? 1 : -1) * std::fabs(half); };
@@ -95,24 +93,24 @@ Support3 support_point(const AabbCenter3& box, const Vector3& direction) {
 }
 
 Support2 support_point(const Obb2& box, const Vector2& direction) {
-  require_finite_parts<5>("support_point", {"box.center", "box.axes[0]", "box.axes[1]", "box.half", "direction"},
-                          box.center, box.axes[0], box.axes[1], box.half, direction);
+  require_finite_parts("support_point", {"box.center", "box.axes[0]", "box.axes[1]", "box.half", "direction"},
+                       box.center, box.axes[0], box.axes[1], box.half, direction);
   const Support3 s = of(support::raised(box.center), {support::raised(box.axes[0]), support::raised(box.axes[1])},
                         support::raised(box.half), support::raised(direction));
   return {{s.point.x, s.point.y}, s.feature, s.unique};
 }
 
 Support3 support_point(const Obb3& box, const Vector3& direction) {
-  require_finite_parts<6>("support_point",
-                          {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "direction"},
-                          box.center, box.axes[0], box.axes[1], box.axes[2], box.half, direction);
+  require_finite_parts("support_point",
+                       {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "direction"}, box.center,
+                       box.axes[0], box.axes[1], box.axes[2], box.half, direction);
   return of(box.center, box.axes, box.half, direction);
 }
 
 Support3 support_point(const Rectangle3& r, const Vector3& direction) {
-  require_finite_parts<5>("support_point",
-                          {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half", "direction"},
-                          r.center, r.axes[0], r.axes[1], r.half, direction);
+  require_finite_parts("support_point",
+                       {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half", "direction"},
+                       r.center, r.axes[0], r.axes[1], r.half, direction);
   return of(r.center, {r.axes[0], r.axes[1]}, support::raised(r.half), direction);
 }
 

@@ -26,14 +26,13 @@ Support3 checked(const Shape& shape, const Vector3& direction) {
 }  // namespace
 
 Support2 support_point(const Circle2& s, const Vector2& direction) {
-  require_finite_parts<3>("support_point", {"circle.center", "circle.radius", "direction"}, s.center, s.radius,
-                          direction);
+  require_finite_parts("support_point", {"circle.center", "circle.radius", "direction"}, s.center, s.radius, direction);
   support::require_radius("support_point", "circle.radius", s.radius);
   return flat(of(Sphere3{support::raised(s.center), s.radius}, support::raised(direction)));
 }
 Support2 support_point(const Capsule2& s, const Vector2& direction) {
-  require_finite_parts<4>("support_point", {"capsule.a", "capsule.b", "capsule.radius", "direction"}, s.a, s.b,
-                          s.radius, direction);
+  require_finite_parts("support_point", {"capsule.a", "capsule.b", "capsule.radius", "direction"}, s.a, s.b, s.radius,
+                       direction);
   support::require_radius("support_point", "capsule.radius", s.radius);
   return flat(of(Capsule3{support::raised(s.a), support::raised(s.b), s.radius}, support::raised(direction)));
 }

@@ -30,9 +30,9 @@ double support_value(const Aabb3& box, const Vector3& direction, Rounding roundi
   return at_vertex(rounding, direction, support_point(box, direction).point);
 }
 double support_value(const Obb3& box, const Vector3& direction, Rounding rounding) {
-  require_finite_parts<6>("support_value",
-                          {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "direction"},
-                          box.center, box.axes[0], box.axes[1], box.axes[2], box.half, direction);
+  require_finite_parts("support_value",
+                       {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "direction"}, box.center,
+                       box.axes[0], box.axes[1], box.axes[2], box.half, direction);
   const std::array<double, 3> half{std::fabs(box.half.x), std::fabs(box.half.y), std::fabs(box.half.z)};
   std::array<double, 3> times{};  // half_i with the sign of axes_i . direction
   for (std::size_t i = 0; i < 3; ++i)

@@ -20,7 +20,7 @@ struct Farther3 : predicates::OrderAlongDirection3d {
 
 template <class Support, class Order, class Point, class Vector>
 Support of_points(std::string_view part, std::span<const Point> points, const Vector& direction) {
-  require_finite_parts<1>("support_point", {"direction"}, direction);
+  require_finite_parts("support_point", {"direction"}, direction);
   figure::require_finite_points("support_point", part, points);
   Support best{points[0], 0, true};
   for (std::uint32_t i = 1; i < points.size(); ++i) {
@@ -122,7 +122,7 @@ Support3 support_point(const ConvexPolyhedron3& polyhedron, const Vector3& direc
                            .append(std::to_string(vertices.size()))
                            .append(" vertices"));
   }
-  require_finite_parts<1>("support_point", {"direction"}, direction);
+  require_finite_parts("support_point", {"direction"}, direction);
   std::uint32_t at = start;
   while (true) {
     // The farthest of the neighbors, where one lies farther; else over what ties.

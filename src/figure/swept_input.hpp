@@ -18,14 +18,14 @@ inline void check_radius(std::string_view function, std::string_view name, doubl
 inline void check(std::string_view function, std::string_view name, const Capsule3& c) {
   const std::string a = std::string(name).append(".a"), b = std::string(name).append(".b"),
                     radius = std::string(name).append(".radius");
-  figure::require_finite_numbers(function, {a, b, radius}, c.a, c.b, c.radius);
+  figure::require_finite_parts(function, {a, b, radius}, c.a, c.b, c.radius);
   check_radius(function, name, c.radius);
 }
 
 inline void check(std::string_view function, std::string_view name, const Lozenge3& l) {
   const std::string corner = std::string(name).append(".corner"), e = std::string(name).append(".edges[0]"),
                     f = std::string(name).append(".edges[1]"), radius = std::string(name).append(".radius");
-  figure::require_finite_numbers(function, {corner, e, f, radius}, l.corner, l.edges[0], l.edges[1], l.radius);
+  figure::require_finite_parts(function, {corner, e, f, radius}, l.corner, l.edges[0], l.edges[1], l.radius);
   check_radius(function, name, l.radius);
 }
 

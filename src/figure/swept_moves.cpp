@@ -150,7 +150,7 @@ Shape moved(const Shape& shape, Shape core, const Pose& pose) {
 
 void check_pose(const Pose& pose) {
   const auto& [c, t] = pose;
-  figure::require_finite_numbers(
+  figure::require_finite_parts(
       "transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0], c[1], c[2], t);
 }
 

@@ -2,7 +2,7 @@
 // the ways that leave it.
 #include "plumb/figure/voronoi_region.hpp"
 
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/predicates.hpp"
 

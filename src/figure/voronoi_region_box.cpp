@@ -10,7 +10,7 @@
 // axes passes, as every point of the box is reached with free axes that are independent.
 #include <cmath>
 
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/voronoi_region.hpp"
 #include "plumb/predicates.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "named_parts.hpp"
+#include "finite_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/voronoi_region.hpp"
 #include "plumb/predicates.hpp"
