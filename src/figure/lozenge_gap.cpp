@@ -33,7 +33,6 @@ struct NearPoints {
 struct PlaneBetween {
   static constexpr std::string_view name = "relate";
   static constexpr std::array arguments{3, 3, 3, 3, 3, 3, 3, 1, 1};
-  static constexpr bool homogeneous = false;
   template <class T, class Absolute>
   static constexpr auto gap(const std::array<T, 23>& p, Absolute absolute) {
     const auto n = argument(p, 6);
