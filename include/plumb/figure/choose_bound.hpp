@@ -87,7 +87,7 @@ BoundRatings rate_bounds(std::span<const Point3> points, const RatingOptions& op
 /// In nanoseconds, or in any other unit for all.
 struct BoundCosts {
   /// As measured by `plumb bounds` on the machine of docs/measurements.md; rate_bounds measures those of yours.
-  BoundNumbers test_ns{2, 4, 23, 56'000, 38, 9, 11, 15};
+  BoundNumbers test_ns{1.7, 3.6, 22, 265, 37, 8.2, 10, 15};
   double refined_ns = 1'000;  // of what is asked when the bounds overlap
 };
 
