@@ -17,7 +17,7 @@ void expect_the_coordinates(const std::array<double, N>& p, int& taken) {
   const LatticeIntegers<N> all(p);
   const Lattice lattice = lattice_of(p);
   const int top = lattice.exponent + lattice.bits;
-  const bool in_range = lattice.bits > 0 && lattice.bits <= LatticeIntegers<N>::most_bits && top > -1014 && top <= 1022;
+  const bool in_range = lattice.bits > 0 && lattice.bits <= LatticeIntegers<N>::most_bits && top > -1014 && top <= 1021;
   SCOPED_TRACE(testing::Message() << std::hexfloat << p[0] << ' ' << p[1] << ' ' << p[N - 1]);
   ASSERT_EQ(all.bits() != 0, in_range);
   if (!in_range) return;

@@ -4,7 +4,7 @@
 // sum. A second step takes ten bits more of what is left.  Two coordinates are converted at a time, without a branch.
 // Laws: where bits() is not 0, every coordinate is exactly integer(i) times one power of two, the same for all, and
 // |integer(i)| < 2^bits(), the least such number; zeros() more of them could be taken off at the other end.  bits() is
-// 0 where the coordinates span more than 61 bits, where the largest is below 2^-1014 or not below 2^1022, and where one
+// 0 where the coordinates span more than 61 bits, where the largest is below 2^-1014 or not below 2^1021, and where one
 // of them is not finite. Source: RTCD 11.5.1; Dekker 1971 for the rounding by a large addend.  Cost: 1 to 2 ns for four
 // coordinates.
 #pragma once
@@ -55,8 +55,9 @@ class LatticeIntegers {
   using Bits = typename Pairs::Bits;
 
   static constexpr int first_bits = 51, second_bits = most_bits - first_bits;
-  // The exponent fields of the largest coordinate whose addends are normal numbers with normal or subnormal units.
-  static constexpr std::uint64_t least_exponent = 9, most_exponent = 2044;
+  // The exponent fields of the largest coordinate whose addends are normal numbers with normal or subnormal units; one
+  // more, and what rounds up to a power of two would overflow.
+  static constexpr std::uint64_t least_exponent = 9, most_exponent = 2043;
 
   static std::uint64_t addend_bits(std::uint64_t exponent) { return exponent << 52 | 1ull << 51; }
   Bits set(std::size_t pair, Bits value) {
