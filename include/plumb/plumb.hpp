@@ -4,4 +4,5 @@
 
 #include "plumb/figure.hpp"
 #include "plumb/predicates.hpp"
+#include "plumb/query.hpp"
 #include "plumb/surface.hpp"

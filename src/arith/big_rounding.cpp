@@ -58,6 +58,10 @@ Quotient divide(const BigDyadic& n, const BigDyadic& d, long bits, bool even) {
 
 double rounded(Rounding rounding, const BigDyadic& x) { return rounded_quotient(rounding, x, BigDyadic(1)); }
 
+double rounded(Rounding rounding, const mpq_class& x) {
+  return rounded_quotient(rounding, BigDyadic(x.get_num()), BigDyadic(x.get_den()));
+}
+
 double rounded_quotient(Rounding rounding, const BigDyadic& n, const BigDyadic& d) {
   const int sign = sgn(n.mantissa()) * sgn(d.mantissa());
   if (sign == 0) return 0;

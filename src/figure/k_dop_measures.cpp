@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "k_dop_sets.hpp"
+#include "plumb/arith/big_rounding.hpp"
 
 namespace plumb {
 namespace {

@@ -1,8 +1,5 @@
 #include "rational_lp.hpp"
 
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace plumb::figure {
@@ -144,27 +141,6 @@ Feasible feasible(const Constraints& constraints, const std::vector<bool>& stric
   best.at.pop_back();
   std::erase_if(best.deciding, [&](std::size_t i) { return i >= strictly.size() || !strictly[i]; });
   return {sign, std::move(best.at), std::move(best.deciding)};
-}
-
-double rounded(Rounding rounding, const mpq_class& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
-  if (sgn(x) < 0) return 0.0 - rounded(-rounding, mpq_class(-x));
-  double below = cmp(x, mpq_class(largest)) >= 0 ? largest : x.get_d();  // toward zero
-  while (cmp(mpq_class(below), x) > 0) below = std::nextafter(below, 0.0);
-  double above = below;
-  while (above < infinity && cmp(mpq_class(above), x) < 0) {
-    below = above;
-    above = std::nextafter(above, infinity);
-  }
-  if (rounding == Rounding::down) return above < infinity && cmp(mpq_class(above), x) == 0 ? above : below;
-  if (rounding == Rounding::up) return above;
-  if (above == infinity) {  // half an ulp beyond the largest double the nearest one is infinite
-    return cmp(x, mpq_class(largest) + mpq_class(std::ldexp(1.0, 970))) < 0 ? largest : infinity;
-  }
-  const mpq_class from_below = x - mpq_class(below), to_above = mpq_class(above) - x;
-  const int order = cmp(from_below, to_above);
-  if (order != 0) return order < 0 ? below : above;
-  return std::bit_cast<std::uint64_t>(below) % 2 == 0 ? below : above;
 }
 
 }  // namespace plumb::figure

@@ -9,8 +9,6 @@
 
 #include <vector>
 
-#include "plumb/arith/rounding.hpp"
-
 namespace plumb::figure {
 
 using RationalVector = std::vector<mpq_class>;
@@ -45,8 +43,5 @@ struct Feasible {
   std::vector<std::size_t> deciding;  // for slack 0: of those, some that no point meets with slack
 };
 Feasible feasible(const Constraints& constraints, const std::vector<bool>& strictly);
-
-/// The double that the rounding names; infinite beyond all doubles where the rounding leads there.
-double rounded(Rounding rounding, const mpq_class& x);
 
 }  // namespace plumb::figure

@@ -113,6 +113,7 @@ class Documents : public testing::TestWithParam<fs::path> {
     const bool whole = block.text.find("int main(") != std::string::npos;
     main_ = whole ? block.text
                   : "#include <plumb/degenerate.hpp>\n#include <plumb/figure.hpp>\n#include <plumb/predicates.hpp>\n"
+                    "#include <plumb/query.hpp>\n"
                     "#include <plumb/surface.hpp>\n"
                     "int main() {\n" +
                         block.text + "}\n";

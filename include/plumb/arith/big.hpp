@@ -8,6 +8,8 @@
 
 #include <gmpxx.h>
 
+#include <utility>
+
 #include "plumb/arith/lattice.hpp"
 #include "plumb/arith/sign.hpp"
 
@@ -36,6 +38,7 @@ class BigDyadic {
     mantissa_ = static_cast<long>(f.mantissa);
     exponent_ = f.exponent;
   }
+  explicit BigDyadic(mpz_class x) : mantissa_(std::move(x)) {}
 
   [[nodiscard]] Sign sign() const { return sign_of_number(sgn(mantissa_)); }
   [[nodiscard]] const mpz_class& mantissa() const { return mantissa_; }

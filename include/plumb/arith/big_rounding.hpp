@@ -14,6 +14,7 @@ namespace plumb {
 
 /// x.
 double rounded(Rounding rounding, const BigDyadic& x);
+double rounded(Rounding rounding, const mpq_class& x);
 
 /// n / d, for d != 0.
 double rounded_quotient(Rounding rounding, const BigDyadic& n, const BigDyadic& d);
