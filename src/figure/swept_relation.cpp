@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <cmath>
 
 #include "core_distance.hpp"
 #include "finite_parts.hpp"
-#include "lozenge_gap.hpp"
 #include "plumb/figure/swept_sphere.hpp"
+#include "quick_gap.hpp"
 #include "rational_lp.hpp"
 #include "swept_input.hpp"
 
@@ -73,72 +72,6 @@ Relation relation(std::string_view function, const Shape& a, const Shape& b) {
   if (!gap.certain()) gap = sign_of_gap<BigDyadic>(a, b);
   if (gap.value() != Sign::zero) return static_cast<Relation>(-gap.value());
   return a.radius == 0 && b.radius == 0 && interiors_meet(a, b) ? Relation::overlapping : Relation::touching;
-}
-
-// (p, q, x, y, f): the points p + f (q - p) on one segment and x + g (y - x) on the other, against the sum of radii.
-struct NearPoints {
-  static constexpr std::string_view name = "relate";
-  static constexpr std::array arguments{3, 3, 1, 3, 3, 1, 1, 1};
-  static constexpr bool homogeneous = false;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 16>& p) const {
-    const auto difference = [&](std::size_t i) {
-      return (p[i] - p[7 + i]) + (p[6] * (p[3 + i] - p[i]) - p[13] * (p[10 + i] - p[7 + i]));
-    };
-    const auto x = difference(0), y = difference(1), z = difference(2);
-    const auto reach = p[14] + p[15];
-    return x * x + y * y + z * z - reach * reach;
-  }
-};
-
-// (x, y, n, r, s): n . (x - y) - r - s.
-struct PlaneBetween {
-  static constexpr std::string_view name = "relate";
-  static constexpr std::array arguments{3, 3, 3, 1, 1};
-  static constexpr bool homogeneous = false;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 11>& p) const {
-    return ((p[0] - p[3]) * p[6] + (p[1] - p[4]) * p[7] + (p[2] - p[5]) * p[8]) - (p[9] + p[10]);
-  }
-};
-
-// (n, l): l^2 - n^2.
-struct Shorter {
-  static constexpr std::string_view name = "relate";
-  static constexpr std::array arguments{3, 1};
-  template <class T>
-  constexpr auto operator()(const std::array<T, 4>& p) const {
-    return p[3] * p[3] - (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-  }
-};
-
-double clamped(double x) { return x < 0 ? 0 : x > 1 ? 1 : x; }
-
-// Two nearly nearest points in plain doubles, and what they prove: nearer than the radii reach, or a plane between.
-std::optional<Sign> quick_gap(const Capsule3& a, const Capsule3& b) {
-  if (!(a.radius >= 0 && b.radius >= 0)) return {};
-  const Vector3 u{a.b.x - a.a.x, a.b.y - a.a.y, a.b.z - a.a.z}, v{b.b.x - b.a.x, b.b.y - b.a.y, b.b.z - b.a.z};
-  const Vector3 w{a.a.x - b.a.x, a.a.y - b.a.y, a.a.z - b.a.z};
-  const auto dot = [](const Vector3& p, const Vector3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; };
-  const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
-  const double area = uu * vv - uv * uv;
-  double s = area > 0 ? clamped((uv * vw - uw * vv) / area) : 0;
-  double t = vv > 0 ? clamped((uv * s + vw) / vv) : 0;
-  s = uu > 0 ? clamped((uv * t - uw) / uu) : 0;
-  assert_sound_thread();
-  if (filter<NearPoints>({a.a.x, a.a.y, a.a.z, a.b.x, a.b.y, a.b.z, s, b.a.x, b.a.y, b.a.z, b.b.x, b.b.y, b.b.z, t,
-                          a.radius, b.radius}) < 0)
-    return Sign::negative;
-  Vector3 n{w.x + (s * u.x - t * v.x), w.y + (s * u.y - t * v.y), w.z + (s * u.z - t * v.z)};
-  const double shrink = (1 - 0x1p-50) / std::sqrt(dot(n, n));
-  n = {n.x * shrink, n.y * shrink, n.z * shrink};
-  if (filter<Shorter>({n.x, n.y, n.z, 1.0}) <= 0) return {};
-  for (const Point3& x : {a.a, a.b}) {
-    for (const Point3& y : {b.a, b.b}) {
-      if (filter<PlaneBetween>({x.x, x.y, x.z, y.x, y.y, y.z, n.x, n.y, n.z, a.radius, b.radius}) <= 0) return {};
-    }
-  }
-  return Sign::positive;
 }
 
 using swept::quick_gap;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/hull2_rival.hpp"
+#include "bench/qhull_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/figure/hull2.hpp"
 
@@ -77,7 +78,7 @@ const bool registered = [] {
       add(name, count, "chain_unfiltered", ours({.prefilter = false}));
       add(name, count, "quickhull", ours({.method = Hull2Method::quickhull}));
       add(name, count, "qhull",
-          [](const std::vector<Point2>& points) -> Run { return [&points] { return qhull_vertices_2(points); }; });
+          [](const std::vector<Point2>& points) -> Run { return [&points] { return qhull_vertices(points); }; });
       add(name, count, "cgal_epick", [](const std::vector<Point2>& points) -> Run {
         return [held = CgalPoints2(points)] { return held.hull_vertices(); };
       });

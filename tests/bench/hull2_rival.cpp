@@ -3,32 +3,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
 
-#include <cstdio>
 #include <iterator>
 #include <vector>
 
-extern "C" {
-#include <libqhull_r/qhull_ra.h>
-}
-
 namespace plumb::bench {
-
-std::size_t qhull_vertices_2(std::span<const Point2> points) {
-  static std::FILE* const nowhere = std::fopen("/dev/null", "w");
-  std::vector<coordT> coordinates;
-  coordinates.reserve(2 * points.size());
-  for (const Point2& p : points) coordinates.insert(coordinates.end(), {p.x, p.y});
-  qhT state;
-  qh_zero(&state, nowhere);
-  char command[] = "qhull ";
-  const int failed =
-      qh_new_qhull(&state, 2, static_cast<int>(points.size()), coordinates.data(), False, command, nowhere, nowhere);
-  const std::size_t count = failed != 0 ? 0 : static_cast<std::size_t>(state.num_vertices);
-  int left = 0, total = 0;
-  qh_freeqhull(&state, qh_ALL);
-  qh_memfreeshort(&state, &left, &total);
-  return count;
-}
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 

@@ -1,4 +1,4 @@
-// The hulls of others in the plane: Qhull by its reentrant library, CGAL over Epick.  Both give the number of vertices.
+// The hulls of CGAL over Epick in the plane: the number of vertices.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,6 @@
 #include "plumb/arith/point.hpp"
 
 namespace plumb::bench {
-
-std::size_t qhull_vertices_2(std::span<const Point2> points);
 
 /// CGAL's own points, made before the clock runs.
 class CgalPoints2 {

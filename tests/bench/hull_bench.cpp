@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/hull_rival.hpp"
+#include "bench/qhull_rival.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/figure/hull3.hpp"

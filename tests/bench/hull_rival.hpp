@@ -1,4 +1,4 @@
-// The hulls of others: Qhull by its reentrant library, CGAL over Epick.  Both give the number of vertices.
+// The hulls of CGAL over Epick: the number of vertices.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,6 @@
 #include "plumb/arith/point.hpp"
 
 namespace plumb::bench {
-
-std::size_t qhull_vertices(std::span<const Point3> points);
 
 /// CGAL's own points, made before the clock runs.
 class CgalPoints {

@@ -8,6 +8,7 @@
 
 #include "figure/rationals.hpp"
 #include "figure/shape_cases.hpp"
+#include "figure/thrown.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 
@@ -216,16 +217,6 @@ TEST(BarycentricTest, CenterOfGravity) {
   EXPECT_EQ(from_barycentric(Segment3{{0, 0, 0}, {3, 6, 9}}, {2, 1}), (Point3{1, 2, 3}));
   EXPECT_EQ(from_barycentric(Triangle2{{0, 0}, {3, 0}, {0, 3}}, {1, 1, 1}), (Point2{1, 1}));
   EXPECT_EQ(from_barycentric(Triangle3{{0, 0, 0}, {3, 0, 0}, {0, 3, 3}}, {-1, 1, 1}), (Point3{3, 3, 3}));
-}
-
-template <class Thrown, class Call>
-std::string text_of(Call call) {
-  try {
-    call();
-  } catch (const Thrown& e) {
-    return e.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(BarycentricTest, BadInputIsNamed) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "figure/rationals.hpp"
+#include "figure/thrown.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/figure/contains.hpp"
@@ -19,16 +20,6 @@ namespace plumb {
 namespace {
 
 using testing::HasSubstr;
-
-template <class Thrown, class Call>
-std::string text_of(Call call) {
-  try {
-    call();
-  } catch (const Thrown& e) {
-    return e.what();
-  }
-  return "nothing thrown";
-}
 
 /// Exact, for all products and sums are integers below 2^53.
 Point3 image(const Pose& pose, const Point3& p) {

@@ -9,6 +9,7 @@
 
 #include "figure/rational_measures.hpp"
 #include "figure/shape_cases.hpp"
+#include "figure/thrown.hpp"
 #include "plumb/figure/aabb.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/figure/convexity.hpp"
@@ -26,16 +27,6 @@ using shape_cases::on_shapes;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = std::numbers::pi;
-
-template <class F>
-std::string refusal(const F& f) {
-  try {
-    f();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "nothing thrown";
-}
 
 TEST(Known, AreasAndCentroids) {
   EXPECT_EQ(signed_area(Triangle2{{0, 0}, {3, 0}, {0, 2}}), 3);
@@ -374,29 +365,29 @@ TEST(Models, AreMeasured) {
 }
 
 TEST(BadInput, IsRefusedByName) {
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(text_of<Error>([] {
               volume(Sphere3{{0, 0, 0}, -2});
             }),
             "volume: sphere.radius is -2, and a radius must not be negative");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(text_of<Error>([] {
               surface_area(Cone3{{0, 0, 0}, {1, kInfinity, 0}, 1});
             }),
             "surface_area: cone.base.y is inf, not a real number; give a finite double");
   EXPECT_THROW(volume(Sphere3{{0, 0, 0}, std::nan("")}), NonFinite);
   EXPECT_THROW(area(Capsule2{{0, 0}, {1, 0}, -0x1p-1074}), InvalidShape);
   EXPECT_THROW(volume(Aabb3{{0, 0, 0}, {1, 1, std::nan("")}}), NonFinite);
-  EXPECT_EQ(refusal([] { centroid(std::span<const Point3>{}); }), "centroid: no points; give at least one");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(text_of<Error>([] { centroid(std::span<const Point3>{}); }), "centroid: no points; give at least one");
+  EXPECT_EQ(text_of<Error>([] {
               area(Polygon3{{{0, 0, 0}}});
             }),
             "area: polygon.vertices has 1 vertex; a polygon has three at least");
   const TriangleMesh open{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}};
   EXPECT_EQ(
-      refusal([&] { volume(open); }),
+      text_of<Error>([&] { volume(open); }),
       "volume: the mesh is open: the edge of vertices 0 and 2 is passed 1 times one way and 0 the other; it must be "
       "equally often");
   EXPECT_EQ(surface_area(open), 1 + std::sqrt(0.75));
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               centroid(TriangleMesh{{{0, 0, 0}}, {{0, 1, 0}}});
             }),
             "centroid: triangle 0 names vertex 1, but there are 1 vertices");

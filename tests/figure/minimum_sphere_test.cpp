@@ -9,6 +9,7 @@
 #include <map>
 
 #include "figure/rational_ball.hpp"
+#include "figure/thrown.hpp"
 #include "oracle/cgal_spheres_of_points.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate.hpp"
@@ -222,16 +223,6 @@ TEST(MinimumSphere, NamesTheFirstOfEqualPoints) {
   const std::vector<Point3> equal(5, Point3{3, -0.0, 5});
   EXPECT_THAT(minimum_sphere(equal).support, ElementsAre(0));
   EXPECT_EQ(minimum_sphere(equal).sphere.radius, 0);
-}
-
-template <class E, class Call>
-std::string text_of(Call call) {
-  try {
-    call();
-  } catch (const E& e) {
-    return e.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(MinimumSphere, RefusesWhatIsNoSetOfPoints) {

@@ -5,6 +5,7 @@
 
 #include "figure/rational_polygon.hpp"
 #include "figure/shape_cases.hpp"
+#include "figure/thrown.hpp"
 #include "oracle/polygons.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/figure/convexity.hpp"
@@ -18,16 +19,6 @@ using shape_cases::on_shapes;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-template <class F>
-std::string refusal(const F& f) {
-  try {
-    f();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "nothing thrown";
-}
 
 // Five points of a regular pentagon, rounded to integers, in the order of a star.
 const std::vector<Point2> kPentagram{{0, 100}, {59, -81}, {-95, 31}, {95, 31}, {-59, -81}};
@@ -296,35 +287,35 @@ TEST(Location, InSpaceOnOneLineIsOnTheChain) {
 
 TEST(BadInput, IsRefusedByName) {
   const Polygon2 two{{{0, 0}, {1, 1}}};
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               locate(two, {0, 0});
             }),
             "locate: polygon.vertices has 2 vertices; a polygon has three at least");
-  EXPECT_EQ(refusal([&] { convexity(two); }),
+  EXPECT_EQ(text_of<Error>([&] { convexity(two); }),
             "convexity: polygon.vertices has 2 vertices; a polygon has three at least");
   const Polygon2 bad{{{0, 0}, {1, 0}, {0, kNan}}};
   const Polygon2 good{{{0, 0}, {1, 0}, {0, 1}}};
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               locate(bad, {0, 0});
             }),
             "locate: polygon.vertices[2].y is nan, not a real number; give a finite double");
   EXPECT_THROW(locate(bad, {0, 0}), NonFinite);
   EXPECT_THROW(is_convex(bad), NonFinite);
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               locate(good, {kInfinity, 0});
             }),
             "locate: p.x is inf, not a real number; give a finite double");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               locate(HoledPolygon2{good, {good, two}}, {0, 0});
             }),
             "locate: polygon.holes[1].vertices has 2 vertices; a polygon has three at least");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               quadrilateral_kind(Quadrilateral2{{0, 0}, {1, 0}, {0, -kInfinity}, {0, 0}});
             }),
             "quadrilateral_kind: quadrilateral.c.y is -inf, not a real number; give a finite double");
   const Polygon3 skew{{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}}};
   EXPECT_EQ(
-      refusal([&] {
+      text_of<Error>([&] {
         locate(skew, {0, 0, 0});
       }),
       "locate: the polygon is not planar: its vertex 4 is off the plane of the vertices 0, 2 and 3; triangulate it");

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "figure/rationals.hpp"
+#include "figure/thrown.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate.hpp"
@@ -179,16 +180,6 @@ TEST(SmallSystemTest, TheBooksDeterminantAndAnInverse) {
   EXPECT_EQ(inverse(Rows<2>{{{2, 1}, {4, 2}}}), std::nullopt);
   EXPECT_EQ(determinant(Rows<2>{{{0x1p-800, 0}, {0, 0x1p-800}}}), 0);  // the nearest double, yet not singular:
   EXPECT_EQ(inverse(Rows<2>{{{0x1p-800, 0}, {0, 0x1p-800}}}), (Rows<2>{{{0x1p800, 0}, {0, 0x1p800}}}));
-}
-
-template <class Thrown, class Call>
-std::string text_of(Call call) {
-  try {
-    call();
-  } catch (const Thrown& e) {
-    return e.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(SmallSystemTest, BadInputIsNamed) {

@@ -10,6 +10,7 @@
 
 #include "figure/rational_ball.hpp"
 #include "figure/shape_cases.hpp"
+#include "figure/thrown.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb {
@@ -219,16 +220,6 @@ TEST(Sphere, KeepsItsRadiusUnderRigidMotion) {
     EXPECT_NEAR(stretch, 1, 0x1p-50);
     EXPECT_GE(stretch, 1);
   }
-}
-
-template <class E, class Call>
-std::string text_of(Call call) {
-  try {
-    call();
-  } catch (const E& e) {
-    return e.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(Sphere, RefusesWhatIsNoBall) {

@@ -9,6 +9,7 @@
 
 #include "figure/rationals.hpp"
 #include "figure/shape_cases.hpp"
+#include "figure/thrown.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/polyhedron.hpp"
 
@@ -349,16 +350,6 @@ TEST(VoronoiRegionTest, CollapsedTriangles) {
   EXPECT_EQ(voronoi_region(segment, {1, 5, 5}), (Feature{vertex, 2}));
   EXPECT_EQ(voronoi_region(segment, {9, 5, 5}), (Feature{vertex, 1}));
   EXPECT_EQ(voronoi_region(Triangle3{}, {1, 2, 3}), (Feature{vertex, 0}));
-}
-
-template <class Thrown, class Call>
-std::string text_of(Call call) {
-  try {
-    call();
-  } catch (const Thrown& e) {
-    return e.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(VoronoiRegionTest, BadInputIsNamed) {

@@ -1,8 +1,10 @@
-// Do plain doubles prove how two lozenges lie to one another?  Two near points of the cores, and what they show.
+// Do plain doubles prove how two capsules or lozenges lie to one another?  Two near points of the cores, and what they
+// show.
 //
 // Laws: negative: the cores are nearer than the radii reach; positive: a plane lies between; nothing where rounding
 // leaves a doubt, and for what is not finite or has a negative radius.
-// Source: RTCD 4.5.1; the near points by coordinate descent.  Cost: some 300 operations.
+// Source: RTCD 4.5.1; the near points of lozenges by coordinate descent.  Cost: some 150 operations,
+// of lozenges 300.
 #pragma once
 
 #include <optional>
@@ -12,6 +14,7 @@
 
 namespace plumb::swept {
 
+std::optional<Sign> quick_gap(const Capsule3& a, const Capsule3& b);
 std::optional<Sign> quick_gap(const Lozenge3& a, const Lozenge3& b);
 
 }  // namespace plumb::swept
