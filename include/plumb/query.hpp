@@ -1,2 +1,3 @@
 // The face of questions about two figures: everything in plumb/query/.
 #pragma once
+#include "plumb/query/root.hpp"
