@@ -1,0 +1,49 @@
+// Do two figures of the plane meet, and do they overlap or only touch?  Lines, rays, segments, triangles, boxes.
+//
+// Laws: (1) the answer of real arithmetic, for all finite doubles (figure/relation.hpp says what touching is).
+// (2) relate is symmetric, and the same for every order of corners and ends.  (3) intersects is relate != disjoint.
+// (4) What is degenerate is the set it is: a triangle may be a segment or a point, a ray of zero direction is its
+// origin, a box flat, a point, or empty.  Declared once for each pair; query/overlap.hpp swaps the arguments.
+// NaN and infinities throw NonFinite, naming the part.
+// Source: RTCD 5.1.9.1, 5.2.1, 5.2.10, 5.3.3.  Cost: signs of degree 2: four for two segments, some eight for a
+// triangle and a box, six to eighteen for two triangles.
+#pragma once
+
+#include "plumb/figure/box.hpp"
+#include "plumb/figure/linear.hpp"
+#include "plumb/figure/relation.hpp"
+#include "plumb/figure/simplex.hpp"
+
+namespace plumb {
+
+Relation relate(const Line2& a, const Line2& b);
+Relation relate(const Line2& a, const Ray2& b);
+Relation relate(const Line2& a, const Segment2& b);
+Relation relate(const Line2& a, const Triangle2& b);
+Relation relate(const Line2& a, const Aabb2& b);
+Relation relate(const Ray2& a, const Ray2& b);
+Relation relate(const Ray2& a, const Segment2& b);
+Relation relate(const Ray2& a, const Triangle2& b);
+Relation relate(const Ray2& a, const Aabb2& b);
+Relation relate(const Segment2& a, const Segment2& b);
+Relation relate(const Segment2& a, const Triangle2& b);
+Relation relate(const Segment2& a, const Aabb2& b);
+Relation relate(const Triangle2& a, const Triangle2& b);
+Relation relate(const Triangle2& a, const Aabb2& b);
+
+inline bool intersects(const Line2& a, const Line2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Line2& a, const Ray2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Line2& a, const Segment2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Line2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Line2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Ray2& a, const Ray2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Ray2& a, const Segment2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Ray2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Ray2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Segment2& a, const Segment2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Segment2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Segment2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Triangle2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Triangle2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
+
+}  // namespace plumb

@@ -1,0 +1,129 @@
+#include "overlap_shapes2.hpp"
+
+#include <utility>
+
+namespace plumb::query {
+namespace {
+
+using Corners = std::array<Point2, 3>;
+
+bool precedes(const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+// The segment or point that a triangle without area is.
+Linear2 flattened(const Triangle2& t) {
+  const auto [least, most] = std::minmax({t.a, t.b, t.c}, precedes);
+  return Linear2::through(Reach::segment, least, most);
+}
+
+Linear2 flattened(const Aabb2& box) { return Linear2::through(Reach::segment, box.min, box.max); }
+
+bool is_empty(const Aabb2& box) { return box.min.x > box.max.x || box.min.y > box.max.y; }
+bool is_flat(const Aabb2& box) { return box.min.x == box.max.x || box.min.y == box.max.y; }
+
+// Counterclockwise.
+Corners corners(const Triangle2& t, Sign turns) {
+  return turns == Sign::positive ? Corners{t.a, t.b, t.c} : Corners{t.a, t.c, t.b};
+}
+
+// Across the line of a, the points on both sides of it: positive where the line goes through what they span.
+Sign between(Sign s, Sign t) { return least(most(s, t), -least(s, t)); }
+Sign across(const Linear2& a, const Corners& c) {
+  if (a.is_point()) return Sign::positive;
+  const Sign s = a.side(c[0]), t = a.side(c[1]);
+  if (s * t == Sign::negative) return Sign::positive;
+  const Sign u = a.side(c[2]);
+  return between(most(most(s, t), u), least(least(s, t), u));
+}
+
+// How far into the inner side of an edge a reaches.
+Sign beyond_edge(const Linear2& a, const Point2& from, const Point2& to) {
+  if (a.reach == Reach::line && !a.is_point()) return Sign::positive;  // left to the line's own normal
+  const Sign s = orient2d(from, to, a.p);
+  if (s == Sign::positive || a.is_point()) return s;
+  if (a.reach == Reach::segment) return most(s, orient2d(from, to, a.q));
+  return turn(Linear2::through(Reach::segment, from, to), a) == Sign::positive ? Sign::positive : s;
+}
+
+Relation relate_corners(const Linear2& a, const Corners& c) {
+  Sign all = across(a, c);
+  for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) all = least(all, beyond_edge(a, c[i], c[(i + 1) % 3]));
+  return relation(all);
+}
+
+Sign beyond_edges(const Corners& a, const Corners& of) {
+  Sign all = Sign::positive;
+  for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
+    const Point2 &from = of[i], &to = of[(i + 1) % 3];
+    Sign here = orient2d(from, to, a[0]);
+    if (here != Sign::positive) here = most(here, orient2d(from, to, a[1]));
+    if (here != Sign::positive) here = most(here, orient2d(from, to, a[2]));
+    all = least(all, here);
+  }
+  return all;
+}
+
+// Along the axes of the box: of the range that the other set has there.
+Sign within(double low, double high, double from, double to) { return least(order(high, from), order(to, low)); }
+
+Sign within(const Linear2& a, const Aabb2& box) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (a.reach == Reach::line && !a.is_point()) return Sign::positive;
+  const auto along = [&](double p, double q, Sign heads, double from, double to) {
+    if (a.is_point()) return within(p, p, from, to);
+    if (a.reach == Reach::segment) return within(std::min(p, q), std::max(p, q), from, to);
+    return within(heads == Sign::negative ? -infinity : p, heads == Sign::positive ? infinity : p, from, to);
+  };
+  return least(along(a.p.x, a.q.x, a.heads_x(), box.min.x, box.max.x),
+               along(a.p.y, a.q.y, a.heads_y(), box.min.y, box.max.y));
+}
+
+}  // namespace
+
+Sign across(const Linear2& a, const Aabb2& box) {
+  if (a.is_point()) return Sign::positive;
+  const bool up = a.heads_x() != Sign::negative, left = a.heads_y() != Sign::negative;
+  const auto& [min, max] = box;
+  const Sign high = a.side({left ? min.x : max.x, up ? max.y : min.y});
+  if (high != Sign::positive) return high;
+  return -a.side({left ? max.x : min.x, up ? min.y : max.y});
+}
+
+Relation relate(const Linear2& a, const Triangle2& b) {
+  const Sign turns = orient2d(b.a, b.b, b.c);
+  return turns == Sign::zero ? relate(a, flattened(b)) : relate_corners(a, corners(b, turns));
+}
+
+Relation relate(const Linear2& a, const Aabb2& b) {
+  if (is_empty(b)) return Relation::disjoint;
+  if (is_flat(b)) return relate(a, flattened(b));
+  const Sign along = within(a, b);
+  return along == Sign::negative ? Relation::disjoint : relation(least(along, across(a, b)));
+}
+
+Relation relate(const Triangle2& a, const Triangle2& b) {
+  const Sign of_a = orient2d(a.a, a.b, a.c), of_b = orient2d(b.a, b.b, b.c);
+  if (of_a == Sign::zero) return relate(flattened(a), b);
+  if (of_b == Sign::zero) return relate(flattened(b), a);
+  const Corners p = corners(a, of_a), q = corners(b, of_b);
+  const Sign first = beyond_edges(q, p);
+  return first == Sign::negative ? Relation::disjoint : relation(least(first, beyond_edges(p, q)));
+}
+
+Relation relate(const Triangle2& a, const Aabb2& b) {
+  if (is_empty(b)) return Relation::disjoint;
+  if (is_flat(b)) return relate(flattened(b), a);
+  const auto [left, right] = std::minmax({a.a.x, a.b.x, a.c.x});
+  const auto [low, high] = std::minmax({a.a.y, a.b.y, a.c.y});
+  Sign all = least(within(left, right, b.min.x, b.max.x), within(low, high, b.min.y, b.max.y));
+  if (all == Sign::negative) return Relation::disjoint;
+  const Sign turns = orient2d(a.a, a.b, a.c);
+  if (turns == Sign::zero) return relation(least(all, across(flattened(a), b)));
+  const Corners c = corners(a, turns);
+  for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
+    const Point2 &from = c[i], &to = c[(i + 1) % 3];
+    all = least(all, orient2d(from, to, {from.y <= to.y ? b.min.x : b.max.x, from.x <= to.x ? b.max.y : b.min.y}));
+  }
+  return relation(all);
+}
+
+}  // namespace plumb::query

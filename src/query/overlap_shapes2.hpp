@@ -1,0 +1,22 @@
+// How do triangles and axis-aligned boxes in the plane lie to what is straight, and to one another?
+//
+// By the axes that can separate them: the normals of all sides.  Triangles and boxes without interior are what they
+// are, segments and points.
+// Source: RTCD 5.2.1, 5.2.10.  Cost: up to 18 signs of degree 2.
+#pragma once
+
+#include "plumb/figure/box.hpp"
+#include "plumb/figure/simplex.hpp"
+#include "overlap_linear2.hpp"
+
+namespace plumb::query {
+
+Relation relate(const Linear2& a, const Triangle2& b);
+Relation relate(const Linear2& a, const Aabb2& b);
+Relation relate(const Triangle2& a, const Triangle2& b);
+Relation relate(const Triangle2& a, const Aabb2& b);
+
+/// The same for a box with an interior along the normal of the line alone; positive where a direction is zero.
+Sign across(const Linear2& a, const Aabb2& box);
+
+}  // namespace plumb::query

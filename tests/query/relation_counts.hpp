@@ -1,0 +1,49 @@
+// Is every answer asked for often?  Counts of the three relations, and the comparison of one pair with the oracle.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "figure/shape_cases.hpp"
+#include "query/rational_relation.hpp"
+
+namespace plumb {
+
+struct Counts {
+  std::array<int, 3> of{};
+  void add(Relation r) { ++of[static_cast<std::size_t>(static_cast<int>(r) + 1)]; }
+};
+
+/// Every relation in at least this many cases of a hundred.
+inline void expect_all_answers(const Counts& counts, std::uint64_t cases, int percent = 3) {
+  for (const int n : counts.of)
+    EXPECT_GE(static_cast<std::uint64_t>(n) * 100, cases * static_cast<std::uint64_t>(percent));
+}
+
+/// Sets without a boundary, which nothing can only touch.
+template <class Shape>
+inline constexpr bool is_boundless = requires(Shape s) {
+  s.point;
+}
+|| std::is_same_v<Shape, Plane3> || std::is_same_v<Shape, ThreePointPlane3> || std::is_same_v<Shape, Point3>;
+
+/// relate and intersects of A and B against the oracle, on random shapes.  A shape is drawn after the other one, so
+/// they share corners now and then.
+template <class A, class B>
+void expect_as_oracle(std::uint64_t start, std::uint64_t cases, int percent = 3) {
+  Counts counts;
+  shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
+    const A a = m.shape<A>();
+    const B b = m.shape<B>();
+    const Relation expected = oracle::rational_relation(a, b);
+    counts.add(expected);
+    ASSERT_EQ(relate(a, b), expected) << m.about(a, b);
+    ASSERT_EQ(intersects(a, b), expected != Relation::disjoint) << m.about(a, b);
+  });
+  std::printf("disjoint %d, touching %d, overlapping %d\n", counts.of[0], counts.of[1], counts.of[2]);
+  if (is_boundless<A> && is_boundless<B>) counts.of[1] = counts.of[2];
+  expect_all_answers(counts, cases * shape_cases::more, percent);
+}
+
+}  // namespace plumb
