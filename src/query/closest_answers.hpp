@@ -1,0 +1,134 @@
+// From a shape's features and feet to everything that is asked of it.  Instantiated where the shape is.
+//
+// For each shape there is a Nearest<Shape> with
+//   static void require(std::string_view function, const Shape&, const Point&);   is it a shape, are its numbers real
+//   static Feature feature(const Shape&, const Point&);                          which is nearest to p
+//   template <class T> static Foot<T> foot(const Shape&, const Point&, const Feature&);
+// and, where the shape is what is near to that, `static double radius(const Shape&)`, with which the feature says
+// whether p is in it.
+#pragma once
+
+#include "closest_numbers.hpp"
+#include "figure/finite_parts.hpp"
+#include "plumb/query/closest.hpp"
+
+namespace plumb {
+
+namespace query {
+
+template <class Shape>
+struct Nearest;
+
+template <class Shape>
+using PointOf = std::conditional_t<NearPoint2<Shape>, Point2, Point3>;
+
+constexpr Point3 in_space(const Point2& p) { return {p.x, p.y, 0}; }
+constexpr Point3 in_space(const Point3& p) { return p; }
+
+template <class Point>
+constexpr Point within(const Point3& p) {
+  if constexpr (std::is_same_v<Point, Point2>) {
+    return {p.x, p.y};
+  } else {
+    return p;
+  }
+}
+
+template <class Shape>
+constexpr double radius_of(const Shape& shape) {
+  if constexpr (requires { Nearest<Shape>::radius(shape); }) {
+    return Nearest<Shape>::radius(shape);
+  } else {
+    return 0;
+  }
+}
+
+template <class Shape>
+Numbers numbers_of(Wanted wanted, const Shape& shape, const PointOf<Shape>& p, const Feature& feature) {
+  const auto exactly = [&] { return Nearest<Shape>::template foot<BigDyadic>(shape, p, feature); };
+  return numbers(wanted, Nearest<Shape>::template foot<Ball>(shape, p, feature), in_space(p), radius_of(shape),
+                 ExactFoot(exactly));
+}
+
+template <class Shape, class Answer>
+Answer closest_points_of(const PointOf<Shape>& p, const Shape& shape) {
+  Nearest<Shape>::require("closest_points", shape, p);
+  const Feature feature = Nearest<Shape>::feature(shape, p);
+  const Numbers n = numbers_of(Wanted::both, shape, p, feature);
+  return {p, within<PointOf<Shape>>(n.point), n.distance, {FeatureKind::vertex, 0}, feature};
+}
+
+template <class Shape>
+PointOf<Shape> closest_point_of(const Shape& shape, const PointOf<Shape>& p) {
+  Nearest<Shape>::require("closest_point", shape, p);
+  return within<PointOf<Shape>>(numbers_of(Wanted::point, shape, p, Nearest<Shape>::feature(shape, p)).point);
+}
+
+template <class Shape>
+double distance_of(const PointOf<Shape>& p, const Shape& shape) {
+  Nearest<Shape>::require("distance", shape, p);
+  return numbers_of(Wanted::distance, shape, p, Nearest<Shape>::feature(shape, p)).distance;
+}
+
+template <class Shape>
+ExactDistance exact_distance_of(std::string_view function, const PointOf<Shape>& p, const Shape& shape) {
+  Nearest<Shape>::require(function, shape, p);
+  const Feature feature = Nearest<Shape>::feature(shape, p);
+  const Foot<BigDyadic> foot = Nearest<Shape>::template foot<BigDyadic>(shape, p, feature);
+  return {rational_square(foot), foot.carrier == Carrier::itself ? Rational(0.0) : Rational(radius_of(shape))};
+}
+
+}  // namespace query
+
+template <NearPoint2 Shape>
+Closest2 closest_points(const Point2& p, const Shape& shape) {
+  return query::closest_points_of<Shape, Closest2>(p, shape);
+}
+template <NearPoint3 Shape>
+Closest closest_points(const Point3& p, const Shape& shape) {
+  return query::closest_points_of<Shape, Closest>(p, shape);
+}
+template <NearPoint2 Shape>
+Point2 closest_point(const Shape& shape, const Point2& p) {
+  return query::closest_point_of(shape, p);
+}
+template <NearPoint3 Shape>
+Point3 closest_point(const Shape& shape, const Point3& p) {
+  return query::closest_point_of(shape, p);
+}
+template <NearPoint2 Shape>
+double distance(const Point2& p, const Shape& shape) {
+  return query::distance_of(p, shape);
+}
+template <NearPoint3 Shape>
+double distance(const Point3& p, const Shape& shape) {
+  return query::distance_of(p, shape);
+}
+template <FlatNearPoint2 Shape>
+Rational squared_distance_exact(const Point2& p, const Shape& shape) {
+  return query::exact_distance_of("squared_distance_exact", p, shape).square;
+}
+template <FlatNearPoint3 Shape>
+Rational squared_distance_exact(const Point3& p, const Shape& shape) {
+  return query::exact_distance_of("squared_distance_exact", p, shape).square;
+}
+template <NearPoint2 Shape>
+ExactDistance exact_distance(const Point2& p, const Shape& shape) {
+  return query::exact_distance_of("exact_distance", p, shape);
+}
+template <NearPoint3 Shape>
+ExactDistance exact_distance(const Point3& p, const Shape& shape) {
+  return query::exact_distance_of("exact_distance", p, shape);
+}
+
+// In the .cpp file of a shape, for each dimension: everything that is asked.
+#define PLUMB_CLOSEST_ROUND(Answer, Point, Shape)                     \
+  template Answer closest_points(const Point& p, const Shape& shape); \
+  template Point closest_point(const Shape& shape, const Point& p);   \
+  template double distance(const Point& p, const Shape& shape);       \
+  template ExactDistance exact_distance(const Point& p, const Shape& shape);
+#define PLUMB_CLOSEST_FLAT(Answer, Point, Shape) \
+  PLUMB_CLOSEST_ROUND(Answer, Point, Shape)      \
+  template Rational squared_distance_exact(const Point& p, const Shape& shape);
+
+}  // namespace plumb

@@ -1,0 +1,38 @@
+#include "rounded_radical.hpp"
+
+#include <cmath>
+
+namespace plumb::query {
+namespace {
+
+/// m 2^e, for any e.
+BigDyadic scaled(const mpz_class& m, long e) {
+  BigDyadic r(m);
+  for (; e < -900; e += 900) r = r * BigDyadic(0x1p-900);
+  for (; e > 900; e -= 900) r = r * BigDyadic(0x1p900);
+  return r * BigDyadic(std::ldexp(1.0, static_cast<int>(e)));
+}
+
+}  // namespace
+
+double rounded_radical(Rounding rounding, const BigDyadic& a, const BigDyadic& b, const BigDyadic& c,
+                       const BigDyadic& d) {
+  if (b.sign() == Sign::zero || c.sign() == Sign::zero) return plumb::rounded_quotient(rounding, a, d);
+  mpz_class m = c.mantissa();
+  long e = c.exponent();
+  if ((e & 1) != 0) m <<= 1, --e;
+  if (mpz_perfect_square_p(m.get_mpz_t()) != 0) {
+    const mpz_class root = sqrt(m);
+    return plumb::rounded_quotient(rounding, a + b * scaled(root, e / 2), d);
+  }
+  // The root is irrational, and so is the result: digits enough leave one double.
+  for (unsigned long digits = 128;; digits *= 2) {
+    const mpz_class below = sqrt(mpz_class(m << 2 * digits)), above = below + 1;
+    const long exponent = e / 2 - static_cast<long>(digits);
+    const double one = plumb::rounded_quotient(rounding, a + b * scaled(below, exponent), d);
+    const double other = plumb::rounded_quotient(rounding, a + b * scaled(above, exponent), d);
+    if (one == other) return one;
+  }
+}
+
+}  // namespace plumb::query

@@ -1,0 +1,15 @@
+// Which double is (a + b sqrt(c)) / d?  Rounded once, by integers.
+//
+// Laws: those of arith/big_rounding.hpp; c >= 0, d > 0.
+// Source: integer square roots, of twice as many digits until only one double is left; where the root is rational, the
+// quotient itself.  Cost: some microseconds.
+#pragma once
+
+#include "plumb/arith/big_rounding.hpp"
+
+namespace plumb::query {
+
+double rounded_radical(Rounding rounding, const BigDyadic& a, const BigDyadic& b, const BigDyadic& c,
+                       const BigDyadic& d);
+
+}  // namespace plumb::query
