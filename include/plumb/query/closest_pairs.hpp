@@ -1,0 +1,75 @@
+// Where do two straight shapes come closest, and how near?  Lines, rays, segments and triangles, of which none is
+// round.
+//
+//   closest_points(segment, triangle)    both points, their features, the distance
+//   distance(ray, line)                  the number alone; squared_distance_exact without rounding
+//   closest_parameters(segment, line)    how far along each the closest points are
+//
+// Laws: (1) those of query/closest_result.hpp: features exact, of the lowest dimension and then of the lowest number
+// that contain the points; numbers rounded once.  (2) Where there are several closest pairs, between parallel shapes or
+// within an intersection, they all differ by one vector, and the pair is taken that comes first in lexicographic order
+// of coordinates, x before y before z; where none comes first, of rays and lines, the end of the pairs; of two parallel
+// lines the first of the pairs that hold a given point.  (3) So the pair depends on the sets of points alone: it is the
+// same whichever shape is named first, and whichever corner.  (4) Degenerate shapes are the sets that they are: a line
+// or ray of zero direction is its point, and that is its vertex 0; of a triangle without area only vertices and edges
+// are named.
+// compare_distance (query/closest.hpp) compares any of these.  NaN and infinity throw NonFinite, naming the part.
+// Source: RTCD 5.1.8 to 5.1.10 (figures 5.7 to 5.13); the rule of ties is ours.  Cost: docs/closest.md.
+#pragma once
+
+#include <array>
+#include <concepts>
+
+#include "plumb/arith/rational.hpp"
+#include "plumb/figure/linear.hpp"
+#include "plumb/figure/simplex.hpp"
+#include "plumb/query/closest_result.hpp"
+
+namespace plumb {
+
+namespace query {
+
+/// Lines before rays before segments before triangles: pairs are declared in this order, and query/closest.hpp turns
+/// them round.
+template <class S>
+inline constexpr int straight_rank = std::same_as<S, Line2> || std::same_as<S, Line3>           ? 1
+                                     : std::same_as<S, Ray2> || std::same_as<S, Ray3>           ? 2
+                                     : std::same_as<S, Segment2> || std::same_as<S, Segment3>   ? 3
+                                     : std::same_as<S, Triangle2> || std::same_as<S, Triangle3> ? 4
+                                                                                                : 0;
+template <class S>
+inline constexpr bool is_in_space =
+    std::same_as<S, Line3> || std::same_as<S, Ray3> || std::same_as<S, Segment3> || std::same_as<S, Triangle3>;
+
+template <class A, class B>
+concept StraightPair = straight_rank<A> >
+0 && straight_rank<A> <= straight_rank<B>&& is_in_space<A> == is_in_space<B>;
+
+}  // namespace query
+
+template <class A, class B>
+concept StraightPair2 = query::StraightPair<A, B> && !query::is_in_space<A>;
+template <class A, class B>
+concept StraightPair3 = query::StraightPair<A, B> && query::is_in_space<A>;
+template <class A, class B>
+concept LinearPair = query::StraightPair<A, B> && query::straight_rank<B>
+<= 3;
+
+template <class A, class B>
+requires StraightPair2<A, B> Closest2 closest_points(const A& a, const B& b);
+template <class A, class B>
+requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b);
+
+template <class A, class B>
+requires query::StraightPair<A, B>
+double distance(const A& a, const B& b);
+
+template <class A, class B>
+requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b);
+
+/// s and t of the closest points a.point + s a.direction and b.point + t b.direction; of segments a + s (b - a). Zero
+/// where the direction is.
+template <class A, class B>
+requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, const B& b);
+
+}  // namespace plumb

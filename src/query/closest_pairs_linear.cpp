@@ -1,0 +1,131 @@
+// Lines, rays and segments against one another: places by signs over doubles, then over pairs of doubles, then over
+// integers; the numbers of the one pair of places likewise.
+#include "plumb/query/closest_pairs.hpp"
+#include "query/linear_pair.hpp"
+#include "query/straight_input.hpp"
+
+namespace plumb {
+namespace {
+
+using namespace query;
+
+template <class S>
+using PointOf = std::conditional_t<is_in_space<S>, Point3, Point2>;
+
+template <class T, class A, class B>
+std::optional<Places> places_over(const A& a, const B& b) {
+  Signs ask;
+  const Places places = closest_places<T>(linear<T>(a), linear<T>(b), ask);
+  if (ask.certain()) return places;
+  return {};
+}
+
+template <class A, class B>
+[[gnu::noinline]] Places places_exactly(const A& a, const B& b, std::string_view function) {
+  require_finite_shapes(function, a, b);
+  if (const auto places = places_over<Ball>(a, b)) return *places;
+  return *places_over<BigDyadic>(a, b);
+}
+
+template <class A, class B>
+[[gnu::flatten]] Places places_of(const A& a, const B& b, std::string_view function) {
+  if (const auto places = places_over<Approximate>(a, b)) [[likely]]
+    return *places;
+  return places_exactly(a, b, function);
+}
+
+template <class T, class A, class B>
+ClosePair<T, PointOf<A>> pair_over(const A& a, const B& b, const Places& places) {
+  return close_pair<T>(linear<T>(a), linear<T>(b), places);
+}
+
+template <class A, class B>
+[[gnu::noinline]] ClosePair<BigDyadic, PointOf<A>> exact_pair(const A& a, const B& b, const Places& places,
+                                                              std::string_view function) {
+  require_finite_shapes(function, a, b);
+  return pair_over<BigDyadic>(a, b, places);
+}
+
+Feature feature(Place place) {
+  if (place == Place::start) return {FeatureKind::vertex, 0};
+  if (place == Place::end) return {FeatureKind::vertex, 1};
+  return {FeatureKind::edge, 0};
+}
+
+template <class A, class B>
+auto closest_of(const A& a, const B& b) {
+  using Result = std::conditional_t<is_in_space<A>, Closest, Closest2>;
+  constexpr std::string_view name = "closest_points";
+  const Places places = places_of(a, b, name);
+  const Feature on_a = feature(places.a), on_b = feature(places.b);
+  const auto quick = pair_over<Ball>(a, b, places);
+  const auto p = nearest_point(quick.a), q = nearest_point(quick.b);
+  const auto d = nearest_distance(quick);
+  if (p && q && d) [[likely]]
+    return Result{*p, *q, *d, on_a, on_b};
+  const auto exact = exact_pair(a, b, places, name);
+  return Result{p ? *p : nearest_point(exact.a), q ? *q : nearest_point(exact.b), d ? *d : nearest_distance(exact),
+                on_a, on_b};
+}
+
+std::optional<double> parameter(Place place, const Ball& numerator, const Ball& whole) {
+  if (place == Place::inside) return quotient(numerator, whole).nearest();
+  return place == Place::end ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+template <class A, class B>
+requires StraightPair2<A, B> Closest2 closest_points(const A& a, const B& b) { return closest_of(a, b); }
+template <class A, class B>
+requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b) { return closest_of(a, b); }
+
+template <class A, class B>
+requires query::StraightPair<A, B>
+double distance(const A& a, const B& b) {
+  const Places places = places_of(a, b, "distance");
+  if (const auto d = nearest_distance(pair_over<Ball>(a, b, places))) [[likely]]
+    return *d;
+  return nearest_distance(exact_pair(a, b, places, "distance"));
+}
+
+template <class A, class B>
+requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b) {
+  constexpr std::string_view name = "squared_distance_exact";
+  return square_of(exact_pair(a, b, places_of(a, b, name), name));
+}
+
+template <class A, class B>
+requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, const B& b) {
+  constexpr std::string_view name = "closest_parameters";
+  const Places places = places_of(a, b, name);
+  const auto quick = pair_over<Ball>(a, b, places);
+  const auto s = parameter(places.a, quick.a.numerator, quick.a.whole);
+  const auto t = parameter(places.b, quick.b.numerator, quick.b.whole);
+  if (s && t) [[likely]]
+    return {*s, *t};
+  const auto exact = exact_pair(a, b, places, name);
+  return {s ? *s : rounded_quotient(Rounding::nearest, exact.a.numerator, exact.a.whole),
+          t ? *t : rounded_quotient(Rounding::nearest, exact.b.numerator, exact.b.whole)};
+}
+
+#define PLUMB_LINEAR_PAIR(Result, A, B)                         \
+  template Result closest_points(const A&, const B&);           \
+  template double distance(const A&, const B&);                 \
+  template Rational squared_distance_exact(const A&, const B&); \
+  template std::array<double, 2> closest_parameters(const A&, const B&);
+PLUMB_LINEAR_PAIR(Closest2, Line2, Line2)
+PLUMB_LINEAR_PAIR(Closest2, Line2, Ray2)
+PLUMB_LINEAR_PAIR(Closest2, Line2, Segment2)
+PLUMB_LINEAR_PAIR(Closest2, Ray2, Ray2)
+PLUMB_LINEAR_PAIR(Closest2, Ray2, Segment2)
+PLUMB_LINEAR_PAIR(Closest2, Segment2, Segment2)
+PLUMB_LINEAR_PAIR(Closest, Line3, Line3)
+PLUMB_LINEAR_PAIR(Closest, Line3, Ray3)
+PLUMB_LINEAR_PAIR(Closest, Line3, Segment3)
+PLUMB_LINEAR_PAIR(Closest, Ray3, Ray3)
+PLUMB_LINEAR_PAIR(Closest, Ray3, Segment3)
+PLUMB_LINEAR_PAIR(Closest, Segment3, Segment3)
+#undef PLUMB_LINEAR_PAIR
+
+}  // namespace plumb
