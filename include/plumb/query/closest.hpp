@@ -30,6 +30,7 @@
 #include "plumb/figure/polygon.hpp"
 #include "plumb/figure/round.hpp"
 #include "plumb/figure/simplex.hpp"
+#include "plumb/query/closest_pairs.hpp"
 #include "plumb/query/closest_result.hpp"
 #include "plumb/query/exact_distance.hpp"
 
