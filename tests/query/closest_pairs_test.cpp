@@ -82,5 +82,15 @@ TEST(ClosestPairs, Rays) { run_pair<Ray3, Ray3>(10, {"ee", "ev", "ve", "vv", "me
 TEST(ClosestPairs, RayAndSegment) { run_pair<Ray3, Segment3>(11, {"ee", "ev", "ve", "vv", "meet", "apart"}); }
 TEST(ClosestPairs, Segments) { run_pair<Segment3, Segment3>(12, {"ee", "ev", "ve", "vv", "meet", "apart"}); }
 
+constexpr auto with_triangle = {"ev", "ve", "vv", "vf", "ef", "ee", "meet", "apart"};
+TEST(ClosestPairs, LineAndTriangle) { run_pair<Line3, Triangle3>(13, {"ev", "ee", "ef", "meet", "apart"}); }
+TEST(ClosestPairs, RayAndTriangle) { run_pair<Ray3, Triangle3>(14, with_triangle); }
+TEST(ClosestPairs, SegmentAndTriangle) { run_pair<Segment3, Triangle3>(15, with_triangle); }
+TEST(ClosestPairs, Triangles) { run_pair<Triangle3, Triangle3>(16, with_triangle); }
+TEST(ClosestPairs, LineAndTriangleInThePlane) { run_pair<Line2, Triangle2>(17, {"ev", "ee", "meet", "apart"}); }
+TEST(ClosestPairs, RayAndTriangleInThePlane) { run_pair<Ray2, Triangle2>(18, {"ve", "vf", "ev", "ee", "vv"}); }
+TEST(ClosestPairs, SegmentAndTriangleInThePlane) { run_pair<Segment2, Triangle2>(19, {"ve", "vf", "ev", "ee", "vv"}); }
+TEST(ClosestPairs, TrianglesInThePlane) { run_pair<Triangle2, Triangle2>(20, {"ve", "vf", "ev", "ee", "vv", "fv"}); }
+
 }  // namespace
 }  // namespace plumb
