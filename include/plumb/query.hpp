@@ -1,8 +1,11 @@
 // The face of questions about two figures: everything in plumb/query/.
 #pragma once
+
 #include "plumb/query/closest.hpp"
 #include "plumb/query/closest_pairs.hpp"
 #include "plumb/query/closest_result.hpp"
 #include "plumb/query/exact_distance.hpp"
 #include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap_box.hpp"
+#include "plumb/query/overlap_triangle.hpp"
 #include "plumb/query/root.hpp"

@@ -5,9 +5,9 @@
 // by the sides on which its ends lie of the other. Source: RTCD 5.1.9.1.  Cost: one to five signs of degree 2.
 #pragma once
 
+#include "overlap_signs.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/relation.hpp"
-#include "overlap_signs.hpp"
 
 namespace plumb::query {
 

@@ -6,11 +6,11 @@
 #include <bit>
 #include <string>
 
+#include "overlap_signs.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/plane.hpp"
 #include "plumb/figure/simplex.hpp"
-#include "overlap_signs.hpp"
 
 namespace plumb::query {
 

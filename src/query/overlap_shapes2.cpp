@@ -1,5 +1,6 @@
 #include "overlap_shapes2.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace plumb::query {
@@ -62,16 +63,13 @@ Sign beyond_edges(const Corners& a, const Corners& of) {
   return all;
 }
 
-// Along the axes of the box: of the range that the other set has there.
-Sign within(double low, double high, double from, double to) { return least(order(high, from), order(to, low)); }
-
 Sign within(const Linear2& a, const Aabb2& box) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (a.reach == Reach::line && !a.is_point()) return Sign::positive;
   const auto along = [&](double p, double q, Sign heads, double from, double to) {
-    if (a.is_point()) return within(p, p, from, to);
-    if (a.reach == Reach::segment) return within(std::min(p, q), std::max(p, q), from, to);
-    return within(heads == Sign::negative ? -infinity : p, heads == Sign::positive ? infinity : p, from, to);
+    if (a.is_point()) return in_range(p, p, from, to);
+    if (a.reach == Reach::segment) return in_range(std::min(p, q), std::max(p, q), from, to);
+    return in_range(heads == Sign::negative ? -infinity : p, heads == Sign::positive ? infinity : p, from, to);
   };
   return least(along(a.p.x, a.q.x, a.heads_x(), box.min.x, box.max.x),
                along(a.p.y, a.q.y, a.heads_y(), box.min.y, box.max.y));
@@ -86,6 +84,18 @@ Sign across(const Linear2& a, const Aabb2& box) {
   const Sign high = a.side({left ? min.x : max.x, up ? max.y : min.y});
   if (high != Sign::positive) return high;
   return -a.side({left ? max.x : min.x, up ? min.y : max.y});
+}
+
+Sign across(const Triangle2& a, Sign turns, const Aabb2& box) {
+  if (turns == Sign::zero) return across(flattened(a), box);
+  const Corners c = corners(a, turns);
+  Sign all = Sign::positive;
+  for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
+    const Point2 &from = c[i], &to = c[(i + 1) % 3];
+    const Point2 inmost{from.y <= to.y ? box.min.x : box.max.x, from.x <= to.x ? box.max.y : box.min.y};
+    all = least(all, orient2d(from, to, inmost));
+  }
+  return all;
 }
 
 Relation relate(const Linear2& a, const Triangle2& b) {
@@ -114,16 +124,9 @@ Relation relate(const Triangle2& a, const Aabb2& b) {
   if (is_flat(b)) return relate(flattened(b), a);
   const auto [left, right] = std::minmax({a.a.x, a.b.x, a.c.x});
   const auto [low, high] = std::minmax({a.a.y, a.b.y, a.c.y});
-  Sign all = least(within(left, right, b.min.x, b.max.x), within(low, high, b.min.y, b.max.y));
-  if (all == Sign::negative) return Relation::disjoint;
-  const Sign turns = orient2d(a.a, a.b, a.c);
-  if (turns == Sign::zero) return relation(least(all, across(flattened(a), b)));
-  const Corners c = corners(a, turns);
-  for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
-    const Point2 &from = c[i], &to = c[(i + 1) % 3];
-    all = least(all, orient2d(from, to, {from.y <= to.y ? b.min.x : b.max.x, from.x <= to.x ? b.max.y : b.min.y}));
-  }
-  return relation(all);
+  const Sign along = least(in_range(left, right, b.min.x, b.max.x), in_range(low, high, b.min.y, b.max.y));
+  if (along == Sign::negative) return Relation::disjoint;
+  return relation(least(along, across(a, orient2d(a.a, a.b, a.c), b)));
 }
 
 }  // namespace plumb::query

@@ -5,9 +5,9 @@
 // Source: RTCD 5.2.1, 5.2.10.  Cost: up to 18 signs of degree 2.
 #pragma once
 
+#include "overlap_linear2.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/simplex.hpp"
-#include "overlap_linear2.hpp"
 
 namespace plumb::query {
 
@@ -16,7 +16,13 @@ Relation relate(const Linear2& a, const Aabb2& b);
 Relation relate(const Triangle2& a, const Triangle2& b);
 Relation relate(const Triangle2& a, const Aabb2& b);
 
-/// The same for a box with an interior along the normal of the line alone; positive where a direction is zero.
+/// The same along the normal of the line alone, or of the triangle's edges; positive where that is zero.
 Sign across(const Linear2& a, const Aabb2& box);
+Sign across(const Triangle2& a, Sign turns, const Aabb2& box);
+
+/// Along an axis of a box: of the range that the other set has there.
+constexpr Sign in_range(double low, double high, double from, double to) {
+  return least(order(high, from), order(to, low));
+}
 
 }  // namespace plumb::query
