@@ -5,18 +5,21 @@
 //   distance(p, triangle)            the number; squared_distance_exact and exact_distance without any rounding
 //   compare_distance(p, triangle, q, sphere)   which is the larger, exactly
 //
-// Here a point against any shape; figure against figure in query/closest_pairs.hpp.
+// Here a point against any shape; lines, segments and triangles against one another in query/closest_pairs.hpp.
 // Laws: (1) those of query/closest_result.hpp: features exact, numbers rounded once.  (2) Shapes are closed sets,
 // degenerate ones as well: a line of zero direction is its point (vertex 0), a triangle may be a segment, a plane of
 // three points a line, a box flat.  (3) Naming the figures the other way round swaps the answer.  (4) Of several
-// nearest points of a polygon that of the feature of lowest dimension, then of lowest number; of the nearest feature
-// the like. (5) compare_distance is the sign of real arithmetic for all distances that can be asked for. Features,
-// beyond those of voronoi_region: a polygon's vertices and edges count through its chains in turn, the outer one first,
-// an edge by the vertex that it leaves; a rectangle's, and a box's in the plane, are numbered as a box's, an edge 2
-// times its axis, plus 1 at the upper end of the other; a capsule's side is face 0, its ends about a and b faces 1
-// and 2.  In the plane the inside is face 0, and a disk's circle edge 0, as are a capsule's boundaries edges 0 to 2. An
-// empty box or plane, a negative radius and a polygon in space that is not planar throw InvalidShape; NaN and infinity
-// throw NonFinite, naming the part. Source: RTCD 5.1.1 to 5.1.6 (figures 5.1 to 5.6).  Cost: docs/closest.md.
+// nearest points of a polygon that of the feature of lowest dimension, then of lowest number.  (5) compare_distance
+// is the sign of real arithmetic for all distances that can be asked for.
+// Features, beyond those of voronoi_region: a polygon's vertices and edges count through its chains in turn, the
+// outer one first, an edge by the vertex that it leaves; a rectangle's, and a box's in the plane, are numbered as a
+// box's, an edge 2 times its axis, plus 1 at the upper end of the other; a capsule's side is face 0, its ends about
+// a and b are faces 1 and 2. In the plane the inside is face 0, the boundary of a disk edge 0, those of a capsule
+// edges 0 to 2.
+// An empty box or plane, a negative radius and a polygon in space that is not planar throw InvalidShape; NaN and
+// infinity throw NonFinite, naming the part.
+// Source: RTCD 5.1.1, 5.1.2, 5.1.2.1, 5.1.3, 5.1.3.1, 5.1.4, 5.1.4.1, 5.1.4.2, 5.1.5, 5.1.6, 5.1.7 (figures 5.1 to
+// 5.6).  Cost: docs/closest.md.
 #pragma once
 
 #include <array>
