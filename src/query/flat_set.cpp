@@ -216,11 +216,19 @@ FlatSet flat_set(const KDop3& k_dop) { return flat_set(halfspaces(k_dop)); }
 
 FlatSet flat_set(const ConvexPolyhedron3& polyhedron) {
   const auto& [vertices, corners, first] = polyhedron.mesh;
-  std::vector<bool> used(vertices.size());
-  for (const std::uint32_t v : corners) used[v] = true;
+  constexpr auto unused = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> index(vertices.size(), unused);
   FlatSet s;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v]) s.points.push_back(exact(vertices[v]));
+  for (const std::uint32_t v : corners) {
+    if (index[v] != unused) continue;
+    index[v] = static_cast<std::uint32_t>(s.points.size());
+    s.points.push_back(exact(vertices[v]));
+  }
+  for (std::size_t f = 0; f + 1 < first.size(); ++f) {
+    for (std::uint32_t k = first[f]; k < first[f + 1]; ++k) {
+      const std::uint32_t from = corners[k], to = corners[k + 1 < first[f + 1] ? k + 1 : first[f]];
+      if (from < to) s.edges.push_back({index[from], index[to]});  // the face beyond has it the other way round
+    }
   }
   return s;
 }

@@ -13,6 +13,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "plumb/figure/box.hpp"
@@ -29,6 +30,7 @@ using Exact3 = std::array<mpq_class, 3>;
 
 struct FlatSet {
   std::vector<Exact3> points, directions, lines;
+  std::vector<std::array<std::uint32_t, 2>> edges = {};  // pairs of points that a plane can part; none given: all pairs
 };
 
 FlatSet flat_set(const Point2& p);
@@ -68,6 +70,13 @@ struct ExactHalfspace {
 };
 /// What lies in all of them.
 FlatSet flat_set(const std::vector<ExactHalfspace>& halfspaces);
+
+/// What of the set lies in the plane normal . x = offset.
+struct PlaneSection {
+  FlatSet set;
+  bool of_inside;  // relative interiors meet: that of `set` is part of that of the whole
+};
+PlaneSection section(const FlatSet& s, const Exact3& normal, const mpq_class& offset);
 
 Relation relate(const FlatSet& a, const FlatSet& b);
 bool intersects(const FlatSet& a, const FlatSet& b);

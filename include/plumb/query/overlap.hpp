@@ -1,0 +1,78 @@
+// Do two figures meet, and do they overlap or only touch?  Every pair of the table (query/pairs.hpp, docs/overlap.md).
+//
+// Laws: (1) relate is the relation of figure/relation.hpp between the sets that the numbers say, in real arithmetic:
+// they are disjoint, touch where they only have boundary points in common, overlap where their interiors meet, each
+// relative to its own affine hull.  (2) intersects is `relate is not disjoint`.  (3) Both are symmetric, and keep their
+// answer when vertices are named in another order, and under moves, mirrors and scalings that round nothing.
+// (4) Degenerate figures are the sets they are, an empty box meets nothing.  (5) The inside of a polygon is what its
+// chains wind around an odd number of times, without the chains; where they lie on one line it is the union of their
+// edges, and its inside that of this set on the line.
+// NaN and infinities throw NonFinite, naming the part; a negative radius, a polygon of fewer than three vertices or one
+// that is not exactly planar throw InvalidShape.
+// Source: RTCD 5.2, 5.2.1, 5.3.  Cost: docs/overlap.md.
+#pragma once
+
+#include "plumb/arith/error.hpp"
+#include "plumb/figure/aabb_relation.hpp"
+#include "plumb/figure/k_dop.hpp"
+#include "plumb/figure/obb.hpp"
+#include "plumb/figure/sphere.hpp"
+#include "plumb/figure/swept_sphere.hpp"
+#include "plumb/query/overlap2.hpp"
+#include "plumb/query/pairs.hpp"
+
+namespace plumb {
+
+namespace query {
+
+/// A figure with straight edges and flat faces, whose type the compiler need not know.
+struct FlatView {
+  FigureKind kind;
+  int dimension;
+  const void* shape;
+};
+
+template <class Shape>
+concept FlatFigure = Figure<Shape> &&
+    !is_one_of(figure_kind<Shape>,
+               {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+
+template <FlatFigure Shape>
+FlatView view_of(const Shape& shape) {
+  return {figure_kind<Shape>, figure_dimension<Shape>, &shape};
+}
+
+Relation relate_flat(const FlatView& a, const FlatView& b);
+bool flat_intersects(const FlatView& a, const FlatView& b);
+
+template <class A, class B>
+concept InOrder = RelatedPair<A, B> && figure_kind<A>
+<= figure_kind<B>;
+template <class A, class B>
+concept OtherWayRound = RelatedPair<A, B> && figure_kind<B> < figure_kind<A>;
+
+}  // namespace query
+
+template <class A, class B>
+requires(query::InOrder<A, B>&& query::FlatFigure<A>&& query::FlatFigure<B>) Relation relate(const A& a, const B& b) {
+  return query::relate_flat(query::view_of(a), query::view_of(b));
+}
+template <class A, class B>
+requires query::OtherWayRound<A, B> Relation relate(const A& a, const B& b) { return relate(b, a); }
+
+template <class A, class B>
+requires query::InOrder<A, B>
+bool intersects(const A& a, const B& b) {
+  if constexpr (query::FlatFigure<A> && query::FlatFigure<B> &&
+                !query::is_one_of(pair_method(figure_kind<A>, figure_kind<B>, figure_dimension<A>),
+                                  {PairMethod::signs, PairMethod::bounds})) {
+    return query::flat_intersects(query::view_of(a), query::view_of(b));
+  } else {
+    return relate(a, b) != Relation::disjoint;
+  }
+}
+template <class A, class B>
+requires query::OtherWayRound<A, B>
+bool intersects(const A& a, const B& b) { return intersects(b, a); }
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+// How does a polygon lie to any other figure with straight edges, or to another polygon?
+//
+// Laws: those of query/overlap.hpp.  Vertices that are not exactly in one plane throw InvalidShape, of which no surface
+// is known.
+// Method: what of the other figure lies in the polygon's plane is a convex set there, or another polygon, or both meet
+// on a line: query/polygon_region.hpp.  Source: RTCD 5.4.1.  Cost: GMP; some 10 us and more, quadratic in the edges.
+#pragma once
+
+#include <string_view>
+
+#include "flat_view.hpp"
+
+namespace plumb::query {
+
+/// One of them is a polygon; their numbers are finite.
+Relation relate_polygon(std::string_view function, const FlatView& a, const FlatView& b);
+
+}  // namespace plumb::query
