@@ -1,0 +1,25 @@
+// What is the exact parameter at which a ray hits?  A rational number, less the root of one.
+//
+// Laws: the value is base - sqrt(square); square is never negative, and zero for what is flat.  Comparison is that of
+// real arithmetic; equal numbers are equal however they were made.
+// Source: signs of radicals by repeated squaring (predicates/radical.hpp).  Cost: some microseconds.
+#pragma once
+
+#include <compare>
+
+#include "plumb/arith/rational.hpp"
+
+namespace plumb {
+
+struct RayParameter {
+  Rational base;
+  Rational square{0.0};
+
+  [[nodiscard]] Sign sign() const;
+  [[nodiscard]] double rounded(Rounding rounding = Rounding::nearest) const;
+
+  friend std::strong_ordering operator<=>(const RayParameter& a, const RayParameter& b);
+  friend bool operator==(const RayParameter& a, const RayParameter& b) { return (a <=> b) == 0; }
+};
+
+}  // namespace plumb
