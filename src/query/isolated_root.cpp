@@ -1,4 +1,4 @@
-#include "isolated_root.hpp"
+#include "query/isolated_root.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "plumb/arith/rounding.hpp"
-#include "polynomial.hpp"
+#include "query/polynomial.hpp"
 
 namespace plumb::query {
 

@@ -1,4 +1,4 @@
-#include "polynomial.hpp"
+#include "query/polynomial.hpp"
 
 #include <algorithm>
 #include <utility>

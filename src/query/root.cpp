@@ -1,6 +1,6 @@
 #include "plumb/query/root.hpp"
 
-#include "isolated_root.hpp"
+#include "query/isolated_root.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 

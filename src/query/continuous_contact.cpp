@@ -1,0 +1,142 @@
+#include "plumb/query/continuous_contact.hpp"
+
+#include <memory>
+
+#include "figure/finite_parts.hpp"
+#include "query/contact_filter.hpp"
+#include "query/exact_contact.hpp"
+
+namespace plumb {
+namespace {
+
+using query::moving::ExactContact, query::moving::MovingKind, query::moving::Verdict;
+
+struct Motion {
+  MovingKind kind;
+  std::array<Point3, 4> at_0, at_1;
+};
+
+Motion motion_of(const Moving<Point3>& a, const Moving<Triangle3>& b) {
+  return {MovingKind::vertex_triangle, {a.from, b.from.a, b.from.b, b.from.c}, {a.to, b.to.a, b.to.b, b.to.c}};
+}
+Motion motion_of(const Moving<Segment3>& a, const Moving<Segment3>& b) {
+  return {MovingKind::edge_edge, {a.from.a, a.from.b, b.from.a, b.from.b}, {a.to.a, a.to.b, b.to.a, b.to.b}};
+}
+
+constexpr std::array<std::string_view, 9> vertex_triangle_parts{
+    "a.from", "a.to", "b.from.a", "b.from.b", "b.from.c", "b.to.a", "b.to.b", "b.to.c", "options.separation"};
+constexpr std::array<std::string_view, 9> edge_edge_parts{
+    "a.from.a", "a.from.b", "a.to.a", "a.to.b", "b.from.a", "b.from.b", "b.to.a", "b.to.b", "options.separation"};
+
+void require_valid(std::string_view function, const Moving<Point3>& a, const Moving<Triangle3>& b, double separation) {
+  require_finite_parts(function, vertex_triangle_parts, a.from, a.to, b.from.a, b.from.b, b.from.c, b.to.a, b.to.b,
+                       b.to.c, separation);
+}
+void require_valid(std::string_view function, const Moving<Segment3>& a, const Moving<Segment3>& b, double separation) {
+  require_finite_parts(function, edge_edge_parts, a.from.a, a.from.b, a.to.a, a.to.b, b.from.a, b.from.b, b.to.a,
+                       b.to.b, separation);
+}
+
+template <class A, class B>
+void require_valid(std::string_view function, const A& a, const B& b, const ContactOptions& options) {
+  require_valid(function, a, b, options.separation);
+  if (options.separation < 0)
+    throw InvalidShape(std::string(function).append(
+        ": options.separation is negative; give a distance, zero for figures that are to touch"));
+}
+
+std::optional<ExactContact> exact_first_contact(const Motion& m, double separation) {
+  return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, separation);
+}
+
+/// Are all coordinates and the separation as they should be?  Looked at without naming them.
+bool valid(const Motion& m, double separation) {
+  double x = 0, y = 0, z = separation - separation;  // become NaN, and stay it
+  for (std::size_t i = 0; i < 4; ++i) {
+    x += (m.at_0[i].x - m.at_0[i].x) + (m.at_1[i].x - m.at_1[i].x);
+    y += (m.at_0[i].y - m.at_0[i].y) + (m.at_1[i].y - m.at_1[i].y);
+    z += (m.at_0[i].z - m.at_0[i].z) + (m.at_1[i].z - m.at_1[i].z);
+  }
+  return x + y + z == 0 && separation >= 0;
+}
+
+template <class A, class B>
+Motion valid_motion(std::string_view function, const A& a, const B& b, const ContactOptions& options) {
+  const Motion m = motion_of(a, b);
+  if (!valid(m, options.separation)) [[unlikely]]
+    require_valid(function, a, b, options);
+  return m;
+}
+
+template <class A, class B>
+bool meet(const A& a, const B& b, const ContactOptions& options) {
+  const Motion m = valid_motion("intersects", a, b, options);
+  if (options.separation == 0) {
+    const Verdict verdict = query::moving::contact_filter(m.kind, m.at_0, m.at_1);
+    if (verdict != Verdict::unsure) [[likely]]
+      return verdict == Verdict::yes;
+  }
+  return exact_first_contact(m, options.separation).has_value();
+}
+
+template <class A, class B>
+std::optional<ExactContact> first(std::string_view function, const A& a, const B& b, const ContactOptions& options) {
+  const Motion m = valid_motion(function, a, b, options);
+  if (options.separation == 0 && query::moving::contact_filter(m.kind, m.at_0, m.at_1) == Verdict::no) return {};
+  return exact_first_contact(m, options.separation);
+}
+
+template <class A, class B>
+std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& options) {
+  const auto exact = first("first_contact", a, b, options);
+  if (!exact) return {};
+  return Contact{query::rounded(Rounding::down, exact->time), exact->a, exact->b};
+}
+
+template <class A, class B>
+std::optional<Root> contact_time(const A& a, const B& b, const ContactOptions& options) {
+  auto exact = first("first_contact_time", a, b, options);
+  if (!exact) return {};
+  return Root(std::make_shared<const query::IsolatedRoot>(std::move(exact->time)));
+}
+
+}  // namespace
+
+bool intersects(const Moving<Point3>& a, const Moving<Triangle3>& b, const ContactOptions& options) {
+  return meet(a, b, options);
+}
+bool intersects(const Moving<Triangle3>& a, const Moving<Point3>& b, const ContactOptions& options) {
+  return meet(b, a, options);
+}
+bool intersects(const Moving<Segment3>& a, const Moving<Segment3>& b, const ContactOptions& options) {
+  return meet(a, b, options);
+}
+
+std::optional<Contact> first_contact(const Moving<Point3>& a, const Moving<Triangle3>& b,
+                                     const ContactOptions& options) {
+  return contact(a, b, options);
+}
+std::optional<Contact> first_contact(const Moving<Triangle3>& a, const Moving<Point3>& b,
+                                     const ContactOptions& options) {
+  const std::optional<Contact> c = contact(b, a, options);
+  return c ? std::optional(swapped(*c)) : c;
+}
+std::optional<Contact> first_contact(const Moving<Segment3>& a, const Moving<Segment3>& b,
+                                     const ContactOptions& options) {
+  return contact(a, b, options);
+}
+
+std::optional<Root> first_contact_time(const Moving<Point3>& a, const Moving<Triangle3>& b,
+                                       const ContactOptions& options) {
+  return contact_time(a, b, options);
+}
+std::optional<Root> first_contact_time(const Moving<Triangle3>& a, const Moving<Point3>& b,
+                                       const ContactOptions& options) {
+  return contact_time(b, a, options);
+}
+std::optional<Root> first_contact_time(const Moving<Segment3>& a, const Moving<Segment3>& b,
+                                       const ContactOptions& options) {
+  return contact_time(a, b, options);
+}
+
+}  // namespace plumb

@@ -1,0 +1,100 @@
+// Are all queries of a public benchmark answered as they were proved to be?  No contact missed, none invented.
+//
+// Queries of ../shared/ccd, all of them (some 3300, below a second).  Where that folder is missing nothing is tried,
+// and a line says so.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <map>
+
+#include "query/ccd_queries.hpp"
+
+namespace plumb::ccd {
+namespace {
+
+std::string shown(const Query& q) {
+  std::string text = q.scene + (q.vertex_face ? " vertex-face" : " edge-edge");
+  for (const auto& points : {q.at_0, q.at_1}) {
+    for (const Point3& p : points) {
+      std::array<char, 96> line{};
+      std::snprintf(line.data(), line.size(), "\n  %a %a %a", p.x, p.y, p.z);
+      text += line.data();
+    }
+  }
+  return text;
+}
+
+Query reversed(Query q) {
+  std::swap(q.at_0, q.at_1);
+  return q;
+}
+/// The same figures with their vertices in another order, and edges with one another.
+Query permuted(Query q) {
+  for (auto* points : {&q.at_0, &q.at_1}) {
+    auto& p = *points;
+    if (q.vertex_face) {
+      std::rotate(p.begin() + 1, p.begin() + 2, p.end());
+    } else {
+      std::rotate(p.begin(), p.begin() + 2, p.end());
+      std::swap(p[0], p[1]);
+    }
+  }
+  return q;
+}
+
+TEST(CcdModelsTest, EveryAnswerIsTrue) {
+  const std::vector<Query> queries = all_queries();
+  if (queries.empty()) {
+    std::cout << "skipped: there are no queries in " << PLUMB_SHARED_DIR << "/ccd\n";
+    return;
+  }
+  struct Tally {
+    int queries = 0, meet = 0, false_positives = 0, false_negatives = 0;
+  };
+  std::map<std::string, Tally> tallies;
+  for (const Query& q : queries) {
+    Tally& tally = tallies[q.scene + (q.vertex_face ? " vertex-face" : " edge-edge")];
+    ++tally.queries;
+    tally.meet += q.meets ? 1 : 0;
+    const bool answer = intersects(q);
+    tally.false_positives += answer && !q.meets ? 1 : 0;
+    tally.false_negatives += !answer && q.meets ? 1 : 0;
+    EXPECT_EQ(answer, q.meets) << shown(q);
+  }
+  int all = 0, meet = 0;
+  for (const auto& [scene, tally] : tallies) {
+    std::cout << scene << ": " << tally.queries << " queries, " << tally.meet << " meet, " << tally.false_positives
+              << " false positives, " << tally.false_negatives << " false negatives\n";
+    all += tally.queries;
+    meet += tally.meet;
+  }
+  EXPECT_GT(all, 3000);
+  EXPECT_GT(meet, all / 20);
+}
+
+TEST(CcdModelsTest, OrdersOfVerticesAndOfTimeDoNotMatter) {
+  for (const Query& q : all_queries()) {
+    EXPECT_EQ(intersects(reversed(q)), q.meets) << shown(q);
+    EXPECT_EQ(intersects(permuted(q)), q.meets) << shown(q);
+  }
+}
+
+TEST(CcdModelsTest, FirstContactsAreWhereTheAnswerIsYes) {
+  int at_start = 0, later = 0;
+  for (const Query& q : all_queries()) {
+    const std::optional<Contact> contact = first_contact(q), other = first_contact(permuted(q));
+    ASSERT_EQ(contact.has_value(), q.meets) << shown(q);
+    ASSERT_EQ(other.has_value(), q.meets) << shown(q);
+    if (!contact) continue;
+    EXPECT_EQ(contact->time, other->time) << shown(q);
+    EXPECT_TRUE(contact->time >= 0 && contact->time <= 1) << shown(q);
+    (contact->time == 0 ? at_start : later) += 1;
+  }
+  std::cout << at_start << " contacts at time 0, " << later << " later\n";
+  if (at_start + later > 0) {
+    EXPECT_GT(later, at_start);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::ccd
