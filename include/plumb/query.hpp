@@ -9,5 +9,6 @@
 #include "plumb/query/motion.hpp"
 #include "plumb/query/overlap2.hpp"
 #include "plumb/query/overlap_box.hpp"
+#include "plumb/query/overlap_plane.hpp"
 #include "plumb/query/overlap_triangle.hpp"
 #include "plumb/query/root.hpp"

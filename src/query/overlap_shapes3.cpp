@@ -51,12 +51,6 @@ Sign within(const Linear3& a, const Aabb3& box) {
   return all;
 }
 
-Point3 corner(const Aabb3& box, const std::array<Sign, 3>& along) {
-  const auto pick = [](Sign s, double min, double max) { return s == Sign::positive ? max : min; };
-  return {pick(along[0], box.min.x, box.max.x), pick(along[1], box.min.y, box.max.y),
-          pick(along[2], box.min.z, box.max.z)};
-}
-
 // Along the normal of the triangle.
 Sign beside(const Triangle3& t, const std::array<Sign, 3>& normal, const Aabb3& box) {
   if (normal == std::array{Sign::zero, Sign::zero, Sign::zero}) return Sign::positive;

@@ -19,6 +19,13 @@ constexpr bool is_flat(const Aabb3& box) {
 }
 constexpr Aabb2 seen(const Aabb3& box, std::size_t k) { return {seen(box.min, k), seen(box.max, k)}; }
 
+/// The corner that lies farthest along a direction of these signs.
+constexpr Point3 corner(const Aabb3& box, const std::array<Sign, 3>& along) {
+  const auto pick = [](Sign s, double min, double max) { return s == Sign::positive ? max : min; };
+  return {pick(along[0], box.min.x, box.max.x), pick(along[1], box.min.y, box.max.y),
+          pick(along[2], box.min.z, box.max.z)};
+}
+
 Relation relate(const Linear3& a, const Aabb3& b);
 Relation relate(const Triangle3& a, const Aabb3& b);
 

@@ -15,7 +15,8 @@ struct Of {
 };
 using Pairs = testing::Types<Of<Line3, Triangle3>, Of<Ray3, Triangle3>, Of<Segment3, Triangle3>,
                              Of<Triangle3, Triangle3>, Of<Line3, Line3>, Of<Line3, Ray3>, Of<Line3, Segment3>,
-                             Of<Ray3, Ray3>, Of<Ray3, Segment3>, Of<Segment3, Segment3>>;
+                             Of<Ray3, Ray3>, Of<Ray3, Segment3>, Of<Segment3, Segment3>, Of<Segment3, Tetrahedron3>,
+                             Of<Triangle3, Tetrahedron3>, Of<Tetrahedron3, Tetrahedron3>>;
 TYPED_TEST_SUITE(OverlapTriangle, Pairs);
 
 TYPED_TEST(OverlapTriangle, AgreesWithTheOracle) {

@@ -28,10 +28,19 @@ inline constexpr bool is_boundless = requires(Shape s) {
 }
 || std::is_same_v<Shape, Plane3> || std::is_same_v<Shape, ThreePointPlane3> || std::is_same_v<Shape, Point3>;
 
+template <class Shape>
+Shape drawn(shape_cases::Material& m) {
+  if constexpr (std::is_same_v<Shape, Point3>) {
+    return m.below(2) == 0 ? m.point3() : m.probe3();
+  } else {
+    return m.shape<Shape>();
+  }
+}
+
 /// A shape whose points lie near to what was drawn, every second time: in the middles of edges, on lines, at corners.
 template <class Shape>
 Shape near_drawn(shape_cases::Material& m) {
-  Shape s = m.shape<Shape>();
+  Shape s = drawn<Shape>(m);
   if (m.below(2) == 0) return s;
   const auto probe = [&](auto&... p) { ((p = m.probe<std::remove_cvref_t<decltype(p)>>()), ...); };
   const auto toward = [&](const auto& p, auto& d) {  // where doubles hold the difference
@@ -75,7 +84,7 @@ template <class A, class B>
 void expect_as_oracle(std::uint64_t start, std::uint64_t cases, int percent = 1) {
   Counts counts;
   shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
-    const A a = m.shape<A>();
+    const A a = drawn<A>(m);
     const B b = near_drawn<B>(m);
     const Relation expected = oracle::rational_relation(a, b);
     counts.add(expected);

@@ -1,0 +1,62 @@
+// On which sides of a plane does a shape lie, so: does it meet the plane, or the halfspace below it?
+//
+// Laws: (1) the answer of real arithmetic, for all finite doubles (figure/relation.hpp says what touching is): what
+// lies in a plane overlaps it, and touches the halfspaces that it bounds.  (2) Multiplying normal and offset by the
+// same positive number, where nothing is rounded, changes nothing.  (3) A plane of zero normal is all of space or
+// nothing; three points on one line are that line, or a point (figure/plane.hpp).  (4) Shapes may be flat, segments or
+// points, axis-aligned boxes empty.  Declared once for each pair; query/overlap.hpp swaps the arguments. NaN and
+// infinities throw NonFinite, naming the part. Source: RTCD 5.2.1, 5.2.2, 5.2.3, 5.3.1.  Cost: one to four signs; two
+// for a box, of its corners along the normal.
+#pragma once
+
+#include "plumb/figure/box.hpp"
+#include "plumb/figure/linear.hpp"
+#include "plumb/figure/plane.hpp"
+#include "plumb/figure/relation.hpp"
+#include "plumb/figure/simplex.hpp"
+
+namespace plumb {
+
+Relation relate(const Point3& a, const Plane3& b);
+Relation relate(const Segment3& a, const Plane3& b);
+Relation relate(const Plane3& a, const Triangle3& b);
+Relation relate(const Plane3& a, const Tetrahedron3& b);
+Relation relate(const Plane3& a, const Aabb3& b);
+Relation relate(const Plane3& a, const Obb3& b);
+
+Relation relate(const Point3& a, const ThreePointPlane3& b);
+Relation relate(const Segment3& a, const ThreePointPlane3& b);
+Relation relate(const ThreePointPlane3& a, const Triangle3& b);
+Relation relate(const ThreePointPlane3& a, const Tetrahedron3& b);
+Relation relate(const ThreePointPlane3& a, const Aabb3& b);
+Relation relate(const ThreePointPlane3& a, const Obb3& b);
+
+Relation relate(const Point3& a, const Halfspace3& b);
+Relation relate(const Segment3& a, const Halfspace3& b);
+Relation relate(const Halfspace3& a, const Triangle3& b);
+Relation relate(const Halfspace3& a, const Tetrahedron3& b);
+Relation relate(const Halfspace3& a, const Aabb3& b);
+Relation relate(const Halfspace3& a, const Obb3& b);
+
+inline bool intersects(const Point3& a, const Plane3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Segment3& a, const Plane3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Plane3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Plane3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Plane3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Plane3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
+
+inline bool intersects(const Point3& a, const ThreePointPlane3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Segment3& a, const ThreePointPlane3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const ThreePointPlane3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const ThreePointPlane3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const ThreePointPlane3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const ThreePointPlane3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
+
+inline bool intersects(const Point3& a, const Halfspace3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Segment3& a, const Halfspace3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Halfspace3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Halfspace3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Halfspace3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
+inline bool intersects(const Halfspace3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
+
+}  // namespace plumb
