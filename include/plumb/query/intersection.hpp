@@ -1,0 +1,104 @@
+// Which points do two figures have in common?  Nothing, a point, a segment or a polygon, with exact corners.
+//
+//   const Intersection3 common = intersection(triangle, other);
+//   if (common.kind == IntersectionKind::segment) orient3d(common.vertices[0], a, b, c);   // exact
+//   approximate(common);                                                                     // the nearest doubles
+//
+// Lines, rays and segments with each other, with planes, triangles, boxes, tetrahedra and convex polyhedra; planes and
+// triangles with triangles and all of these; in either order.  The plane's: query/intersection2.hpp.  Plane with plane,
+// and three planes: query/planes.hpp.
+// Laws: (1) the set of points that both closed sets have in common, in real arithmetic, told as
+// query/intersection_result.hpp says.  (2) Swapping the figures, naming their corners in another order and powers of
+// two change nothing; permuting coordinates or translating (where nothing is rounded) moves the set.  (3) Degenerate
+// figures are the sets they are: a flat triangle, box or tetrahedron, a line of zero direction, a plane of zero normal
+// (all of space, or nothing), a plane of three points on one line (that line).  (4) Corners are held as points as given
+// or as LinePlanePoint3; as rational points where a plane is given by its normal, a box is oriented, or no doubles hold
+// the point + direction of a line or ray.
+// NaN and infinity throw NonFinite, by name.
+// Source: RTCD 5.2.9, 5.2.10, 5.3.1, 5.3.3, 5.3.4, 5.3.6, 5.3.8; docs/intersection.md.  Cost: one to some microseconds;
+// tens of them where exact integers decide.
+#pragma once
+
+#include "plumb/figure/convex_polyhedron.hpp"
+#include "plumb/figure/plane.hpp"
+#include "plumb/query/intersection2.hpp"
+
+namespace plumb {
+
+namespace intersecting {
+template <>
+inline constexpr int rank<Line3> = 0;
+template <>
+inline constexpr int rank<Ray3> = 1;
+template <>
+inline constexpr int rank<Segment3> = 2;
+template <>
+inline constexpr int rank<Plane3> = 3;
+template <>
+inline constexpr int rank<ThreePointPlane3> = 3;
+template <>
+inline constexpr int rank<Halfspace3> = 4;
+template <>
+inline constexpr int rank<Triangle3> = 5;
+template <>
+inline constexpr int rank<Tetrahedron3> = 7;
+template <>
+inline constexpr int rank<Aabb3> = 8;
+template <>
+inline constexpr int rank<Obb3> = 9;
+template <>
+inline constexpr int rank<ConvexPolyhedron3> = 10;
+}  // namespace intersecting
+
+Intersection3 intersection(const Line3& a, const Line3& b);
+Intersection3 intersection(const Line3& a, const Ray3& b);
+Intersection3 intersection(const Line3& a, const Segment3& b);
+Intersection3 intersection(const Line3& a, const Plane3& b);
+Intersection3 intersection(const Line3& a, const ThreePointPlane3& b);
+Intersection3 intersection(const Line3& a, const Halfspace3& b);
+Intersection3 intersection(const Line3& a, const Triangle3& b);
+Intersection3 intersection(const Line3& a, const Tetrahedron3& b);
+Intersection3 intersection(const Line3& a, const Aabb3& b);
+Intersection3 intersection(const Line3& a, const Obb3& b);
+Intersection3 intersection(const Line3& a, const ConvexPolyhedron3& b);
+
+Intersection3 intersection(const Ray3& a, const Ray3& b);
+Intersection3 intersection(const Ray3& a, const Segment3& b);
+Intersection3 intersection(const Ray3& a, const Plane3& b);
+Intersection3 intersection(const Ray3& a, const ThreePointPlane3& b);
+Intersection3 intersection(const Ray3& a, const Halfspace3& b);
+Intersection3 intersection(const Ray3& a, const Triangle3& b);
+Intersection3 intersection(const Ray3& a, const Tetrahedron3& b);
+Intersection3 intersection(const Ray3& a, const Aabb3& b);
+Intersection3 intersection(const Ray3& a, const Obb3& b);
+Intersection3 intersection(const Ray3& a, const ConvexPolyhedron3& b);
+
+Intersection3 intersection(const Segment3& a, const Segment3& b);
+Intersection3 intersection(const Segment3& a, const Plane3& b);
+Intersection3 intersection(const Segment3& a, const ThreePointPlane3& b);
+Intersection3 intersection(const Segment3& a, const Halfspace3& b);
+Intersection3 intersection(const Segment3& a, const Triangle3& b);
+Intersection3 intersection(const Segment3& a, const Tetrahedron3& b);
+Intersection3 intersection(const Segment3& a, const Aabb3& b);
+Intersection3 intersection(const Segment3& a, const Obb3& b);
+Intersection3 intersection(const Segment3& a, const ConvexPolyhedron3& b);
+
+Intersection3 intersection(const Plane3& a, const Triangle3& b);
+Intersection3 intersection(const Plane3& a, const Tetrahedron3& b);
+Intersection3 intersection(const Plane3& a, const Aabb3& b);
+Intersection3 intersection(const Plane3& a, const Obb3& b);
+Intersection3 intersection(const Plane3& a, const ConvexPolyhedron3& b);
+Intersection3 intersection(const ThreePointPlane3& a, const Triangle3& b);
+Intersection3 intersection(const ThreePointPlane3& a, const Tetrahedron3& b);
+Intersection3 intersection(const ThreePointPlane3& a, const Aabb3& b);
+Intersection3 intersection(const ThreePointPlane3& a, const Obb3& b);
+Intersection3 intersection(const ThreePointPlane3& a, const ConvexPolyhedron3& b);
+Intersection3 intersection(const Halfspace3& a, const Triangle3& b);
+
+Intersection3 intersection(const Triangle3& a, const Triangle3& b);
+Intersection3 intersection(const Triangle3& a, const Tetrahedron3& b);
+Intersection3 intersection(const Triangle3& a, const Aabb3& b);
+Intersection3 intersection(const Triangle3& a, const Obb3& b);
+Intersection3 intersection(const Triangle3& a, const ConvexPolyhedron3& b);
+
+}  // namespace plumb

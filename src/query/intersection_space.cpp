@@ -1,0 +1,65 @@
+// The pairs of space: each figure as a convex set, and what two of them have in common.
+#include "plumb/query/intersection.hpp"
+#include "query/intersection_input.hpp"
+#include "query/meet.hpp"
+
+namespace plumb {
+namespace {
+
+template <class A, class B>
+Intersection3 common(const A& a, const B& b) {
+  meeting::require_figure('a', a);
+  meeting::require_figure('b', b);
+  return meeting::meet(meeting::convex_set(a), meeting::convex_set(b));
+}
+
+}  // namespace
+
+Intersection3 intersection(const Line3& a, const Line3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Ray3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Segment3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Plane3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const ThreePointPlane3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Halfspace3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Triangle3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Tetrahedron3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Aabb3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const Obb3& b) { return common(a, b); }
+Intersection3 intersection(const Line3& a, const ConvexPolyhedron3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Ray3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Segment3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Plane3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const ThreePointPlane3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Halfspace3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Triangle3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Tetrahedron3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Aabb3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const Obb3& b) { return common(a, b); }
+Intersection3 intersection(const Ray3& a, const ConvexPolyhedron3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const Segment3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const Plane3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const ThreePointPlane3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const Halfspace3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const Triangle3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const Tetrahedron3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const Aabb3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const Obb3& b) { return common(a, b); }
+Intersection3 intersection(const Segment3& a, const ConvexPolyhedron3& b) { return common(a, b); }
+Intersection3 intersection(const Plane3& a, const Triangle3& b) { return common(a, b); }
+Intersection3 intersection(const Plane3& a, const Tetrahedron3& b) { return common(a, b); }
+Intersection3 intersection(const Plane3& a, const Aabb3& b) { return common(a, b); }
+Intersection3 intersection(const Plane3& a, const Obb3& b) { return common(a, b); }
+Intersection3 intersection(const Plane3& a, const ConvexPolyhedron3& b) { return common(a, b); }
+Intersection3 intersection(const ThreePointPlane3& a, const Triangle3& b) { return common(a, b); }
+Intersection3 intersection(const ThreePointPlane3& a, const Tetrahedron3& b) { return common(a, b); }
+Intersection3 intersection(const ThreePointPlane3& a, const Aabb3& b) { return common(a, b); }
+Intersection3 intersection(const ThreePointPlane3& a, const Obb3& b) { return common(a, b); }
+Intersection3 intersection(const ThreePointPlane3& a, const ConvexPolyhedron3& b) { return common(a, b); }
+Intersection3 intersection(const Halfspace3& a, const Triangle3& b) { return common(a, b); }
+Intersection3 intersection(const Triangle3& a, const Triangle3& b) { return common(a, b); }
+Intersection3 intersection(const Triangle3& a, const Tetrahedron3& b) { return common(a, b); }
+Intersection3 intersection(const Triangle3& a, const Aabb3& b) { return common(a, b); }
+Intersection3 intersection(const Triangle3& a, const Obb3& b) { return common(a, b); }
+Intersection3 intersection(const Triangle3& a, const ConvexPolyhedron3& b) { return common(a, b); }
+
+}  // namespace plumb
