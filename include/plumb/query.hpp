@@ -16,3 +16,4 @@
 #include "plumb/query/overlap_plane.hpp"
 #include "plumb/query/overlap_triangle.hpp"
 #include "plumb/query/root.hpp"
+#include "plumb/query/translating_contact.hpp"
