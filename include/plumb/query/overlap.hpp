@@ -19,6 +19,9 @@
 #include "plumb/figure/sphere.hpp"
 #include "plumb/figure/swept_sphere.hpp"
 #include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap_cylinder_cone.hpp"
+#include "plumb/query/overlap_round.hpp"
+#include "plumb/query/overlap_round2.hpp"
 #include "plumb/query/pairs.hpp"
 
 namespace plumb {

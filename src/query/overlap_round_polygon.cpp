@@ -1,0 +1,219 @@
+// Balls and capsules against quadrilaterals and polygons, with holes or without.
+#include <string>
+
+#include "exact_gap.hpp"
+#include "figure/chain_input.hpp"
+#include "figure/core_distance.hpp"
+#include "figure/plane_of_points.hpp"
+#include "plumb/query/overlap.hpp"
+#include "plumb/query/overlap_round.hpp"
+#include "round_input.hpp"
+#include "round_polygon.hpp"
+#include "running_signs.hpp"
+
+namespace plumb {
+namespace query {
+namespace {
+
+template <class T>
+using Vec = core::Vec<T>;
+
+template <class T>
+std::vector<Vec<T>> core_points(const Sphere3& ball) {
+  return {core::vec<T>(ball.center)};
+}
+template <class T>
+std::vector<Vec<T>> core_points(const Capsule3& c) {
+  return {core::vec<T>(c.a), core::vec<T>(c.b)};
+}
+
+/// The inside of the region of edges in the plane of three points, against what is near to some points and to the
+/// segment between two.  What lies nearest to an edge is the edge's.
+template <class T>
+class Inside {
+ public:
+  Inside(std::span<const Segment3> edges, const Point3& a, const Point3& b, const Point3& c)
+      : edges_(edges), from_(core::vec<T>(a)), up_(core::vec<T>(b) - from_) {
+    normal_ = core::cross(up_, core::vec<T>(c) - from_);
+  }
+
+  /// Nothing where a sign is not certain.
+  template <class Round>
+  std::optional<Relation> relation(const Round& round) {
+    const std::vector<Vec<T>> points = core_points<T>(round);
+    const T radius = T(round.radius), reach = radius * radius * core::dot(normal_, normal_);
+    Relation all = Relation::disjoint;
+    std::vector<T> heights;
+    for (const Vec<T>& p : points) {
+      heights.push_back(core::dot(normal_, p - from_));
+      const Sign gap = ask_(heights.back() * heights.back() - reach);
+      if (gap == Sign::positive || !holds(p, T(1.0))) continue;
+      all = std::max(all, gap == Sign::negative ? Relation::overlapping : Relation::touching);
+    }
+    if (points.size() == 2 && all != Relation::overlapping) {
+      const Sign s = ask_(heights[0]), e = ask_(heights[1]);
+      if (s * e == Sign::negative) {  // the plane is met at points[0] + (points[1] - points[0]) part / whole
+        const T zero = T(0.0), fall = heights[0] - heights[1];
+        const bool falls = s == Sign::positive;
+        const T whole = falls ? fall : zero - fall, part = falls ? heights[0] : zero - heights[0];
+        if (holds(points[0] * whole + (points[1] - points[0]) * part, whole)) all = Relation::overlapping;
+      }
+    }
+    if (!ask_.certain()) return {};
+    return all;
+  }
+
+ private:
+  /// Is p / scale, seen along the normal, in the region?  If it is on an edge, then whether what is next to it on one
+  /// side is: edges are counted that cross the line upward from p where they are strictly to one side of it.
+  bool holds(const Vec<T>& p, const T& scale) {
+    bool odd = false;
+    for (const Segment3& edge : edges_) {
+      const Vec<T> a = core::vec<T>(edge.a) * scale - p, b = core::vec<T>(edge.b) * scale - p;
+      const bool from_below = ask_(core::dot(a, up_)) == Sign::negative;
+      const bool to_below = ask_(core::dot(b, up_)) == Sign::negative;
+      if (from_below == to_below) continue;
+      const Sign side = ask_(core::dot(normal_, core::cross(a, b)));
+      odd ^= side == (from_below ? Sign::positive : Sign::negative);
+    }
+    return odd;
+  }
+
+  std::span<const Segment3> edges_;
+  Vec<T> from_, up_, normal_;
+  RunningSigns ask_;
+};
+
+std::vector<Segment3> edges_of(std::span<const Chain3> chains) {
+  std::vector<Segment3> edges;
+  for (const Chain3& chain : chains) {
+    const Point3* a = &chain.back();
+    for (const Point3& b : chain) {
+      edges.push_back({*a, b});
+      a = &b;
+    }
+  }
+  return edges;
+}
+
+/// The plane of the chains, with three corners that span it.
+PlaneOfPoints plane_of(const std::vector<Segment3>& edges) {
+  const PlaneOfPoints plane = plane_of_points(edges.size(), [&](std::size_t i) -> const Point3& { return edges[i].b; });
+  if (plane.dimension < 3) return plane;
+  throw InvalidShape(std::string("relate: the polygon is not planar: its vertex ")
+                         .append(std::to_string(plane.off))
+                         .append(" is off the plane of the vertices ")
+                         .append(std::to_string(plane.span[0]))
+                         .append(", ")
+                         .append(std::to_string(plane.span[1]))
+                         .append(" and ")
+                         .append(std::to_string(plane.span[2]))
+                         .append("; triangulate it"));
+}
+
+template <class Round>
+Relation relate_inside(std::span<const Segment3> edges, const std::array<Point3, 3>& span, const Round& round) {
+  if (const auto r = Inside<Running>(edges, span[0], span[1], span[2]).relation(round)) return *r;
+  return *Inside<BigDyadic>(edges, span[0], span[1], span[2]).relation(round);
+}
+
+/// Does no other edge cover a part of this one?
+bool is_alone(std::span<const Segment3> edges, std::size_t i) {
+  const auto& [a, b] = edges[i];
+  for (std::size_t j = 0; j < edges.size(); ++j) {
+    const auto& [p, q] = edges[j];
+    if (j != i && p != q && collinear(a, b, p) && collinear(a, b, q) &&
+        relate(flat_set(edges[i]), flat_set(edges[j])) == Relation::overlapping)
+      return false;
+  }
+  return true;
+}
+
+template <class Round>
+Relation relate_edges(std::span<const Chain3> chains, const Round& round) {
+  const std::vector<Segment3> edges = edges_of(chains);
+  const PlaneOfPoints plane = plane_of(edges);
+  const std::array<Point3, 3> span{edges[plane.span[0]].b, edges[plane.span[1]].b, edges[plane.span[2]].b};
+  Relation all = Relation::disjoint;
+  if (plane.dimension == 2) {
+    all = relate_inside(edges, span, round);
+    if (all == Relation::overlapping) return all;
+  }
+  bool covered = false;  // is near to an edge that others cover too?
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Segment3& edge = edges[i];
+    const Relation r = relate(edge, round);
+    all = std::max(all, std::min(r, Relation::touching));
+    if (r != Relation::overlapping) continue;
+    // On a line the edges are the inside, and a place is its own.
+    if (plane.dimension < 2 && (plane.dimension == 0 || edge.a != edge.b)) return Relation::overlapping;
+    if (edge.a == edge.b || plane.dimension < 2) continue;
+    if (is_alone(edges, i)) return Relation::overlapping;
+    covered = true;
+  }
+  if (!covered) return all;
+  const std::vector<Segment3> odd = odd_edges(edges);
+  if (relate_inside(odd, span, round) == Relation::overlapping) return Relation::overlapping;
+  for (const Segment3& edge : odd) {
+    if (relate(edge, round) == Relation::overlapping) return Relation::overlapping;
+  }
+  return all;
+}
+
+/// With radius zero.
+template <class Polygon>
+Relation relate_core(const Polygon& a, const Sphere3& b) {
+  return relate(Segment3{b.center, b.center}, a);
+}
+template <class Polygon>
+Relation relate_core(const Polygon& a, const Capsule3& b) {
+  return relate(Segment3{b.a, b.b}, a);
+}
+
+template <class Round>
+Relation relate_quadrilateral(const Quadrilateral3& a, const Round& b) {
+  require_shapes_of("relate", a, b);
+  const std::array corners{a.a, a.b, a.c, a.d};
+  const std::array<Chain3, 1> chains{corners};
+  if (b.radius > 0) return relate_edges(chains, b);
+  return relate_core(a, b);
+}
+template <class Round>
+Relation relate_polygon(const Polygon3& a, const Round& b) {
+  require_chain<Point3>("relate", "a.vertices", a.vertices);
+  Input("relate", "b").require(b);
+  const std::array<Chain3, 1> chains{a.vertices};
+  if (b.radius > 0) return relate_edges(chains, b);
+  return relate_core(a, b);
+}
+template <class Round>
+Relation relate_holed(const HoledPolygon3& a, const Round& b) {
+  require_chain<Point3>("relate", "a.outer.vertices", a.outer.vertices);
+  std::vector<Chain3> chains{a.outer.vertices};
+  for (std::size_t k = 0; k < a.holes.size(); ++k) {
+    const std::string name = std::string("a.holes[").append(std::to_string(k)).append("].vertices");
+    require_chain<Point3>("relate", name, a.holes[k].vertices);
+    chains.emplace_back(a.holes[k].vertices);
+  }
+  Input("relate", "b").require(b);
+  if (b.radius > 0) return relate_edges(chains, b);
+  return relate_core(a, b);
+}
+
+}  // namespace
+
+Relation relate_region(std::span<const Chain3> chains, const Sphere3& ball) { return relate_edges(chains, ball); }
+Relation relate_region(std::span<const Chain3> chains, const Capsule3& capsule) {
+  return relate_edges(chains, capsule);
+}
+
+}  // namespace query
+
+Relation relate(const Quadrilateral3& a, const Sphere3& b) { return query::relate_quadrilateral(a, b); }
+Relation relate(const Quadrilateral3& a, const Capsule3& b) { return query::relate_quadrilateral(a, b); }
+Relation relate(const Polygon3& a, const Sphere3& b) { return query::relate_polygon(a, b); }
+Relation relate(const Polygon3& a, const Capsule3& b) { return query::relate_polygon(a, b); }
+Relation relate(const HoledPolygon3& a, const Sphere3& b) { return query::relate_holed(a, b); }
+Relation relate(const HoledPolygon3& a, const Capsule3& b) { return query::relate_holed(a, b); }
+
+}  // namespace plumb
