@@ -4,10 +4,10 @@
 // roots of a cubic, and at each root it is asked whether the points are where they meet.
 // Laws: (1) exact for all finite doubles, as figures are closed sets: no contact is missed and none invented, whether
 // points rest, edges are parallel, everything stays in one plane, figures are degenerate, roots are multiple, or the
-// contact is at time 0 or 1.  (2) Swapping the figures swaps the features and changes nothing else; nor do powers of
-// two and exact translations.  (3) Reversing time keeps the answer of intersects.  (4) With a separation d > 0 they
-// meet where their distance is at most d, exactly.  (5) At time 0 the features are those that are nearest then;
-// later, those that meet; first those of the lowest dimension, then those of the lowest number.
+// contact is at time 0 or 1.  (2) Swapping the figures changes nothing, nor do powers of two and exact translations.
+// (3) Reversing time keeps the answer of intersects.  (4) With a separation d > 0 they meet where their distance is at
+// most d, exactly.  (5) At time 0 the features are those that are nearest then; later, those that meet; first those of
+// the lowest dimension, then those of the lowest number, a vertex of a before one of b.
 // A coordinate or separation that is NaN or infinite throws NonFinite, a negative separation InvalidShape.
 // Source: RTCD 5.5; Provot 1997; Brochu, Edwards and Bridson 2012 for what exactness asks.
 // Cost: a comparison of coordinates or the cubic's signs, below 100 ns, for what stays apart; below a microsecond for
