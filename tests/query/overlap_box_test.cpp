@@ -13,7 +13,8 @@ struct Of {
   using First = A;
   using Second = B;
 };
-using Pairs = testing::Types<Of<Line3, Aabb3>, Of<Ray3, Aabb3>, Of<Segment3, Aabb3>, Of<Triangle3, Aabb3>>;
+using Pairs = testing::Types<Of<Line3, Aabb3>, Of<Ray3, Aabb3>, Of<Segment3, Aabb3>, Of<Triangle3, Aabb3>,
+                             Of<Line3, Obb3>, Of<Ray3, Obb3>, Of<Segment3, Obb3>, Of<Triangle3, Obb3>, Of<Aabb3, Obb3>>;
 TYPED_TEST_SUITE(OverlapBox, Pairs);
 
 TYPED_TEST(OverlapBox, AgreesWithTheOracle) {
