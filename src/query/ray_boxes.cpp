@@ -52,7 +52,7 @@ Vec3<T> corner(const ShotLine<T>& line, const Point3& center, const std::array<V
   Vec3<T> p = line.from_origin(center);
   for (std::size_t i = 0; i < N; ++i) {
     const double h = std::fabs(half[i]);
-    p = p + vector_of<T>(axes[i]) * T((ends >> i & 1u) != 0 ? h : -h);
+    p = p + times(vector_of<T>(axes[i]), T((ends >> i & 1u) != 0 ? h : -h));
   }
   return p;
 }

@@ -149,7 +149,7 @@ void meet_facet(const ShotLine<T>& line, const Facet<T>& f, std::uint32_t index,
 /// Is the point at p / w, seen from the origin, on the segment from a to b?
 template <class T>
 bool on_segment(const Vec3<T>& p, const T& w, const Vec3<T>& a, const Vec3<T>& b, RaySigns& ask) {
-  const Vec3<T> e = b - a, v = p - a * w;
+  const Vec3<T> e = b - a, v = p - times(a, w);
   if (!is_zero(cross(v, e), ask)) return false;
   const T square = dot(e, e), along = dot(v, e);
   return ask(square) == Sign::positive && ask(along) != Sign::negative && ask(along - square * w) != Sign::positive;
@@ -163,7 +163,7 @@ std::optional<Feature> corner_or_edge(const Facet<T>& f, const Vec3<T>& p, const
     if (!found || number < found->index) found = Feature{kind, number};
   };
   for (std::size_t i = 0; i < f.size; ++i) {
-    if (is_zero(p - f.corners[i] * w, ask)) take(FeatureKind::vertex, f.vertex[i]);
+    if (is_zero(p - times(f.corners[i], w), ask)) take(FeatureKind::vertex, f.vertex[i]);
   }
   if (found) return found;
   for (std::size_t i = 0; i < f.size; ++i) {
@@ -180,7 +180,7 @@ std::optional<Decided> meet_facets(const AnyRay& ray, const Model& model, RaySig
   for (std::uint32_t i = 0; i < size; ++i) meet_facet(line, model.template facet<T>(line, i), i, earliest, ask);
   if (!earliest.found) return {};
   const auto& [time, when, inside] = *earliest.found;
-  const Vec3<T> p = line.direction * time.numerator;
+  const Vec3<T> p = times(line.direction, time.numerator);
   Feature best{FeatureKind::face, model.template facet<T>(line, when.index).face};
   if (!inside || size > 1) {
     for (std::uint32_t i = 0; i < size; ++i) {

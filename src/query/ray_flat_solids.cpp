@@ -3,6 +3,7 @@
 
 #include "figure/finite_parts.hpp"
 #include "query/ray_box_feature.hpp"
+#include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
 
 namespace plumb {
@@ -132,6 +133,9 @@ std::optional<Answer> of(const AnyRay& ray, const KDop3& k_dop) {
 }
 
 }  // namespace
+
+bool is_hit(const AnyRay& ray, const Aabb3& box) { return of<Decided>(ray, box).has_value(); }
+
 }  // namespace query
 
 std::optional<Hit> first_hit(const AnyRay& ray, const Plane3& plane) { return query::of<Hit>(ray, plane); }

@@ -158,11 +158,13 @@ RayParameter parameter_of(const AnyRay& ray, const Model& model, const Decided& 
   return {rational(t.numerator) / rational(t.denominator)};
 }
 
-/// A Hit or a RayParameter.
+/// A Hit, a RayParameter, or what is decided as it is.
 template <class Answer, class Model>
 std::optional<Answer> answer(const AnyRay& ray, const Model& model, const std::optional<Decided>& decided) {
   if (!decided) return {};
-  if constexpr (std::is_same_v<Answer, Hit>) {
+  if constexpr (std::is_same_v<Answer, Decided>) {
+    return decided;
+  } else if constexpr (std::is_same_v<Answer, Hit>) {
     return numbers_of(ray, model, *decided);
   } else {
     return parameter_of(ray, model, *decided);

@@ -39,7 +39,7 @@ struct PolyhedronModel {
   template <class T>
   Feature feature(const ShotLine<T>& line, const Time<T>& time, std::span<const std::uint32_t> tight,
                   RaySigns& ask) const {
-    const Vec3<T> p = line.direction * time.numerator;
+    const Vec3<T> p = times(line.direction, time.numerator);
     const T& w = time.denominator;
     std::optional<Feature> best;
     const auto take = [&](FeatureKind kind, std::uint32_t number) {
@@ -50,7 +50,7 @@ struct PolyhedronModel {
       for (std::size_t k = 0; k < corners.size(); ++k) {
         const std::uint32_t here = corners[k], next = corners[k + 1 < corners.size() ? k + 1 : 0];
         const Vec3<T> from = line.from_origin(faces.at(here)), to = line.from_origin(faces.at(next));
-        if (is_zero(p - from * w, ask)) take(FeatureKind::vertex, here);
+        if (is_zero(p - times(from, w), ask)) take(FeatureKind::vertex, here);
         if (on_segment(p, w, from, to, ask))
           take(FeatureKind::edge, polyhedron.mesh.first[face] + static_cast<std::uint32_t>(k));
       }
@@ -71,7 +71,7 @@ struct PolyhedronModel {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Vec3<T> from = line.from_origin(faces.at(corners[k]));
       const Vec3<T> e = line.from_origin(faces.at(corners[k + 1 < corners.size() ? k + 1 : 0])) - from;
-      if (ask(dot(cross(e, p - from * w), normal)) == Sign::negative) return false;
+      if (ask(dot(cross(e, p - times(from, w)), normal)) == Sign::negative) return false;
     }
     return true;
   }

@@ -86,7 +86,7 @@ std::optional<Decided> decide_quadrilateral(const AnyRay& ray, const Quadrilater
   if (way != Sign::zero) {
     const Time<T> time = with_positive_denominator(above, slope, way);
     if (!in_range(ray, time, ask)) return {};
-    const std::optional<Feature> feature = hold(f, d, d * time.numerator, time.denominator, ask);
+    const std::optional<Feature> feature = hold(f, d, times(d, time.numerator), time.denominator, ask);
     if (!feature) return {};
     const bool at_zero = ask(above) == Sign::zero;
     return Decided{{at_zero ? When::At::zero : When::At::quotient, 0, part_of(Meeting::plane, 0)}, *feature, true, 0};
@@ -97,7 +97,7 @@ std::optional<Decided> decide_quadrilateral(const AnyRay& ray, const Quadrilater
   for (std::size_t i = 0; i < 4; ++i) meet_edge(line, f, 0, i, earliest, ask);
   if (!earliest.found) return {};
   const auto& [time, when, inside] = *earliest.found;
-  const auto feature = corner_or_edge(f, d * time.numerator, time.denominator, ask);
+  const auto feature = corner_or_edge(f, times(d, time.numerator), time.denominator, ask);
   return Decided{when, feature.value_or(Feature{FeatureKind::edge, when.part & 3u}), true, 0};
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "figure/finite_parts.hpp"
+#include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
 
 namespace plumb {
@@ -43,7 +44,7 @@ NormalForm<T> from_center(const Vec3<T>& w, const Vec3<T>& d) {
 template <class T>
 NormalForm<T> from_axis(const Vec3<T>& w, const Vec3<T>& d, const Vec3<T>& e) {
   const T ee = length2(e);
-  return {w * ee - e * dot(w, e), d * ee - e * dot(d, e), ee, true};
+  return {times(w, ee) - times(e, dot(w, e)), times(d, ee) - times(e, dot(d, e)), ee, true};
 }
 
 /// Positive before a (zone 1) or beyond b (zone 2) along the axis.
@@ -195,6 +196,9 @@ std::optional<Answer> of(const AnyRay& ray, const Capsule3& capsule) {
 }
 
 }  // namespace
+
+bool is_hit(const AnyRay& ray, const Sphere3& sphere) { return of<Decided>(ray, sphere).has_value(); }
+
 }  // namespace query
 
 std::optional<Hit> first_hit(const AnyRay& ray, const Sphere3& sphere) { return query::of<Hit>(ray, sphere); }

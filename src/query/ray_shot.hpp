@@ -47,6 +47,11 @@ auto certainly(const Question& question) {
   return question.template operator()<BigDyadic>(ask);
 }
 
+template <class T>
+Vec3<T> times(const Vec3<T>& v, const T& t) {
+  return {v.x * t, v.y * t, v.z * t};
+}
+
 /// One part that is certainly not zero is enough.
 template <class T>
 bool is_zero(const Vec3<T>& v, RaySigns& ask) {

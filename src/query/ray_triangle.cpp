@@ -5,6 +5,7 @@
 // the side of the edge from p to q changes by (q - p) x d, that of the plane by -n, and neither is zero there.  So for
 // finitely many triangles there is one true ray, as near as one likes, that answers as the rule does.
 #include "figure/finite_parts.hpp"
+#include "query/ray_exact_hits.hpp"
 #include "query/ray_facets.hpp"
 
 namespace plumb {
@@ -44,7 +45,7 @@ std::optional<Decided> half_open(const AnyRay& ray, const TriangleModel& model, 
   if (begins(ray) && perturbed(above, shift, ask) != way) return {};
   if (ends(ray) && perturbed(above - slope, shift, ask) == way) return {};
   const Time<T> time = with_positive_denominator(above, slope, way);
-  const std::optional<Feature> feature = corner_or_edge(f, d * time.numerator, time.denominator, ask);
+  const std::optional<Feature> feature = corner_or_edge(f, times(d, time.numerator), time.denominator, ask);
   const bool at_zero = ask(above) == Sign::zero;
   return Decided{{at_zero ? When::At::zero : When::At::quotient, 0, part_of(Meeting::plane, 0)},
                  feature.value_or(Feature{FeatureKind::face, 0}),
@@ -62,6 +63,11 @@ std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule r
 }
 
 }  // namespace
+
+bool is_hit(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
+  return of<Decided>(ray, triangle, rule).has_value();
+}
+
 }  // namespace query
 
 std::optional<Hit> first_hit(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
