@@ -1,0 +1,160 @@
+// How long does a nearest point take, and how far off is it?  Beside plain doubles, Eigen and CGAL's Epick, on general
+// and nearly degenerate input.  `ns` is for one question, `worst` and `mean` are errors of coordinates and distances in
+// ulps against the exact numbers rounded once, `off` the share of answers with an error of more than 4.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bench/closest_rival.hpp"
+#include "plumb/degenerate/coordinates.hpp"
+#include "plumb/degenerate/ulps.hpp"
+#include "plumb/query/closest.hpp"
+
+namespace plumb::bench {
+namespace {
+
+constexpr std::size_t cases = 4096;
+
+Point3 cube_point(Entropy& e) {
+  return {signed_unit_coordinate(e), signed_unit_coordinate(e), signed_unit_coordinate(e)};
+}
+Point3 mixed(const Point3& a, const Point3& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
+Point3 nudged(const Point3& p, Entropy& e) {
+  return {moved_by_ulps(p.x, e.within(4)), moved_by_ulps(p.y, e.within(4)), moved_by_ulps(p.z, e.within(4))};
+}
+
+template <class Shape>
+struct Case {
+  Shape shape;
+  Point3 p;
+};
+
+/// Axes at right angles, of length one, as far as doubles go.
+std::array<Vector3, 3> axes(Entropy& entropy) {
+  std::array<double, 4> q{};
+  double square = 0;
+  for (double& x : q) x = signed_unit_coordinate(entropy), square += x * x;
+  for (double& x : q) x /= std::sqrt(square);
+  const auto [w, x, y, z] = q;
+  return {Vector3{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+          Vector3{2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+          Vector3{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+}
+
+void fill(Case<Segment3>& c, bool near, Entropy& e) {
+  c.shape = {cube_point(e), cube_point(e)};
+  c.p = near ? nudged(mixed(c.shape.a, c.shape.b, 1.25 * unit_coordinate(e)), e) : cube_point(e);
+}
+void fill(Case<Triangle3>& c, bool near, Entropy& e) {
+  auto& [a, b, t] = c.shape;
+  a = cube_point(e), b = cube_point(e), t = cube_point(e);
+  if (near) t = nudged(mixed(a, b, 1.25 * unit_coordinate(e)), e);  // a sliver
+  c.p = near && e.coin() ? nudged(mixed(mixed(a, b, unit_coordinate(e)), t, unit_coordinate(e)), e) : cube_point(e);
+}
+void fill(Case<Aabb3>& c, bool near, Entropy& e) {
+  const Point3 a = cube_point(e), b = cube_point(e);
+  c.shape = {{std::fmin(a.x, b.x), std::fmin(a.y, b.y), std::fmin(a.z, b.z)},
+             {std::fmax(a.x, b.x), std::fmax(a.y, b.y), std::fmax(a.z, b.z)}};
+  c.p = near ? nudged(mixed(a, b, 1.25 * unit_coordinate(e)), e) : cube_point(e);
+  if (near) c.p.x = moved_by_ulps(c.shape.max.x, e.within(4));
+}
+void fill(Case<Obb3>& c, bool near, Entropy& e) {
+  const auto half = [&] { return 0.1 + 0.4 * unit_coordinate(e); };
+  c.shape = {cube_point(e), axes(e), {half(), half(), half()}};
+  const auto& [center, axis, h] = c.shape;
+  c.p = cube_point(e);
+  if (!near) return;
+  const double t = 2 * unit_coordinate(e) - 1;  // by an edge
+  const auto at = [&](double o, double u, double v, double w) { return o + h.x * t * u + h.y * v + h.z * w; };
+  c.p = nudged({at(center.x, axis[0].x, axis[1].x, axis[2].x), at(center.y, axis[0].y, axis[1].y, axis[2].y),
+                at(center.z, axis[0].z, axis[1].z, axis[2].z)},
+               e);
+}
+
+template <class Shape>
+std::vector<Case<Shape>> inputs(bool near) {
+  std::vector<Case<Shape>> all(cases);
+  for (std::size_t i = 0; i < cases; ++i) {
+    Entropy entropy(51, i);
+    fill(all[i], near, entropy);
+  }
+  return all;
+}
+
+double ulps_off(double x, double exact) {
+  if (x == exact) return 0;
+  const double ulp = std::nextafter(std::fabs(exact), std::numeric_limits<double>::infinity()) - std::fabs(exact);
+  return std::fabs(x - exact) / ulp;
+}
+
+template <class Shape, class Method>
+void add(const std::string& name, bool near, Method method) {
+  const std::string whole = name + (near ? "/near/" : "/general/") + Method::name;
+  benchmark::RegisterBenchmark(whole.c_str(), [near, method](benchmark::State& state) {
+    const auto all = inputs<Shape>(near);
+    for (auto _ : state) {
+      double sum = 0;
+      for (const auto& c : all) {
+        const NearestFound n = method(c.shape, c.p);
+        sum += n.point.x + n.point.y + n.point.z + n.distance;
+      }
+      benchmark::DoNotOptimize(sum);
+    }
+    double worst = 0, sum = 0, off = 0;
+    for (const auto& c : all) {
+      const NearestFound n = method(c.shape, c.p);
+      const Closest exact = closest_points(c.p, c.shape);
+      const double most = std::fmax(std::fmax(ulps_off(n.point.x, exact.on_b.x), ulps_off(n.point.y, exact.on_b.y)),
+                                    std::fmax(ulps_off(n.point.z, exact.on_b.z), ulps_off(n.distance, exact.distance)));
+      worst = std::fmax(worst, most);
+      sum += std::fmin(most, 0x1p53);
+      off += most > 4 ? 1 : 0;
+    }
+    state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * cases * 1e-9,
+                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    state.counters["worst"] = worst;
+    state.counters["mean"] = sum / cases;
+    state.counters["off"] = off / cases;
+  });
+}
+
+struct Exact {
+  static constexpr const char* name = "plumb";
+  NearestFound operator()(const auto& shape, const Point3& p) const {
+    const Closest c = closest_points(p, shape);
+    return {c.on_b, c.distance};
+  }
+};
+struct Plain {
+  static constexpr const char* name = "plain";
+  NearestFound operator()(const auto& shape, const Point3& p) const { return nearest_in_doubles(shape, p); }
+};
+struct ByEigen {
+  static constexpr const char* name = "eigen";
+  NearestFound operator()(const auto& shape, const Point3& p) const { return nearest_by_eigen(shape, p); }
+};
+struct ByCgal {
+  static constexpr const char* name = "cgal_epick";
+  NearestFound operator()(const auto& shape, const Point3& p) const { return nearest_by_cgal(shape, p); }
+};
+
+template <class Shape, class... Methods>
+void add_all(const std::string& name) {
+  for (const bool near : {false, true}) (add<Shape>(name, near, Methods{}), ...);
+}
+
+const bool added = [] {
+  add_all<Segment3, Exact, Plain, ByEigen, ByCgal>("point_segment");
+  add_all<Triangle3, Exact, Plain, ByEigen, ByCgal>("point_triangle");
+  add_all<Aabb3, Exact, Plain, ByEigen>("point_box");
+  add_all<Obb3, Exact, Plain, ByEigen>("point_obb");
+  return true;
+}();
+
+}  // namespace
+}  // namespace plumb::bench
