@@ -45,7 +45,7 @@ Query permuted(Query q) {
 TEST(CcdModelsTest, EveryAnswerIsTrue) {
   const std::vector<Query> queries = all_queries();
   if (queries.empty()) {
-    std::cout << "skipped: there are no queries in " << PLUMB_SHARED_DIR << "/ccd\n";
+    std::cout << "skipped: there are no queries in ../shared/ccd\n";
     return;
   }
   struct Tally {

@@ -72,7 +72,7 @@ inline void read_queries(const std::filesystem::path& file, std::vector<Query>& 
 /// All of them, in the order of their files; none where the folder is missing.
 inline std::vector<Query> all_queries() {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::path(PLUMB_SHARED_DIR) / "ccd";
+  const fs::path folder = fs::path(PLUMB_SOURCE_DIR) / ".." / "shared" / "ccd";
   std::vector<fs::path> files;
   if (fs::is_directory(folder)) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
