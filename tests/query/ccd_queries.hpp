@@ -1,6 +1,7 @@
 // The queries of ../shared/ccd with their true answers (its README.md says what a row is).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
