@@ -3,7 +3,7 @@
 // Laws: (1) a pair is named in the order of FigureKind; the other order is answered by it.  (2) relate and intersects
 // (query/overlap.hpp) take exactly the pairs whose method is not `absent`: the table is what their overloads are made
 // of, and docs/overlap.md shows it.  (3) A pair with `own` functions has an overload that is no template.
-// Source: RTCD 5.2; table of the book's tests inside the back cover.  Cost: none, all of it is constexpr.
+// Source: RTCD 5.2.  Cost: none, all of it is constexpr.
 #pragma once
 
 #include <array>
@@ -144,24 +144,24 @@ using PairRows = std::array<std::string_view, figure_kinds>;
 
 inline constexpr PairRows rows_of_space{
     //                         plrsPTHtqghRebAOczynKIC (a column a letter)
-    /* point              */ "lllllllllllllllllllllll",
-    /* line               */ " aaaxaxacccaadaad-d-ppg",
-    /* ray                */ "  aaxaxacccaadaad-d-ppg",
-    /* segment            */ "   axaxacccaadaad-d-ppg",
-    /* plane              */ "    xxxxcccxxdxxd-ddppx",
-    /* three-point plane  */ "     axacccaadaad-d-ppg",
-    /* halfspace          */ "      xxcccxxdxxd--dppx",
-    /* triangle           */ "       acccaadaad---ppg",
-    /* quad               */ "        ccccccccc---ccc",
-    /* polygon            */ "         cccccccc---ccc",
-    /* holed              */ "          ccccccc---ccc",
-    /* rectangle          */ "           aadaad---ppg",
-    /* tetra              */ "            adaad---ppg",
-    /* ball               */ "             bddd---ddd",
-    /* aabb               */ "              bad---ppg",
-    /* obb                */ "               bd---ppg",
-    /* capsule            */ "                b---ddd",
-    /* lozenge            */ "                 b-----",
+    /* point              */ "llllssslllllldllddddlll",
+    /* line               */ " sssxaxscccaadssddddppg",
+    /* ray                */ "  ssxaxscccaadssddddppg",
+    /* segment            */ "   ssssscccasdssddddppg",
+    /* plane              */ "    pxpscccxsdssddddppx",
+    /* three-point plane  */ "     axscccasdssddddppg",
+    /* halfspace          */ "      pscccxsdssddddppx",
+    /* triangle           */ "       scccasdssdd--ppg",
+    /* quad               */ "        cccccdccd---ccc",
+    /* polygon            */ "         ccccdccd---ccc",
+    /* holed              */ "          cccdccd---ccc",
+    /* rectangle          */ "           aadaadd--ppg",
+    /* tetra              */ "            sdaadd--ppg",
+    /* ball               */ "             bdddd--ddd",
+    /* aabb               */ "              bsdd--ppg",
+    /* obb                */ "               bdd--ppg",
+    /* capsule            */ "                bd--ddd",
+    /* lozenge            */ "                 b--ddd",
     /* cylinder           */ "                  -----",
     /* cone               */ "                   ----",
     /* k-dop              */ "                    bpp",
@@ -170,17 +170,17 @@ inline constexpr PairRows rows_of_space{
 
 inline constexpr PairRows rows_of_plane{
     //                         plrsPTHtqghRebAOczynKIC (a column a letter)
-    /* point              */ "llll--lllll--llll---ll-",
+    /* point              */ "llll--lllll--dlld---ll-",
     /* line               */ " sss--xsccc--dsad---pp-",
     /* ray                */ "  ss--xsccc--dsad---pp-",
     /* segment            */ "   s--xsccc--dsad---pp-",
     /* plane              */ "    -------------------",
     /* three-point plane  */ "     ------------------",
-    /* halfspace          */ "      xxccc--dxxd---pp-",
+    /* halfspace          */ "      pxccc--dxxd---pp-",
     /* triangle           */ "       sccc--dsad---pp-",
-    /* quad               */ "        ccc--cccc---cc-",
-    /* polygon            */ "         cc--cccc---cc-",
-    /* holed              */ "          c--cccc---cc-",
+    /* quad               */ "        ccc--dccd---cc-",
+    /* polygon            */ "         cc--dccd---cc-",
+    /* holed              */ "          c--dccd---cc-",
     /* rectangle          */ "           ------------",
     /* tetra              */ "            -----------",
     /* ball               */ "             bddd---dd-",
@@ -215,9 +215,14 @@ inline constexpr FigureKind figure_kind = query::KindOf<Shape>::kind;
 template <Figure Shape>
 inline constexpr int figure_dimension = query::KindOf<Shape>::dimension;
 
+/// How these two types are answered; absent as well where they are of the plane and of space.
+template <Figure A, Figure B>
+inline constexpr PairMethod method_of = figure_dimension<A> == figure_dimension<B>
+                                            ? pair_method(figure_kind<A>, figure_kind<B>, figure_dimension<A>)
+                                            : PairMethod::absent;
+
 /// Two figures of one space that relate and intersects take, in either order.
 template <class A, class B>
-concept RelatedPair = Figure<A> && Figure<B> && figure_dimension<A>
-== figure_dimension<B>&& pair_method(figure_kind<A>, figure_kind<B>, figure_dimension<A>) != PairMethod::absent;
+concept RelatedPair = Figure<A> && Figure<B> &&(method_of<A, B> != PairMethod::absent);
 
 }  // namespace plumb
