@@ -10,6 +10,7 @@
 #include "plumb/query/intersection.hpp"
 #include "plumb/query/intersection2.hpp"
 #include "plumb/query/intersection_result.hpp"
+#include "plumb/query/interval_halving.hpp"
 #include "plumb/query/motion.hpp"
 #include "plumb/query/overlap2.hpp"
 #include "plumb/query/overlap_box.hpp"
