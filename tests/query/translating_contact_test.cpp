@@ -1,0 +1,284 @@
+// Straight motions of small integers: at times k / 64 every shape is again one of doubles, of which relate is asked.
+#include "plumb/query/translating_contact.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "figure/thrown.hpp"
+#include "plumb/certify/case_line.hpp"
+#include "plumb/degenerate.hpp"
+#include "plumb/figure.hpp"
+#include "plumb/query/overlap.hpp"
+#include "plumb/query/overlap_round.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr int steps = 64;
+
+class Draw {
+ public:
+  explicit Draw(Entropy& entropy) : entropy_(entropy), most_(1 + static_cast<std::int64_t>(entropy.below(4))) {}
+
+  double number() { return static_cast<double>(entropy_.within(most_)); }
+  Point3 point() {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+  }
+  Vector3 vector() {
+    const Point3 p = point();
+    return {p.x, p.y, p.z};
+  }
+  Vector3 motion() {
+    const double far = entropy_.coin() ? steps : 2 * steps;
+    const Vector3 v = vector();
+    return {far * v.x, far * v.y, far * v.z};
+  }
+  /// Apart from the others more often than not.
+  Point3 start() {
+    const Point3 p = point(), q = point();
+    const double apart = static_cast<double>(entropy_.below(4));
+    return {p.x + apart * q.x, p.y + apart * q.y, p.z + apart * q.z};
+  }
+
+  void fill(Point3& s) { s = start(); }
+  void fill(Segment3& s) { s = {start(), start()}; }
+  void fill(Triangle3& s) { s = {start(), point(), point()}; }
+  void fill(Aabb3& s) {
+    const Point3 p = start(), q = point();
+    s = {p, {p.x + std::fabs(q.x), p.y + std::fabs(q.y), p.z + std::fabs(q.z)}};
+    if (entropy_.below(20) == 0) std::swap(s.min, s.max);
+  }
+  void fill(Obb3& s) { s = {start(), {vector(), vector(), vector()}, {1, number(), 1}}; }
+  void fill(ConvexPolyhedron3& s) {
+    for (;;) {
+      std::vector<Point3> points(4 + entropy_.below(4));
+      const Point3 at = start();
+      for (Point3& p : points) {
+        p = point();
+        p = {p.x + at.x, p.y + at.y, p.z + at.z};
+      }
+      const Hull3 hull = convex_hull(points);
+      if (hull.dimension < 3) continue;
+      s = convex_polyhedron(hull, points);
+      return;
+    }
+  }
+  void fill(Sphere3& s) { s = {start(), std::fabs(number())}; }
+  void fill(Capsule3& s) { s = {start(), point(), std::fabs(number())}; }
+  void fill(Plane3& s) { s = {vector(), 4 * number()}; }
+
+ private:
+  Entropy& entropy_;
+  std::int64_t most_;
+};
+
+Point3 moved(const Point3& p, const Vector3& v) { return {p.x + v.x, p.y + v.y, p.z + v.z}; }
+Segment3 moved(const Segment3& s, const Vector3& v) { return {moved(s.a, v), moved(s.b, v)}; }
+Triangle3 moved(const Triangle3& t, const Vector3& v) { return {moved(t.a, v), moved(t.b, v), moved(t.c, v)}; }
+Aabb3 moved(const Aabb3& b, const Vector3& v) { return {moved(b.min, v), moved(b.max, v)}; }
+Obb3 moved(const Obb3& b, const Vector3& v) { return {moved(b.center, v), b.axes, b.half}; }
+ConvexPolyhedron3 moved(ConvexPolyhedron3 p, const Vector3& v) {
+  for (Point3& x : p.mesh.vertices) x = moved(x, v);
+  return p;
+}
+Sphere3 moved(const Sphere3& s, const Vector3& v) { return {moved(s.center, v), s.radius}; }
+Capsule3 moved(const Capsule3& c, const Vector3& v) { return {moved(c.a, v), moved(c.b, v), c.radius}; }
+Plane3 moved(const Plane3& p, const Vector3& v) {
+  return {p.normal, p.offset + (p.normal.x * v.x + p.normal.y * v.y + p.normal.z * v.z)};
+}
+
+template <class A, class B>
+Relation relation(const A& a, const B& b) {
+  return relate(a, b);
+}
+Relation relation(const Point3& a, const Point3& b) { return a == b ? Relation::overlapping : Relation::disjoint; }
+Relation relation(const Point3& p, const Sphere3& s) { return relate(Sphere3{p, 0}, s); }
+Relation relation(const Sphere3& s, const Point3& p) { return relation(p, s); }
+Relation relation(const Point3& p, const Capsule3& c) { return relate(Capsule3{p, p, 0}, c); }
+Relation relation(const Capsule3& c, const Point3& p) { return relation(p, c); }
+
+/// The relation at time k / 64.
+template <class A, class B>
+Relation at(int k, const Translating<A>& a, const Translating<B>& b) {
+  const auto part = [&](const Vector3& v) {
+    const double t = static_cast<double>(k) / steps;
+    return Vector3{t * v.x, t * v.y, t * v.z};
+  };
+  return relation(moved(a.shape, part(a.by)), moved(b.shape, part(b.by)));
+}
+
+struct Counts {
+  int never = 0, at_start = 0, later = 0;
+};
+
+template <class A, class B>
+void check(const std::string& about, const Translating<A>& a, const Translating<B>& b, Entropy& entropy,
+           Counts& counts) {
+  const std::optional<Root> time = first_contact_time(a, b);
+  const std::optional<Contact> contact = first_contact(a, b);
+  ASSERT_EQ(time.has_value(), contact.has_value()) << about;
+  ASSERT_EQ(time.has_value(), intersects(a, b)) << about;
+  const std::optional<Root> other = first_contact_time(b, a);
+  ASSERT_EQ(time.has_value(), other.has_value()) << about;
+  if (!time) {
+    ++counts.never;
+    for (const int k : {0, static_cast<int>(entropy.below(steps)), static_cast<int>(entropy.below(steps)), steps})
+      ASSERT_EQ(at(k, a, b), Relation::disjoint) << about << " at " << k;
+    return;
+  }
+  ASSERT_TRUE(*time == *other) << about;
+  ASSERT_EQ(contact->time, time->rounded(Rounding::down)) << about;
+  const auto at_step = [&](int k) { return *time <=> Rational(k) / Rational(steps); };
+  ++(at_step(0) == 0 ? counts.at_start : counts.later);
+  const int near = static_cast<int>(std::floor(contact->time * steps));
+  for (const int k : {0, near - 1, near, near + 1, static_cast<int>(entropy.below(steps))}) {
+    if (k < 0 || k > steps) continue;
+    if (at_step(k) > 0) {
+      ASSERT_EQ(at(k, a, b), Relation::disjoint) << about << " at " << k;
+    } else if (at_step(k) == 0) {
+      const Relation r = at(k, a, b);
+      ASSERT_NE(r, Relation::disjoint) << about << " at " << k;
+      if (k == 0) {
+        const Feature inside{FeatureKind::interior, 0};
+        ASSERT_EQ(r == Relation::overlapping, contact->feature_a == inside) << about;
+        ASSERT_EQ(contact->feature_a == inside, contact->feature_b == inside) << about;
+      }
+    }
+  }
+}
+
+template <class... Shapes>
+struct List {};
+
+template <class A, class B>
+void check_pair(std::uint64_t start, int cases, Counts& counts) {
+  for (int i = 0; i < cases; ++i) {
+    Entropy entropy(start, static_cast<std::uint64_t>(i));
+    Draw draw(entropy);
+    Translating<A> a{};
+    Translating<B> b{};
+    draw.fill(a.shape), draw.fill(b.shape);
+    a.by = draw.motion();
+    if (entropy.coin()) b.by = draw.motion();
+    check("start " + std::to_string(start) + " index " + std::to_string(i), a, b, entropy, counts);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+#if defined(PLUMB_LONG_TESTS)
+constexpr int cases = 20'000;
+#else
+constexpr int cases = 120;
+#endif
+
+template <class A, class... B>
+void check_with(std::uint64_t start, List<B...>) {
+  Counts counts;
+  (check_pair<A, B>(start++, cases, counts), ...);
+  constexpr int few = 9 * cases / 100;
+  EXPECT_GT(counts.never, few) << start;
+  EXPECT_GT(counts.later, few) << start;
+  EXPECT_GT(counts.at_start, few / 4) << start;
+}
+
+using All = List<Point3, Segment3, Triangle3, Aabb3, Obb3, ConvexPolyhedron3, Sphere3, Capsule3, Plane3>;
+
+TEST(TranslatingContact, Points) { check_with<Point3>(100, All{}); }
+TEST(TranslatingContact, Segments) { check_with<Segment3>(200, All{}); }
+TEST(TranslatingContact, Triangles) { check_with<Triangle3>(300, All{}); }
+TEST(TranslatingContact, Boxes) { check_with<Aabb3>(400, All{}); }
+TEST(TranslatingContact, OrientedBoxes) { check_with<Obb3>(500, All{}); }
+TEST(TranslatingContact, Polyhedra) { check_with<ConvexPolyhedron3>(600, All{}); }
+TEST(TranslatingContact, Spheres) { check_with<Sphere3>(700, All{}); }
+TEST(TranslatingContact, Capsules) { check_with<Capsule3>(800, All{}); }
+
+constexpr Feature face0{FeatureKind::face, 0};
+
+TEST(TranslatingContact, SphereAgainstPlane) {
+  const Plane3 wall{{3, 4, 0}, 50};  // 10 from the origin
+  const auto hit = first_contact(Translating<Sphere3>{{{0, 0, 0}, 2}, {6, 8, 0}}, wall);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(*hit, (Contact{std::nextafter(0.8, 0.0), face0, face0}));
+  EXPECT_TRUE(*first_contact_time(Translating<Sphere3>{{{0, 0, 0}, 2}, {6, 8, 0}}, wall) == Rational(4) / Rational(5));
+  EXPECT_FALSE(first_contact(Translating<Sphere3>{{{0, 0, 0}, 2}, {4, 5, 0}}, wall));
+  EXPECT_EQ(first_contact(Translating<Sphere3>{{{0, 0, 0}, 10}, {-1, 0, 0}}, wall)->time, 0);
+}
+
+TEST(TranslatingContact, SpheresThatOnlyTouchInPassing) {
+  // The nearest that the centers come is exactly the sum of the radii; an ulp more, and they miss.
+  const Translating<Sphere3> a{{{-5, 3, 0}, 1}, {10, 0, 0}};
+  const auto hit = first_contact(a, Sphere3{{0, 0, 0}, 2});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->time, 0.5);
+  EXPECT_FALSE(intersects(a, Sphere3{{0, 0, 0}, std::nextafter(2.0, 0.0)}));
+  // One that comes sooner: the time is a root, rounded down.
+  const auto sooner = first_contact_time(a, Sphere3{{0, 0, 0}, std::nextafter(2.0, 3.0)});
+  ASSERT_TRUE(sooner);
+  EXPECT_TRUE(*sooner < Root(Rational(0.5)));
+}
+
+TEST(TranslatingContact, FeaturesOfABoxThatFallsOnATriangle) {
+  const Triangle3 floor{{-10, -10, 0}, {10, -10, 0}, {0, 10, 0}};
+  const Translating<Aabb3> box{{{-1, -1, 3}, {1, 1, 5}}, {0, 0, -6}};
+  const auto flat = first_contact(box, floor);  // with a whole face: told by its first vertex
+  ASSERT_TRUE(flat);
+  EXPECT_EQ(*flat, (Contact{0.5, {FeatureKind::vertex, 0}, face0}));
+  const Translating<Obb3> on_edge{{{0, 0, 4}, {{{1, 0, 1}, {0, 1, 0}, {-1, 0, 1}}}, {1, 1, 1}}, {0, 0, -4}};
+  const auto edge = first_contact(on_edge, Segment3{{-10, 0, 0}, {10, 0, 0}});  // lowest: the edge along y at z = 2
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(*edge, (Contact{0.5, {FeatureKind::edge, 4}, {FeatureKind::edge, 0}}));
+}
+
+TEST(TranslatingContact, FromTheStart) {
+  const Aabb3 room{{0, 0, 0}, {10, 10, 10}};
+  const auto inside = first_contact(Translating<Sphere3>{{{5, 5, 5}, 1}, {1, 0, 0}}, room);
+  ASSERT_TRUE(inside);
+  EXPECT_EQ(*inside, (Contact{0, {FeatureKind::interior, 0}, {FeatureKind::interior, 0}}));
+  const auto touching = first_contact(Translating<Sphere3>{{{-1, 5, 5}, 1}, {-1, 0, 0}}, room);
+  ASSERT_TRUE(touching);
+  EXPECT_EQ(*touching, (Contact{0, face0, {FeatureKind::face, 0}}));
+}
+
+TEST(TranslatingContact, AlongAPlaneAndBesideIt) {
+  // Coplanar motion: an edge slides against a vertex in the plane of both.
+  const Triangle3 a{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, b{{5, -1, 0}, {5, 4, 0}, {9, 0, 0}};
+  const auto hit = first_contact(Translating<Triangle3>{a, {6, 0, 0}}, b);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(*hit, (Contact{0.5, {FeatureKind::vertex, 1}, {FeatureKind::edge, 0}}));
+  const double just = std::numeric_limits<double>::denorm_min();
+  EXPECT_FALSE(intersects(Translating<Triangle3>{a, {6, 0, just}}, b));
+}
+
+TEST(TranslatingContact, AnySizeOfNumbers) {
+  const double huge = 0x1p1020, tiny = 0x1p-1060;
+  EXPECT_EQ(first_contact(Translating<Point3>{{0, 0, 0}, {huge, 0, 0}}, Sphere3{{huge, 0, 0}, huge / 2})->time, 0.5);
+  EXPECT_EQ(first_contact(Translating<Point3>{{0, 0, 0}, {tiny, 0, 0}}, Sphere3{{tiny, 0, 0}, tiny / 2})->time, 0.5);
+  EXPECT_EQ(first_contact(Translating<Segment3>{{{0, -huge, 0}, {0, huge, 0}}, {tiny, 0, 0}},
+                          Segment3{{tiny / 4, 0, -huge}, {tiny / 4, 0, huge}})
+                ->time,
+            0.25);
+}
+
+TEST(TranslatingContact, WhatIsNoShape) {
+  const Translating<Sphere3> ball{{{0, 0, 0}, -1}, {1, 0, 0}};
+  EXPECT_EQ(text_of<InvalidShape>([&] {
+              intersects(ball, Point3{0, 0, 0});
+            }),
+            "intersects: a.shape.radius is negative; a radius is zero or positive");
+  const double nan = std::nan("");
+  EXPECT_THAT(text_of<NonFinite>([&] {
+                first_contact(Translating<Point3>{{0, nan, 0}, {1, 0, 0}}, Point3{0, 0, 0});
+              }),
+              testing::HasSubstr("first_contact: a.shape.y is nan"));
+  EXPECT_THAT(text_of<NonFinite>([&] {
+                intersects(Translating<Point3>{{0, 0, 0}, {nan, 0, 0}}, Point3{0, 0, 0});
+              }),
+              testing::HasSubstr("intersects: a.by.x is nan"));
+}
+
+}  // namespace
+}  // namespace plumb
