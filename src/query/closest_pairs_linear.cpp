@@ -2,6 +2,7 @@
 // integers; the numbers of the one pair of places likewise.
 #include "plumb/query/closest_pairs.hpp"
 #include "query/linear_pair.hpp"
+#include "query/quick_numbers.hpp"
 #include "query/straight_input.hpp"
 
 namespace plumb {
@@ -13,16 +14,15 @@ template <class S>
 using PointOf = std::conditional_t<is_in_space<S>, Point3, Point2>;
 
 template <class T, class A, class B>
-std::optional<Places> places_over(const A& a, const B& b) {
+[[gnu::always_inline]] inline std::optional<Places> places_over(const A& a, const B& b) {
   Signs ask;
   const Places places = closest_places<T>(linear<T>(a), linear<T>(b), ask);
   if (ask.certain()) return places;
   return {};
 }
 
-template <class A, class B>
-[[gnu::noinline]] Places places_exactly(const A& a, const B& b, std::string_view function) {
-  require_finite_shapes(function, a, b);
+template <class Point>
+[[gnu::noinline]] Places places_exactly(const Straight<Point>& a, const Straight<Point>& b) {
   if (const auto places = places_over<Ball>(a, b)) return *places;
   return *places_over<BigDyadic>(a, b);
 }
@@ -31,19 +31,29 @@ template <class A, class B>
 [[gnu::flatten]] Places places_of(const A& a, const B& b, std::string_view function) {
   if (const auto places = places_over<Approximate>(a, b)) [[likely]]
     return *places;
-  return places_exactly(a, b, function);
+  require_finite_shapes(function, a, b);
+  return places_exactly(straight(a), straight(b));
 }
 
-template <class T, class A, class B>
-ClosePair<T, PointOf<A>> pair_over(const A& a, const B& b, const Places& places) {
+template <class T, class Point>
+ClosePair<T, Point> pair_over(const Straight<Point>& a, const Straight<Point>& b, Places places) {
   return close_pair<T>(linear<T>(a), linear<T>(b), places);
 }
 
-template <class A, class B>
-[[gnu::noinline]] ClosePair<BigDyadic, PointOf<A>> exact_pair(const A& a, const B& b, const Places& places,
-                                                              std::string_view function) {
-  require_finite_shapes(function, a, b);
-  return pair_over<BigDyadic>(a, b, places);
+/// What two doubles a number leave in doubt.
+template <class Point>
+[[gnu::noinline]] Numbers<Point> numbers_exactly(const Straight<Point>& a, const Straight<Point>& b, Places places) {
+  const auto quick = pair_over<Ball>(a, b, places);
+  const auto p = nearest_point(quick.a), q = nearest_point(quick.b);
+  const auto d = nearest_distance(quick);
+  if (p && q && d) return {*p, *q, *d};
+  const auto exact = pair_over<BigDyadic>(a, b, places);
+  return {p ? *p : nearest_point(exact.a), q ? *q : nearest_point(exact.b), d ? *d : nearest_distance(exact)};
+}
+template <class Point>
+[[gnu::noinline]] double distance_exactly(const Straight<Point>& a, const Straight<Point>& b, Places places) {
+  if (const auto d = nearest_distance(pair_over<Ball>(a, b, places))) return *d;
+  return nearest_distance(pair_over<BigDyadic>(a, b, places));
 }
 
 Feature feature(Place place) {
@@ -57,15 +67,12 @@ auto closest_of(const A& a, const B& b) {
   using Result = std::conditional_t<is_in_space<A>, Closest, Closest2>;
   constexpr std::string_view name = "closest_points";
   const Places places = places_of(a, b, name);
-  const Feature on_a = feature(places.a), on_b = feature(places.b);
-  const auto quick = pair_over<Ball>(a, b, places);
-  const auto p = nearest_point(quick.a), q = nearest_point(quick.b);
-  const auto d = nearest_distance(quick);
-  if (p && q && d) [[likely]]
-    return Result{*p, *q, *d, on_a, on_b};
-  const auto exact = exact_pair(a, b, places, name);
-  return Result{p ? *p : nearest_point(exact.a), q ? *q : nearest_point(exact.b), d ? *d : nearest_distance(exact),
-                on_a, on_b};
+  auto numbers = quick_numbers(straight(a), straight(b), places);
+  if (!numbers) {
+    require_finite_shapes(name, a, b);
+    numbers = numbers_exactly(straight(a), straight(b), places);
+  }
+  return Result{numbers->on_a, numbers->on_b, numbers->distance, feature(places.a), feature(places.b)};
 }
 
 std::optional<double> parameter(Place place, const Ball& numerator, const Ball& whole) {
@@ -84,27 +91,29 @@ template <class A, class B>
 requires query::StraightPair<A, B>
 double distance(const A& a, const B& b) {
   const Places places = places_of(a, b, "distance");
-  if (const auto d = nearest_distance(pair_over<Ball>(a, b, places))) [[likely]]
+  if (const auto d = quick_distance(straight(a), straight(b), places)) [[likely]]
     return *d;
-  return nearest_distance(exact_pair(a, b, places, "distance"));
+  require_finite_shapes("distance", a, b);
+  return distance_exactly(straight(a), straight(b), places);
 }
 
 template <class A, class B>
 requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b) {
   constexpr std::string_view name = "squared_distance_exact";
-  return square_of(exact_pair(a, b, places_of(a, b, name), name));
+  require_finite_shapes(name, a, b);
+  return square_of(pair_over<BigDyadic>(straight(a), straight(b), places_of(a, b, name)));
 }
 
 template <class A, class B>
 requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, const B& b) {
   constexpr std::string_view name = "closest_parameters";
+  require_finite_shapes(name, a, b);
   const Places places = places_of(a, b, name);
-  const auto quick = pair_over<Ball>(a, b, places);
+  const auto quick = pair_over<Ball>(straight(a), straight(b), places);
   const auto s = parameter(places.a, quick.a.numerator, quick.a.whole);
   const auto t = parameter(places.b, quick.b.numerator, quick.b.whole);
-  if (s && t) [[likely]]
-    return {*s, *t};
-  const auto exact = exact_pair(a, b, places, name);
+  if (s && t) return {*s, *t};
+  const auto exact = pair_over<BigDyadic>(straight(a), straight(b), places);
   return {s ? *s : rounded_quotient(Rounding::nearest, exact.a.numerator, exact.a.whole),
           t ? *t : rounded_quotient(Rounding::nearest, exact.b.numerator, exact.b.whole)};
 }

@@ -46,36 +46,44 @@ inline int order_of(const Point3& a, const Point3& b) {
   return a.x != b.x ? (b.x > a.x ? 1 : -1) : a.y != b.y ? (b.y > a.y ? 1 : -1) : (b.z > a.z) - (b.z < a.z);
 }
 
-template <class T>
-Linear<Vec2<T>, Point2> linear(const Segment2& s) {
+template <class Point>
+using VectorOf = std::conditional_t<std::is_same_v<Point, Point2>, Vector2, Vector3>;
+
+/// The same of doubles, in one form for all.
+template <class Point>
+struct Straight {
+  Point from, to;
+  VectorOf<Point> direction;  // where it does not end
+  bool starts, ends, is_point;
+  int order;
+};
+
+inline Straight<Point2> straight(const Segment2& s) {
   const int order = order_of(s.a, s.b);
-  return {s.a, s.b, between<T>(s.a, s.b), true, true, order == 0, order};
+  return {s.a, s.b, {0, 0}, true, true, order == 0, order};
 }
-template <class T>
-Linear<Vec3<T>, Point3> linear(const Segment3& s) {
+inline Straight<Point3> straight(const Segment3& s) {
   const int order = order_of(s.a, s.b);
-  return {s.a, s.b, between<T>(s.a, s.b), true, true, order == 0, order};
+  return {s.a, s.b, {0, 0, 0}, true, true, order == 0, order};
 }
-template <class T>
-Linear<Vec2<T>, Point2> linear(const Ray2& r) {
-  const int order = order_of(r.direction);
-  return {r.origin, r.origin, vector_of<T>(r.direction), true, false, order == 0, order};
+template <class Point>
+Straight<Point> straight(const Point& from, const VectorOf<Point>& direction, bool starts) {
+  const int order = order_of(direction);
+  return {from, from, direction, starts, false, order == 0, order};
 }
-template <class T>
-Linear<Vec3<T>, Point3> linear(const Ray3& r) {
-  const int order = order_of(r.direction);
-  return {r.origin, r.origin, vector_of<T>(r.direction), true, false, order == 0, order};
+inline Straight<Point2> straight(const Ray2& r) { return straight(r.origin, r.direction, true); }
+inline Straight<Point3> straight(const Ray3& r) { return straight(r.origin, r.direction, true); }
+inline Straight<Point2> straight(const Line2& l) { return straight(l.point, l.direction, false); }
+inline Straight<Point3> straight(const Line3& l) { return straight(l.point, l.direction, false); }
+
+template <class T, class Point>
+[[gnu::always_inline]] inline Linear<VecOf<Point, T>, Point> linear(const Straight<Point>& s) {
+  return {s.from,     s.to,   s.ends ? between<T>(s.from, s.to) : vector_of<T>(s.direction), s.starts, s.ends,
+          s.is_point, s.order};
 }
-template <class T>
-Linear<Vec2<T>, Point2> linear(const Line2& l) {
-  const int order = order_of(l.direction);
-  return {l.point, l.point, vector_of<T>(l.direction), false, false, order == 0, order};
-}
-template <class T>
-Linear<Vec3<T>, Point3> linear(const Line3& l) {
-  const int order = order_of(l.direction);
-  return {l.point, l.point, vector_of<T>(l.direction), false, false, order == 0, order};
-}
+template <class T, class S>
+requires requires(const S& s) { straight(s); }
+[[gnu::always_inline]] inline auto linear(const S& s) { return linear<T>(straight(s)); }
 
 /// Where s = numerator / whole lies, whole > 0.
 template <class T, class L>
@@ -143,23 +151,24 @@ Places closest_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecO
 
 /// What w has of the common normal; in the plane there is none.
 template <class T>
-T normal_gap(const Vec3<T>& w, const Vec3<T>& n) {
+[[gnu::always_inline]] inline T normal_gap(const Vec3<T>& w, const Vec3<T>& n) {
   return dot(w, n);
 }
 template <class T>
-T normal_gap(const Vec2<T>&, const Normal2<T>&) {
+[[gnu::always_inline]] inline T normal_gap(const Vec2<T>&, const Normal2<T>&) {
   return T(0.0);
 }
 
 template <class T, class Point>
-PointOn<T, Point> end_of(const Linear<VecOf<Point, T>, Point>& l, Place place) {
+[[gnu::always_inline]] inline PointOn<T, Point> end_of(const Linear<VecOf<Point, T>, Point>& l, Place place) {
   return {l.at(place), l.along, T(0.0), T(1.0)};
 }
 
 /// A place of a closest pair that is no inside of both parallel ones, with its numbers.
 template <class T, class Point>
-ClosePair<T, Point> close_pair(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q,
-                               const Places& places) {
+[[gnu::always_inline]] inline ClosePair<T, Point> close_pair(const Linear<VecOf<Point, T>, Point>& p,
+                                                             const Linear<VecOf<Point, T>, Point>& q,
+                                                             const Places& places) {
   const bool p_inside = places.a == Place::inside, q_inside = places.b == Place::inside;
   if (p_inside && q_inside) {
     const auto n = cross(p.along, q.along);
