@@ -1,0 +1,138 @@
+#include "plumb/query/ray_batch.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "figure/finite_parts.hpp"
+#include "figure/mesh_input.hpp"
+#include "plumb/certify/ray_order.hpp"
+#include "query/ray_batch_lanes.hpp"
+#include "query/ray_exact_hits.hpp"
+#include "query/ray_numbers.hpp"
+
+namespace plumb {
+namespace query {
+namespace {
+
+constexpr std::size_t chunk = 512;
+
+struct Chunk {
+  std::array<std::uint8_t, chunk> told;
+  std::array<double, chunk> least, most;
+};
+
+BatchRay batch_ray(const AnyRay& ray) {
+  const auto& [x, y, z] = ray.origin;
+  const auto& d = ray.direction;
+  if (ends(ray)) return {{x, y, z}, {ray.end.x - x, ray.end.y - y, ray.end.z - z}, true, true};
+  return {{x, y, z}, {d.x, d.y, d.z}, begins(ray), false};
+}
+
+/// Calls visit(i, told, least, most) for every triangle that is hit, in turn; what lanes do not tell is asked exactly.
+template <class Visit>
+void visit_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule, Visit visit) {
+  require_ray(ray);
+  const BatchRay lanes = batch_ray(ray);
+  Chunk answers;
+  for (std::size_t from = 0; from < many.size(); from += chunk) {
+    const std::size_t n = std::min(chunk, many.size() - from);
+    std::array<const double*, 9> at{};
+    for (std::size_t k = 0; k < 9; ++k) at[k] = many.numbers(k) + from;
+    ask_lanes(lanes, at.data(), n, {answers.told.data(), answers.least.data(), answers.most.data()});
+    for (std::size_t i = 0; i < n; ++i) {
+      if (answers.told[i] == 0) continue;
+      if (answers.told[i] == 1 || is_hit(ray, many[from + i], rule))
+        visit(static_cast<std::uint32_t>(from + i), answers.least[i], answers.most[i]);
+    }
+  }
+}
+
+/// The sign of the first parameter minus the second.
+Sign compare_hits(const AnyRay& ray, const Triangle3& first, const Triangle3& second, HitRule rule) {
+  const std::array<Point3, 3> p{first.a, first.b, first.c}, q{second.a, second.b, second.c};
+  const auto quick = ends(ray) ? compare_segment_parameters(ray.origin, ray.end, p, q)
+                               : compare_ray_parameters(ray.origin, ray.direction, p, q);
+  if (quick) return *quick;
+  const auto order = *first_hit_parameter(ray, first, rule) <=> *first_hit_parameter(ray, second, rule);
+  return order < 0 ? Sign::negative : order > 0 ? Sign::positive : Sign::zero;
+}
+
+struct Near {
+  std::uint32_t index;
+  double least;
+};
+
+std::uint32_t nearest_of(const AnyRay& ray, const TriangleBatch& many, HitRule rule, const std::vector<Near>& all) {
+  std::uint32_t best = all.front().index;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (compare_hits(ray, many[all[i].index], many[best], rule) == Sign::negative) best = all[i].index;
+  }
+  return best;
+}
+
+}  // namespace
+}  // namespace query
+
+using namespace query;
+
+void TriangleBatch::add(const Triangle3& t) {
+  const std::array all{t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z};
+  double zero = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) zero += all[k] - all[k];
+  if (!(zero == 0)) {
+    const std::string which = std::string("triangles[").append(std::to_string(size())).append("]");
+    const std::string a = std::string(which).append(".a"), b = std::string(which).append(".b"),
+                      c = std::string(which).append(".c");
+    require_finite_parts("TriangleBatch", {a, b, c}, t.a, t.b, t.c);
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) of_[k].push_back(all[k]);
+}
+
+TriangleBatch::TriangleBatch(std::span<const Triangle3> triangles) {
+  for (auto& numbers : of_) numbers.reserve(triangles.size());
+  for (const Triangle3& t : triangles) add(t);
+}
+
+TriangleBatch::TriangleBatch(const TriangleMesh& mesh) {
+  require_mesh("TriangleBatch", mesh);
+  for (auto& numbers : of_) numbers.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) add({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+}
+
+void hits(const AnyRay& ray, const TriangleBatch& many, std::span<std::uint8_t> out, HitRule rule) {
+  if (out.size() != many.size())
+    throw UnequalLengths(std::string("hits: out has ")
+                             .append(std::to_string(out.size()))
+                             .append(" items, many has ")
+                             .append(std::to_string(many.size())));
+  std::fill(out.begin(), out.end(), std::uint8_t{0});
+  visit_hits(ray, many, rule, [&](std::uint32_t i, double, double) { out[i] = 1; });
+}
+
+std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule) {
+  std::vector<std::uint32_t> all;
+  visit_hits(ray, many, rule, [&](std::uint32_t i, double, double) { all.push_back(i); });
+  return all;
+}
+
+std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& many, HitRule rule) {
+  // Those that may be the first, as far as doubles tell.
+  std::vector<Near> near;
+  double nearest_end = std::numeric_limits<double>::infinity();
+  visit_hits(ray, many, rule, [&](std::uint32_t i, double least, double most) {
+    if (least > nearest_end) return;
+    nearest_end = std::min(nearest_end, most);
+    near.push_back({i, least});
+  });
+  std::erase_if(near, [&](const Near& n) { return n.least > nearest_end; });
+  if (near.empty()) return {};
+  const std::uint32_t best = nearest_of(ray, many, rule, near);
+  return NumberedHit{best, *first_hit(ray, many[best], rule)};
+}
+
+std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule) {
+  return first_hit(ray, TriangleBatch(mesh), rule);
+}
+
+}  // namespace plumb
