@@ -1,7 +1,12 @@
-// Who answers for two figures with straight edges: quick proofs first, what is exact of all sets for the rest.
+// Who answers for two figures with straight edges: a quick way where the pair has one, what is exact of all sets for
+// the rest.
+#include "convex_search.hpp"
 #include "flat_set.hpp"
 #include "flat_view.hpp"
+#include "halfspace_clip.hpp"
+#include "plane_extent.hpp"
 #include "polygon_relation.hpp"
+#include "separating_axes.hpp"
 
 namespace plumb::query {
 namespace {
@@ -16,17 +21,47 @@ FlatSet set_of(const FlatView& v) {
   });
 }
 
+bool is_empty_box(const FlatView& v) {
+  return v.kind == FigureKind::aabb && with_shape(v, [](const auto& s) {
+           if constexpr (requires { s.min.z; }) {
+             return s.min.x > s.max.x || s.min.y > s.max.y || s.min.z > s.max.z;
+           } else if constexpr (requires { s.min.x; }) {
+             return s.min.x > s.max.x || s.min.y > s.max.y;
+           } else {
+             return false;
+           }
+         });
+}
+
+bool is_many_planes(const FlatView& v) {
+  return is_one_of(v.kind, {FigureKind::k_dop, FigureKind::halfspace_intersection});
+}
+bool is_one_plane(const FlatView& v) { return is_one_of(v.kind, {FigureKind::plane, FigureKind::halfspace}); }
+
+std::optional<Relation> relate_quickly(const FlatView& a, const FlatView& b) {
+  if (is_empty_box(a) || is_empty_box(b)) return Relation::disjoint;
+  if (is_many_planes(a)) return relate_by_clipping(a, b);
+  if (is_many_planes(b)) return relate_by_clipping(b, a);
+  if (is_one_plane(a)) return relate_by_extent(a, b);
+  if (is_one_plane(b)) return relate_by_extent(b, a);
+  if (has_axes(a) && has_axes(b)) return relate_by_axes(a, b);
+  if (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) return relate_by_search(a, b);
+  return {};
+}
+
 }  // namespace
 
 Relation relate_flat(const FlatView& a, const FlatView& b) {
   require("relate", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("relate", a, b);
+  if (const auto quick = relate_quickly(a, b)) return *quick;
   return relate(set_of(a), set_of(b));
 }
 
 bool flat_intersects(const FlatView& a, const FlatView& b) {
   require("intersects", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("intersects", a, b) != Relation::disjoint;
+  if (const auto quick = relate_quickly(a, b)) return *quick != Relation::disjoint;
   return intersects(set_of(a), set_of(b));
 }
 

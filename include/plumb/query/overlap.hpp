@@ -19,9 +19,12 @@
 #include "plumb/figure/sphere.hpp"
 #include "plumb/figure/swept_sphere.hpp"
 #include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap_box.hpp"
 #include "plumb/query/overlap_cylinder_cone.hpp"
+#include "plumb/query/overlap_plane.hpp"
 #include "plumb/query/overlap_round.hpp"
 #include "plumb/query/overlap_round2.hpp"
+#include "plumb/query/overlap_triangle.hpp"
 #include "plumb/query/pairs.hpp"
 
 namespace plumb {
@@ -48,11 +51,13 @@ FlatView view_of(const Shape& shape) {
 Relation relate_flat(const FlatView& a, const FlatView& b);
 bool flat_intersects(const FlatView& a, const FlatView& b);
 
+template <Figure Shape>
+inline constexpr int place_of_kind = static_cast<int>(figure_kind<Shape>);
+
 template <class A, class B>
-concept InOrder = RelatedPair<A, B> && figure_kind<A>
-<= figure_kind<B>;
+concept InOrder = RelatedPair<A, B> &&(place_of_kind<A> <= place_of_kind<B>);
 template <class A, class B>
-concept OtherWayRound = RelatedPair<A, B> && figure_kind<B> < figure_kind<A>;
+concept OtherWayRound = RelatedPair<A, B> &&(place_of_kind<B> < place_of_kind<A>);
 
 }  // namespace query
 
@@ -67,8 +72,7 @@ template <class A, class B>
 requires query::InOrder<A, B>
 bool intersects(const A& a, const B& b) {
   if constexpr (query::FlatFigure<A> && query::FlatFigure<B> &&
-                !query::is_one_of(pair_method(figure_kind<A>, figure_kind<B>, figure_dimension<A>),
-                                  {PairMethod::signs, PairMethod::bounds})) {
+                !query::is_one_of(method_of<A, B>, {PairMethod::signs, PairMethod::bounds, PairMethod::distance})) {
     return query::flat_intersects(query::view_of(a), query::view_of(b));
   } else {
     return relate(a, b) != Relation::disjoint;

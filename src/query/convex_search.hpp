@@ -1,0 +1,19 @@
+// Do two convex hulls of many points overlap, or are they apart?  A guess in doubles, and its proof.
+//
+// Laws: an answer is that of real arithmetic: a plane with all of one on one side and all of the other beyond, or four
+// pairs of points whose differences have the origin strictly inside of their tetrahedron.  Where neither is found, as
+// where the hulls touch or lie in one plane, there is none.
+// Method: the simplex of differences nearest to the origin, grown by support points.  Source: Gilbert, Johnson and
+// Keerthi 1988; RTCD 9.5, 5.2.1.  Cost: some passes over the points, about 2 ns a point each.
+#pragma once
+
+#include <optional>
+
+#include "flat_view.hpp"
+
+namespace plumb::query {
+
+/// One is a ConvexPolyhedron3, the other one as well or a figure of few points.
+std::optional<Relation> relate_by_search(const FlatView& a, const FlatView& b);
+
+}  // namespace plumb::query

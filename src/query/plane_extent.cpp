@@ -1,0 +1,104 @@
+#include "plane_extent.hpp"
+
+#include "axis_body.hpp"
+#include "running_error.hpp"
+
+namespace plumb::query {
+namespace {
+
+using namespace axes;
+
+/// Signs of the least and the greatest value; a side on which the figure goes on counts as one that it reaches.
+struct Extent {
+  Sign least = Sign::positive, greatest = Sign::negative;
+
+  void add(Sign s) {
+    least = std::min(least, s);
+    greatest = std::max(greatest, s);
+  }
+};
+
+/// Signs over doubles, as far as they are certain, or over integers.
+bool sign_of(const Running& x, Sign& sign) {
+  const Unsure<Sign> s = x.sign();
+  if (s.certain()) sign = s.value();
+  return s.certain();
+}
+bool sign_of(const BigDyadic& x, Sign& sign) {
+  sign = x.sign();
+  return true;
+}
+
+template <class T>
+std::optional<Extent> extent_of(const AxisBody<T>& body, const core::Vec<T>& normal, const T& offset) {
+  Extent extent;
+  Sign sign{};
+  for (std::size_t i = 0; i < body.point_count; ++i) {
+    if (!sign_of(core::dot(normal, body.points[i]) - offset, sign)) return {};
+    extent.add(sign);
+  }
+  for (std::size_t i = 0; i < body.edge_count; ++i) {
+    if (body.ends[i] == EdgeEnd::none) continue;
+    if (!sign_of(core::dot(normal, body.edges[i]), sign)) return {};
+    if (sign == Sign::zero) continue;
+    extent.add(sign);
+    if (body.ends[i] == EdgeEnd::both) extent.add(-sign);
+  }
+  return extent;
+}
+
+template <class T, class Shape>
+std::optional<Extent> extent_of(const Shape& s, const Vector3& normal, double offset) {
+  return extent_of(axis_body_of<T>(s, {0, 0, 0}), core::vec<T>(normal), T(offset));
+}
+
+std::optional<Extent> extent_of(const ConvexPolyhedron3& polyhedron, const Vector3& normal, double offset) {
+  Extent extent;
+  const auto n = core::vec<Running>(normal);
+  for (const std::uint32_t v : polyhedron.mesh.corners) {
+    const Point3& p = polyhedron.mesh.vertices[v];
+    Sign sign{};
+    if (!sign_of(core::dot(n, core::vec<Running>(p)) - Running(offset), sign))
+      sign_of(core::dot(core::vec<BigDyadic>(normal), core::vec<BigDyadic>(p)) - BigDyadic(offset), sign);
+    extent.add(sign);
+    if (extent.least == Sign::negative && extent.greatest == Sign::positive) break;
+  }
+  return extent;
+}
+
+std::optional<Extent> extent_of(const FlatView& v, const Vector3& normal, double offset) {
+  return with_shape(v, [&](const auto& s) -> std::optional<Extent> {
+    using Shape = std::remove_cvref_t<decltype(s)>;
+    if constexpr (std::is_same_v<Shape, ConvexPolyhedron3>) {
+      return extent_of(s, normal, offset);
+    } else if constexpr (has_body<Shape>) {
+      const auto quick = extent_of<Running>(s, normal, offset);
+      return quick ? quick : extent_of<BigDyadic>(s, normal, offset);
+    } else {
+      return {};
+    }
+  });
+}
+
+Relation to_plane(const Extent& e) {
+  if (e.least * e.greatest == Sign::negative || e.least == e.greatest)
+    return e.least == e.greatest && e.least != Sign::zero ? Relation::disjoint : Relation::overlapping;
+  return Relation::touching;
+}
+Relation to_halfspace(const Extent& e) { return static_cast<Relation>(-e.least); }
+
+}  // namespace
+
+std::optional<Relation> relate_by_extent(const FlatView& plane, const FlatView& other) {
+  Vector3 normal{};
+  double offset = 0;
+  with_shape(plane, [&](const auto& s) {
+    if constexpr (requires { s.normal; }) normal = in_space(s.normal), offset = s.offset;
+  });
+  if (normal == Vector3{0, 0, 0}) return {};
+  const auto extent = extent_of(other, normal, offset);
+  if (!extent) return {};
+  return plane.kind == FigureKind::plane ? to_plane(*extent) : to_halfspace(*extent);
+}
+
+}  // namespace plumb::query
