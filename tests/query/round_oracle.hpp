@@ -7,6 +7,8 @@
 
 #include <optional>
 
+#include "query/pair_oracle.hpp"
+#include "query/pair_shapes.hpp"
 #include "query/relation_counts.hpp"
 
 namespace plumb::oracle {
@@ -23,16 +25,6 @@ inline Spanned spanned_by(const RationalPoint& corner, const std::vector<Rationa
     const std::size_t n = all.points.size();
     for (std::size_t i = 0; i < n; ++i) all.points.push_back(sum(all.points[i], 1, e));
   }
-  return all;
-}
-inline Spanned spanned(const Rectangle3& r) {
-  const RationalPoint u = rational(r.axes[0]), v = rational(r.axes[1]);
-  const RationalPoint corner = sum(sum(rational(r.center), -mpq_class(r.half.x), u), -mpq_class(r.half.y), v);
-  return spanned_by(corner, {sum({0, 0, 0}, 2 * mpq_class(r.half.x), u), sum({0, 0, 0}, 2 * mpq_class(r.half.y), v)});
-}
-inline Spanned spanned(const ConvexPolyhedron3& polyhedron) {
-  Spanned all;
-  for (const Point3& p : polyhedron.mesh.vertices) all.points.push_back(rational(p));
   return all;
 }
 
@@ -64,18 +56,50 @@ inline Spanned spanned(const HalfspaceIntersection3& s) {
   }
   return all;
 }
-inline Spanned spanned(const KDop3& k_dop) {
+inline HalfspaceIntersection3 sides_of(const KDop3& k_dop) {
   HalfspaceIntersection3 s;
   for (std::size_t i = 0; i < k_dop.directions.size(); ++i) {
     const Vector3& d = k_dop.directions.all()[i];
     s.halfspaces.push_back({d, k_dop.max[i]});
     s.halfspaces.push_back({{-d.x, -d.y, -d.z}, -k_dop.min[i]});
   }
-  return spanned(s);
+  return s;
+}
+inline HalfspaceIntersection3 sides_of(const KDop2& k_dop) {
+  HalfspaceIntersection3 s{{{{0, 0, 1}, 0}, {{0, 0, -1}, 0}}};
+  for (std::size_t i = 0; i < k_dop.directions.size(); ++i) {
+    const auto [x, y] = k_dop.directions.all()[i];
+    s.halfspaces.push_back({{x, y, 0}, k_dop.max[i]});
+    s.halfspaces.push_back({{-x, -y, 0}, -k_dop.min[i]});
+  }
+  return s;
+}
+
+/// The relatively open pieces of a figure whose union is its inside, and those of its boundary, given as closed sets.
+struct Pieces {
+  std::vector<Spanned> inner, boundary;
+};
+template <class Shape>
+Pieces pieces(const Shape& s) {
+  if constexpr (std::is_same_v<Shape, HalfspaceIntersection3>) {
+    return {{spanned(s)}, {}};
+  } else if constexpr (requires { sides_of(s); }) {
+    return {{spanned(sides_of(s))}, {}};
+  } else if constexpr (std::is_same_v<Shape, Halfspace2>) {
+    return {{spanned(Halfspace3{{s.normal.x, s.normal.y, 0}, s.offset})}, {}};
+  } else {
+    Pieces all;
+    const Cells of = cells(s);
+    for (const Cell& c : of.inner) all.inner.push_back(std::get<Spanned>(c));
+    for (const Cell& c : of.boundary) all.boundary.push_back(std::get<Spanned>(c));
+    return all;
+  }
 }
 
 inline Spanned core(const Sphere3& s) { return {{rational(s.center)}, {}}; }
 inline Spanned core(const Capsule3& c) { return {{rational(c.a), rational(c.b)}, {}}; }
+inline Spanned core(const Circle2& s) { return {{rational(s.center)}, {}}; }
+inline Spanned core(const Capsule2& c) { return {{rational(c.a), rational(c.b)}, {}}; }
 inline Spanned core(const Lozenge3& l) {
   return spanned_by(rational(l.corner), {rational(l.edges[0]), rational(l.edges[1])});
 }
@@ -145,12 +169,6 @@ inline std::optional<mpq_class> squared_distance(const Spanned& a, const Spanned
   return BruteDistance(a, b).square();
 }
 
-/// Of a square and the sum of two radii.
-inline Relation relation_of_gap(const std::optional<mpq_class>& square, const mpq_class& reach) {
-  if (!square) return Relation::disjoint;
-  return static_cast<Relation>(sgn(mpq_class(reach * reach - *square)));
-}
-
 /// The double whose square this is, where there is one.
 inline std::optional<double> exact_root(const mpq_class& square) {
   const double r = std::sqrt(square.get_d());
@@ -158,4 +176,89 @@ inline std::optional<double> exact_root(const mpq_class& square) {
   return {};
 }
 
+/// A core against the pieces of a figure, for any radius around it.
+class RoundOracle {
+ public:
+  RoundOracle(const Spanned& core, Pieces other) : core_(core), other_(std::move(other)) {
+    for (const Spanned& piece : other_.inner) lower(inner_, squared_distance(core_, piece));
+    least_ = inner_;
+    for (const Spanned& piece : other_.boundary) lower(least_, squared_distance(core_, piece));
+  }
+
+  /// Of the least distance.
+  [[nodiscard]] const std::optional<mpq_class>& square() const { return least_; }
+
+  [[nodiscard]] Relation relation(const mpq_class& reach) const {
+    if (sgn(reach) == 0) {
+      const Cells core{{core_}, {}},
+          other{{other_.inner.begin(), other_.inner.end()}, {other_.boundary.begin(), other_.boundary.end()}};
+      return oracle::relation(core, other);
+    }
+    const mpq_class limit = reach * reach;
+    if (inner_ && *inner_ < limit) return Relation::overlapping;
+    return least_ && *least_ <= limit ? Relation::touching : Relation::disjoint;
+  }
+
+ private:
+  static void lower(std::optional<mpq_class>& least, const std::optional<mpq_class>& square) {
+    if (square && (!least || *square < *least)) least = square;
+  }
+
+  Spanned core_;
+  Pieces other_;
+  std::optional<mpq_class> inner_, least_;
+};
+
 }  // namespace plumb::oracle
+
+namespace plumb {
+
+/// relate and intersects, both ways round, on random figures; two times of three with the radius that makes them touch,
+/// where a double is it.
+template <class Flat, class Round>
+void expect_as_brute_force(std::uint64_t start, std::uint64_t cases) {
+  Counts counts;
+  int just_touching = 0;
+  shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
+    const Flat flat = pair_cases::near_figure<Flat>(m);
+    auto round = m.shape<Round>();
+    const oracle::RoundOracle expected(oracle::core(round), oracle::pieces(flat));
+    if (expected.square() && m.below(3) != 0) {
+      if (const auto root = oracle::exact_root(*expected.square())) round.radius = *root;
+    }
+    const Relation answer = expected.relation(mpq_class(round.radius));
+    counts.add(answer);
+    if (round.radius > 0 && answer == Relation::touching) ++just_touching;
+    const std::string about = m.about(flat, round);
+    ASSERT_EQ(relate(flat, round), answer) << about;
+    ASSERT_EQ(relate(round, flat), answer) << about;
+    ASSERT_EQ(intersects(flat, round), answer != Relation::disjoint) << about;
+    ASSERT_EQ(intersects(round, flat), answer != Relation::disjoint) << about;
+  });
+  std::printf("disjoint %d, touching %d (%d round), overlapping %d\n", counts.of[0], counts.of[1], just_touching,
+              counts.of[2]);
+  if (cases >= 50) expect_all_answers(counts, cases * shape_cases::more);
+}
+
+/// Two round figures, likewise.
+template <class A, class B>
+void expect_round_as_brute_force(std::uint64_t start, std::uint64_t cases) {
+  Counts counts;
+  shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
+    const auto a = m.shape<A>();
+    auto b = m.shape<B>();
+    const oracle::RoundOracle expected(oracle::core(a), {{oracle::core(b)}, {}});
+    if (const auto root = oracle::exact_root(*expected.square()); root && m.below(2) == 0) {
+      const double rest = *root - a.radius;
+      if (rest >= 0) b.radius = rest;
+    }
+    const Relation answer = expected.relation(mpq_class(a.radius) + mpq_class(b.radius));
+    counts.add(answer);
+    ASSERT_EQ(relate(a, b), answer) << m.about(a, b);
+    ASSERT_EQ(relate(b, a), answer) << m.about(a, b);
+  });
+  std::printf("disjoint %d, touching %d, overlapping %d\n", counts.of[0], counts.of[1], counts.of[2]);
+  expect_all_answers(counts, cases * shape_cases::more);
+}
+
+}  // namespace plumb
