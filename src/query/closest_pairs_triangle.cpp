@@ -1,5 +1,7 @@
 // Triangles against lines, rays, segments and triangles.
 #include "plumb/query/closest_pairs.hpp"
+#include "query/quick_numbers.hpp"
+#include "query/straight_guess.hpp"
 #include "query/straight_input.hpp"
 #include "query/straight_search.hpp"
 
@@ -22,9 +24,67 @@ Found<BigDyadic> exactly(const A& a, const B& b) {
   return *found_over<BigDyadic>(a, b);
 }
 
+const Triangle3& in_one_form(const Triangle3& t) { return t; }
+Straight<Point3> in_one_form(const Line3& s) { return straight(s); }
+Straight<Point3> in_one_form(const Ray3& s) { return straight(s); }
+Straight<Point3> in_one_form(const Segment3& s) { return straight(s); }
+
+/// The edge or vertex of this number as a line, and the place on it.
+struct OnLine {
+  Straight<Point3> line;
+  Place place;
+};
+OnLine on_line(const Straight<Point3>& s, Feature f) {
+  if (f.kind == FeatureKind::edge) return {s, Place::inside};
+  return {s, f.index == 0 ? Place::start : Place::end};
+}
+OnLine on_line(const Triangle3& t, Feature f) {
+  const std::array corner{t.a, t.b, t.c};
+  return {straight(Segment3{corner[f.index], corner[(f.index + 1) % 3]}),
+          f.kind == FeatureKind::edge ? Place::inside : Place::start};
+}
+
+const Triangle3* triangle_of(const Straight<Point3>&) { return nullptr; }
+const Triangle3* triangle_of(const Triangle3& t) { return &t; }
+
+Numbers<Point3> turned(const Numbers<Point3>& n) { return {n.on_b, n.on_a, n.distance}; }
+
+/// Of a feature that is not the face, with the face of a triangle.
+std::optional<Numbers<Point3>> numbers_on_face(const OnLine& from, const Triangle3& face) {
+  if (from.place != Place::inside)
+    return quick_numbers(from.place == Place::start ? from.line.from : from.line.to, face);
+  const auto crossing = quick_crossing(from.line, face);
+  if (!crossing) return {};
+  return Numbers<Point3>{*crossing, *crossing, 0};
+}
+
 template <class A, class B>
-Closest closest_of(const A& a, const B& b) {
-  require_finite_shapes("closest_points", a, b);
+std::optional<Numbers<Point3>> numbers_of(const A& a, const B& b, const FeaturePair& f) {
+  if (f.b == the_face) return numbers_on_face(on_line(a, f.a), *triangle_of(b));
+  if (f.a == the_face) {
+    const auto numbers = numbers_on_face(on_line(b, f.b), *triangle_of(a));
+    if (!numbers) return {};
+    return turned(*numbers);
+  }
+  const OnLine p = on_line(a, f.a), q = on_line(b, f.b);
+  return quick_numbers(p.line, q.line, {p.place, q.place});
+}
+
+template <class A, class B>
+std::optional<double> distance_between(const A& a, const B& b, const FeaturePair& f) {
+  if (f.a == the_face || f.b == the_face) {
+    const OnLine from = f.b == the_face ? on_line(a, f.a) : on_line(b, f.b);
+    if (from.place == Place::inside) return 0.0;
+    const Triangle3& face = f.b == the_face ? *triangle_of(b) : *triangle_of(a);
+    return quick_distance(from.place == Place::start ? from.line.from : from.line.to, face);
+  }
+  const OnLine p = on_line(a, f.a), q = on_line(b, f.b);
+  return quick_distance(p.line, q.line, {p.place, q.place});
+}
+
+/// All pairs of features, over pairs of doubles and over integers.
+template <class A, class B>
+[[gnu::noinline]] Closest closest_of_all(const A& a, const B& b) {
   if (const auto quick = found_over<Ball>(a, b)) {
     const auto p = nearest_point(quick->pair.a), q = nearest_point(quick->pair.b);
     const auto d = nearest_distance(quick->pair);
@@ -35,8 +95,18 @@ Closest closest_of(const A& a, const B& b) {
 }
 
 template <class A, class B>
-double distance_of(const A& a, const B& b) {
-  require_finite_shapes("distance", a, b);
+Closest closest_of(const A& a, const B& b) {
+  const auto& p = in_one_form(a);
+  const auto& q = in_one_form(b);
+  if (const auto features = certain_features(p, q)) {
+    if (const auto n = numbers_of(p, q, *features)) return {n->on_a, n->on_b, n->distance, features->a, features->b};
+  }
+  require_finite_shapes("closest_points", a, b);
+  return closest_of_all(p, q);
+}
+
+template <class A, class B>
+[[gnu::noinline]] double distance_of_all(const A& a, const B& b) {
   if (const auto quick = found_over<Ball>(a, b)) {
     if (const auto d = nearest_distance(quick->pair)) return *d;
   }
@@ -44,9 +114,20 @@ double distance_of(const A& a, const B& b) {
 }
 
 template <class A, class B>
+double distance_of(const A& a, const B& b) {
+  const auto& p = in_one_form(a);
+  const auto& q = in_one_form(b);
+  if (const auto features = certain_features(p, q)) {
+    if (const auto d = distance_between(p, q, *features)) return *d;
+  }
+  require_finite_shapes("distance", a, b);
+  return distance_of_all(p, q);
+}
+
+template <class A, class B>
 Rational square_exactly(const A& a, const B& b) {
   require_finite_shapes("squared_distance_exact", a, b);
-  return square_of(exactly(a, b).pair);
+  return square_of(exactly(in_one_form(a), in_one_form(b)).pair);
 }
 
 // The plane is a plane of space.

@@ -44,8 +44,8 @@ typename Body<T>::NumberedEdge no_edge() {
   return {{{}, {}, {zero, zero, zero}, true, true, true, 0}, 0};
 }
 
-template <class T, class S>
-requires(!std::same_as<S, Triangle3>) Body<T> body_of(const S& s, Signs&) {
+template <class T>
+Body<T> body_of(const Straight<Point3>& s, Signs&) {
   const Edge3<T> e = linear<T>(s);
   Body<T> body{{e.from, e.to}, {typename Body<T>::NumberedEdge{e, 0}, no_edge<T>(), no_edge<T>()}, 0, 0, {}};
   body.vertex_count = e.ends ? 2 : e.starts || e.is_point ? 1 : 0;
