@@ -1,0 +1,51 @@
+#include <CGAL/intersections.h>
+#include <CGAL/squared_distance_3.h>
+
+#include "oracle/cgal_kernel.hpp"
+#include "oracle/first_hits.hpp"
+
+namespace plumb::oracle {
+namespace {
+
+Kernel::Point_3 of(const Point3& p) { return {Number(p.x), Number(p.y), Number(p.z)}; }
+Kernel::Vector_3 of(const Vector3& v) { return {Number(v.x), Number(v.y), Number(v.z)}; }
+
+/// Nothing for a ray that is a point.
+template <class Ask>
+std::optional<bool> with(const AnyRay& ray, const Ask& ask) {
+  if (ray.kind == AnyRay::Kind::segment) {
+    if (ray.origin == ray.end) return {};
+    return ask(Kernel::Segment_3(of(ray.origin), of(ray.end)));
+  }
+  if (ray.direction == Vector3{0, 0, 0}) return {};
+  if (ray.kind == AnyRay::Kind::ray) return ask(Kernel::Ray_3(of(ray.origin), of(ray.direction)));
+  return ask(Kernel::Line_3(of(ray.origin), of(ray.direction)));
+}
+template <class Shape>
+std::optional<bool> meets(const AnyRay& ray, const Shape& shape) {
+  if (shape.is_degenerate()) return {};
+  return with(ray, [&](const auto& straight) { return CGAL::do_intersect(straight, shape); });
+}
+
+}  // namespace
+
+std::optional<bool> is_hit(const AnyRay& ray, const Triangle3& t) {
+  return meets(ray, Kernel::Triangle_3(of(t.a), of(t.b), of(t.c)));
+}
+std::optional<bool> is_hit(const AnyRay& ray, const Tetrahedron3& t) {
+  return meets(ray, Kernel::Tetrahedron_3(of(t.a), of(t.b), of(t.c), of(t.d)));
+}
+std::optional<bool> is_hit(const AnyRay& ray, const Aabb3& b) {
+  if (!(b.min.x < b.max.x && b.min.y < b.max.y && b.min.z < b.max.z)) return {};
+  return meets(ray, Kernel::Iso_cuboid_3(of(b.min), of(b.max)));
+}
+std::optional<bool> is_hit(const AnyRay& ray, const Sphere3& s) {
+  return with(ray, [&](const auto& straight) {
+    return CGAL::squared_distance(of(s.center), straight) <= Number(s.radius) * Number(s.radius);
+  });
+}
+std::optional<bool> is_hit(const AnyRay& ray, const Plane3& p) {
+  return meets(ray, Kernel::Plane_3(Number(p.normal.x), Number(p.normal.y), Number(p.normal.z), -Number(p.offset)));
+}
+
+}  // namespace plumb::oracle
