@@ -20,12 +20,16 @@ concept IsRound = requires(const Shape& s) {
   s.radius;
 };
 
-/// Zero where all numbers are real, NaN otherwise.  Of shapes that are lists: zero.
+/// Zero where all numbers are real, NaN otherwise.  Of shapes that are lists of numbers: zero.
 template <class Shape>
 double unreal(const Shape& s) {
   if constexpr (std::is_trivially_copyable_v<Shape>) {
     double zero = 0;
     for (const double x : std::bit_cast<std::array<double, sizeof(Shape) / sizeof(double)>>(s)) zero += x - x;
+    return zero;
+  } else if constexpr (requires { s.mesh; }) {
+    double zero = 0;
+    for (const Point3& p : s.mesh.vertices) zero += (p.x - p.x) + (p.y - p.y) + (p.z - p.z);
     return zero;
   } else {
     return 0;
