@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "plumb/certify/decide.hpp"
+
 namespace plumb::query::moving {
 namespace {
 
@@ -21,7 +23,8 @@ constexpr double unit = 0x1p-53;
 constexpr double least = 0x1p-960;
 constexpr double cross_constant = 2 * 16 * unit;
 constexpr double cubic_constant = 6 * 32 * unit;
-constexpr double finest = 0x1p-40;  // pieces of time
+constexpr double finest = 0x1p-24, narrow = 0x1p-8;  // pieces of time
+constexpr int most_steps = 80;
 
 struct Vec {
   double x, y, z;
@@ -92,9 +95,7 @@ Vec largest(const std::array<Linear, Count>& all) {
   return m;
 }
 
-/// Along one axis, over a piece: do the projections stay apart, or cross strictly?
-enum class Crossing : unsigned char { apart, across, unknown };
-
+/// Along one axis, over a piece.
 template <std::size_t Count, double Vec::*axis>
 Crossing crossing(const Figures<Count>& f, double s, double t) {
   std::array<unsigned, Count> side{};
@@ -125,9 +126,49 @@ Crossing crossing(const Figures<Count>& f, double s, double t) {
   return across ? Crossing::across : Crossing::unknown;
 }
 
-/// All of time, halved where it does not tell.
+/// The part of time in which the cubic has exactly one root, if its coefficients there say so.
+std::optional<Bracket> bracket_of(const Cubic& b, double bound, double from, double to) {
+  if ((certain_sign(b[0], bound) & opposite(certain_sign(b[3], bound))) == 0) return {};
+  const std::array<double, 3> steps{b[1] - b[0], b[2] - b[1], b[3] - b[2]};
+  unsigned signs = either;
+  for (const double step : steps) signs &= certain_sign(step, 4 * bound);
+  if (signs == 0) return {};
+  // A step is off by 2 bounds at most, besides its rounding.
+  const auto size = [](double x) { return __builtin_fabs(x); };
+  const double step = smaller(size(steps[0]), smaller(size(steps[1]), size(steps[2])));
+  const double width = to - from;
+  double x = b[0] / (b[0] - b[3]), slope = 0;
+  for (int i = 0; i < 5; ++i) {
+    slope = polar(steps[0], steps[1], steps[2], x, x);
+    x -= polar(between(b[0], b[1], x), between(b[1], b[2], x), between(b[2], b[3], x), x, x) / (3 * slope);
+    x = x > 0 ? smaller(x, 1) : 0;
+  }
+  return Bracket{from, to, from + x * width, 3 * slope / width, 1.25 * step / width};
+}
+
+/// Along the axis that shows the figures largest.
 template <std::size_t Count>
-Verdict search(const Figures<Count>& f, const Cubic& cubic, double bound) {
+Crossing crossing_at_root(const Figures<Count>& f, const ContactAtRoot& close, const Ball& time) {
+  std::array<double, 3> size{};
+  const auto at = [&](std::size_t i, double Vec::*axis) {
+    const std::array<Vec, 3>& c = f.sides[i].c;
+    return polar(c[0].*axis, c[1].*axis, c[2].*axis, time.high, time.high);
+  };
+  constexpr std::array axes{&Vec::x, &Vec::y, &Vec::z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double whole =
+        Count == 3 ? at(0, axes[k]) + at(1, axes[k]) + at(2, axes[k]) : at(0, axes[k]) - at(1, axes[k]);
+    size[k] = __builtin_fabs(whole);
+  }
+  const std::size_t axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : size[1] > size[2] ? 1 : 2;
+  return close.crossing(time, axis);
+}
+
+enum class Asked : unsigned char { whether, when };
+
+/// All of time, halved where it does not tell, from its start on.
+template <Asked asked, std::size_t Count>
+FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound, const ContactQuestion& question) {
   struct Piece {
     double from, to;
   };
@@ -135,6 +176,7 @@ Verdict search(const Figures<Count>& f, const Cubic& cubic, double bound) {
   std::size_t count = 0;
   waiting[count++] = {0, 1};
   bool doubt = false;
+  std::optional<ContactAtRoot> close;
   for (int steps = 0; count > 0; ++steps) {
     const auto [s, t] = waiting[--count];
     const Cubic b = piece_of(cubic, s, t);
@@ -148,8 +190,23 @@ Verdict search(const Figures<Count>& f, const Cubic& cubic, double bound) {
     const Crossing c = crossing(f, s, t);
     if (c == Crossing::apart) continue;
     const bool changes = (certain_sign(b[0], bound) & opposite(certain_sign(b[3], bound))) != 0;
-    if (c == Crossing::across && changes) return Verdict::yes;
-    if (tiny || t - s <= finest || steps > 80) {
+    if (asked == Asked::whether && c == Crossing::across && changes) return {Verdict::yes, {}};
+    if (changes && (c == Crossing::across || t - s <= narrow)) {
+      if (const auto bracket = bracket_of(b, bound, s, t)) {
+        if (!close) close.emplace(question.kind, question.at_0, question.at_1);
+        const auto time = close->root(*bracket);
+        const Crossing there = !time                   ? Crossing::unknown
+                               : c == Crossing::across ? c
+                                                       : crossing_at_root(f, *close, *time);
+        if (there == Crossing::apart) continue;
+        if (there == Crossing::across) return {Verdict::yes, time};
+        if (asked == Asked::when) return {Verdict::unsure, {}};
+        doubt = true;
+        continue;
+      }
+    }
+    if (tiny || t - s <= finest || steps > most_steps) {
+      if (asked == Asked::when) return {Verdict::unsure, {}};
       doubt = true;
       continue;
     }
@@ -157,17 +214,29 @@ Verdict search(const Figures<Count>& f, const Cubic& cubic, double bound) {
     waiting[count++] = {middle, t};
     waiting[count++] = {s, middle};
   }
-  return doubt ? Verdict::unsure : Verdict::no;
+  return {doubt ? Verdict::unsure : Verdict::no, {}};
 }
 
-template <std::size_t Count>
-Verdict decide(Figures<Count>& f, const Linear& normal_to, const Quadratic& product) {
+bool coplanar(std::span<const Point3, 4> p) {
+  return plumb::decide<predicates::Orient3d>({p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z,  //
+                                              p[2].x, p[2].y, p[2].z, p[3].x, p[3].y, p[3].z}) == Sign::zero;
+}
+
+template <Asked asked, std::size_t Count>
+FilteredContact decide(Figures<Count>& f, const Linear& normal_to, const Quadratic& product,
+                       const ContactQuestion& question) {
   const Vec m = largest(f.differences);
   const Cubic cubic = dot(normal_to, product);
   const double bound = cubic_constant * m.x * m.y * m.z + least;
   f.bound = {cross_constant * m.y * m.z + least, cross_constant * m.z * m.x + least,
              cross_constant * m.x * m.y + least};
-  return search(f, cubic, bound);
+  // In one plane at an end of time: no piece around that root would ever do.
+  const auto meet_at = [&](double coefficient, std::span<const Point3, 4> p, double time) {
+    return certain_sign(coefficient, bound) == 0 && crossing(f, time, time) == Crossing::across && coplanar(p);
+  };
+  if (meet_at(cubic[0], question.at_0, 0)) return {Verdict::yes, Ball{0}};
+  if (asked == Asked::whether && meet_at(cubic[3], question.at_1, 1)) return {Verdict::yes, {}};
+  return search<asked>(f, cubic, bound, question);
 }
 
 /// Do the coordinates along an axis keep one order?  Between the first `Count` points and the others, by comparisons.
@@ -192,26 +261,32 @@ bool apart(std::span<const Point3, 4> p, std::span<const Point3, 4> q) {
   return (apart<Count, &Point3::x>(p, q) | apart<Count, &Point3::y>(p, q) | apart<Count, &Point3::z>(p, q)) != 0;
 }
 
-}  // namespace
-
-Verdict contact_filter(MovingKind kind, std::span<const Point3, 4> p, std::span<const Point3, 4> q) {
+template <Asked asked>
+FilteredContact filter(const ContactQuestion& question) {
+  const std::span<const Point3, 4> p = question.at_0, q = question.at_1;
   const auto linear = [&](std::size_t i, std::size_t j) {
     return Linear{difference(p[i], p[j]), difference(q[i], q[j])};
   };
-  if (kind == MovingKind::vertex_triangle) {
-    if (apart<1>(p, q)) return Verdict::no;
+  if (question.kind == MovingKind::vertex_triangle) {
+    if (apart<1>(p, q)) return {Verdict::no, {}};
     Figures<3> f;
     f.differences = {linear(1, 0), linear(2, 0), linear(3, 0)};
     const auto& [a, b, c] = f.differences;
     f.sides = {cross(a, b), cross(b, c), cross(c, a)};
-    return decide(f, c, f.sides[0]);
+    return decide<asked>(f, c, f.sides[0], question);
   }
-  if (apart<2>(p, q)) return Verdict::no;
+  if (apart<2>(p, q)) return {Verdict::no, {}};
   Figures<4> f;
   f.differences = {linear(2, 0), linear(3, 0), linear(2, 1), linear(3, 1)};
   const auto& [ac, ad, bc, bd] = f.differences;
   f.sides = {cross(ac, ad), cross(bc, bd), cross(ac, bc), cross(ad, bd)};
-  return decide(f, bc, f.sides[0]);
+  return decide<asked>(f, bc, f.sides[0], question);
 }
+
+}  // namespace
+
+Verdict contact_filter(const ContactQuestion& question) { return filter<Asked::whether>(question).verdict; }
+
+FilteredContact first_contact_filter(const ContactQuestion& question) { return filter<Asked::when>(question); }
 
 }  // namespace plumb::query::moving

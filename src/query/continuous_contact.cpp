@@ -10,11 +10,7 @@ namespace plumb {
 namespace {
 
 using query::moving::ExactContact, query::moving::MovingKind, query::moving::Verdict;
-
-struct Motion {
-  MovingKind kind;
-  std::array<Point3, 4> at_0, at_1;
-};
+using Motion = query::moving::ContactQuestion;
 
 Motion motion_of(const Moving<Point3>& a, const Moving<Triangle3>& b) {
   return {MovingKind::vertex_triangle, {a.from, b.from.a, b.from.b, b.from.c}, {a.to, b.to.a, b.to.b, b.to.c}};
@@ -72,7 +68,7 @@ template <class A, class B>
 bool meet(const A& a, const B& b, const ContactOptions& options) {
   const Motion m = valid_motion("intersects", a, b, options);
   if (options.separation == 0) {
-    const Verdict verdict = query::moving::contact_filter(m.kind, m.at_0, m.at_1);
+    const Verdict verdict = query::moving::contact_filter(m);
     if (verdict != Verdict::unsure) [[likely]]
       return verdict == Verdict::yes;
   }
@@ -80,22 +76,28 @@ bool meet(const A& a, const B& b, const ContactOptions& options) {
 }
 
 template <class A, class B>
-std::optional<ExactContact> first(std::string_view function, const A& a, const B& b, const ContactOptions& options) {
-  const Motion m = valid_motion(function, a, b, options);
-  if (options.separation == 0 && query::moving::contact_filter(m.kind, m.at_0, m.at_1) == Verdict::no) return {};
-  return exact_first_contact(m, options.separation);
-}
-
-template <class A, class B>
 std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& options) {
-  const auto exact = first("first_contact", a, b, options);
+  const Motion m = valid_motion("first_contact", a, b, options);
+  if (options.separation == 0) {
+    const auto [verdict, time] = query::moving::first_contact_filter(m);
+    if (verdict == Verdict::no) return {};
+    if (const auto down = verdict == Verdict::yes ? time->rounded(Rounding::down) : std::nullopt) {
+      const bool edges = m.kind == MovingKind::edge_edge;
+      return Contact{*down,
+                     {edges ? FeatureKind::edge : FeatureKind::vertex, 0},
+                     {edges ? FeatureKind::edge : FeatureKind::face, 0}};
+    }
+  }
+  const auto exact = exact_first_contact(m, options.separation);
   if (!exact) return {};
   return Contact{query::rounded(Rounding::down, exact->time), exact->a, exact->b};
 }
 
 template <class A, class B>
 std::optional<Root> contact_time(const A& a, const B& b, const ContactOptions& options) {
-  auto exact = first("first_contact_time", a, b, options);
+  const Motion m = valid_motion("first_contact_time", a, b, options);
+  if (options.separation == 0 && query::moving::contact_filter(m) == Verdict::no) return {};
+  auto exact = exact_first_contact(m, options.separation);
   if (!exact) return {};
   return Root(std::make_shared<const query::IsolatedRoot>(std::move(exact->time)));
 }

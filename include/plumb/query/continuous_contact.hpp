@@ -10,8 +10,9 @@
 // the lowest dimension, then those of the lowest number, a vertex of a before one of b.
 // A coordinate or separation that is NaN or infinite throws NonFinite, a negative separation InvalidShape.
 // Source: RTCD 5.5; Provot 1997; Brochu, Edwards and Bridson 2012 for what exactness asks.
-// Cost: a comparison of coordinates or the cubic's signs, below 100 ns, for what stays apart; below a microsecond for
-// most contacts; some 20 us where a contact is exactly at an end or an edge, or times are asked for.
+// Cost: comparisons of coordinates or the cubic's signs, below 100 ns, for what stays apart; below a microsecond for
+// most contacts, some 2 us for their times; 5 to 20 us where an edge or an end is met exactly or an exact time is asked
+// for, and some 100 us for motion within one plane or with a separation.
 #pragma once
 
 #include <optional>
