@@ -168,6 +168,7 @@ PLUMB_METHOD(triangles, triangle_pairs, closest);
 PLUMB_METHOD(triangles_distance, triangle_pairs, length);
 PLUMB_METHOD(triangles_compare, triangle_pairs, nearer_than_half);
 PLUMB_RIVAL(triangles_plain, triangle_pairs, plain_triangles_length, plain_triangles);
+PLUMB_RIVAL(triangles_cgal, triangle_pairs, triangles_in_cgal, triangles_in_cgal);
 
 }  // namespace
 }  // namespace plumb::bench

@@ -29,5 +29,6 @@ double segments_in_eigen(const Segment3& p, const Segment3& q);
 
 double segments_in_cgal(const Segment3& p, const Segment3& q);
 double lines_in_cgal(const Line3& p, const Line3& q);
+double triangles_in_cgal(const Triangle3& p, const Triangle3& q);
 
 }  // namespace plumb::bench

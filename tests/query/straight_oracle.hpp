@@ -65,6 +65,19 @@ std::vector<Part> parts_of(const S& s) {
   return parts;
 }
 
+/// Is it a set of less dimensions than its kind has?
+template <class S>
+bool is_flat(const S& s) {
+  if constexpr (requires { s.direction; }) {
+    return is_zero(exact(s.direction));
+  } else if constexpr (requires { s.c; }) {
+    const Vector u = exact(s.b) - exact(s.a), v = exact(s.c) - exact(s.a);
+    return dot(u, u) * dot(v, v) == dot(u, v) * dot(u, v);
+  } else {
+    return is_zero(exact(s.b) - exact(s.a));
+  }
+}
+
 struct Pair {
   Vector on_a, on_b;
   mpq_class square;
