@@ -11,16 +11,6 @@
 namespace plumb::query {
 namespace {
 
-FlatSet set_of(const FlatView& v) {
-  return with_shape(v, [](const auto& s) {
-    if constexpr (requires { flat_set(s); }) {
-      return flat_set(s);
-    } else {
-      return FlatSet{};  // polygons are asked otherwise
-    }
-  });
-}
-
 bool is_empty_box(const FlatView& v) {
   return v.kind == FigureKind::aabb && with_shape(v, [](const auto& s) {
            if constexpr (requires { s.min.z; }) {
@@ -55,14 +45,14 @@ Relation relate_flat(const FlatView& a, const FlatView& b) {
   require("relate", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("relate", a, b);
   if (const auto quick = relate_quickly(a, b)) return *quick;
-  return relate(set_of(a), set_of(b));
+  return relate(flat_set(a), flat_set(b));
 }
 
 bool flat_intersects(const FlatView& a, const FlatView& b) {
   require("intersects", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("intersects", a, b) != Relation::disjoint;
   if (const auto quick = relate_quickly(a, b)) return *quick != Relation::disjoint;
-  return intersects(set_of(a), set_of(b));
+  return intersects(flat_set(a), flat_set(b));
 }
 
 }  // namespace plumb::query

@@ -51,6 +51,16 @@ void require(std::string_view function, std::string_view name, const FlatView& v
 
 }  // namespace
 
+FlatSet flat_set(const FlatView& v) {
+  return with_shape(v, [](const auto& s) {
+    if constexpr (requires { query::flat_set(s); }) {
+      return query::flat_set(s);
+    } else {
+      return FlatSet{};
+    }
+  });
+}
+
 std::string_view spoken(FigureKind kind) {
   switch (kind) {
     case FigureKind::three_point_plane:

@@ -8,6 +8,7 @@
 
 #include <string_view>
 
+#include "flat_set.hpp"
 #include "plumb/query/overlap.hpp"
 
 namespace plumb::query {
@@ -49,6 +50,9 @@ inline bool is_polygon(const FlatView& v) {
 }
 
 void require(std::string_view function, const FlatView& a, const FlatView& b);
+
+/// The figure as an exact set; nothing of polygons.
+FlatSet flat_set(const FlatView& v);
 
 /// What a text calls it.
 std::string_view spoken(FigureKind kind);

@@ -1,6 +1,7 @@
 #include "plane_extent.hpp"
 
 #include "axis_body.hpp"
+#include "plumb/certify/direction.hpp"
 #include "running_error.hpp"
 
 namespace plumb::query {
@@ -87,15 +88,32 @@ Relation to_plane(const Extent& e) {
 }
 Relation to_halfspace(const Extent& e) { return static_cast<Relation>(-e.least); }
 
+Vector3 normal_of(const FlatView& plane) {
+  return with_shape(plane, [](const auto& s) {
+    if constexpr (requires { s.normal; }) {
+      return in_space(s.normal);
+    } else {
+      return Vector3{0, 0, 0};
+    }
+  });
+}
+
 }  // namespace
 
 std::optional<Relation> relate_by_extent(const FlatView& plane, const FlatView& other) {
-  Vector3 normal{};
-  double offset = 0;
-  with_shape(plane, [&](const auto& s) {
-    if constexpr (requires { s.normal; }) normal = in_space(s.normal), offset = s.offset;
+  const Vector3 normal = normal_of(plane);
+  const double offset = with_shape(plane, [&](const auto& s) {
+    if constexpr (requires { s.normal; }) {
+      return s.offset;
+    } else {
+      return 0.0;
+    }
   });
   if (normal == Vector3{0, 0, 0}) return {};
+  if (is_one_of(other.kind, {FigureKind::plane, FigureKind::halfspace})) {
+    const Vector3 second = normal_of(other);  // one that is zero is parallel to all
+    return parallel(normal, second) ? std::nullopt : std::optional(Relation::overlapping);
+  }
   const auto extent = extent_of(other, normal, offset);
   if (!extent) return {};
   return plane.kind == FigureKind::plane ? to_plane(*extent) : to_halfspace(*extent);

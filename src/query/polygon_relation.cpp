@@ -5,6 +5,7 @@
 
 #include "figure/plane_of_points.hpp"
 #include "flat_set.hpp"
+#include "polygon_apart.hpp"
 #include "polygon_region.hpp"
 
 namespace plumb::query {
@@ -110,26 +111,31 @@ PlaneRegion region_of(const std::vector<Chain>& chains, const std::vector<Point3
                          .append("; triangulate it"));
 }
 
-Parts parts_of(std::string_view function, const FlatView& v) {
-  if (!is_polygon(v)) {
-    return {{},
-            {{with_shape(v,
-                         [](const auto& s) {
-                           if constexpr (requires { flat_set(s); }) {
-                             return flat_set(s);
-                           } else {
-                             return FlatSet{};
-                           }
-                         }),
-              true}}};
-  }
-  const std::vector<Chain> chains = chains_of(v);
+/// The chains, and the plane that they lie in; nothing of other figures.
+struct PolygonInput {
+  std::vector<Chain> chains;
   std::vector<Point3> all;
-  for (const Chain& chain : chains) all.insert(all.end(), chain.begin(), chain.end());
-  const PlaneOfPoints plane = plane_of_points(all);
-  if (plane.dimension == 3) throw_not_planar(function, spoken(v.kind), plane);
-  if (plane.dimension < 2) return {{}, pieces_on_line(chains)};
-  return {region_of(chains, all, plane), {}};
+  PlaneOfPoints plane;
+
+  [[nodiscard]] SpanOfPolygon span() const {
+    if (plane.dimension < 2) return {};
+    return std::array{all[plane.span[0]], all[plane.span[1]], all[plane.span[2]]};
+  }
+};
+PolygonInput input_of(std::string_view function, const FlatView& v) {
+  PolygonInput input;
+  if (!is_polygon(v)) return input;
+  input.chains = chains_of(v);
+  for (const Chain& chain : input.chains) input.all.insert(input.all.end(), chain.begin(), chain.end());
+  input.plane = plane_of_points(input.all);
+  if (input.plane.dimension == 3) throw_not_planar(function, spoken(v.kind), input.plane);
+  return input;
+}
+
+Parts parts_of(const FlatView& v, const PolygonInput& input) {
+  if (!is_polygon(v)) return {{}, {{flat_set(v), true}}};
+  if (input.plane.dimension < 2) return {{}, pieces_on_line(input.chains)};
+  return {region_of(input.chains, input.all, input.plane), {}};
 }
 
 /// A convex set of the plane by its generators.
@@ -268,7 +274,10 @@ Relation relate_to_pieces(const Part& part, const std::vector<Piece>& pieces) {
 }  // namespace
 
 Relation relate_polygon(std::string_view function, const FlatView& a, const FlatView& b) {
-  const Parts p = parts_of(function, a), q = parts_of(function, b);
+  const PolygonInput of_a = input_of(function, a), of_b = input_of(function, b);
+  if (is_polygon(a) && are_surely_apart(a, of_a.span(), b)) return Relation::disjoint;
+  if (is_polygon(b) && are_surely_apart(b, of_b.span(), a)) return Relation::disjoint;
+  const Parts p = parts_of(a, of_a), q = parts_of(b, of_b);
   if (p.region && q.region) return relate(*p.region, *q.region);
   if (p.region) return relate_to_pieces(*p.region, q.pieces);
   if (q.region) return relate_to_pieces(*q.region, p.pieces);

@@ -9,7 +9,7 @@
 // edges, and its inside that of this set on the line.
 // NaN and infinities throw NonFinite, naming the part; a negative radius, a polygon of fewer than three vertices or one
 // that is not exactly planar throw InvalidShape.
-// Source: RTCD 5.2, 5.2.1, 5.3.  Cost: docs/overlap.md.
+// Source: RTCD 5.2, 5.2.1.  Cost: docs/overlap.md.
 #pragma once
 
 #include "plumb/arith/error.hpp"

@@ -1,0 +1,163 @@
+// The laws of relate and intersects, for every pair of the table: swapped, renamed, mapped, and bad numbers refused.
+#include <cstring>
+
+#include "query/pair_laws.hpp"
+#include "query/pair_moves.hpp"
+
+namespace plumb::pair_cases {
+namespace {
+
+using Plane = Types<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Quadrilateral2, Polygon2, HoledPolygon2,
+                    Circle2, Aabb2, Obb2, Capsule2, KDop2, HalfspaceIntersection2>;
+using Space = Types<Point3, Line3, Ray3, Segment3, Plane3, ThreePointPlane3, Halfspace3, Triangle3, Quadrilateral3,
+                    Polygon3, HoledPolygon3, Rectangle3, Tetrahedron3, Sphere3, Aabb3, Obb3, Capsule3, Lozenge3,
+                    Cylinder3, Cone3, KDop3, HalfspaceIntersection3, ConvexPolyhedron3>;
+
+/// Of all pairs together.
+struct Seen {
+  int cases = 0, moved = 0, sheared = 0;
+  Answers answers;
+};
+
+template <class A, class B>
+void expect_laws(Seen& seen, std::uint64_t start, std::uint64_t cases) {
+  shape_cases::on_shapes(start, cases, [&](Material& m) {
+    const auto [a, b] = pair_of<A, B>(m);
+    const Relation r = relate(a, b);
+    const auto name = [&] { return pair_name<A, B>() + m.about(a, b); };
+    ++seen.cases;
+    seen.answers.add(r);
+    EXPECT_EQ(relate(b, a), r) << "swapped: " << name();
+    EXPECT_EQ(intersects(a, b), r != Relation::disjoint) << name();
+    EXPECT_EQ(intersects(b, a), r != Relation::disjoint) << "swapped: " << name();
+    EXPECT_EQ(relate(renamed(m, a), renamed(m, b)), r) << "renamed: " << name();
+    const bool shear = can_be_sheared<A> && can_be_sheared<B> && m.below(2) == 0;
+    Map map(m, figure_dimension<A>, shear, m.below(2) == 0);
+    const A c = mapped(a, map);
+    const B d = mapped(b, map);
+    if (!map.exact()) return;
+    ++seen.moved;
+    seen.sheared += shear;
+    EXPECT_EQ(relate(c, d), r) << "mapped: " << name() << " to" << m.about(c, d);
+  });
+}
+
+/// Calls f with pairs of types that the table has, in canonical order.
+template <class F, class A, class... Bs>
+void on_pairs(Types<A, Bs...>, F f) {
+  const auto ask = [&f]<class B>(const B*) {
+    if constexpr (RelatedPair<A, B>) f(static_cast<const A*>(nullptr), static_cast<const B*>(nullptr));
+  };
+  ask(static_cast<const A*>(nullptr));
+  (ask(static_cast<const Bs*>(nullptr)), ...);
+  if constexpr (sizeof...(Bs) > 0) on_pairs(Types<Bs...>{}, f);
+}
+
+template <class All>
+void expect_laws_of_all(std::uint64_t start, std::uint64_t cases) {
+  Seen seen;
+  on_pairs(All{}, [&]<class A, class B>(const A*, const B*) { expect_laws<A, B>(seen, start++, cases); });
+  std::printf("%d cases, %d mapped, %d of them sheared; disjoint %d, touching %d, overlapping %d\n", seen.cases,
+              seen.moved, seen.sheared, seen.answers.of(Relation::disjoint), seen.answers.of(Relation::touching),
+              seen.answers.of(Relation::overlapping));
+  EXPECT_GT(seen.moved * 2, seen.cases);
+  EXPECT_GT(seen.sheared * 10, seen.cases);
+  EXPECT_GT(seen.answers.of(Relation::touching) * 20, seen.cases);
+}
+
+TEST(OverlapLaws, HoldForAllPairsOfThePlane) { expect_laws_of_all<Plane>(701, 12); }
+TEST(OverlapLaws, HoldForAllPairsOfSpace) { expect_laws_of_all<Space>(1001, 8); }
+
+/// One of its numbers is no longer real.
+template <class Shape>
+Shape spoiled(Material& m, Shape s) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if constexpr (requires { s.outer; }) {
+    s.outer.vertices[m.below(s.outer.vertices.size())].y = nan;
+  } else if constexpr (requires { s.vertices; }) {
+    s.vertices[m.below(s.vertices.size())].x = nan;
+  } else if constexpr (requires { s.directions; }) {
+    s.max[m.below(s.max.size())] = nan;
+  } else if constexpr (requires { s.halfspaces; }) {
+    s.halfspaces.push_back({{}, nan});
+  } else if constexpr (requires { s.mesh; }) {
+    s.mesh.vertices[s.mesh.corners[m.below(s.mesh.corners.size())]].x = nan;
+  } else {
+    std::array<double, sizeof(Shape) / sizeof(double)> numbers;
+    std::memcpy(numbers.data(), &s, sizeof(Shape));
+    numbers[m.below(numbers.size())] = nan;
+    std::memcpy(&s, numbers.data(), sizeof(Shape));
+  }
+  return s;
+}
+
+template <class A, class B>
+void expect_refused(const A& a, const B& b, const std::string& about) {
+  for (const bool yes_or_no : {false, true}) {
+    try {
+      if (yes_or_no) {
+        intersects(a, b);
+      } else {
+        relate(a, b);
+      }
+      ADD_FAILURE() << "answered: " << about;
+    } catch (const NonFinite& e) {
+      const std::string text = e.what();
+      EXPECT_NE(text.find("is nan, not a real number"), text.npos) << text;
+      EXPECT_TRUE(text.starts_with("relate: ") || text.starts_with("intersects: ") || text.starts_with("contains: ") ||
+                  text.starts_with("locate: "))
+          << text;
+    }
+  }
+}
+
+template <class A, class B>
+void expect_bad_numbers_refused(std::uint64_t start) {
+  shape_cases::on_shapes(start, 2, [&](Material& m) {
+    const auto [a, b] = pair_of<A, B>(m);
+    const A bad_a = spoiled(m, a);
+    const B bad_b = spoiled(m, b);
+    const std::string about = pair_name<A, B>() + m.about(bad_a, bad_b);
+    expect_refused(bad_a, b, about);
+    expect_refused(b, bad_a, about);
+    expect_refused(a, bad_b, about);
+    expect_refused(bad_b, a, about);
+  });
+}
+
+TEST(OverlapLaws, RefuseBadNumbersInAllPairs) {
+  std::uint64_t start = 2001;
+  const auto check = [&]<class A, class B>(const A*, const B*) { expect_bad_numbers_refused<A, B>(start++); };
+  on_pairs(Plane{}, check);
+  on_pairs(Space{}, check);
+}
+
+template <class A, class B>
+std::string refusal(const A& a, const B& b) {
+  try {
+    relate(a, b);
+  } catch (const InvalidShape& e) {
+    return e.what();
+  }
+  return "answered";
+}
+
+TEST(OverlapLaws, RefuseWhatIsNoShape) {
+  const Segment3 s{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_EQ(refusal(Polygon3{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}}}, s),
+            "relate: the polygon is not planar: its vertex 3 is off the plane of the vertices 0, 1 and 2; triangulate "
+            "it");
+  EXPECT_EQ(refusal(s, Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}}),
+            "relate: the quadrilateral is not planar: its vertex 3 is off the plane of the vertices 0, 1 and 2; "
+            "triangulate it");
+  EXPECT_EQ(refusal(HoledPolygon2{{{{0, 0}, {1, 0}, {0, 1}}}, {{{{0, 0}}}}}, Point2{0, 0}),
+            "relate: holed_polygon.holes[0].vertices has 1 vertex; a polygon has three at least");
+  EXPECT_EQ(refusal(ConvexPolyhedron3{}, s), "relate: polyhedron has no faces; make it by convex_polyhedron");
+  EXPECT_EQ(refusal(KDop3{k_dop_directions(6), {0, 0, 0}, {1, 1}}, s),
+            "relate: k_dop has 3 entries in min and 2 in max for 3 directions; give one for each");
+  EXPECT_NE(refusal(Sphere3{{0, 0, 0}, -1}, s), "answered");
+  EXPECT_NE(refusal(Capsule3{{0, 0, 0}, {0, 0, 0}, -1}, Polygon3{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}), "answered");
+}
+
+}  // namespace
+}  // namespace plumb::pair_cases
