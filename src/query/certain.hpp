@@ -1,55 +1,31 @@
-// What do plain doubles prove?  A number that carries how far it may be off, and the signs that are certain of it.
+// Signs over numbers that may be too rough to tell them: plain doubles first, then pairs of doubles, then integers.
 //
-// Laws: (1) |value - exact| <= error * 2^-53 * magnitude, and |value| <= magnitude: the filter of arith/filtered.hpp
-// with the constant carried along instead of derived from a formula, so that any code over + - * can be asked.  Of code
-// that is inlined the error is a constant of the optimizer's.  (2) A sign that is certain is that of the exact value;
-// overflow and NaN end as uncertain.  (3) Over Ball and BigDyadic the same code gives more, and all.
-// Source: docs/proof.md, "Filter A".  Cost: about one more operation for each operation.
+// Laws: a sign that is certain is that of the exact value; once one is not, the answers so far mean nothing.  Over
+// BigDyadic every sign is.
+// Source: docs/proof.md; cost: that of the numbers.
 #pragma once
 
+#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/arith/filtered.hpp"
-#include "plumb/arith/sign.hpp"
 
 namespace plumb::query {
-
-struct Approximate {
-  double value, magnitude, error;  // the error in units of 2^-53
-
-  // Pays for products of two errors and for the roundings of the bound, below 2^10 operations deep.
-  static constexpr double slack = 0x1p-20;
-
-  constexpr Approximate(double v, double m, double e) : value(v), magnitude(m), error(e) {}
-  constexpr explicit Approximate(double x) : Approximate(x, magnitude_of(x), 0) {}
-
-  static constexpr double larger(double a, double b) { return a > b ? a : b; }
-
-  friend constexpr Approximate operator+(const Approximate& a, const Approximate& b) {
-    return {a.value + b.value, a.magnitude + b.magnitude, larger(a.error, b.error) + (1 + slack)};
-  }
-  friend constexpr Approximate operator-(const Approximate& a, const Approximate& b) {
-    return {a.value - b.value, a.magnitude + b.magnitude, larger(a.error, b.error) + (1 + slack)};
-  }
-  friend constexpr Approximate operator*(const Approximate& a, const Approximate& b) {
-    return {a.value * b.value, a.magnitude * b.magnitude + underflow_guard, a.error + b.error + (1 + slack)};
-  }
-};
 
 /// a - b of two coordinates as given: rounded once, its magnitude is its own.
 template <class T>
 constexpr T coordinate_difference(double a, double b) {
-  if constexpr (std::is_same_v<T, Approximate>) {
-    return {a - b, magnitude_of(a - b), 1};
+  if constexpr (requires { T::difference(a, b); }) {
+    return T::difference(a, b);
   } else {
     return T(a) - T(b);
   }
 }
 
-/// Signs, as far as they are certain: once one is not, the answers so far mean nothing.
+/// Signs, as far as they are certain.
 class Signs {
  public:
   Sign operator()(const Approximate& x) {
+    // Without a branch on the sign, which cannot be predicted.
     const double most = (x.error + Approximate::slack) * 0x1p-53 * x.magnitude;
     const int s = static_cast<int>(x.value > most) - static_cast<int>(x.value < -most);
     certain_ = certain_ && s != 0;

@@ -1,7 +1,7 @@
 // Each question is compiled twice, for processors that multiply and add at once and for others; both answer the same.
 #include "query/quick_numbers.hpp"
 
-#include "query/twofold.hpp"
+#include "plumb/arith/twofold.hpp"
 
 namespace plumb::query {
 namespace {

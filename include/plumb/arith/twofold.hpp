@@ -1,23 +1,20 @@
 // What is the exact value, to twice the digits of a double, as fast as can be?  Two doubles and the size of the terms.
 //
-// Laws: |exact - (high + low)| <= error * 2^-106 * magnitude, |low| <= width * 2^-53 * magnitude, and |high| and
-// |exact| are at most magnitude (1 + 2^-20): arith/filtered.hpp carried one double further.  The factors are constants
-// of the optimizer's where the code is inlined.  Nothing is normalized until the end; there nearest() gives the one
-// double that is nearest, where there is but one (Ziv's test).  Overflow and NaN end in nothing, and so does what
-// arith/ball.hpp has to widen without end.
-//   A sum: two_sum is exact; the low parts, at most w = the larger width of them, lose 2w + 1.
-//   A product: high * high is exact up to underflow, for which the guard pays; low * low is left out, and four
-//   roundings of what is below (w1 + w2 + 1) 2^-53 lose no more than 4 (w1 + w2) + 1 of the next digits.
-// Fma: the error of a product by the instruction, else by Dekker's splitting; the results are the same to the bound.
-// Source: Lange and Rump 2020 (pair arithmetic); Ziv 1991.  Cost: 10 operations a sum, 8 or 22 a product.
+// Laws: |exact - (high + low)| <= error * 2^-106 * magnitude, |low| <= width * 2^-53 * magnitude and |high| <=
+// magnitude: arith/filtered.hpp carried one double further.  The factors are constants of the optimizer's where the
+// code is inlined.  Nothing is normalized until the end; there nearest() gives the one double that is nearest, where
+// there is but one (Ziv's test).  Overflow and NaN end in nothing. Fma: the error of a product by the instruction, else
+// by Dekker's splitting; the results are the same to the bound. Source: docs/proof.md, "Twofold"; Lange and Rump 2020
+// (pair arithmetic); Ziv 1991.  Cost: 10 operations a sum, 8 or 22 a product.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "plumb/arith/ball.hpp"
-#include "query/certain.hpp"
+#include "plumb/arith/filtered.hpp"
 
-namespace plumb::query {
+namespace plumb {
 
 template <bool Fma>
 struct Twofold {
@@ -28,6 +25,12 @@ struct Twofold {
   constexpr Twofold(double h, double l, double m, double e, double w)
       : high(h), low(l), magnitude(m), error(e), width(w) {}
   constexpr explicit Twofold(double x) : Twofold(x, 0, magnitude_of(x), 0, 0) {}
+
+  /// a - b of two coordinates as given: exact.
+  static Twofold difference(double a, double b) {
+    const Rounded d = two_sum(a, -b);
+    return {d.value, d.error, magnitude_of(d.value), 0, 1};
+  }
 
   static constexpr double larger(double a, double b) { return a > b ? a : b; }
   [[gnu::always_inline]] static inline Rounded product(double a, double b) {
@@ -99,4 +102,4 @@ struct Twofold {
   }
 };
 
-}  // namespace plumb::query
+}  // namespace plumb

@@ -1,0 +1,47 @@
+// What do plain doubles prove?  A value beside its magnitude, and a factor that says how far off it may be.
+//
+// Laws: |value - exact| <= error * 2^-53 * magnitude, and |value| <= magnitude: the filter of arith/filtered.hpp with
+// its constant carried along instead of derived from a formula, so that any code over + - * can be asked.  Of code that
+// is inlined the factor is a constant of the optimizer's.  Overflow and NaN end in a magnitude that nothing exceeds.
+// Source: docs/proof.md, "Filter A".  Cost: about one more operation for each operation.
+#pragma once
+
+#include "plumb/arith/filtered.hpp"
+#include "plumb/arith/sign.hpp"
+
+namespace plumb {
+
+struct Approximate {
+  double value, magnitude, error;  // the error in units of 2^-53
+
+  // Pays for products of two errors and for the roundings of the bound, below 2^10 operations deep.
+  static constexpr double slack = 0x1p-20;
+
+  constexpr Approximate(double v, double m, double e) : value(v), magnitude(m), error(e) {}
+  constexpr explicit Approximate(double x) : Approximate(x, magnitude_of(x), 0) {}
+
+  static constexpr double larger(double a, double b) { return a > b ? a : b; }
+
+  friend constexpr Approximate operator+(const Approximate& a, const Approximate& b) {
+    return {a.value + b.value, a.magnitude + b.magnitude, larger(a.error, b.error) + (1 + slack)};
+  }
+  friend constexpr Approximate operator-(const Approximate& a, const Approximate& b) {
+    return {a.value - b.value, a.magnitude + b.magnitude, larger(a.error, b.error) + (1 + slack)};
+  }
+  friend constexpr Approximate operator*(const Approximate& a, const Approximate& b) {
+    return {a.value * b.value, a.magnitude * b.magnitude + underflow_guard, a.error + b.error + (1 + slack)};
+  }
+
+  /// a - b of two coordinates as given: rounded once, its magnitude is its own.
+  static constexpr Approximate difference(double a, double b) { return {a - b, magnitude_of(a - b), 1}; }
+
+  /// Never certain of zero.
+  [[nodiscard]] constexpr Unsure<Sign> sign() const {
+    const double most = (error + slack) * 0x1p-53 * magnitude;
+    if (value > most) return Unsure{Sign::positive};
+    if (value < -most) return Unsure{Sign::negative};
+    return {};
+  }
+};
+
+}  // namespace plumb
