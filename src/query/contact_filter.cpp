@@ -18,7 +18,8 @@ namespace {
 // coefficient, along three axes: of size at most 6 X Y Z (1 + u)^3; to the 6 u of the cross product come u for the
 // difference, u for the product, 2 u for the sum of three axes, 3 u for the combination of three and its third: below
 // 6 X Y Z * 14 u; three combinations for the piece add 9 u: below 6 X Y Z * 24 u.
-// The sums of X, Y, Z's own roundings are far below what the constants leave; `least` pays for underflow.
+// The roundings of X, Y, Z and of the bounds themselves are far below what the constants leave.  `least` pays for
+// underflow: of a cross product, times the largest difference, in the cubic.
 constexpr double unit = 0x1p-53;
 constexpr double least = 0x1p-960;
 constexpr double cross_constant = 2 * 16 * unit;
@@ -227,7 +228,7 @@ FilteredContact decide(Figures<Count>& f, const Linear& normal_to, const Quadrat
                        const ContactQuestion& question) {
   const Vec m = largest(f.differences);
   const Cubic cubic = dot(normal_to, product);
-  const double bound = cubic_constant * m.x * m.y * m.z + least;
+  const double bound = cubic_constant * m.x * m.y * m.z + least * (1 + m.x + m.y + m.z);
   f.bound = {cross_constant * m.y * m.z + least, cross_constant * m.z * m.x + least,
              cross_constant * m.x * m.y + least};
   // In one plane at an end of time: no piece around that root would ever do.
