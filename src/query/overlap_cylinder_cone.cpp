@@ -7,6 +7,7 @@
 #include "exact_gap.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/query/overlap_round.hpp"
+#include "quick_round.hpp"
 #include "round_input.hpp"
 #include "running_signs.hpp"
 
@@ -37,7 +38,8 @@ struct Axis {
 Axis axis_of(const Cylinder3& c) { return {c.a, c.b, c.radius, false}; }
 Axis axis_of(const Cone3& c) { return {c.apex, c.base, c.radius, true}; }
 
-template <class T>
+/// Asks a Signs or RunningSigns.
+template <class T, class Ask>
 class Crossing {
  public:
   Crossing(const Straight<T>& line, const Axis& axis)
@@ -122,15 +124,51 @@ class Crossing {
     return ask_(a * n * n + (b + b) * n * d + c * d * d);
   }
 
-  RunningSigns ask_;
+  Ask ask_;
   bool has_start_, has_end_;
   T height_, rise_, top_;  // of the start above the first plane, along the line, and of the second plane
   Quadratic<T> surface_;
 };
 
-template <class T, class Line, class Round>
-std::optional<Relation> crossing(const Line& line, const Round& round) {
-  return Crossing<T>(straight<T>(line), axis_of(round)).relation();
+template <class T, class Ask, class Line, class Round>
+[[gnu::flatten]] std::optional<Relation> crossing(const Line& line, const Round& round) {
+  return Crossing<T, Ask>(straight<T>(line), axis_of(round)).relation();
+}
+
+template <class Line>
+Point3 start_of(const Line& line) {
+  if constexpr (requires { line.point; }) {
+    return line.point;
+  } else if constexpr (requires { line.origin; }) {
+    return line.origin;
+  } else {
+    return line.a;
+  }
+}
+
+/// Is it certain that the line passes by?  Beyond an end of the axis, or outside of the surface all along.
+template <class Line>
+[[gnu::flatten]] bool passes_by(const Line& line, const Axis& axis) {
+  const Straight<Approximate> s = straight<Approximate>(line);
+  const Vec<Approximate> h = way(axis.from, axis.to), w = way(axis.from, start_of(line));
+  const Approximate height = core::dot(w, h), rise = core::dot(s.along, h), top = core::dot(h, h);
+  if (s.has_start) {
+    const Approximate last = s.has_end ? height + rise : rise;  // of a ray the way that it goes
+    if (certain_sign(height) < 0 && certain_sign(last) < 0) return true;
+    if (certain_sign(height - top) > 0 && certain_sign(s.has_end ? last - top : last) > 0) return true;
+  }
+  const Vec<Approximate> off = core::cross(w, h), change = core::cross(s.along, h);
+  const Approximate r(axis.radius), reach = r * r;
+  Approximate a = core::dot(change, change), b = core::dot(off, change), c = core::dot(off, off);
+  if (axis.is_cone) {
+    a = a * top - reach * rise * rise, b = b * top - reach * height * rise, c = c * top - reach * height * height;
+  } else {
+    c = c - reach * top;
+  }
+  if (certain_sign(a) <= 0) return false;
+  if (s.has_start && certain_sign(b) > 0) return certain_sign(c) > 0;
+  if (s.has_end && certain_sign(a + b) < 0) return certain_sign(a + b + b + c) > 0;
+  return certain_sign(a * c - b * b) > 0;
 }
 
 /// Of a shape with an interior, which a point overlaps where it is inside.
@@ -147,35 +185,26 @@ Relation relate_point(const Point3& p, const Round& round) {
   return from == to ? relate(p, Sphere3{from, radius}) : relation_of_point(p, round);
 }
 
-template <class Line>
-Point3 start_of(const Line& line) {
-  if constexpr (requires { line.point; }) {
-    return line.point;
-  } else if constexpr (requires { line.origin; }) {
-    return line.origin;
-  } else {
-    return line.a;
-  }
-}
-
 template <class Line, class Round>
 Relation relate_line(const Line& line, const Round& round) {
   const auto [from, to, radius, is_cone] = axis_of(round);
   if (is_sound(line) && is_sound(round) && radius > 0 && from != to && !is_point(line)) [[likely]] {
-    if (const auto r = crossing<Running>(line, round)) [[likely]]
+    if (passes_by(line, axis_of(round))) return Relation::disjoint;
+    if (const auto r = crossing<Approximate, Signs>(line, round)) [[likely]]
       return *r;
+    if (const auto r = crossing<Running, RunningSigns>(line, round)) return *r;
   }
   require_shapes_of("relate", line, round);
   if (from == to) return relate(line, Sphere3{from, radius});
   if (radius == 0) return relate(flat_set(line), flat_set(Segment3{from, to}));
   if (is_point(line)) return relation_of_point(start_of(line), round);
-  return *crossing<BigDyadic>(line, round);
+  return *crossing<BigDyadic, Signs>(line, round);
 }
 
 template <class Round>
 Relation relate_spanned(const ThreePointPlane3& line, const Round& round) {
   if (is_point(line)) return relation_of_point(line.a, round);
-  return *crossing<BigDyadic>(line, round);
+  return *crossing<BigDyadic, Signs>(line, round);
 }
 
 }  // namespace

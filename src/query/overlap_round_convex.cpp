@@ -1,6 +1,7 @@
 // Balls, capsules and lozenges against convex shapes that are given by vertices.
 #include "exact_gap.hpp"
 #include "plumb/query/overlap_round.hpp"
+#include "quick_round.hpp"
 #include "round_input.hpp"
 #include "round_vertices.hpp"
 
@@ -12,20 +13,36 @@ bool may_be_empty(const Aabb3& box) { return box.min.x > box.max.x || box.min.y 
 bool may_be_empty(const ConvexPolyhedron3& polyhedron) { return polyhedron.mesh.vertices.empty(); }
 bool may_be_empty(const auto&) { return false; }
 
+std::optional<Sign> near_or_far(const Triangle3& t, const Sphere3& b) { return quick_gap(t, b.center, b.radius); }
+std::optional<Sign> near_or_far(const Obb3& box, const Sphere3& b) { return quick_gap(box, b.center, b.radius); }
+std::optional<Sign> near_or_far(const Segment3& s, const Capsule3& c) {
+  return quick_gap(s, Segment3{c.a, c.b}, 0, c.radius);
+}
+std::optional<Sign> near_or_far(const Aabb3& box, const Capsule3& c) {
+  return quick_gap(box, Segment3{c.a, c.b}, c.radius);
+}
+
 template <class Flat, class Round>
-std::optional<Sign> quick(const Flat& flat, const Round& round) {
-  if (!is_sound(flat) || !is_sound(round) || may_be_empty(flat)) return {};
-  return quick_gap(vertices(flat), vertices(round), 0, round.radius);
+[[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round, bool swapped) {
+  if (is_sound(flat) && is_sound(round) && !may_be_empty(flat)) {
+    if (const auto gap = quick_gap(vertices(flat), vertices(round), 0, round.radius)) [[likely]]
+      return static_cast<Relation>(-*gap);
+  }
+  Input("relate", swapped ? "b" : "a").require(flat);
+  Input("relate", swapped ? "a" : "b").require(round);
+  return relate_swept(core_set(round), round.radius, flat_set(flat));
 }
 
 /// Of a flat shape and a round one; `swapped` says that the round one is the argument a.
 template <class Flat, class Round>
 Relation relate_vertices(const Flat& flat, const Round& round, bool swapped = false) {
-  if (const auto gap = quick(flat, round)) [[likely]]
-    return static_cast<Relation>(-*gap);
-  Input("relate", swapped ? "b" : "a").require(flat);
-  Input("relate", swapped ? "a" : "b").require(round);
-  return relate_swept(core_set(round), round.radius, flat_set(flat));
+  if constexpr (requires { near_or_far(flat, round); }) {
+    if (is_sound(flat) && is_sound(round) && !may_be_empty(flat)) [[likely]] {
+      if (const auto gap = near_or_far(flat, round)) [[likely]]
+        return static_cast<Relation>(-*gap);
+    }
+  }
+  return relate_slowly(flat, round, swapped);
 }
 
 template <class A, class B>

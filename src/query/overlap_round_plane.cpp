@@ -1,9 +1,12 @@
 // Balls, capsules, lozenges, cylinders and cones against planes and halfspaces: how far they reach along the normal.
+#include <plumb/predicates/plane_distance.hpp>
+
 #include "axis_shape.hpp"
 #include "exact_gap.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/query/overlap_cylinder_cone.hpp"
 #include "plumb/query/overlap_round.hpp"
+#include "quick_round.hpp"
 #include "round_input.hpp"
 #include "running_signs.hpp"
 
@@ -14,12 +17,11 @@ namespace {
 template <class T>
 using Vec = core::Vec<T>;
 
-/// The shape is the hull of disks or balls, each of which reaches from its center along the normal by reach / (square),
-/// both under one root.
+/// A shape is the hull of disks or balls around centers, each of which reaches along the normal n by the root of
+/// reach / square; of a cone only the last one does.
 template <class T>
-struct Reaching {
-  Vec<T> center;
-  T reach, square;  // reach may be zero; square is above zero
+struct Reach {
+  T reach, square;  // square is above zero
 };
 
 template <class T>
@@ -28,60 +30,70 @@ T squared(const T& x) {
 }
 
 template <class T>
-auto reaching(const Sphere3& s, const Vec<T>& n) {
-  return std::array{Reaching<T>{core::vec<T>(s.center), squared(T(s.radius)) * dot(n, n), T(1.0)}};
+std::array<Vec<T>, 1> centers(const Sphere3& s) {
+  return {core::vec<T>(s.center)};
 }
 template <class T>
-auto reaching(const Capsule3& c, const Vec<T>& n) {
-  const T reach = squared(T(c.radius)) * dot(n, n);
-  return std::array{Reaching<T>{core::vec<T>(c.a), reach, T(1.0)}, Reaching<T>{core::vec<T>(c.b), reach, T(1.0)}};
+std::array<Vec<T>, 2> centers(const Capsule3& c) {
+  return {core::vec<T>(c.a), core::vec<T>(c.b)};
 }
 template <class T>
-auto reaching(const Lozenge3& l, const Vec<T>& n) {
-  const T reach = squared(T(l.radius)) * dot(n, n);
+std::array<Vec<T>, 4> centers(const Lozenge3& l) {
   const Vec<T> corner = core::vec<T>(l.corner), e = core::vec<T>(l.edges[0]), f = core::vec<T>(l.edges[1]);
-  return std::array{Reaching<T>{corner, reach, T(1.0)}, Reaching<T>{corner + e, reach, T(1.0)},
-                    Reaching<T>{corner + f, reach, T(1.0)}, Reaching<T>{corner + e + f, reach, T(1.0)}};
-}
-// A disk across h reaches by radius |n x h| / |h|.
-template <class T>
-auto reaching(const Cylinder3& c, const Vec<T>& n) {
-  const Vec<T> a = core::vec<T>(c.a), b = core::vec<T>(c.b), h = b - a, across = core::cross(n, h);
-  const T reach = squared(T(c.radius)) * dot(across, across), square = dot(h, h);
-  return std::array{Reaching<T>{a, reach, square}, Reaching<T>{b, reach, square}};
+  return {corner, corner + e, corner + f, corner + e + f};
 }
 template <class T>
-auto reaching(const Cone3& c, const Vec<T>& n) {
-  const Vec<T> apex = core::vec<T>(c.apex), base = core::vec<T>(c.base), h = base - apex, across = core::cross(n, h);
-  return std::array{Reaching<T>{apex, T(0.0), T(1.0)},
-                    Reaching<T>{base, squared(T(c.radius)) * dot(across, across), dot(h, h)}};
+std::array<Vec<T>, 2> centers(const Cylinder3& c) {
+  return {core::vec<T>(c.a), core::vec<T>(c.b)};
+}
+template <class T>
+std::array<Vec<T>, 2> centers(const Cone3& c) {
+  return {core::vec<T>(c.apex), core::vec<T>(c.base)};
+}
+
+template <class T, class Round>
+Reach<T> reach_along(const Round& round, const Vec<T>& n) {
+  const T r = squared(T(round.radius));
+  if constexpr (std::is_same_v<Round, Cylinder3> || std::is_same_v<Round, Cone3>) {  // a disk across h: |n x h| / |h|
+    const auto [from, to] = centers<T>(round);
+    const Vec<T> h = to - from, across = core::cross(n, h);
+    return {r * core::dot(across, across), core::dot(h, h)};
+  } else {
+    return {r * core::dot(n, n), T(1.0)};
+  }
 }
 
 /// All x with height(x) = normal . x - offset = 0.
 template <class T>
 struct PlaneOver {
   Vec<T> normal;
-  Vec<T> from;  // taken from points first: differences of what is near are small
   T offset;
-  T height(const Vec<T>& x) const { return dot(normal, x - from) - offset; }
+  T height(const Vec<T>& x) const { return dot(normal, x) - offset; }
+};
+/// Through a point: differences of what is near are small.
+template <class T>
+struct PlaneThrough {
+  Vec<T> normal, from;
+  T height(const Vec<T>& x) const { return dot(normal, x - from); }
 };
 template <class T>
 PlaneOver<T> plane_over(const auto& plane) {
-  return {core::vec<T>(plane.normal), {T(0.0), T(0.0), T(0.0)}, T(plane.offset)};
+  return {core::vec<T>(plane.normal), T(plane.offset)};
 }
 template <class T>
-PlaneOver<T> plane_over(const ThreePointPlane3& plane) {
+PlaneThrough<T> plane_over(const ThreePointPlane3& plane) {
   const Vec<T> a = core::vec<T>(plane.a);
-  return {core::cross(core::vec<T>(plane.b) - a, core::vec<T>(plane.c) - a), a, T(0.0)};
+  return {core::cross(core::vec<T>(plane.b) - a, core::vec<T>(plane.c) - a), a};
 }
 
-/// The sign of height - root of (reach / square).
+/// The sign of height - root of (reach / square), or of the height alone.
 template <class T>
-Sign beyond(const T& height, const Reaching<T>& r, RunningSigns& ask) {
-  const Sign difference = ask(squared(height) * r.square - r.reach);
+Sign beyond(const T& height, const Reach<T>* r, RunningSigns& ask) {
+  if (r == nullptr) return ask(height);
+  const Sign difference = ask(squared(height) * r->square - r->reach);
   if (difference == Sign::negative) return Sign::negative;  // as |height| is the lesser
   const Sign side = ask(height);
-  return side == Sign::positive ? difference : side == Sign::zero ? -ask(r.reach) : Sign::negative;
+  return side == Sign::positive ? difference : side == Sign::zero ? -ask(r->reach) : Sign::negative;
 }
 
 /// Above the plane, below it, or on both sides; zero where it touches from a side.
@@ -91,15 +103,63 @@ struct Sides {
 template <class T, class Plane, class Round>
 std::optional<Sides> sides_of(const Plane& plane, const Round& round) {
   RunningSigns ask;
-  const PlaneOver<T> p = plane_over<T>(plane);
+  const auto p = plane_over<T>(plane);
   Sides all{Sign::positive, Sign::positive};
-  for (const Reaching<T>& r : reaching(round, p.normal)) {
-    const T height = p.height(r.center);
-    all.above = std::min(all.above, beyond(height, r, ask));
-    if constexpr (!std::is_same_v<Plane, Halfspace3>) all.below = std::min(all.below, beyond(T(0.0) - height, r, ask));
+  const Reach<T> reach = reach_along<T>(round, p.normal);
+  bool is_point = std::is_same_v<Round, Cone3>;  // the apex
+  for (const Vec<T>& center : centers<T>(round)) {
+    const T height = p.height(center);
+    const Reach<T>* of_center = is_point ? nullptr : &reach;
+    all.above = std::min(all.above, beyond(height, of_center, ask));
+    if constexpr (!std::is_same_v<Plane, Halfspace3>)
+      all.below = std::min(all.below, beyond(T(0.0) - height, of_center, ask));
+    is_point = false;
   }
   if (!ask.certain()) return {};
   return all;
+}
+
+/// What doubles prove: a center beyond the halfspace or centers on both sides of the plane, else how far disks reach.
+template <class Plane, class Round>
+[[gnu::flatten]] std::optional<Relation> quick(const Plane& plane, const Round& round) {
+  constexpr bool of_halfspace = std::is_same_v<Plane, Halfspace3>, of_cone = std::is_same_v<Round, Cone3>;
+  const auto p = plane_over<Approximate>(plane);
+  const auto at = centers<Approximate>(round);
+  constexpr std::size_t n = std::tuple_size_v<decltype(at)>;
+  const std::array<Approximate, n> heights = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array{p.height(at[I])...};
+  }
+  (std::make_index_sequence<n>{});
+  bool all_above = true, all_below = true, some_above = false, some_below = false;
+  for (const Approximate& h : heights) {
+    const int side = certain_sign(h);
+    all_above = all_above & (side > 0), some_above = some_above | (side > 0);
+    all_below = all_below & (side < 0), some_below = some_below | (side < 0);
+  }
+  if (some_below && (of_halfspace || some_above)) return Relation::overlapping;
+  const Reach<Approximate> reach = reach_along<Approximate>(round, p.normal);
+  bool all_far = all_above || all_below;
+  for (std::size_t i = of_cone ? 1 : 0; i < n; ++i) {  // the apex of a cone is a point
+    const int gap = certain_sign(squared(heights[i]) * reach.square - reach.reach);
+    if (gap < 0) return Relation::overlapping;
+    all_far = all_far & (gap > 0);
+  }
+  if (all_far) return Relation::disjoint;
+  return {};
+}
+
+/// Of a ball, whose numbers are all in the formula.
+template <class Plane>
+std::optional<Relation> quick_ball(const Plane& plane, const Sphere3& ball) {
+  using predicates::NormalDistanceAgainst3d, predicates::SideOfPlane;
+  const int gap = filter<NormalDistanceAgainst3d>(
+      coordinates_of<NormalDistanceAgainst3d>(plane.normal, plane.offset, ball.center, ball.radius));
+  if (gap == 0 || !(ball.radius >= 0)) return {};
+  if (gap < 0) return Relation::overlapping;
+  if constexpr (std::is_same_v<Plane, Plane3>) return Relation::disjoint;
+  const int side = filter<SideOfPlane>(coordinates_of<SideOfPlane>(plane.normal, plane.offset, ball.center));
+  if (side == 0) return {};
+  return side > 0 ? Relation::disjoint : Relation::overlapping;
 }
 
 Relation relation_of(const Sides& s, bool of_halfspace) {
@@ -118,9 +178,14 @@ bool is_itself(const auto& round) { return round.radius > 0; }
 template <class Plane, class Round>
 Relation relate_round_shape(const Plane& plane, const Round& round) {
   constexpr bool of_halfspace = std::is_same_v<Plane, Halfspace3>;
+  if constexpr (std::is_same_v<Round, Sphere3> && !std::is_same_v<Plane, ThreePointPlane3>) {
+    if (const auto r = quick_ball(plane, round)) [[likely]]
+      return *r;
+  }
   if (is_sound(plane) && is_sound(round) && is_itself(round)) [[likely]] {
-    if (const auto sides = sides_of<Running>(plane, round)) [[likely]]
-      return relation_of(*sides, of_halfspace);
+    if (const auto r = quick(plane, round)) [[likely]]
+      return *r;
+    if (const auto sides = sides_of<Running>(plane, round)) return relation_of(*sides, of_halfspace);
   }
   require_shapes_of("relate", plane, round);
   if constexpr (std::is_same_v<Round, Cylinder3>) {
