@@ -5,6 +5,8 @@
 #include "flat_view.hpp"
 #include "halfspace_clip.hpp"
 #include "plane_extent.hpp"
+#include "plumb/figure/contains.hpp"
+#include "plumb/figure/polyhedron.hpp"
 #include "polygon_relation.hpp"
 #include "separating_axes.hpp"
 
@@ -28,7 +30,24 @@ bool is_many_planes(const FlatView& v) {
 }
 bool is_one_plane(const FlatView& v) { return is_one_of(v.kind, {FigureKind::plane, FigureKind::halfspace}); }
 
-std::optional<Relation> relate_quickly(const FlatView& a, const FlatView& b) {
+/// A point inside is in the relative interior; one on the boundary may be, of a figure without inside.
+std::optional<Relation> relate_by_place(const FlatView& point, const FlatView& other) {
+  const auto where = [&]<class Point>(const Point& p) {
+    return with_shape(other, [&](const auto& s) -> std::optional<Location> {
+      if constexpr (requires { plumb::locate(s, p); }) {
+        return plumb::locate(s, p);
+      } else {
+        return {};  // points
+      }
+    });
+  };
+  const auto found = point.dimension == 2 ? where(*static_cast<const Point2*>(point.shape))
+                                          : where(*static_cast<const Point3*>(point.shape));
+  if (!found || *found == Location::boundary) return {};
+  return static_cast<Relation>(*found);
+}
+
+std::optional<Relation> relate_figures(const FlatView& a, const FlatView& b) {
   if (is_empty_box(a) || is_empty_box(b)) return Relation::disjoint;
   if (is_many_planes(a)) return relate_by_clipping(a, b);
   if (is_many_planes(b)) return relate_by_clipping(b, a);
@@ -37,6 +56,14 @@ std::optional<Relation> relate_quickly(const FlatView& a, const FlatView& b) {
   if (has_axes(a) && has_axes(b)) return relate_by_axes(a, b);
   if (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) return relate_by_search(a, b);
   return {};
+}
+
+std::optional<Relation> relate_quickly(const FlatView& a, const FlatView& b) {
+  for (const auto& [p, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+    if (p->kind != FigureKind::point) continue;
+    if (const auto place = relate_by_place(*p, *other)) return place;
+  }
+  return relate_figures(a, b);
 }
 
 }  // namespace

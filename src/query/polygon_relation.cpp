@@ -5,6 +5,7 @@
 
 #include "figure/plane_of_points.hpp"
 #include "flat_set.hpp"
+#include "plumb/figure/polygon_location.hpp"
 #include "polygon_apart.hpp"
 #include "polygon_region.hpp"
 
@@ -130,6 +131,24 @@ PolygonInput input_of(std::string_view function, const FlatView& v) {
   input.plane = plane_of_points(input.all);
   if (input.plane.dimension == 3) throw_not_planar(function, spoken(v.kind), input.plane);
   return input;
+}
+
+/// For a polygon with area.
+template <class Point>
+Relation place_of(const FlatView& polygon, const Point& p) {
+  return with_shape(polygon, [&](const auto& s) {
+    if constexpr (requires { locate_in_plane(s, p); }) {
+      return static_cast<Relation>(locate_in_plane(s, p));
+    } else if constexpr (requires { plumb::locate(s, p); }) {
+      return static_cast<Relation>(plumb::locate(s, p));
+    } else {
+      return Relation::disjoint;  // of another space
+    }
+  });
+}
+Relation relate_point(const FlatView& point, const FlatView& polygon) {
+  return point.dimension == 2 ? place_of(polygon, *static_cast<const Point2*>(point.shape))
+                              : place_of(polygon, *static_cast<const Point3*>(point.shape));
 }
 
 Parts parts_of(const FlatView& v, const PolygonInput& input) {
@@ -275,6 +294,8 @@ Relation relate_to_pieces(const Part& part, const std::vector<Piece>& pieces) {
 
 Relation relate_polygon(std::string_view function, const FlatView& a, const FlatView& b) {
   const PolygonInput of_a = input_of(function, a), of_b = input_of(function, b);
+  if (a.kind == FigureKind::point && of_b.span()) return relate_point(a, b);
+  if (b.kind == FigureKind::point && of_a.span()) return relate_point(b, a);
   if (is_polygon(a) && are_surely_apart(a, of_a.span(), b)) return Relation::disjoint;
   if (is_polygon(b) && are_surely_apart(b, of_b.span(), a)) return Relation::disjoint;
   const Parts p = parts_of(a, of_a), q = parts_of(b, of_b);

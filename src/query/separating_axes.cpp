@@ -170,24 +170,17 @@ class Test {
   bool add(const core::Vec<Running>& axis, const Own& own_a, const Own& own_b, std::size_t i, std::size_t j) {
     Verdict v = by_doubles(near_a_, near_b_, axis, own_a, own_b);
     if (v == Verdict::unsure) v = by_integers(i, j);
-    switch (v) {
-      case Verdict::apart:
-        result_ = Relation::disjoint;
-        return false;
-      case Verdict::flat:
-        result_.reset();
-        return false;
-      case Verdict::level:
-        result_ = Relation::touching;
-        return true;
-      case Verdict::across:
-        if (!result_) result_ = Relation::overlapping;
-        return true;
-      default:
-        return true;
-    }
+    apart_ = v == Verdict::apart;
+    flat_ = v == Verdict::flat;
+    level_ = level_ || v == Verdict::level;
+    any_ = any_ || v != Verdict::no_axis;
+    return !apart_ && !flat_;
   }
-  [[nodiscard]] std::optional<Relation> result() const { return result_; }
+  [[nodiscard]] std::optional<Relation> result() const {
+    if (apart_) return Relation::disjoint;
+    if (flat_ || !any_) return {};
+    return level_ ? Relation::touching : Relation::overlapping;
+  }
 
   Verdict by_integers(std::size_t i, std::size_t j) {
     if (!exact_a_) {
@@ -208,7 +201,7 @@ class Test {
   Point3 origin_;
   AxisBody<Running> near_a_ = body<Running>(a_), near_b_ = body<Running>(b_);
   std::optional<AxisBody<BigDyadic>> exact_a_, exact_b_;
-  std::optional<Relation> result_;
+  bool apart_ = false, flat_ = false, level_ = false, any_ = false;
 };
 
 }  // namespace
