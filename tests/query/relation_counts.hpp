@@ -67,7 +67,7 @@ Shape near_drawn(shape_cases::Material& m) {
   } else if constexpr (requires { s.a; }) {
     probe(s.a, s.b);
   } else if constexpr (requires { s.min; }) {
-    auto& [a, b] = s;
+    auto &a = s.min, &b = s.max;
     probe(a, b);
     if (a.x > b.x) std::swap(a.x, b.x);
     if (a.y > b.y) std::swap(a.y, b.y);
