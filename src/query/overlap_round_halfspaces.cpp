@@ -16,8 +16,9 @@ Plain plain(const Vertex& v) { return {v.x.value, v.y.value, v.z.value}; }
 
 /// normal . x <= offset.
 struct Side {
+  Side(const Plain& n, double at_most) : normal(n), offset(at_most), length(std::sqrt(core::dot(n, n))) {}
   Plain normal;
-  double offset;
+  double offset, length;
 };
 
 std::vector<Side> sides_of(const KDop3& k_dop) {
@@ -25,8 +26,8 @@ std::vector<Side> sides_of(const KDop3& k_dop) {
   sides.reserve(2 * k_dop.directions.size());
   for (std::size_t i = 0; i < k_dop.directions.size(); ++i) {
     const Vector3& d = k_dop.directions.all()[i];
-    sides.push_back({{d.x, d.y, d.z}, k_dop.max[i]});
-    sides.push_back({{-d.x, -d.y, -d.z}, -k_dop.min[i]});
+    sides.emplace_back(Plain{d.x, d.y, d.z}, k_dop.max[i]);
+    sides.emplace_back(Plain{-d.x, -d.y, -d.z}, -k_dop.min[i]);
   }
   return sides;
 }
@@ -38,30 +39,51 @@ std::vector<Side> sides_of(const HalfspaceIntersection3& intersection) {
 }
 
 /// The nearest point of the sides to p, nearly, by corrections for each side in turn (Hildreth 1957), and how far back
-/// along each side's normal it lies: what proves that p is outside.
+/// along each side's normal it lies: what proves that p is outside.  Goes on from where it was.
 struct Foot {
   Plain at;
   std::vector<double> back;
-};
-Foot foot(std::span<const Side> sides, const Plain& p, double margin) {
-  constexpr int most_rounds = 64;
-  Foot f{p, std::vector<double>(sides.size())};
-  const double size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
-  for (int round = 0; round < most_rounds; ++round) {
-    double change = 0;
+
+  void approach(std::span<const Side> sides, const Plain& p, double margin, int most_rounds) {
+    at = p;
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      const auto& [n, offset] = sides[i];
-      const double square = core::dot(n, n), length = std::sqrt(square);
-      if (!(square > 0)) continue;
-      const double beyond = (core::dot(n, f.at) - offset + margin * length) / square;
-      const double step = beyond > -f.back[i] ? beyond : -f.back[i];
-      f.back[i] += step;
-      f.at = f.at - n * step;
-      change = std::fmax(change, std::fabs(step) * length);
+      if (back[i] > 0) at = at - sides[i].normal * back[i];
     }
-    if (change <= 0x1p-45 * (size + margin)) break;  // a guess for what is proved after it
+    const double size = magnitude_of(p.x) + magnitude_of(p.y) + magnitude_of(p.z);
+    for (int round = 0; round < most_rounds; ++round) {
+      double change = 0;
+      for (std::size_t i = 0; i < sides.size(); ++i) {
+        const auto& [n, offset, length] = sides[i];
+        const double beyond = (core::dot(n, at) - offset + margin * length) / (length * length);
+        const double step = beyond > -back[i] ? beyond : -back[i];
+        if (step == 0) continue;
+        back[i] += step;
+        at = at - n * step;
+        change = std::fmax(change, magnitude_of(step) * length);
+      }
+      if (change <= 0x1p-45 * (size + margin)) break;  // a guess for what is proved after it
+    }
   }
-  return f;
+};
+
+/// The nearest point of a core, nearly: of a point, a segment, or a parallelogram by turns of its two edges.
+Plain nearest_of_core(std::span<const Vertex> core, const Plain& q) {
+  constexpr int most_rounds = 16;
+  const Plain corner = plain(core[0]);
+  if (core.size() == 1) return corner;
+  Plain at = corner;
+  std::array<double, 2> part{};
+  for (int round = 0; round < (core.size() == 2 ? 1 : most_rounds); ++round) {
+    for (std::size_t k = 0; k < core.size() / 2; ++k) {
+      const Plain e = plain(core[k + 1]) - corner;
+      const double square = core::dot(e, e);
+      const double t = square > 0 ? part[k] + core::dot(q - at, e) / square : 0;
+      const double next = !(t > 0) ? 0 : t < 1 ? t : 1;
+      at = at + e * (next - part[k]);
+      part[k] = next;
+    }
+  }
+  return at;
 }
 
 Vertex exactly(const Plain& v) { return {Running(v.x), Running(v.y), Running(v.z)}; }
@@ -72,27 +94,25 @@ class Search {
       : sides_(sides), core_(core), radius_(radius) {}
 
   std::optional<Sign> run() const {
-    constexpr int most_rounds = 6;
-    const double margin = radius_.value * 0x1p-24;
+    constexpr int most_rounds = 48, most_at_once = 12;
+    const double radius = radius_.value, margin = radius * 0x1p-24;
     for (const Side& side : sides_) {
-      if (!(core::dot(side.normal, side.normal) > 0)) return {};
+      if (!(side.length > 0)) return {};
       if (proved_beyond([&](const Vertex& v) { return height(side, v); }, exactly(side.normal))) return Sign::positive;
     }
     for (const Vertex& v : core_) {
-      if (radius_.value > 0 && holds(v)) return Sign::negative;
+      if (radius > 0 && holds(v)) return Sign::negative;
     }
-    Plain p = plain(core_[0]);
-    for (std::size_t i = 1; i < core_.size(); ++i) p = p + plain(core_[i]);
-    p = p * (1 / static_cast<double>(core_.size()));
+    Plain p{0, 0, 0};
+    for (const Vertex& v : core_) p = p + plain(v) * (1 / static_cast<double>(core_.size()));
+    Foot inner{p, std::vector<double>(sides_.size())}, outer = inner;
     for (int round = 0; round < most_rounds; ++round) {
-      const Foot inner = foot(sides_, p, margin);
-      if (proved_near(inner.at)) return Sign::negative;
-      const Foot outer = foot(sides_, p, 0);
+      inner.approach(sides_, p, margin, most_at_once);
+      const Plain way = inner.at - p;
+      if (core::dot(way, way) < radius * radius && proved_near(inner.at)) return Sign::negative;
+      outer.approach(sides_, p, 0, most_at_once);
       if (proved_far(outer)) return Sign::positive;
-      if (core_.size() != 2) break;
-      const Plain a = plain(core_[0]), e = plain(core_[1]) - a;
-      const double square = core::dot(e, e), s = core::dot(inner.at - a, e) / square;
-      p = a + e * (!(s > 0) ? 0 : s < 1 ? s : 1);
+      p = nearest_of_core(core_, inner.at);
     }
     return {};
   }
