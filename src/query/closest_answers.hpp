@@ -9,6 +9,7 @@
 #pragma once
 
 #include "closest_numbers.hpp"
+#include "closest_quick.hpp"
 #include "figure/finite_parts.hpp"
 #include "plumb/query/closest.hpp"
 
@@ -50,24 +51,33 @@ Numbers numbers_of(Wanted wanted, const Shape& shape, const PointOf<Shape>& p, c
                  ExactFoot(exactly));
 }
 
+/// By the quick way where there is one and it tells, else by signs, pairs of doubles and integers.
+template <class Shape>
+Quickly answer(std::string_view function, Wanted wanted, const Shape& shape, const PointOf<Shape>& p) {
+  if constexpr (requires(Quickly & found) { quickly(wanted, shape, p, found); }) {
+    Quickly found;
+    if (quickly(wanted, shape, p, found)) [[likely]]
+      return found;
+  }
+  Nearest<Shape>::require(function, shape, p);
+  const Feature feature = Nearest<Shape>::feature(shape, p);
+  return {feature, numbers_of(wanted, shape, p, feature)};
+}
+
 template <class Shape, class Answer>
 Answer closest_points_of(const PointOf<Shape>& p, const Shape& shape) {
-  Nearest<Shape>::require("closest_points", shape, p);
-  const Feature feature = Nearest<Shape>::feature(shape, p);
-  const Numbers n = numbers_of(Wanted::both, shape, p, feature);
+  const auto [feature, n] = answer("closest_points", Wanted::both, shape, p);
   return {p, within<PointOf<Shape>>(n.point), n.distance, {FeatureKind::vertex, 0}, feature};
 }
 
 template <class Shape>
 PointOf<Shape> closest_point_of(const Shape& shape, const PointOf<Shape>& p) {
-  Nearest<Shape>::require("closest_point", shape, p);
-  return within<PointOf<Shape>>(numbers_of(Wanted::point, shape, p, Nearest<Shape>::feature(shape, p)).point);
+  return within<PointOf<Shape>>(answer("closest_point", Wanted::point, shape, p).numbers.point);
 }
 
 template <class Shape>
 double distance_of(const PointOf<Shape>& p, const Shape& shape) {
-  Nearest<Shape>::require("distance", shape, p);
-  return numbers_of(Wanted::distance, shape, p, Nearest<Shape>::feature(shape, p)).distance;
+  return answer("distance", Wanted::distance, shape, p).numbers.distance;
 }
 
 template <class Shape>
