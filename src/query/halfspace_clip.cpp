@@ -12,6 +12,7 @@ namespace {
 using namespace axes;
 
 constexpr std::size_t most_corners = 24;
+constexpr int most_rounds = 512, proof_rounds = 32;
 
 struct Side {
   Vector3 normal;
@@ -94,23 +95,66 @@ bool has_common_mix(const std::vector<Beyond>& sides, std::size_t points) {
   });
 }
 
-/// Of a line or ray: how far along it a point is strictly within all.
-bool has_common_place(const std::vector<Beyond>& sides, bool is_ray) {
-  double from = is_ray ? 0 : -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
-  for (const Beyond& side : sides) {
-    const double at = side.of_point[0].value, along = side.along.value;
-    if (along > 0) to = std::min(to, -at / along);
-    if (along < 0) from = std::max(from, -at / along);
+/// Does a combination of the halfspaces, with these weights, leave all points beyond?
+bool proves_apart(const std::vector<Beyond>& sides, const std::vector<double>& weights, std::size_t points) {
+  for (std::size_t i = 0; i < points; ++i) {
+    Running sum(0.0);
+    for (std::size_t h = 0; h < sides.size(); ++h) {
+      if (weights[h] > 0) sum = sum + Running(weights[h]) * sides[h].of_point[i];
+    }
+    if (!is_positive(sum)) return false;
   }
-  const bool starts = from > -std::numeric_limits<double>::infinity(),
-             ends = to < std::numeric_limits<double>::infinity();
-  const double t = starts && ends ? from + (to - from) / 2
-                   : starts       ? from + (magnitude_of(from) + 1)
-                   : ends         ? to - (magnitude_of(to) + 1)
-                                  : 1;
-  if (!(t - t == 0) || (is_ray && !(t > 0))) return false;
-  return std::ranges::all_of(
+  return true;
+}
+
+/// The game of one who names halfspaces and one who names points, each the best against all that the other named so
+/// far (Brown 1951): what the first named comes near to weights that part the two sets, where there are such.
+bool are_apart(const std::vector<Beyond>& sides, std::size_t points) {
+  std::vector<double> named(sides.size()), against_points(sides.size());
+  std::array<double, 8> against_sides{};
+  std::size_t side = 0;
+  for (int round = 1; round <= most_rounds; ++round) {
+    named[side] += 1;
+    std::size_t point = 0;
+    for (std::size_t i = 0; i < points; ++i) {
+      against_sides[i] += sides[side].of_point[i].value;
+      if (against_sides[i] < against_sides[point]) point = i;
+    }
+    if (round % proof_rounds == 0 && against_sides[point] > 0 && proves_apart(sides, named, points)) return true;
+    for (std::size_t h = 0; h < sides.size(); ++h) {
+      against_points[h] += sides[h].of_point[point].value;
+      if (against_points[h] > against_points[side]) side = h;
+    }
+  }
+  return false;
+}
+
+/// Of a line or ray: do two halfspaces leave no place on it?
+bool leave_no_place(const Beyond& ahead, const Beyond& behind) {
+  return is_positive(ahead.along) && is_negative(behind.along) &&
+         is_positive(ahead.along * behind.of_point[0] - behind.along * ahead.of_point[0]);
+}
+
+/// Of a line or ray, by the halfspaces that end it ahead and behind: strictly within all, beyond one of the two, or
+/// neither for certain.
+std::optional<Relation> relate_along(const std::vector<Beyond>& sides, bool is_ray) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double from = is_ray ? 0 : -infinity, to = infinity;
+  const Beyond *ahead = nullptr, *behind = nullptr;
+  for (const Beyond& side : sides) {
+    const double along = side.along.value, place = -side.of_point[0].value / along;
+    if (along > 0 && place < to) to = place, ahead = &side;
+    if (along < 0 && place > from) from = place, behind = &side;
+  }
+  if (ahead != nullptr && behind != nullptr && leave_no_place(*ahead, *behind)) return Relation::disjoint;
+  const double t = from > -infinity && to < infinity ? from + (to - from) / 2
+                   : from > -infinity                ? from + (magnitude_of(from) + 1)
+                   : to < infinity                   ? to - (magnitude_of(to) + 1)
+                                                     : 1;
+  if (!(t - t == 0) || (is_ray && !(t > 0))) return {};
+  const bool within = std::ranges::all_of(
       sides, [&](const Beyond& side) { return is_negative(side.of_point[0] + Running(t) * side.along); });
+  return within ? std::optional(Relation::overlapping) : std::nullopt;
 }
 
 std::optional<Relation> relate_body(const std::vector<Side>& all, const AxisBody<Running>& body) {
@@ -132,9 +176,11 @@ std::optional<Relation> relate_body(const std::vector<Side>& all, const AxisBody
     if (apart) return Relation::disjoint;
     sides.push_back(b);
   }
-  const bool proved =
-      goes_on ? has_common_place(sides, body.ends[0] == EdgeEnd::one) : has_common_mix(sides, body.point_count);
-  return proved ? std::optional(Relation::overlapping) : std::nullopt;
+  if (sides.empty()) return Relation::overlapping;
+  if (goes_on) return relate_along(sides, body.ends[0] == EdgeEnd::one);
+  if (has_common_mix(sides, body.point_count)) return Relation::overlapping;
+  if (are_apart(sides, body.point_count)) return Relation::disjoint;
+  return {};
 }
 
 }  // namespace
