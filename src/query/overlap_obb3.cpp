@@ -315,7 +315,7 @@ Relation relate(const Aabb3& a, const Obb3& b) {
   query::require_shapes(a, b);
   if (query::is_empty(a)) return Relation::disjoint;
   if (query::is_solid(a)) {
-    if (const auto r = query::by_pair(query::BoxPair<query::Approximate>(a, b))) [[likely]]
+    if (const auto r = query::by_pair(query::BoxPair<Approximate>(a, b))) [[likely]]
       return *r;
     if (const auto r = query::by_pair(query::BoxPair<Ball>(a, b))) return *r;
   }
