@@ -148,20 +148,6 @@ template <class Plane, class Round>
   return {};
 }
 
-/// Of a ball, whose numbers are all in the formula.
-template <class Plane>
-std::optional<Relation> quick_ball(const Plane& plane, const Sphere3& ball) {
-  using predicates::NormalDistanceAgainst3d, predicates::SideOfPlane;
-  const int gap = filter<NormalDistanceAgainst3d>(
-      coordinates_of<NormalDistanceAgainst3d>(plane.normal, plane.offset, ball.center, ball.radius));
-  if (gap == 0 || !(ball.radius >= 0)) return {};
-  if (gap < 0) return Relation::overlapping;
-  if constexpr (std::is_same_v<Plane, Plane3>) return Relation::disjoint;
-  const int side = filter<SideOfPlane>(coordinates_of<SideOfPlane>(plane.normal, plane.offset, ball.center));
-  if (side == 0) return {};
-  return side > 0 ? Relation::disjoint : Relation::overlapping;
-}
-
 Relation relation_of(const Sides& s, bool of_halfspace) {
   return static_cast<Relation>(-(of_halfspace ? s.above : std::max(s.above, s.below)));
 }
@@ -178,10 +164,6 @@ bool is_itself(const auto& round) { return round.radius > 0; }
 template <class Plane, class Round>
 Relation relate_round_shape(const Plane& plane, const Round& round) {
   constexpr bool of_halfspace = std::is_same_v<Plane, Halfspace3>;
-  if constexpr (std::is_same_v<Round, Sphere3> && !std::is_same_v<Plane, ThreePointPlane3>) {
-    if (const auto r = quick_ball(plane, round)) [[likely]]
-      return *r;
-  }
   if (is_sound(plane) && is_sound(round) && is_itself(round)) [[likely]] {
     if (const auto r = quick(plane, round)) [[likely]]
       return *r;
@@ -211,7 +193,16 @@ Relation relate_round_shape(const Plane& plane, const Round& round) {
 
 using query::relate_round_shape;
 
-Relation relate(const Plane3& a, const Sphere3& b) { return relate_round_shape(a, b); }
+namespace round_overlap {
+
+constinit const double plane_constant = filter_constant<predicates::NormalDistanceAgainst3d>();
+static_assert(filter_constant<predicates::SideOfPlane>() <= filter_constant<predicates::NormalDistanceAgainst3d>());
+
+Relation relate_exactly(const Plane3& a, const Sphere3& b) { return relate_round_shape(a, b); }
+Relation relate_exactly(const Halfspace3& a, const Sphere3& b) { return relate_round_shape(a, b); }
+
+}  // namespace round_overlap
+
 Relation relate(const Plane3& a, const Capsule3& b) { return relate_round_shape(a, b); }
 Relation relate(const Plane3& a, const Lozenge3& b) { return relate_round_shape(a, b); }
 Relation relate(const Plane3& a, const Cylinder3& b) { return relate_round_shape(a, b); }
@@ -221,7 +212,6 @@ Relation relate(const ThreePointPlane3& a, const Capsule3& b) { return relate_ro
 Relation relate(const ThreePointPlane3& a, const Lozenge3& b) { return relate_round_shape(a, b); }
 Relation relate(const ThreePointPlane3& a, const Cylinder3& b) { return relate_round_shape(a, b); }
 Relation relate(const ThreePointPlane3& a, const Cone3& b) { return relate_round_shape(a, b); }
-Relation relate(const Halfspace3& a, const Sphere3& b) { return relate_round_shape(a, b); }
 Relation relate(const Halfspace3& a, const Capsule3& b) { return relate_round_shape(a, b); }
 Relation relate(const Halfspace3& a, const Lozenge3& b) { return relate_round_shape(a, b); }
 Relation relate(const Halfspace3& a, const Cylinder3& b) { return relate_round_shape(a, b); }

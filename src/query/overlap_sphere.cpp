@@ -81,6 +81,11 @@ Relation relate(const Point3& a, const Sphere3& b) { return query::relate_neares
 Relation relate(const Line3& a, const Sphere3& b) { return query::relate_nearest(a, b, "a", "b"); }
 Relation relate(const Ray3& a, const Sphere3& b) { return query::relate_nearest(a, b, "a", "b"); }
 Relation relate(const Segment3& a, const Sphere3& b) { return query::relate_nearest(a, b, "a", "b"); }
-Relation relate(const Sphere3& a, const Aabb3& b) { return query::relate_nearest(b, a, "b", "a"); }
+
+namespace round_overlap {
+
+Relation relate_exactly(const Sphere3& a, const Aabb3& b) { return query::relate_nearest(b, a, "b", "a"); }
+
+}  // namespace round_overlap
 
 }  // namespace plumb

@@ -16,6 +16,11 @@
 // where shapes touch or all but do some 100 us in rationals, for k-DOPs up to milliseconds.
 #pragma once
 
+#include <array>
+#include <plumb/predicates/plane_distance.hpp>
+
+#include "plumb/arith/filtered.hpp"
+#include "plumb/certify/filter_stage.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/k_dop.hpp"
@@ -25,8 +30,39 @@
 #include "plumb/figure/relation.hpp"
 #include "plumb/figure/round.hpp"
 #include "plumb/figure/simplex.hpp"
+#include "plumb/figure/sphere.hpp"
 
 namespace plumb {
+
+namespace round_overlap {
+
+/// For what doubles leave in doubt, and what is no shape.
+Relation relate_exactly(const Plane3& a, const Sphere3& b);
+Relation relate_exactly(const Halfspace3& a, const Sphere3& b);
+Relation relate_exactly(const Sphere3& a, const Aabb3& b);
+
+/// The filter's constant of the square of the distance from a plane against that of the radius, times that of the
+/// normal.
+extern const double plane_constant;
+
+/// The sign of that, and the side on which the center is; 0 is unsure, as it is for anything but real numbers.
+struct PlaneGap {
+  int gap, side;
+};
+inline PlaneGap gap(const Vector3& n, double offset, const Sphere3& ball) {
+  const auto& [p, r] = ball;
+  using Input = Filtered::Input;
+  const std::array<Input, 8> x{{{n.x}, {n.y}, {n.z}, {offset}, {p.x}, {p.y}, {p.z}, {r}}};
+  const Filtered height = x[0] * x[4] + x[1] * x[5] + x[2] * x[6] - x[3];
+  const Filtered square = predicates::NormalDistanceAgainst3d{}(x);
+  const bool sound = !sphere::has_sign(r, r);
+  const int gap = sound ? beyond(square.value, plane_constant * square.magnitude) : 0;
+  return {gap, beyond(height.value, plane_constant * height.magnitude)};
+}
+
+constexpr double clamped(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+
+}  // namespace round_overlap
 
 /// Inside, where there is an inside, is overlapping.
 Relation relate(const Point3& a, const Sphere3& b);
@@ -36,16 +72,38 @@ Relation relate(const Point3& a, const Lozenge3& b);
 Relation relate(const Line3& a, const Sphere3& b);
 Relation relate(const Ray3& a, const Sphere3& b);
 Relation relate(const Segment3& a, const Sphere3& b);
-Relation relate(const Plane3& a, const Sphere3& b);
+inline Relation relate(const Plane3& a, const Sphere3& b) {
+  const auto [gap, side] = round_overlap::gap(a.normal, a.offset, b);
+  if (gap != 0) [[likely]]
+    return gap > 0 ? Relation::disjoint : Relation::overlapping;
+  return round_overlap::relate_exactly(a, b);
+}
 Relation relate(const ThreePointPlane3& a, const Sphere3& b);
-Relation relate(const Halfspace3& a, const Sphere3& b);
+inline Relation relate(const Halfspace3& a, const Sphere3& b) {
+  const auto [gap, side] = round_overlap::gap(a.normal, a.offset, b);
+  if (gap != 0 && (gap < 0 || side != 0)) [[likely]]
+    return gap > 0 && side > 0 ? Relation::disjoint : Relation::overlapping;
+  return round_overlap::relate_exactly(a, b);
+}
 Relation relate(const Triangle3& a, const Sphere3& b);
 Relation relate(const Quadrilateral3& a, const Sphere3& b);
 Relation relate(const Polygon3& a, const Sphere3& b);
 Relation relate(const HoledPolygon3& a, const Sphere3& b);
 Relation relate(const Rectangle3& a, const Sphere3& b);
 Relation relate(const Tetrahedron3& a, const Sphere3& b);
-Relation relate(const Sphere3& a, const Aabb3& b);
+/// By the nearest point of the box, whose numbers are input.
+inline Relation relate(const Sphere3& a, const Aabb3& b) {
+  using round_overlap::clamped;
+  const auto& [p, q] = b;
+  const auto& c = a.center;
+  const double all = ((p.x + q.x) + (p.y + q.y)) + (p.z + q.z);
+  const Point3 nearest{clamped(c.x, p.x, q.x), clamped(c.y, p.y, q.y), clamped(c.z, p.z, q.z)};
+  const auto [gap, sure] = sphere::gap(Sphere3{nearest, 0}, a);
+  const bool sound = (p.x <= q.x) & (p.y <= q.y) & (p.z <= q.z) & (all - all == 0);
+  if (sure & sound) [[likely]]
+    return gap > 0 ? Relation::disjoint : Relation::overlapping;
+  return round_overlap::relate_exactly(a, b);
+}
 Relation relate(const Sphere3& a, const Obb3& b);
 Relation relate(const Sphere3& a, const Capsule3& b);
 Relation relate(const Sphere3& a, const Lozenge3& b);
