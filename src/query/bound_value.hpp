@@ -10,7 +10,7 @@
 
 namespace plumb::meeting {
 
-using query::Approximate, query::coordinate_difference, query::Signs;
+using namespace query;
 
 template <class T>
 T minus(double x, double y) {

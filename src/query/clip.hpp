@@ -90,32 +90,32 @@ class Clip {
 
   std::optional<Piece<T>> operator()() {
     int pinned = infinity;
-    std::vector<Crossed> crossed;
+    bool crosses = false, from_within = true, to_within = true;
     for (std::size_t i = 0; i < other_.bounds.size(); ++i) {
       const bool on = other_.bounds[i].side == 0;
       const auto [first, last] = ends(i);
       if (first * last > 0 && (on || first > 0)) return {};
-      if (first == 0 && last == 0) continue;
       if (first * last < 0) {
-        crossed.push_back({i, first, last});
-      } else if (first == 0 && (on || last > 0)) {
+        crosses = true;
+        from_within = from_within && !on && first < 0;
+        to_within = to_within && !on && last < 0;
+      } else if (first == 0 && last != 0 && (on || last > 0)) {
         if (!pin(pinned, edge_.from)) return {};
-      } else if (last == 0 && (on || first > 0)) {
+      } else if (last == 0 && first != 0 && (on || first > 0)) {
         if (!pin(pinned, edge_.to)) return {};
       }
     }
     if (pinned != infinity) {
-      for (const Crossed& c : crossed) {
-        const int s = pinned == edge_.from ? c.first : c.last;
-        if (other_.bounds[c.bound].side == 0 || s > 0) return {};
-      }
+      if (!(pinned == edge_.from ? from_within : to_within)) return {};
       return Piece<T>{{true, pinned}, {true, pinned}, true};
     }
     Piece<T> piece{{true, edge_.from}, {true, edge_.to}};
     piece.is_point = edge_.from == edge_.to && edge_.from != infinity;
-    for (const Crossed& c : crossed) {
-      const End<T> end = crossing(c);
-      const bool on = other_.bounds[c.bound].side == 0, enters = c.first > 0;
+    for (std::size_t i = 0; i < other_.bounds.size() && crosses; ++i) {
+      const auto [first, last] = ends(i);
+      if (first * last >= 0) continue;
+      const End<T> end = crossing(i, first);
+      const bool on = other_.bounds[i].side == 0, enters = first > 0;
       if (on || enters) narrow(piece.from, end, Sign::positive);
       if (on || !enters) narrow(piece.to, end, Sign::negative);
       if (!ask_.certain()) return {};
@@ -130,10 +130,6 @@ class Clip {
 
  private:
   struct EndSigns {
-    int first, last;
-  };
-  struct Crossed {
-    std::size_t bound;
     int first, last;
   };
   // At infinity: the sign that the value takes in the end.
@@ -155,15 +151,15 @@ class Clip {
   }
 
   // Of a bound whose signs at both ends are opposite: whole > 0.
-  End<T> crossing(const Crossed& c) {
-    const Bound<N>& b = other_.bounds[c.bound];
+  End<T> crossing(std::size_t bound, int first) {
+    const Bound<N>& b = other_.bounds[bound];
     const int side = b.side == 0 ? 1 : b.side;
-    const bool falls = c.first * side > 0;
+    const bool falls = first * side > 0;
     const bool bounded = edge_.is_bounded();
     const T start = bounded ? vertex_value<T, N>(set_, edge_.from, b) : value<T, N>(b, edge_.point);
     const T rise = bounded ? vertex_value<T, N>(set_, edge_.to, b) - start : slope<T, N>(b, along<T, N>(set_, edge_));
     const T zero(0.0);
-    return {false, static_cast<int>(c.bound), falls ? start : zero - start, falls ? zero - rise : rise};
+    return {false, static_cast<int>(bound), falls ? start : zero - start, falls ? zero - rise : rise};
   }
 
   Sign order(const End<T>& a, const End<T>& b) { return ask_(a.part * b.whole - b.part * a.whole); }

@@ -46,6 +46,7 @@ ConvexSet<N> segment_set(const Point<N>& a, const Point<N>& b) {
   if (a == b) return point_set<N>(a);
   ConvexSet<N> set;
   set.dimension = 1;
+  set.bounds.reserve(N == 2 ? 5 : 9);
   set.vertices = {a, b};
   set.edges = {{.from = 0, .to = 1}};
   add_line<N>(set, a, b);

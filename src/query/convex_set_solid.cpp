@@ -53,6 +53,9 @@ ConvexSet<3> convex_set(const Aabb3& box) {
   const auto& [a, b] = box;
   ConvexSet<3> set;
   if (a.x > b.x || a.y > b.y || a.z > b.z) return set;
+  set.vertices.reserve(8);
+  set.edges.reserve(12);
+  set.bounds.reserve(6);
   for (unsigned k = 0; k < 8; ++k) {
     set.vertices.push_back({(k & 1) != 0 ? b.x : a.x, (k & 2) != 0 ? b.y : a.y, (k & 4) != 0 ? b.z : a.z});
   }

@@ -1,6 +1,7 @@
 // The pairs of space: each figure as a convex set, and what two of them have in common.
 #include "plumb/query/intersection.hpp"
 #include "query/intersection_input.hpp"
+#include "query/intersection_quick.hpp"
 #include "query/meet.hpp"
 
 namespace plumb {
@@ -10,6 +11,7 @@ template <class A, class B>
 Intersection3 common(const A& a, const B& b) {
   meeting::require_figure('a', a);
   meeting::require_figure('b', b);
+  if (auto quick = meeting::quick(a, b)) return std::move(*quick);
   return meeting::meet(meeting::convex_set(a), meeting::convex_set(b));
 }
 

@@ -95,10 +95,6 @@ CommonVertices common_vertices(const Segment2& a, const Segment2& b) { return co
 CommonVertices common_vertices(const Line2& a, const Triangle2& b) { return common(a, b); }
 CommonVertices common_vertices(const Segment2& a, const Triangle2& b) { return common(a, b); }
 CommonVertices common_vertices(const Triangle2& a, const Triangle2& b) { return common(a, b); }
-CommonVertices common_vertices(const Triangle2& a, const Aabb2& b) {
-  // Of a clockwise one CGAL 5.5 tells corners of the box that are outside of it.
-  return of(a).orientation() == CGAL::CLOCKWISE ? common(Triangle2{a.a, a.c, a.b}, b) : common(a, b);
-}
 CommonVertices common_vertices(const Segment2& a, const Aabb2& b) { return common(a, b); }
 CommonVertices common_vertices(const Segment3& a, const Segment3& b) { return common(a, b); }
 CommonVertices common_vertices(const Line3& a, const Plane3& b) { return common(a, b); }

@@ -1,0 +1,82 @@
+// Which pairs need no sets of bounds?  Those that a few signs part, and those that cross in one point inside of both.
+//
+// Laws: what is answered is exact; nothing where signs are zero that leave a choice, and the general way has to tell.
+// Source: RTCD 5.1.9.1, 5.3.4, 5.3.6, 5.2.10.  Cost: two to twelve signs.
+#pragma once
+
+#include <optional>
+
+#include "plumb/predicates.hpp"
+#include "plumb/query/intersection.hpp"
+
+namespace plumb::meeting {
+
+inline bool strictly_same(Sign a, Sign b) { return a * b == Sign::positive; }
+inline bool opposite(Sign a, Sign b) { return a * b == Sign::negative; }
+
+/// For figures of which nothing is known: the general way tells.
+template <class A, class B>
+auto quick(const A&, const B&) {
+  if constexpr (requires(A a, B b) {
+                  { intersection(a, b) } -> std::same_as<Intersection2>;
+                }) {
+    return std::optional<Intersection2>();
+  } else {
+    return std::optional<Intersection3>();
+  }
+}
+
+inline std::optional<Intersection2> quick(const Segment2& s, const Segment2& t) {
+  const Sign a = orient2d(s.a, s.b, t.a), b = orient2d(s.a, s.b, t.b);
+  if (strictly_same(a, b)) return Intersection2{};
+  const Sign c = orient2d(t.a, t.b, s.a), d = orient2d(t.a, t.b, s.b);
+  if (strictly_same(c, d)) return Intersection2{};
+  if (!opposite(a, b) || !opposite(c, d)) return {};
+  return Intersection2{IntersectionKind::point, {LineLinePoint2{s.a, s.b, t.a, t.b}}};
+}
+
+/// Does a side of t, which has an inside, part it from u?
+inline bool side_parts(const Triangle2& t, const Triangle2& u) {
+  const Sign turn = orient2d(t.a, t.b, t.c);
+  if (turn == Sign::zero) return false;
+  const auto parts = [&](const Point2& from, const Point2& to) {
+    const auto beyond = [&](const Point2& p) { return opposite(orient2d(from, to, p), turn); };
+    return beyond(u.a) && beyond(u.b) && beyond(u.c);
+  };
+  return parts(t.a, t.b) || parts(t.b, t.c) || parts(t.c, t.a);
+}
+inline std::optional<Intersection2> quick(const Triangle2& t, const Triangle2& u) {
+  if (side_parts(t, u) || side_parts(u, t)) return Intersection2{};
+  return {};
+}
+
+inline std::optional<Intersection3> quick(const Segment3& s, const Triangle3& t) {
+  const Sign a = orient3d(t.a, t.b, t.c, s.a), b = orient3d(t.a, t.b, t.c, s.b);
+  if (strictly_same(a, b)) return Intersection3{};
+  if (!opposite(a, b)) return {};
+  const Sign ab = orient3d(s.a, s.b, t.a, t.b), bc = orient3d(s.a, s.b, t.b, t.c), ca = orient3d(s.a, s.b, t.c, t.a);
+  if (opposite(ab, bc) || opposite(bc, ca) || opposite(ca, ab)) return Intersection3{};
+  return Intersection3{IntersectionKind::point, {LinePlanePoint3{s.a, s.b, t.a, t.b, t.c}}};
+}
+
+/// Does the plane of t have u on one side?
+inline bool plane_parts(const Triangle3& t, const Triangle3& u) {
+  const Sign a = orient3d(t.a, t.b, t.c, u.a);
+  return strictly_same(a, orient3d(t.a, t.b, t.c, u.b)) && strictly_same(a, orient3d(t.a, t.b, t.c, u.c));
+}
+inline std::optional<Intersection3> quick(const Triangle3& t, const Triangle3& u) {
+  if (plane_parts(t, u) || plane_parts(u, t)) return Intersection3{};
+  return {};
+}
+
+inline std::optional<Intersection3> quick(const Triangle3& t, const Aabb3& b) {
+  const auto outside = [](double x, double y, double z, double min, double max) {
+    return (x < min && y < min && z < min) || (x > max && y > max && z > max);
+  };
+  if (outside(t.a.x, t.b.x, t.c.x, b.min.x, b.max.x) || outside(t.a.y, t.b.y, t.c.y, b.min.y, b.max.y) ||
+      outside(t.a.z, t.b.z, t.c.z, b.min.z, b.max.z))
+    return Intersection3{};
+  return {};
+}
+
+}  // namespace plumb::meeting
