@@ -109,27 +109,33 @@ double closest_parameter(const Segment3& segment, const Point3& p);
 std::array<double, 3> closest_weights(const Triangle2& triangle, const Point2& p);
 std::array<double, 3> closest_weights(const Triangle3& triangle, const Point3& p);
 
+// What is asked for is named in the requirement, not in the result: Clang 14 looks at a result's type first.
 template <class A, class B>
-requires query::OutOfOrder<A, B>
-auto closest_points(const A& a, const B& b) -> decltype(swapped(closest_points(b, a))) {
+requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { closest_points(b, a); })  //
+    auto closest_points(const A& a, const B& b) {
   return swapped(closest_points(b, a));
 }
 template <class A, class B>
-requires query::OutOfOrder<A, B>
-auto distance(const A& a, const B& b) -> decltype(distance(b, a)) { return distance(b, a); }
+requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { distance(b, a); })  //
+    double distance(const A& a, const B& b) {
+  return distance(b, a);
+}
 template <class A, class B>
-requires query::OutOfOrder<A, B>
-auto squared_distance_exact(const A& a, const B& b) -> decltype(squared_distance_exact(b, a)) {
+requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { squared_distance_exact(b, a); })  //
+    Rational squared_distance_exact(const A& a, const B& b) {
   return squared_distance_exact(b, a);
 }
 template <class A, class B>
-requires query::OutOfOrder<A, B>
-auto exact_distance(const A& a, const B& b) -> decltype(exact_distance(b, a)) { return exact_distance(b, a); }
+requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { exact_distance(b, a); })  //
+    ExactDistance exact_distance(const A& a, const B& b) {
+  return exact_distance(b, a);
+}
 
 /// Of two figures neither of which is a point.
 template <class A, class B>
-requires(query::place<A> > 0 && query::place<B> >= query::place<A>) auto exact_distance(const A& a, const B& b)
-    -> decltype(ExactDistance{squared_distance_exact(a, b)}) {
+requires(query::place<A> > 0 && query::place<B> >= query::place<A> &&
+         requires(const A& a, const B& b) { squared_distance_exact(a, b); })  //
+    ExactDistance exact_distance(const A& a, const B& b) {
   return {squared_distance_exact(a, b)};
 }
 
