@@ -8,6 +8,7 @@
 #include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/arith/twofold.hpp"
 
 namespace plumb::query {
 
@@ -37,6 +38,13 @@ class Signs {
     const bool far = magnitude_of(x.high) * 0.5 > x.radius;
     certain_ = certain_ && far;
     return far ? sign_of_number(x.high) : Sign::zero;
+  }
+  template <bool Fma>
+  Sign operator()(const Twofold<Fma>& x) {
+    const double most = x.reach() * (1 + Twofold<Fma>::slack), sum = x.high + x.low;
+    const int s = static_cast<int>(sum > most) - static_cast<int>(sum < -most);
+    certain_ = certain_ && s != 0;
+    return static_cast<Sign>(s);
   }
   Sign operator()(const BigDyadic& x) { return x.sign(); }
 

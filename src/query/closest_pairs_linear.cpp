@@ -23,6 +23,7 @@ template <class T, class A, class B>
 
 template <class Point>
 [[gnu::noinline]] Places places_exactly(const Straight<Point>& a, const Straight<Point>& b) {
+  if (const auto places = places_over<Twofold<false>>(a, b)) return *places;
   if (const auto places = places_over<Ball>(a, b)) return *places;
   return *places_over<BigDyadic>(a, b);
 }
