@@ -21,6 +21,7 @@ class Simplex {
   explicit Simplex(const Corner& first) : size_(1) { corners_[0] = first; }
 
   [[nodiscard]] std::span<const Corner> corners() const { return {corners_.data(), size_}; }
+  [[nodiscard]] bool is_full() const { return size_ == corners_.size(); }
   [[nodiscard]] bool has(std::size_t a, std::size_t b) const {
     for (const Corner& c : corners()) {
       if (c.a == a && c.b == b) return true;
@@ -149,6 +150,7 @@ class Search {
         if (xx < square) return proved_near(simplex);
         return proved_far(x);
       }
+      if (simplex.is_full()) return {};  // about the origin, but for roundings
       simplex.add({i, j, w, 1});
     }
     return {};
