@@ -55,17 +55,19 @@ class Maker {
     vertices({s->center});
     made.vertex_features = {{FeatureKind::face, 0}};
     made.reach = T(s->radius);
+    made.swept = s->radius > 0;
   }
   void operator()(const Capsule3* c) {
     vertices({c->a, c->b});
     edge(0, 1, 0);
     made.reach = T(c->radius);
+    made.swept = c->radius > 0;
   }
   void operator()(const Plane3* p) {
     made.faces.push_back({{}, vector_of<T>(p->normal), T(p->offset), {FeatureKind::face, 0}});
   }
 
-  Body<T> made;
+  MovingBody<T> made;
 
  private:
   void vertex(const Vec3<T>& v) {
@@ -104,13 +106,14 @@ class Maker {
 }  // namespace
 
 template <class T>
-Body<T> body(const BodyShape& shape) {
+MovingBody<T> moving_body(const BodyShape& shape) {
   Maker<T> maker;
   std::visit(maker, shape);
   return std::move(maker.made);
 }
-template Body<Interval> body(const BodyShape&);
-template Body<BigDyadic> body(const BodyShape&);
+template MovingBody<Running> moving_body(const BodyShape&);
+template MovingBody<Ball> moving_body(const BodyShape&);
+template MovingBody<BigDyadic> moving_body(const BodyShape&);
 
 namespace {
 
@@ -148,6 +151,13 @@ class Check {
  private:
   template <class... Parts>
   bool finite(const std::array<const char*, sizeof...(Parts)>& parts, const Parts&... numbers) const {
+    const auto zero_of = [](const auto& part) {
+      double zero = 0;
+      for (const double x : coordinates(part)) zero += x - x;
+      return zero;
+    };
+    if ((zero_of(numbers) + ...) == 0) [[likely]]
+      return true;
     std::array<std::string, sizeof...(Parts)> text;
     std::array<std::string_view, sizeof...(Parts)> names;
     for (std::size_t i = 0; i < names.size(); ++i) names[i] = text[i].append(name_).append(parts[i]);

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "plumb/arith/interval.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/linear.hpp"
@@ -18,6 +19,7 @@
 #include "plumb/figure/round.hpp"
 #include "plumb/figure/simplex.hpp"
 #include "plumb/figure/voronoi_region.hpp"
+#include "query/running_error.hpp"
 #include "query/vectors.hpp"
 
 namespace plumb::query {
@@ -26,7 +28,7 @@ using BodyShape = std::variant<const Point3*, const Segment3*, const Triangle3*,
                                const ConvexPolyhedron3*, const Sphere3*, const Capsule3*, const Plane3*>;
 
 template <class T>
-struct Body {
+struct MovingBody {
   struct Edge {
     std::array<std::uint32_t, 2> ends;
     Feature feature;
@@ -42,12 +44,14 @@ struct Body {
   std::vector<Edge> edges;
   std::vector<Face> faces;
   T reach{0.0};
+  bool swept = false;  // reach > 0
 };
 
 template <class T>
-Body<T> body(const BodyShape& shape);
-extern template Body<Interval> body(const BodyShape&);
-extern template Body<BigDyadic> body(const BodyShape&);
+MovingBody<T> moving_body(const BodyShape& shape);
+extern template MovingBody<Running> moving_body(const BodyShape&);
+extern template MovingBody<Ball> moving_body(const BodyShape&);
+extern template MovingBody<BigDyadic> moving_body(const BodyShape&);
 
 /// Throws NonFinite and InvalidShape, naming the function and the part; says whether the shape has a point at all.
 bool check_body(std::string_view function, std::string_view name, const BodyShape& shape);

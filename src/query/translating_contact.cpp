@@ -4,8 +4,10 @@
 #include <tuple>
 
 #include "figure/finite_parts.hpp"
-#include "query/flat_set.hpp"
+#include "plumb/query/overlap.hpp"
 #include "query/meeting_time.hpp"
+#include "query/moving_axes.hpp"
+#include "query/time_judges.hpp"
 
 namespace plumb {
 namespace query {
@@ -23,151 +25,148 @@ struct Meeting {
 
 /// Two bodies, and how the first moves, seen from the second.
 template <class T>
-struct Pair {
-  Pair(const Motion& of_a, const Motion& of_b)
-      : a(body<T>(of_a.shape)), b(body<T>(of_b.shape)), velocity(vector_of<T>(*of_a.by) - vector_of<T>(*of_b.by)) {}
+struct MotionPair {
+  MotionPair(const Motion& of_a, const Motion& of_b)
+      : a(moving_body<T>(of_a.shape)),
+        b(moving_body<T>(of_b.shape)),
+        velocity(vector_of<T>(*of_a.by) - vector_of<T>(*of_b.by)) {}
 
-  [[nodiscard]] auto condition_of(PairIndex pair) const { return condition(a, b, velocity, pair); }
+  template <class Judge>
+  bool tell(PairIndex pair, Judge& judge) const {
+    return MeetingCondition<T>(a, b, velocity).tell(pair, judge);
+  }
   [[nodiscard]] Feature feature_of_a(PairIndex pair) const {
-    if (pair.kind == FeaturePair::edge_vertex || pair.kind == FeaturePair::edge_edge) return a.edges[pair.a].feature;
-    return pair.kind == FeaturePair::face_vertex ? a.faces[pair.a].feature : a.vertex_features[pair.a];
+    if (pair.kind == MeetingPair::edge_vertex || pair.kind == MeetingPair::edge_edge) return a.edges[pair.a].feature;
+    return pair.kind == MeetingPair::face_vertex ? a.faces[pair.a].feature : a.vertex_features[pair.a];
   }
   [[nodiscard]] Feature feature_of_b(PairIndex pair) const {
-    if (pair.kind == FeaturePair::vertex_edge || pair.kind == FeaturePair::edge_edge) return b.edges[pair.b].feature;
-    return pair.kind == FeaturePair::vertex_face ? b.faces[pair.b].feature : b.vertex_features[pair.b];
+    if (pair.kind == MeetingPair::vertex_edge || pair.kind == MeetingPair::edge_edge) return b.edges[pair.b].feature;
+    return pair.kind == MeetingPair::vertex_face ? b.faces[pair.b].feature : b.vertex_features[pair.b];
   }
 
-  Body<T> a, b;
+  MovingBody<T> a, b;
   Vec3<T> velocity;
 };
 
-/// Two features that may meet, no earlier than at this time.
+/// Two features that may meet, and when.
 struct Candidate {
   PairIndex pair;
-  double earliest;
+  QuickTime time;
 };
 
 /// The pairs of features that may meet, by their earliest times.
-std::vector<Candidate> candidates(const Pair<Interval>& pair) {
+std::vector<Candidate> candidates(const MotionPair<Running>& pair, const TimeWindow& window) {
   const auto& [a, b, velocity] = pair;
+  const MeetingCondition<Running> condition(a, b, velocity);
+  const FeatureBoxes boxes_a(a), boxes_b(b);
+  const Slabs slabs(velocity, a.reach + b.reach);
   std::vector<Candidate> found;
-  const auto ask = [&](FeaturePair kind, std::size_t of_a, std::size_t of_b) {
-    for (std::uint32_t i = 0; i < of_a; ++i) {
-      for (std::uint32_t j = 0; j < of_b; ++j) {
-        const auto c = condition(a, b, velocity, {kind, i, j});
-        if (!c) continue;
-        if (const double t = earliest(*c); t <= 1) found.push_back({{kind, i, j}, t});
+  const auto ask = [&](MeetingPair kind, const std::vector<FeatureBox>& of_a, const std::vector<FeatureBox>& of_b) {
+    for (std::uint32_t i = 0; i < of_a.size(); ++i) {
+      for (std::uint32_t j = 0; j < of_b.size(); ++j) {
+        const auto [enters, leaves] = slabs.times(of_a[i], of_b[j]);
+        const double from = std::max(enters, window.from), to = std::min(leaves, window.to);
+        if (!(from <= to)) continue;
+        Candidate c{{kind, i, j}, QuickTime(from, to)};
+        if (condition.tell(c.pair, c.time) && c.time.earliest() <= 1) found.push_back(c);
       }
     }
   };
-  ask(FeaturePair::vertex_vertex, a.vertices.size(), b.vertices.size());
-  ask(FeaturePair::vertex_edge, a.vertices.size(), b.edges.size());
-  ask(FeaturePair::edge_vertex, a.edges.size(), b.vertices.size());
-  ask(FeaturePair::edge_edge, a.edges.size(), b.edges.size());
-  ask(FeaturePair::vertex_face, a.vertices.size(), b.faces.size());
-  ask(FeaturePair::face_vertex, a.faces.size(), b.vertices.size());
-  std::ranges::stable_sort(found, {}, &Candidate::earliest);
+  ask(MeetingPair::vertex_vertex, boxes_a.vertices, boxes_b.vertices);
+  ask(MeetingPair::vertex_edge, boxes_a.vertices, boxes_b.edges);
+  ask(MeetingPair::edge_vertex, boxes_a.edges, boxes_b.vertices);
+  ask(MeetingPair::edge_edge, boxes_a.edges, boxes_b.edges);
+  ask(MeetingPair::vertex_face, boxes_a.vertices, boxes_b.faces);
+  ask(MeetingPair::face_vertex, boxes_a.faces, boxes_b.vertices);
+  std::ranges::stable_sort(found, {}, [](const Candidate& c) { return c.time.earliest(); });
   return found;
 }
 
+/// Is the first the only pair that can be first, and sure to meet?
+bool one_is_first(const std::vector<Candidate>& found) {
+  const QuickTime& first = found[0].time;
+  return first.certain() && first.latest() <= 1 && (found.size() == 1 || found[1].time.earliest() > first.latest());
+}
+
 /// The first time at which two features meet, and which.
-Meeting first_of(const std::vector<Candidate>& found, const Pair<BigDyadic>& exact) {
+Meeting first_of(const std::vector<Candidate>& found, const MotionPair<BigDyadic>& exact) {
   Meeting best;
   double latest = 1;  // no earlier than the best
   const auto rank = [](const Feature& a, const Feature& b) {
     return std::tuple(static_cast<int>(a.kind) + static_cast<int>(b.kind), a.kind, a.index, b.kind, b.index);
   };
   for (const Candidate& c : found) {
-    if (c.earliest > latest) break;
-    const auto with = exact.condition_of(c.pair);
-    std::optional<Root> time = with ? first_time(*with) : std::nullopt;
-    if (!time) continue;
+    if (c.time.earliest() > latest) break;
+    ExactTime time;
+    if (!exact.tell(c.pair, time) || !time.first()) continue;
     const Feature a = exact.feature_of_a(c.pair), b = exact.feature_of_b(c.pair);
     if (best.time) {
-      const auto order = *time <=> *best.time;
+      const auto order = *time.first() <=> *best.time;
       if (order > 0 || (order == 0 && rank(best.a, best.b) < rank(a, b))) continue;
     }
-    latest = time->rounded(Rounding::up);
-    best = {std::move(time), a, b};
+    best = {time.first(), a, b};
+    latest = best.time->rounded(Rounding::up);
   }
   return best;
 }
 
-/// Does an interval show that the hulls have no common point at time 0?
-bool certainly_apart(const Body<Interval>& a, const Body<Interval>& b) {
-  const auto one_sided = [](const Body<Interval>& body, const Vec3<Interval>& n, const Interval& offset) {
-    const auto side = [&](const Vec3<Interval>& v) { return dot(v, n) - offset; };
-    return std::ranges::all_of(body.vertices, [&](const auto& v) { return side(v).lower > 0; }) ||
-           std::ranges::all_of(body.vertices, [&](const auto& v) { return side(v).upper < 0; });
-  };
-  if (a.vertices.empty()) return one_sided(b, a.faces[0].normal, a.faces[0].offset);
-  if (b.vertices.empty()) return one_sided(a, b.faces[0].normal, b.faces[0].offset);
-  const auto separates = [&](const Vec3<Interval>& n) {
-    const auto reach = [&](const Body<Interval>& body) {
-      Interval r{Interval::infinity, -Interval::infinity};
-      for (const auto& v : body.vertices) {
-        const Interval at = dot(v, n);
-        r = {std::min(r.lower, at.lower), std::max(r.upper, at.upper)};
-      }
-      return r;
-    };
-    const Interval of_a = reach(a), of_b = reach(b);
-    return of_a.upper < of_b.lower || of_b.upper < of_a.lower;
-  };
-  const Interval one(1.0), zero(0.0);
-  if (separates({one, zero, zero}) || separates({zero, one, zero}) || separates({zero, zero, one})) return true;
-  for (const auto* body : {&a, &b}) {
-    for (const auto& f : body->faces) {
-      if (separates(f.normal)) return true;
-    }
-  }
-  const auto along = [](const Body<Interval>& body, const Body<Interval>::Edge& e) {
-    return body.vertices[e.ends[1]] - body.vertices[e.ends[0]];
-  };
-  constexpr std::size_t few = 12;  // edges; with more the exact relation costs less
-  if (a.edges.size() > few || b.edges.size() > few) return false;
-  for (const auto& e : a.edges) {
-    for (const auto& f : b.edges) {
-      if (separates(cross(along(a, e), along(b, f)))) return true;
-    }
-  }
-  return false;
+template <class A, class B>
+Relation relation_of(const A& a, const B& b) {
+  return relate(a, b);
+}
+// A point is a ball without extent where a relation is asked of balls and capsules.
+Relation relation_of(const Point3& p, const Sphere3& s) { return relate(Sphere3{p, 0}, s); }
+Relation relation_of(const Point3& p, const Capsule3& c) { return relate(Capsule3{p, p, 0}, c); }
+Relation relation_of(const Sphere3& s, const Point3& p) { return relation_of(p, s); }
+Relation relation_of(const Capsule3& c, const Point3& p) { return relation_of(p, c); }
+Relation relation_of(const Point3& p, const Point3& q) { return p == q ? Relation::overlapping : Relation::disjoint; }
+
+/// How the shapes lie to one another at time 0.
+using StartRelation = Relation (*)(const BodyShape& a, const BodyShape& b);
+
+template <class A, class B>
+Relation start_relation(const BodyShape& a, const BodyShape& b) {
+  return relation_of(*std::get<const A*>(a), *std::get<const B*>(b));
 }
 
-struct HullOf {
-  FlatSet operator()(const Sphere3* s) const { return flat_set(s->center); }
-  FlatSet operator()(const Capsule3* c) const { return flat_set(Segment3{c->a, c->b}); }
-  template <class Flat>
-  FlatSet operator()(const Flat* flat) const {
-    return flat_set(*flat);
-  }
+/// Checked, and as far as running errors tell.
+struct Outlook {
+  bool overlap = false;  // at time 0
+  std::vector<Candidate> found{};
 };
 
-bool holds_strictly_at_start(const Condition<BigDyadic>& c) {
-  return c.not_positive[0].sign() == Sign::negative &&
-         std::ranges::none_of(c.not_negative, [](const auto& linear) { return linear[0].sign() == Sign::negative; });
-}
-
-Meeting meeting(std::string_view function, const Motion& a, const Motion& b) {
+Outlook outlook(std::string_view function, const Motion& a, const Motion& b, StartRelation at_start) {
   require_finite_parts(function, {"a.by", "b.by"}, *a.by, *b.by);
   const bool some_a = check_body(function, "a.shape", a.shape), some_b = check_body(function, "b.shape", b.shape);
   if (!some_a || !some_b) return {};
-  const Meeting overlap{Root(Rational(0)), {FeatureKind::interior, 0}, {FeatureKind::interior, 0}};
-  const Pair<Interval> quick(a, b);
-  const bool swept = quick.a.reach.upper + quick.b.reach.upper > 0;
-  if (!certainly_apart(quick.a, quick.b)) {
-    const Relation hulls = relate(std::visit(HullOf{}, a.shape), std::visit(HullOf{}, b.shape));
-    if (hulls == Relation::overlapping || (hulls == Relation::touching && swept)) return overlap;
-  }
-  const std::vector<Candidate> found = candidates(quick);
-  if (found.empty()) return {};
-  const Pair<BigDyadic> exact(a, b);
-  for (const Candidate& c : found) {
-    if (!swept || c.earliest > 0) continue;
-    const auto at_start = exact.condition_of(c.pair);
-    if (at_start && holds_strictly_at_start(*at_start)) return overlap;
-  }
-  return first_of(found, exact);
+  const auto velocity = vector_of<Running>(*a.by) - vector_of<Running>(*b.by);
+  if (const auto [from, to] = Slabs(velocity, Running(0.0)).times(bounding_box(a.shape), bounding_box(b.shape));
+      !(from <= to))
+    return {};
+  const MotionPair<Running> quick(a, b);
+  const TimeWindow window = time_window(quick.a, quick.b, velocity);
+  if (window.empty()) return {};
+  if (!(window.from > 0) && at_start(a.shape, b.shape) == Relation::overlapping) return {true};
+  return {false, candidates(quick, window)};
+}
+
+Meeting overlap_at_start() { return {Root(Rational(0)), {FeatureKind::interior, 0}, {FeatureKind::interior, 0}}; }
+
+Meeting meeting(const Outlook& out, const Motion& a, const Motion& b) {
+  if (out.overlap) return overlap_at_start();
+  if (out.found.empty()) return {};
+  return first_of(out.found, MotionPair<BigDyadic>(a, b));
+}
+
+/// Where one pair of features is sure to be first and pairs of doubles tell the time.
+std::optional<Contact> quick_contact(const std::vector<Candidate>& found, const Motion& a, const Motion& b) {
+  if (found.empty() || !one_is_first(found)) return {};
+  const MotionPair<Ball> precise(a, b);
+  PreciseTime time;
+  precise.tell(found[0].pair, time);
+  const std::optional<double> down = time.rounded(Rounding::down);
+  if (!down) return {};
+  return Contact{*down, precise.feature_of_a(found[0].pair), precise.feature_of_b(found[0].pair)};
 }
 
 }  // namespace
@@ -175,12 +174,16 @@ Meeting meeting(std::string_view function, const Motion& a, const Motion& b) {
 
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const Translating<B>& b) {
-  return query::meeting("first_contact_time", {&a.shape, &a.by}, {&b.shape, &b.by}).time;
+  const query::Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  return query::meeting(query::outlook("first_contact_time", of_a, of_b, query::start_relation<A, B>), of_a, of_b).time;
 }
 
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const Translating<B>& b) {
-  const query::Meeting m = query::meeting("first_contact", {&a.shape, &a.by}, {&b.shape, &b.by});
+  const query::Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  const query::Outlook out = query::outlook("first_contact", of_a, of_b, query::start_relation<A, B>);
+  if (const auto quick = query::quick_contact(out.found, of_a, of_b)) return quick;
+  const query::Meeting m = query::meeting(out, of_a, of_b);
   if (!m.time) return {};
   return Contact{m.time->rounded(Rounding::down), m.a, m.b};
 }
@@ -188,7 +191,10 @@ requires MovingPair<A, B> std::optional<Contact> first_contact(const Translating
 template <class A, class B>
 requires MovingPair<A, B>
 bool intersects(const Translating<A>& a, const Translating<B>& b) {
-  return query::meeting("intersects", {&a.shape, &a.by}, {&b.shape, &b.by}).time.has_value();
+  const query::Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  const query::Outlook out = query::outlook("intersects", of_a, of_b, query::start_relation<A, B>);
+  const auto surely = [](const query::Candidate& c) { return c.time.certain() && c.time.latest() <= 1; };
+  return out.overlap || std::ranges::any_of(out.found, surely) || query::meeting(out, of_a, of_b).time.has_value();
 }
 
 #define PLUMB_MOVING_PAIR(A, B)                                                                  \

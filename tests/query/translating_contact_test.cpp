@@ -172,7 +172,7 @@ void check_pair(std::uint64_t start, int cases, Counts& counts) {
 #if defined(PLUMB_LONG_TESTS)
 constexpr int cases = 20'000;
 #else
-constexpr int cases = 120;
+constexpr int cases = 500;
 #endif
 
 template <class A, class... B>
