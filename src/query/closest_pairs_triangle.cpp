@@ -11,17 +11,12 @@ namespace {
 using namespace query;
 
 template <class T, class A, class B>
-std::optional<Found<T>> found_over(const A& a, const B& b) {
+std::optional<Found<T>> found_over(const A& a, const B& b, const Shortlist& list) {
   Signs ask;
   const Body<T> p = body_of<T>(a, ask), q = body_of<T>(b, ask);
-  const auto found = closest_features(p, q, ask);
+  const auto found = Search<T>(p, q, list, ask).run();
   if (ask.certain()) return found;
   return {};
-}
-
-template <class A, class B>
-Found<BigDyadic> exactly(const A& a, const B& b) {
-  return *found_over<BigDyadic>(a, b);
 }
 
 const Triangle3& in_one_form(const Triangle3& t) { return t; }
@@ -85,12 +80,13 @@ std::optional<double> distance_between(const A& a, const B& b, const FeaturePair
 /// All pairs of features, over pairs of doubles and over integers.
 template <class A, class B>
 [[gnu::noinline]] Closest closest_of_all(const A& a, const B& b) {
-  if (const auto quick = found_over<Ball>(a, b)) {
+  const Shortlist list = shortlist(a, b);
+  if (const auto quick = found_over<Ball>(a, b, list)) {
     const auto p = nearest_point(quick->pair.a), q = nearest_point(quick->pair.b);
     const auto d = nearest_distance(quick->pair);
     if (p && q && d) return {*p, *q, *d, quick->a, quick->b};
   }
-  const Found<BigDyadic> f = exactly(a, b);
+  const Found<BigDyadic> f = *found_over<BigDyadic>(a, b, list);
   return {nearest_point(f.pair.a), nearest_point(f.pair.b), nearest_distance(f.pair), f.a, f.b};
 }
 
@@ -107,10 +103,11 @@ Closest closest_of(const A& a, const B& b) {
 
 template <class A, class B>
 [[gnu::noinline]] double distance_of_all(const A& a, const B& b) {
-  if (const auto quick = found_over<Ball>(a, b)) {
+  const Shortlist list = shortlist(a, b);
+  if (const auto quick = found_over<Ball>(a, b, list)) {
     if (const auto d = nearest_distance(quick->pair)) return *d;
   }
-  return nearest_distance(exactly(a, b).pair);
+  return nearest_distance(found_over<BigDyadic>(a, b, list)->pair);
 }
 
 template <class A, class B>
@@ -127,7 +124,9 @@ double distance_of(const A& a, const B& b) {
 template <class A, class B>
 Rational square_exactly(const A& a, const B& b) {
   require_finite_shapes("squared_distance_exact", a, b);
-  return square_of(exactly(in_one_form(a), in_one_form(b)).pair);
+  const auto& p = in_one_form(a);
+  const auto& q = in_one_form(b);
+  return square_of(found_over<BigDyadic>(p, q, shortlist(p, q))->pair);
 }
 
 // The plane is a plane of space.
