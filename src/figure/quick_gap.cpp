@@ -3,6 +3,7 @@
 #include <cmath>
 #include <plumb/predicates/cross.hpp>
 
+#include "near_points.hpp"
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/sign_of.hpp"
 
@@ -10,33 +11,6 @@ namespace plumb::swept {
 namespace {
 
 using predicates::argument, predicates::difference, predicates::dot, predicates::Triple;
-
-// (p, q, f, x, y, g, two radii): the points p + f (q - p) on one segment and x + g (y - x) on the other, against the
-// sum of the radii.
-struct SegmentPoints {
-  static constexpr std::string_view name = "relate";
-  static constexpr std::array arguments{3, 3, 1, 3, 3, 1, 1, 1};
-  static constexpr bool homogeneous = false;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 16>& p) const {
-    const auto apart = [&](std::size_t i) {
-      return (p[i] - p[7 + i]) + (p[6] * (p[3 + i] - p[i]) - p[13] * (p[10 + i] - p[7 + i]));
-    };
-    const auto x = apart(0), y = apart(1), z = apart(2);
-    const auto reach = p[14] + p[15];
-    return x * x + y * y + z * z - reach * reach;
-  }
-};
-
-// (x, y, n, two radii): n . (x - y) less the radii.
-struct EndsApart {
-  static constexpr std::string_view name = "relate";
-  static constexpr std::array arguments{3, 3, 3, 1, 1};
-  template <class T>
-  constexpr auto operator()(const std::array<T, 11>& p) const {
-    return ((p[0] - p[3]) * p[6] + (p[1] - p[4]) * p[7] + (p[2] - p[5]) * p[8]) - (p[9] + p[10]);
-  }
-};
 
 // (corner a, its edges, corner b, its edges, four parts, two radii): the points at these parts, against the sum of the
 // radii.
@@ -135,26 +109,10 @@ std::optional<Vector3> shortened(const Vector3& n) {
 }  // namespace
 
 std::optional<Sign> quick_gap(const Capsule3& a, const Capsule3& b) {
-  if (!(a.radius >= 0 && b.radius >= 0)) return {};
-  const Vector3 u{a.b.x - a.a.x, a.b.y - a.a.y, a.b.z - a.a.z}, v{b.b.x - b.a.x, b.b.y - b.a.y, b.b.z - b.a.z};
-  const Vector3 w{a.a.x - b.a.x, a.a.y - b.a.y, a.a.z - b.a.z};
-  const double uu = product(u, u), vv = product(v, v), uv = product(u, v), uw = product(u, w), vw = product(v, w);
-  const double area = uu * vv - uv * uv;
-  double s = area > 0 ? clamped((uv * vw - uw * vv) / area) : 0;
-  double t = vv > 0 ? clamped((uv * s + vw) / vv) : 0;
-  s = uu > 0 ? clamped((uv * t - uw) / uu) : 0;
+  const double sum = a.radius + b.radius;
+  if (!(a.radius >= 0 && b.radius >= 0 && sum - sum == 0)) return {};
   assert_sound_thread();
-  if (filter<SegmentPoints>(coordinates_of<SegmentPoints>(a.a, a.b, s, b.a, b.b, t, a.radius, b.radius)) < 0)
-    return Sign::negative;
-  const std::optional<Vector3> n =
-      shortened({w.x + (s * u.x - t * v.x), w.y + (s * u.y - t * v.y), w.z + (s * u.z - t * v.z)});
-  if (!n) return {};
-  for (const Point3& x : {a.a, a.b}) {
-    for (const Point3& y : {b.a, b.b}) {
-      if (filter<EndsApart>(coordinates_of<EndsApart>(x, y, *n, a.radius, b.radius)) <= 0) return {};
-    }
-  }
-  return Sign::positive;
+  return near_points::quick_gap(Segment3{a.a, a.b}, Segment3{b.a, b.b}, a.radius, b.radius);
 }
 
 std::optional<Sign> quick_gap(const Lozenge3& a, const Lozenge3& b) {

@@ -4,16 +4,19 @@
 #include <optional>
 
 #include "axis_shape.hpp"
+#include "certain.hpp"
 #include "exact_gap.hpp"
+#include "figure/near_points.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "quick_round.hpp"
 #include "round_input.hpp"
 #include "running_signs.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
+
+using near_points::certain_sign, near_points::way;
 
 template <class T>
 using Vec = core::Vec<T>;

@@ -1,13 +1,15 @@
 // Balls, capsules and lozenges against convex shapes that are given by vertices.
 #include "exact_gap.hpp"
+#include "figure/near_points.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "quick_round.hpp"
 #include "round_input.hpp"
 #include "round_vertices.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
+
+using near_points::quick_gap;
 
 bool may_be_empty(const Aabb3& box) { return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z; }
 bool may_be_empty(const ConvexPolyhedron3& polyhedron) { return polyhedron.mesh.vertices.empty(); }

@@ -3,16 +3,18 @@
 
 #include "axis_shape.hpp"
 #include "exact_gap.hpp"
+#include "figure/near_points.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/query/overlap_cylinder_cone.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "quick_round.hpp"
 #include "round_input.hpp"
 #include "running_signs.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
+
+using near_points::certain_sign;
 
 template <class T>
 using Vec = core::Vec<T>;

@@ -2,14 +2,16 @@
 #include <plumb/predicates/distance.hpp>
 
 #include "exact_gap.hpp"
+#include "figure/near_points.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "quick_round.hpp"
 #include "round_input.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
+
+using near_points::clamped, near_points::quick_gap;
 
 /// (point, direction, center, radius): the square of the distance of a line, minus that of the radius, times that of
 /// the direction.

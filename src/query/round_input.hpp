@@ -10,8 +10,11 @@
 
 #include "figure/finite_parts.hpp"
 #include "figure/k_dop_sets.hpp"
+#include "plumb/figure/box.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
+#include "plumb/figure/linear.hpp"
 #include "plumb/figure/round.hpp"
+#include "plumb/figure/simplex.hpp"
 
 namespace plumb::query {
 
@@ -29,9 +32,34 @@ constexpr double tree_sum(const std::array<double, N>& x) {
     return tree_sum<From, Count / 2>(x) + tree_sum<From + Count / 2, Count - Count / 2>(x);
   }
 }
+constexpr double sum_of(const Point3& p) { return p.x + (p.y + p.z); }
+constexpr double sum_of(const Vector3& v) { return v.x + (v.y + v.z); }
 template <class Shape>
 double unreal(const Shape& s) {
-  if constexpr (std::is_trivially_copyable_v<Shape>) {
+  // Those that are asked most, without a copy.
+  if constexpr (std::is_same_v<Shape, Segment3>) {
+    const double sum = sum_of(s.a) + sum_of(s.b);
+    return sum - sum;
+  } else if constexpr (std::is_same_v<Shape, Ray3>) {
+    const double sum = sum_of(s.origin) + sum_of(s.direction);
+    return sum - sum;
+  } else if constexpr (std::is_same_v<Shape, Triangle3>) {
+    const double sum = (sum_of(s.a) + sum_of(s.b)) + sum_of(s.c);
+    return sum - sum;
+  } else if constexpr (std::is_same_v<Shape, Aabb3>) {
+    const double sum = sum_of(s.min) + sum_of(s.max);
+    return sum - sum;
+  } else if constexpr (std::is_same_v<Shape, Obb3>) {
+    const double sum =
+        (sum_of(s.center) + sum_of(s.half)) + (sum_of(s.axes[0]) + (sum_of(s.axes[1]) + sum_of(s.axes[2])));
+    return sum - sum;
+  } else if constexpr (std::is_same_v<Shape, Sphere3>) {
+    const double sum = sum_of(s.center) + s.radius;
+    return sum - sum;
+  } else if constexpr (std::is_same_v<Shape, Capsule3> || std::is_same_v<Shape, Cylinder3>) {
+    const double sum = (sum_of(s.a) + sum_of(s.b)) + s.radius;
+    return sum - sum;
+  } else if constexpr (std::is_trivially_copyable_v<Shape>) {
     constexpr std::size_t n = sizeof(Shape) / sizeof(double);
     const double sum = tree_sum<0, n>(std::bit_cast<std::array<double, n>>(s));
     return sum - sum;

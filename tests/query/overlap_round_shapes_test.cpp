@@ -317,6 +317,18 @@ TEST(OverlapRoundFigures, UnboundedHalfspaces) {
   EXPECT_EQ(relate(Circle2{{3, 4}, 5}, HalfspaceIntersection2{{{{1, 0}, 0}, {{0, 1}, 0}}}), touching);
 }
 
+// A k-DOP is the intersection of its sides, and that of one side is a halfspace.
+TEST(OverlapRoundFigures, HalfspacesAsKDops) {
+  on_shapes(655, 60, [](Material& m) {
+    const auto k_dop = pair_cases::figure<KDop3>(m);
+    const auto capsule = m.shape<Capsule3>();
+    EXPECT_EQ(relate(oracle::sides_of(k_dop), capsule), relate(k_dop, capsule)) << m.about(capsule);
+    const auto half = m.shape<Halfspace3>();
+    const Sphere3 ball{capsule.a, capsule.radius};
+    EXPECT_EQ(relate(HalfspaceIntersection3{{half, half}}, ball), relate(half, ball)) << m.about(half, ball);
+  });
+}
+
 TEST(OverlapRoundFigures, PolygonsThatCoverEdgesTwice) {
   const Polygon3 spike{{{0, 0, 0}, {8, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}};  // a square, and there and back
   EXPECT_EQ(relate(spike, Sphere3{{7, 0, 0}, 1}), touching);

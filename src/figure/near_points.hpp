@@ -1,22 +1,22 @@
 // Is a ball or capsule nearer than this to a triangle, a box, a segment?  Nearest points in doubles, and their proof.
 //
-// Laws: those of query/near_pair.hpp: an answer is proved, by two points that are nearer than the radius or by a
-// direction along which everything is farther.  For numbers that are not real there may be an answer: who calls has
-// looked.
-// Source: RTCD 5.1.2, 5.1.3, 5.1.4, 5.1.5, 5.1.9.  Cost: some 10 to 30 ns.
+// Laws: an answer is the sign of the distance minus the radius, proved: by two points that are nearer, or by a
+// direction along which everything is farther; none where doubles prove neither.  For numbers that are not real there
+// may be an answer, though not of two segments: who calls has looked. Source: RTCD 5.1.2, 5.1.3, 5.1.4, 5.1.5, 5.1.9.
+// Cost: some 10 to 30 ns.
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "certain.hpp"
-#include "figure/core_distance.hpp"
+#include "core_distance.hpp"
+#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/simplex.hpp"
 
-namespace plumb::query {
+namespace plumb::near_points {
 
 using Way = core::Vec<Approximate>;
 using PlainVec = core::Vec<double>;
@@ -25,8 +25,8 @@ inline PlainVec plain(const Point3& p) { return {p.x, p.y, p.z}; }
 inline PlainVec plain(const Vector3& v) { return {v.x, v.y, v.z}; }
 inline Way exactly(const PlainVec& v) { return {Approximate(v.x), Approximate(v.y), Approximate(v.z)}; }
 inline Way way(const Point3& from, const Point3& to) {
-  return {coordinate_difference<Approximate>(to.x, from.x), coordinate_difference<Approximate>(to.y, from.y),
-          coordinate_difference<Approximate>(to.z, from.z)};
+  return {Approximate::difference(to.x, from.x), Approximate::difference(to.y, from.y),
+          Approximate::difference(to.z, from.z)};
 }
 
 /// The sign, where it is certain, else zero.
@@ -54,9 +54,10 @@ inline bool is_near(const Way& way, double reach, double weight) {
 template <class... Heights>
 bool all_far(double reach, const PlainVec& n, const Heights&... heights) {
   double low = Interval::infinity;
-  ((low = lower(heights) > low ? low : lower(heights)), ...);  // NaN is kept
+  bool above = true;  // false where one is NaN
+  ((above = above & (lower(heights) > 0), low = lower(heights) < low ? lower(heights) : low), ...);
   const double limit = (reach * reach * core::dot(n, n)) * more + least_square;
-  return low > 0 && low * low > limit;
+  return above && low * low > limit;
 }
 
 inline double clamped(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
@@ -223,4 +224,4 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
   return {};
 }
 
-}  // namespace plumb::query
+}  // namespace plumb::near_points
