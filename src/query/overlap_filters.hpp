@@ -8,6 +8,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
 #include <optional>
 #include <plumb/predicates/cross.hpp>
 
@@ -43,44 +46,45 @@ struct ThreeVolumes {
   }
 };
 
-/// The largest differences of each axis.
-class LargestDifferences {
- public:
-  void take(const Difference& d) {
-    x_ = larger(magnitude_of(d.x), x_);
-    y_ = larger(magnitude_of(d.y), y_);
-    z_ = larger(magnitude_of(d.z), z_);
-  }
-  /// The bound of the error; NaN where the sum of all values that it is for is not finite.
-  template <Formula F>
-  [[nodiscard]] double threshold(double values) const {
-    return largest_threshold<F>({opaque(x_), opaque(y_), opaque(z_)}) + (values - values);
-  }
+/// Two numbers, of which one operation of the machine makes two others.
+using Pair = double __attribute__((vector_size(16)));
+inline Pair size(Pair x) {
+  using Bits = std::uint64_t __attribute__((vector_size(16)));
+  return std::bit_cast<Pair>(std::bit_cast<Bits>(x) & Bits{~0ull >> 1, ~0ull >> 1});
+}
+// A NaN in the first is not kept: it ends in the values.
+inline Pair larger(Pair x, Pair most) { return x > most ? x : most; }
+inline double largest(Pair x) { return x[0] > x[1] ? x[0] : x[1]; }
+inline Pair swapped(Pair x) { return Pair{x[1], x[0]}; }
 
- private:
-  // A NaN is not kept: it ends in the values.
-  static double larger(double a, double b) { return a > b ? a : b; }
-  static constexpr double least = largest_floor<Volume>;
-  double x_ = least, y_ = least, z_ = least;
-};
+/// Two vectors, coordinate by coordinate.
+using PairOfDifferences = predicates::Triple<Pair>;
 
-/// What is straight from p in direction d, which is no zero vector by the way; of a segment it ends at p + d.
-inline std::optional<Relation> by_doubles(Reach reach, const Point3& p, const Difference& d, const Triangle3& t) {
+/// Bounds the errors of F over the largest differences of the axes; NaN where the sum of the values is not finite.
+template <Formula F>
+double error_bound(Pair x, Pair y, Pair z, double values) {
+  const auto most = [](Pair p) { return opaque(largest(p)) + largest_floor<F>; };
+  return largest_threshold<F>({most(x), most(y), most(z)}) + (values - values);
+}
+
+/// What is straight from p in direction d; of a segment it ends at p + d.  The pairs are d and p - t.a.
+inline std::optional<Relation> by_doubles(Reach reach, const PairOfDifferences& dw, const Triangle3& t) {
   using predicates::cross, predicates::dot;
-  const Difference e = difference(t.a, t.b), f = difference(t.a, t.c), w = difference(t.a, p);
-  const Difference df = cross(d, f), we = cross(w, e);
+  const auto edges = [](double a, double b, double c) { return Pair{c, b} - Pair{a, a}; };
+  const PairOfDifferences fe{edges(t.a.x, t.b.x, t.c.x), edges(t.a.y, t.b.y, t.c.y), edges(t.a.z, t.b.z, t.c.z)};
+  const PairOfDifferences normals = cross(dw, fe);  // d x f and w x e
   // The crossing is t.a + (u e + v f) / all, at p + d at / all.
-  const double all = dot(e, df), u = dot(w, df), v = dot(d, we), at = dot(f, we);
-  LargestDifferences largest;
-  largest.take(e);
-  largest.take(f);
-  largest.take(w);
-  largest.take(d);
-  const double error = largest.threshold<ThreeVolumes>((all + u) + (v + at));
-  const double way = all > 0 ? 1 : -1;
-  double least = std::min(std::min(way * u, way * v), way * (all - u - v));
-  if (reach != Reach::line) least = std::min(least, way * at);
-  if (reach == Reach::segment) least = std::min(least, way * (all - at));
+  const Pair uv = dot(PairOfDifferences{swapped(dw.x), swapped(dw.y), swapped(dw.z)}, normals);
+  const Pair all_at = dot(PairOfDifferences{swapped(fe.x), swapped(fe.y), swapped(fe.z)}, normals);
+  const auto of_axis = [](Pair a, Pair b) { return larger(size(a), size(b)); };
+  const Pair both = uv + all_at;
+  const double error =
+      error_bound<ThreeVolumes>(of_axis(dw.x, fe.x), of_axis(dw.y, fe.y), of_axis(dw.z, fe.z), both[0] + both[1]);
+  const double all = all_at[0], at = all_at[1], u = uv[0], v = uv[1];
+  const double way = std::copysign(1.0, all);  // no branch: it could not be predicted
+  double least = std::min(std::min(u * way, v * way), (all - u - v) * way);
+  if (reach != Reach::line) least = std::min(least, at * way);
+  if (reach == Reach::segment) least = std::min(least, (all - at) * way);
   if (least < -error && magnitude_of(all) > error) return Relation::disjoint;
   if (least > error) return Relation::overlapping;  // so u, v and what is left of all have one sign, and all has it
   return {};

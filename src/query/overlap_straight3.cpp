@@ -8,13 +8,16 @@ namespace query {
 namespace {
 
 std::optional<Relation> quick(const Segment3& s, const Triangle3& t) {
-  return by_doubles(Reach::segment, s.a, difference(s.a, s.b), t);
+  const auto of_axis = [](double p, double q, double a) { return Pair{q, p} - Pair{p, a}; };
+  return by_doubles(Reach::segment,
+                    {of_axis(s.a.x, s.b.x, t.a.x), of_axis(s.a.y, s.b.y, t.a.y), of_axis(s.a.z, s.b.z, t.a.z)}, t);
 }
-std::optional<Relation> quick(const Ray3& r, const Triangle3& t) {
-  return by_doubles(Reach::ray, r.origin, {r.direction.x, r.direction.y, r.direction.z}, t);
+std::optional<Relation> quick(Reach reach, const Point3& p, const Vector3& d, const Triangle3& t) {
+  return by_doubles(reach, {Pair{d.x, p.x - t.a.x}, Pair{d.y, p.y - t.a.y}, Pair{d.z, p.z - t.a.z}}, t);
 }
+std::optional<Relation> quick(const Ray3& r, const Triangle3& t) { return quick(Reach::ray, r.origin, r.direction, t); }
 std::optional<Relation> quick(const Line3& l, const Triangle3& t) {
-  return by_doubles(Reach::line, l.point, {l.direction.x, l.direction.y, l.direction.z}, t);
+  return quick(Reach::line, l.point, l.direction, t);
 }
 
 }  // namespace

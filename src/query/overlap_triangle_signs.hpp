@@ -3,9 +3,11 @@
 // Where both cross the line of their planes, each does so in an interval, and the ends of intervals are compared by the
 // volume of the edges that they lie on.  In one plane the edges are the axes that can separate.
 // `Signs` has the corners of a as 0, 1, 2 and of b as 3, 4, 5: sides(i, j) gives the signs of corners j, j + 1, j + 2
-// over the plane of i, i + 1, i + 2, volume(i, j, k, l) is orient3d, area(axis, i, j, k) is orient2d seen along an
-// axis. Laws: exact where the signs are; nothing for triangles without area, unless they are apart. Source: Guigue and
-// Devillers 2003; RTCD 5.2.10.  Cost: six to eight volumes; in one plane up to 22 areas.
+// over the plane of i, i + 1, i + 2, volume(i, j, k, l) is orient3d; seen_along(axis) has area(i, j, k), orient2d, and
+// most_area, the most of those for three corners, times a sign.
+//
+// Laws: exact where the signs are; nothing for triangles without area, unless they are apart.
+// Source: Guigue and Devillers 2003; RTCD 5.2.10.  Cost: six to eight volumes; in one plane up to 22 areas.
 #pragma once
 
 #include <array>
@@ -48,30 +50,25 @@ constexpr Fan fan(std::size_t from, const Crossing& c) {
 }
 
 // How far the corners from, from + 1, from + 2 reach into the inner sides of the edges of those at `of`, which turn so.
-template <class Signs>
-Sign beyond_edges(const Signs& signs, std::size_t axis, std::size_t of, Sign turns, std::size_t from) {
-  Sign all = Sign::positive;
-  for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
-    const std::size_t p = of + i, q = of + (i + 1) % 3;
-    Sign here = turns * signs.area(axis, p, q, from);
-    if (here != Sign::positive) here = most(here, turns * signs.area(axis, p, q, from + 1));
-    if (here != Sign::positive) here = most(here, turns * signs.area(axis, p, q, from + 2));
-    all = least(all, here);
-  }
-  return all;
+template <class Areas>
+Sign beyond_edges(const Areas& flat, std::size_t of, Sign turns, std::size_t from) {
+  const auto at = [&](std::size_t p, std::size_t q) { return flat.most_area(of + p, of + q, from, turns); };
+  return least(at(0, 1), least(at(1, 2), at(2, 0)));
 }
 
 template <class Signs>
 std::optional<Relation> relate_in_plane(const Signs& signs) {
-  std::size_t axis = 0;
-  Sign of_b = Sign::zero;
-  while (axis < 3 && (of_b = signs.area(axis, 3, 4, 5)) == Sign::zero) ++axis;
-  if (axis == 3) return {};
-  const Sign of_a = signs.area(axis, 0, 1, 2);
-  if (of_a == Sign::zero) return {};
-  const Sign first = beyond_edges(signs, axis, 0, of_a, 3);
-  if (first == Sign::negative) return Relation::disjoint;
-  return relation(least(first, beyond_edges(signs, axis, 3, of_b, 0)));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto flat = signs.seen_along(axis);
+    const Sign of_b = flat.area(3, 4, 5);
+    if (of_b == Sign::zero) continue;
+    const Sign of_a = flat.area(0, 1, 2);
+    if (of_a == Sign::zero) return {};
+    const Sign first = beyond_edges(flat, 0, of_a, 3);
+    if (first == Sign::negative) return Relation::disjoint;
+    return relation(least(first, beyond_edges(flat, 3, of_b, 0)));
+  }
+  return {};
 }
 
 template <class Signs>
