@@ -8,6 +8,7 @@
 #include "figure/mesh_input.hpp"
 #include "plumb/certify/ray_order.hpp"
 #include "query/ray_batch_lanes.hpp"
+#include "query/ray_box_lanes.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
 
@@ -58,6 +59,14 @@ Sign compare_hits(const AnyRay& ray, const Triangle3& first, const Triangle3& se
   return order < 0 ? Sign::negative : order > 0 ? Sign::positive : Sign::zero;
 }
 
+void require_length(std::size_t out, std::size_t many) {
+  if (out == many) return;
+  throw UnequalLengths(std::string("hits: out has ")
+                           .append(std::to_string(out))
+                           .append(" items, many has ")
+                           .append(std::to_string(many)));
+}
+
 struct Near {
   std::uint32_t index;
   double least;
@@ -101,13 +110,35 @@ TriangleBatch::TriangleBatch(const TriangleMesh& mesh) {
 }
 
 void hits(const AnyRay& ray, const TriangleBatch& many, std::span<std::uint8_t> out, HitRule rule) {
-  if (out.size() != many.size())
-    throw UnequalLengths(std::string("hits: out has ")
-                             .append(std::to_string(out.size()))
-                             .append(" items, many has ")
-                             .append(std::to_string(many.size())));
+  require_length(out.size(), many.size());
   std::fill(out.begin(), out.end(), std::uint8_t{0});
   visit_hits(ray, many, rule, [&](std::uint32_t i, double, double) { out[i] = 1; });
+}
+
+void hits(const AnyRay& ray, const BoxBatch& many, std::span<std::uint8_t> out) {
+  require_length(out.size(), many.size());
+  require_ray(ray);
+  const auto& [x, y, z] = ray.origin;
+  const auto& e = ray.end;
+  const BatchRay r = batch_ray(ray);
+  const BoxBatchRay lanes{{x, y, z},
+                          {r.direction[0], r.direction[1], r.direction[2]},
+                          {std::min(x, e.x), std::min(y, e.y), std::min(z, e.z)},
+                          {std::max(x, e.x), std::max(y, e.y), std::max(z, e.z)},
+                          r.begins,
+                          r.ends};
+  std::array<const double*, 6> at{};
+  for (std::size_t k = 0; k < 6; ++k) at[k] = many.numbers(k);
+  if (has_no_direction(ray)) {
+    std::fill(out.begin(), out.end(), std::uint8_t{2});
+  } else {
+    ask_box_lanes(lanes, at.data(), out.size(), out.data());
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (out[i] != 2) continue;
+    const Aabb3 box{{at[0][i], at[1][i], at[2][i]}, {at[3][i], at[4][i], at[5][i]}};
+    out[i] = is_hit(ray, box) ? 1 : 0;
+  }
 }
 
 std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule) {

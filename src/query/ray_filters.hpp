@@ -1,4 +1,4 @@
-// What do doubles prove of a ray against a triangle?  The formulas whose constants its filter takes.
+// What do doubles prove of a ray against a triangle, and a box?  The formulas whose constants the filters take.
 //
 // With the corners A, B, C seen from the origin and the direction d, the line passes the edge from P to Q at
 // d . (Q x P), positive on its left; the plane is met at t = N / D with N = A . (B x C), D = -(sum of the three).
@@ -44,6 +44,16 @@ struct PlaneBehindEnd {
     const auto d = difference(p, 0, 1), a = difference(p, 0, 2), b = difference(p, 0, 3), c = difference(p, 0, 4);
     const auto bc = cross(c, b);
     return ((dot(d, cross(b, a)) + dot(d, bc)) + dot(d, cross(a, c))) - dot(a, bc);
+  }
+};
+
+/// (p, q, corner) in a plane of two axes.
+struct PassesCorner {
+  static constexpr std::string_view name = "hits";
+  static constexpr int points = 3, dimension = 2;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 6>& p) const {
+    return (p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0]);
   }
 };
 

@@ -3,6 +3,8 @@
 #include <plumb/predicates/distance.hpp>
 
 #include "figure/finite_parts.hpp"
+#include "plumb/certify/line_triangle.hpp"
+#include "plumb/predicates.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_filters.hpp"
 
@@ -136,16 +138,6 @@ Told ask_ball(const Point3& o, const Numbers& d, const Point3& end, const Sphere
   return Told::yes;
 }
 
-/// (p, q, corner) in a plane of two axes.
-struct PassesCorner {
-  static constexpr std::string_view name = "hits";
-  static constexpr int points = 3, dimension = 2;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 6>& p) const {
-    return (p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0]);
-  }
-};
-
 /// Do all corners of a rectangle lie on one side of the line along (u, v), of the sides seen from its origin?
 Told apart_in_plane(double u, double v, double low_u, double high_u, double low_v, double high_v) {
   if (u == 0 && v == 0) return Told::no;
@@ -158,7 +150,7 @@ Told apart_in_plane(double u, double v, double low_u, double high_u, double low_
   const double doubt_of_most = constant * ((magnitude_of(a) + magnitude_of(b)) + guard) + unless_overflown(most);
   const double doubt_of_least = constant * ((magnitude_of(c) + magnitude_of(d)) + guard) + unless_overflown(least);
   if ((most < -doubt_of_most) | (least > doubt_of_least)) return Told::yes;
-  return (most > doubt_of_most) & (least < -doubt_of_least) ? Told::no : Told::nothing;
+  return ((most > doubt_of_most) & (least < -doubt_of_least)) ? Told::no : Told::nothing;
 }
 
 /// By comparing numbers as given: does an axis of the box part it from a ray, from a segment?
@@ -168,6 +160,9 @@ bool ahead(double from, double along, double min, double max) {
 bool overlap(double a, double b, double min, double max) {
   return !(((a > max) & (b > max)) | ((a < min) & (b < min)));
 }
+
+/// Without a branch.
+bool every(bool x, bool y, bool z) { return x & y & z; }
 
 /// Of a line with some direction.  Where no axis of an edge and the direction parts them the line meets the box; a ray
 /// and a segment do, where no axis of the box parts them either: where they reach it.
@@ -182,7 +177,7 @@ Told ask_box(const Point3& o, const Numbers& d, const Aabb3& box, bool reaches) 
   const Told y = apart_in_plane(d.z, d.x, low.z, high.z, low.x, high.x);
   const Told z = apart_in_plane(d.x, d.y, low.x, high.x, low.y, high.y);
   if ((x == Told::yes) | (y == Told::yes) | (z == Told::yes)) return Told::no;
-  return (x == Told::no) & (y == Told::no) & (z == Told::no) ? Told::yes : Told::nothing;
+  return ((x == Told::no) & (y == Told::no) & (z == Told::no)) ? Told::yes : Told::nothing;
 }
 
 template <class Ask, class Exactly>
@@ -208,8 +203,26 @@ void require_numbers(const AnyRay& ray, const std::array<std::string_view, sizeo
   require_finite_parts("hits", names, rest...);
 }
 
+/// By exact signs; nothing for a ray in the plane of the triangle, or parallel to that of one without area.
+std::optional<bool> by_signs(const AnyRay& ray, const Triangle3& t) {
+  const auto& [a, b, c] = t;
+  const bool segment = ray.kind == AnyRay::Kind::segment;
+  const EdgeSigns s =
+      segment ? edge_signs(ray.origin, ray.end, a, b, c) : edge_signs(ray.origin, ray.direction, a, b, c);
+  if (!s.agree()) return false;
+  const Sign left = s.ab != Sign::zero ? s.ab : s.bc != Sign::zero ? s.bc : s.ca;
+  if (left == Sign::zero) return {};
+  if (ray.kind == AnyRay::Kind::line) return true;
+  // The plane is met at N / D, where D has the opposite sign of the edges'; N and N - D tell the sides of the ends.
+  if (orient3d(a, b, c, ray.origin) == left) return false;
+  return !segment || orient3d(a, b, c, ray.end) != -left;
+}
+
 [[gnu::noinline]] bool exactly(const AnyRay& ray, const Triangle3& t, HitRule rule) {
   require_numbers(ray, {"triangle.a", "triangle.b", "triangle.c"}, t.a, t.b, t.c);
+  if (rule == HitRule::closed) {
+    if (const auto told = by_signs(ray, t)) return *told;
+  }
   return is_hit(ray, t, rule);
 }
 [[gnu::noinline]] bool exactly(const AnyRay& ray, const Sphere3& s) {
@@ -255,14 +268,14 @@ bool hits(const Line3& line, const Sphere3& sphere) {
 
 bool hits(const Ray3& ray, const Aabb3& box) {
   const auto& [o, d] = ray;
-  const bool reaches = ahead(o.x, d.x, box.min.x, box.max.x) & ahead(o.y, d.y, box.min.y, box.max.y) &
-                       ahead(o.z, d.z, box.min.z, box.max.z);
+  const bool reaches = every(ahead(o.x, d.x, box.min.x, box.max.x), ahead(o.y, d.y, box.min.y, box.max.y),
+                             ahead(o.z, d.z, box.min.z, box.max.z));
   return told_or(ask_box(o, numbers(d), box, reaches), [&] { return exactly(ray, box); });
 }
 bool hits(const Segment3& segment, const Aabb3& box) {
   const auto& [a, b] = segment;
-  const bool reaches = overlap(a.x, b.x, box.min.x, box.max.x) & overlap(a.y, b.y, box.min.y, box.max.y) &
-                       overlap(a.z, b.z, box.min.z, box.max.z);
+  const bool reaches = every(overlap(a.x, b.x, box.min.x, box.max.x), overlap(a.y, b.y, box.min.y, box.max.y),
+                             overlap(a.z, b.z, box.min.z, box.max.z));
   return told_or(ask_box(a, difference(a, b), box, reaches), [&] { return exactly(segment, box); });
 }
 bool hits(const Line3& line, const Aabb3& box) {

@@ -1,12 +1,14 @@
 // Which doubles are the parameter, the point and the normal of a hit that is decided?  Pairs of doubles first, integers
 // for those numbers that they leave in doubt.
 //
-// Every number is (a + b sqrt(c)) / d, with b = 0 where the parameter is a quotient.
+// Every number is linear in the parameter; exactly it is (a + b sqrt(c)) / d, with b = 0 where the parameter is a
+// quotient.
 // Laws: the exact numbers rounded once, to nearest; never -0.
 // Source: Ziv 1991.  Cost: some 20 ns a number; microseconds in doubt.
 #pragma once
 
 #include <array>
+#include <tuple>
 
 #include "query/ray_clip.hpp"
 #include "query/rounded_radical.hpp"
@@ -90,10 +92,6 @@ Forms<T> forms_of(const AnyRay& ray, const Model& model, const Decided& decided,
   return all;
 }
 
-inline std::optional<double> nearest(const Form<Ball>& f) {
-  if (f.b.high == 0 && f.b.radius == 0) return quotient(f.a, f.d).nearest();  // low is 0 then
-  return quotient(f.a + f.b * root(f.c), f.d).nearest();
-}
 /// With a positive divisor.
 inline double nearest(const Form<BigDyadic>& f) {
   if (f.d.sign() == Sign::positive) return rounded_radical(Rounding::nearest, f.a, f.b, f.c, f.d);
@@ -115,23 +113,75 @@ inline Known known_of(const AnyRay& ray, const When& when) {
   return known;
 }
 
+/// The parameter as a pair of doubles; every other number is linear in it.
+template <class Model>
+class QuickNumbers {
+ public:
+  QuickNumbers(const AnyRay& ray, const Model& model, const Decided& decided)
+      : line_(ray), model_(model), decided_(decided) {
+    if (decided.when.at == When::At::root) {
+      const Quadratic<Ball> q = quadratic_of<Ball>(line_, model, decided.when);
+      t_ = quotient(Ball{0} - q.half - root(q.discriminant), q.square);
+    } else {
+      time_ = time_of<Ball>(line_, model, decided.when, ask_);
+      t_ = quotient(time_.numerator, time_.denominator);
+    }
+  }
+
+  [[nodiscard]] std::optional<double> parameter() const { return sure(t_); }
+  [[nodiscard]] std::optional<double> coordinate(double origin, const Ball& along) const {
+    if (const auto x = sure(Ball{origin} + along * t_)) return x;
+    // Zeros, which no pair of doubles near to them proves.
+    const Ball weighted = Ball{origin} * time_.denominator + along * time_.numerator;
+    if (decided_.when.at == When::At::root || weighted.radius != 0) return {};
+    return sure(quotient(weighted, time_.denominator));
+  }
+  [[nodiscard]] std::array<std::optional<double>, 3> normal() const {
+    if (!decided_.has_normal) return {0.0, 0.0, 0.0};
+    RaySigns ask;
+    const NormalForm<Ball> n = model_.template normal<Ball>(line_, decided_, ask);
+    if (!ask.certain()) return {};
+    const auto part = [&](const Ball& still, const Ball& moving) {
+      return sure(n.moves ? quotient(still + moving * t_, n.divisor) : still);
+    };
+    return {part(n.still.x, n.moving.x), part(n.still.y, n.moving.y), part(n.still.z, n.moving.z)};
+  }
+  [[nodiscard]] const Vec3<Ball>& direction() const { return line_.direction; }
+
+ private:
+  [[nodiscard]] std::optional<double> sure(const Ball& x) const {
+    return ask_.certain() ? x.nearest() : std::optional<double>{};
+  }
+
+  ShotLine<Ball> line_;
+  const Model& model_;
+  const Decided& decided_;
+  RaySigns ask_;
+  Time<Ball> time_ = time_zero<Ball>();
+  Ball t_{0};
+};
+
 template <class Model>
 Hit numbers_of(const AnyRay& ray, const Model& model, const Decided& decided) {
   Known known = known_of(ray, decided.when);
   if constexpr (requires { model.know(decided, known); }) model.know(decided, known);
-  RaySigns ask;
-  const Forms<Ball> quick = forms_of<Ball>(ray, model, decided, ask);
+  const QuickNumbers<Model> quick(ray, model, decided);
   std::optional<Forms<BigDyadic>> exact;
-  const auto number = [&](std::size_t i) {
-    if (i >= 1 && i <= 3 && known[i - 1]) return *known[i - 1] + 0.0;
-    if (ask.certain()) {
-      if (const auto x = nearest(quick[i])) return *x;
-    }
-    RaySigns big;
-    if (!exact) exact = forms_of<BigDyadic>(ray, model, decided, big);
+  const auto sure_or = [&](const std::optional<double>& x, std::size_t i) {
+    if (x) return *x + 0.0;
+    RaySigns ask;
+    if (!exact) exact = forms_of<BigDyadic>(ray, model, decided, ask);
     return nearest((*exact)[i]);
   };
-  return {number(0), {number(1), number(2), number(3)}, decided.feature, {number(4), number(5), number(6)}};
+  const auto& [o, d] = std::tie(ray.origin, quick.direction());
+  const auto coordinate = [&](std::size_t i, double origin, const Ball& along) {
+    return sure_or(known[i] ? known[i] : quick.coordinate(origin, along), 1 + i);
+  };
+  const auto normal = quick.normal();
+  return {sure_or(quick.parameter(), 0),
+          {coordinate(0, o.x, d.x), coordinate(1, o.y, d.y), coordinate(2, o.z, d.z)},
+          decided.feature,
+          {sure_or(normal[0], 4), sure_or(normal[1], 5), sure_or(normal[2], 6)}};
 }
 
 inline Rational rational(const BigDyadic& x) {

@@ -40,7 +40,7 @@ std::optional<Crossings> crossings(std::string_view function, const TriangleMesh
   for (const Triangle& t : mesh.triangles) {
     const Point3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     const Range y(a.y, b.y, c.y), z(a.z, b.z, c.z);
-    if (!(y.holds(p.y) & z.holds(p.z))) continue;
+    if (!y.holds(p.y) || !z.holds(p.z)) continue;
     const Range x(a.x, b.x, c.x);
     if (x.most < p.x) continue;
     if (x.least <= p.x && contains(Triangle3{a, b, c}, p)) return {};

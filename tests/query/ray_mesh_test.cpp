@@ -214,6 +214,22 @@ TEST(Batch, SaysWhatSingleQuestionsSay) {
   EXPECT_GT(hit, 100);
 }
 
+TEST(Batch, OfBoxesSaysWhatSingleQuestionsSay) {
+  std::array<long, 2> told{};
+  on_shapes(607, 400, [&](Material& m) {
+    std::vector<Aabb3> boxes;
+    for (std::size_t n = 1 + m.below(40); n-- > 0;) boxes.push_back(m.shape<Aabb3>());
+    const AnyRay ray = ray_of(m);
+    std::vector<std::uint8_t> out(boxes.size(), 7);
+    hits(ray, BoxBatch(boxes), out);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      ASSERT_EQ(out[i], first_hit(ray, boxes[i]) ? 1 : 0) << m.about(boxes[i]) << " " << text_of(ray);
+      ++told[out[i]];
+    }
+  });
+  for (const long n : told) EXPECT_GT(n, 500);
+}
+
 TEST(Batch, OrdersWhatIsNearlyTheSame) {
   // Planes across the ray by ulps apart, and equal ones, in any order.
   for (std::uint64_t i = 0; i < 60; ++i) {

@@ -74,7 +74,7 @@ TEST(FirstHit, OfTrianglesIsThatOfRationals) { check_hulls<Triangle3>(501, 3000)
 TEST(FirstHit, OfRectanglesIsThatOfRationals) { check_hulls<Rectangle3>(502, 1500); }
 TEST(FirstHit, OfTetrahedraIsThatOfRationals) { EXPECT_GT(check_hulls<Tetrahedron3>(503, 1500).interiors, 30); }
 TEST(FirstHit, OfAlignedBoxesIsThatOfRationals) { EXPECT_GT(check_hulls<Aabb3>(504, 500).interiors, 5); }
-TEST(FirstHit, OfOrientedBoxesIsThatOfRationals) { EXPECT_GT(check_hulls<Obb3>(505, 500).interiors, 5); }
+TEST(FirstHit, OfOrientedBoxesIsThatOfRationals) { EXPECT_GT(check_hulls<Obb3>(505, 300).interiors, 5); }
 
 }  // namespace
 }  // namespace plumb
