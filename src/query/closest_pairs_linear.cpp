@@ -119,11 +119,28 @@ requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, c
           t ? *t : rounded_quotient(Rounding::nearest, exact.b.numerator, exact.b.whole)};
 }
 
-#define PLUMB_LINEAR_PAIR(Result, A, B)                         \
-  template Result closest_points(const A&, const B&);           \
-  template double distance(const A&, const B&);                 \
-  template Rational squared_distance_exact(const A&, const B&); \
-  template std::array<double, 2> closest_parameters(const A&, const B&);
+namespace query {
+
+template <class A, class B>
+requires StraightPair<A, B>
+[[gnu::flatten]] std::optional<Sign> quick_comparison(const A& a, const B& b, double than) {
+  Signs ask;
+  const auto p = linear<Approximate>(straight(a)), q = linear<Approximate>(straight(b));
+  const auto pair = close_pair<Approximate>(p, q, closest_places<Approximate>(p, q, ask));
+  const Approximate square = Approximate(than) * Approximate(than);
+  const Sign s = ask(pair.square - square * pair.square_whole);
+  if (!ask.certain()) return {};
+  return than < 0 ? Sign::positive : s;
+}
+
+}  // namespace query
+
+#define PLUMB_LINEAR_PAIR(Result, A, B)                                  \
+  template Result closest_points(const A&, const B&);                    \
+  template double distance(const A&, const B&);                          \
+  template Rational squared_distance_exact(const A&, const B&);          \
+  template std::array<double, 2> closest_parameters(const A&, const B&); \
+  template std::optional<Sign> query::quick_comparison(const A&, const B&, double);
 PLUMB_LINEAR_PAIR(Closest2, Line2, Line2)
 PLUMB_LINEAR_PAIR(Closest2, Line2, Ray2)
 PLUMB_LINEAR_PAIR(Closest2, Line2, Segment2)

@@ -46,8 +46,7 @@ Numbers<Point3> turned(const Numbers<Point3>& n) { return {n.on_b, n.on_a, n.dis
 
 /// Of a feature that is not the face, with the face of a triangle.
 std::optional<Numbers<Point3>> numbers_on_face(const OnLine& from, const Triangle3& face) {
-  if (from.place != Place::inside)
-    return quick_numbers(from.place == Place::start ? from.line.from : from.line.to, face);
+  if (from.place != Place::inside) return quick_numbers(from.line.at(from.place), face);
   const auto crossing = quick_crossing(from.line, face);
   if (!crossing) return {};
   return Numbers<Point3>{*crossing, *crossing, 0};
@@ -71,10 +70,34 @@ std::optional<double> distance_between(const A& a, const B& b, const FeaturePair
     const OnLine from = f.b == the_face ? on_line(a, f.a) : on_line(b, f.b);
     if (from.place == Place::inside) return 0.0;
     const Triangle3& face = f.b == the_face ? *triangle_of(b) : *triangle_of(a);
-    return quick_distance(from.place == Place::start ? from.line.from : from.line.to, face);
+    return quick_distance(from.line.at(from.place), face);
   }
   const OnLine p = on_line(a, f.a), q = on_line(b, f.b);
   return quick_distance(p.line, q.line, {p.place, q.place});
+}
+
+/// The distance against a number, in doubles.
+template <class A, class B>
+std::optional<Sign> comparison_of(const A& a, const B& b, double than) {
+  const auto f = certain_features(a, b);
+  if (!f) return {};
+  const auto square = [&]() -> ClosePair<Approximate, Point3> {
+    if (f->a != the_face && f->b != the_face) {
+      const OnLine p = on_line(a, f->a), q = on_line(b, f->b);
+      return close_pair<Approximate>(linear<Approximate>(p.line), linear<Approximate>(q.line), {p.place, q.place});
+    }
+    const OnLine from = f->b == the_face ? on_line(a, f->a) : on_line(b, f->b);
+    const Triangle3& face = f->b == the_face ? *triangle_of(b) : *triangle_of(a);
+    return vertex_face_pair(from.line.at(from.place), face_of<Approximate>(face));
+  };
+  const bool cross =
+      (f->a == the_face && f->b.kind == FeatureKind::edge) || (f->b == the_face && f->a.kind == FeatureKind::edge);
+  if (cross || than < 0) return than < 0 ? Sign::positive : than > 0 ? Sign::negative : Sign::zero;
+  Signs ask;
+  const auto pair = square();
+  const Sign s = ask(pair.square - Approximate(than) * Approximate(than) * pair.square_whole);
+  if (!ask.certain()) return {};
+  return s;
 }
 
 /// All pairs of features, over pairs of doubles and over integers.
@@ -166,10 +189,24 @@ requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, c
   }
 }
 
-#define PLUMB_TRIANGLE_PAIR(Result, A, B)             \
-  template Result closest_points(const A&, const B&); \
-  template double distance(const A&, const B&);       \
-  template Rational squared_distance_exact(const A&, const B&);
+namespace query {
+
+template <class A, class B>
+requires StraightPair<A, B> std::optional<Sign> quick_comparison(const A& a, const B& b, double than) {
+  if constexpr (is_in_space<A>) {
+    return comparison_of(in_one_form(a), in_one_form(b), than);
+  } else {
+    return quick_comparison(lifted(a), lifted(b), than);
+  }
+}
+
+}  // namespace query
+
+#define PLUMB_TRIANGLE_PAIR(Result, A, B)                       \
+  template Result closest_points(const A&, const B&);           \
+  template double distance(const A&, const B&);                 \
+  template Rational squared_distance_exact(const A&, const B&); \
+  template std::optional<Sign> query::quick_comparison(const A&, const B&, double);
 PLUMB_TRIANGLE_PAIR(Closest2, Line2, Triangle2)
 PLUMB_TRIANGLE_PAIR(Closest2, Ray2, Triangle2)
 PLUMB_TRIANGLE_PAIR(Closest2, Segment2, Triangle2)

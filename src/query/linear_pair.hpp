@@ -56,6 +56,8 @@ struct Straight {
   VectorOf<Point> direction;  // where it does not end
   bool starts, ends, is_point;
   int order;
+
+  [[nodiscard]] const Point& at(Place place) const { return place == Place::end ? to : from; }
 };
 
 inline Straight<Point2> straight(const Segment2& s) {

@@ -158,6 +158,9 @@ requires(HasDistance<A, B>&& HasDistance<C, D>) Sign compare_distance(const A& a
 template <class A, class B>
 requires HasDistance<A, B> Sign compare_distance(const A& a, const B& b, double than) {
   if (!(than - than == 0)) throw NonFinite("compare_distance: the distance is not a real number; give a finite one");
+  if constexpr (query::StraightPair<A, B>) {
+    if (const auto quick = query::quick_comparison(a, b, than)) return *quick;
+  }
   const double first = distance(a, b);
   if (first != than) return first < than ? Sign::negative : Sign::positive;
   return compare(exact_distance(a, b), than);

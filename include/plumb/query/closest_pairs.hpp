@@ -19,8 +19,10 @@
 
 #include <array>
 #include <concepts>
+#include <optional>
 
 #include "plumb/arith/rational.hpp"
+#include "plumb/arith/sign.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/simplex.hpp"
 #include "plumb/query/closest_result.hpp"
@@ -71,5 +73,13 @@ requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, c
 /// where the direction is.
 template <class A, class B>
 requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, const B& b);
+
+namespace query {
+
+/// The distance against a number, where plain doubles prove it.
+template <class A, class B>
+requires StraightPair<A, B> std::optional<Sign> quick_comparison(const A& a, const B& b, double than);
+
+}  // namespace query
 
 }  // namespace plumb
