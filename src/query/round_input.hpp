@@ -63,6 +63,10 @@ double unreal(const Shape& s) {
     constexpr std::size_t n = sizeof(Shape) / sizeof(double);
     const double sum = tree_sum<0, n>(std::bit_cast<std::array<double, n>>(s));
     return sum - sum;
+  } else if constexpr (requires { s.mesh; }) {
+    double sum = 0;
+    for (const Point3& p : s.mesh.vertices) sum += sum_of(p);
+    return sum - sum;  // overflow only costs the quick test
   } else {
     return 0;  // lists are looked at by who asks
   }
