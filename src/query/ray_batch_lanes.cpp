@@ -31,10 +31,6 @@ inline Lanes3 cross(const Lanes3& u, const Lanes3& v) {
 }
 inline V largest(V a, V b, V c) { return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); }
 
-constexpr double edge_constant = filter_constant<predicates::LineEdge>() > filter_constant<SegmentEdge>()
-                                     ? filter_constant<predicates::LineEdge>()
-                                     : filter_constant<SegmentEdge>();
-
 template <bool begins, bool ends>
 void ask(const BatchRay& ray, const double* const* at, std::size_t n, const BatchTold& out) {
   const D tag;

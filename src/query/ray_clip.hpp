@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "plumb/certify/radical.hpp"
 #include "query/ray_shot.hpp"
 
 namespace plumb::query {
@@ -91,10 +92,8 @@ std::optional<When> enter(const Quadratic<T>& q, const Remaining<T>& left, std::
 template <class T>
 Sign sign_at_root(const Linear<T>& c, const Quadratic<T>& q, RaySigns& ask) {
   const T straight = c.constant * q.square - c.slope * q.half;
-  const Sign x = ask(straight), y = -ask(c.slope) * ask(q.discriminant);
-  if (x == y || y == Sign::zero) return x;
-  if (x == Sign::zero) return y;
-  return x * ask(straight * straight - c.slope * c.slope * q.discriminant);
+  return radical::sum(ask(straight), -ask(c.slope) * ask(q.discriminant),
+                      [&] { return ask(straight * straight - c.slope * c.slope * q.discriminant); });
 }
 
 /// The sign of constant + slope t, where t is zero, a quotient or the lesser root.

@@ -57,6 +57,11 @@ struct PassesCorner {
   }
 };
 
+/// Of the side of an edge, whether the direction is given or a rounded difference.
+inline constexpr double edge_constant = filter_constant<predicates::LineEdge>() > filter_constant<SegmentEdge>()
+                                            ? filter_constant<predicates::LineEdge>()
+                                            : filter_constant<SegmentEdge>();
+
 /// Twice the largest product, and an eighth for the roundings of the magnitude itself.
 inline constexpr double magnitude_slack = 2.125;
 /// More than all guards that the products of a formula add.

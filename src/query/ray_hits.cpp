@@ -31,10 +31,6 @@ double largest(double a, double b, double c) {
 /// NaN where x is infinite or NaN: nothing is beyond it then.
 double unless_overflown(double x) { return x - x; }
 
-constexpr double edge_constant = filter_constant<predicates::LineEdge>() > filter_constant<SegmentEdge>()
-                                     ? filter_constant<predicates::LineEdge>()
-                                     : filter_constant<SegmentEdge>();
-
 /// Of the line from o along d, which begins and ends as said.
 template <bool begins, bool ends>
 Told ask_triangle(const Point3& o, const Numbers& d, const Triangle3& triangle) {

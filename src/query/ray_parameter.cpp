@@ -1,22 +1,14 @@
 #include "plumb/query/ray_parameter.hpp"
 
-#include <plumb/predicates/radical.hpp>
-
 #include "figure/finite_parts.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/certify/radical.hpp"
 #include "query/ray_numbers.hpp"
 
 namespace plumb {
 namespace {
 
-Sign negated_if(Sign s, bool negate) { return negate ? -s : s; }
-
-/// The sign of x + y with the signs of both, where square() is that of x^2 - y^2.
-template <class Square>
-Sign sum(Sign x, Sign y, Square square) {
-  if (x == y || y == Sign::zero) return x;
-  return x == Sign::zero ? y : negated_if(square(), x == Sign::negative);
-}
+using radical::sum;
 
 /// a - sqrt(b) + sqrt(c), of which b and c are not negative.
 Sign sign_of(const Rational& a, const Rational& b, const Rational& c) {
