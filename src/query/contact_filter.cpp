@@ -83,17 +83,12 @@ struct Figures {
 double smaller(double a, double b) { return a < b ? a : b; }
 double larger(double a, double b) { return a > b ? a : b; }
 
-template <std::size_t Count>
-Vec largest(const std::array<Linear, Count>& all) {
-  Vec m{0, 0, 0};
-  for (const Linear& l : all) {
-    for (const Vec& v : {l.at_0, l.at_1}) {
-      m.x = larger(m.x, __builtin_fabs(v.x));
-      m.y = larger(m.y, __builtin_fabs(v.y));
-      m.z = larger(m.z, __builtin_fabs(v.z));
-    }
+void include(Vec& largest, const Linear& l) {
+  for (const Vec& v : {l.at_0, l.at_1}) {
+    largest.x = larger(largest.x, __builtin_fabs(v.x));
+    largest.y = larger(largest.y, __builtin_fabs(v.y));
+    largest.z = larger(largest.z, __builtin_fabs(v.z));
   }
-  return m;
 }
 
 /// Along one axis, over a piece.
@@ -223,14 +218,34 @@ bool coplanar(std::span<const Point3, 4> p) {
                                               p[2].x, p[2].y, p[2].z, p[3].x, p[3].y, p[3].z}) == Sign::zero;
 }
 
+Quadratic side(const Figures<3>& f, std::size_t i) { return cross(f.differences[i], f.differences[(i + 1) % 3]); }
+Quadratic side(const Figures<4>& f, std::size_t i) {  // of the differences ac, ad, bc, bd
+  constexpr std::array<std::size_t, 4> left{0, 2, 0, 1}, right{1, 3, 2, 3};
+  return cross(f.differences[left[i]], f.differences[right[i]]);
+}
+
 template <Asked asked, std::size_t Count>
-FilteredContact decide(Figures<Count>& f, const Linear& normal_to, const Quadratic& product,
-                       const ContactQuestion& question) {
-  const Vec m = largest(f.differences);
-  const Cubic cubic = dot(normal_to, product);
+FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
+  const auto linear = [&](std::size_t i, std::size_t j) {
+    return Linear{difference(question.at_0[i], question.at_0[j]), difference(question.at_1[i], question.at_1[j])};
+  };
+  // The cubic takes three differences.
+  constexpr bool edges = Count == 4;
+  f.differences[0] = edges ? linear(2, 0) : linear(1, 0);
+  f.differences[1] = edges ? linear(3, 0) : linear(2, 0);
+  f.differences[2] = edges ? linear(2, 1) : linear(3, 0);
+  Vec m{0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) include(m, f.differences[i]);
+  f.sides[0] = side(f, 0);
+  const Cubic cubic = dot(f.differences[2], f.sides[0]);
   const double bound = cubic_constant * m.x * m.y * m.z + least * (1 + m.x + m.y + m.z);
+  unsigned signs = either;
+  for (const double c : cubic) signs &= certain_sign(c, bound);
+  if (signs != 0) return {Verdict::no, {}};
+  if constexpr (edges) include(m, f.differences[3] = linear(3, 1));
   f.bound = {cross_constant * m.y * m.z + least, cross_constant * m.z * m.x + least,
              cross_constant * m.x * m.y + least};
+  for (std::size_t i = 1; i < Count; ++i) f.sides[i] = side(f, i);
   // In one plane at an end of time: no piece around that root would ever do.
   const auto meet_at = [&](double coefficient, std::span<const Point3, 4> p, double time) {
     return certain_sign(coefficient, bound) == 0 && crossing(f, time, time) == Crossing::across && coplanar(p);
@@ -265,23 +280,12 @@ bool apart(std::span<const Point3, 4> p, std::span<const Point3, 4> q) {
 template <Asked asked>
 FilteredContact filter(const ContactQuestion& question) {
   const std::span<const Point3, 4> p = question.at_0, q = question.at_1;
-  const auto linear = [&](std::size_t i, std::size_t j) {
-    return Linear{difference(p[i], p[j]), difference(q[i], q[j])};
-  };
   if (question.kind == MovingKind::vertex_triangle) {
-    if (apart<1>(p, q)) return {Verdict::no, {}};
     Figures<3> f;
-    f.differences = {linear(1, 0), linear(2, 0), linear(3, 0)};
-    const auto& [a, b, c] = f.differences;
-    f.sides = {cross(a, b), cross(b, c), cross(c, a)};
-    return decide<asked>(f, c, f.sides[0], question);
+    return apart<1>(p, q) ? FilteredContact{Verdict::no, {}} : decide<asked>(f, question);
   }
-  if (apart<2>(p, q)) return {Verdict::no, {}};
   Figures<4> f;
-  f.differences = {linear(2, 0), linear(3, 0), linear(2, 1), linear(3, 1)};
-  const auto& [ac, ad, bc, bd] = f.differences;
-  f.sides = {cross(ac, ad), cross(bc, bd), cross(ac, bc), cross(ad, bd)};
-  return decide<asked>(f, bc, f.sides[0], question);
+  return apart<2>(p, q) ? FilteredContact{Verdict::no, {}} : decide<asked>(f, question);
 }
 
 }  // namespace
