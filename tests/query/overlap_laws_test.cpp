@@ -22,7 +22,9 @@ struct Seen {
 template <class A, class B>
 void expect_laws(Seen& seen, std::uint64_t start, std::uint64_t cases) {
   shape_cases::on_shapes(start, cases, [&](Material& m) {
-    const auto [a, b] = pair_of<A, B>(m);
+    const auto pair = pair_of<A, B>(m);
+    const A& a = pair.first;  // named apart: lambdas of clang 14 take no structured bindings
+    const B& b = pair.second;
     const Relation r = relate(a, b);
     const auto name = [&] { return pair_name<A, B>() + m.about(a, b); };
     ++seen.cases;
