@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plumb/query/closest.hpp"
+#include "plumb/query/closest_batch.hpp"
 #include "plumb/query/closest_pairs.hpp"
 #include "plumb/query/closest_result.hpp"
 #include "plumb/query/continuous_contact.hpp"

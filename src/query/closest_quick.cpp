@@ -46,11 +46,50 @@ struct Within {
   }
 };
 
+/// Center, axes u, v, w, halves, p: what is left of the way to p, along u; the same across u, along v; and along u x v.
+struct OffBox {
+  static constexpr std::string_view name = "closest_points";
+  static constexpr int points = 6, dimension = 3;
+  static constexpr bool homogeneous = false;
+  template <class T>
+  static constexpr auto along(const std::array<T, 18>& p, std::size_t u) {
+    using namespace predicates;
+    const auto at = [&](std::size_t i) { return dot(argument(p, i), argument(p, u)) * p[11 + i]; };
+    return dot(difference(p, 0, 5), argument(p, u)) - at(1) - at(2) - at(3);
+  }
+};
+struct AlongAxis : OffBox {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 18>& p) const {
+    return along(p, 1);
+  }
+};
+struct AcrossAxis : OffBox {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 18>& p) const {
+    using namespace predicates;
+    const auto u = argument(p, 1);
+    return dot(u, u) * along(p, 2) - dot(u, argument(p, 2)) * along(p, 1);
+  }
+};
+struct AboveAxes : OffBox {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 18>& p) const {
+    using namespace predicates;
+    const auto n = cross(argument(p, 1), argument(p, 2));
+    return dot(difference(p, 0, 5), n) - dot(argument(p, 3), n) * p[14];
+  }
+};
+
 // Twice the filters' constants pay for another order of their sums.
 constexpr double along_constant = 2 * filter_constant<predicates::Angle3d>();
 constexpr double beyond_constant = 2 * filter_constant<Beyond>();
 // Of three products of numbers up to a largest one, and of twice nine products of four.
 constexpr double dot_constant = 3 * along_constant, within_constant = 18 * 2 * filter_constant<Within>();
+
+// For axes up to a, with |p - c| and the sum of half axes up to l: of 3 a l, 18 a^3 l and 6 a^2 l.
+constexpr double box_along = 3 * 2 * filter_constant<AlongAxis>(), box_across = 18 * 2 * filter_constant<AcrossAxis>(),
+                 box_above = 6 * 2 * filter_constant<AboveAxes>();
 
 /// By the axes between whose ends p is, and those at whose upper end it is: as voronoi_region has them.
 constexpr auto box_features = [] {
@@ -171,7 +210,7 @@ HWY_INLINE Parts square(V h, V l, V slack) {
 /// Between the ends of a line that passes o.h + o.l, off by `slack` at most.
 HWY_INLINE bool on_line(Wanted wanted, Pair o, Pair w, Pair d, V slack, double along, double whole, Numbers& to) {
   const double inverse = 1 / whole, t = along * inverse;
-  if (!(t >= 0x1p-300)) return false;
+  if (!(std::fabs(t) >= 0x1p-300)) return false;
   const V way = set(t);
   const Pair p = product(way, d.h);
   const V k = MulAdd(way, d.l, p.l);
@@ -229,8 +268,8 @@ HWY_INLINE V turned(V v) {
   return hn::TableLookupLanes(v, hn::SetTableIndices(D(), order));
 }
 
-/// Above a triangle: p less t n, for the normal n = ab x ac and t = n.ap / n.n.
-bool on_face(Wanted wanted, V p, Pair ab, Pair ac, Pair ap, Numbers& to) {
+/// Above a plane: p less t n, for the normal n = ab x ac and t = n.ap / n.n, where ap is off by `slack` at most.
+bool on_face(Wanted wanted, V p, Pair ab, Pair ac, Pair ap, V slack, Numbers& to) {
   // The lanes of n are in the order z x y, and so are those of the point.
   const V other = turned(ac.h), own = turned(ab.h);
   const Pair left = product(ab.h, other), right = product(own, ac.h), m = difference(left.h, right.h);
@@ -248,7 +287,8 @@ bool on_face(Wanted wanted, V p, Pair ab, Pair ac, Pair ap, Numbers& to) {
   if (!(away >= 0x1p-300)) return false;
   const double z = t * whole.value, z_error = __builtin_fma(t, whole.value, -z);
   const double change = (((g.value - z) - z_error) + (g.error - t * whole.error)) * inverse;
-  const double doubt = 0x1p-97 * inverse * (total(Mul(size, Abs(w.h))) + away * total(Mul(size, Abs(n.h))));
+  const V reach = MulAdd(about(slack), set(0x1p100), Abs(w.h));
+  const double doubt = 0x1p-97 * inverse * (total(Mul(size, reach)) + away * total(Mul(size, Abs(n.h))));
   bool certain = true;
   if (wanted != Wanted::distance) {
     const V way = set(t), at = about(p);
@@ -302,7 +342,7 @@ bool triangle(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found
   }
   if (!(va > side && vb > side && vc > side)) return false;
   found.feature = {FeatureKind::face, 0};
-  return on_face(wanted, q, ab, ac, ap, found.numbers);
+  return on_face(wanted, q, ab, ac, ap, none, found.numbers);
 }
 
 bool box(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) {
@@ -323,6 +363,94 @@ bool box(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) {
   return quick::round(root(square(w.h, w.l, hn::Zero(D()))), found.numbers.distance);
 }
 
+/// A guess as if the axes were at right angles, then proved by the signs of voronoi_region.
+bool parallelepiped(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found) {
+  const V center = load(s.center), at = load(p), none = hn::Zero(D());
+  const auto axis_at = [&](std::size_t i) { return hn::MaskedLoad(hn::FirstN(D(), 3), D(), &s.axes[i].x); };
+  const V axis[3] = {axis_at(0), axis_at(1), axis_at(2)};
+  const double half[3] = {std::fabs(s.half.x), std::fabs(s.half.y), std::fabs(s.half.z)};
+  const V way = Sub(at, center);
+  const auto dot = [](V u, V v) { return total(Mul(u, v)); };
+  double gram[3][3], along[3];
+  std::uint32_t free = 0, upper = 0, count = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!moderate(axis[i]) || !(half[i] >= 0x1p-60 && half[i] <= 0x1p60)) return false;
+    for (std::size_t k = i; k < 3; ++k) gram[i][k] = gram[k][i] = dot(axis[i], axis[k]);
+    along[i] = dot(way, axis[i]);
+    const double reach = half[i] * gram[i][i];
+    const bool within = std::fabs(along[i]) < reach;
+    free |= static_cast<std::uint32_t>(within) << i, count += static_cast<std::uint32_t>(within);
+    upper |= static_cast<std::uint32_t>(along[i] > 0 && !within) << i;
+  }
+  const auto largest = [](V v) {
+    const auto [x, y, z] = lanes(Abs(v));
+    return std::max(std::max(x, y), z);
+  };
+  const double a = largest(hn::Max(Abs(axis[0]), hn::Max(Abs(axis[1]), Abs(axis[2]))));
+  const double l = largest(way) + a * (half[0] + half[1] + half[2]);
+  const double near = box_along * a * l, side = box_across * (a * a) * (a * l), top = box_above * a * (a * l);
+  if (!(l < 0x1p60)) return false;
+  const auto end = [&](std::size_t i) { return (upper >> i & 1) != 0 ? half[i] : -half[i]; };
+  const auto is_free = [&](std::size_t i) { return (free >> i & 1) != 0; };
+  double left[3];  // along the axes, of the way from the fixed ends
+  for (std::size_t i = 0; i < 3; ++i) {
+    left[i] = along[i];
+    for (std::size_t k = 0; k < 3; ++k) left[i] -= is_free(k) ? 0 : end(k) * gram[i][k];
+  }
+  Pair o{center, none};
+  V size = Abs(center);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_free(i)) continue;
+    const Pair step = product(axis[i], set(end(i))), next = sum(o.h, step.h);
+    o = {next.h, Add(o.l, Add(next.l, step.l))};
+    size = Add(size, Abs(step.h));
+  }
+  const V slack = Mul(size, set(0x1p-100));
+  Pair w = difference(at, o.h);
+  w.l = Sub(w.l, o.l);
+  const auto outward = [&](std::size_t i, double x) { return (upper >> i & 1) != 0 ? x : -x; };
+  found.feature = box_features[free][upper];
+  if (!moderate(w.h)) return false;
+  if (count == 0) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(outward(i, left[i]) > near)) return false;
+    }
+    return (wanted == Wanted::distance || round(o.h, o.l, slack, found.numbers.point)) &&
+           (wanted == Wanted::point || quick::round(root(square(w.h, w.l, slack)), found.numbers.distance));
+  }
+  if (count == 1) {
+    const std::size_t u = is_free(0) ? 0 : is_free(1) ? 1 : 2;
+    const double own = gram[u][u], reach = half[u] * own - near;
+    if (!(std::fabs(left[u]) < reach)) return false;
+    for (std::size_t v = 0; v < 3; ++v) {
+      if (v != u && !(outward(v, own * left[v] - gram[u][v] * left[u]) > side)) return false;
+    }
+    return on_line(wanted, o, w, {axis[u], none}, slack, left[u], own, found.numbers);
+  }
+  // Along the normals, in lanes z x y, of two axes: the third, and the way from the center.
+  const auto up = [&](std::size_t i, V v) {
+    const V u = axis[(i + 1) % 3], other = axis[(i + 2) % 3];
+    return dot(Sub(Mul(u, turned(other)), Mul(turned(u), other)), turned(turned(v)));
+  };
+  if (count == 3) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(std::fabs(up(i, way)) < half[i] * std::fabs(up(i, axis[i])) - top)) return false;
+    }
+    found.numbers = {{p.x + 0.0, p.y + 0.0, p.z + 0.0}, 0};
+    return true;
+  }
+  const std::size_t n = is_free(0) ? is_free(1) ? 2 : 1 : 0, u = (n + 1) % 3, v = (n + 2) % 3;
+  const auto between = [&](std::size_t i, std::size_t other) {
+    const double own = gram[other][other], both = gram[i][other];
+    const double reach = half[i] * (own * gram[i][i] - both * both);
+    return std::fabs(own * left[i] - both * left[other]) < reach - side;
+  };
+  if (!between(u, v) || !between(v, u)) return false;
+  const double volume = up(n, axis[n]), above = up(n, way) - end(n) * volume;
+  if (!(std::fabs(volume) > box_above * a * (a * a) && outward(n, volume > 0 ? above : -above) > top)) return false;
+  return on_face(wanted, at, {axis[u], none}, {axis[v], none}, w, slack, found.numbers);
+}
+
 #endif
 
 // One entry a shape; where there are no lanes of pairs, nothing is told.
@@ -334,6 +462,7 @@ bool box(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) {
 #endif
 bool of_segment(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(segment); }
 bool of_triangle(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(triangle); }
+bool of_obb(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(parallelepiped); }
 bool of_box(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(box); }
 #undef PLUMB_QUICK
 
@@ -347,6 +476,7 @@ namespace quick {
 HWY_EXPORT(of_segment);
 HWY_EXPORT(of_triangle);
 HWY_EXPORT(of_box);
+HWY_EXPORT(of_obb);
 }  // namespace quick
 
 bool quickly(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) {
@@ -354,6 +484,9 @@ bool quickly(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) 
 }
 bool quickly(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found) {
   return HWY_DYNAMIC_DISPATCH(quick::of_triangle)(wanted, s, p, found);
+}
+bool quickly(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found) {
+  return HWY_DYNAMIC_DISPATCH(quick::of_obb)(wanted, s, p, found);
 }
 bool quickly(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) {
   return HWY_DYNAMIC_DISPATCH(quick::of_box)(wanted, s, p, found);

@@ -22,5 +22,6 @@ struct Quickly {
 bool quickly(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found);
 bool quickly(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found);
 bool quickly(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found);
+bool quickly(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found);
 
 }  // namespace plumb::query
