@@ -5,6 +5,7 @@
 #include "figure/finite_parts.hpp"
 #include "query/contact_filter.hpp"
 #include "query/exact_contact.hpp"
+#include "query/separation_filter.hpp"
 
 namespace plumb {
 namespace {
@@ -42,6 +43,7 @@ void require_valid(std::string_view function, const A& a, const B& b, const Cont
 }
 
 std::optional<ExactContact> exact_first_contact(const Motion& m, double separation) {
+  if (separation > 0 && query::moving::surely_apart(m, separation)) return {};
   return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, separation);
 }
 
@@ -67,11 +69,10 @@ Motion valid_motion(std::string_view function, const A& a, const B& b, const Con
 template <class A, class B>
 bool meet(const A& a, const B& b, const ContactOptions& options) {
   const Motion m = valid_motion("intersects", a, b, options);
-  if (options.separation == 0) {
-    const Verdict verdict = query::moving::contact_filter(m);
-    if (verdict != Verdict::unsure) [[likely]]
-      return verdict == Verdict::yes;
-  }
+  const Verdict verdict = query::moving::contact_filter(m);
+  if (verdict == Verdict::yes) return true;
+  if (verdict == Verdict::no && options.separation == 0) [[likely]]
+    return false;
   return exact_first_contact(m, options.separation).has_value();
 }
 

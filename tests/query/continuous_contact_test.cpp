@@ -19,7 +19,7 @@ namespace {
 #ifdef PLUMB_LONG_TESTS
 constexpr std::uint64_t cases = 20000;
 #else
-constexpr std::uint64_t cases = 400;
+constexpr std::uint64_t cases = 300;
 #endif
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
