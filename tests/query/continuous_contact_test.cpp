@@ -17,7 +17,7 @@ namespace plumb::moving_cases {
 namespace {
 
 #ifdef PLUMB_LONG_TESTS
-constexpr std::uint64_t cases = 20000;
+constexpr std::uint64_t cases = 5000;
 #else
 constexpr std::uint64_t cases = 300;
 #endif
