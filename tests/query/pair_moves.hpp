@@ -214,7 +214,7 @@ Shape renamed(Material& m, const Shape& s) {
   } else if constexpr (kind == FigureKind::tetrahedron) {
     t = m.below(2) == 0 ? Shape{s.b, s.c, s.d, s.a} : Shape{s.b, s.a, s.c, s.d};
   } else if constexpr (requires { s.vertices; }) {
-    std::ranges::rotate(t.vertices, t.vertices.begin() + 1);
+    std::rotate(t.vertices.begin(), t.vertices.begin() + 1, t.vertices.end());
     if (m.below(2) == 0) std::ranges::reverse(t.vertices);
     t.vertices.push_back(t.vertices.back());
   } else if constexpr (requires { s.outer; }) {
