@@ -4,9 +4,11 @@
 
 #include "figure/finite_parts.hpp"
 #include "plumb/certify/line_triangle.hpp"
+#include "plumb/figure/contains.hpp"
 #include "plumb/predicates.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_filters.hpp"
+#include "query/ray_shot.hpp"
 
 namespace plumb {
 namespace query {
@@ -226,9 +228,35 @@ std::optional<bool> by_signs(const AnyRay& ray, const Triangle3& t) {
   if (s.radius < 0) throw InvalidShape("hits: sphere.radius is negative, and a radius must not be");
   return is_hit(ray, s);
 }
-[[gnu::noinline]] bool exactly(const AnyRay& ray, const Aabb3& b) {
+/// (origin, direction, corner) in a plane of two axes: PassesCorner for a direction as given.
+struct RayPassesCorner {
+  static constexpr std::string_view name = "hits";
+  static constexpr int points = 3, dimension = 2;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 6>& p) const {
+    return p[2] * (p[5] - p[1]) - p[3] * (p[4] - p[0]);
+  }
+};
+
+/// By exact signs: are all corners of the box, in the plane of two axes, strictly on one side?
+bool parted_in_plane(const AnyRay& ray, const Aabb3& box, std::size_t j, std::size_t k) {
+  const auto o = coordinates(ray.origin), min = coordinates(box.min), max = coordinates(box.max);
+  const auto to = ends(ray) ? coordinates(ray.end) : coordinates(ray.direction);
+  const bool segment = ends(ray), right = segment ? to[j] >= o[j] : to[j] >= 0,
+             up = segment ? to[k] >= o[k] : to[k] >= 0;
+  const auto side = [&](double x, double y) {
+    if (segment) return orient2d({o[j], o[k]}, {to[j], to[k]}, {x, y});
+    return sign_of(RayPassesCorner{}, Point2{o[j], o[k]}, Vector2{to[j], to[k]}, Point2{x, y});
+  };
+  return side(up ? min[j] : max[j], right ? max[k] : min[k]) == Sign::negative ||
+         side(up ? max[j] : min[j], right ? min[k] : max[k]) == Sign::positive;
+}
+
+/// The segment or ray reaches the box along every axis, or it is a line of some direction.
+[[gnu::noinline]] bool exactly(const AnyRay& ray, const Aabb3& b, bool reaches) {
   require_numbers(ray, {"box.min", "box.max"}, b.min, b.max);
-  return is_hit(ray, b);
+  if (!reaches || !every(b.min.x <= b.max.x, b.min.y <= b.max.y, b.min.z <= b.max.z)) return false;
+  return !parted_in_plane(ray, b, 0, 1) && !parted_in_plane(ray, b, 1, 2) && !parted_in_plane(ray, b, 2, 0);
 }
 
 }  // namespace
@@ -266,17 +294,20 @@ bool hits(const Ray3& ray, const Aabb3& box) {
   const auto& [o, d] = ray;
   const bool reaches = every(ahead(o.x, d.x, box.min.x, box.max.x), ahead(o.y, d.y, box.min.y, box.max.y),
                              ahead(o.z, d.z, box.min.z, box.max.z));
-  return told_or(ask_box(o, numbers(d), box, reaches), [&] { return exactly(ray, box); });
+  return told_or(ask_box(o, numbers(d), box, reaches), [&] { return exactly(ray, box, reaches); });
 }
 bool hits(const Segment3& segment, const Aabb3& box) {
   const auto& [a, b] = segment;
   const bool reaches = every(overlap(a.x, b.x, box.min.x, box.max.x), overlap(a.y, b.y, box.min.y, box.max.y),
                              overlap(a.z, b.z, box.min.z, box.max.z));
-  return told_or(ask_box(a, difference(a, b), box, reaches), [&] { return exactly(segment, box); });
+  return told_or(ask_box(a, difference(a, b), box, reaches), [&] { return exactly(segment, box, reaches); });
 }
 bool hits(const Line3& line, const Aabb3& box) {
-  if (line.direction == Vector3{0, 0, 0}) return exactly(line, box);
-  return told_or(ask_box(line.point, numbers(line.direction), box, true), [&] { return exactly(line, box); });
+  if (line.direction == Vector3{0, 0, 0}) {
+    require_numbers(line, {"box.min", "box.max"}, box.min, box.max);
+    return contains(box, line.point);
+  }
+  return told_or(ask_box(line.point, numbers(line.direction), box, true), [&] { return exactly(line, box, true); });
 }
 
 }  // namespace plumb
