@@ -17,6 +17,7 @@
 #include "plumb/query/motion.hpp"
 #include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap_batch.hpp"
 #include "plumb/query/overlap_box.hpp"
 #include "plumb/query/overlap_cylinder_cone.hpp"
 #include "plumb/query/overlap_plane.hpp"

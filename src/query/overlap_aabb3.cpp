@@ -1,4 +1,5 @@
 // Axis-aligned boxes in space, with what is straight and with triangles.
+#include "overlap_box_filter.hpp"
 #include "overlap_parts.hpp"
 #include "overlap_shapes3.hpp"
 #include "plumb/query/overlap_box.hpp"
@@ -7,20 +8,39 @@ namespace plumb {
 namespace {
 
 template <class A>
-Relation related(const A& a, const Aabb3& b) {
+[[gnu::noinline]] Relation exactly(const A& a, const Aabb3& b) {
   query::require_shapes(a, b);
   return query::relate(query::linear(a), b);
+}
+[[gnu::noinline]] Relation exactly(const Triangle3& a, const Aabb3& b) {
+  query::require_shapes(a, b);
+  if (query::is_empty(b)) return Relation::disjoint;
+  if (const auto answer = query::by_doubles<true>(a, b)) return *answer;
+  return query::relate(a, b);
 }
 
 }  // namespace
 
-Relation relate(const Line3& a, const Aabb3& b) { return related(a, b); }
-Relation relate(const Ray3& a, const Aabb3& b) { return related(a, b); }
-Relation relate(const Segment3& a, const Aabb3& b) { return related(a, b); }
-
+// An empty box is one of negative extent to the filters.
+Relation relate(const Line3& a, const Aabb3& b) {
+  assert_sound_thread();
+  const auto answer = query::by_doubles(query::Reach::line, a.point, a.direction, b);
+  return answer && !query::is_empty(b) ? *answer : exactly(a, b);
+}
+Relation relate(const Ray3& a, const Aabb3& b) {
+  assert_sound_thread();
+  const auto answer = query::by_doubles(query::Reach::ray, a.origin, a.direction, b);
+  return answer && !query::is_empty(b) ? *answer : exactly(a, b);
+}
+Relation relate(const Segment3& a, const Aabb3& b) {
+  assert_sound_thread();
+  const auto answer = query::by_doubles(a, b);
+  return answer && !query::is_empty(b) ? *answer : exactly(a, b);
+}
 Relation relate(const Triangle3& a, const Aabb3& b) {
-  query::require_shapes(a, b);
-  return query::relate(a, b);
+  assert_sound_thread();
+  const auto answer = query::by_doubles<false>(a, b);
+  return answer && !query::is_empty(b) ? *answer : exactly(a, b);
 }
 
 }  // namespace plumb

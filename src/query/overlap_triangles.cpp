@@ -27,6 +27,7 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   const auto low = [](const std::array<double, 3>& x) { return std::min(std::min(x[0], x[1]), x[2]); };
   const auto high = [](const std::array<double, 3>& x) { return std::max(std::max(x[0], x[1]), x[2]); };
   if (low(over_a) > error || high(over_a) < -error) return Relation::disjoint;
+  if (std::max(high(over_a), -low(over_a)) <= error) return {};  // coplanar, or nearly so
 
   // Between any two corners lies at most twice the largest difference from one.
   const Difference m = cross(difference(b.a, b.b), difference(b.a, b.c));

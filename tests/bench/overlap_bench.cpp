@@ -10,6 +10,7 @@
 #include "plumb/figure/aabb.hpp"
 #include "plumb/figure/aabb_relation.hpp"
 #include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap_batch.hpp"
 #include "plumb/query/overlap_box.hpp"
 #include "plumb/query/overlap_plane.hpp"
 #include "plumb/query/overlap_triangle.hpp"
@@ -115,6 +116,42 @@ Pairs<Triangle3, Triangle3> mesh_pairs() {
   return pairs;
 }
 
+/// One against many: one by one, and in lanes.
+void register_batches(const std::string& inputs_name) {
+  struct Many {
+    Aabb3 box;
+    Segment3 segment;
+    std::vector<Triangle3> triangles;
+    std::vector<Aabb3> boxes;
+    std::vector<std::uint8_t> out;
+  };
+  const auto all = std::make_shared<Many>();
+  all->box = {{0.25, 0.25, 0.25}, {0.75, 0.625, 0.5}};
+  all->segment = {{0.125, 0.25, 0.25}, {0.75, 0.625, 0.875}};
+  for (const auto& [t, b] : pairs_of<Triangle3, Aabb3>(inputs_name, 3)) {
+    all->triangles.push_back(t);
+    all->boxes.push_back(b);
+  }
+  all->out.resize(cases);
+  const auto count = [all] { return static_cast<long>(std::count(all->out.begin(), all->out.end(), 1)); };
+  add("box-triangles", inputs_name, "one-by-one", [all, count] {
+    for (std::size_t i = 0; i < cases; ++i) all->out[i] = plumb::intersects(all->triangles[i], all->box);
+    return count();
+  });
+  add("box-triangles", inputs_name, "lanes", [all, count, batch = TriangleBatch(all->triangles)] {
+    plumb::intersects(all->box, batch, all->out);
+    return count();
+  });
+  add("segment-boxes", inputs_name, "one-by-one", [all, count] {
+    for (std::size_t i = 0; i < cases; ++i) all->out[i] = plumb::intersects(all->segment, all->boxes[i]);
+    return count();
+  });
+  add("segment-boxes", inputs_name, "lanes", [all, count, batch = BoxBatch(all->boxes)] {
+    plumb::intersects(all->segment, batch, all->out);
+    return count();
+  });
+}
+
 [[maybe_unused]] const bool registered = [] {
   register_pair<Triangle3, Triangle3>("triangle-triangle");
   const auto of_mesh = mesh_pairs();
@@ -143,6 +180,8 @@ Pairs<Triangle3, Triangle3> mesh_pairs() {
   register_pair<Segment2, Triangle2>("segment2-triangle2", 2);
   register_pair<Triangle2, Triangle2>("triangle2-triangle2", 2);
   register_pair<Triangle2, Aabb2>("triangle2-box2", 2);
+  register_batches("uniform");
+  register_batches("float32");
   return true;
 }();
 

@@ -21,5 +21,6 @@ print("| --- | --- |" + " ---: |" * (len(methods) + 2 * rival))
 for (predicate, inputs), row in table.items():
     cells = [f"{row[m]:.1f}" if m in row else "" for m in methods]
     if rival:
-        cells += [f"{row['plumb'] / row['bare']:.2f}", f"{row['epick'] / row['plumb']:.1f}"]
+        for over, under, digits in (("plumb", "bare", 2), ("epick", "plumb", 1)):
+            cells.append(f"{row[over] / row[under]:.{digits}f}" if over in row and under in row else "")
     print(f"| {predicate} | {inputs} | " + " | ".join(cells) + " |")
