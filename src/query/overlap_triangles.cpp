@@ -39,7 +39,7 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   const auto certain = [](const std::array<double, 3>& x, double e) {
     return std::min(std::min(magnitude_of(x[0]), magnitude_of(x[1])), magnitude_of(x[2])) > e;
   };
-  if (!(certain(over_a, error) & certain(over_b, twofold))) return {};
+  if (!certain(over_a, error) || !certain(over_b, twofold)) return {};
   const auto below = [](const std::array<double, 3>& x) {
     return static_cast<unsigned>(x[0] < 0) | static_cast<unsigned>(x[1] < 0) << 1 |
            static_cast<unsigned>(x[2] < 0) << 2;
