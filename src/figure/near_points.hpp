@@ -40,8 +40,9 @@ inline double off_by(const Approximate& x) { return (x.error + 2) * 0x1p-53 * x.
 inline double lower(const Approximate& x) { return x.value - off_by(x); }
 inline double upper_magnitude(const Approximate& x) { return magnitude_of(x.value) + off_by(x); }
 
-/// What products of few positive numbers lose by rounding, and by underflow.
-inline constexpr double more = 1 + 0x1p-40, least_square = 0x1p-900;
+/// What products of few positive numbers lose by rounding, and by underflow: of a square that is multiplied once more
+/// `tiny` times the other factor.
+inline constexpr double more = 1 + 0x1p-40, least_square = 0x1p-900, tiny = 0x1p-1060;
 
 /// Is |way| / weight less than the reach, neither of them negative?
 inline bool is_near(const Way& way, double reach, double weight) {
@@ -50,13 +51,13 @@ inline bool is_near(const Way& way, double reach, double weight) {
   return (x * x + y * y + z * z) * more + least_square < limit * limit;
 }
 
-/// Are all heights over |n| more than the reach, which is not negative?
+/// Are all heights over |n| more than the reach, which is not negative?  For |n| that is not less, in doubles.
 template <class... Heights>
 bool all_far(double reach, const PlainVec& n, const Heights&... heights) {
   double low = Interval::infinity;
   bool above = true;  // false where one is NaN
   ((above = above & (lower(heights) > 0), low = lower(heights) < low ? lower(heights) : low), ...);
-  const double limit = (reach * reach * core::dot(n, n)) * more + least_square;
+  const double square = core::dot(n, n), limit = reach * reach * square * more + tiny * square + least_square;
   return above && low * low > limit;
 }
 
@@ -120,40 +121,6 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
       return Sign::positive;
   } else if (is_near(from - u * Approximate(t[0]) - v * Approximate(t[1]) - w * Approximate(t[2]), radius, 1)) {
     return Sign::negative;
-  }
-  return {};
-}
-
-/// Nearest to an end, or to the line: the sign of the exact square, where it is certain that the point is nearest
-/// there.
-[[gnu::flatten]] inline std::optional<Sign> quick_gap(const Segment3& ab, const Point3& center, double radius) {
-  const Way w = way(ab.a, center), d = way(ab.a, ab.b);
-  const Approximate along = core::dot(w, d), square = core::dot(d, d), r(radius), reach = r * r;
-  if (!(along.value > 0)) {
-    const int gap = certain_sign(core::dot(w, w) - reach);
-    if (gap < 0 || (gap > 0 && certain_sign(along) < 0)) return static_cast<Sign>(gap);
-  } else if (!(along.value < square.value)) {
-    const Way v = way(ab.b, center);
-    const int gap = certain_sign(core::dot(v, v) - reach);
-    if (gap < 0 || (gap > 0 && certain_sign(along - square) > 0)) return static_cast<Sign>(gap);
-  } else {
-    const Way off = core::cross(w, d);
-    const int gap = certain_sign(core::dot(off, off) - reach * square);
-    if (gap > 0 || (gap < 0 && certain_sign(along) > 0 && certain_sign(square - along) > 0))
-      return static_cast<Sign>(gap);
-  }
-  return {};
-}
-[[gnu::flatten]] inline std::optional<Sign> quick_gap(const Ray3& ray, const Point3& center, double radius) {
-  const Way w = way(ray.origin, center), d = exactly(plain(ray.direction));
-  const Approximate along = core::dot(w, d), r(radius), reach = r * r;
-  if (!(along.value > 0)) {
-    const int gap = certain_sign(core::dot(w, w) - reach);
-    if (gap < 0 || (gap > 0 && certain_sign(along) < 0)) return static_cast<Sign>(gap);
-  } else {
-    const Way off = core::cross(w, d);
-    const int gap = certain_sign(core::dot(off, off) - reach * core::dot(d, d));
-    if (gap > 0 || (gap < 0 && certain_sign(along) > 0)) return static_cast<Sign>(gap);
   }
   return {};
 }

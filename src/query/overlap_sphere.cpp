@@ -1,5 +1,6 @@
 // A ball against what its nearest point is soon found on: lines, rays, segments, axis-aligned boxes.
 #include <plumb/predicates/distance.hpp>
+#include <plumb/predicates/line_distance.hpp>
 
 #include "exact_gap.hpp"
 #include "figure/near_points.hpp"
@@ -11,7 +12,7 @@ namespace plumb {
 namespace query {
 namespace {
 
-using near_points::clamped, near_points::quick_gap;
+using near_points::clamped;
 
 /// (point, direction, center, radius): the square of the distance of a line, minus that of the radius, times that of
 /// the direction.
@@ -55,9 +56,65 @@ Sign gap(const Aabb3& a, const Sphere3& b) {
   return gap(Point3{clamped(x, a.min.x, a.max.x), clamped(y, a.min.y, a.max.y), clamped(z, a.min.z, a.max.z)}, b);
 }
 
+/// (a, b, center): how far along the segment the center lies.
+struct AlongSegment {
+  static constexpr std::string_view name = "relate";
+  static constexpr std::array arguments{3, 3, 3};
+  template <class T>
+  constexpr auto operator()(const std::array<T, 9>& p) const {
+    return predicates::dot(predicates::difference(p, 0, 2), predicates::difference(p, 0, 1));
+  }
+};
+
+/// The filters of how far along the center is, and of its distance from the line and from an end, with bounds of their
+/// magnitudes that cost less: with W and D the squares of w and d, |w_i d_i| <= (w_i^2 + d_i^2) / 2, so that w . d has
+/// no more than (W + D) / 2, and (w x d)^2 no more than 2 W D.  The guards of a product of two squares add up to less
+/// than `tiny` times both and `guard`, those of a square to less than `guard`; what the bounds round is less than
+/// `more`.
+inline constexpr double more = 1 + 0x1p-40, guard = 0x1p-900, tiny = 0x1p-1000;
+inline constexpr double along_constant = filter_constant<AlongSegment>() / 2 * more,
+                        line_constant = filter_constant<predicates::LineDistanceAgainst3d>() * more,
+                        point_constant = filter_constant<predicates::DistanceAgainst3d>() * more;
+static_assert(filter_constant<Along>() <= filter_constant<AlongSegment>() &&
+              filter_constant<LineGap>() <= filter_constant<predicates::LineDistanceAgainst3d>());
+
+using Plain = core::Vec<double>;
+
+/// Of the points from + t d, t from 0 up to 1 where they have an end, of which w leads from the first to the center.
+template <bool has_end>
+std::optional<Sign> quick_line(const Plain& w, const Plain& d, const Point3& end, const Sphere3& b) {
+  const double along = core::dot(w, d), size = core::dot(d, d), square = core::dot(w, w), reach = b.radius * b.radius;
+  const double doubt = along_constant * (square + size) + guard;
+  const auto answer = [](int gap, bool nearest) {
+    return gap != 0 && nearest ? std::optional(static_cast<Sign>(gap)) : std::nullopt;
+  };
+  if (!(along > 0)) {
+    const int gap = beyond(square - reach, point_constant * (square + reach) + guard);
+    return answer(gap, gap < 0 || along < -doubt);
+  }
+  if (has_end && !(along < size)) {
+    const Plain v{b.center.x - end.x, b.center.y - end.y, b.center.z - end.z};
+    const double rest = core::dot(v, v);
+    const int gap = beyond(rest - reach, point_constant * (rest + reach) + guard);
+    return answer(gap, gap < 0 || core::dot(v, d) > along_constant * (rest + size) + guard);
+  }
+  const Plain off = core::cross(w, d);
+  const double off_line = core::dot(off, off), limit = reach * size;
+  const int gap =
+      beyond(off_line - limit, line_constant * (2 * square * size + limit) + tiny * (square + size + reach) + guard);
+  // The size is off by no more than twice the doubt.
+  return answer(gap, gap > 0 || (along > doubt && (!has_end || size - along > 3 * doubt)));
+}
+
 /// What doubles prove, if anything.
-std::optional<Sign> quick(const Ray3& a, const Sphere3& b) { return quick_gap(a, b.center, b.radius); }
-std::optional<Sign> quick(const Segment3& a, const Sphere3& b) { return quick_gap(a, b.center, b.radius); }
+Plain plain(const Point3& from, const Point3& to) { return {to.x - from.x, to.y - from.y, to.z - from.z}; }
+std::optional<Sign> quick(const Ray3& a, const Sphere3& b) {
+  const auto& [x, y, z] = a.direction;
+  return quick_line<false>(plain(a.origin, b.center), {x, y, z}, a.origin, b);
+}
+std::optional<Sign> quick(const Segment3& a, const Sphere3& b) {
+  return quick_line<true>(plain(a.a, b.center), plain(a.a, a.b), a.b, b);
+}
 std::optional<Sign> quick(const auto&, const Sphere3&) { return {}; }
 
 bool is_empty(const Aabb3& box) { return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z; }

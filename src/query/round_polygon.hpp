@@ -1,4 +1,9 @@
-// A ball or capsule against the region of some chains in one plane.
+// How does a ball or capsule lie to what chains in one plane wind around an odd number of times?
+//
+// Laws: chains that lie on one line are the union of their edges.  Of edges that cover one another an even number of
+// times nothing is beside but what is on both sides: they are boundary, and near to the inside only as other points
+// are. Source: RTCD 5.2.8, 5.4.1.  Cost: the edges in turn, and one more pass; where edges lie on one another
+// quadratic.
 #pragma once
 
 #include <span>

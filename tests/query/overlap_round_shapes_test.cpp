@@ -307,6 +307,20 @@ TEST(OverlapRoundFigures, RadiiAreNotAdded) {  // 1 + 2^-60 is no double
   EXPECT_EQ(relate(Sphere3{{0, 0, 0}, 1}, Capsule3{{1 + 0x1p-52, 0, 0}, {2, 0, 0}, 0x1p-52}), touching);
 }
 
+TEST(OverlapRoundFigures, SquaresThatUnderflow) {  // of the radius and the offset, beside a long line
+  const double r = 0x1p-540;
+  const Point3 o{0, 0, 0}, far{0x1p300, 0, 0};
+  for (const auto& [y, expected] : {std::pair{r / 2, overlapping}, {r, touching}, {2 * r, disjoint}}) {
+    const Point3 p{r, y, 0}, q{r, y, 1};
+    EXPECT_EQ(relate(Line3{o, {0x1p300, 0, 0}}, Sphere3{p, r}), expected) << y;
+    EXPECT_EQ(relate(Ray3{o, {0x1p300, 0, 0}}, Sphere3{p, r}), expected) << y;
+    EXPECT_EQ(relate(Segment3{o, far}, Sphere3{p, r}), expected) << y;
+    EXPECT_EQ(relate(Segment3{o, far}, Capsule3{p, q, r}), expected) << y;
+    EXPECT_EQ(relate(Triangle3{o, far, {0, -1, 0}}, Sphere3{p, r}), expected) << y;
+    EXPECT_EQ(relate(Plane3{{0, 0x1p300, 0}, 0}, Sphere3{p, r}), expected) << y;
+  }
+}
+
 TEST(OverlapRoundFigures, UnboundedHalfspaces) {
   const HalfspaceIntersection3 wedge{{{{1, 0, 0}, 0}, {{0, 1, 0}, 0}}};
   EXPECT_EQ(relate(Sphere3{{3, 4, 100}, 5}, wedge), touching);
