@@ -93,10 +93,12 @@ void expect_compared(const A& a, const B& b) {
   const Rational square = squared_distance_exact(a, b);
   const double d = distance(a, b);
   if (std::isinf(d)) return;
-  for (const double than : {std::nextafter(d, 0.0), d, std::nextafter(d, std::numeric_limits<double>::infinity())}) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double than : {std::nextafter(d, 0.0), d, std::nextafter(d, infinity), d / 2, d * 2, 0.0, 1.0}) {
     if (!std::isfinite(than)) continue;
     EXPECT_EQ(compare_distance(a, b, than), (square - Rational(than) * Rational(than)).sign());
   }
+  EXPECT_EQ(compare_distance(a, b, -1.0), Sign::positive);
 }
 
 /// CGAL's answer, where it has the pair and the shapes are none of those it refuses.

@@ -73,6 +73,11 @@ requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, c
 /// where the direction is.
 template <class A, class B>
 requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, const B& b);
+template <class A, class B>
+requires(LinearPair<B, A> && !LinearPair<A, B>) std::array<double, 2> closest_parameters(const A& a, const B& b) {
+  const auto [t, s] = closest_parameters(b, a);
+  return {s, t};
+}
 
 namespace query {
 
