@@ -10,7 +10,7 @@
 
 namespace plumb::meeting {
 
-using namespace query;
+using query::coordinate_difference, query::Signs;
 
 template <class T>
 T minus(double x, double y) {

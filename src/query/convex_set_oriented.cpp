@@ -38,10 +38,10 @@ Bound<3> bound_at(const Place& gradient, const Place& on, int side) {
 
 /// The hull of corners that lie in one plane, on a line or at one place.
 ConvexSet<3> flat(std::vector<Place> corners) {
-  std::ranges::sort(corners, [](const Place& a, const Place& b) { return compare(a, b) == Sign::negative; });
-  const auto repeated =
-      std::ranges::unique(corners, [](const Place& a, const Place& b) { return compare(a, b) == Sign::zero; });
-  corners.erase(repeated.begin(), repeated.end());
+  std::sort(corners.begin(), corners.end(),
+            [](const Place& a, const Place& b) { return compare(a, b) == Sign::negative; });
+  const auto equal = [](const Place& a, const Place& b) { return compare(a, b) == Sign::zero; };
+  corners.erase(std::unique(corners.begin(), corners.end(), equal), corners.end());
   const Place &first = corners.front(), &last = corners.back();
   ConvexSet<3> set;
   Place normal = unit(0);
@@ -66,7 +66,8 @@ ConvexSet<3> flat(std::vector<Place> corners) {
   set.dimension = 2;
   set.look = normal[2].sign() != Sign::zero ? 2 : normal[0].sign() != Sign::zero ? 0 : 1;
   set.bounds.push_back(bound_at(normal, first, 0));
-  const auto [right, up] = looks[static_cast<std::size_t>(set.look)];
+  const Seen look = looks[static_cast<std::size_t>(set.look)];
+  const std::size_t right = look.right, up = look.up;
   const auto left_of = [&](const Place& a, const Place& b, const Place& c) {
     return det2(b[right] - a[right], b[up] - a[up], c[right] - a[right], c[up] - a[up]).sign() == Sign::positive;
   };

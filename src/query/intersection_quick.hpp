@@ -26,13 +26,31 @@ auto quick(const A&, const B&) {
   }
 }
 
+/// Of segments of one line, points among them.
+inline Intersection2 on_one_line(const Segment2& s, const Segment2& t) {
+  const auto least = [](const Point2& p, const Point2& q) {
+    return compare_lexicographically(p, q) == Sign::positive ? q : p;
+  };
+  const auto most = [](const Point2& p, const Point2& q) {
+    return compare_lexicographically(p, q) == Sign::positive ? p : q;
+  };
+  const Point2 from = most(least(s.a, s.b), least(t.a, t.b)), to = least(most(s.a, s.b), most(t.a, t.b));
+  const Sign order = compare_lexicographically(from, to);
+  if (order == Sign::positive) return {};
+  if (order == Sign::zero) return {IntersectionKind::point, {from}};
+  return {IntersectionKind::segment, {from, to}};
+}
+
 inline std::optional<Intersection2> quick(const Segment2& s, const Segment2& t) {
   const Sign a = orient2d(s.a, s.b, t.a), b = orient2d(s.a, s.b, t.b);
   if (strictly_same(a, b)) return Intersection2{};
   const Sign c = orient2d(t.a, t.b, s.a), d = orient2d(t.a, t.b, s.b);
   if (strictly_same(c, d)) return Intersection2{};
-  if (!opposite(a, b) || !opposite(c, d)) return {};
-  return Intersection2{IntersectionKind::point, {LineLinePoint2{s.a, s.b, t.a, t.b}}};
+  const auto point = [](const ExactPoint2& p) { return Intersection2{IntersectionKind::point, {p}}; };
+  if (opposite(a, b) && opposite(c, d)) return point(LineLinePoint2{s.a, s.b, t.a, t.b});
+  if (a == Sign::zero && b == Sign::zero && c == Sign::zero && d == Sign::zero) return on_one_line(s, t);
+  // The lines cross in one point, where one segment ends.
+  return point(a == Sign::zero ? t.a : b == Sign::zero ? t.b : c == Sign::zero ? s.a : s.b);
 }
 
 /// Does a side of t, which has an inside, part it from u?
