@@ -145,10 +145,10 @@ Told apart_in_plane(double u, double v, double low_u, double high_u, double low_
   const double a = u * up, b = v * left, c = u * down, d = v * right;
   constexpr double constant = 2 * filter_constant<PassesCorner>();
   const double most = a - b, least = c - d;
-  const double doubt_of_most = constant * ((magnitude_of(a) + magnitude_of(b)) + guard) + unless_overflown(most);
-  const double doubt_of_least = constant * ((magnitude_of(c) + magnitude_of(d)) + guard) + unless_overflown(least);
-  if ((most < -doubt_of_most) | (least > doubt_of_least)) return Told::yes;
-  return ((most > doubt_of_most) & (least < -doubt_of_least)) ? Told::no : Told::nothing;
+  // Infinite, and so beyond all, where a product is; NaN where a number is.
+  const double doubt = constant * ((magnitude_of(a) + magnitude_of(b)) + (magnitude_of(c) + magnitude_of(d)) + guard);
+  if ((most < -doubt) | (least > doubt)) return Told::yes;
+  return ((most > doubt) & (least < -doubt)) ? Told::no : Told::nothing;
 }
 
 /// By comparing numbers as given: does an axis of the box part it from a ray, from a segment?
@@ -172,9 +172,11 @@ Told ask_box(const Point3& o, const Numbers& d, const Aabb3& box, bool reaches) 
   if (!(unless_overflown(all) == 0) || !full) return Told::nothing;
   if (!reaches) return Told::no;
   const Told x = apart_in_plane(d.y, d.z, low.y, high.y, low.z, high.z);
+  if (x == Told::yes) return Told::no;
   const Told y = apart_in_plane(d.z, d.x, low.z, high.z, low.x, high.x);
+  if (y == Told::yes) return Told::no;
   const Told z = apart_in_plane(d.x, d.y, low.x, high.x, low.y, high.y);
-  if ((x == Told::yes) | (y == Told::yes) | (z == Told::yes)) return Told::no;
+  if (z == Told::yes) return Told::no;
   return ((x == Told::no) & (y == Told::no) & (z == Told::no)) ? Told::yes : Told::nothing;
 }
 
