@@ -12,6 +12,7 @@
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/ulps.hpp"
 #include "plumb/query/closest.hpp"
+#include "plumb/query/closest_batch.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -148,7 +149,43 @@ void add_all(const std::string& name) {
   for (const bool near : {false, true}) (add<Shape>(name, near, Methods{}), ...);
 }
 
+/// One point against many: `ns` is for one item.
+template <class Batch, class Shape>
+void add_many(const std::string& name) {
+  const auto run = [&](const std::string& method, auto find) {
+    benchmark::RegisterBenchmark((name + "/" + method).c_str(), [find](benchmark::State& state) {
+      std::vector<Shape> items;
+      for (const auto& c : inputs<Shape>(false)) items.push_back(c.shape);
+      const Batch batch(items);
+      for (auto _ : state) {
+        std::size_t found = find(items, batch, Point3{0.25, 2.5, -0.125});
+        benchmark::DoNotOptimize(found);
+      }
+      state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * cases * 1e-9,
+                                                benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    });
+  };
+  const auto one_by_one = [](const auto& items, const Point3& p, const auto& distance_of) {
+    std::size_t best = 0;
+    double least = distance_of(items[0], p);
+    for (std::size_t i = 1; i < items.size(); ++i) {
+      const double d = distance_of(items[i], p);
+      if (d < least) least = d, best = i;
+    }
+    return best;
+  };
+  run("batch", [](const auto&, const Batch& batch, const Point3& p) { return nearest(batch, p).index; });
+  run("plumb", [one_by_one](const auto& items, const Batch&, const Point3& p) {
+    return one_by_one(items, p, [](const Shape& s, const Point3& q) { return distance(s, q); });
+  });
+  run("plain", [one_by_one](const auto& items, const Batch&, const Point3& p) {
+    return one_by_one(items, p, [](const Shape& s, const Point3& q) { return nearest_in_doubles(s, q).distance; });
+  });
+}
+
 const bool added = [] {
+  add_many<SegmentBatch3, Segment3>("many_segments");
+  add_many<TriangleBatch3, Triangle3>("many_triangles");
   add_all<Segment3, Exact, Plain, ByEigen, ByCgal>("point_segment");
   add_all<Triangle3, Exact, Plain, ByEigen, ByCgal>("point_triangle");
   add_all<Aabb3, Exact, Plain, ByEigen>("point_box");

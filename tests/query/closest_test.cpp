@@ -152,6 +152,37 @@ TEST(ClosestTest, OfOrientedBoxes) {
   EXPECT_GT(space.kind[2], 3);
 }
 
+/// Nothing special about them: pairs of doubles tell nearly all.
+TEST(ClosestTest, OfUniformPoints) {
+  std::array<Seen, 4> seen;
+  for (std::uint64_t index = 0; index < 120 * shape_cases::more; ++index) {
+    SCOPED_TRACE(testing::Message() << "start 21 index " << index);
+    Entropy e(21, index);
+    const auto number = [&] { return signed_unit_coordinate(e); };
+    const auto point = [&] {
+      const double x = number(), y = number(), z = number();
+      return Point3{x, y, z};
+    };
+    const auto vector = [&] {
+      const Point3 a = point();
+      return Vector3{a.x, a.y, a.z};
+    };
+    const auto expect = [&](std::size_t i, const auto& shape, const Point3& p) {
+      const Nearest expected = nearest_of(shape_of(shape), exact(p));
+      seen[i].add(expected.feature);
+      expect_nearest(shape, p, expected);
+    };
+    const Point3 a = point(), b = point(), c = point(), p = point();
+    expect(0, Segment3{a, b}, p);
+    expect(1, Triangle3{a, b, c}, p);
+    expect(2, Aabb3{{-0.5, -0.4, -0.3}, {0.5, 0.4 + std::fabs(a.x), 0.3}}, p);
+    if (index % 2 == 0) expect(3, Obb3{a, {vector(), vector(), vector()}, {0.7, 0.5 * number(), 0.9}}, p);
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t kind = 0; kind < (i < 2 ? i + 2 : 3); ++kind) EXPECT_GT(seen[i].kind[kind], 2) << i << kind;
+  }
+}
+
 TEST(ClosestTest, OfPoints) {
   on_shapes(11, 200, [](Material& m) {
     const Point2 a = m.point2(), b = m.probe2();
