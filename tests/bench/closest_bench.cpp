@@ -67,7 +67,9 @@ void fill(Case<Aabb3>& c, bool near, Entropy& e) {
 void fill(Case<Obb3>& c, bool near, Entropy& e) {
   const auto half = [&] { return 0.1 + 0.4 * unit_coordinate(e); };
   c.shape = {cube_point(e), axes(e), {half(), half(), half()}};
-  const auto& [center, axis, h] = c.shape;
+  const Point3 center = c.shape.center;
+  const std::array<Vector3, 3> axis = c.shape.axes;
+  const Vector3 h = c.shape.half;
   c.p = cube_point(e);
   if (!near) return;
   const double t = 2 * unit_coordinate(e) - 1;  // by an edge
