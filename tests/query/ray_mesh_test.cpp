@@ -275,7 +275,7 @@ TEST(Watertight, RealMeshesAreCrossedAsOftenInAsOut) {
     }
     ++closed;
     const TriangleBatch batch(mesh);
-    for (std::uint64_t i = 0; i < 40; ++i) {
+    for (std::uint64_t i = 0; i < 12 * shape_cases::more; ++i) {
       Entropy e(606, i);
       const auto unit = [&] { return static_cast<double>(e.within(1024)) / 1024; };
       const Triangle& t = mesh.triangles[e.below(mesh.triangles.size())];
