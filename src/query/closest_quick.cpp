@@ -239,7 +239,8 @@ HWY_INLINE bool on_line(Wanted wanted, Pair o, Pair w, Pair d, V slack, double a
 
 HWY_INLINE bool at_point(Wanted wanted, const Point3& q, Pair w, Numbers& to) {
   to.point = {q.x + 0.0, q.y + 0.0, q.z + 0.0};
-  return wanted == Wanted::point || quick::round(root(square(w.h, w.l, hn::Zero(D()))), to.distance);
+  if (wanted == Wanted::point) return true;
+  return moderate(w.h) && quick::round(root(square(w.h, w.l, hn::Zero(D()))), to.distance);
 }
 
 bool segment(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) {

@@ -271,6 +271,18 @@ TEST(ClosestTest, DistancesThatRoundAlikeStillCompare) {
 
 using enum FeatureKind;
 
+// Their squares are at the end of the doubles, where products lose digits.
+TEST(ClosestTest, TinyDistances) {
+  const Segment3 s{{-1, 1, 1}, {0, 0, 0}};
+  const Triangle3 t{{-1, 1, 1}, {0, 0, 0}, {-1, -1, 1}};
+  for (int power = -540; power < -400; power += 3) {
+    const double x = std::ldexp(0x1.23456789abcdfp0, power), y = std::ldexp(0x1.fedcba987654dp-1, power);
+    const Point3 p{x, y, -x};
+    EXPECT_EQ(distance(p, s), rounded_root(Rounding::nearest, squared_distance_exact(p, s))) << power;
+    EXPECT_EQ(distance(p, t), rounded_root(Rounding::nearest, squared_distance_exact(p, t))) << power;
+  }
+}
+
 // Figure 5.1: a plane through P with normal n, and a point below it.
 TEST(ClosestTest, PlaneAndPoint) {
   const Closest c = closest_points(Point3{5, 1, -2}, Plane3{{0, 0, 3}, 3});
