@@ -29,7 +29,16 @@ Relation relate(const Ray2& a, const Ray2& b) { return related(a, b); }
 Relation relate(const Ray2& a, const Segment2& b) { return related(a, b); }
 Relation relate(const Ray2& a, const Triangle2& b) { return related(a, b); }
 Relation relate(const Ray2& a, const Aabb2& b) { return related(a, b); }
-Relation relate(const Segment2& a, const Segment2& b) { return related(a, b); }
+Relation relate(const Segment2& a, const Segment2& b) {
+  assert_sound_thread();
+  using predicates::Orient2d;
+  const auto side = [](const Segment2& s, const Point2& p) {
+    return filter<Orient2d>(coordinates_of<Orient2d>(s.a, s.b, p));
+  };
+  const int c = side(a, b.a), d = side(a, b.b), e = side(b, a.a), f = side(b, a.b);  // zero where doubles do not tell
+  if (c * d * e * f == 0) return related(a, b);
+  return c != d && e != f ? Relation::overlapping : Relation::disjoint;
+}
 Relation relate(const Segment2& a, const Triangle2& b) { return related(a, b); }
 Relation relate(const Segment2& a, const Aabb2& b) { return related(a, b); }
 Relation relate(const Triangle2& a, const Triangle2& b) { return related(a, b); }
