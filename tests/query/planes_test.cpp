@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -116,8 +117,8 @@ TEST(ConvexLocation, SaysWhatLocateSays) {
       for (std::size_t times = m.below(4) == 0 ? 3 : 1; times-- > 0;) convex.vertices.push_back(drawn.vertices[i]);
     }
     while (convex.vertices.size() < 3) convex.vertices.push_back(convex.vertices.back());
-    std::ranges::rotate(convex.vertices,
-                        convex.vertices.begin() + static_cast<std::ptrdiff_t>(m.below(convex.vertices.size())));
+    auto& v = convex.vertices;
+    std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(m.below(v.size())), v.end());
     if (m.below(2) == 0) std::ranges::reverse(convex.vertices);
     const ConvexLocator2 locator(convex);
     for (int probe = 0; probe < 6; ++probe) {
@@ -126,7 +127,7 @@ TEST(ConvexLocation, SaysWhatLocateSays) {
       ++answers[static_cast<std::size_t>(static_cast<int>(expected) + 1)];
       EXPECT_EQ(locator.locate(p), expected) << m.about(p) << " probe " << probe;
     }
-    for (const Point2& v : convex.vertices) EXPECT_EQ(locator.locate(v), Location::boundary) << m.about(v);
+    for (const Point2& p : v) EXPECT_EQ(locator.locate(p), Location::boundary) << m.about(p);
   });
   for (const int n : answers) EXPECT_GE(n, 300);
 }
