@@ -33,6 +33,12 @@ Sign side(const Plane3& plane, const Point3& p) {
 }
 Sign side(const ThreePointPlane3& plane, const Point3& p) { return -orient3d(plane.a, plane.b, plane.c, p); }
 
+// Zero where doubles do not tell.
+int quick_side(const Plane3& plane, const Point3& p) {
+  using predicates::SideOfPlane;
+  return filter<SideOfPlane>(coordinates_of<SideOfPlane>(plane.normal, plane.offset, p));
+}
+
 Triple negated(const Triple& s) { return {-s[0], -s[1], -s[2]}; }
 
 Triple normal(const Plane3& plane) {
@@ -165,9 +171,22 @@ using query::related;
 
 Relation relate(const Point3& a, const Plane3& b) { return related(a, b); }
 Relation relate(const Segment3& a, const Plane3& b) { return related(a, b); }
-Relation relate(const Plane3& a, const Triangle3& b) { return related(a, b); }
+Relation relate(const Plane3& a, const Triangle3& b) {
+  assert_sound_thread();
+  const int p = query::quick_side(a, b.a), q = query::quick_side(a, b.b), r = query::quick_side(a, b.c);
+  if (p * q * r == 0) return related(a, b);
+  return p == q && q == r ? Relation::disjoint : Relation::overlapping;
+}
 Relation relate(const Plane3& a, const Tetrahedron3& b) { return related(a, b); }
-Relation relate(const Plane3& a, const Aabb3& b) { return related(a, b); }
+Relation relate(const Plane3& a, const Aabb3& b) {
+  assert_sound_thread();
+  const bool x = a.normal.x > 0, y = a.normal.y > 0, z = a.normal.z > 0;
+  const auto& [min, max] = b;
+  const int high = query::quick_side(a, {x ? max.x : min.x, y ? max.y : min.y, z ? max.z : min.z});
+  const int low = query::quick_side(a, {x ? min.x : max.x, y ? min.y : max.y, z ? min.z : max.z});
+  if (low * high == 0 || query::is_empty(b)) return related(a, b);
+  return low == high ? Relation::disjoint : Relation::overlapping;
+}
 Relation relate(const Plane3& a, const Obb3& b) { return related(a, b); }
 
 Relation relate(const Point3& a, const ThreePointPlane3& b) { return related(a, b); }
