@@ -38,7 +38,8 @@ double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::
 
 /// The nearest double at most x, at least x.
 bool is_lower(double d, const Rational& x) {
-  return d <= x && !(std::nextafter(d, std::numeric_limits<double>::infinity()) <= x);
+  const double next = std::nextafter(d, std::numeric_limits<double>::infinity());
+  return d <= x && (std::isinf(next) || !(next <= x));
 }
 bool is_upper(double d, const Rational& x) { return is_lower(-d, -x); }
 

@@ -114,8 +114,14 @@ TEST(KDop, RelationsInSpaceAreExact) {
   std::map<Relation, int> count;
   on_shapes(502, 160, [&](Material& m) {
     const Directions3 directions = k_dop_directions(m.below(2) == 0 ? 8 : 14);
-    const auto made = [&] {
-      return m.below(3) == 0 ? any_k_dop(m, directions) : fit_k_dop(any_points(m, 4), directions);
+    const auto made = [&]() -> KDop3 {
+      if (m.below(3) == 0) return any_k_dop(m, directions);
+      const std::vector<Point3> points = any_points(m, 4);
+      try {
+        return fit_k_dop(points, directions);
+      } catch (const BeyondDoubles&) {  // near the largest doubles sums of coordinates are none
+        return any_k_dop(m, directions);
+      }
     };
     const KDop3 a = made(), b = made();
     const Relation expected = expected_relation(a, b);

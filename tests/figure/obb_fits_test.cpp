@@ -144,12 +144,19 @@ TEST(ObbFitsTest, MinimumIsKnownForKnownShapes) {
 
 // Against every edge of the hull, in rationals.
 TEST(ObbFitsTest, RectanglesAreSmallest) {
+  std::uint64_t beyond = 0;
   for (const FamilyInfo& info : families) {
     if (info.family == Family::extreme || info.family == Family::mixture) continue;
     for (std::uint64_t i = 0; i < 30 * more; ++i) {
       Entropy entropy(414, i);
       const auto points = points2(info.family, degeneracies[i % degeneracies.size()], 3 + entropy.below(12), entropy);
-      const Obb2 box = minimum_obb(points);
+      Obb2 box;
+      try {
+        box = minimum_obb(points);
+      } catch (const BeyondDoubles&) {  // a box around the largest doubles may need larger ones
+        ++beyond;
+        continue;
+      }
       const Obb3 upright{
           {box.center.x, box.center.y, 0},
           {Vector3{box.axes[0].x, box.axes[0].y, 0}, Vector3{box.axes[1].x, box.axes[1].y, 0}, Vector3{0, 0, 1}},
@@ -184,6 +191,7 @@ TEST(ObbFitsTest, RectanglesAreSmallest) {
       ASSERT_NEAR(area, least.get_d(), area * 0x1p-45 + roundings) << info.name << " 414 " << i;
     }
   }
+  EXPECT_LE(beyond, more);
 }
 
 TEST(ObbFitsTest, MergesContainBoth) {
@@ -205,7 +213,7 @@ TEST(ObbFitsTest, MergesContainBoth) {
   });
   std::cout << "one held the other " << kept << ", beyond doubles " << beyond << '\n';
   EXPECT_GT(kept, 5);
-  EXPECT_LT(beyond, 100);
+  EXPECT_LT(static_cast<std::uint64_t>(beyond), 100 * more);
   // Two halves of a box give the box.
   const Obb3 left{{-1, 0, 0}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};
   Obb3 right = left;
@@ -236,7 +244,7 @@ TEST(ObbFitsTest, ImagesAreContained) {
   });
   std::cout << "the image itself " << same << ", beyond doubles " << beyond << '\n';
   EXPECT_GT(same, 20);
-  EXPECT_LT(beyond, 150);
+  EXPECT_LT(static_cast<std::uint64_t>(beyond), 150 * more);
 }
 
 TEST(ObbFitsTest, MeasuresAreNearest) {

@@ -184,13 +184,13 @@ class Material {
     Point2 sum{0, 0};
     const auto n = static_cast<double>(points.size());
     for (const Point2& p : points) sum = {sum.x + p.x / n, sum.y + p.y / n};
-    return sum;
+    return finite(sum, points[0]);
   }
   static Point3 middle(const std::vector<Point3>& points) {
     Point3 sum{0, 0, 0};
     const auto n = static_cast<double>(points.size());
     for (const Point3& p : points) sum = {sum.x + p.x / n, sum.y + p.y / n, sum.z + p.z / n};
-    return sum;
+    return finite(sum, points[0]);
   }
 
   // Weights of two points (in halves), and whether to go along the vectors.
@@ -217,11 +217,11 @@ class Material {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) ? p : otherwise;
   }
   Point2 nudged(Point2 p) {
-    if (below(8) == 0) p.x = moved_by_ulps(p.x, entropy_.within(2));
+    if (below(8) == 0) p = finite(Point2{moved_by_ulps(p.x, entropy_.within(2)), p.y}, p);
     return p;
   }
   Point3 nudged(Point3 p) {
-    if (below(8) == 0) p.y = moved_by_ulps(p.y, entropy_.within(2));
+    if (below(8) == 0) p = finite(Point3{p.x, moved_by_ulps(p.y, entropy_.within(2)), p.z}, p);
     return p;
   }
 
