@@ -13,7 +13,7 @@
 #include "plumb/query/intersection2.hpp"
 #include "plumb/query/intersection_result.hpp"
 #include "plumb/query/interval_halving.hpp"
-#include "plumb/query/lattice_tests2.hpp"
+#include "plumb/query/lattice2.hpp"
 #include "plumb/query/motion.hpp"
 #include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap2.hpp"

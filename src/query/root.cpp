@@ -1,8 +1,8 @@
 #include "plumb/query/root.hpp"
 
-#include "query/isolated_root.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
+#include "query/isolated_root.hpp"
 
 namespace plumb {
 namespace {

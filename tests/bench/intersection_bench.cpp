@@ -6,7 +6,7 @@
 #include "bench/measure.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/query/intersection.hpp"
-#include "plumb/query/lattice_tests2.hpp"
+#include "plumb/query/lattice2.hpp"
 #include "plumb/query/overlap2.hpp"
 
 namespace plumb::bench {

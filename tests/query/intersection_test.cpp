@@ -8,7 +8,7 @@
 #include "figure/shape_cases.hpp"
 #include "plumb/figure/hull2.hpp"
 #include "plumb/figure/hull3.hpp"
-#include "query/exact_common.hpp"
+#include "query/exact_sets.hpp"
 
 namespace plumb {
 namespace {

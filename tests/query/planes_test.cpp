@@ -13,7 +13,7 @@
 #include "plumb/figure/polygon_location.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query/convex_location.hpp"
-#include "plumb/query/lattice_tests2.hpp"
+#include "plumb/query/lattice2.hpp"
 #include "plumb/query/overlap2.hpp"
 
 namespace plumb {

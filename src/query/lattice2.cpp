@@ -1,4 +1,4 @@
-#include "plumb/query/lattice_tests2.hpp"
+#include "plumb/query/lattice2.hpp"
 
 #include <algorithm>
 #include <bit>
