@@ -24,7 +24,7 @@ class Isolation {
   bool closed(const mpz_class& lower, const mpz_class& upper, unsigned long places) {
     if (!take_out(lower, places)) return false;
     // What is at the upper end comes last, but is divided out first: no end of an interval may be a root.
-    const bool at_upper = lower != upper && rest_.size() > 1 && sign_at(rest_, Place{upper, places}) == 0;
+    const bool at_upper = lower != upper && rest_.size() > 1 && sign_at(rest_, DyadicPlace{upper, places}) == 0;
     if (at_upper) divide_out(upper, places);
     if (!open(lower, upper, places)) return false;
     return !at_upper || give(upper, places);
@@ -43,7 +43,7 @@ class Isolation {
     return visit_(root);
   }
   bool take_out(const mpz_class& x, unsigned long places) {
-    if (rest_.size() < 2 || sign_at(rest_, Place{x, places}) != 0) return true;
+    if (rest_.size() < 2 || sign_at(rest_, DyadicPlace{x, places}) != 0) return true;
     divide_out(x, places);
     return give(x, places);
   }
@@ -53,7 +53,7 @@ class Isolation {
     if (count == 0) return true;
     if (count == 1) return give_between(lower, upper, places);
     const mpz_class middle = lower + upper, twice_lower = lower * 2, twice_upper = upper * 2;
-    const bool at_middle = sign_at(rest_, Place{middle, places + 1}) == 0;
+    const bool at_middle = sign_at(rest_, DyadicPlace{middle, places + 1}) == 0;
     if (at_middle) divide_out(middle, places + 1);
     return open(twice_lower, middle, places + 1) && (!at_middle || give(middle, places + 1)) &&
            open(middle, twice_upper, places + 1);
@@ -64,7 +64,7 @@ class Isolation {
     root.lower = lower;
     root.upper = upper;
     root.places = places;
-    root.sign_below = sign_at(rest_, Place{lower, places});
+    root.sign_below = sign_at(rest_, DyadicPlace{lower, places});
     return visit_(root);
   }
 
@@ -75,7 +75,7 @@ class Isolation {
 /// One half of the interval, or the root itself where it is in the middle.
 void halve(IsolatedRoot& r) {
   const mpz_class middle = r.lower + r.upper;
-  const int s = sign_at(r.polynomial, Place{middle, r.places + 1});
+  const int s = sign_at(r.polynomial, DyadicPlace{middle, r.places + 1});
   ++r.places;
   if (s == 0) {
     r.polynomial = linear(middle, r.places);
@@ -99,16 +99,16 @@ class Refinement {
       bits_ = 2;
       return;
     }
-    const mpz_class below = abs(scaled_value(r.polynomial, Place{r.lower, r.places}));
-    const mpz_class above = abs(scaled_value(r.polynomial, Place{r.upper, r.places}));
+    const mpz_class below = abs(scaled_value(r.polynomial, DyadicPlace{r.lower, r.places}));
+    const mpz_class above = abs(scaled_value(r.polynomial, DyadicPlace{r.upper, r.places}));
     const mpz_class width = r.upper - r.lower, parts = mpz_class(1) << bits_;
     mpz_class part = ((below << (bits_ + 1)) + below + above) / (2 * (below + above));
     part = std::clamp<mpz_class>(part, 1, parts - 1);
     const unsigned long places = r.places + bits_;
     const mpz_class start = r.lower << bits_, guess = start + part * width;
-    const int s = sign_at(r.polynomial, Place{guess, places});
+    const int s = sign_at(r.polynomial, DyadicPlace{guess, places});
     const mpz_class other = s == r.sign_below ? mpz_class(guess + width) : mpz_class(guess - width);
-    const int t = s == 0 ? 0 : sign_at(r.polynomial, Place{other, places});
+    const int t = s == 0 ? 0 : sign_at(r.polynomial, DyadicPlace{other, places});
     if (s == 0 || t == 0) {
       r.polynomial = linear(s == 0 ? guess : other, places);
       make_primitive(r.polynomial);
@@ -172,7 +172,7 @@ IsolatedRoot root_at(const mpq_class& x) {
 }
 
 void visit_roots_in_unit_interval(const Polynomial& p, const std::function<bool(IsolatedRoot&)>& visit) {
-  if (variations(p, 0, 1, 0).count == 0 && sgn(p.front()) != 0 && sign_at(p, Place{1, 0}) != 0) return;
+  if (variations(p, 0, 1, 0).count == 0 && sgn(p.front()) != 0 && sign_at(p, DyadicPlace{1, 0}) != 0) return;
   Isolation(square_free_part(p), visit).closed(0, 1, 0);
 }
 
@@ -227,8 +227,8 @@ int sign_at(const Polynomial& q, IsolatedRoot& root) {
     if (may_be_zero && steps == 2) {
       const Polynomial common = greatest_common_divisor(root.polynomial, q);
       // Of the common roots only one can be in the interval, and it is not at an end.
-      if (common.size() > 1 &&
-          sign_at(common, Place{root.lower, root.places}) != sign_at(common, Place{root.upper, root.places}))
+      if (common.size() > 1 && sign_at(common, DyadicPlace{root.lower, root.places}) !=
+                                   sign_at(common, DyadicPlace{root.upper, root.places}))
         return 0;
       may_be_zero = false;
     }
@@ -253,8 +253,8 @@ int compare(IsolatedRoot left, IsolatedRoot right) {
       const bool left_ends = ordered(left.upper, left.places, right.upper, right.places);
       const IsolatedRoot& last_start = left_starts ? right : left;
       const IsolatedRoot& first_end = left_ends ? left : right;
-      if (common.size() > 1 && sign_at(common, Place{last_start.lower, last_start.places}) !=
-                                   sign_at(common, Place{first_end.upper, first_end.places}))
+      if (common.size() > 1 && sign_at(common, DyadicPlace{last_start.lower, last_start.places}) !=
+                                   sign_at(common, DyadicPlace{first_end.upper, first_end.places}))
         return 0;
     }
     of_left.step(left);

@@ -86,7 +86,7 @@ Polynomial square_free_part(Polynomial p) {
   return repeated.size() < 2 ? p : exact_quotient(std::move(p), repeated);
 }
 
-mpz_class scaled_value(const Polynomial& p, const Place& x) {
+mpz_class scaled_value(const Polynomial& p, const DyadicPlace& x) {
   mpz_class value, term;
   for (std::size_t i = p.size(); i-- > 0;) {
     value *= x.mantissa;
@@ -96,7 +96,7 @@ mpz_class scaled_value(const Polynomial& p, const Place& x) {
   return value;
 }
 
-int sign_at(const Polynomial& p, const Place& x) { return sgn(scaled_value(p, x)); }
+int sign_at(const Polynomial& p, const DyadicPlace& x) { return sgn(scaled_value(p, x)); }
 
 int sign_at(const Polynomial& p, const mpq_class& x) {
   mpz_class value, power = 1;

@@ -17,7 +17,7 @@ namespace plumb::query {
 using Polynomial = std::vector<mpz_class>;
 
 /// mantissa / 2^places.
-struct Place {
+struct DyadicPlace {
   mpz_class mantissa;
   unsigned long places = 0;
 };
@@ -39,11 +39,11 @@ Polynomial exact_quotient(Polynomial p, const Polynomial& q);
 Polynomial square_free_part(Polynomial p);
 
 /// -1, 0 or 1.
-int sign_at(const Polynomial& p, const Place& x);
+int sign_at(const Polynomial& p, const DyadicPlace& x);
 int sign_at(const Polynomial& p, const mpq_class& x);
 
 /// p at mantissa / 2^places, times 2^(places * degree).
-mpz_class scaled_value(const Polynomial& p, const Place& x);
+mpz_class scaled_value(const Polynomial& p, const DyadicPlace& x);
 
 /// How often the sign changes along the Bernstein coefficients of p on [lower, upper] / 2^places: the number of its
 /// roots strictly between, counted with multiplicity, or an even number more.  The sign of all coefficients that are
