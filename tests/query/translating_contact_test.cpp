@@ -206,6 +206,9 @@ TEST(TranslatingContact, SphereAgainstPlane) {
   EXPECT_TRUE(*first_contact_time(Translating<Sphere3>{{{0, 0, 0}, 2}, {6, 8, 0}}, wall) == Rational(4) / Rational(5));
   EXPECT_FALSE(first_contact(Translating<Sphere3>{{{0, 0, 0}, 2}, {4, 5, 0}}, wall));
   EXPECT_EQ(first_contact(Translating<Sphere3>{{{0, 0, 0}, 10}, {-1, 0, 0}}, wall)->time, 0);
+  EXPECT_EQ(first_contact(wall, Translating<Sphere3>{{{0, 0, 0}, 2}, {6, 8, 0}}), hit);  // by the face of either
+  EXPECT_TRUE(intersects(wall, Translating<Sphere3>{{{0, 0, 0}, 2}, {6, 8, 0}}));
+  EXPECT_TRUE(*first_contact_time(wall, Translating<Sphere3>{{{0, 0, 0}, 2}, {6, 8, 0}}) == Rational(4) / Rational(5));
 }
 
 TEST(TranslatingContact, SpheresThatOnlyTouchInPassing) {

@@ -3,7 +3,7 @@
 //   first_contact(Translating{Sphere3{{0, 0, 0}, 1}, {10, 0, 0}}, Translating{wall, {0, 0, 0}})
 //
 // Each is a Point3, Segment3, Triangle3, Aabb3, Obb3, ConvexPolyhedron3, Sphere3, Capsule3 or Plane3 (of which at most
-// one), moving by a vector during time [0, 1]; the second may stand still and be given as it is.
+// one), moving by a vector during time [0, 1]; one of the two may stand still and be given as it is.
 // Laws: (1) they meet exactly when at some time of [0, 1] the closed sets have a common point; touching is meeting,
 // also in passing.  (2) first_contact_time is that first time, exactly: a root of a polynomial of degree 2 at most. (3)
 // first_contact has it rounded down, never late and within 1 ulp, and the features that meet there: of all that do
@@ -48,17 +48,28 @@ template <class A, class B>
 requires MovingPair<A, B>
 bool intersects(const Translating<A>& a, const Translating<B>& b);
 
-/// The second stands still.
+/// One of them stands still.
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const B& b) {
   return first_contact(a, Translating<B>{b, {0, 0, 0}});
+}
+template <class A, class B>
+requires MovingPair<A, B> std::optional<Contact> first_contact(const A& a, const Translating<B>& b) {
+  return first_contact(Translating<A>{a, {0, 0, 0}}, b);
 }
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const B& b) {
   return first_contact_time(a, Translating<B>{b, {0, 0, 0}});
 }
 template <class A, class B>
+requires MovingPair<A, B> std::optional<Root> first_contact_time(const A& a, const Translating<B>& b) {
+  return first_contact_time(Translating<A>{a, {0, 0, 0}}, b);
+}
+template <class A, class B>
 requires MovingPair<A, B>
 bool intersects(const Translating<A>& a, const B& b) { return intersects(a, Translating<B>{b, {0, 0, 0}}); }
+template <class A, class B>
+requires MovingPair<A, B>
+bool intersects(const A& a, const Translating<B>& b) { return intersects(Translating<A>{a, {0, 0, 0}}, b); }
 
 }  // namespace plumb
