@@ -29,7 +29,7 @@ class Clouds : public testing::TestWithParam<std::tuple<CloudInfo, std::size_t>>
 
 TEST_P(Clouds, AreFiniteAndOfTheSizeAskedFor) {
   const auto& [info, dimension] = GetParam();
-  for (const std::size_t count : {0, 1, 2, 5, 100}) {
+  for (const std::size_t count : {0u, 1u, 2u, 5u, 100u}) {
     const std::vector<double> x = coordinates(info.cloud, dimension, count, count);
     EXPECT_EQ(x.size(), count * dimension);
     for (const double c : x) EXPECT_TRUE(std::isfinite(c));
@@ -44,7 +44,7 @@ int sign_of_first(std::span<const double> x, std::size_t dimension, std::size_t 
 }
 
 TEST(CloudsTest, AreDegenerateAsTheyAreCalled) {
-  for (const std::size_t dimension : {2, 3}) {
+  for (const std::size_t dimension : {2u, 3u}) {
     for (const auto& [cloud, round] : std::map<Cloud, bool>{{Cloud::plane, false},
                                                             {Cloud::line, false},
                                                             {Cloud::place, false},
@@ -81,7 +81,7 @@ std::size_t different(const std::vector<double>& x, std::size_t dimension) {
 }
 
 TEST(CloudsTest, HaveEqualPointsWhereThereAreNoMore) {
-  for (const std::size_t dimension : {2, 3}) {
+  for (const std::size_t dimension : {2u, 3u}) {
     for (const CloudInfo& info : clouds) {
       const std::size_t n = different(coordinates(info.cloud, dimension, 2000, 3), dimension);
       SCOPED_TRACE(testing::Message() << info.name << ' ' << dimension << ": " << n);
@@ -110,7 +110,7 @@ TEST(CloudsTest, LatticeHoldsEveryIntegerOfItsCube) {
 // The same bits with every compiler: the numbers change only when a generator is changed on purpose.
 TEST(CloudsTest, Golden) {
   std::uint64_t hash = 0xcbf29ce484222325;
-  for (const std::size_t dimension : {2, 3}) {
+  for (const std::size_t dimension : {2u, 3u}) {
     for (const CloudInfo& info : clouds) {
       for (const double x : coordinates(info.cloud, dimension, 300, 1)) {
         hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
