@@ -154,8 +154,11 @@ constexpr mp_bitcnt_t precision = 512;
 
 // A root to far more bits than a double has; exact for squares.
 mpq_class root(const mpq_class& square) {
-  const mpz_class scaled = (square.get_num() << (2 * precision)) / square.get_den();
-  mpq_class result(sqrt(scaled), mpz_class(1) << precision);
+  const auto bits = [](const mpz_class& x) { return mpz_sizeinbase(x.get_mpz_t(), 2); };
+  const std::size_t n = bits(square.get_num()), d = bits(square.get_den());
+  const mp_bitcnt_t places = precision + (d > n ? (d - n) / 2 + 1 : 0);  // of a small root as many as of a large one
+  const mpz_class scaled = (square.get_num() << (2 * places)) / square.get_den();
+  mpq_class result(sqrt(scaled), mpz_class(1) << places);
   result.canonicalize();
   return result;
 }

@@ -26,6 +26,7 @@ struct Gaps {
   bool all_negative = true;
 
   bool positive(double gap, double error) {
+    error += gap - gap;  // NaN where the gap has overflowed, so that nothing is certain
     all_negative = all_negative && gap < -error;
     return gap > error;
   }
@@ -35,7 +36,7 @@ struct Gaps {
   }
 };
 
-// A NaN or infinity anywhere makes `all` one, and nothing is certain then.
+// A NaN or infinity among the numbers makes `all` one, and nothing is certain then.
 std::optional<Relation> by_doubles(const Obb3& a, const Obb3& b) {
   const Triple<double> d{b.center.x - a.center.x, b.center.y - a.center.y, b.center.z - a.center.z};
   const auto a0 = triple(a.axes[0]), a1 = triple(a.axes[1]), a2 = triple(a.axes[2]);
@@ -46,8 +47,8 @@ std::optional<Relation> by_doubles(const Obb3& a, const Obb3& b) {
   const double of_b = larger(larger(largest(b0), largest(b1)), larger(largest(b2), least));
   const double all = of_d + (of_a * (half.x + half.y + half.z) + of_b * (k.x + k.y + k.z));
 
-  if (dot(d, d) - (reach(half, row(a0, a1, a2, d)) + reach(k, row(b0, b1, b2, d))) > error<CenterGap> * of_d * all)
-    return Relation::disjoint;
+  const double between = dot(d, d) - (reach(half, row(a0, a1, a2, d)) + reach(k, row(b0, b1, b2, d)));
+  if (between > error<CenterGap> * of_d * all + (between - between)) return Relation::disjoint;
 
   Gaps gaps;
   const auto n0 = cross(a1, a2), n1 = cross(a2, a0), n2 = cross(a0, a1);
@@ -60,7 +61,9 @@ std::optional<Relation> by_doubles(const Obb3& a, const Obb3& b) {
   if (gaps.any_positive(
           {face_gap_of_a(t.x, h.x, r0, k), face_gap_of_a(t.y, h.y, r1, k), face_gap_of_a(t.z, h.z, r2, k)}, a_error))
     return Relation::disjoint;
-  if (gaps.all_negative && size(t.x) - h.x < -a_error && size(t.y) - h.y < -a_error && size(t.z) - h.z < -a_error)
+  const double volumes = (h.x - h.x) + (h.y - h.y) + (h.z - h.z);  // NaN where they have overflowed
+  if (gaps.all_negative && size(t.x) - h.x < -a_error && size(t.y) - h.y < -a_error && size(t.z) - h.z < -a_error &&
+      volumes == 0)
     return Relation::overlapping;  // the center of b is inside a; the gaps ask whether b's numbers are real
 
   const auto c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);

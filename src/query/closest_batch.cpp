@@ -86,11 +86,13 @@ HWY_INLINE Bounds bounds(const double* const* of, const Vec3& p, std::size_t i) 
     const V v = dot(cross(ap, ac), n), w = dot(cross(ab, ap), n), u = hn::Sub(hn::Sub(whole, v), w);
     const V s2 = hn::Mul(sum, sum), s4 = hn::Mul(s2, s2), slack = hn::Mul(s4, hn::Set(D(), 0x1p-45));
     const V least = hn::Min(hn::Min(v, w), u);
-    const auto outside = hn::Lt(least, hn::Neg(slack)), inside = hn::Gt(least, slack);
+    // The bounds below are of sixth powers: elsewhere the edges bound from above, and nothing from below.
+    const auto fits = hn::And(hn::Ge(sum, hn::Set(D(), 0x1p-120)), hn::Le(sum, hn::Set(D(), 0x1p120)));
+    const auto outside = hn::And(fits, hn::Lt(least, hn::Neg(slack))), inside = hn::And(fits, hn::Gt(least, slack));
     const V low = hn::Max(hn::Zero(D()), hn::Sub(hn::Abs(height), hn::Mul(hn::Mul(s2, sum), hn::Set(D(), 0x1p-45)))),
             high = hn::MulAdd(hn::Mul(s2, sum), hn::Set(D(), 0x1p-45), hn::Abs(height));
     const V wide = hn::Set(D(), 1 + 0x1p-40), narrow = hn::Set(D(), 1 - 0x1p-40);
-    const V below = hn::Mul(narrow, hn::Div(hn::Mul(low, low), hn::Add(whole, slack)));
+    const V below = hn::IfThenElseZero(fits, hn::Mul(narrow, hn::Div(hn::Mul(low, low), hn::Add(whole, slack))));
     const V above = hn::Mul(wide, hn::Div(hn::Mul(high, high), hn::Sub(whole, slack)));
     all.lower = hn::IfThenElse(outside, all.lower, hn::Min(all.lower, below));
     all.upper = hn::IfThenElse(inside, hn::Min(all.upper, above), all.upper);

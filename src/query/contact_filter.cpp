@@ -238,14 +238,23 @@ FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   for (std::size_t i = 0; i < 3; ++i) include(m, f.differences[i]);
   f.sides[0] = side(f, 0);
   const Cubic cubic = dot(f.differences[2], f.sides[0]);
-  const double bound = cubic_constant * m.x * m.y * m.z + least * (1 + m.x + m.y + m.z);
+  // Products of the bounds must not vanish before they are done, and what has overflowed is certain of nothing: NaN.
+  const auto product = [](double x, double y, double z) {
+    constexpr double floor = 0x1p-320;
+    return larger(x, floor) * larger(y, floor) * larger(z, floor);
+  };
+  double bound = cubic_constant * product(m.x, m.y, m.z) + least * (1 + m.x + m.y + m.z);
+  for (const double c : cubic) bound += c - c;
   unsigned signs = either;
   for (const double c : cubic) signs &= certain_sign(c, bound);
   if (signs != 0) return {Verdict::no, {}};
   if constexpr (edges) include(m, f.differences[3] = linear(3, 1));
-  f.bound = {cross_constant * m.y * m.z + least, cross_constant * m.z * m.x + least,
-             cross_constant * m.x * m.y + least};
+  f.bound = {cross_constant * product(1, m.y, m.z) + least, cross_constant * product(1, m.z, m.x) + least,
+             cross_constant * product(1, m.x, m.y) + least};
   for (std::size_t i = 1; i < Count; ++i) f.sides[i] = side(f, i);
+  for (const Quadratic& side : f.sides) {
+    for (const Vec& c : side.c) f.bound = {f.bound.x + (c.x - c.x), f.bound.y + (c.y - c.y), f.bound.z + (c.z - c.z)};
+  }
   // In one plane at an end of time: no piece around that root would ever do.
   const auto meet_at = [&](double coefficient, std::span<const Point3, 4> p, double time) {
     return certain_sign(coefficient, bound) == 0 && crossing(f, time, time) == Crossing::across && coplanar(p);

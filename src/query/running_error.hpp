@@ -34,9 +34,12 @@ struct Running {
   /// Clearing the sign is exact.
   friend constexpr Running magnitude(Running a) { return {size(a.value), a.error}; }
 
-  /// No more, and no less, than the exact value.
-  [[nodiscard]] constexpr double lower() const { return value - reach(); }
-  [[nodiscard]] constexpr double upper() const { return value + reach(); }
+  /// No more, and no less, than the exact value; infinite where nothing is known.
+  [[nodiscard]] constexpr double lower() const { return -Running{-value, error}.upper(); }
+  [[nodiscard]] constexpr double upper() const {
+    const double most = value + reach();
+    return most == most ? most : __builtin_huge_val();
+  }
 
   [[nodiscard]] constexpr Unsure<Sign> sign() const {
     const double e = error * slack;

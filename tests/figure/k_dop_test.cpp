@@ -293,5 +293,12 @@ TEST(KDop, BadInput) {
   EXPECT_EQ(relate(prism, prism), Relation::overlapping);
 }
 
+TEST(KDop, SurfaceAreaWithDirectionsOfAnyLength) {
+  for (const double t : {1.0, 0x1p-500, 0x1p300}) {
+    const Directions3 directions({{t, 0, 0}, {0, t, 0}, {0, 0, t}, {t, t, 0}});
+    EXPECT_EQ(surface_area(KDop3{directions, {-t, -t, -t, -t}, {t, t, t, t}}), 19.656854249492380) << t;
+  }
+}
+
 }  // namespace
 }  // namespace plumb

@@ -199,5 +199,23 @@ TEST(ObbTest, RefusesWhatIsNoNumber) {
   }
 }
 
+TEST(Obb, ProductsThatOverflowTellNothing) {
+  const auto boxes = [](double s, double m) {
+    return std::pair{
+        Obb3{{0, 0, 0}, {Vector3{0, 0, s}, Vector3{s, -s, 0}, Vector3{s, s, 4 * s / 3}}, {m / s, m / s, 1.2 * m / s}},
+        Obb3{{m, m, m}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {.1, .1, .1}}};
+  };
+  const auto [small, in_small] = boxes(1, 1);
+  EXPECT_EQ(relate(small, in_small), Relation::overlapping);
+  const auto [large, in_large] = boxes(1e100, 7.125e107);
+  EXPECT_EQ(relate(large, in_large), Relation::overlapping);
+  const double s = 4.146e102;
+  const Obb3 a{{0, 0, 0}, {Vector3{s, s, s}, Vector3{s, -s, 0}, Vector3{s, s, 4 * s / 3}}, {.01, .01, .11}};
+  const Obb3 b{
+      {.112 * s, .088 * s, .4 * s / 3}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1e-3, 1e-3, 1e-3}};
+  EXPECT_EQ(relate(a, b), Relation::disjoint);
+  EXPECT_EQ(relate(b, a), Relation::disjoint);
+}
+
 }  // namespace
 }  // namespace plumb::shape_cases

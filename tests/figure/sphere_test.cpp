@@ -246,5 +246,16 @@ TEST(Sphere, RefusesWhatIsNoBall) {
   EXPECT_THROW(transform(unit, Pose{{Vector3{largest, largest, 0}, {0, 1, 0}, {0, 0, 1}}, {}}), BeyondDoubles);
 }
 
+TEST(Sphere, AReachBeyondDoublesIsNotSure) {
+  const double u = 0x1p459, far = (0x1p511 - u / 2) * 2;  // 2^512 - u
+  const Sphere3 a{{0, 0, 0}, far}, b{{far, 0x1.8p485, 0x1p485 * (1 - 0x1p-53)}, 0.75 * u};
+  const auto scaled = [](const Sphere3& s) {
+    const double k = 0x1p-400;
+    return Sphere3{{s.center.x * k, s.center.y * k, s.center.z * k}, s.radius * k};
+  };
+  EXPECT_EQ(relate(a, b), relate(scaled(a), scaled(b)));
+  EXPECT_EQ(relate(a, b), Relation::disjoint);
+}
+
 }  // namespace
 }  // namespace plumb

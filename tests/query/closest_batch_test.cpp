@@ -78,5 +78,18 @@ TEST(ClosestBatchTest, NothingIsRefusedByName) {
   }
 }
 
+TEST(ClosestBatch, SizesWhoseSixthPowersAreNoDoubles) {
+  for (const double s : {1.0, 0x1p-200, 0x1p-300, 0x1p120}) {
+    const std::vector<Triangle3> small{{{0, 0, 0}, {s, 0, 0}, {0, s, 0}},
+                                       {{.75 * s, .25 * s, s}, {1.75 * s, .25 * s, s}, {1.75 * s, 1.25 * s, s}}};
+    EXPECT_EQ(nearest(TriangleBatch3(small), Point3{.25 * s, .25 * s, s}).index, 1u) << s;
+  }
+  for (const double s : {1.0, 0x1p172, 0x1p300, 0x1p-172}) {
+    const std::vector<Triangle3> large{{{0, 0, 0}, {4 * s, 0, 0}, {0, 4 * s, 0}},
+                                       {{1.5 * s, s, .1 * s}, {2.5 * s, s, .1 * s}, {2.5 * s, 2 * s, .1 * s}}};
+    EXPECT_EQ(nearest(TriangleBatch3(large), Point3{s, s, .1 * s}).index, 0u) << s;
+  }
+}
+
 }  // namespace
 }  // namespace plumb

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/contains.hpp"
 #include "query/contact_oracle.hpp"
 #include "query/moving_cases.hpp"
 
@@ -229,6 +230,25 @@ TEST(ContinuousContactTest, KeepsItsLaws) {
       });
     }
   }
+}
+
+TEST(ContinuousContact, AxesOfAnySizeBesideOthers) {
+  const auto scaled = [](const Point3& p, int x, int y, int z) {
+    return Point3{std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
+  };
+  for (const auto& [x, y, z] : {std::array{0, 0, 0}, std::array{1000, -180, 180}, std::array{500, -260, 700}}) {
+    const auto at = [&, x = x, y = y, z = z](double px, double py, double pz) { return scaled({px, py, pz}, x, y, z); };
+    const Moving<Segment3> a{{at(1, 2, -3), at(4, -2, 0)}, {at(1, 1, -1), at(0, -3, 0)}};
+    const Moving<Segment3> b{{at(4, -1, -3), at(-4, 1, 3)}, {at(4, 0, 4), at(-1, 3, -1)}};
+    EXPECT_TRUE(intersects(a, b)) << x;
+    EXPECT_TRUE(first_contact(a, b)) << x;
+  }
+  const double u = 0x1p-1022;
+  const Point3 p{0x0.0002e163fd766p0 * u, 0x1.29a482140f2dcp+500, 0x1.4f0a211b89b3p+499};
+  const Triangle3 t{{0x0.0001086f6c93cp0 * u, -0x1.d9409db29308p+497, -0x1.040ac6071af78p+502},
+                    {0x0.0007620661fa4p0 * u, 0x1.49a1612cffbcp+501, 0x1.5194a4c14fe4p+499},
+                    {0x0.00018d8d13a5cp0 * u, 0x1.273bacd647dp+500, 0x1.815d41fcb5d48p+501}};
+  EXPECT_EQ(intersects(Moving<Point3>{p, p}, Moving<Triangle3>{t, t}), contains(t, p));
 }
 
 }  // namespace

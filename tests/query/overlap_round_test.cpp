@@ -53,5 +53,13 @@ TEST(OverlapRound, SphereCapsule) { expect_round_as_brute_force<Sphere3, Capsule
 TEST(OverlapRound, SphereLozenge) { expect_round_as_brute_force<Sphere3, Lozenge3>(561, 200); }
 TEST(OverlapRound, CapsuleLozenge) { expect_round_as_brute_force<Capsule3, Lozenge3>(562, 100); }
 
+TEST(OverlapRound, AnEndThatOverflowsIsNotLeftOut) {
+  const Point3 a{1e76, -1e76, 0}, b{1e300, 2e301, 0}, c{1e76, -1e76, 1e70};
+  const Capsule3 ball{{0, 0, 0}, {0, 0, 0}, 1.2e76};
+  EXPECT_EQ(relate(Triangle3{a, b, c}, ball), Relation::overlapping);
+  EXPECT_EQ(relate(Triangle3{a, c, b}, ball), Relation::overlapping);
+  EXPECT_EQ(relate(Triangle3{a, b, c}, Sphere3{{0, 0, 0}, 1.2e76}), Relation::overlapping);
+}
+
 }  // namespace
 }  // namespace plumb

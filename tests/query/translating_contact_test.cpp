@@ -283,5 +283,24 @@ TEST(TranslatingContact, WhatIsNoShape) {
               testing::HasSubstr("intersects: a.by.x is nan"));
 }
 
+TEST(TranslatingContact, ProductsThatOverflowTellNothing) {
+  for (const int e : {0, 86, 100, 160}) {
+    const auto scaled = [e](double x) { return std::ldexp(x, e); };
+    const double s = scaled(1);
+    const Translating<Capsule3> falling{{{-s, 0, 3 * s}, {s, s / 2, 4 * s}, s}, {0, 0, scaled(-2.4)}};
+    const Segment3 rod{{-s, s, 0}, {2 * s, -s, 0}};
+    const auto hit = first_contact(falling, rod);
+    ASSERT_TRUE(hit) << e;
+    EXPECT_NEAR(hit->time, 0.97906, 1e-5) << e;
+  }
+  const auto balls =
+      first_contact(Translating<Sphere3>{{{0, 0, 0}, 0.25e78}, {0.55e78, 0, 0}}, Sphere3{{1e78, 0, 0}, 0.25e78});
+  ASSERT_TRUE(balls);
+  EXPECT_NEAR(balls->time, 0.5 / 0.55, 1e-15);
+  const double l = 1e103;
+  EXPECT_TRUE(intersects(Translating<Triangle3>{{{0, 0, 0}, {l, l, 0}, {0, 0, l}}, {0, 0, 0}},
+                         Segment3{{2e100, 1e100, 1e102}, {5e102, 6e102, 3e102}}));
+}
+
 }  // namespace
 }  // namespace plumb

@@ -85,7 +85,9 @@ Gap gap(const Ball& a, const Ball& b) {
   assert_sound_thread();
   const double square = square_of_distance(a.center, b.center), sum = a.radius + b.radius, reach = sum * sum;
   const double value = square - reach;
-  return {value, magnitude_of(value) > constant * square + guard && !has_sign(a.radius, b.radius)};
+  // A value that has overflowed makes the threshold NaN: then nothing is sure.
+  const double threshold = constant * square + guard + (value - value);
+  return {value, magnitude_of(value) > threshold && !has_sign(a.radius, b.radius)};
 }
 
 template <class Ball>
