@@ -461,10 +461,16 @@ bool parallelepiped(Wanted wanted, const Obb3& s, const Point3& p, Quickly& foun
 #define PLUMB_QUICK(shape) \
   return static_cast<void>(wanted), static_cast<void>(s), static_cast<void>(p), static_cast<void>(found), false
 #endif
-bool of_segment(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(segment); }
-bool of_triangle(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(triangle); }
-bool of_obb(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(parallelepiped); }
-bool of_box(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(box); }
+[[maybe_unused]] bool of_segment(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) {
+  PLUMB_QUICK(segment);
+}
+[[maybe_unused]] bool of_triangle(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found) {
+  PLUMB_QUICK(triangle);
+}
+[[maybe_unused]] bool of_obb(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found) {
+  PLUMB_QUICK(parallelepiped);
+}
+[[maybe_unused]] bool of_box(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) { PLUMB_QUICK(box); }
 #undef PLUMB_QUICK
 
 }  // namespace
@@ -473,25 +479,20 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace plumb::query {
-namespace quick {
-HWY_EXPORT(of_segment);
-HWY_EXPORT(of_triangle);
-HWY_EXPORT(of_box);
-HWY_EXPORT(of_obb);
-}  // namespace quick
-
-bool quickly(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) {
-  return HWY_DYNAMIC_DISPATCH(quick::of_segment)(wanted, s, p, found);
+// Not by Highway's dispatch, whose inline index counts the targets of all files: this one is compiled for fewer.
+static bool has_lanes() {
+  static const bool has = (hwy::SupportedTargets() & HWY_AVX2) != 0;
+  return has;
 }
-bool quickly(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found) {
-  return HWY_DYNAMIC_DISPATCH(quick::of_triangle)(wanted, s, p, found);
-}
-bool quickly(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found) {
-  return HWY_DYNAMIC_DISPATCH(quick::of_obb)(wanted, s, p, found);
-}
-bool quickly(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) {
-  return HWY_DYNAMIC_DISPATCH(quick::of_box)(wanted, s, p, found);
-}
-
+#if HWY_TARGETS & HWY_AVX2
+#define PLUMB_BY_LANES(shape) return has_lanes() && quick::N_AVX2::shape(wanted, s, p, found)
+#else
+#define PLUMB_BY_LANES(shape) return has_lanes() && quick::HWY_NAMESPACE::shape(wanted, s, p, found)
+#endif
+bool quickly(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found) { PLUMB_BY_LANES(of_segment); }
+bool quickly(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found) { PLUMB_BY_LANES(of_triangle); }
+bool quickly(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found) { PLUMB_BY_LANES(of_obb); }
+bool quickly(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found) { PLUMB_BY_LANES(of_box); }
+#undef PLUMB_BY_LANES
 }  // namespace plumb::query
 #endif
