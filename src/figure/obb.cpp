@@ -61,10 +61,19 @@ struct Extent {
 
 Point3 halfway(const Point3& a, const Point3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
-std::array<Point3, 16> corners_of_both(const Obb3& a, const Obb3& b) {
+// In doubles, or the largest ones where there are none: to guess a center.
+std::array<Point3, 16> near_corners(const Obb3& a, const Obb3& b) {
+  constexpr double most = std::numeric_limits<double>::max();
   std::array<Point3, 16> all{};
-  std::ranges::copy(corners(a), all.begin());
-  std::ranges::copy(corners(b), all.begin() + 8);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Obb3& box = i < 8 ? a : b;
+    const auto end = [&](std::size_t k, double half) {
+      return frame::times(box.axes[k], (i >> k & 1) != 0 ? half : -half);
+    };
+    const Vector3 way = frame::plus(end(0, box.half.x), frame::plus(end(1, box.half.y), end(2, box.half.z)));
+    const auto at = [&](double x, double by) { return by - by == 0 ? std::clamp(x + by, -most, most) : x; };
+    all[i] = {at(box.center.x, way.x), at(box.center.y, way.y), at(box.center.z, way.z)};
+  }
   return all;
 }
 
@@ -171,7 +180,7 @@ Obb3 merge(const Obb3& a, const Obb3& b) {
   const Axes right_a = frame::orthonormal(a.axes), right_b = frame::orthonormal(b.axes);
   const Point3 from = halfway(a.center, {-b.center.x, -b.center.y, -b.center.z});
   const Vector3 apart{from.x, from.y, from.z};
-  const auto all = corners_of_both(a, b);
+  const auto all = near_corners(a, b);
   const std::array bodies{enclosing::Body{a}, enclosing::Body{b}};
   std::optional<Obb3> best;
   for (const Axes& axes : {of_a, of_b, between(right_a, right_b), frame::orthonormal({apart, right_a[0], right_a[1]}),

@@ -155,11 +155,16 @@ Cylinder3 fit_cylinder(std::span<const Point3> points) {
   Cylinder3 c{};
   // The planes of the ends move outward until no point is beyond them.
   const double unit = std::max(0x1p-51, std::ldexp(1.0, -1070 - frame.exponent));
+  const auto end = [&](double along) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    const Point3 p = frame.world({along, center.x, center.y});
+    return Point3{std::clamp(p.x, -largest, largest), std::clamp(p.y, -largest, largest),
+                  std::clamp(p.z, -largest, largest)};
+  };
   for (double margin = unit;; margin *= 4) {
-    c.a = frame.world({least - margin, center.x, center.y});
-    c.b = frame.world({most + margin, center.x, center.y});
-    for (const double x : {c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z})
-      figure::within_doubles(x, "fit_cylinder", "an end");
+    figure::within_doubles(margin, "fit_cylinder", "an end");
+    c.a = end(least - margin);
+    c.b = end(most + margin);
     if (!(c.a == c.b) && std::ranges::all_of(points, [&](const Point3& p) { return lies_between(p, c.a, c.b); })) break;
   }
   for (const Point3& p : points)

@@ -108,7 +108,8 @@ Shape merged(const Shape& a, const Shape& b) {
       corners.push_back(p);
     }
   }
-  const figure::LocalFrame principal = figure::principal_frame(corners);
+  figure::LocalFrame principal = figure::principal_frame(corners);
+  principal.exponent = std::max(principal.exponent, frame::exponent(std::max(a.radius, b.radius)));
   std::vector<Shape> candidates;
   for (const auto& axes : {principal.axes, directions(a), directions(b)}) {
     figure::LocalFrame frame = principal;

@@ -298,5 +298,14 @@ TEST(ObbFitsTest, RefuseWhatIsNoShape) {
   EXPECT_EQ(oriented_box(Aabb3{{0, 0, 0}, {2, 4, 6}}).half, (Vector3{1, 2, 3}));
 }
 
+TEST(ObbFitsTest, MergesWhoseCornersAreBeyondDoubles) {
+  const std::array<Vector3, 3> unit{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
+  const Obb3 a{{1.7e308, 0, 0}, unit, {2e307, 1, 1}}, b{{1.7e308, 0, 0}, unit, {2e307, .5, 2}};
+  const Obb3 both = merge(a, b);
+  for (const Obb3* part : {&a, &b}) {
+    for (const auto& corner : exact_corners(*part)) EXPECT_TRUE(holds(both, corner));
+  }
+}
+
 }  // namespace
 }  // namespace plumb::shape_cases

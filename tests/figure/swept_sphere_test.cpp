@@ -320,5 +320,25 @@ TEST(SweptSphere, BadInput) {
       number("fit_capsule: points[0].z is nan"));
 }
 
+TEST(SweptSphere, CoresFarThinnerThanTheirRadii) {
+  for (const auto& [thin, radius] : {std::pair{1e-308, 1.0}, std::pair{1e-300, 1e10}, std::pair{1e-290, 1e300}}) {
+    const Capsule3 a{{0, 0, 0}, {thin, 0, 0}, radius}, b{{0, 0, 0}, {0, thin, 0}, radius};
+    const Capsule3 both = merge(a, b);
+    EXPECT_GE(both.radius, radius);
+    EXPECT_LE(both.radius, radius * (1 + 0x1p-50));
+    const Lozenge3 flat = merge(Lozenge3{{0, 0, 0}, {Vector3{thin, 0, 0}, Vector3{0, 0, 0}}, radius},
+                                Lozenge3{{0, 0, 0}, {Vector3{0, thin, 0}, Vector3{0, 0, thin}}, radius});
+    EXPECT_LE(flat.radius, radius * (1 + 0x1p-50));
+  }
+}
+
+TEST(SweptSphere, ACylinderFromEndToEndOfTheDoubles) {
+  constexpr double most = std::numeric_limits<double>::max();
+  const std::array points{Point3{-most, 0, 0}, Point3{most, 0, 0}};
+  const Cylinder3 c = fit_cylinder(points);
+  for (const Point3& p : points) EXPECT_TRUE(contains(c, p));
+  EXPECT_EQ(c.radius, 0);
+}
+
 }  // namespace
 }  // namespace plumb
