@@ -86,7 +86,8 @@ Core<T> core_of(const Lozenge3& l) {
 /// Signs, as far as they are certain.
 class Question {
  public:
-  Sign operator()(const Interval& x) {
+  template <class Number>  // of which sign() may be unsure
+  Sign operator()(const Number& x) {
     const Unsure<Sign> s = x.sign();
     certain_ = certain_ && s.certain();
     return s.certain() ? s.value() : Sign::zero;

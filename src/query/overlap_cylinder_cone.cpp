@@ -6,11 +6,12 @@
 #include "axis_shape.hpp"
 #include "certain.hpp"
 #include "exact_gap.hpp"
+#include "figure/core_distance.hpp"
 #include "figure/near_points.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/query/overlap_round.hpp"
 #include "round_input.hpp"
-#include "running_signs.hpp"
+#include "running_error.hpp"
 
 namespace plumb {
 namespace query {
@@ -41,7 +42,7 @@ struct Axis {
 Axis axis_of(const Cylinder3& c) { return {c.a, c.b, c.radius, false}; }
 Axis axis_of(const Cone3& c) { return {c.apex, c.base, c.radius, true}; }
 
-/// Asks a Signs or RunningSigns.
+/// Asks a Signs or core::Question.
 template <class T, class Ask>
 class Crossing {
  public:
@@ -195,7 +196,7 @@ Relation relate_line(const Line& line, const Round& round) {
     if (passes_by(line, axis_of(round))) return Relation::disjoint;
     if (const auto r = crossing<Approximate, Signs>(line, round)) [[likely]]
       return *r;
-    if (const auto r = crossing<Running, RunningSigns>(line, round)) return *r;
+    if (const auto r = crossing<Running, core::Question>(line, round)) return *r;
   }
   require_shapes_of("relate", line, round);
   if (from == to) return relate(line, Sphere3{from, radius});

@@ -3,12 +3,13 @@
 
 #include "axis_shape.hpp"
 #include "exact_gap.hpp"
+#include "figure/core_distance.hpp"
 #include "figure/near_points.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/query/overlap_cylinder_cone.hpp"
 #include "plumb/query/overlap_round.hpp"
 #include "round_input.hpp"
-#include "running_signs.hpp"
+#include "running_error.hpp"
 
 namespace plumb {
 namespace query {
@@ -90,7 +91,7 @@ PlaneThrough<T> plane_over(const ThreePointPlane3& plane) {
 
 /// The sign of height - root of (reach / square), or of the height alone.
 template <class T>
-Sign beyond(const T& height, const Reach<T>* r, RunningSigns& ask) {
+Sign beyond(const T& height, const Reach<T>* r, core::Question& ask) {
   if (r == nullptr) return ask(height);
   const Sign difference = ask(squared(height) * r->square - r->reach);
   if (difference == Sign::negative) return Sign::negative;  // as |height| is the lesser
@@ -104,7 +105,7 @@ struct Sides {
 };
 template <class T, class Plane, class Round>
 std::optional<Sides> sides_of(const Plane& plane, const Round& round) {
-  RunningSigns ask;
+  core::Question ask;
   const auto p = plane_over<T>(plane);
   Sides all{Sign::positive, Sign::positive};
   const Reach<T> reach = reach_along<T>(round, p.normal);

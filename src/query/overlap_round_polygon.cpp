@@ -9,7 +9,7 @@
 #include "plumb/query/overlap_round.hpp"
 #include "round_input.hpp"
 #include "round_polygon.hpp"
-#include "running_signs.hpp"
+#include "running_error.hpp"
 
 namespace plumb {
 namespace query {
@@ -81,7 +81,7 @@ class Inside {
 
   std::span<const Segment3> edges_;
   Vec<T> from_, up_, normal_;
-  RunningSigns ask_;
+  core::Question ask_;
 };
 
 std::vector<Segment3> edges_of(std::span<const Chain3> chains) {

@@ -24,16 +24,8 @@ struct PlaneAhead {
     return triple(difference(p, 0, 1), difference(p, 0, 3), difference(p, 0, 2));
   }
 };
-/// (p, q, a, b): the side of the edge ab on which the line from p through q passes.
-struct SegmentEdge {
-  static constexpr std::string_view name = "hits";
-  static constexpr int points = 4, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 12>& p) const {
-    using namespace predicates;
-    return triple(difference(p, 0, 1), difference(p, 0, 3), difference(p, 0, 2));
-  }
-};
+/// (p, q, a, b): the side of the edge ab on which the line from p through q passes, which is the same volume.
+using SegmentEdge = PlaneAhead;
 /// (p, q, a, b, c): N - D of the line from p through q.
 struct PlaneBehindEnd {
   static constexpr std::string_view name = "hits";

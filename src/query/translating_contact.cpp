@@ -114,11 +114,6 @@ template <class A, class B>
 Relation relation_of(const A& a, const B& b) {
   return relate(a, b);
 }
-// A point is a ball without extent where a relation is asked of balls and capsules.
-Relation relation_of(const Point3& p, const Sphere3& s) { return relate(Sphere3{p, 0}, s); }
-Relation relation_of(const Point3& p, const Capsule3& c) { return relate(Capsule3{p, p, 0}, c); }
-Relation relation_of(const Sphere3& s, const Point3& p) { return relation_of(p, s); }
-Relation relation_of(const Capsule3& c, const Point3& p) { return relation_of(p, c); }
 Relation relation_of(const Point3& p, const Point3& q) { return p == q ? Relation::overlapping : Relation::disjoint; }
 
 /// How the shapes lie to one another at time 0.

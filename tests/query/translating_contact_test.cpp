@@ -96,10 +96,6 @@ Relation relation(const A& a, const B& b) {
   return relate(a, b);
 }
 Relation relation(const Point3& a, const Point3& b) { return a == b ? Relation::overlapping : Relation::disjoint; }
-Relation relation(const Point3& p, const Sphere3& s) { return relate(Sphere3{p, 0}, s); }
-Relation relation(const Sphere3& s, const Point3& p) { return relation(p, s); }
-Relation relation(const Point3& p, const Capsule3& c) { return relate(Capsule3{p, p, 0}, c); }
-Relation relation(const Capsule3& c, const Point3& p) { return relation(p, c); }
 
 /// The relation at time k / 64.
 template <class A, class B>
