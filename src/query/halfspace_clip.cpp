@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "arith/running_error.hpp"
 #include "axis_body.hpp"
-#include "running_error.hpp"
 
 namespace plumb::query {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <optional>
 
+#include "arith/running_error.hpp"
 #include "query/moving_body.hpp"
-#include "query/running_error.hpp"
 
 namespace plumb::query {
 

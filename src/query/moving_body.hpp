@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "arith/running_error.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
@@ -19,7 +20,6 @@
 #include "plumb/figure/round.hpp"
 #include "plumb/figure/simplex.hpp"
 #include "plumb/figure/voronoi_region.hpp"
-#include "query/running_error.hpp"
 #include "query/vectors.hpp"
 
 namespace plumb::query {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <span>
 
+#include "arith/running_error.hpp"
 #include "figure/core_distance.hpp"
-#include "running_error.hpp"
 
 namespace plumb::query {
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "arith/running_error.hpp"
 #include "axis_shape.hpp"
 #include "certain.hpp"
 #include "exact_gap.hpp"
@@ -11,7 +12,6 @@
 #include "plumb/figure/contains.hpp"
 #include "plumb/query/overlap_round.hpp"
 #include "round_input.hpp"
-#include "running_error.hpp"
 
 namespace plumb {
 namespace query {

@@ -1,6 +1,7 @@
 // Balls, capsules, lozenges, cylinders and cones against planes and halfspaces: how far they reach along the normal.
 #include <plumb/predicates/plane_distance.hpp>
 
+#include "arith/running_error.hpp"
 #include "axis_shape.hpp"
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
@@ -9,7 +10,6 @@
 #include "plumb/query/overlap_cylinder_cone.hpp"
 #include "plumb/query/overlap_round.hpp"
 #include "round_input.hpp"
-#include "running_error.hpp"
 
 namespace plumb {
 namespace query {

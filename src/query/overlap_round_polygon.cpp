@@ -1,6 +1,7 @@
 // Balls and capsules against quadrilaterals and polygons, with holes or without.
 #include <string>
 
+#include "arith/running_error.hpp"
 #include "exact_gap.hpp"
 #include "figure/chain_input.hpp"
 #include "figure/core_distance.hpp"
@@ -9,7 +10,6 @@
 #include "plumb/query/overlap_round.hpp"
 #include "round_input.hpp"
 #include "round_polygon.hpp"
-#include "running_error.hpp"
 
 namespace plumb {
 namespace query {

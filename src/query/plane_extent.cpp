@@ -1,8 +1,8 @@
 #include "plane_extent.hpp"
 
+#include "arith/running_error.hpp"
 #include "axis_body.hpp"
 #include "plumb/certify/direction.hpp"
-#include "running_error.hpp"
 
 namespace plumb::query {
 namespace {

@@ -1,7 +1,7 @@
 #include "separating_axes.hpp"
 
+#include "arith/running_error.hpp"
 #include "axis_body.hpp"
-#include "running_error.hpp"
 
 namespace plumb::query {
 namespace {

@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "arith/running_error.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/query/root.hpp"
-#include "query/running_error.hpp"
 
 namespace plumb::query {
 

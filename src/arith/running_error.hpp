@@ -8,7 +8,7 @@
 
 #include "plumb/arith/sign.hpp"
 
-namespace plumb::query {
+namespace plumb {
 
 struct Running {
   double value, error;
@@ -54,4 +54,4 @@ struct Running {
   [[nodiscard]] constexpr double reach() const { return error * slack + size(value) * 0x1p-52; }
 };
 
-}  // namespace plumb::query
+}  // namespace plumb
