@@ -1,4 +1,5 @@
-// Straight motions of small integers: at times k / 64 every shape is again one of doubles, of which relate is asked.
+// Straight motions against two witnesses: of small integers, at times k / 64 every shape is again one of doubles, of
+// which relate is asked; of any numbers, an oracle in rationals has the first time and the features that meet then.
 #include "plumb/query/translating_contact.hpp"
 
 #include <gmock/gmock.h>
@@ -6,90 +7,22 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "figure/thrown.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/figure.hpp"
 #include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap_round.hpp"
+#include "query/translating_cases.hpp"
+#include "query/translating_oracle.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr int steps = 64;
-
-class Draw {
- public:
-  explicit Draw(Entropy& entropy) : entropy_(entropy), most_(1 + static_cast<std::int64_t>(entropy.below(4))) {}
-
-  double number() { return static_cast<double>(entropy_.within(most_)); }
-  Point3 point() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-  Vector3 vector() {
-    const Point3 p = point();
-    return {p.x, p.y, p.z};
-  }
-  Vector3 motion() {
-    const double far = entropy_.coin() ? steps : 2 * steps;
-    const Vector3 v = vector();
-    return {far * v.x, far * v.y, far * v.z};
-  }
-  /// Apart from the others more often than not.
-  Point3 start() {
-    const Point3 p = point(), q = point();
-    const double apart = static_cast<double>(entropy_.below(4));
-    return {p.x + apart * q.x, p.y + apart * q.y, p.z + apart * q.z};
-  }
-
-  void fill(Point3& s) { s = start(); }
-  void fill(Segment3& s) { s = {start(), start()}; }
-  void fill(Triangle3& s) { s = {start(), point(), point()}; }
-  void fill(Aabb3& s) {
-    const Point3 p = start(), q = point();
-    s = {p, {p.x + std::fabs(q.x), p.y + std::fabs(q.y), p.z + std::fabs(q.z)}};
-    if (entropy_.below(20) == 0) std::swap(s.min, s.max);
-  }
-  void fill(Obb3& s) { s = {start(), {vector(), vector(), vector()}, {1, number(), 1}}; }
-  void fill(ConvexPolyhedron3& s) {
-    for (;;) {
-      std::vector<Point3> points(4 + entropy_.below(4));
-      const Point3 at = start();
-      for (Point3& p : points) {
-        p = point();
-        p = {p.x + at.x, p.y + at.y, p.z + at.z};
-      }
-      const Hull3 hull = convex_hull(points);
-      if (hull.dimension < 3) continue;
-      s = convex_polyhedron(hull, points);
-      return;
-    }
-  }
-  void fill(Sphere3& s) { s = {start(), std::fabs(number())}; }
-  void fill(Capsule3& s) { s = {start(), point(), std::fabs(number())}; }
-  void fill(Plane3& s) { s = {vector(), 4 * number()}; }
-
- private:
-  Entropy& entropy_;
-  std::int64_t most_;
-};
-
-Point3 moved(const Point3& p, const Vector3& v) { return {p.x + v.x, p.y + v.y, p.z + v.z}; }
-Segment3 moved(const Segment3& s, const Vector3& v) { return {moved(s.a, v), moved(s.b, v)}; }
-Triangle3 moved(const Triangle3& t, const Vector3& v) { return {moved(t.a, v), moved(t.b, v), moved(t.c, v)}; }
-Aabb3 moved(const Aabb3& b, const Vector3& v) { return {moved(b.min, v), moved(b.max, v)}; }
-Obb3 moved(const Obb3& b, const Vector3& v) { return {moved(b.center, v), b.axes, b.half}; }
-ConvexPolyhedron3 moved(ConvexPolyhedron3 p, const Vector3& v) {
-  for (Point3& x : p.mesh.vertices) x = moved(x, v);
-  return p;
-}
-Sphere3 moved(const Sphere3& s, const Vector3& v) { return {moved(s.center, v), s.radius}; }
-Capsule3 moved(const Capsule3& c, const Vector3& v) { return {moved(c.a, v), moved(c.b, v), c.radius}; }
-Plane3 moved(const Plane3& p, const Vector3& v) {
-  return {p.normal, p.offset + (p.normal.x * v.x + p.normal.y * v.y + p.normal.z * v.z)};
-}
+using namespace translating_cases;
 
 template <class A, class B>
 Relation relation(const A& a, const B& b) {
@@ -191,6 +124,160 @@ TEST(TranslatingContact, OrientedBoxes) { check_with<Obb3>(500, All{}); }
 TEST(TranslatingContact, Polyhedra) { check_with<ConvexPolyhedron3>(600, All{}); }
 TEST(TranslatingContact, Spheres) { check_with<Sphere3>(700, All{}); }
 TEST(TranslatingContact, Capsules) { check_with<Capsule3>(800, All{}); }
+
+namespace oracle = translating_oracle;
+
+/// Is the root this number?
+bool is(const Root& root, const oracle::Surd& t) {
+  oracle::Surd value{0, 0, t.c};  // of the root's polynomial at the number
+  const std::vector<Rational> coefficients = root.polynomial();
+  for (std::size_t i = coefficients.size(); i-- > 0;) {
+    const oracle::Number a = value.a * t.a + value.b * t.b * t.c + coefficients[i].value().value;
+    value.b = value.a * t.b + value.b * t.a;
+    value.a = a;
+  }
+  const auto beyond = [&](const Rational& x) { return sign(oracle::Surd{t.a - x.value().value, t.b, t.c}); };
+  const auto [lower, upper] = root.interval();
+  return sign(value) == 0 && beyond(lower) >= 0 && beyond(upper) <= 0;
+}
+
+struct Told {
+  int never = 0, at_start = 0, later = 0, irrational = 0;
+};
+
+/// The pairs of features that meet no later than the bodies do, of those no higher than the ones told.
+void check_features(const std::string& about, const oracle::Body& a, const oracle::Body& b,
+                    const oracle::Vector& velocity, const oracle::Surd& time, const Contact& contact) {
+  const auto rank = [](const Feature& p, const Feature& q) {
+    return std::tuple(static_cast<int>(p.kind) + static_cast<int>(q.kind), p.kind, p.index, q.kind, q.index);
+  };
+  const auto told = rank(contact.feature_a, contact.feature_b);
+  constexpr std::size_t most = 90;  // pairs to ask; of more the one that is told
+  const bool all = a.parts.size() * b.parts.size() <= most;
+  bool found = false;
+  for (const oracle::Part& p : a.parts) {
+    for (const oracle::Part& q : b.parts) {
+      const auto of_pair = rank(p.feature, q.feature);
+      if (of_pair > told || (!all && of_pair != told)) continue;
+      const auto when = oracle::first_time(a.part(p), b.part(q), velocity);
+      const bool meets = when && compare(*when, time) == 0;
+      found |= meets && of_pair == told;
+      ASSERT_EQ(meets, of_pair == told) << about << " feature " << p.feature.index << " of a, " << q.feature.index
+                                        << " of b";
+    }
+  }
+  ASSERT_TRUE(found) << about;
+}
+
+template <class A, class B>
+void check_truth(const std::string& about, const Translating<A>& a, const Translating<B>& b, Told& told) {
+  const oracle::Body of_a = oracle::body(a.shape), of_b = oracle::body(b.shape);
+  const oracle::Vector velocity = oracle::operator-(oracle::vector(a.by), oracle::vector(b.by));
+  const std::optional<oracle::Surd> truth = oracle::first_time(of_a, of_b, velocity);
+  const std::optional<Root> time = first_contact_time(a, b);
+  const std::optional<Contact> contact = first_contact(a, b);
+  ASSERT_EQ(intersects(a, b), truth.has_value()) << about;
+  ASSERT_EQ(intersects(b, a), truth.has_value()) << about;
+  ASSERT_EQ(time.has_value(), truth.has_value()) << about;
+  ASSERT_EQ(contact.has_value(), truth.has_value()) << about;
+  if (!truth) {
+    ++told.never;
+    return;
+  }
+  ASSERT_TRUE(is(*time, *truth)) << about;
+  // Rounded down: not late, and the double after it is.
+  ASSERT_GE(compare(*truth, contact->time), 0) << about;
+  ASSERT_LT(compare(*truth, std::nextafter(contact->time, 2.0)), 0) << about;
+  const std::optional<Contact> other = first_contact(b, a);
+  ASSERT_TRUE(other && other->time == contact->time) << about;
+  const bool at_start = compare(*truth, 0.0) == 0;
+  ++(at_start ? told.at_start : told.later);
+  told.irrational += sgn(truth->b) != 0 ? 1 : 0;
+  if (contact->feature_a.kind == FeatureKind::interior) {
+    ASSERT_TRUE(at_start && contact->feature_b.kind == FeatureKind::interior) << about;
+    return;
+  }
+  check_features(about, of_a, of_b, velocity, *truth, *contact);
+}
+
+#if defined(PLUMB_LONG_TESTS)
+constexpr int true_cases = 1000;
+#else
+constexpr int true_cases = 50;
+#endif
+
+template <class A, class B>
+void check_pair_truth(std::uint64_t start, Told& told) {
+  for (int i = 0; i < true_cases; ++i) {
+    Entropy entropy(start, static_cast<std::uint64_t>(i));
+    const auto numbers = static_cast<Numbers>(i % 5);
+    Draw draw(entropy, numbers);
+    Translating<A> a{};
+    Translating<B> b{};
+    draw.fill(a.shape), draw.fill(b.shape);
+    a.by = draw.motion();
+    if (entropy.coin()) b.by = draw.motion();
+    check_truth("start " + std::to_string(start) + " index " + std::to_string(i), a, b, told);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+template <class... A>
+void check_truths(List<A...>) {
+  Told told;
+  std::uint64_t start = 1000;
+  const auto with_all = [&]<class First, class... B>(List<First>, List<B...>) {
+    (check_pair_truth<First, B>(start++, told), ...);
+  };
+  (with_all(List<A>{}, All{}), ...);
+  const int few = true_cases * 72 / 20;
+  EXPECT_GT(told.never, few);
+  EXPECT_GT(told.at_start, few);
+  EXPECT_GT(told.later, few);
+  EXPECT_GT(told.irrational, few / 4);
+}
+
+TEST(TranslatingContact, IsTrueOfAnyNumbers) {
+  check_truths(List<Point3, Segment3, Triangle3, Aabb3, Obb3, ConvexPolyhedron3, Sphere3, Capsule3>{});
+}
+
+template <class A, class B>
+void check_laws(std::uint64_t start) {
+  for (int i = 0; i < true_cases; ++i) {
+    Entropy entropy(start, static_cast<std::uint64_t>(i));
+    Draw draw(entropy);
+    Translating<A> a{};
+    Translating<B> b{};
+    draw.fill(a.shape), draw.fill(b.shape);
+    a.by = draw.motion(), b.by = draw.motion();
+    const std::string about = "start " + std::to_string(start) + " index " + std::to_string(i);
+    const std::optional<Contact> contact = first_contact(a, b);
+    const double f = std::ldexp(1, static_cast<int>(entropy.within(1000)));
+    ASSERT_EQ(contact, first_contact(Translating<A>{scaled(a.shape, f), scaled(a.by, f)},
+                                     Translating<B>{scaled(b.shape, f), scaled(b.by, f)}))
+        << about << " scaled by " << f;
+    const Vector3 way = draw.motion(), also = draw.motion();
+    const auto with = [](const Vector3& v, const Vector3& w) { return Vector3{v.x + w.x, v.y + w.y, v.z + w.z}; };
+    ASSERT_EQ(contact, first_contact(Translating<A>{moved(a.shape, way), with(a.by, also)},
+                                     Translating<B>{moved(b.shape, way), with(b.by, also)}))
+        << about << " from elsewhere and both moving";
+    const auto of_renamed =
+        first_contact(Translating<A>{renamed(a.shape), a.by}, Translating<B>{renamed(b.shape), b.by});
+    ASSERT_EQ(contact.has_value(), of_renamed.has_value()) << about;
+    ASSERT_TRUE(!contact || contact->time == of_renamed->time) << about;
+  }
+}
+
+template <class... A>
+void check_all_laws(List<A...>) {
+  std::uint64_t start = 2000;
+  const auto with_all = [&]<class First, class... B>(List<First>, List<B...>) { (check_laws<First, B>(start++), ...); };
+  (with_all(List<A>{}, All{}), ...);
+}
+
+TEST(TranslatingContact, IsTheSameOfWhatIsScaledMovedAndRenamed) {
+  check_all_laws(List<Point3, Segment3, Triangle3, Aabb3, Obb3, ConvexPolyhedron3, Sphere3, Capsule3>{});
+}
 
 constexpr Feature face0{FeatureKind::face, 0};
 
