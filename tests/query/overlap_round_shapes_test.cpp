@@ -1,8 +1,8 @@
-// Round figures against polygons, and in the plane; cylinders and cones; the book's figures, laws and bad input.
+// Cylinders and cones; the book's figures of round shapes, laws and bad input.
 #include <gtest/gtest.h>
 
 #include "plumb/query/overlap.hpp"
-#include "query/round_oracle.hpp"
+#include "query/axis_oracle.hpp"
 
 namespace plumb {
 namespace {
@@ -11,226 +11,23 @@ using shape_cases::Material;
 using shape_cases::on_shapes;
 constexpr Relation disjoint = Relation::disjoint, touching = Relation::touching, overlapping = Relation::overlapping;
 
-TEST(OverlapRoundPolygon, QuadrilateralSphere) { expect_as_brute_force<Quadrilateral3, Sphere3>(600, 150); }
-TEST(OverlapRoundPolygon, PolygonSphere) { expect_as_brute_force<Polygon3, Sphere3>(601, 100); }
-TEST(OverlapRoundPolygon, HoledPolygonSphere) { expect_as_brute_force<HoledPolygon3, Sphere3>(602, 30); }
-TEST(OverlapRoundPolygon, QuadrilateralCapsule) { expect_as_brute_force<Quadrilateral3, Capsule3>(603, 60); }
-TEST(OverlapRoundPolygon, PolygonCapsule) { expect_as_brute_force<Polygon3, Capsule3>(604, 16); }
-TEST(OverlapRoundPolygon, HoledPolygonCapsule) { expect_as_brute_force<HoledPolygon3, Capsule3>(605, 4); }
-
-TEST(OverlapRoundPlane, LineCircle) { expect_as_brute_force<Line2, Circle2>(620, 200); }
-TEST(OverlapRoundPlane, RayCircle) { expect_as_brute_force<Ray2, Circle2>(621, 200); }
-TEST(OverlapRoundPlane, SegmentCircle) { expect_as_brute_force<Segment2, Circle2>(622, 200); }
-TEST(OverlapRoundPlane, HalfspaceCircle) { expect_as_brute_force<Halfspace2, Circle2>(623, 100); }
-TEST(OverlapRoundPlane, TriangleCircle) { expect_as_brute_force<Triangle2, Circle2>(624, 200); }
-TEST(OverlapRoundPlane, PolygonCircle) { expect_as_brute_force<Polygon2, Circle2>(625, 60); }
-TEST(OverlapRoundPlane, AabbCircle) { expect_as_brute_force<Aabb2, Circle2>(626, 200); }
-TEST(OverlapRoundPlane, ObbCircle) { expect_as_brute_force<Obb2, Circle2>(627, 200); }
-TEST(OverlapRoundPlane, KDopCircle) { expect_as_brute_force<KDop2, Circle2>(628, 50); }
-TEST(OverlapRoundPlane, PointCapsule) { expect_as_brute_force<Point2, Capsule2>(629, 200); }
-TEST(OverlapRoundPlane, LineCapsule) { expect_as_brute_force<Line2, Capsule2>(630, 200); }
-TEST(OverlapRoundPlane, RayCapsule) { expect_as_brute_force<Ray2, Capsule2>(631, 200); }
-TEST(OverlapRoundPlane, SegmentCapsule) { expect_as_brute_force<Segment2, Capsule2>(632, 200); }
-TEST(OverlapRoundPlane, HalfspaceCapsule) { expect_as_brute_force<Halfspace2, Capsule2>(633, 100); }
-TEST(OverlapRoundPlane, TriangleCapsule) { expect_as_brute_force<Triangle2, Capsule2>(634, 150); }
-TEST(OverlapRoundPlane, HoledPolygonCapsule) { expect_as_brute_force<HoledPolygon2, Capsule2>(635, 8); }
-TEST(OverlapRoundPlane, AabbCapsule) { expect_as_brute_force<Aabb2, Capsule2>(636, 100); }
-TEST(OverlapRoundPlane, ObbCapsule) { expect_as_brute_force<Obb2, Capsule2>(637, 100); }
-TEST(OverlapRoundPlane, CircleCapsule) { expect_round_as_brute_force<Circle2, Capsule2>(638, 200); }
-
-// Cylinders and cones, from the structs' comments: by the places along the line where something can change, and by what
-// a disk reaches along a normal.
-
-using oracle::dot;
-using oracle::RationalPoint;
-
-struct AxisShape {
-  RationalPoint from, axis;
-  mpq_class radius;
-  bool is_cone;
-};
-AxisShape axis_shape(const Cylinder3& c) {
-  return {oracle::rational(c.a), oracle::difference(oracle::rational(c.b), oracle::rational(c.a)), c.radius, false};
-}
-AxisShape axis_shape(const Cone3& c) {
-  return {oracle::rational(c.apex), oracle::difference(oracle::rational(c.base), oracle::rational(c.apex)), c.radius,
-          true};
-}
-
-/// Below zero inside the infinite surface, for a share `along` of the axis.
-mpq_class beyond_surface(const AxisShape& s, const RationalPoint& p, const mpq_class& along) {
-  const RationalPoint off = oracle::sum(oracle::difference(p, s.from), -along, s.axis);
-  const mpq_class reach = s.is_cone ? mpq_class(s.radius * along) : s.radius;
-  return dot(off, off) - reach * reach;
-}
-
-struct RationalLine {
-  RationalPoint from, along;
-  std::optional<mpq_class> first, last;
-};
-RationalLine rational_line(const Line3& l) {
-  return {oracle::rational(l.point), oracle::rational(l.direction), {}, {}};
-}
-RationalLine rational_line(const Ray3& r) {
-  return {oracle::rational(r.origin), oracle::rational(r.direction), mpq_class(0), {}};
-}
-RationalLine rational_line(const Segment3& s) {
-  return {oracle::rational(s.a), oracle::difference(oracle::rational(s.b), oracle::rational(s.a)), mpq_class(0),
-          mpq_class(1)};
-}
-
-Relation expected_crossing(const AxisShape& s, const RationalLine& line) {
-  const mpq_class square = dot(s.axis, s.axis);
-  const auto share = [&](const mpq_class& t) {
-    return mpq_class(dot(oracle::difference(oracle::sum(line.from, t, line.along), s.from), s.axis) / square);
-  };
-  const auto value = [&](const mpq_class& t) {
-    return beyond_surface(s, oracle::sum(line.from, t, line.along), share(t));
-  };
-  const mpq_class start = share(0), rise = share(1) - start;
-  auto [first, last] = std::pair(line.first, line.last);
-  bool strictly = true;
-  if (rise == 0) {
-    if (start < 0 || start > 1) return disjoint;
-    strictly = start > 0 && start < 1;
-  } else {
-    const mpq_class at0 = -start / rise, at1 = (1 - start) / rise;
-    const mpq_class in = std::min(at0, at1), out = std::max(at0, at1);
-    if (!first || in > *first) first = in;
-    if (!last || out < *last) last = out;
-  }
-  if (first && last && *first > *last) return disjoint;
-  const bool has_length = !first || !last || *first < *last;
-  // The quadratic through three values.
-  const mpq_class v0 = value(0), v1 = value(1), v2 = value(2);
-  const mpq_class a = (v2 - 2 * v1 + v0) / 2, b = v1 - v0 - a;
-  std::vector<mpq_class> places;
-  if (first) places.push_back(*first);
-  if (last) places.push_back(*last);
-  if (a > 0) {
-    const mpq_class bottom = -b / (2 * a);
-    if ((!first || bottom > *first) && (!last || bottom < *last)) places.push_back(bottom);
-  }
-  if (places.empty()) places.push_back(0);
-  mpq_class least = value(places[0]);
-  for (const mpq_class& t : places) least = std::min(least, value(t));
-  if (least > 0) return disjoint;
-  return least < 0 && has_length && strictly ? overlapping : touching;
-}
-
-/// The point p, or a ball, or a segment, where the shape is one.
-template <class Line, class Round>
-Relation expected_line(const Line& line, const Round& round) {
-  const AxisShape s = axis_shape(round);
-  const bool is_ball = dot(s.axis, s.axis) == 0;
-  const RationalLine l = rational_line(line);
-  if (is_ball || s.radius == 0) {
-    oracle::Spanned core{{s.from}, {}};
-    if (!is_ball) core.points.push_back(oracle::sum(s.from, 1, s.axis));
-    return oracle::RoundOracle(core, {{oracle::spanned(line)}, {}}).relation(s.radius);
-  }
-  if (dot(l.along, l.along) == 0) {
-    const mpq_class share = dot(oracle::difference(l.from, s.from), s.axis) / dot(s.axis, s.axis);
-    const mpq_class off = beyond_surface(s, l.from, share);
-    if (share < 0 || share > 1 || off > 0) return disjoint;
-    return share > 0 && share < 1 && off < 0 ? overlapping : touching;
-  }
-  return expected_crossing(s, l);
-}
-
-/// The sign of h - root of square, for square >= 0.
-int above_root(const mpq_class& h, const mpq_class& square) {
-  if (sgn(h) < 0) return -1;
-  return sgn(mpq_class(h * h - square));
-}
-
-template <class Plane, class Round>
-Relation expected_plane(const Plane& plane, const Round& round) {
-  const AxisShape s = axis_shape(round);
-  const RationalPoint n = oracle::rational(plane.normal);
-  const mpq_class nn = dot(n, n), hh = dot(s.axis, s.axis), along = dot(n, s.axis);
-  const bool is_ball = hh == 0;
-  if (s.radius == 0 || nn == 0 || is_ball) {
-    oracle::Spanned core{{s.from}, {}};
-    if (!is_ball) core.points.push_back(oracle::sum(s.from, 1, s.axis));
-    return oracle::RoundOracle(core, {{oracle::spanned(plane)}, {}}).relation(s.radius);
-  }
-  const mpq_class reach = s.radius * s.radius * (nn - along * along / hh);
-  const mpq_class low = dot(n, s.from) - mpq_class(plane.offset), high = low + along;
-  const mpq_class of_from = s.is_cone ? mpq_class(0) : reach;
-  const int above = std::min(above_root(low, of_from), above_root(high, reach));
-  if constexpr (std::is_same_v<Plane, Halfspace3>) {
-    return static_cast<Relation>(-above);
-  } else {
-    const int below = std::min(above_root(-low, of_from), above_root(-high, reach));
-    return static_cast<Relation>(-std::max(above, below));
-  }
-}
-
-template <class Flat, class Round, class Expected>
-void expect_axis_shape(std::uint64_t start, std::uint64_t cases, Expected expected) {
-  Counts counts;
-  on_shapes(start, cases, [&](Material& m) {
-    const auto round = m.shape<Round>();
-    const auto flat = pair_cases::near_figure<Flat>(m);
-    const Relation answer = expected(flat, round);
-    counts.add(answer);
-    ASSERT_EQ(relate(flat, round), answer) << m.about(flat, round);
-    ASSERT_EQ(relate(round, flat), answer) << m.about(flat, round);
+/// All pairs with a cylinder or a cone.
+TEST(OverlapCylinderAndCone, AllPairsAsTheOracle) {
+  pair_cases::AnswersByKind answers{};
+  std::uint64_t start = 640;
+  using pair_cases::PairOracle;
+  pair_cases::on_pairs_of<PairOracle::surface>(pair_cases::Space{}, [&]<class A, class B>(const A*, const B*) {
+    pair_cases::Answers one;
+    on_shapes(start++, 800, [&](Material& m) {
+      const auto round = m.shape<B>();
+      const auto other = pair_cases::near_figure<A>(m);
+      const Relation answer = oracle::relation_to_axis_shape(other, round);
+      one.add(answer);
+      expect_relation(other, round, answer, pair_cases::pair_name<A, B>() + m.about(other, round));
+    });
+    pair_cases::add_to_kinds<A, B>(answers, one);
   });
-  std::printf("disjoint %d, touching %d, overlapping %d\n", counts.of[0], counts.of[1], counts.of[2]);
-  expect_all_answers(counts, cases * shape_cases::more);
-}
-template <class Line, class Round>
-void expect_lines(std::uint64_t start) {
-  expect_axis_shape<Line, Round>(start, 1500, expected_line<Line, Round>);
-}
-template <class Plane, class Round>
-void expect_planes(std::uint64_t start) {
-  expect_axis_shape<Plane, Round>(start, 800, expected_plane<Plane, Round>);
-}
-TEST(OverlapCylinder, Line) { expect_lines<Line3, Cylinder3>(640); }
-TEST(OverlapCylinder, Ray) { expect_lines<Ray3, Cylinder3>(641); }
-TEST(OverlapCylinder, Segment) { expect_lines<Segment3, Cylinder3>(642); }
-TEST(OverlapCylinder, Plane) { expect_planes<Plane3, Cylinder3>(643); }
-TEST(OverlapCylinder, Halfspace) { expect_planes<Halfspace3, Cylinder3>(644); }
-TEST(OverlapCone, Line) { expect_lines<Line3, Cone3>(645); }
-TEST(OverlapCone, Ray) { expect_lines<Ray3, Cone3>(646); }
-TEST(OverlapCone, Segment) { expect_lines<Segment3, Cone3>(647); }
-TEST(OverlapCone, Plane) { expect_planes<Plane3, Cone3>(648); }
-TEST(OverlapCone, Halfspace) { expect_planes<Halfspace3, Cone3>(649); }
-
-// Three points span what the plane of their normal is, or a line, or a place.
-TEST(OverlapCylinder, ThreePointPlane) {
-  int lines = 0, planes = 0;
-  on_shapes(650, 600, [&](Material& m) {
-    const auto cylinder = m.shape<Cylinder3>();
-    const auto cone = m.shape<Cone3>();
-    const auto p = pair_cases::near_figure<ThreePointPlane3>(m);
-    const RationalPoint a = oracle::rational(p.a), u = oracle::difference(oracle::rational(p.b), a),
-                        v = oracle::difference(oracle::rational(p.c), a);
-    const RationalPoint n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const Plane3 plane{{n[0].get_d(), n[1].get_d(), n[2].get_d()}, mpq_class(dot(n, a)).get_d()};
-    const RationalPoint way = dot(u, u) == 0 ? v : u;
-    const Line3 line{p.a, {way[0].get_d(), way[1].get_d(), way[2].get_d()}};
-    const auto finite = [](double x) { return std::isfinite(x); };
-    if (!std::ranges::all_of(coordinates(plane.normal), finite) || !finite(plane.offset) ||
-        !std::ranges::all_of(coordinates(line.direction), finite))
-      return;
-    if (dot(n, n) == 0) {
-      if (oracle::rational(line.direction) != way) return;
-      ++lines;
-      EXPECT_EQ(relate(p, cylinder), relate(line, cylinder)) << m.about(p, cylinder);
-      EXPECT_EQ(relate(p, cone), relate(line, cone)) << m.about(p, cone);
-    } else {
-      if (oracle::rational(plane.normal) != n || mpq_class(plane.offset) != dot(n, a)) return;
-      ++planes;
-      EXPECT_EQ(relate(p, cylinder), relate(plane, cylinder)) << m.about(p, cylinder);
-      EXPECT_EQ(relate(p, cone), relate(plane, cone)) << m.about(p, cone);
-    }
-  });
-  EXPECT_GT(lines, 20);
-  EXPECT_GT(planes, 200);
+  pair_cases::expect_every_answer(answers);
 }
 
 TEST(OverlapRoundFigures, SphereAndPlane515) {  // figure 5.15

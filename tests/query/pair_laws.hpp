@@ -7,14 +7,12 @@
 #include <cstdio>
 #include <string>
 
-#include "plumb/query/overlap.hpp"
+#include "oracle/meetings.hpp"
 #include "query/pair_oracle.hpp"
 #include "query/pair_shapes.hpp"
+#include "query/pair_types.hpp"
 
 namespace plumb::pair_cases {
-
-template <class... Shapes>
-struct Types {};
 
 /// How often each answer came, of all pairs together.
 class Answers {
@@ -73,31 +71,59 @@ inline constexpr bool is_costly = query::is_one_of(figure_kind<Shape>, {FigureKi
 using AnswersByKind = std::array<Answers, figure_kinds>;
 
 template <class A, class B>
-void expect_pair_as_oracle(AnswersByKind& answers, std::uint64_t start, std::uint64_t cases) {
-  const Answers one = expect_as_oracle<A, B>(start, is_costly<A> || is_costly<B> ? cases / 4 : cases);
+void add_to_kinds(AnswersByKind& answers, const Answers& one) {
   answers[static_cast<std::size_t>(figure_kind<A>)].add(one);
-  answers[static_cast<std::size_t>(figure_kind<B>)].add(one);
+  if (figure_kind<A> != figure_kind<B>) answers[static_cast<std::size_t>(figure_kind<B>)].add(one);
 }
 
-template <class A, class... Bs>
-void expect_row_as_oracle(Types<A, Bs...>, AnswersByKind& answers, std::uint64_t start, std::uint64_t cases) {
-  expect_pair_as_oracle<A, A>(answers, start, cases);
-  (expect_pair_as_oracle<A, Bs>(answers, start, cases), ...);
-  if constexpr (sizeof...(Bs) > 0) expect_row_as_oracle(Types<Bs...>{}, answers, start + 1, cases);
-}
-
-/// Each answer in at least one case of fifty of every kind.
-template <class... Shapes>
-void expect_all_as_oracle(Types<Shapes...> types, std::uint64_t start, std::uint64_t cases) {
-  AnswersByKind answers{};
-  expect_row_as_oracle(types, answers, start, cases);
-  for (const FigureKind kind : {figure_kind<Shapes>...}) {
-    const Answers& of_kind = answers[static_cast<std::size_t>(kind)];
-    std::printf("%s: disjoint %d, touching %d, overlapping %d\n", std::string(name_of(kind)).c_str(),
+/// Each answer in at least one case of fifty of every kind that was asked.
+inline void expect_every_answer(const AnswersByKind& answers) {
+  for (std::size_t i = 0; i < figure_kinds; ++i) {
+    const Answers& of_kind = answers[i];
+    if (of_kind.all() == 0) continue;
+    std::printf("%s: disjoint %d, touching %d, overlapping %d\n", std::string(figure_names[i]).c_str(),
                 of_kind.of(Relation::disjoint), of_kind.of(Relation::touching), of_kind.of(Relation::overlapping));
     for (const Relation r : {Relation::disjoint, Relation::touching, Relation::overlapping})
-      EXPECT_GE(of_kind.of(r) * 50, of_kind.all()) << name_of(kind);
+      EXPECT_GE(of_kind.of(r) * 50, of_kind.all()) << figure_names[i];
   }
+}
+
+/// All pairs of straight edges and flat faces.
+template <class All>
+void expect_all_as_oracle(All all, std::uint64_t start, std::uint64_t cases) {
+  AnswersByKind answers{};
+  on_pairs_of<PairOracle::cells>(all, [&]<class A, class B>(const A*, const B*) {
+    add_to_kinds<A, B>(answers, expect_as_oracle<A, B>(start++, is_costly<A> || is_costly<B> ? cases / 4 : cases));
+  });
+  expect_every_answer(answers);
+}
+
+template <class Shape>
+using CgalFigure = std::conditional_t<figure_dimension<Shape> == 2, oracle::CgalFigure2, oracle::CgalFigure3>;
+
+/// All pairs that CGAL has, where it accepts both shapes.
+template <class All>
+void expect_all_as_cgal(All all, std::uint64_t start, std::uint64_t cases) {
+  int asked = 0, meet = 0;
+  on_pairs(all, [&]<class A, class B>(const A*, const B*) {
+    if constexpr (std::is_constructible_v<CgalFigure<A>, A> && std::is_constructible_v<CgalFigure<B>, B>) {
+      int of_pair = 0;
+      shape_cases::on_shapes(start++, cases, [&](Material& m) {
+        const auto [a, b] = pair_of<A, B>(m);
+        const std::optional<bool> expected = oracle::meet_by_cgal(CgalFigure<A>(a), CgalFigure<B>(b));
+        if (!expected) return;
+        ++of_pair;
+        meet += *expected;
+        EXPECT_EQ(intersects(a, b), *expected) << pair_name<A, B>() << m.about(a, b);
+        EXPECT_EQ(intersects(b, a), *expected) << pair_name<B, A>() << m.about(b, a);
+      });
+      EXPECT_GE(static_cast<std::uint64_t>(of_pair) * 4, cases * shape_cases::more) << pair_name<A, B>();
+      asked += of_pair;
+    }
+  });
+  std::printf("CGAL answered %d, of which %d meet\n", asked, meet);
+  EXPECT_GE(meet * 5, asked);
+  EXPECT_GE((asked - meet) * 5, asked);
 }
 
 }  // namespace plumb::pair_cases

@@ -13,11 +13,14 @@
 
 namespace plumb::pair_cases {
 
-/// x -> 2^exponent (matrix x) + shift, with a matrix of whole numbers of determinant 1 or -1.
+/// What a map may do besides permuting and mirroring axes and scaling by a power of two: shear along x, or turn about z
+/// by the angle of the triangle of sides 3, 4 and 5, all five times as large.
+enum class MapKind : unsigned char { along_axes, sheared, turned };
+
+/// x -> 2^exponent (matrix x) + shift, with a matrix of whole numbers.
 class Map {
  public:
-  /// Permuted and mirrored axes, a power of two; sheared, moved if asked for.
-  Map(Material& m, int dimension, bool shear, bool shift) {
+  Map(Material& m, int dimension, MapKind kind, bool shift) {
     std::array<std::size_t, 3> order{0, 1, 2};
     if (m.below(2) == 0) std::swap(order[0], order[1]);
     if (dimension == 3 && m.below(2) == 0) std::swap(order[1], order[2]);
@@ -26,7 +29,17 @@ class Map {
       matrix_[i][order[i]] = sign;
       of_normals_[i][order[i]] = sign;
     }
-    if (shear) {  // then x += k y; normals y -= k x
+    if (kind == MapKind::turned) {
+      const Matrix axes = matrix_;
+      for (std::size_t j = 0; j < 3; ++j) {
+        matrix_[0][j] = 3 * axes[0][j] - 4 * axes[1][j];
+        matrix_[1][j] = 4 * axes[0][j] + 3 * axes[1][j];
+        matrix_[2][j] = 5 * axes[2][j];
+      }
+      of_normals_ = matrix_;
+      growth_ = 5;
+    }
+    if (kind == MapKind::sheared) {  // then x += k y; normals y -= k x
       const int k = static_cast<int>(m.below(5)) - 2;
       for (std::size_t j = 0; j < 3; ++j) {
         matrix_[0][j] += k * matrix_[1][j];
@@ -62,12 +75,13 @@ class Map {
   V normal(const V& v) {
     return as<V>(times(of_normals_, v, false, false));
   }
-  double length(double x) { return rounded(scaled(mpq_class(x))); }
-  /// normal . x is this much more for the image.
+  double multiple(double x) { return rounded(scaled(mpq_class(x))); }  // of an axis
+  double length(double x) { return rounded(scaled(mpq_class(x) * growth_)); }
+  /// Of what normal . x is at most, or at least.
   template <class V>
   double offset(const V& v, double x) {
     const auto n = times(of_normals_, v, false, false);
-    mpq_class sum = scaled(mpq_class(x));
+    mpq_class sum = scaled(mpq_class(x) * growth_ * growth_);
     for (std::size_t i = 0; i < 3; ++i) sum += n[i] * mpq_class(shift_[i]);
     return rounded(sum);
   }
@@ -105,16 +119,24 @@ class Map {
   }
 
   Matrix matrix_{}, of_normals_{};
-  int exponent_ = 0;
+  int exponent_ = 0, growth_ = 1;
   std::array<double, 3> shift_{};
   bool exact_ = true;
 };
 
-/// Boxes along the axes and round figures are not sheared.
-template <class Shape>
-inline constexpr bool can_be_sheared =
-    !query::is_one_of(figure_kind<Shape>, {FigureKind::aabb, FigureKind::ball, FigureKind::capsule, FigureKind::lozenge,
-                                           FigureKind::cylinder, FigureKind::cone});
+/// Boxes along the axes are only permuted and mirrored, round figures not sheared.
+template <class A, class B>
+MapKind map_kind(Material& m) {
+  constexpr auto is_box = [](FigureKind k) { return k == FigureKind::aabb; };
+  constexpr auto is_round = [](FigureKind k) {
+    return query::is_one_of(
+        k, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+  };
+  const std::size_t kind = m.below(3);
+  if (is_box(figure_kind<A>) || is_box(figure_kind<B>) || kind == 0) return MapKind::along_axes;
+  const bool round = is_round(figure_kind<A>) || is_round(figure_kind<B>);
+  return round || kind == 1 ? MapKind::turned : MapKind::sheared;
+}
 
 template <class Shape>
 Shape mapped(const Shape& s, Map& map) {
@@ -155,8 +177,8 @@ Shape mapped(const Shape& s, Map& map) {
   } else if constexpr (requires { s.axes; }) {
     points(t.center);
     for (auto& axis : t.axes) axis = map.axis(axis);
-    t.half.x = map.length(s.half.x), t.half.y = map.length(s.half.y);
-    if constexpr (requires { s.half.z; }) t.half.z = map.length(s.half.z);
+    t.half.x = map.multiple(s.half.x), t.half.y = map.multiple(s.half.y);
+    if constexpr (requires { s.half.z; }) t.half.z = map.multiple(s.half.z);
   } else if constexpr (kind == FigureKind::aabb) {
     const auto p = map.point(s.min), q = map.point(s.max);
     const bool empty_x = s.min.x > s.max.x, empty_y = s.min.y > s.max.y;

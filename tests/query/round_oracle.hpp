@@ -1,20 +1,22 @@
 // How far apart are two convex sets, by brute force over rationals, and what relation does that make of round shapes?
 //
 // The nearest point of a set to the origin is that of the affine hull of some independent generators of it
-// (Caratheodory): all sets of one, two and three are tried, and a set that holds the origin is found by a linear
-// program. Laws: exact.  Cost: cubic in the generators; some milliseconds for a segment and a box.
+// (Caratheodory): of few of them, all sets of one, two and three are tried; a point that no generator is nearer along
+// is the nearest of the whole set, otherwise one that is joins the few.  A set that holds the origin is found by a
+// linear program. Laws: exact, and each distance proved by all generators.  Cost: some 0.1 ms.
 #pragma once
 
 #include <optional>
 
-#include "query/pair_oracle.hpp"
-#include "query/pair_shapes.hpp"
-#include "query/relation_counts.hpp"
+#include "query/pair_laws.hpp"
 
 namespace plumb::oracle {
 
 inline RationalPoint sum(const RationalPoint& a, const mpq_class& times, const RationalPoint& b) {
   return {mpq_class(a[0] + times * b[0]), mpq_class(a[1] + times * b[1]), mpq_class(a[2] + times * b[2])};
+}
+inline RationalPoint times_rational(const RationalPoint& v, const mpq_class& times) {
+  return {mpq_class(v[0] * times), mpq_class(v[1] * times), mpq_class(v[2] * times)};
 }
 inline mpq_class dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline RationalPoint difference(const RationalPoint& a, const RationalPoint& b) { return sum(a, -1, b); }
@@ -28,29 +30,46 @@ inline Spanned spanned_by(const RationalPoint& corner, const std::vector<Rationa
   return all;
 }
 
-/// The corners of a bounded intersection: where three of the sides meet, and within all.
+/// The corners of an intersection and the directions that it goes on in: where three of the sides meet, and along two
+/// of them, within all.  Where it holds lines, it is cut across them first.
 inline Spanned spanned(const HalfspaceIntersection3& s) {
-  Spanned all;
-  const auto& h = s.halfspaces;
-  const auto row = [&](std::size_t i) { return rational(h[i].normal); };
-  const auto determinant = [](const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
-    return mpq_class(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-                     a[2] * (b[0] * c[1] - b[1] * c[0]));
+  using polygon_detail::cross, polygon_detail::is_zero;
+  struct Side {
+    RationalPoint normal;
+    mpq_class offset;
   };
-  for (std::size_t i = 0; i < h.size(); ++i) {
-    for (std::size_t j = i + 1; j < h.size(); ++j) {
-      for (std::size_t k = j + 1; k < h.size(); ++k) {
-        const std::array<RationalPoint, 3> rows{row(i), row(j), row(k)};
-        const mpq_class whole = determinant(rows[0], rows[1], rows[2]);
+  std::vector<Side> sides;
+  for (const Halfspace3& h : s.halfspaces) sides.push_back({rational(h.normal), h.offset});
+  Spanned all;
+  const std::array<RationalPoint, 3> units{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const auto along_all = [&](const RationalPoint& d) {
+    return !is_zero(d) && std::ranges::all_of(sides, [&](const Side& h) { return dot(h.normal, d) == 0; });
+  };
+  const auto cut = [&](const RationalPoint& d) {
+    if (!along_all(d)) return;
+    all.directions.push_back(d), all.directions.push_back(opposite(d));
+    sides.push_back({d, 0}), sides.push_back({opposite(d), 0});
+  };
+  for (const RationalPoint& u : units) cut(u);
+  for (std::size_t i = 0; i < sides.size(); ++i) {  // with the new ones
+    for (const RationalPoint& u : units) cut(cross(sides[i].normal, u));
+    for (std::size_t j = 0; j < i; ++j) cut(cross(sides[i].normal, sides[j].normal));
+  }
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (std::size_t j = i + 1; j < sides.size(); ++j) {
+      const RationalPoint edge = cross(sides[i].normal, sides[j].normal);
+      for (const RationalPoint& d : {edge, opposite(edge)}) {
+        const auto goes_on = [&](const Side& h) { return dot(h.normal, d) <= 0; };
+        if (!is_zero(d) && std::ranges::all_of(sides, goes_on)) all.directions.push_back(d);
+      }
+      for (std::size_t k = j + 1; k < sides.size(); ++k) {
+        const mpq_class whole = dot(edge, sides[k].normal);
         if (sgn(whole) == 0) continue;
-        RationalPoint p;
-        for (std::size_t c = 0; c < 3; ++c) {
-          auto with = rows;
-          with[0][c] = h[i].offset, with[1][c] = h[j].offset, with[2][c] = h[k].offset;
-          p[c] = determinant(with[0], with[1], with[2]) / whole;
-        }
-        const auto within = [&](const Halfspace3& side) { return dot(rational(side.normal), p) <= side.offset; };
-        if (std::ranges::all_of(h, within)) all.points.push_back(p);
+        RationalPoint p = times_rational(edge, sides[k].offset / whole);
+        p = sum(p, sides[i].offset / whole, cross(sides[j].normal, sides[k].normal));
+        p = sum(p, sides[j].offset / whole, cross(sides[k].normal, sides[i].normal));
+        const auto within = [&](const Side& h) { return dot(h.normal, p) <= h.offset; };
+        if (std::ranges::all_of(sides, within)) all.points.push_back(p);
       }
     }
   }
@@ -63,6 +82,11 @@ inline HalfspaceIntersection3 sides_of(const KDop3& k_dop) {
     s.halfspaces.push_back({d, k_dop.max[i]});
     s.halfspaces.push_back({{-d.x, -d.y, -d.z}, -k_dop.min[i]});
   }
+  return s;
+}
+inline HalfspaceIntersection3 sides_of(const HalfspaceIntersection2& flat) {
+  HalfspaceIntersection3 s{{{{0, 0, 1}, 0}, {{0, 0, -1}, 0}}};
+  for (const auto& [n, offset] : flat.halfspaces) s.halfspaces.push_back({{n.x, n.y, 0}, offset});
   return s;
 }
 inline HalfspaceIntersection3 sides_of(const KDop2& k_dop) {
@@ -109,60 +133,70 @@ class BruteDistance {
  public:
   BruteDistance(const Spanned& a, const Spanned& b) {
     for (const RationalPoint& p : a.points) {
-      for (const RationalPoint& q : b.points) add_once(points_, difference(p, q));
+      for (const RationalPoint& q : b.points) generators_.push_back({difference(p, q), true});
     }
-    for (const RationalPoint& d : a.directions) add_once(directions_, d);
-    for (const RationalPoint& d : b.directions) add_once(directions_, opposite(d));
-    meet_ = !a.points.empty() && !b.points.empty() && relation(a, b) != Relation::disjoint;
+    if (generators_.empty()) return;
+    for (const RationalPoint& d : a.directions) generators_.push_back({d, false});
+    for (const RationalPoint& d : b.directions) generators_.push_back({opposite(d), false});
+    meet_ = relation(a, b) != Relation::disjoint;
   }
 
   std::optional<mpq_class> square() {
-    if (points_.empty()) return {};
+    if (generators_.empty()) return {};
     if (meet_) return mpq_class(0);
-    for (const RationalPoint& p : points_) {
-      offer(p);
-      for (std::size_t i = 0; i < points_.size() + directions_.size(); ++i) {
-        const RationalPoint u = toward(i, p);
-        try_line(p, u);
-        for (std::size_t j = i + 1; j < points_.size() + directions_.size(); ++j)
-          try_plane(p, u, toward(j, p), i < points_.size(), j < points_.size());
-      }
+    std::vector<Generator> few{generators_[0]};
+    while (true) {
+      const Nearest nearest = nearest_of(few);
+      const mpq_class square = dot(nearest.place, nearest.place);
+      const auto nearer = std::ranges::find_if(generators_, [&](const Generator& g) {
+        return dot(nearest.place, g.at) < (g.is_point ? square : mpq_class(0));
+      });
+      if (nearer == generators_.end()) return square;
+      few = nearest.of;
+      few.push_back(*nearer);
     }
-    return least_;
   }
 
  private:
-  static void add_once(std::vector<RationalPoint>& all, const RationalPoint& p) {
-    if (std::ranges::find(all, p) == all.end()) all.push_back(p);
-  }
-  [[nodiscard]] RationalPoint toward(std::size_t i, const RationalPoint& p) const {
-    return i < points_.size() ? difference(points_[i], p) : directions_[i - points_.size()];
-  }
-  void offer(const RationalPoint& x) {
-    const mpq_class square = dot(x, x);
-    if (!least_ || square < *least_) least_ = square;
-  }
-  // Weights of points add up to one at most: a foot beyond the end of a segment is not of it, but of a ray it is.
-  void try_line(const RationalPoint& p, const RationalPoint& u) {
-    const mpq_class uu = dot(u, u);
-    if (sgn(uu) == 0) return;
-    const mpq_class t = -dot(p, u) / uu;
-    const bool is_point = std::ranges::find(points_, sum(p, 1, u)) != points_.end();
-    if (sgn(t) >= 0 && (t <= 1 || !is_point)) offer(sum(p, t, u));
-  }
-  void try_plane(const RationalPoint& p, const RationalPoint& u, const RationalPoint& v, bool u_is_point,
-                 bool v_is_point) {
-    const mpq_class uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), pu = dot(p, u), pv = dot(p, v);
-    const mpq_class whole = uu * vv - uv * uv;
-    if (sgn(whole) == 0) return;
-    const mpq_class s = (uv * pv - vv * pu) / whole, t = (uv * pu - uu * pv) / whole;
-    const mpq_class used = (u_is_point ? s : mpq_class(0)) + (v_is_point ? t : mpq_class(0));
-    if (sgn(s) >= 0 && sgn(t) >= 0 && used <= 1) offer(sum(sum(p, s, u), t, v));
+  struct Generator {
+    RationalPoint at;
+    bool is_point;
+  };
+  struct Nearest {
+    RationalPoint place;
+    std::vector<Generator> of;
+  };
+
+  /// Of all that few generators span, by trying all of one, two and three of them; not for what holds the origin.
+  static Nearest nearest_of(const std::vector<Generator>& few) {
+    std::optional<Nearest> best;
+    const auto offer = [&best](const RationalPoint& x, std::vector<Generator> of) {
+      if (!best || dot(x, x) < dot(best->place, best->place)) best = {x, std::move(of)};
+    };
+    for (const Generator& p : few) {
+      if (!p.is_point) continue;
+      offer(p.at, {p});
+      for (std::size_t i = 0; i < few.size(); ++i) {
+        const RationalPoint u = few[i].is_point ? difference(few[i].at, p.at) : few[i].at;
+        const mpq_class uu = dot(u, u), pu = dot(p.at, u);
+        if (sgn(uu) == 0) continue;
+        if (const mpq_class t = -pu / uu; sgn(t) >= 0 && (t <= 1 || !few[i].is_point))
+          offer(sum(p.at, t, u), {p, few[i]});
+        for (std::size_t j = i + 1; j < few.size(); ++j) {
+          const RationalPoint v = few[j].is_point ? difference(few[j].at, p.at) : few[j].at;
+          const mpq_class uv = dot(u, v), vv = dot(v, v), pv = dot(p.at, v), whole = uu * vv - uv * uv;
+          if (sgn(whole) == 0) continue;
+          const mpq_class s = (uv * pv - vv * pu) / whole, t = (uv * pu - uu * pv) / whole;
+          const mpq_class used = (few[i].is_point ? s : mpq_class(0)) + (few[j].is_point ? t : mpq_class(0));
+          if (sgn(s) >= 0 && sgn(t) >= 0 && used <= 1) offer(sum(sum(p.at, s, u), t, v), {p, few[i], few[j]});
+        }
+      }
+    }
+    return *best;
   }
 
-  std::vector<RationalPoint> points_, directions_;
+  std::vector<Generator> generators_;
   bool meet_ = false;
-  std::optional<mpq_class> least_;
 };
 
 inline std::optional<mpq_class> squared_distance(const Spanned& a, const Spanned& b) {
@@ -213,12 +247,24 @@ class RoundOracle {
 
 namespace plumb {
 
-/// relate and intersects, both ways round, on random figures; two times of three with the radius that makes them touch,
-/// where a double is it.
-template <class Flat, class Round>
-void expect_as_brute_force(std::uint64_t start, std::uint64_t cases) {
-  Counts counts;
+/// How often a figure just touches what is not a core.
+struct RoundAnswers {
+  pair_cases::AnswersByKind of_kind{};
   int just_touching = 0;
+};
+
+template <class A, class B>
+void expect_relation(const A& a, const B& b, Relation expected, const std::string& about) {
+  EXPECT_EQ(relate(a, b), expected) << about;
+  EXPECT_EQ(relate(b, a), expected) << about;
+  EXPECT_EQ(intersects(a, b), expected != Relation::disjoint) << about;
+  EXPECT_EQ(intersects(b, a), expected != Relation::disjoint) << about;
+}
+
+/// On random figures; two times of three with the radius that makes them touch, where a double is it.
+template <class Flat, class Round>
+pair_cases::Answers expect_as_brute_force(std::uint64_t start, std::uint64_t cases, int& just_touching) {
+  pair_cases::Answers answers;
   shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
     const Flat flat = pair_cases::near_figure<Flat>(m);
     auto round = m.shape<Round>();
@@ -227,23 +273,17 @@ void expect_as_brute_force(std::uint64_t start, std::uint64_t cases) {
       if (const auto root = oracle::exact_root(*expected.square())) round.radius = *root;
     }
     const Relation answer = expected.relation(mpq_class(round.radius));
-    counts.add(answer);
+    answers.add(answer);
     if (round.radius > 0 && answer == Relation::touching) ++just_touching;
-    const std::string about = m.about(flat, round);
-    ASSERT_EQ(relate(flat, round), answer) << about;
-    ASSERT_EQ(relate(round, flat), answer) << about;
-    ASSERT_EQ(intersects(flat, round), answer != Relation::disjoint) << about;
-    ASSERT_EQ(intersects(round, flat), answer != Relation::disjoint) << about;
+    expect_relation(flat, round, answer, pair_cases::pair_name<Flat, Round>() + m.about(flat, round));
   });
-  std::printf("disjoint %d, touching %d (%d round), overlapping %d\n", counts.of[0], counts.of[1], just_touching,
-              counts.of[2]);
-  if (cases >= 50) expect_all_answers(counts, cases * shape_cases::more);
+  return answers;
 }
 
 /// Two round figures, likewise.
 template <class A, class B>
-void expect_round_as_brute_force(std::uint64_t start, std::uint64_t cases) {
-  Counts counts;
+pair_cases::Answers expect_round_as_brute_force(std::uint64_t start, std::uint64_t cases) {
+  pair_cases::Answers answers;
   shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
     const auto a = m.shape<A>();
     auto b = m.shape<B>();
@@ -253,12 +293,31 @@ void expect_round_as_brute_force(std::uint64_t start, std::uint64_t cases) {
       if (rest >= 0) b.radius = rest;
     }
     const Relation answer = expected.relation(mpq_class(a.radius) + mpq_class(b.radius));
-    counts.add(answer);
-    ASSERT_EQ(relate(a, b), answer) << m.about(a, b);
-    ASSERT_EQ(relate(b, a), answer) << m.about(a, b);
+    answers.add(answer);
+    expect_relation(a, b, answer, pair_cases::pair_name<A, B>() + m.about(a, b));
   });
-  std::printf("disjoint %d, touching %d, overlapping %d\n", counts.of[0], counts.of[1], counts.of[2]);
-  expect_all_answers(counts, cases * shape_cases::more);
+  return answers;
+}
+
+/// All pairs with a core.
+template <class All>
+void expect_all_round(All all, std::uint64_t start, std::uint64_t cases) {
+  using namespace pair_cases;
+  RoundAnswers answers;
+  on_pairs_of<PairOracle::core>(all, [&]<class A, class B>(const A*, const B*) {
+    const std::uint64_t some = is_costly<A> || is_costly<B> ? cases / 4 : cases;
+    constexpr bool round_a = has_core(figure_kind<A>), round_b = has_core(figure_kind<B>);
+    if constexpr (round_a && round_b) {
+      add_to_kinds<A, B>(answers.of_kind, expect_round_as_brute_force<A, B>(start++, some));
+    } else if constexpr (round_a) {
+      add_to_kinds<A, B>(answers.of_kind, expect_as_brute_force<B, A>(start++, some, answers.just_touching));
+    } else {
+      add_to_kinds<A, B>(answers.of_kind, expect_as_brute_force<A, B>(start++, some, answers.just_touching));
+    }
+  });
+  expect_every_answer(answers.of_kind);
+  std::printf("%d touch by a radius above zero\n", answers.just_touching);
+  EXPECT_GE(static_cast<std::uint64_t>(answers.just_touching), cases * shape_cases::more);
 }
 
 }  // namespace plumb

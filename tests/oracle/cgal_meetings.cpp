@@ -1,0 +1,116 @@
+#include <CGAL/intersections.h>
+
+#include "oracle/cgal_kernel.hpp"
+#include "oracle/meetings.hpp"
+
+namespace plumb::oracle {
+namespace {
+
+Kernel::Point_2 cgal(const Point2& p) { return {Number(p.x), Number(p.y)}; }
+Kernel::Point_3 cgal(const Point3& p) { return {Number(p.x), Number(p.y), Number(p.z)}; }
+Kernel::Vector_2 cgal(const Vector2& v) { return {Number(v.x), Number(v.y)}; }
+Kernel::Vector_3 cgal(const Vector3& v) { return {Number(v.x), Number(v.y), Number(v.z)}; }
+Kernel::Line_2 cgal(const Line2& l) { return {cgal(l.point), cgal(l.direction)}; }
+Kernel::Line_3 cgal(const Line3& l) { return {cgal(l.point), cgal(l.direction)}; }
+Kernel::Ray_2 cgal(const Ray2& r) { return {cgal(r.origin), cgal(r.direction)}; }
+Kernel::Ray_3 cgal(const Ray3& r) { return {cgal(r.origin), cgal(r.direction)}; }
+Kernel::Segment_2 cgal(const Segment2& s) { return {cgal(s.a), cgal(s.b)}; }
+Kernel::Segment_3 cgal(const Segment3& s) { return {cgal(s.a), cgal(s.b)}; }
+Kernel::Plane_3 cgal(const Plane3& p) {
+  return {Number(p.normal.x), Number(p.normal.y), Number(p.normal.z), -Number(p.offset)};
+}
+Kernel::Triangle_2 cgal(const Triangle2& t) { return {cgal(t.a), cgal(t.b), cgal(t.c)}; }
+Kernel::Triangle_3 cgal(const Triangle3& t) { return {cgal(t.a), cgal(t.b), cgal(t.c)}; }
+Kernel::Tetrahedron_3 cgal(const Tetrahedron3& t) { return {cgal(t.a), cgal(t.b), cgal(t.c), cgal(t.d)}; }
+Kernel::Circle_2 cgal(const Circle2& c) { return {cgal(c.center), Number(c.radius) * Number(c.radius)}; }
+Kernel::Sphere_3 cgal(const Sphere3& s) { return {cgal(s.center), Number(s.radius) * Number(s.radius)}; }
+Kernel::Iso_rectangle_2 cgal(const Aabb2& b) { return {cgal(b.min), cgal(b.max)}; }
+Kernel::Iso_cuboid_3 cgal(const Aabb3& b) { return {cgal(b.min), cgal(b.max)}; }
+
+/// Is it what CGAL asks for?  Lines of space divide by their direction.
+template <class Shape>
+bool is_proper(const Shape& s) {
+  if constexpr (std::is_same_v<Shape, Point2> || std::is_same_v<Shape, Point3>) {
+    return true;
+  } else if constexpr (std::is_same_v<Shape, Line3>) {
+    return s.direction != Vector3{0, 0, 0};
+  } else if constexpr (std::is_same_v<Shape, Aabb2>) {
+    return s.min.x < s.max.x && s.min.y < s.max.y;
+  } else if constexpr (std::is_same_v<Shape, Aabb3>) {
+    return s.min.x < s.max.x && s.min.y < s.max.y && s.min.z < s.max.z;
+  } else {
+    return !cgal(s).is_degenerate();
+  }
+}
+
+template <class Shape>
+inline constexpr bool is_ball = std::is_same_v<Shape, Circle2> || std::is_same_v<Shape, Sphere3>;
+
+template <class Ball, class Point>
+bool ball_holds(const Ball& ball, const Point& p) {
+  return CGAL::squared_distance(cgal(ball.center), cgal(p)) <= Number(ball.radius) * Number(ball.radius);
+}
+
+/// Of a shape with corners.
+template <class Shape>
+auto some_point(const Shape& s) {
+  if constexpr (requires { s.min; }) {
+    return s.min;
+  } else if constexpr (requires { s.a; }) {
+    return s.a;
+  } else if constexpr (requires { s.origin; }) {
+    return s.origin;
+  } else {
+    return s;
+  }
+}
+
+template <class Ball, class Other>
+bool ball_meets(const Ball& ball, const Other& other) {
+  if constexpr (is_ball<Other>) {
+    if (ball_holds(ball, other.center) || ball_holds(other, ball.center)) return true;
+  } else {
+    if (CGAL::do_intersect(cgal(ball.center), cgal(other))) return true;
+    if constexpr (
+        requires { other.offset; } || requires { other.point; }) {  // goes out of the ball
+    } else {
+      if (ball_holds(ball, some_point(other))) return true;
+    }
+  }
+  return CGAL::do_intersect(cgal(ball), cgal(other));
+}
+
+/// Of lines and rays of space CGAL 5.5's do_intersect is wrong where the line's first point lies beyond the ray; what
+/// it constructs is right.
+template <class Shape>
+inline constexpr bool is_constructed =
+    std::is_same_v<Shape, Line3> || std::is_same_v<Shape, Ray3> || std::is_same_v<Shape, Segment3>;
+
+template <class Variant>
+std::optional<bool> meet(const Variant& a, const Variant& b) {
+  if (b.index() < a.index()) return meet(b, a);
+  return std::visit(
+      []<class A, class B>(const A& x, const B& y) -> std::optional<bool> {
+        if constexpr (Variant(A{}).index() > Variant(B{}).index()) {
+          return {};
+        } else if (!is_proper(x) || !is_proper(y)) {
+          return {};
+        } else if constexpr (is_ball<A>) {
+          return ball_meets(x, y);
+        } else if constexpr (is_ball<B>) {
+          return ball_meets(y, x);
+        } else if constexpr (is_constructed<A> && is_constructed<B>) {
+          return static_cast<bool>(CGAL::intersection(cgal(x), cgal(y)));
+        } else {
+          return CGAL::do_intersect(cgal(x), cgal(y));
+        }
+      },
+      a, b);
+}
+
+}  // namespace
+
+std::optional<bool> meet_by_cgal(const CgalFigure2& a, const CgalFigure2& b) { return meet(a, b); }
+std::optional<bool> meet_by_cgal(const CgalFigure3& a, const CgalFigure3& b) { return meet(a, b); }
+
+}  // namespace plumb::oracle
