@@ -1,6 +1,7 @@
 // Boxes in space against a linear program in rationals.
 #include "plumb/query/overlap_box.hpp"
 
+#include "plumb/figure/obb.hpp"
 #include "query/relation_counts.hpp"
 
 namespace plumb {
@@ -63,6 +64,23 @@ TEST(OverlapBoxCases, TrianglesByEachKindOfAxis) {
   EXPECT_EQ(relate(Triangle3{{2.5, 0, 0}, {0, 2.5, 0}, {0, 0, 2.5}}, unit), Relation::overlapping);
   EXPECT_EQ(relate(Triangle3{{0, 0, 1}, {9, 0, 1}, {0, 9, 1}}, unit), Relation::touching);  // in the plane of a face
   EXPECT_EQ(relate(Triangle3{{0, 0, 1}, {9, 0, 1}, {0, 9, 1}}, Aabb3{{0, 0, 1}, {1, 1, 1}}), Relation::overlapping);
+}
+
+// RTCD figures 5.13 and 5.14: a plane between two boxes whose spans along x, y and z all overlap; where the distance of
+// the centers along its normal is the sum of the two radii, the boxes touch, and any less leaves no plane between them.
+TEST(OverlapBoxCases, PlanesThatSeparate) {
+  const Obb3 diamond{{0, 0, 0}, {Vector3{1, 1, 0}, Vector3{-1, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};  // |x| + |y| <= 2
+  EXPECT_EQ(relate(Aabb3{{1.5, 1.5, 0}, {3, 3, 3}}, diamond), Relation::disjoint);
+  EXPECT_EQ(relate(Aabb3{{0.5, 0.5, 0}, {3, 3, 3}}, diamond), Relation::overlapping);
+  for (const auto& [c, expected] : {std::pair{2.0, Relation::touching},
+                                    {0x1.0000000000001p+1, Relation::disjoint},
+                                    {0x1.fffffffffffffp+0, Relation::overlapping}}) {
+    const Aabb3 box{{c - 1, c - 1, 0}, {c + 1, c + 1, 3}};  // c is the center, exactly
+    EXPECT_EQ(relate(box, diamond), expected) << c;
+    EXPECT_EQ(relate(Obb3{{c, c, 1}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}}, diamond),
+              expected)
+        << c;
+  }
 }
 
 TEST(OverlapBoxCases, NamesWhatIsNoNumber) {
