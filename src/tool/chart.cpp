@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <string_view>
+#include <utility>
 
 #include "log_axis.hpp"
 #include "plumb/arith/error.hpp"
@@ -16,7 +18,8 @@ namespace plumb::tool {
 namespace {
 
 constexpr double kWidth = 840, kHeight = 520, kLeft = 84, kRight = 28, kTop = 104, kBottom = 66;
-constexpr double kBand = 60, kBreak = 8;  // height of the band of zeros and of the gap above it
+constexpr double kBand = 60, kBreak = 8;                    // height of the band of zeros and of the gap above it
+constexpr double kCrowd = 6, kRow = 9, kTallestBand = 150;  // more zeros than these make the band taller
 constexpr double kMarker = 6.5, kLabelHeight = 17;
 constexpr std::size_t kShapes = 7;
 
@@ -86,7 +89,8 @@ struct Scales {
 
 Scales make_scales(std::span<const ChartPoint> points, double height) {
   double x_low = 1, x_high = 1000, y_low = 1e-6, y_high = 1;
-  bool has_zeros = false, any_x = false, any_y = false;
+  bool any_x = false, any_y = false;
+  double zeros = 0;
   for (const ChartPoint& p : points) {
     if (!(p.x > 0) || !std::isfinite(p.x) || !(p.y >= 0) || !std::isfinite(p.y)) {
       throw Error(fmt::format("chart: the point \"{}\" ({}, {}) has no place on logarithmic axes", p.label, p.x, p.y));
@@ -94,14 +98,18 @@ Scales make_scales(std::span<const ChartPoint> points, double height) {
     x_low = any_x ? std::min(x_low, p.x) : p.x;
     x_high = any_x ? std::max(x_high, p.x) : p.x;
     any_x = true;
-    has_zeros = has_zeros || p.y == 0;
-    if (p.y == 0) continue;
+    if (p.y == 0) {
+      ++zeros;
+      continue;
+    }
     y_low = any_y ? std::min(y_low, p.y) : p.y;
     y_high = any_y ? std::max(y_high, p.y) : p.y;
     any_y = true;
   }
   const Box plot{kLeft, kTop, kWidth - kRight, height - kBottom};
-  const double break_at = has_zeros ? plot.bottom - kBand : plot.bottom;
+  const bool has_zeros = zeros > 0;
+  const double band = std::clamp(kBand + kRow * (zeros - kCrowd), kBand, kTallestBand);
+  const double break_at = has_zeros ? plot.bottom - band : plot.bottom;
   const double low_end = has_zeros ? break_at - kBreak : plot.bottom;
   return {plot, has_zeros, break_at, LogAxis(x_low, x_high, LogAxis::Ends::padded, plot.left, plot.right),
           LogAxis(y_low, y_high, LogAxis::Ends::whole_decades, low_end - 10, plot.top + 10)};
@@ -140,13 +148,14 @@ const std::string_view chart_style = R"(<style>
   .grid { stroke: #dde2e7; stroke-width: 1; } .fine { stroke: #f0f2f4; stroke-width: 1; }
   .axis { stroke: #8b949e; stroke-width: 1; fill: none; } .leader { stroke: #8b949e; stroke-width: 1; }
   .label { font-size: 13px; paint-order: stroke; stroke: #ffffff; stroke-width: 3px; stroke-linejoin: round; }
-  .marker { stroke: #ffffff; stroke-width: 1.2; }
+  .marker { stroke: #ffffff; stroke-width: 1.2; } .partial { fill-opacity: 0.45; }
+  .frontier { stroke: #8b949e; stroke-width: 1.5; stroke-dasharray: 5 4; fill: none; }
   .s0 { fill: #0072b2; } .s1 { fill: #d55e00; } .s2 { fill: #009e73; } .s3 { fill: #cc79a7; }
   .s4 { fill: #e69f00; } .s5 { fill: #56b4e9; } .s6 { fill: #4d4d4d; }
   @media (prefers-color-scheme: dark) {
     text { fill: #e6edf3; } .paper { fill: #0d1117; } .band { fill: #161d27; } .muted { fill: #9ba4ae; }
     .grid { stroke: #29303a; } .fine { stroke: #171c24; } .axis, .leader { stroke: #717982; }
-    .label { stroke: #0d1117; } .marker { stroke: #0d1117; }
+    .label { stroke: #0d1117; } .marker { stroke: #0d1117; } .frontier { stroke: #717982; }
     .s0 { fill: #4aa8e0; } .s1 { fill: #ff8340; } .s2 { fill: #2bc79a; } .s3 { fill: #e39ac4; }
     .s4 { fill: #f2b632; } .s5 { fill: #8fd0f7; } .s6 { fill: #c4cad1; }
   }
@@ -206,6 +215,7 @@ class Drawing {
     put("<rect class=\"paper\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", kWidth, height);
     draw_axes(scales);
     draw_text(height);
+    if (text_.frontier) draw_frontier();
     for (std::size_t i = 0; i < points_.size(); ++i) draw_leader(i);
     for (std::size_t i = 0; i < points_.size(); ++i) draw_point(i);
     for (std::size_t i = 0; i < points_.size(); ++i) draw_label(i);
@@ -267,22 +277,46 @@ class Drawing {
         height - kBottom + 46, escaped(text_.x_axis));
   }
 
-  void draw_leader(std::size_t i) {
-    const LabelPlace& p = layout_.labels[i];
-    if (p.leader) line("leader", p.from_x, p.from_y, p.to_x, p.to_y);
+  /// Steps: what can be had in so much time.
+  void draw_frontier() {
+    std::string path;
+    for (const std::size_t i : frontier_of(points_)) {
+      const auto [x, y] = center(i);
+      path += path.empty() ? fmt::format("M{:.1f} {:.1f}", x, y) : fmt::format("H{:.1f}V{:.1f}", x, y);
+    }
+    if (!path.empty()) put("<path class=\"frontier\" d=\"{}\"/>\n", path);
   }
 
-  void draw_point(std::size_t i) {
+  [[nodiscard]] std::array<double, 2> center(std::size_t i) const {
     const Box& m = layout_.markers[i];
-    put("{} class=\"marker s{}\"><title>{}: {:.4g}, {:.4g}</title></{}>\n",
-        marker_shape(i % kShapes, (m.left + m.right) / 2, (m.top + m.bottom) / 2), i % kShapes,
-        escaped(points_[i].label), points_[i].x, points_[i].y, i % kShapes == 0 ? "circle" : "path");
+    return {(m.left + m.right) / 2, (m.top + m.bottom) / 2};
+  }
+
+  [[nodiscard]] std::string key_of(std::size_t i) const {
+    return points_[i].key.empty() ? "" : fmt::format(" data-key=\"{}\"", escaped(points_[i].key));
+  }
+
+  void draw_leader(std::size_t i) {
+    const LabelPlace& p = layout_.labels[i];
+    if (!p.leader) return;
+    put("<line class=\"leader\"{} x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", key_of(i), p.from_x,
+        p.from_y, p.to_x, p.to_y);
+  }
+
+  /// No two of the first 49 points have both color and shape in common.
+  void draw_point(std::size_t i) {
+    const ChartPoint& p = points_[i];
+    const auto [x, y] = center(i);
+    const std::string hint = p.hint.empty() ? fmt::format("{}: {:.4g}, {:.4g}", p.label, p.x, p.y) : p.hint;
+    put("{} class=\"marker s{}{}\"{}><title>{}</title></{}>\n", marker_shape(i % kShapes, x, y),
+        (i + i / kShapes) % kShapes, p.complete ? "" : " partial", key_of(i), escaped(hint),
+        i % kShapes == 0 ? "circle" : "path");
   }
 
   void draw_label(std::size_t i) {
     const Box& b = layout_.labels[i].box;
-    put("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (b.left + b.right) / 2,
-        b.bottom - 4.5, escaped(shown_label(points_[i].label)));
+    put("<text class=\"label\"{} x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", key_of(i),
+        (b.left + b.right) / 2, b.bottom - 4.5, escaped(shown_label(points_[i].label)));
   }
 
   const ChartText& text_;
@@ -292,6 +326,20 @@ class Drawing {
 };
 
 }  // namespace
+
+std::vector<std::size_t> frontier_of(std::span<const ChartPoint> points) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].complete) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) {
+    return std::pair(points[i].x, points[i].y) < std::pair(points[j].x, points[j].y);
+  });
+  double least = std::numeric_limits<double>::infinity();
+  std::erase_if(order,
+                [&](std::size_t i) { return !(points[i].y < std::exchange(least, std::min(least, points[i].y))); });
+  return order;
+}
 
 ChartLayout lay_out_chart(std::span<const ChartPoint> points) {
   ChartLayout layout{};

@@ -20,13 +20,17 @@ namespace plumb::tool {
 
 struct ChartPoint {
   std::string label;
-  double x;  // positive
-  double y;  // zero or positive
+  double x;               // positive
+  double y;               // zero or positive
+  bool complete = true;   // what does not answer everything is drawn faintly and is no part of the frontier
+  std::string key = {};   // marks what is drawn of the point, for scripts
+  std::string hint = {};  // shown where the reader points at it; its label and numbers when empty
 };
 
 struct ChartText {
   std::string title, subtitle;
   std::string x_axis, y_axis;
+  bool frontier = false;  // join the points that no other beats in both numbers
 };
 
 /// Where everything stands, in pixels.
@@ -39,6 +43,9 @@ struct ChartLayout {
 };
 
 /// Throws plumb::Error where a point has no place (x not positive, y negative, not finite).
+/// The complete points that no other complete one beats: none is both as far left and as far down.  From left to right.
+std::vector<std::size_t> frontier_of(std::span<const ChartPoint> points);
+
 ChartLayout lay_out_chart(std::span<const ChartPoint> points);
 std::string scatter_chart(const ChartText& text, std::span<const ChartPoint> points);
 

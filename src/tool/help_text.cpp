@@ -87,6 +87,10 @@ bounds [MESH]...
        Says of each kind of bounding volume how tight it is on these
        meshes, how often it overlaps falsely and what its test costs.
 
+chart
+       Holds the ways of answering geometric questions against each
+       other: how often each is wrong, and how long it takes.
+
 check [MESH]...
        Takes the decisions that mesh software takes on these meshes, in
        floating point and exactly, and says where floating point errs.

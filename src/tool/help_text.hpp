@@ -11,6 +11,7 @@ namespace plumb::tool {
 
 Manual program_manual();
 Manual bounds_manual();
+Manual chart_manual();
 Manual check_manual();
 Manual sign_manual();
 Manual proof_manual();

@@ -11,6 +11,7 @@
 #include <new>
 
 #include "bounds_command.hpp"
+#include "chart_command.hpp"
 #include "check_command.hpp"
 #include "doctor_command.hpp"
 #include "help_text.hpp"
@@ -24,11 +25,12 @@ namespace {
 
 class Program {
  public:
-  Program() {
-    for (CLI::App* page : {&app_, bounds_, check_, sign_, proof_, doctor_})
+  explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
+    for (CLI::App* page : {&app_, bounds_, chart_, check_, sign_, proof_, doctor_})
       page->set_help_flag("-h,--help", "Show this page.");
     app_.add_flag("--version", version_, "Print the version.");
     add_bounds();
+    add_chart();
     add_check();
     add_proof();
     sign_->prefix_command();  // what follows is a case: a leading '-' there is a sign, not an option
@@ -58,15 +60,17 @@ class Program {
       return run_case(words);
     }
     if (!rest.empty()) throw CLI::ExtrasError(rest);
+    if (*chart_) return run_chart(chart_options_, rivals_);
     if (*proof_) return run_proof(proof_options_);
     if (*doctor_) return run_doctor();
-    throw Error("a command is needed: bounds, check, sign, proof or doctor; 'plumb --help' explains");
+    throw Error("a command is needed: bounds, chart, check, sign, proof or doctor; 'plumb --help' explains");
   }
 
   /// The page of the command that was named, or of the program.
   void help() const {
     const Style style(stdout);
     if (*bounds_) return say(manual_page(bounds_manual(), *bounds_, style));
+    if (*chart_) return say(manual_page(chart_manual(), *chart_, style));
     if (*check_) return say(manual_page(check_manual(), *check_, style));
     if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
     if (*proof_) return say(manual_page(proof_manual(), *proof_, style));
@@ -75,7 +79,7 @@ class Program {
   }
 
   [[nodiscard]] std::string help_hint() const {
-    for (const CLI::App* command : {bounds_, check_, sign_, proof_, doctor_}) {
+    for (const CLI::App* command : {bounds_, chart_, check_, sign_, proof_, doctor_}) {
       if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
     }
     return "'plumb --help' explains";
@@ -95,6 +99,20 @@ class Program {
                      "What the test behind the bounds costs, in nanoseconds; 1000 when not given.")
         ->check(CLI::Range(0.0, 1e12))
         ->type_name("NS");
+  }
+
+  void add_chart() {
+    ChartOptions& o = chart_options_;
+    chart_->add_option("--out", o.out, "Write the report into this folder, which is made where it is missing.")
+        ->type_name("DIR");
+    chart_->add_flag("--quick", o.quick, "Ask little of each class: seconds instead of minutes.");
+    chart_->add_option("--task", o.tasks, "Only this task; repeatable.")->allow_extra_args(false)->type_name("NAME");
+    chart_->add_option("--class", o.classes, "Only inputs of this class; repeatable.")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    chart_->add_option("--seed", o.seed, "Other inputs of the same classes; 2026 when not given.")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
   }
 
   void add_check() {
@@ -152,6 +170,9 @@ class Program {
   bool version_ = false;
   BoundsOptions bounds_options_;
   CLI::App* bounds_ = app_.add_subcommand("bounds", "Rate bounding volumes on meshes.");
+  std::span<const trial::Rival> rivals_;
+  ChartOptions chart_options_;
+  CLI::App* chart_ = app_.add_subcommand("chart", "Hold the ways of answering geometric questions against each other.");
   CheckOptions check_options_;
   CLI::App* check_ = app_.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
   CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");
@@ -167,9 +188,9 @@ int refuse(std::string_view text) {
 
 }  // namespace
 
-int run_program(int argc, char** argv) try {
+int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is an output error like a full disk, not sudden death
-  Program program;
+  Program program(rivals);
   int code = 0;
   try {
     code = program.run(argc, argv);

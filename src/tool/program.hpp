@@ -5,8 +5,13 @@
 // error.
 #pragma once
 
+#include <span>
+
+#include "tool/trial/task.hpp"
+
 namespace plumb::tool {
 
-int run_program(int argc, char** argv);
+/// `plumb chart` tries these rivals as well; the installed program has none.
+int run_program(int argc, char** argv, std::span<const trial::Rival> rivals = {});
 
 }  // namespace plumb::tool

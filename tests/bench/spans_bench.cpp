@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "bench/expansion.hpp"
 #include "bench/measure.hpp"
 #include "plumb/certify/decide.hpp"
 #include "plumb/degenerate/coordinates.hpp"
+#include "tool/trial/expansion.hpp"
 
 namespace plumb::bench {
 namespace {

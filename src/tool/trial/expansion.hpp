@@ -1,4 +1,5 @@
-// The rival of the wide integers: a value as a sum of doubles that do not overlap, smallest first.
+// What do expansions of doubles cost, and where do they fail?  A value as a sum of doubles that do not overlap,
+// smallest first.
 //
 // Exact while no product of components overflows or underflows; components that are zero are left out, so values of few
 // bits far apart stay short.  Memory comes from an arena that the evaluation resets.
@@ -6,15 +7,14 @@
 // for sums; products cost the product of the lengths.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
+#include <memory>
 
 #include "plumb/arith/error_free.hpp"
 #include "plumb/arith/sign.hpp"
 #include "plumb/certify/formula.hpp"
 
-namespace plumb::bench {
+namespace plumb::tool::trial {
 
 class Expansion {
  public:
@@ -22,8 +22,23 @@ class Expansion {
 
   Expansion() = default;
   explicit Expansion(double x) : at_(take(1)) { push(x); }
+  /// a - b, exactly.
+  static Expansion difference(double a, double b) {
+    const Rounded d = two_sum(a, -b);
+    Expansion r;
+    r.at_ = take(2);
+    r.push(d.error);
+    r.push(d.value);
+    return r;
+  }
 
   [[nodiscard]] Sign sign() const { return size_ == 0 ? Sign::zero : sign_of_number(at_[size_ - 1]); }
+
+  [[nodiscard]] double estimate() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum += at_[i];
+    return sum;
+  }
 
   friend Expansion operator+(const Expansion& a, const Expansion& b) { return merged(a, b, 1); }
   friend Expansion operator-(const Expansion& a, const Expansion& b) { return merged(a, b, -1); }
@@ -35,14 +50,14 @@ class Expansion {
   }
 
  private:
-  static constexpr std::size_t capacity = 1 << 18;
+  static constexpr std::size_t capacity = 1 << 20;  // more than insphere takes at its worst
   static std::size_t& used() {
     thread_local std::size_t n = 0;
     return n;
   }
   static double* take(std::size_t n) {
-    thread_local std::array<double, capacity> arena;
-    double* p = arena.data() + used();
+    thread_local const std::unique_ptr<double[]> arena(new double[capacity]);
+    double* const p = arena.get() + used();
     used() += n;
     return p;
   }
@@ -97,4 +112,4 @@ Sign expansion_sign(const Coordinates<F>& p) {
   return evaluate<F>([&](std::size_t i) { return Expansion(p[i]); }).sign();
 }
 
-}  // namespace plumb::bench
+}  // namespace plumb::tool::trial

@@ -1,0 +1,111 @@
+#include "chart_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "plumb/arith/error.hpp"
+#include "progress.hpp"
+#include "tool/trial/allocations.hpp"
+#include "trial_report.hpp"
+#include "write_folder.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using trial::InputClass;
+using trial::Task;
+
+bool wanted(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+/// Throws where one of the names is none of those that exist.
+void require_known(std::string_view what, const std::vector<std::string>& names,
+                   const std::vector<std::string>& known) {
+  for (const std::string& name : names) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    std::string all;
+    for (const std::string& k : known) all.append(all.empty() ? "" : ", ").append(k);
+    throw Error(fmt::format("chart: there is no {} {}; there are {}", what, printable(name), all));
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<Task>& tasks) {
+  std::vector<std::string> names;
+  for (const Task& task : tasks) names.push_back(task.name);
+  return names;
+}
+
+std::vector<std::string> class_names_of(const std::vector<Task>& tasks) {
+  std::vector<std::string> names;
+  for (const Task& task : tasks) {
+    for (const InputClass& c : task.classes) {
+      if (std::ranges::find(names, c.name) == names.end()) names.push_back(c.name);
+    }
+  }
+  return names;
+}
+
+/// What is asked for, in the order of the report.
+std::vector<Task> chosen(const ChartOptions& options, std::span<const trial::Rival> rivals) {
+  std::vector<Task> tasks = trial::all_tasks(rivals);
+  require_known("task", options.tasks, names_of(tasks));
+  require_known("class", options.classes, class_names_of(tasks));
+  std::erase_if(tasks, [&](const Task& task) { return !wanted(options.tasks, task.name); });
+  for (Task& task : tasks)
+    std::erase_if(task.classes, [&](const InputClass& c) { return !wanted(options.classes, c.name); });
+  std::erase_if(tasks, [](const Task& task) { return task.classes.empty(); });
+  if (tasks.empty()) throw Error("chart: none of these tasks has any of these classes");
+  return tasks;
+}
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&time, &parts);
+  std::array<char, 32> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
+}
+
+}  // namespace
+
+int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals) {
+  const std::vector<Task> tasks = chosen(options, rivals);
+  if (options.out) require_folder(*options.out);  // before minutes of work, not after
+  trial::Settings settings;
+  settings.seed = options.seed;
+  if (options.quick) settings.cases = settings.block = 256;
+  std::uint64_t steps = 0;
+  for (const Task& task : tasks) steps += task.methods.size() * task.classes.size();
+
+  trial::count_gmp_allocations();
+  const Style style(stdout);
+  std::vector<trial::Trial> trials;
+  std::string table;
+  {
+    Progress progress("chart", steps);
+    for (const Task& task : tasks) {
+      for (const InputClass& input : task.classes) {
+        trials.push_back(trial::measure(task, input, settings, [&] { progress.advance(); }));
+      }
+    }
+  }
+  std::vector<NamedText> files;
+  for (const trial::Trial& t : trials) {
+    say(trial_text(t, style) + "\n");
+    table += trial_text(t, Style(false)) + "\n";
+    files.push_back({fmt::format("{}-{}.svg", t.task, t.input), trial_chart(t)});
+  }
+  if (!options.out) return 0;
+  files.push_back({"chart.txt", std::move(table)});
+  files.push_back({"chart.json", trials_json(trials, settings, now()).dump(2) + "\n"});
+  write_folder(*options.out, files);
+  say(fmt::format("{} files in {}\n", files.size(), printable(*options.out)));
+  return 0;
+}
+
+}  // namespace plumb::tool

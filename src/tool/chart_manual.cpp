@@ -1,0 +1,65 @@
+#include "help_text.hpp"
+
+namespace plumb::tool {
+
+Manual chart_manual() {
+  return {"plumb chart",
+          "what does exactness cost, and what does it buy?",
+          {"plumb chart [OPTION]..."},
+          {{"DESCRIPTION", R"(
+Puts the same questions to every method that software answers them by,
+and says of each how often it is wrong and how long it takes.
+
+A task is a question: on which side of a line is a point (orient2d), of
+a plane (orient3d), is a point in a circle (incircle), in a sphere
+(insphere). Each is asked of several classes of inputs, from harmless
+to exactly degenerate. GMP's rationals are the judge.
+
+wrong  The share of wrong answers.
+unsure The share of questions to which the method knows that it has no
+       answer. Those are not wrong.
+inconsistent
+       The share of questions that the method answers otherwise when
+       the arguments are given in another order.
+ns     Nanoseconds a question, on one thread: the median over blocks.
+allocations
+       How often memory is asked for, a question.
+
+With --out DIR the same is written into that folder: chart.txt,
+chart.json (with machine, compiler, flags and date), and a picture for
+each task and class, TASK-CLASS.svg, of the wrong share against time,
+whose line joins the methods that no other beats in both.)"},
+           {"METHODS", R"(
+float32        Single precision, of coordinates rounded to it.
+double         The formula as it is written.
+absolute       As double, but at most 1e-9 in magnitude is zero.
+relative       As double, but at most 1e-9 of the terms' size is zero.
+long-double    The formula in the compiler's long double.
+float128       Quadruple precision, in software.
+compensated    Pairs of doubles that keep each rounding's error.
+interval       Interval arithmetic alone.
+static-filter  Double against one bound for all inputs.
+adaptive       Adaptive expansions of doubles, as in the literature.
+integers       Integers of any length, always.
+rationals      GMP's rationals, always.
+plan           Ours, in the arithmetic that the inputs' lattice needs.
+exact          Ours, one question at a time.
+batch          Ours, over spans, on one thread.)"}},
+          {{"EXIT STATUS", R"(
+0      Done.
+2      Bad input: wrong usage, a task or class that does not exist, a
+       folder that cannot be written to. What was wrong stands on
+       standard error, and nothing is left half written.)"},
+           {"ENVIRONMENT", R"(
+NO_COLOR
+       When set to anything, no colors. Without it, colors are used only
+       where the output is a terminal.)"},
+           {"EXAMPLES", R"(
+plumb chart --quick --task orient2d --class near_half
+       One table, in a moment.
+
+plumb chart --out report
+       Everything, in minutes.)"}}};
+}
+
+}  // namespace plumb::tool

@@ -1,0 +1,82 @@
+// Who answers, and how is an answer written?  A method made ready for a block of questions.
+//
+// A question is an array of doubles, an answer one double: a sign, 1 or 0 for yes or no, a number; NaN where the method
+// knows that it does not know.
+// Laws: (1) preparing turns the questions into the method's own numbers, and is not measured, as software keeps its
+// points in the numbers it computes with; answering is. (2) Answering twice gives the same answers.
+// Cost: one virtual call a block.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "plumb/arith/lattice.hpp"
+#include "plumb/arith/sign.hpp"
+
+namespace plumb::tool::trial {
+
+inline constexpr double unsure = std::numeric_limits<double>::quiet_NaN();
+
+inline double as_answer(Sign s) { return static_cast<int>(s); }
+inline double as_answer(const Unsure<Sign>& s) { return s.certain() ? as_answer(s.value()) : unsure; }
+inline double as_answer(bool yes) { return yes ? 1 : 0; }
+inline double as_answer(double x) { return x; }
+
+/// What a method may know of all questions before the first is asked: the lattice of their coordinates, and a bound of
+/// their magnitudes.
+struct Scene {
+  Lattice lattice;
+  double largest;
+};
+Scene scene_of(std::span<const double> coordinates);
+
+class Round {
+ public:
+  Round() = default;
+  Round(const Round&) = delete;
+  Round& operator=(const Round&) = delete;
+  virtual ~Round() = default;
+  virtual void answer() = 0;  // all questions of the block; this is what is measured
+  [[nodiscard]] virtual double given(std::size_t question) const = 0;
+};
+
+/// A question after the other, each answered by `take`.
+template <class Question, class Take>
+class OneByOne final : public Round {
+ public:
+  OneByOne(std::vector<Question> questions, Take take)
+      : questions_(std::move(questions)), take_(std::move(take)), answers_(new Answer[questions_.size()]{}) {}
+
+  [[gnu::noinline]] void answer() override {
+    const Question* const questions = questions_.data();
+    Answer* const answers = answers_.get();
+    for (std::size_t i = 0, n = questions_.size(); i < n; ++i) answers[i] = take_(questions[i]);
+  }
+  [[nodiscard]] double given(std::size_t i) const override { return as_answer(answers_[i]); }
+
+ private:
+  using Answer = std::remove_cvref_t<std::invoke_result_t<const Take&, const Question&>>;
+  std::vector<Question> questions_;
+  const Take take_;
+  std::unique_ptr<Answer[]> answers_;
+};
+
+template <class Question, class Take>
+std::unique_ptr<Round> one_by_one(std::vector<Question> questions, Take take) {
+  return std::make_unique<OneByOne<Question, Take>>(std::move(questions), std::move(take));
+}
+
+struct Method {
+  std::string name, about;
+  std::function<std::unique_ptr<Round>(std::span<const double> questions, const Scene& scene)> prepare;
+};
+
+}  // namespace plumb::tool::trial

@@ -1,0 +1,159 @@
+// How does each method take the sign of a formula?  The formula, run over the numbers that software commonly uses.
+//
+// Laws: every method gets the same doubles; float32 gets them rounded to floats beforehand, as software that stores
+// floats does, and plan as the kernel of the scene's lattice keeps them.  An epsilon makes zeros of small values, as is
+// commonly written; no decision of ours uses one.  `plumb check` tries some of them on meshes, `plumb chart` all.
+// Source: RTCD 11.2, 11.3.1 (tolerances); cost: what is measured.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include "plumb/arith/big.hpp"
+#include "plumb/certify/bounded_points.hpp"
+#include "plumb/certify/decide.hpp"
+#include "plumb/certify/kernel.hpp"
+#include "tool/trial/adaptive.hpp"
+#include "tool/trial/compensated.hpp"
+#include "tool/trial/contestant.hpp"
+
+namespace plumb::tool::trial {
+
+/// The epsilon that is on trial here.
+inline constexpr double customary_epsilon = 1e-9;
+
+/// What counts as zero in the size of the formula's terms: the largest difference to the last point, to the degree.
+template <Formula F>
+double size_of_terms(const Coordinates<F>& p) {
+  constexpr auto dimension = static_cast<std::size_t>(F::dimension);
+  double largest = 0;
+  for (std::size_t i = 0; i + dimension < p.size(); ++i) {
+    largest = std::max(largest, std::fabs(p[i] - p[p.size() - dimension + i % dimension]));
+  }
+  return power<degree<F>()>(largest);
+}
+
+template <Formula F>
+std::vector<Coordinates<F>> sets_of(std::span<const double> questions) {
+  std::vector<Coordinates<F>> sets(questions.size() / arity<F>);
+  for (std::size_t i = 0; i < sets.size(); ++i) std::copy_n(&questions[i * arity<F>], arity<F>, sets[i].begin());
+  return sets;
+}
+
+/// The formula over another kind of floating-point number, which takes every double's value or rounds it.
+template <Formula F, class Real>
+std::array<Real, arity<F>> converted(const Coordinates<F>& p) {
+  std::array<Real, arity<F>> r{};
+  std::ranges::transform(p, r.begin(), [](double x) { return static_cast<Real>(x); });
+  return r;
+}
+
+/// The points of a formula as a plan's kernel keeps them.
+template <Formula F>
+using PlannedPoints =
+    std::array<LatticePoint<static_cast<std::size_t>(F::dimension)>, static_cast<std::size_t>(F::points)>;
+
+template <Formula F>
+class PlannedRound final : public Round {
+ public:
+  PlannedRound(std::span<const double> questions, const Scene& scene)
+      : kernel_(plan(scene.lattice)), sets_(questions.size() / arity<F>), signs_(sets_.size()) {
+    constexpr auto dimension = static_cast<std::size_t>(F::dimension);
+    for (std::size_t i = 0; i < sets_.size(); ++i) {
+      for (std::size_t k = 0; k < sets_[i].size(); ++k) {
+        std::array<double, dimension> x{};
+        std::copy_n(&questions[i * arity<F> + k * dimension], dimension, x.begin());
+        sets_[i][k] = kernel_.point(x);
+      }
+    }
+  }
+  void answer() override {
+    kernel_.with<F>([&](const auto& sign) { take_all(sign); });
+  }
+  [[nodiscard]] double given(std::size_t i) const override { return as_answer(signs_[i]); }
+
+ private:
+  template <class Take>
+  [[gnu::noinline]] void take_all(const Take& sign) {
+    for (std::size_t i = 0; i < sets_.size(); ++i) signs_[i] = std::apply(sign, sets_[i]);
+  }
+
+  const Kernel kernel_;
+  std::vector<PlannedPoints<F>> sets_;
+  std::vector<Sign> signs_;
+};
+
+/// A method that asks `take` of each set of coordinates by itself.
+template <Formula F, class Take>
+Method each(std::string name, std::string about, Take take) {
+  return {std::move(name), std::move(about),
+          [take](std::span<const double> questions, const Scene&) { return one_by_one(sets_of<F>(questions), take); }};
+}
+
+template <Formula F, class Real>
+Method each_in(std::string name, std::string about) {
+  return {std::move(name), std::move(about), [](std::span<const double> questions, const Scene&) {
+            using Numbers = std::array<Real, arity<F>>;
+            std::vector<Numbers> sets;
+            for (const Coordinates<F>& p : sets_of<F>(questions)) sets.push_back(converted<F, Real>(p));
+            return one_by_one(std::move(sets), [](const Numbers& p) { return sign_of_number(F{}(p)); });
+          }};
+}
+
+template <Formula F>
+Method static_filter() {
+  return {"static-filter", "double against one bound for all inputs; unsure within it",
+          [](std::span<const double> questions, const Scene& scene) {
+            Bounds<static_cast<std::size_t>(F::dimension)> bounds;
+            bounds.least.fill(-scene.largest);
+            bounds.largest.fill(scene.largest);
+            const double threshold = largest_threshold<F>(largest_within<F>(bounds));
+            return one_by_one(sets_of<F>(questions), [threshold](const Coordinates<F>& p) {
+              const int s = bounded_filter<F>(p, threshold);
+              return s == 0 ? Unsure<Sign>() : Unsure{static_cast<Sign>(s)};
+            });
+          }};
+}
+
+/// All but the batch, which is not asked by formula.  The names are those of `plumb check` and `plumb chart`.
+template <Formula F>
+std::vector<Method> formula_methods() {
+  using P = Coordinates<F>;
+  std::vector<Method> all;
+  all.push_back(each_in<F, float>("float32", "single precision, of coordinates rounded to it"));
+  all.push_back(each<F>("double", "the formula as it is written", [](const P& p) { return sign_of_number(F{}(p)); }));
+  all.push_back(each<F>("absolute", "double; at most 1e-9 is zero",
+                        [](const P& p) { return static_cast<Sign>(beyond(F{}(p), customary_epsilon)); }));
+  all.push_back(each<F>("relative", "double; at most 1e-9 of the terms' size is zero", [](const P& p) {
+    return static_cast<Sign>(beyond(F{}(p), customary_epsilon * size_of_terms<F>(p)));
+  }));
+  all.push_back(each<F>("long-double", "the compiler's long double",
+                        [](const P& p) { return sign_of_number(F{}(converted<F, long double>(p))); }));
+#ifdef __SIZEOF_FLOAT128__
+  __extension__ using Float128 = __float128;
+  all.push_back(each<F>("float128", "quadruple precision in software",
+                        [](const P& p) { return sign_of_number(F{}(converted<F, Float128>(p))); }));
+#endif
+  all.push_back(each<F>("compensated", "pairs of doubles that keep each rounding's error", [](const P& p) {
+    return sign_of_number(evaluate<F>([&](std::size_t i) { return Compensated(p[i]); }).rounded());
+  }));
+  all.push_back(each<F>("interval", "interval arithmetic alone; unsure about zero", interval_sign<F>));
+  all.push_back(static_filter<F>());
+  all.push_back(each<F>("adaptive", "adaptive expansions of doubles, as in the literature", adaptive_sign<F>));
+  all.push_back(each<F>("integers", "integers of any length, always",
+                        [](const P& p) { return big_integer_sign(program<F>(), p); }));
+  all.push_back(each<F>("rationals", "GMP's rationals, always", [](const P& p) {
+    return evaluate<F>([&](std::size_t i) { return big_rational(p[i]); }).sign();
+  }));
+  all.push_back({"plan", "ours, in the arithmetic that the lattice of all inputs needs",
+                 [](std::span<const double> questions, const Scene& scene) -> std::unique_ptr<Round> {
+                   return std::make_unique<PlannedRound<F>>(questions, scene);
+                 }});
+  all.push_back(each<F>("exact", "ours, one at a time", [](const P& p) { return decide<F>(p); }));
+  return all;
+}
+
+}  // namespace plumb::tool::trial

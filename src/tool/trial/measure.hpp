@@ -1,0 +1,47 @@
+// How did each method do on one class of inputs?  Wrong, unsure and inconsistent answers, time and memory.
+//
+// Laws: (1) all counts depend on the seed and the number of cases alone, not on the machine's speed; (2) an answer that
+// the method knows it does not have is unsure, never wrong; (3) inconsistent are those of two sure answers to one
+// question, asked with its arguments in another order, that contradict each other, be they right or wrong.
+// Source: RTCD 11.2; cost: as the methods take, every case asked once for each order and a few times for the clock.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "tool/trial/task.hpp"
+
+namespace plumb::tool::trial {
+
+struct Settings {
+  std::uint64_t seed = 2026;
+  std::uint64_t cases = 8192;  // of a class
+  std::uint64_t block = 1024;  // asked at once: fits the second-level cache
+};
+
+struct Score {
+  std::string method;
+  std::uint64_t asked = 0, wrong = 0, unsure = 0, inconsistent = 0;
+  double ns = 0;           // a question; the median over the blocks
+  double allocations = 0;  // a question
+  // Of numbers: how many doubles lie between the answer and the nearest one.
+  double largest_ulps = 0, mean_ulps = 0;
+
+  [[nodiscard]] double share(std::uint64_t count) const {
+    return asked == 0 ? 0 : static_cast<double>(count) / static_cast<double>(asked);
+  }
+};
+
+/// One task on one class.
+struct Trial {
+  std::string task, question, input, about;
+  AnswerKind kind{};
+  std::array<std::uint64_t, 3> truths{};  // of decisions: negative, zero (no), positive (yes)
+  std::vector<Score> scores;
+};
+
+/// `tried` is called after each method, and so as often as the task has methods.
+Trial measure(const Task& task, const InputClass& input, const Settings& settings, const std::function<void()>& tried);
+
+}  // namespace plumb::tool::trial

@@ -1,0 +1,58 @@
+// What is put to the methods?  A question, the kinds of inputs that it is asked of, its true answer, and who answers.
+//
+// Laws: (1) `judge` computes in GMP's rationals and shares no stage with the methods of ours; (2) each symmetry says
+// how the true answer changes when the arguments change places, so that a method can be held against itself; (3)
+// classes are named as the families of plumb/degenerate are, where they are those. Source: RTCD 11.2 (what rounding
+// does to decisions); cost: none, a description.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plumb/degenerate/entropy.hpp"
+#include "tool/trial/contestant.hpp"
+
+namespace plumb::tool::trial {
+
+struct InputClass {
+  std::string name, about;
+  std::function<void(std::span<double> question, Entropy& entropy)> fill;
+};
+
+/// Number i of the changed question is number from[i] of the question; its answer is `factor` times the answer.
+struct Symmetry {
+  std::vector<std::uint8_t> from;
+  double factor;
+};
+
+/// Is the answer right or wrong, or a number that is more or less far off?
+enum class AnswerKind : std::uint8_t { decision, number };
+
+struct Task {
+  std::string name, question;
+  std::size_t numbers;  // of a question
+  AnswerKind kind;
+  std::vector<InputClass> classes;
+  std::vector<Symmetry> symmetries;
+  std::vector<Method> methods;
+  std::function<double(std::span<const double> question)> judge;
+};
+
+/// Methods that need a rival's library: whoever links one names the task that it joins.
+struct Rival {
+  std::string task;
+  Method method;
+};
+
+/// In the order of the report, each with the rivals that join it.
+std::vector<Task> all_tasks(std::span<const Rival> rivals);
+
+Task orient2d_task();
+Task orient3d_task();
+Task incircle_task();
+Task insphere_task();
+
+}  // namespace plumb::tool::trial

@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tool/trial/predicate_task.hpp"
+
+namespace plumb::tool::trial {
+
+Scene scene_of(std::span<const double> coordinates) {
+  double largest = 0;
+  for (const double x : coordinates) largest = std::max(largest, std::fabs(x));
+  return {lattice_of(coordinates), largest};
+}
+
+std::vector<InputClass> point_classes(Degeneracy degeneracy, int dimension) {
+  std::vector<InputClass> classes;
+  for (const FamilyInfo& info : families) {
+    classes.push_back({std::string(info.name), std::string(info.about),
+                       [=, family = info.family](std::span<double> question, Entropy& entropy) {
+                         fill_points(family, degeneracy, dimension, question, entropy);
+                       }});
+  }
+  classes.push_back(
+      {"lattice20", "exactly degenerate integers of 20 bits", [=](std::span<double> question, Entropy& entropy) {
+         fill_exact(degeneracy, dimension, 20, question, entropy);
+       }});
+  return classes;
+}
+
+std::vector<Task> all_tasks(std::span<const Rival> rivals) {
+  std::vector<Task> tasks;
+  for (const auto make : {orient2d_task, orient3d_task, incircle_task, insphere_task}) tasks.push_back(make());
+  for (Task& task : tasks) {
+    for (const Rival& rival : rivals) {
+      if (rival.task == task.name) task.methods.push_back(rival.method);
+    }
+  }
+  return tasks;
+}
+
+}  // namespace plumb::tool::trial

@@ -1,0 +1,25 @@
+// What did the trials find?  The same findings as text, JSON, charts and one page of HTML.
+//
+// Laws: (1) all hold the same numbers; (2) the page opens without a network: it refers to nothing outside of itself.
+// Source: none; cost: milliseconds a chart.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "terminal.hpp"
+#include "tool/trial/measure.hpp"
+
+namespace plumb::tool {
+
+std::string trial_text(const trial::Trial& trial, const Style& style);
+
+/// Where and when; `when` is an ISO 8601 date and time.
+nlohmann::json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings,
+                           const std::string& when);
+
+/// Wrong share (of numbers: mean error in ulps) against nanoseconds a question, with the frontier drawn.
+std::string trial_chart(const trial::Trial& trial);
+
+}  // namespace plumb::tool

@@ -1,0 +1,23 @@
+// How does a report of many files arrive?  Whole or not at all.
+//
+// Laws: (1) every file is written under a temporary name beside its own, and only when all are on the disk are they
+// renamed; (2) what cannot be written is an Error that names the file, and leaves nothing behind, nor anything of an
+// older report half replaced by it.
+// Source: none; cost: that of writing the files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace plumb::tool {
+
+struct NamedText {
+  std::string name, text;
+};
+
+/// Makes the folder where it is missing (its parent must be there) and proves that it can be written to; throws Error.
+void require_folder(const std::string& folder);
+
+void write_folder(const std::string& folder, const std::vector<NamedText>& files);
+
+}  // namespace plumb::tool

@@ -1,0 +1,185 @@
+// `plumb chart` as a user meets it: what is measured, what is written and refused, and that a page of it works.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "run_program.hpp"
+#include "tool/chart.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::set<std::string> kAlwaysRight{"integers", "rationals", "plan", "exact", "batch"};
+const std::set<std::string> kNeverWrong{"interval", "static-filter"};
+const std::set<std::string> kUnderflowing{"extreme", "mixture", "off_by_ulps", "repeated"};  // or overflowing
+
+/// One quick run of everything, for all tests.
+class Report : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new Folder;
+    outcome_ = new Outcome(run("$PLUMB chart --quick --out " + (*folder_ / "report")));
+    json_ = new json(json::parse(content(*folder_ / "report/chart.json"), nullptr, false));
+  }
+  static void TearDownTestSuite() {
+    delete json_;
+    delete outcome_;
+    delete folder_;
+  }
+
+  /// Calls see(task, class, method's entry) for all.
+  template <class See>
+  static void each(See see) {
+    for (const json& trial : json_->at("trials")) {
+      for (const json& m : trial.at("methods")) see(std::string(trial.at("task")), std::string(trial.at("class")), m);
+    }
+  }
+
+  static Folder* folder_;
+  static Outcome* outcome_;
+  static json* json_;
+};
+Folder* Report::folder_ = nullptr;
+Outcome* Report::outcome_ = nullptr;
+json* Report::json_ = nullptr;
+
+TEST_F(Report, HasATableAPictureAndAnEntryForEveryTaskAndClass) {
+  EXPECT_EQ(outcome_->code, 0);
+  EXPECT_EQ(outcome_->err, "");  // no progress bar where nobody looks
+  EXPECT_THAT(outcome_->out, Not(HasSubstr("\033")));
+  const std::string table = content(*folder_ / "report/chart.txt");
+  EXPECT_THAT(outcome_->out, StartsWith(table));
+  std::map<std::string, int> classes;
+  for (const json& trial : json_->at("trials")) {
+    const std::string task = trial.at("task"), input = trial.at("class");
+    ++classes[task];
+    EXPECT_THAT(table, HasSubstr(task + ", " + input + ": "));
+    const std::string svg = content(*folder_ / ("report/" + task + "-" + input + ".svg"));
+    EXPECT_THAT(svg, AllOf(StartsWith("<svg"), HasSubstr(">" + task + ", " + input + "</text>"),
+                           HasSubstr("class=\"frontier\"")));
+    for (const json& m : trial.at("methods")) EXPECT_THAT(svg, HasSubstr("data-key=\"" + std::string(m.at("method"))));
+  }
+  for (const char* task : {"orient2d", "orient3d", "incircle", "insphere"}) EXPECT_EQ(classes[task], 12) << task;
+  for (const auto& entry : std::filesystem::directory_iterator(*folder_ / "report")) {
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
+  }
+}
+
+TEST_F(Report, SaysWhereAndWhenItWasMade) {
+  for (const char* key : {"version", "compiler", "flags", "machine", "date"}) {
+    EXPECT_THAT(std::string(json_->at(key)), Not(testing::IsEmpty())) << key;
+  }
+  EXPECT_THAT(std::string(json_->at("date")), testing::MatchesRegex("[0-9]+-[0-9]+-[0-9]+T[0-9]+:[0-9]+:[0-9]+Z"));
+  EXPECT_EQ(json_->at("seed"), 2026);
+}
+
+TEST_F(Report, FindsExactMethodsRightAndConsistentOnEverything) {
+  std::set<std::string> seen;
+  each([&](const std::string& task, const std::string& input, const json& m) {
+    const std::string name = m.at("method");
+    seen.insert(name);
+    EXPECT_GT(m.at("asked"), 0);
+    EXPECT_GT(m.at("ns"), 0);
+    if (!kAlwaysRight.contains(name) && !kNeverWrong.contains(name)) return;
+    EXPECT_EQ(m.at("wrong"), 0) << task << ' ' << input << ' ' << name;
+    EXPECT_EQ(m.at("inconsistent"), 0) << task << ' ' << input << ' ' << name;
+    if (kAlwaysRight.contains(name)) {
+      EXPECT_EQ(m.at("unsure"), 0) << task << ' ' << input << ' ' << name;
+    }
+  });
+  EXPECT_THAT(seen, testing::IsSupersetOf(kAlwaysRight));
+  EXPECT_THAT(seen, testing::IsSupersetOf(kNeverWrong));
+}
+
+TEST_F(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
+  each([&](const std::string& task, const std::string& input, const json& m) {
+    const std::string name = m.at("method");
+    if (name == "double" && input == "degenerate_long") {
+      EXPECT_GT(m.at("wrong"), 0) << task;
+    }
+    if (name == "double" && input == "uniform") {
+      EXPECT_EQ(m.at("wrong"), 0) << task;
+    }
+    if (name == "float32" && input == "off_by_ulps") {
+      EXPECT_GT(m.at("wrong"), 0) << task;
+    }
+    if (name == "adaptive" && !kUnderflowing.contains(input)) {
+      EXPECT_EQ(m.at("wrong"), 0) << task << ' ' << input;
+    }
+    if (name == "rationals") {
+      EXPECT_GT(m.at("allocations"), 10) << task << ' ' << input;
+    }
+    if (name == "double" || name == "exact") {
+      EXPECT_LT(m.at("allocations"), 3) << task << ' ' << input;
+    }
+  });
+}
+
+TEST_F(Report, HasTheSameAnswersForTheSameSeed) {
+  const auto counts = [](const std::string& arguments) {
+    const Folder folder;
+    run("$PLUMB chart --quick --task orient3d --class mixture --class near_half --out " + (folder / "r") + arguments);
+    json all = json::array();
+    const json report = json::parse(content(folder / "r/chart.json"));
+    EXPECT_EQ(report.at("trials").size(), 2U);
+    for (const json& trial : report.at("trials")) {
+      for (const json& m : trial.at("methods"))
+        all.push_back({trial.at("class"), m.at("method"), m.at("wrong"), m.at("unsure"), m.at("inconsistent")});
+    }
+    return all;
+  };
+  const json first = counts("");
+  EXPECT_EQ(first, counts(" --seed 2026"));
+  EXPECT_NE(first, counts(" --seed 7"));
+}
+
+TEST(Frontier, HoldsWhatNoOtherPointBeatsInBoth) {
+  const std::vector<ChartPoint> points{{"slow", 9, 0},   {"fast", 1, 0.5}, {"beaten", 2, 0.6},      {"between", 3, 0.1},
+                                       {"twin", 3, 0.1}, {"late", 10, 0},  {"faint", 0.5, 0, false}};
+  EXPECT_THAT(frontier_of(points), testing::ElementsAre(1, 3, 0));
+  EXPECT_THAT(frontier_of({}), testing::IsEmpty());
+}
+
+TEST(ChartCommand, RefusesWhatDoesNotExistAndWhatCannotBeWritten) {
+  const Outcome task = run("$PLUMB chart --quick --task orient4d");
+  EXPECT_EQ(task.code, 2);
+  EXPECT_THAT(task.err, AllOf(HasSubstr("no task orient4d"), HasSubstr("orient3d")));
+  const Outcome input = run("$PLUMB chart --quick --class odd");
+  EXPECT_EQ(input.code, 2);
+  EXPECT_THAT(input.err, AllOf(HasSubstr("no class odd"), HasSubstr("near_half")));
+  EXPECT_EQ(run("$PLUMB chart --quick --seed -1").code, 2);
+  EXPECT_EQ(run("$PLUMB chart MESH").code, 2);
+  for (const std::string folder : {"/no/such/folder", "/proc/folder", "/dev/null"}) {
+    const Outcome o = run("$PLUMB chart --out " + folder);  // in full: it must not begin
+    EXPECT_EQ(o.code, 2) << folder;
+    EXPECT_THAT(o.err, AllOf(StartsWith("plumb: "), HasSubstr(folder), testing::EndsWith("\n"))) << folder;
+    EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
+    EXPECT_EQ(o.out, "");
+  }
+}
+
+TEST(ChartCommand, LeavesAnOlderReportWholeWhereItCannotBeReplaced) {
+  const Folder folder;
+  std::filesystem::create_directories(folder / "r/chart.json");  // a folder in the way of a file
+  const Outcome o = run("$PLUMB chart --quick --task orient2d --class grid --out " + (folder / "r"));
+  EXPECT_EQ(o.code, 2);
+  EXPECT_THAT(o.err, HasSubstr("chart.json"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "r")) {
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
+  }
+}
+
+}  // namespace
+}  // namespace plumb::tool
