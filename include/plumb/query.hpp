@@ -1,4 +1,9 @@
 // The face of questions about two figures: everything in plumb/query/.
+//
+// Whether they meet (overlap.hpp), what they have in common (intersection.hpp), how near they are and where
+// (closest.hpp), what a ray hits first (ray.hpp), when they meet on their way (translating_contact.hpp,
+// continuous_contact.hpp, interval_halving.hpp).
+// Source: RTCD 2.3.
 #pragma once
 
 #include "plumb/query/closest.hpp"

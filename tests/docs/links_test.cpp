@@ -46,18 +46,31 @@ TEST_P(Links, NamesOfFilesAreTrue) {
 INSTANTIATE_TEST_SUITE_P(All, Links, testing::ValuesIn(document_paths()),
                          [](const auto& at) { return at.param.stem().string(); });
 
-/// The sections of RTCD that a header names as its source, such as 3.1.6.1.
+/// The sections of RTCD that a header names as its source: "RTCD 5.3, 5.3.1 to 5.3.8; 6 (figure 6.2)", up to a period
+/// or to what it costs.  No chapter has a number above 13.
 std::set<std::string> sections_of(const fs::path& header) {
   std::string text;  // the opening comment on one line
   for (const std::string& line : lines_of(header)) {
     if (!line.starts_with("//")) break;
     text += line.substr(2);
   }
+  static const std::regex remark(R"(\((?![^()]*RTCD)[^()]*\))"), source(R"(RTCD ([0-9](?:[^.)]|\.(?=[^ ]))*))"),
+      cost("[Cc]ost.*"), figure(R"((figure|table)s? [0-9.]+((, | and | to )[0-9.]+)*)"),
+      item(R"(([0-9]+(?:\.[0-9]+)*)(?: to ([0-9]+(?:\.[0-9]+)*))?)");
+  text = std::regex_replace(text, remark, "");
   std::set<std::string> sections;
-  static const std::regex source(R"(RTCD ((?:[0-9]+(?:\.[0-9]+)*(?:, | and )?)+))"), number(R"([0-9]+(?:\.[0-9]+)*)");
   for (std::sregex_iterator at(text.begin(), text.end(), source), end; at != end; ++at) {
-    const std::string list = (*at)[1];
-    for (std::sregex_iterator n(list.begin(), list.end(), number); n != end; ++n) sections.insert(n->str());
+    const std::string list = std::regex_replace(std::regex_replace((*at)[1].str(), cost, ""), figure, "");
+    for (std::sregex_iterator n(list.begin(), list.end(), item); n != end; ++n) {
+      const std::string first = (*n)[1], last = (*n)[2];
+      if (first.find('.') == first.npos && std::stoul(first) > 13) continue;  // a year
+      sections.insert(first);
+      if (last.empty()) continue;
+      const std::size_t dot = first.rfind('.') + 1;
+      EXPECT_EQ(first.substr(0, dot), last.substr(0, last.rfind('.') + 1)) << header << ": " << n->str();
+      for (unsigned long k = std::stoul(first.substr(dot)); k <= std::stoul(last.substr(dot)) && k < 100; ++k)
+        sections.insert(first.substr(0, dot).append(std::to_string(k)));
+    }
   }
   return sections;
 }
@@ -90,6 +103,19 @@ TEST(Sections, ListEveryHeaderUnderTheSectionsItNames) {
     }
   }
   EXPECT_GE(headers, 20u);
+}
+
+TEST(Sections, NameOnlyHeadersThatNameThem) {
+  static const std::regex name(R"(`((?:include|predicates)/[^`]*\.hpp)`)");
+  std::size_t headers = 0;
+  for (const auto& [section, row] : rows_of(tree / "docs/sections.md")) {
+    for (std::sregex_iterator at(row.begin(), row.end(), name), end; at != end; ++at) {
+      const fs::path header = (*at)[1].str();
+      ++headers;
+      EXPECT_TRUE(sections_of(tree / header).contains(section)) << header << " does not name " << section;
+    }
+  }
+  EXPECT_GE(headers, 100u);
 }
 
 }  // namespace

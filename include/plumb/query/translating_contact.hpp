@@ -12,7 +12,7 @@
 // are vertices and the rest edge 0.  (4) Only the difference of the motions counts; swapping the figures swaps the
 // features, but where several meet at once.  (5) Degenerate figures are the sets that they are, empty ones meet
 // nothing. NaN and infinity throw NonFinite, a negative radius throws InvalidShape, both by name. Source: RTCD 5.5.2
-// to 5.5.7.  Cost: some microseconds; the pairs of their features where these are many.
+// to 5.5.8.  Cost: some microseconds; the pairs of their features where these are many.
 #pragma once
 
 #include <concepts>
