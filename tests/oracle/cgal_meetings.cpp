@@ -80,11 +80,19 @@ bool ball_meets(const Ball& ball, const Other& other) {
   return CGAL::do_intersect(cgal(ball), cgal(other));
 }
 
-/// Of lines and rays of space CGAL 5.5's do_intersect is wrong where the line's first point lies beyond the ray; what
-/// it constructs is right.
-template <class Shape>
-inline constexpr bool is_constructed =
-    std::is_same_v<Shape, Line3> || std::is_same_v<Shape, Ray3> || std::is_same_v<Shape, Segment3>;
+/// CGAL 5.5's do_intersect is wrong where a line's first point lies beyond a ray, and where a line lies in the plane of
+/// a box's face, along an axis of it; what it constructs is right.
+template <class A, class B>
+constexpr bool is_constructed() {
+  constexpr auto straight = []<class S>(const S*) {
+    return std::is_same_v<S, Line3> || std::is_same_v<S, Ray3> || std::is_same_v<S, Segment3>;
+  };
+  if constexpr (std::is_same_v<A, Line3> && std::is_same_v<B, Aabb3>) {
+    return true;
+  } else {
+    return straight(static_cast<const A*>(nullptr)) && straight(static_cast<const B*>(nullptr));
+  }
+}
 
 template <class Variant>
 std::optional<bool> meet(const Variant& a, const Variant& b) {
@@ -99,7 +107,7 @@ std::optional<bool> meet(const Variant& a, const Variant& b) {
           return ball_meets(x, y);
         } else if constexpr (is_ball<B>) {
           return ball_meets(y, x);
-        } else if constexpr (is_constructed<A> && is_constructed<B>) {
+        } else if constexpr (is_constructed<A, B>()) {
           return static_cast<bool>(CGAL::intersection(cgal(x), cgal(y)));
         } else {
           return CGAL::do_intersect(cgal(x), cgal(y));

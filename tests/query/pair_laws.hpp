@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdio>
-#include <string>
 
 #include "oracle/meetings.hpp"
 #include "query/pair_oracle.hpp"
@@ -27,11 +26,6 @@ class Answers {
  private:
   std::array<int, 3> of_{};
 };
-
-template <class A, class B>
-std::string pair_name() {
-  return std::string(name_of(figure_kind<A>)) + " and " + std::string(name_of(figure_kind<B>));
-}
 
 template <class A, class B>
 std::pair<A, B> pair_of(Material& m) {

@@ -4,12 +4,19 @@
 // through the table, so that a new pair is held against its oracle or fails.
 #pragma once
 
+#include <string>
+
 #include "plumb/query/overlap.hpp"
 
 namespace plumb::pair_cases {
 
 template <class... Shapes>
 struct Types {};
+
+template <class A, class B>
+std::string pair_name() {
+  return std::string(name_of(figure_kind<A>)) + " and " + std::string(name_of(figure_kind<B>));
+}
 
 /// In canonical order.
 using Plane = Types<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Quadrilateral2, Polygon2, HoledPolygon2,
