@@ -1,17 +1,16 @@
 // From a shape's features and feet to everything that is asked of it.  Instantiated where the shape is.
 //
 // For each shape there is a Nearest<Shape> with
-//   static void require(std::string_view function, const Shape&, const Point&);   is it a shape, are its numbers real
 //   static Feature feature(const Shape&, const Point&);                          which is nearest to p
 //   template <class T> static Foot<T> foot(const Shape&, const Point&, const Feature&);
 // and, where the shape is what is near to that, `static double radius(const Shape&)`, with which the feature says
-// whether p is in it.
+// whether p is in it; where there may be nothing that is nearest, `static void require_some(function, const Shape&)`.
 #pragma once
 
 #include "closest_numbers.hpp"
 #include "closest_quick.hpp"
-#include "figure/finite_parts.hpp"
 #include "plumb/query/closest.hpp"
+#include "query/figure_input.hpp"
 
 namespace plumb {
 
@@ -51,6 +50,17 @@ Numbers numbers_of(Wanted wanted, const Shape& shape, const PointOf<Shape>& p, c
                  ExactFoot(exactly));
 }
 
+/// What convex_polyhedron proved is not looked at again.
+template <class Shape>
+void require(std::string_view function, const Shape& s, const PointOf<Shape>& p) {
+  if constexpr (requires { s.mesh; }) {
+    require_figure(function, "point", p);
+  } else {
+    require_figures(function, p, s);
+  }
+  if constexpr (requires { Nearest<Shape>::require_some(function, s); }) Nearest<Shape>::require_some(function, s);
+}
+
 /// By the quick way where there is one and it tells, else by signs, pairs of doubles and integers.
 template <class Shape>
 Quickly answer(std::string_view function, Wanted wanted, const Shape& shape, const PointOf<Shape>& p) {
@@ -59,7 +69,7 @@ Quickly answer(std::string_view function, Wanted wanted, const Shape& shape, con
     if (quickly(wanted, shape, p, found)) [[likely]]
       return found;
   }
-  Nearest<Shape>::require(function, shape, p);
+  require(function, shape, p);
   const Feature feature = Nearest<Shape>::feature(shape, p);
   return {feature, numbers_of(wanted, shape, p, feature)};
 }
@@ -82,7 +92,7 @@ double distance_of(const PointOf<Shape>& p, const Shape& shape) {
 
 template <class Shape>
 ExactDistance exact_distance_of(std::string_view function, const PointOf<Shape>& p, const Shape& shape) {
-  Nearest<Shape>::require(function, shape, p);
+  require(function, shape, p);
   const Feature feature = Nearest<Shape>::feature(shape, p);
   const Foot<BigDyadic> foot = Nearest<Shape>::template foot<BigDyadic>(shape, p, feature);
   return {rational_square(foot), foot.carrier == Carrier::itself ? Rational(0.0) : Rational(radius_of(shape))};

@@ -12,8 +12,8 @@
 #include <limits>
 #include <string>
 
-#include "figure/finite_parts.hpp"
 #include "plumb/query/closest.hpp"
+#include "query/figure_input.hpp"
 
 // As for the batches of signs: those that bring something (docs/batches.md).
 #undef HWY_DISABLED_TARGETS
@@ -149,7 +149,7 @@ std::array<Point3, 3> corners_of(const Triangle3& t) { return {t.a, t.b, t.c}; }
 
 template <class Batch, std::size_t numbers, class Scan>
 NearestOfMany nearest_of(const Batch& many, const Point3& p, Scan scan) {
-  require_finite_parts("nearest", std::array<std::string_view, 1>{"p"}, p);
+  require_figure("nearest", "p", p);
   if (many.size() == 0) throw InvalidShape("nearest: the batch is empty; give one item at least");
   std::array<const double*, numbers> of{};
   for (std::size_t k = 0; k < numbers; ++k) of[k] = many.numbers(k);
@@ -167,12 +167,13 @@ NearestOfMany nearest_of(const Batch& many, const Point3& p, Scan scan) {
 
 template <class Item, std::size_t corners>
 ItemBatch<Item, corners>::ItemBatch(std::span<const Item> items) : size_(items.size()) {
+  constexpr std::string_view name = corners == 1 ? "PointBatch3" : corners == 2 ? "SegmentBatch3" : "TriangleBatch3";
   for (auto& numbers : of_) numbers.reserve(items.size() + most_lanes);
   for (std::size_t i = 0; i < items.size(); ++i) {
     const auto all = corners_of(items[i]);
+    if (!is_sound(items[i]))
+      require_figure(name, std::string("items[").append(std::to_string(i)).append("]"), items[i]);
     for (std::size_t c = 0; c < corners; ++c) {
-      const std::string name = std::string("items[").append(std::to_string(i)).append("].").append(1, "abc"[c]);
-      require_finite_parts("ItemBatch", std::array<std::string_view, 1>{name}, all[c]);
       of_[3 * c].push_back(all[c].x), of_[3 * c + 1].push_back(all[c].y), of_[3 * c + 2].push_back(all[c].z);
     }
   }

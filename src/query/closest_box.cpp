@@ -28,10 +28,7 @@ Foot<T> foot_in(const Aabb3& s, const Point3& p, bool itself) {
 
 template <>
 struct Nearest<Aabb3> {
-  static void require(std::string_view function, const Aabb3& s, const Point3& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"box.min", "box.max", "p"}, s.min, s.max, p);
-    require_not_empty(function, s);
-  }
+  static void require_some(std::string_view function, const Aabb3& s) { require_not_empty(function, s); }
   static Feature feature(const Aabb3& s, const Point3& p) { return voronoi_region(s, p); }
   template <class T>
   static Foot<T> foot(const Aabb3& s, const Point3& p, const Feature& f) {
@@ -41,10 +38,7 @@ struct Nearest<Aabb3> {
 
 template <>
 struct Nearest<Aabb2> {
-  static void require(std::string_view function, const Aabb2& s, const Point2& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"box.min", "box.max", "p"}, s.min, s.max, p);
-    require_not_empty(function, in_space(s));
-  }
+  static void require_some(std::string_view function, const Aabb2& s) { require_not_empty(function, in_space(s)); }
   static Feature feature(const Aabb2& s, const Point2& p) {
     return of_flat_box(voronoi_region(in_space(s), query::in_space(p)));
   }

@@ -38,12 +38,6 @@ Foot<T> foot_in(const Obb3& s, const Point3& p, const Feature& f) {
 
 template <>
 struct Nearest<Obb3> {
-  static void require(std::string_view function, const Obb3& s, const Point3& p) {
-    require_finite_parts(
-        function,
-        std::array<std::string_view, 6>{"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "p"},
-        s.center, s.axes[0], s.axes[1], s.axes[2], s.half, p);
-  }
   static Feature feature(const Obb3& s, const Point3& p) { return voronoi_region(s, p); }
   template <class T>
   static Foot<T> foot(const Obb3& s, const Point3& p, const Feature& f) {
@@ -53,12 +47,6 @@ struct Nearest<Obb3> {
 
 template <>
 struct Nearest<Rectangle3> {
-  static void require(std::string_view function, const Rectangle3& s, const Point3& p) {
-    require_finite_parts(function,
-                         std::array<std::string_view, 5>{"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]",
-                                                         "rectangle.half", "p"},
-                         s.center, s.axes[0], s.axes[1], s.half, p);
-  }
   static Feature feature(const Rectangle3& s, const Point3& p) { return of_flat_box(voronoi_region(solid(s), p)); }
   template <class T>
   static Foot<T> foot(const Rectangle3& s, const Point3& p, const Feature& f) {
@@ -68,11 +56,6 @@ struct Nearest<Rectangle3> {
 
 template <>
 struct Nearest<Obb2> {
-  static void require(std::string_view function, const Obb2& s, const Point2& p) {
-    require_finite_parts(function,
-                         std::array<std::string_view, 5>{"box.center", "box.axes[0]", "box.axes[1]", "box.half", "p"},
-                         s.center, s.axes[0], s.axes[1], s.half, p);
-  }
   static Feature feature(const Obb2& s, const Point2& p) {
     return of_flat_box(voronoi_region(solid(s), query::in_space(p)));
   }

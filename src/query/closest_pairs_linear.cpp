@@ -1,9 +1,9 @@
 // Lines, rays and segments against one another: places by signs over doubles, then over pairs of doubles, then over
 // integers; the numbers of the one pair of places likewise.
 #include "plumb/query/closest_pairs.hpp"
+#include "query/figure_input.hpp"
 #include "query/linear_pair.hpp"
 #include "query/quick_numbers.hpp"
-#include "query/straight_input.hpp"
 
 namespace plumb {
 namespace {
@@ -32,7 +32,7 @@ template <class A, class B>
 [[gnu::flatten]] Places places_of(const A& a, const B& b, std::string_view function) {
   if (const auto places = places_over<Approximate>(a, b)) [[likely]]
     return *places;
-  require_finite_shapes(function, a, b);
+  require_figures(function, a, b);
   return places_exactly(straight(a), straight(b));
 }
 
@@ -70,7 +70,7 @@ auto closest_of(const A& a, const B& b) {
   const Places places = places_of(a, b, name);
   auto numbers = quick_numbers(straight(a), straight(b), places);
   if (!numbers) {
-    require_finite_shapes(name, a, b);
+    require_figures(name, a, b);
     numbers = numbers_exactly(straight(a), straight(b), places);
   }
   return Result{numbers->on_a, numbers->on_b, numbers->distance, feature(places.a), feature(places.b)};
@@ -94,21 +94,21 @@ double distance(const A& a, const B& b) {
   const Places places = places_of(a, b, "distance");
   if (const auto d = quick_distance(straight(a), straight(b), places)) [[likely]]
     return *d;
-  require_finite_shapes("distance", a, b);
+  require_figures("distance", a, b);
   return distance_exactly(straight(a), straight(b), places);
 }
 
 template <class A, class B>
 requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b) {
   constexpr std::string_view name = "squared_distance_exact";
-  require_finite_shapes(name, a, b);
+  require_figures(name, a, b);
   return square_of(pair_over<BigDyadic>(straight(a), straight(b), places_of(a, b, name)));
 }
 
 template <class A, class B>
 requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, const B& b) {
   constexpr std::string_view name = "closest_parameters";
-  require_finite_shapes(name, a, b);
+  require_figures(name, a, b);
   const Places places = places_of(a, b, name);
   const auto quick = pair_over<Ball>(straight(a), straight(b), places);
   const auto s = parameter(places.a, quick.a.numerator, quick.a.whole);

@@ -1,8 +1,8 @@
 // Triangles against lines, rays, segments and triangles.
 #include "plumb/query/closest_pairs.hpp"
+#include "query/figure_input.hpp"
 #include "query/quick_numbers.hpp"
 #include "query/straight_guess.hpp"
-#include "query/straight_input.hpp"
 #include "query/straight_search.hpp"
 
 namespace plumb {
@@ -120,7 +120,7 @@ Closest closest_of(const A& a, const B& b) {
   if (const auto features = certain_features(p, q)) {
     if (const auto n = numbers_of(p, q, *features)) return {n->on_a, n->on_b, n->distance, features->a, features->b};
   }
-  require_finite_shapes("closest_points", a, b);
+  require_figures("closest_points", a, b);
   return closest_of_all(p, q);
 }
 
@@ -140,13 +140,13 @@ double distance_of(const A& a, const B& b) {
   if (const auto features = certain_features(p, q)) {
     if (const auto d = distance_between(p, q, *features)) return *d;
   }
-  require_finite_shapes("distance", a, b);
+  require_figures("distance", a, b);
   return distance_of_all(p, q);
 }
 
 template <class A, class B>
 Rational square_exactly(const A& a, const B& b) {
-  require_finite_shapes("squared_distance_exact", a, b);
+  require_figures("squared_distance_exact", a, b);
   const auto& p = in_one_form(a);
   const auto& q = in_one_form(b);
   return square_of(found_over<BigDyadic>(p, q, shortlist(p, q))->pair);

@@ -29,9 +29,7 @@ Foot<T> foot_of(const Shape& s, const Point& p, bool itself) {
 
 template <>
 struct Nearest<Plane3> {
-  static void require(std::string_view function, const Plane3& s, const Point3& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"plane.normal", "plane.offset", "p"}, s.normal,
-                         s.offset, p);
+  static void require_some(std::string_view function, const Plane3& s) {
     if (s.normal == Vector3{} && s.offset != 0) throw_empty(function, "plane");
   }
   static Feature feature(const Plane3& s, const Point3&) {
@@ -45,9 +43,7 @@ struct Nearest<Plane3> {
 
 template <>
 struct Nearest<Halfspace3> {
-  static void require(std::string_view function, const Halfspace3& s, const Point3& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"halfspace.normal", "halfspace.offset", "p"},
-                         s.normal, s.offset, p);
+  static void require_some(std::string_view function, const Halfspace3& s) {
     if (s.normal == Vector3{} && s.offset < 0) throw_empty(function, "halfspace");
   }
   static Feature feature(const Halfspace3& s, const Point3& p) {
@@ -63,9 +59,7 @@ struct Nearest<Halfspace3> {
 
 template <>
 struct Nearest<Halfspace2> {
-  static void require(std::string_view function, const Halfspace2& s, const Point2& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"halfspace.normal", "halfspace.offset", "p"},
-                         s.normal, s.offset, p);
+  static void require_some(std::string_view function, const Halfspace2& s) {
     if (s.normal == Vector2{} && s.offset < 0) throw_empty(function, "halfspace");
   }
   static Feature feature(const Halfspace2& s, const Point2& p) {
@@ -80,10 +74,6 @@ struct Nearest<Halfspace2> {
 
 template <>
 struct Nearest<ThreePointPlane3> {
-  static void require(std::string_view function, const ThreePointPlane3& s, const Point3& p) {
-    require_finite_parts(function, std::array<std::string_view, 4>{"plane.a", "plane.b", "plane.c", "p"}, s.a, s.b, s.c,
-                         p);
-  }
   static Feature feature(const ThreePointPlane3& s, const Point3&) {
     if (!collinear(s.a, s.b, s.c)) return {FeatureKind::face, 0};
     return {s.a == s.b && s.a == s.c ? FeatureKind::vertex : FeatureKind::edge, 0};

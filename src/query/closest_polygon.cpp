@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "closest_answers.hpp"
-#include "figure/chain_input.hpp"
 #include "figure/plane_of_points.hpp"
 #include "plumb/figure/polygon_location.hpp"
 
@@ -140,9 +139,9 @@ bool projects_into(const Chains<Point3>& chains, const std::array<std::size_t, 3
   return odd;
 }
 
-PlaneOfPoints require_planar(std::string_view function, const Chains<Point3>& chains) {
+void require_planar(std::string_view function, const Chains<Point3>& chains) {
   const PlaneOfPoints plane = plane_of_points(chains.vertices);
-  if (plane.dimension < 3) return plane;
+  if (plane.dimension < 3) return;
   throw InvalidShape(std::string(function)
                          .append(": the polygon is not planar: its vertex ")
                          .append(std::to_string(plane.off))
@@ -155,32 +154,10 @@ PlaneOfPoints require_planar(std::string_view function, const Chains<Point3>& ch
                          .append("; triangulate it"));
 }
 
-template <class Polygon, class Point>
-void require_vertices(std::string_view function, const Polygon& s, const Point& p) {
-  if constexpr (requires { s.holes; }) {
-    require_chain<Point>(function, "polygon.outer.vertices", s.outer.vertices);
-    for (std::size_t k = 0; k < s.holes.size(); ++k) {
-      require_chain<Point>(function, std::string("polygon.holes[").append(std::to_string(k)).append("].vertices"),
-                           s.holes[k].vertices);
-    }
-  } else if constexpr (requires { s.vertices; }) {
-    require_chain<Point>(function, "polygon.vertices", s.vertices);
-  } else {
-    require_finite_parts(
-        function,
-        std::array<std::string_view, 4>{"quadrilateral.a", "quadrilateral.b", "quadrilateral.c", "quadrilateral.d"},
-        s.a, s.b, s.c, s.d);
-  }
-  require_finite_parts(function, std::array<std::string_view, 1>{"p"}, p);
-}
-
 }  // namespace
 
 template <class Polygon>
 struct NearestOfPolygon2 {
-  static void require(std::string_view function, const Polygon& s, const Point2& p) {
-    require_vertices(function, s, p);
-  }
   static Feature feature(const Polygon& s, const Point2& p) {
     if (locate(s, p) == Location::inside) return {FeatureKind::face, 0};
     return nearest_on_chains(chains_of(s), p);
@@ -200,10 +177,7 @@ struct Nearest<HoledPolygon2> : NearestOfPolygon2<HoledPolygon2> {};
 
 template <class Polygon>
 struct NearestOfPolygon3 {
-  static void require(std::string_view function, const Polygon& s, const Point3& p) {
-    require_vertices(function, s, p);
-    require_planar(function, chains_of(s));
-  }
+  static void require_some(std::string_view function, const Polygon& s) { require_planar(function, chains_of(s)); }
   static Feature feature(const Polygon& s, const Point3& p) {
     const auto chains = chains_of(s);
     const PlaneOfPoints plane = plane_of_points(chains.vertices);

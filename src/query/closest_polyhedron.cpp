@@ -19,8 +19,7 @@ std::array<Point3, 3> span_of_face(const PolygonMesh& m, std::uint32_t face) {
 
 template <>
 struct Nearest<ConvexPolyhedron3> {
-  static void require(std::string_view function, const ConvexPolyhedron3& s, const Point3& p) {
-    require_finite_parts(function, std::array<std::string_view, 1>{"p"}, p);
+  static void require_some(std::string_view function, const ConvexPolyhedron3& s) {
     if (s.mesh.corners.empty())
       throw InvalidShape(
           std::string(function).append(": the polyhedron has no faces; give one made by convex_polyhedron"));

@@ -4,24 +4,10 @@
 
 namespace plumb {
 namespace query {
-namespace {
-
-void require_radius(std::string_view function, std::string_view shape, double radius) {
-  if (radius < 0)
-    throw InvalidShape(
-        std::string(function).append(": ").append(shape).append(".radius is negative; give zero or more"));
-}
-
-}  // namespace
 
 template <>
 struct Nearest<Sphere3> {
   static double radius(const Sphere3& s) { return s.radius; }
-  static void require(std::string_view function, const Sphere3& s, const Point3& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"sphere.center", "sphere.radius", "p"}, s.center,
-                         s.radius, p);
-    require_radius(function, "sphere", s.radius);
-  }
   static Feature feature(const Sphere3& s, const Point3& p) {
     return {locate(s, p) == Location::inside ? FeatureKind::interior : FeatureKind::face, 0};
   }
@@ -35,11 +21,6 @@ struct Nearest<Sphere3> {
 template <>
 struct Nearest<Circle2> {
   static double radius(const Circle2& s) { return s.radius; }
-  static void require(std::string_view function, const Circle2& s, const Point2& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"circle.center", "circle.radius", "p"}, s.center,
-                         s.radius, p);
-    require_radius(function, "circle", s.radius);
-  }
   static Feature feature(const Circle2& s, const Point2& p) {
     return {locate(s, p) == Location::inside ? FeatureKind::face : FeatureKind::edge, 0};
   }
@@ -53,11 +34,6 @@ struct Nearest<Circle2> {
 template <class Capsule, class Segment, class Point, FeatureKind surface, FeatureKind inside>
 struct NearestOfCapsule {
   static double radius(const Capsule& s) { return s.radius; }
-  static void require(std::string_view function, const Capsule& s, const Point& p) {
-    require_finite_parts(function, std::array<std::string_view, 4>{"capsule.a", "capsule.b", "capsule.radius", "p"},
-                         s.a, s.b, s.radius, p);
-    require_radius(function, "capsule", s.radius);
-  }
   static Feature feature(const Capsule& s, const Point& p) {
     if (locate(s, p) == Location::inside) return {inside, 0};
     const Feature core = voronoi_region(Segment{s.a, s.b}, p);

@@ -25,10 +25,6 @@ constexpr std::array<std::array<std::size_t, 2>, 6> edges_of_tetrahedron{
 
 template <class Triangle, class Point>
 struct NearestOfTriangle {
-  static void require(std::string_view function, const Triangle& s, const Point& p) {
-    require_finite_parts(function, std::array<std::string_view, 4>{"triangle.a", "triangle.b", "triangle.c", "p"}, s.a,
-                         s.b, s.c, p);
-  }
   static Feature feature(const Triangle& s, const Point& p) { return voronoi_region(s, p); }
   template <class T>
   static Foot<T> foot(const Triangle& s, const Point& p, const Feature& f) {
@@ -52,12 +48,6 @@ struct Nearest<Triangle3> : NearestOfTriangle<Triangle3, Point3> {};
 
 template <>
 struct Nearest<Tetrahedron3> {
-  static void require(std::string_view function, const Tetrahedron3& s, const Point3& p) {
-    require_finite_parts(
-        function,
-        std::array<std::string_view, 5>{"tetrahedron.a", "tetrahedron.b", "tetrahedron.c", "tetrahedron.d", "p"}, s.a,
-        s.b, s.c, s.d, p);
-  }
   static Feature feature(const Tetrahedron3& s, const Point3& p) { return voronoi_region(s, p); }
   template <class T>
   static Foot<T> foot(const Tetrahedron3& s, const Point3& p, const Feature& f) {
@@ -77,7 +67,7 @@ namespace {
 
 template <class Triangle, class Point>
 std::array<double, 3> weights_of(const Triangle& s, const Point& p) {
-  Nearest<Triangle>::require("closest_weights", s, p);
+  require("closest_weights", s, p);
   const Feature f = voronoi_region(s, p);
   if (f.kind == FeatureKind::face) return barycentric(s, p);
   std::array<double, 3> weights{};

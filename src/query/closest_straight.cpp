@@ -1,6 +1,7 @@
 // A point against points, lines, rays and segments: an end, or the foot of the perpendicular.
 #include "closest_answers.hpp"
 #include "plumb/certify/direction.hpp"
+#include "plumb/certify/sign_of.hpp"
 
 namespace plumb {
 namespace query {
@@ -20,9 +21,6 @@ Sign ahead(const Vector3& direction, const Point3& from, const Point3& p) {
 
 template <class Point>
 struct NearestOfPoint {
-  static void require(std::string_view function, const Point& a, const Point& p) {
-    require_finite_parts(function, std::array<std::string_view, 2>{"p", "q"}, p, a);
-  }
   static Feature feature(const Point&, const Point&) { return origin; }
   template <class T>
   static Foot<T> foot(const Point& a, const Point& p, const Feature&) {
@@ -36,10 +34,6 @@ struct Nearest<Point3> : NearestOfPoint<Point3> {};
 
 template <class Line, class Point>
 struct NearestOfLine {
-  static void require(std::string_view function, const Line& s, const Point& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"line.point", "line.direction", "p"}, s.point,
-                         s.direction, p);
-  }
   static Feature feature(const Line& s, const Point&) {
     return s.direction == decltype(s.direction){} ? origin : whole;
   }
@@ -56,10 +50,6 @@ struct Nearest<Line3> : NearestOfLine<Line3, Point3> {};
 
 template <class Ray, class Point>
 struct NearestOfRay {
-  static void require(std::string_view function, const Ray& s, const Point& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"ray.origin", "ray.direction", "p"}, s.origin,
-                         s.direction, p);
-  }
   static Feature feature(const Ray& s, const Point& p) {
     return ahead(s.direction, s.origin, p) == Sign::positive ? whole : origin;
   }
@@ -76,9 +66,6 @@ struct Nearest<Ray3> : NearestOfRay<Ray3, Point3> {};
 
 template <class Segment, class Point>
 struct NearestOfSegment {
-  static void require(std::string_view function, const Segment& s, const Point& p) {
-    require_finite_parts(function, std::array<std::string_view, 3>{"segment.a", "segment.b", "p"}, s.a, s.b, p);
-  }
   static Feature feature(const Segment& s, const Point& p) { return voronoi_region(s, p); }
   template <class T>
   static Foot<T> foot(const Segment& s, const Point& p, const Feature& f) {
@@ -96,7 +83,7 @@ namespace {
 
 template <class Shape>
 double parameter_of(const Shape& s, const PointOf<Shape>& p) {
-  Nearest<Shape>::require("closest_parameter", s, p);
+  require("closest_parameter", s, p);
   const Feature f = Nearest<Shape>::feature(s, p);
   if (f.kind == FeatureKind::vertex) return f.index;
   const auto exactly = [&] { return Nearest<Shape>::template foot<BigDyadic>(s, p, f); };

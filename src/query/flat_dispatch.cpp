@@ -1,6 +1,7 @@
 // Who answers for two figures with straight edges: a quick way where the pair has one, what is exact of all sets for
 // the rest.
 #include "convex_search.hpp"
+#include "figure_input.hpp"
 #include "flat_set.hpp"
 #include "flat_view.hpp"
 #include "halfspace_clip.hpp"
@@ -69,14 +70,14 @@ std::optional<Relation> relate_quickly(const FlatView& a, const FlatView& b) {
 }  // namespace
 
 Relation relate_flat(const FlatView& a, const FlatView& b) {
-  require("relate", a, b);
+  require_figures("relate", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("relate", a, b);
   if (const auto quick = relate_quickly(a, b)) return *quick;
   return relate(flat_set(a), flat_set(b));
 }
 
 bool flat_intersects(const FlatView& a, const FlatView& b) {
-  require("intersects", a, b);
+  require_figures("intersects", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("intersects", a, b) != Relation::disjoint;
   if (const auto quick = relate_quickly(a, b)) return *quick != Relation::disjoint;
   return intersects(flat_set(a), flat_set(b));

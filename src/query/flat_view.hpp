@@ -1,60 +1,34 @@
-// Of which type is this figure?  What a view of a figure with straight edges forgot, and what is checked of it.
+// A figure with straight edges and flat faces whose type was forgotten: the type again, and its exact set.
 //
-// Laws: require(function, a, b) returns where both are figures: NonFinite for numbers that are none, InvalidShape for
-// chains of fewer than three vertices, polyhedra without faces, and k-DOPs whose ends are as many as their directions
-// in nothing; the text names the part by the figure's kind, by a and b where both are of one kind.
-// Cost: one subtraction and addition a number.
+// Cost: a jump.
 #pragma once
 
-#include <string_view>
+#include <type_traits>
 
 #include "flat_set.hpp"
 #include "plumb/query/overlap.hpp"
+#include "query/figure_view.hpp"
 
 namespace plumb::query {
 
 /// Calls f with the figure as it was.
 template <class F>
 decltype(auto) with_shape(const FlatView& v, F f) {
-  const auto as = [&]<class Shape>(const Shape*) -> decltype(auto) { return f(*static_cast<const Shape*>(v.shape)); };
-#define PLUMB_CASE(kind, shape2, shape3) \
-  case FigureKind::kind:                 \
-    return v.dimension == 2 ? as(static_cast<const shape2*>(nullptr)) : as(static_cast<const shape3*>(nullptr));
-  switch (v.kind) {
-    PLUMB_CASE(point, Point2, Point3)
-    PLUMB_CASE(line, Line2, Line3)
-    PLUMB_CASE(ray, Ray2, Ray3)
-    PLUMB_CASE(segment, Segment2, Segment3)
-    PLUMB_CASE(plane, Plane3, Plane3)
-    PLUMB_CASE(three_point_plane, ThreePointPlane3, ThreePointPlane3)
-    PLUMB_CASE(halfspace, Halfspace2, Halfspace3)
-    PLUMB_CASE(triangle, Triangle2, Triangle3)
-    PLUMB_CASE(quadrilateral, Quadrilateral2, Quadrilateral3)
-    PLUMB_CASE(polygon, Polygon2, Polygon3)
-    PLUMB_CASE(holed_polygon, HoledPolygon2, HoledPolygon3)
-    PLUMB_CASE(rectangle, Rectangle3, Rectangle3)
-    PLUMB_CASE(tetrahedron, Tetrahedron3, Tetrahedron3)
-    PLUMB_CASE(aabb, Aabb2, Aabb3)
-    PLUMB_CASE(obb, Obb2, Obb3)
-    PLUMB_CASE(k_dop, KDop2, KDop3)
-    PLUMB_CASE(halfspace_intersection, HalfspaceIntersection2, HalfspaceIntersection3)
-    case FigureKind::convex_polyhedron:
-    default:
-      return as(static_cast<const ConvexPolyhedron3*>(nullptr));
-  }
-#undef PLUMB_CASE
+  using Answer = std::invoke_result_t<F&, const Point3&>;
+  return with_figure(v, [&f]<class Shape>(const Shape& s) -> Answer {
+    if constexpr (FlatFigure<Shape>) {
+      return f(s);
+    } else {
+      __builtin_unreachable();
+    }
+  });
 }
 
 inline bool is_polygon(const FlatView& v) {
   return is_one_of(v.kind, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon});
 }
 
-void require(std::string_view function, const FlatView& a, const FlatView& b);
-
 /// The figure as an exact set; nothing of polygons.
 FlatSet flat_set(const FlatView& v);
-
-/// What a text calls it.
-std::string_view spoken(FigureKind kind);
 
 }  // namespace plumb::query

@@ -1,6 +1,6 @@
 // The pairs of space: each figure as a convex set, and what two of them have in common.
 #include "plumb/query/intersection.hpp"
-#include "query/intersection_input.hpp"
+#include "query/figure_input.hpp"
 #include "query/intersection_quick.hpp"
 #include "query/meet.hpp"
 
@@ -9,8 +9,7 @@ namespace {
 
 template <class A, class B>
 Intersection3 common(const A& a, const B& b) {
-  meeting::require_figure('a', a);
-  meeting::require_figure('b', b);
+  query::require_figures("intersection", a, b);
   if (auto quick = meeting::quick(a, b)) return std::move(*quick);
   return meeting::meet(meeting::convex_set(a), meeting::convex_set(b));
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "figure/finite_parts.hpp"
+#include "query/figure_input.hpp"
 
 namespace plumb::query {
 namespace {
@@ -115,68 +115,19 @@ template MovingBody<Running> moving_body(const BodyShape&);
 template MovingBody<Ball> moving_body(const BodyShape&);
 template MovingBody<BigDyadic> moving_body(const BodyShape&);
 
-namespace {
-
-class Check {
- public:
-  Check(std::string_view function, std::string_view name) : function_(function), name_(name) {}
-
-  bool operator()(const Point3* p) const { return finite({""}, *p); }
-  bool operator()(const Segment3* s) const { return finite({".a", ".b"}, s->a, s->b); }
-  bool operator()(const Triangle3* t) const { return finite({".a", ".b", ".c"}, t->a, t->b, t->c); }
-  bool operator()(const Aabb3* box) const {
-    finite({".min", ".max"}, box->min, box->max);
-    return box->min.x <= box->max.x && box->min.y <= box->max.y && box->min.z <= box->max.z;
-  }
-  bool operator()(const Obb3* box) const {
-    return finite({".center", ".axes[0]", ".axes[1]", ".axes[2]", ".half"}, box->center, box->axes[0], box->axes[1],
-                  box->axes[2], box->half);
-  }
-  bool operator()(const ConvexPolyhedron3* polyhedron) const {
-    const std::string vertices = std::string(name_).append(".mesh.vertices");
-    require_finite_points(function_, vertices, std::span<const Point3>(polyhedron->mesh.vertices));
-    return !polyhedron->mesh.vertices.empty();
-  }
-  bool operator()(const Sphere3* s) const {
-    return finite({".center", ".radius"}, s->center, s->radius) && not_negative(s->radius);
-  }
-  bool operator()(const Capsule3* c) const {
-    return finite({".a", ".b", ".radius"}, c->a, c->b, c->radius) && not_negative(c->radius);
-  }
-  bool operator()(const Plane3* p) const {
-    finite({".normal", ".offset"}, p->normal, p->offset);
-    return p->normal != Vector3{0, 0, 0} || p->offset == 0;
-  }
-
- private:
-  template <class... Parts>
-  bool finite(const std::array<const char*, sizeof...(Parts)>& parts, const Parts&... numbers) const {
-    const auto zero_of = [](const auto& part) {
-      double zero = 0;
-      for (const double x : coordinates(part)) zero += x - x;
-      return zero;
-    };
-    if ((zero_of(numbers) + ...) == 0) [[likely]]
-      return true;
-    std::array<std::string, sizeof...(Parts)> text;
-    std::array<std::string_view, sizeof...(Parts)> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = text[i].append(name_).append(parts[i]);
-    require_finite_parts(function_, names, numbers...);
-    return true;
-  }
-  bool not_negative(double radius) const {
-    if (!(radius < 0)) return true;
-    throw InvalidShape(
-        std::string(function_).append(": ").append(name_).append(".radius is negative; a radius is zero or positive"));
-  }
-
-  std::string_view function_, name_;
-};
-
-}  // namespace
-
 bool check_body(std::string_view function, std::string_view name, const BodyShape& shape) {
-  return std::visit(Check(function, name), shape);
+  return std::visit(
+      [&](const auto* s) {
+        require_figure(function, name, *s);
+        if constexpr (requires { s->min; }) {
+          return s->min.x <= s->max.x && s->min.y <= s->max.y && s->min.z <= s->max.z;
+        } else if constexpr (requires { s->normal; }) {
+          return s->normal != Vector3{0, 0, 0} || s->offset == 0;
+        } else {
+          return true;
+        }
+      },
+      shape);
 }
 
 }  // namespace plumb::query

@@ -1,6 +1,6 @@
 #include "plumb/query/overlap2.hpp"
 
-#include "overlap_parts.hpp"
+#include "figure_input.hpp"
 #include "overlap_shapes2.hpp"
 
 namespace plumb {
@@ -8,7 +8,7 @@ namespace {
 
 template <class A, class B>
 Relation related(const A& a, const B& b) {
-  query::require_shapes(a, b);
+  query::require_figures("relate", a, b);
   if constexpr (requires { query::linear(b); }) {
     return query::relate(query::linear(a), query::linear(b));
   } else if constexpr (requires { query::linear(a); }) {

@@ -1,7 +1,8 @@
 // Axis-aligned boxes in space, with what is straight and with triangles.
+#include "figure_input.hpp"
 #include "overlap_box_filter.hpp"
-#include "overlap_parts.hpp"
 #include "overlap_shapes3.hpp"
+#include "overlap_signs.hpp"
 #include "plumb/query/overlap_box.hpp"
 
 namespace plumb {
@@ -9,11 +10,11 @@ namespace {
 
 template <class A>
 [[gnu::noinline]] Relation exactly(const A& a, const Aabb3& b) {
-  query::require_shapes(a, b);
+  query::require_figures("relate", a, b);
   return query::relate(query::linear(a), b);
 }
 [[gnu::noinline]] Relation exactly(const Triangle3& a, const Aabb3& b) {
-  query::require_shapes(a, b);
+  query::require_figures("relate", a, b);
   if (query::is_empty(b)) return Relation::disjoint;
   if (const auto answer = query::by_doubles<true>(a, b)) return *answer;
   return query::relate(a, b);

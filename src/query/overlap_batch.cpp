@@ -168,8 +168,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <string>
 
-#include "figure/finite_parts.hpp"
 #include "plumb/query/overlap_box.hpp"
+#include "query/figure_input.hpp"
 
 namespace plumb {
 namespace overlap_batch {
@@ -212,7 +212,7 @@ void in_chunks(const One& one, const Batch& many, std::span<std::uint8_t> out, A
 
 void intersects(const Aabb3& one, const TriangleBatch& many, std::span<std::uint8_t> out) {
   overlap_batch::require_length(many.size(), out.size());
-  figure::require_finite_parts("intersects", {"one.min", "one.max"}, one.min, one.max);
+  query::require_figure("intersects", "one", one);
   if (query::is_empty(one)) {
     std::memset(out.data(), 0, out.size());
     return;
@@ -225,7 +225,7 @@ void intersects(const Aabb3& one, const TriangleBatch& many, std::span<std::uint
 
 void intersects(const Segment3& one, const BoxBatch& many, std::span<std::uint8_t> out) {
   overlap_batch::require_length(many.size(), out.size());
-  figure::require_finite_parts("intersects", {"one.a", "one.b"}, one.a, one.b);
+  query::require_figure("intersects", "one", one);
   overlap_batch::in_chunks<6>(one, many, out,
                               [&](const double* const* at, std::size_t n, std::uint8_t* to, std::uint32_t* unsure) {
                                 return HWY_DYNAMIC_DISPATCH(overlap_batch::boxes)(one, at, n, to, unsure);

@@ -9,9 +9,9 @@
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
 #include "figure/near_points.hpp"
+#include "figure_input.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "round_input.hpp"
 
 namespace plumb {
 namespace query {
@@ -184,7 +184,7 @@ Relation relation_of_point(const Point3& p, const Round& round) {
 template <class Round>
 Relation relate_point(const Point3& p, const Round& round) {
   const auto [from, to, radius, is_cone] = axis_of(round);
-  if (!is_sound(p) || !is_sound(round)) require_shapes_of("relate", p, round);
+  require_figures("relate", p, round);
   if (from != to && radius == 0) return relate(flat_set(p), flat_set(Segment3{from, to}));
   return from == to ? relate(p, Sphere3{from, radius}) : relation_of_point(p, round);
 }
@@ -198,7 +198,7 @@ Relation relate_line(const Line& line, const Round& round) {
       return *r;
     if (const auto r = crossing<Running, core::Question>(line, round)) return *r;
   }
-  require_shapes_of("relate", line, round);
+  require_figures("relate", line, round);
   if (from == to) return relate(line, Sphere3{from, radius});
   if (radius == 0) return relate(flat_set(line), flat_set(Segment3{from, to}));
   if (is_point(line)) return relation_of_point(start_of(line), round);

@@ -9,9 +9,10 @@
 
 #include "certain.hpp"
 #include "figure/zonotope.hpp"
+#include "figure_input.hpp"
 #include "flat_set.hpp"
-#include "overlap_parts.hpp"
 #include "overlap_shapes3.hpp"
+#include "overlap_signs.hpp"
 #include "plumb/query/overlap_box.hpp"
 #include "vectors.hpp"
 
@@ -233,7 +234,7 @@ bool has_extents(const Obb3& box) { return box.half.x != 0 && box.half.y != 0 &&
 
 template <class Shape>
 Relation relate_obb(const Shape& a, const Obb3& b) {
-  require_shapes(a, b);
+  require_figures("relate", a, b);
   const auto figure = [&] {
     if constexpr (requires { linear(a); }) {
       return linear(a);
@@ -312,7 +313,7 @@ Relation relate(const Segment3& a, const Obb3& b) { return relate_obb(a, b); }
 Relation relate(const Triangle3& a, const Obb3& b) { return relate_obb(a, b); }
 
 Relation relate(const Aabb3& a, const Obb3& b) {
-  query::require_shapes(a, b);
+  query::require_figures("relate", a, b);
   if (query::is_empty(a)) return Relation::disjoint;
   if (query::is_solid(a)) {
     if (const auto r = query::by_pair(query::BoxPair<Approximate>(a, b))) [[likely]]

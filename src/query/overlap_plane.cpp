@@ -2,9 +2,10 @@
 
 #include <plumb/predicates/plane_distance.hpp>
 
+#include "figure_input.hpp"
 #include "flat_set.hpp"
-#include "overlap_parts.hpp"
 #include "overlap_shapes3.hpp"
+#include "overlap_signs.hpp"
 #include "plumb/certify/direction.hpp"
 
 namespace plumb {
@@ -156,7 +157,7 @@ Relation relate_plane(const Halfspace3& half, const Shape& s) {
 
 template <class A, class B>
 Relation related(const A& a, const B& b) {
-  require_shapes(a, b);
+  require_figures("relate", a, b);
   if constexpr (requires { relate_plane(a, b); }) {
     return relate_plane(a, b);
   } else {

@@ -1,8 +1,8 @@
 // Figures of the plane as figures of space: what is flat lies in z = 0, what halfplanes bound goes up and down forever.
 #include "plumb/query/overlap_round2.hpp"
 
+#include "figure_input.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "round_input.hpp"
 
 namespace plumb {
 namespace query {
@@ -49,18 +49,14 @@ HalfspaceIntersection3 lifted(const KDop2& k_dop) {
 
 template <class A, class B>
 Relation relate_lifted(const A& a, const B& b) {
-  return relate(lifted(a), lifted(b));
-}
-template <class A>
-Relation relate_k_dop(const A& a, const KDop2& b) {
-  require_shapes_of("relate", a, b);
+  require_figures("relate", a, b);
   return relate(lifted(a), lifted(b));
 }
 
 }  // namespace
 }  // namespace query
 
-using query::relate_k_dop, query::relate_lifted;
+using query::relate_lifted;
 
 Relation relate(const Point2& a, const Circle2& b) { return relate_lifted(a, b); }
 Relation relate(const Line2& a, const Circle2& b) { return relate_lifted(a, b); }
@@ -72,9 +68,9 @@ Relation relate(const Quadrilateral2& a, const Circle2& b) { return relate_lifte
 Relation relate(const Polygon2& a, const Circle2& b) { return relate_lifted(a, b); }
 Relation relate(const HoledPolygon2& a, const Circle2& b) { return relate_lifted(a, b); }
 Relation relate(const Circle2& a, const Aabb2& b) { return relate_lifted(a, b); }
-Relation relate(const Circle2& a, const Obb2& b) { return relate(query::lifted(b), query::lifted(a)); }
+Relation relate(const Circle2& a, const Obb2& b) { return relate_lifted(b, a); }
 Relation relate(const Circle2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Circle2& a, const KDop2& b) { return relate_k_dop(a, b); }
+Relation relate(const Circle2& a, const KDop2& b) { return relate_lifted(a, b); }
 Relation relate(const Circle2& a, const HalfspaceIntersection2& b) { return relate_lifted(a, b); }
 
 Relation relate(const Point2& a, const Capsule2& b) { return relate_lifted(a, b); }
@@ -88,7 +84,7 @@ Relation relate(const Polygon2& a, const Capsule2& b) { return relate_lifted(a, 
 Relation relate(const HoledPolygon2& a, const Capsule2& b) { return relate_lifted(a, b); }
 Relation relate(const Aabb2& a, const Capsule2& b) { return relate_lifted(a, b); }
 Relation relate(const Obb2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Capsule2& a, const KDop2& b) { return relate_k_dop(a, b); }
+Relation relate(const Capsule2& a, const KDop2& b) { return relate_lifted(a, b); }
 Relation relate(const Capsule2& a, const HalfspaceIntersection2& b) { return relate_lifted(a, b); }
 
 }  // namespace plumb

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "exact_gap.hpp"
+#include "figure_input.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "round_input.hpp"
 #include "round_vertices.hpp"
 
 namespace plumb {
@@ -169,7 +169,7 @@ class Search {
 
 template <class Round, class Set>
 Relation relate_halfspaces(const Round& a, const Set& b) {
-  require_shapes_of("relate", a, b);
+  require_figures("relate", a, b);
   const std::vector<Side> sides = sides_of(b);
   const auto core = vertices(a);
   if (const auto gap = Search(sides, core, a.radius).run()) return static_cast<Relation>(-*gap);

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "exact_gap.hpp"
+#include "figure_input.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "round_input.hpp"
 #include "round_vertices.hpp"
 
 namespace plumb {
@@ -123,7 +123,7 @@ Relation relate_line(const Line& line, const Round& round) {
     if (const auto gap = quick(line, round)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  require_shapes_of("relate", line, round);
+  require_figures("relate", line, round);
   return relate_swept(core_set(round), round.radius, flat_set(line));
 }
 

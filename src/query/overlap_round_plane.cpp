@@ -6,10 +6,10 @@
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
 #include "figure/near_points.hpp"
+#include "figure_input.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/query/overlap_cylinder_cone.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "round_input.hpp"
 
 namespace plumb {
 namespace query {
@@ -172,7 +172,7 @@ Relation relate_round_shape(const Plane& plane, const Round& round) {
       return *r;
     if (const auto sides = sides_of<Running>(plane, round)) return relation_of(*sides, of_halfspace);
   }
-  require_shapes_of("relate", plane, round);
+  require_figures("relate", plane, round);
   if constexpr (std::is_same_v<Round, Cylinder3>) {
     if (round.a == round.b) return relate(plane, Sphere3{round.a, round.radius});
     if (round.radius == 0) return relate_swept(flat_set(Segment3{round.a, round.b}), 0, flat_set(plane));

@@ -1,14 +1,11 @@
 // Balls and capsules against quadrilaterals and polygons, with holes or without.
-#include <string>
-
 #include "arith/running_error.hpp"
 #include "exact_gap.hpp"
-#include "figure/chain_input.hpp"
 #include "figure/core_distance.hpp"
 #include "figure/plane_of_points.hpp"
+#include "figure_input.hpp"
 #include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "round_input.hpp"
 #include "round_polygon.hpp"
 
 namespace plumb {
@@ -170,34 +167,23 @@ Relation relate_core(const Polygon& a, const Capsule3& b) {
   return relate(Segment3{b.a, b.b}, a);
 }
 
-template <class Round>
-Relation relate_quadrilateral(const Quadrilateral3& a, const Round& b) {
-  require_shapes_of("relate", a, b);
-  const std::array corners{a.a, a.b, a.c, a.d};
-  const std::array<Chain3, 1> chains{corners};
-  if (b.radius > 0) return relate_edges(chains, b);
-  return relate_core(a, b);
-}
-template <class Round>
-Relation relate_polygon(const Polygon3& a, const Round& b) {
-  require_chain<Point3>("relate", "a.vertices", a.vertices);
-  Input("relate", "b").require(b);
-  const std::array<Chain3, 1> chains{a.vertices};
-  if (b.radius > 0) return relate_edges(chains, b);
-  return relate_core(a, b);
-}
-template <class Round>
-Relation relate_holed(const HoledPolygon3& a, const Round& b) {
-  require_chain<Point3>("relate", "a.outer.vertices", a.outer.vertices);
+std::vector<Chain3> chains_of(const Polygon3& a) { return {a.vertices}; }
+std::vector<Chain3> chains_of(const HoledPolygon3& a) {
   std::vector<Chain3> chains{a.outer.vertices};
-  for (std::size_t k = 0; k < a.holes.size(); ++k) {
-    const std::string name = std::string("a.holes[").append(std::to_string(k)).append("].vertices");
-    require_chain<Point3>("relate", name, a.holes[k].vertices);
-    chains.emplace_back(a.holes[k].vertices);
+  for (const Polygon3& hole : a.holes) chains.emplace_back(hole.vertices);
+  return chains;
+}
+
+template <class Polygon, class Round>
+Relation relate_polygon(const Polygon& a, const Round& b) {
+  require_figures("relate", a, b);
+  if (b.radius == 0) return relate_core(a, b);
+  if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
+    const std::array corners{a.a, a.b, a.c, a.d};
+    return relate_edges(std::array<Chain3, 1>{corners}, b);
+  } else {
+    return relate_edges(chains_of(a), b);
   }
-  Input("relate", "b").require(b);
-  if (b.radius > 0) return relate_edges(chains, b);
-  return relate_core(a, b);
 }
 
 }  // namespace
@@ -209,11 +195,11 @@ Relation relate_region(std::span<const Chain3> chains, const Capsule3& capsule) 
 
 }  // namespace query
 
-Relation relate(const Quadrilateral3& a, const Sphere3& b) { return query::relate_quadrilateral(a, b); }
-Relation relate(const Quadrilateral3& a, const Capsule3& b) { return query::relate_quadrilateral(a, b); }
+Relation relate(const Quadrilateral3& a, const Sphere3& b) { return query::relate_polygon(a, b); }
+Relation relate(const Quadrilateral3& a, const Capsule3& b) { return query::relate_polygon(a, b); }
 Relation relate(const Polygon3& a, const Sphere3& b) { return query::relate_polygon(a, b); }
 Relation relate(const Polygon3& a, const Capsule3& b) { return query::relate_polygon(a, b); }
-Relation relate(const HoledPolygon3& a, const Sphere3& b) { return query::relate_holed(a, b); }
-Relation relate(const HoledPolygon3& a, const Capsule3& b) { return query::relate_holed(a, b); }
+Relation relate(const HoledPolygon3& a, const Sphere3& b) { return query::relate_polygon(a, b); }
+Relation relate(const HoledPolygon3& a, const Capsule3& b) { return query::relate_polygon(a, b); }
 
 }  // namespace plumb

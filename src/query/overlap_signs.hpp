@@ -9,7 +9,6 @@
 #include <array>
 #include <string_view>
 
-#include "figure/finite_parts.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/relation.hpp"
 
@@ -30,15 +29,6 @@ inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
 }
 inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   return sign_of(predicates::Orient3d{}, a, b, c, d);
-}
-
-template <std::size_t N>
-using Names = std::array<std::string_view, N>;
-
-/// Throws NonFinite, as relate names it, for the first number that is none.
-template <std::size_t N, class... Parts>
-void require_numbers(const Names<N>& names, const Parts&... parts) {
-  require_finite_parts("relate", names, parts...);
 }
 
 /// The closed intervals of two numbers each, which may be infinite; by their relative interiors.

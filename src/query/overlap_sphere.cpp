@@ -4,9 +4,9 @@
 
 #include "exact_gap.hpp"
 #include "figure/near_points.hpp"
+#include "figure_input.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/query/overlap_round.hpp"
-#include "round_input.hpp"
 
 namespace plumb {
 namespace query {
@@ -121,11 +121,8 @@ bool is_empty(const Aabb3& box) { return box.min.x > box.max.x || box.min.y > bo
 bool is_empty(const auto&) { return false; }
 
 template <class Flat>
-Relation relate_nearest(const Flat& flat, const Sphere3& ball, std::string_view flat_name, std::string_view ball_name) {
-  if (!is_sound(flat) || !is_sound(ball)) [[unlikely]] {
-    Input("relate", flat_name).require(flat);
-    Input("relate", ball_name).require(ball);
-  }
+Relation relate_nearest(const Flat& flat, const Sphere3& ball) {
+  require_figures("relate", flat, ball);
   if (is_empty(flat)) return Relation::disjoint;
   if (const auto g = quick(flat, ball)) return static_cast<Relation>(-*g);
   const Sign s = gap(flat, ball);
@@ -136,14 +133,14 @@ Relation relate_nearest(const Flat& flat, const Sphere3& ball, std::string_view 
 }  // namespace
 }  // namespace query
 
-Relation relate(const Point3& a, const Sphere3& b) { return query::relate_nearest(a, b, "a", "b"); }
-Relation relate(const Line3& a, const Sphere3& b) { return query::relate_nearest(a, b, "a", "b"); }
-Relation relate(const Ray3& a, const Sphere3& b) { return query::relate_nearest(a, b, "a", "b"); }
-Relation relate(const Segment3& a, const Sphere3& b) { return query::relate_nearest(a, b, "a", "b"); }
+Relation relate(const Point3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
+Relation relate(const Line3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
+Relation relate(const Ray3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
+Relation relate(const Segment3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
 
 namespace round_overlap {
 
-Relation relate_exactly(const Sphere3& a, const Aabb3& b) { return query::relate_nearest(b, a, "b", "a"); }
+Relation relate_exactly(const Sphere3& a, const Aabb3& b) { return query::relate_nearest(b, a); }
 
 }  // namespace round_overlap
 

@@ -1,6 +1,7 @@
 // What is straight in space: among itself, and with triangles.
+#include "figure_input.hpp"
 #include "overlap_filters.hpp"
-#include "overlap_parts.hpp"
+#include "overlap_signs.hpp"
 #include "plumb/query/overlap_triangle.hpp"
 
 namespace plumb {
@@ -30,10 +31,10 @@ Relation related(const A& a, const B& b) {
   if constexpr (std::is_same_v<B, Triangle3>) {
     assert_sound_thread();
     if (const auto answer = query::quick(a, b)) return *answer;
-    query::require_shapes(a, b);
+    query::require_figures("relate", a, b);
     return query::relate(query::linear(a), b);
   } else {
-    query::require_shapes(a, b);
+    query::require_figures("relate", a, b);
     return query::relate(query::linear(a), query::linear(b));
   }
 }

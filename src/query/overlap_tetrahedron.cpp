@@ -5,9 +5,10 @@
 #include <plumb/predicates/line_triangle.hpp>
 #include <span>
 
+#include "figure_input.hpp"
 #include "flat_set.hpp"
 #include "overlap_linear3.hpp"
-#include "overlap_parts.hpp"
+#include "overlap_signs.hpp"
 #include "plumb/query/overlap_triangle.hpp"
 
 namespace plumb {
@@ -128,7 +129,7 @@ Relation by_axes(const Tetrahedron3& a, const Tetrahedron3& b) {
 
 template <class A, class B>
 Relation related(const A& a, const B& b) {
-  require_shapes(a, b);
+  require_figures("relate", a, b);
   return by_axes(a, b);
 }
 

@@ -2,8 +2,9 @@
 // signs of the corners; and what has no area as the segment or point that it is.
 #include <bit>
 
+#include "figure_input.hpp"
 #include "overlap_filters.hpp"
-#include "overlap_parts.hpp"
+#include "overlap_signs.hpp"
 #include "overlap_triangle_signs.hpp"
 #include "plumb/arith/lattice_digits.hpp"
 #include "plumb/arith/lattice_integers.hpp"
@@ -184,7 +185,7 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
 
 [[gnu::noinline]] std::optional<Relation> by_wide_signs(const Triangle3& a, const Triangle3& b,
                                                         const std::array<double, 18>& coordinates) {
-  require_shapes(a, b);
+  require_figures("relate", a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   LatticeDigits<18, wide_bits> digits(coordinates);
   if (digits.extend<wide_bits>()) return relate_by(IntegerSigns<Wide>{{digits}});

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "figure/finite_parts.hpp"
 #include "query/exact_coordinates.hpp"
+#include "query/figure_input.hpp"
 
 namespace plumb {
 namespace {
@@ -14,16 +14,8 @@ using Row = std::array<mpq_class, 4>;  // coefficients, and the right side
 using Rows = std::vector<Row>;
 using Triple = std::array<mpq_class, 3>;
 
-void require_plane(char name, const AnyPlane3& plane) {
-  const auto part = [name](const char* p) { return std::string(1, name).append(p); };
-  if (const auto* p = std::get_if<Plane3>(&plane)) {
-    const std::string normal = part(".normal"), offset = part(".offset");
-    require_finite_parts("intersection", std::array<std::string_view, 2>{normal, offset}, p->normal, p->offset);
-  } else {
-    const auto& t = std::get<ThreePointPlane3>(plane);
-    const std::string a = part(".a"), b = part(".b"), c = part(".c");
-    require_finite_parts("intersection", std::array<std::string_view, 3>{a, b, c}, t.a, t.b, t.c);
-  }
+void require_plane(std::string_view name, const AnyPlane3& plane) {
+  std::visit([&](const auto& s) { query::require_figure("intersection", name, s); }, plane);
 }
 
 Triple of(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
@@ -135,17 +127,17 @@ Vector3 approximate(const ExactVector3& a) {
 }
 
 FlatIntersection intersection(const AnyPlane3& a, const AnyPlane3& b) {
-  require_plane('a', a);
-  require_plane('b', b);
+  require_plane("a", a);
+  require_plane("b", b);
   Rows rows = equations(a);
   for (Row& row : equations(b)) rows.push_back(std::move(row));
   return solution(reduced(std::move(rows)));
 }
 
 ThreePlanes intersection(const AnyPlane3& a, const AnyPlane3& b, const AnyPlane3& c) {
-  require_plane('a', a);
-  require_plane('b', b);
-  require_plane('c', c);
+  require_plane("a", a);
+  require_plane("b", b);
+  require_plane("c", c);
   const std::array<Rows, 3> each{equations(a), equations(b), equations(c)};
   Rows all;
   for (const Rows& rows : each) all.insert(all.end(), rows.begin(), rows.end());

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "figure/plane_of_points.hpp"
+#include "figure_input.hpp"
 #include "flat_set.hpp"
 #include "plumb/figure/polygon_location.hpp"
 #include "polygon_apart.hpp"
@@ -129,7 +130,7 @@ PolygonInput input_of(std::string_view function, const FlatView& v) {
   input.chains = chains_of(v);
   for (const Chain& chain : input.chains) input.all.insert(input.all.end(), chain.begin(), chain.end());
   input.plane = plane_of_points(input.all);
-  if (input.plane.dimension == 3) throw_not_planar(function, spoken(v.kind), input.plane);
+  if (input.plane.dimension == 3) throw_not_planar(function, spoken(v), input.plane);
   return input;
 }
 

@@ -4,7 +4,6 @@
 #include <limits>
 #include <string>
 
-#include "figure/finite_parts.hpp"
 #include "figure/mesh_input.hpp"
 #include "plumb/certify/ray_order.hpp"
 #include "query/ray_batch_lanes.hpp"
@@ -32,8 +31,8 @@ BatchRay batch_ray(const AnyRay& ray) {
 
 /// Calls visit(i, told, least, most) for every triangle that is hit, in turn; what lanes do not tell is asked exactly.
 template <class Visit>
-void visit_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule, Visit visit) {
-  require_ray(ray);
+void visit_hits(std::string_view function, const AnyRay& ray, const TriangleBatch& many, HitRule rule, Visit visit) {
+  require_ray(function, ray);
   const BatchRay lanes = batch_ray(ray);
   Chunk answers;
   for (std::size_t from = 0; from < many.size(); from += chunk) {
@@ -87,14 +86,8 @@ using namespace query;
 
 void TriangleBatch::add(const Triangle3& t) {
   const std::array all{t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z};
-  double zero = 0;
-  for (std::size_t k = 0; k < all.size(); ++k) zero += all[k] - all[k];
-  if (!(zero == 0)) {
-    const std::string which = std::string("triangles[").append(std::to_string(size())).append("]");
-    const std::string a = std::string(which).append(".a"), b = std::string(which).append(".b"),
-                      c = std::string(which).append(".c");
-    require_finite_parts("TriangleBatch", {a, b, c}, t.a, t.b, t.c);
-  }
+  if (!is_sound(t))
+    require_figure("TriangleBatch", std::string("triangles[").append(std::to_string(size())).append("]"), t);
   for (std::size_t k = 0; k < all.size(); ++k) of_[k].push_back(all[k]);
 }
 
@@ -112,12 +105,12 @@ TriangleBatch::TriangleBatch(const TriangleMesh& mesh) {
 void hits(const AnyRay& ray, const TriangleBatch& many, std::span<std::uint8_t> out, HitRule rule) {
   require_length(out.size(), many.size());
   std::fill(out.begin(), out.end(), std::uint8_t{0});
-  visit_hits(ray, many, rule, [&](std::uint32_t i, double, double) { out[i] = 1; });
+  visit_hits("hits", ray, many, rule, [&](std::uint32_t i, double, double) { out[i] = 1; });
 }
 
 void hits(const AnyRay& ray, const BoxBatch& many, std::span<std::uint8_t> out) {
   require_length(out.size(), many.size());
-  require_ray(ray);
+  require_ray("hits", ray);
   const auto& [x, y, z] = ray.origin;
   const auto& e = ray.end;
   const BatchRay r = batch_ray(ray);
@@ -143,7 +136,7 @@ void hits(const AnyRay& ray, const BoxBatch& many, std::span<std::uint8_t> out) 
 
 std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule) {
   std::vector<std::uint32_t> all;
-  visit_hits(ray, many, rule, [&](std::uint32_t i, double, double) { all.push_back(i); });
+  visit_hits("all_hits", ray, many, rule, [&](std::uint32_t i, double, double) { all.push_back(i); });
   return all;
 }
 
@@ -151,7 +144,7 @@ std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& man
   // Those that may be the first, as far as doubles tell.
   std::vector<Near> near;
   double nearest_end = std::numeric_limits<double>::infinity();
-  visit_hits(ray, many, rule, [&](std::uint32_t i, double least, double most) {
+  visit_hits("first_hit", ray, many, rule, [&](std::uint32_t i, double least, double most) {
     if (least > nearest_end) return;
     nearest_end = std::min(nearest_end, most);
     near.push_back({i, least});
@@ -163,6 +156,7 @@ std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& man
 }
 
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule) {
+  require_mesh("first_hit", mesh);
   return first_hit(ray, TriangleBatch(mesh), rule);
 }
 

@@ -6,7 +6,6 @@
 #include <plumb/predicates/determinant.hpp>
 #include <span>
 
-#include "figure/finite_parts.hpp"
 #include "plumb/predicates.hpp"
 #include "query/ray_box_feature.hpp"
 #include "query/ray_facets.hpp"
@@ -159,9 +158,7 @@ struct FlatTetrahedronModel : FacetModel<FlatTetrahedronModel> {
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Obb3& box) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half"}, box.center,
-                       box.axes[0], box.axes[1], box.axes[2], box.half);
+  require<Answer>(ray, box);
   const Sign turn = sign_of(predicates::Determinant3{}, box.axes[0], box.axes[1], box.axes[2]);
   if (turn != Sign::zero) {
     const SolidBoxModel model{box, turn};
@@ -173,18 +170,14 @@ std::optional<Answer> of(const AnyRay& ray, const Obb3& box) {
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Rectangle3& rectangle) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half"},
-                       rectangle.center, rectangle.axes[0], rectangle.axes[1], rectangle.half);
+  require<Answer>(ray, rectangle);
   const RectangleModel model(rectangle);
   return answer<Answer>(ray, model, meet(ray, model));
 }
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Tetrahedron3& t) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"tetrahedron.a", "tetrahedron.b", "tetrahedron.c", "tetrahedron.d"}, t.a, t.b, t.c,
-                       t.d);
+  require<Answer>(ray, t);
   const Sign turn = orient3d(t.a, t.b, t.c, t.d);
   if (turn != Sign::zero) {
     const SolidTetrahedronModel model{Corners(t), turn};

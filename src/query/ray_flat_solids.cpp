@@ -1,7 +1,6 @@
 // Planes, halfspaces, k-DOPs and axis-aligned boxes: whose constraints are as given.
 #include <span>
 
-#include "figure/finite_parts.hpp"
 #include "query/ray_box_feature.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
@@ -102,33 +101,27 @@ struct AabbModel {
 
 template <class Answer, class Model>
 std::optional<Answer> of_model(const AnyRay& ray, const Model& model) {
-  require_ray(ray);
   return answer<Answer>(ray, model, clip(ray, model));
 }
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Plane3& plane) {
-  require_finite_parts("first_hit", {"plane.normal", "plane.offset"}, plane.normal, plane.offset);
+  require<Answer>(ray, plane);
   return of_model<Answer>(ray, PlaneModel{plane});
 }
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Halfspace3& halfspace) {
-  require_finite_parts("first_hit", {"halfspace.normal", "halfspace.offset"}, halfspace.normal, halfspace.offset);
+  require<Answer>(ray, halfspace);
   return of_model<Answer>(ray, HalfspaceModel{halfspace});
 }
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Aabb3& box) {
-  require_finite_parts("first_hit", {"box.min", "box.max"}, box.min, box.max);
+  require<Answer>(ray, box);
   return of_model<Answer>(ray, AabbModel{box});
 }
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const KDop3& k_dop) {
-  const std::size_t n = k_dop.directions.size();
-  if (k_dop.min.size() != n || k_dop.max.size() != n)
-    throw InvalidShape("first_hit: k_dop has another number of interval ends than of directions; give one of each");
-  for (std::size_t i = 0; i < n; ++i)
-    require_finite_parts("first_hit", {"k_dop.direction", "k_dop.min", "k_dop.max"}, k_dop.directions.all()[i],
-                         k_dop.min[i], k_dop.max[i]);
+  require<Answer>(ray, k_dop);
   return of_model<Answer>(ray, KDopModel{k_dop});
 }
 

@@ -2,12 +2,12 @@
 
 #include <plumb/predicates/distance.hpp>
 
-#include "figure/finite_parts.hpp"
 #include "plumb/certify/line_triangle.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/predicates.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_filters.hpp"
+#include "query/ray_numbers.hpp"
 #include "query/ray_shot.hpp"
 
 namespace plumb {
@@ -189,20 +189,6 @@ bool told_or(Ask told, const Exactly& exactly) {
 
 Numbers numbers(const Vector3& v) { return {v.x, v.y, v.z}; }
 
-template <class... Rest>
-void require_numbers(const AnyRay& ray, const std::array<std::string_view, sizeof...(Rest)>& names,
-                     const Rest&... rest) {
-  const bool segment = ray.kind == AnyRay::Kind::segment;
-  if (segment) {
-    require_finite_parts("hits", {"segment.a", "segment.b"}, ray.origin, ray.end);
-  } else if (ray.kind == AnyRay::Kind::ray) {
-    require_finite_parts("hits", {"ray.origin", "ray.direction"}, ray.origin, ray.direction);
-  } else {
-    require_finite_parts("hits", {"line.point", "line.direction"}, ray.origin, ray.direction);
-  }
-  require_finite_parts("hits", names, rest...);
-}
-
 /// By exact signs; nothing for a ray in the plane of the triangle, or parallel to that of one without area.
 std::optional<bool> by_signs(const AnyRay& ray, const Triangle3& t) {
   const auto& [a, b, c] = t;
@@ -219,15 +205,14 @@ std::optional<bool> by_signs(const AnyRay& ray, const Triangle3& t) {
 }
 
 [[gnu::noinline]] bool exactly(const AnyRay& ray, const Triangle3& t, HitRule rule) {
-  require_numbers(ray, {"triangle.a", "triangle.b", "triangle.c"}, t.a, t.b, t.c);
+  require_ray("hits", ray, t);
   if (rule == HitRule::closed) {
     if (const auto told = by_signs(ray, t)) return *told;
   }
   return is_hit(ray, t, rule);
 }
 [[gnu::noinline]] bool exactly(const AnyRay& ray, const Sphere3& s) {
-  require_numbers(ray, {"sphere.center", "sphere.radius"}, s.center, s.radius);
-  if (s.radius < 0) throw InvalidShape("hits: sphere.radius is negative, and a radius must not be");
+  require_ray("hits", ray, s);
   return is_hit(ray, s);
 }
 /// (origin, direction, corner) in a plane of two axes: PassesCorner for a direction as given.
@@ -256,7 +241,7 @@ bool parted_in_plane(const AnyRay& ray, const Aabb3& box, std::size_t j, std::si
 
 /// The segment or ray reaches the box along every axis, or it is a line of some direction.
 [[gnu::noinline]] bool exactly(const AnyRay& ray, const Aabb3& b, bool reaches) {
-  require_numbers(ray, {"box.min", "box.max"}, b.min, b.max);
+  require_ray("hits", ray, b);
   if (!reaches || !every(b.min.x <= b.max.x, b.min.y <= b.max.y, b.min.z <= b.max.z)) return false;
   return !parted_in_plane(ray, b, 0, 1) && !parted_in_plane(ray, b, 1, 2) && !parted_in_plane(ray, b, 2, 0);
 }
@@ -306,7 +291,7 @@ bool hits(const Segment3& segment, const Aabb3& box) {
 }
 bool hits(const Line3& line, const Aabb3& box) {
   if (line.direction == Vector3{0, 0, 0}) {
-    require_numbers(line, {"box.min", "box.max"}, box.min, box.max);
+    require_ray("hits", line, box);
     return contains(box, line.point);
   }
   return told_or(ask_box(line.point, numbers(line.direction), box, true), [&] { return exactly(line, box, true); });

@@ -10,6 +10,7 @@
 #include <array>
 #include <tuple>
 
+#include "query/figure_input.hpp"
 #include "query/ray_clip.hpp"
 #include "query/rounded_radical.hpp"
 
@@ -222,6 +223,26 @@ std::optional<Answer> answer(const AnyRay& ray, const Model& model, const std::o
 }
 
 /// Throws NonFinite for a ray that is none.
-void require_ray(const AnyRay& ray);
+/// Throws as query/figure_input.hpp says; the ray is a segment or a line where it was given as one.
+void require_ray(std::string_view function, const AnyRay& ray, const FigureView& shape);
+void require_ray(std::string_view function, const AnyRay& ray);
+
+inline bool is_sound(const AnyRay& ray) {
+  return is_real(sum_of(ray.origin) + sum_of(ray.direction) + sum_of(ray.end));
+}
+
+template <Figure Shape>
+void require_ray(std::string_view function, const AnyRay& ray, const Shape& s) {
+  if (!is_sound(ray) || !is_sound(s)) [[unlikely]]
+    require_ray(function, ray, view_of(s));
+}
+/// By the function that gives such an answer.
+template <class Answer, Figure Shape>
+void require(const AnyRay& ray, const Shape& s) {
+  require_ray(std::is_same_v<Answer, Hit>            ? "first_hit"
+              : std::is_same_v<Answer, RayParameter> ? "first_hit_parameter"
+                                                     : "hits",
+              ray, s);
+}
 
 }  // namespace plumb::query

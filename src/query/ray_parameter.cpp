@@ -1,6 +1,5 @@
 #include "plumb/query/ray_parameter.hpp"
 
-#include "figure/finite_parts.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/certify/radical.hpp"
 #include "query/ray_numbers.hpp"
@@ -39,15 +38,27 @@ std::strong_ordering operator<=>(const RayParameter& a, const RayParameter& b) {
 
 namespace query {
 
-void require_ray(const AnyRay& ray) {
+namespace {
+
+template <class F>
+void as_given(const AnyRay& ray, F f) {
   switch (ray.kind) {
     case AnyRay::Kind::ray:
-      return require_finite_parts("first_hit", {"ray.origin", "ray.direction"}, ray.origin, ray.direction);
+      return f(Ray3{ray.origin, ray.direction}, "ray");
     case AnyRay::Kind::segment:
-      return require_finite_parts("first_hit", {"segment.a", "segment.b"}, ray.origin, ray.end);
+      return f(Segment3{ray.origin, ray.end}, "segment");
     default:
-      return require_finite_parts("first_hit", {"line.point", "line.direction"}, ray.origin, ray.direction);
+      return f(Line3{ray.origin, ray.direction}, "line");
   }
+}
+
+}  // namespace
+
+void require_ray(std::string_view function, const AnyRay& ray, const FigureView& shape) {
+  as_given(ray, [&](const auto& given, std::string_view) { require_figures(function, view_of(given), shape); });
+}
+void require_ray(std::string_view function, const AnyRay& ray) {
+  as_given(ray, [&](const auto& given, std::string_view name) { require_figure(function, name, given); });
 }
 
 }  // namespace query

@@ -11,6 +11,7 @@
 #include "figure/mesh_input.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/predicates.hpp"
+#include "query/figure_input.hpp"
 
 namespace plumb {
 namespace {
@@ -34,7 +35,7 @@ struct Crossings {
 
 /// Nothing for a point on a triangle.
 std::optional<Crossings> crossings(std::string_view function, const TriangleMesh& mesh, const Point3& p) {
-  require_finite_parts(function, {"p"}, p);
+  query::require_figure(function, "p", p);
   require_mesh(function, mesh);
   Crossings found;
   for (const Triangle& t : mesh.triangles) {

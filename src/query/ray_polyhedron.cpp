@@ -1,5 +1,4 @@
 // Convex polyhedra, as the intersection of the halfspaces below their faces.
-#include "figure/finite_parts.hpp"
 #include "figure/mesh_input.hpp"
 #include "query/ray_facets.hpp"
 
@@ -79,9 +78,8 @@ struct PolyhedronModel {
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const ConvexPolyhedron3& polyhedron) {
-  require_ray(ray);
+  require<Answer>(ray, polyhedron);
   const PolyhedronModel model{polyhedron};
-  if (model.size() == 0) throw InvalidShape("first_hit: the polyhedron has no faces; make it by convex_polyhedron");
   return answer<Answer>(ray, model, clip(ray, model));
 }
 

@@ -2,7 +2,6 @@
 //
 // Beside its chain a point is inside where the chain winds around it an odd number of times: where it is in one of the
 // triangles abc and acd, by the half-open rule, and not in both.
-#include "figure/finite_parts.hpp"
 #include "plumb/figure/polygon_location.hpp"
 #include "plumb/predicates.hpp"
 #include "query/ray_facets.hpp"
@@ -117,9 +116,7 @@ std::size_t spanning(const Quadrilateral3& quadrilateral) {
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Quadrilateral3& q) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"quadrilateral.a", "quadrilateral.b", "quadrilateral.c", "quadrilateral.d"}, q.a,
-                       q.b, q.c, q.d);
+  require<Answer>(ray, q);
   if (orient3d(q.a, q.b, q.c, q.d) != Sign::zero)
     throw InvalidShape("first_hit: the corners of the quadrilateral are not in one plane; give two triangles");
   const QuadrilateralModel model{q, spanning(q)};

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <span>
 
-#include "figure/finite_parts.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
 
@@ -148,17 +147,6 @@ std::optional<Decided> decide_capsule(const AnyRay& ray, const CapsuleModel& mod
   return {};
 }
 
-void require_radius(double radius, std::string_view name) {
-  if (!(radius < 0)) return;
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.17g", radius);
-  throw InvalidShape(std::string("first_hit: ")
-                         .append(name)
-                         .append(" is ")
-                         .append(digits.data())
-                         .append(", and a radius must not be negative"));
-}
-
 template <class Answer>
 std::optional<Answer> of_ball(const AnyRay& ray, const Point3& center, double radius) {
   const BallModel model{center, radius};
@@ -167,18 +155,13 @@ std::optional<Answer> of_ball(const AnyRay& ray, const Point3& center, double ra
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Sphere3& sphere) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"sphere.center", "sphere.radius"}, sphere.center, sphere.radius);
-  require_radius(sphere.radius, "sphere.radius");
+  require<Answer>(ray, sphere);
   return of_ball<Answer>(ray, sphere.center, sphere.radius);
 }
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Cylinder3& cylinder) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"cylinder.a", "cylinder.b", "cylinder.radius"}, cylinder.a, cylinder.b,
-                       cylinder.radius);
-  require_radius(cylinder.radius, "cylinder.radius");
+  require<Answer>(ray, cylinder);
   if (cylinder.a == cylinder.b) return of_ball<Answer>(ray, cylinder.a, cylinder.radius);
   const CylinderModel model{cylinder};
   return answer<Answer>(ray, model, clip(ray, model));
@@ -186,9 +169,7 @@ std::optional<Answer> of(const AnyRay& ray, const Cylinder3& cylinder) {
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Capsule3& capsule) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"capsule.a", "capsule.b", "capsule.radius"}, capsule.a, capsule.b, capsule.radius);
-  require_radius(capsule.radius, "capsule.radius");
+  require<Answer>(ray, capsule);
   if (capsule.a == capsule.b) return of_ball<Answer>(ray, capsule.a, capsule.radius);
   const CapsuleModel model{capsule};
   return answer<Answer>(ray, model,

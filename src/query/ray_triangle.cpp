@@ -4,7 +4,6 @@
 // triangles.  The moved ray misses every edge that is not parallel to it, and has neither end in a plane that is not:
 // the side of the edge from p to q changes by (q - p) x d, that of the plane by -n, and neither is zero there.  So for
 // finitely many triangles there is one true ray, as near as one likes, that answers as the rule does.
-#include "figure/finite_parts.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_facets.hpp"
 
@@ -55,8 +54,7 @@ std::optional<Decided> half_open(const AnyRay& ray, const TriangleModel& model, 
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
-  require_ray(ray);
-  require_finite_parts("first_hit", {"triangle.a", "triangle.b", "triangle.c"}, triangle.a, triangle.b, triangle.c);
+  require<Answer>(ray, triangle);
   const TriangleModel model(triangle);
   if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
   return answer<Answer>(ray, model, certainly([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));

@@ -379,7 +379,7 @@ TEST(ClosestTest, BadInputIsNamed) {
   EXPECT_THAT(text_of<NonFinite>([&] {
                 closest_points(Point3{0, nan, 0}, Segment3{});
               }),
-              HasSubstr("closest_points: p.y is nan"));
+              HasSubstr("closest_points: point.y is nan"));
   EXPECT_THAT(text_of<NonFinite>([&] {
                 distance(Triangle3{{}, {}, {0, 0, inf}}, Point3{});
               }),

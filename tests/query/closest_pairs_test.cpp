@@ -283,8 +283,8 @@ TEST(ClosestPairs, WhatIsNoNumberIsNamed) {
   };
   const Triangle3 t{{0, 0, 0}, {8, 0, 0}, {0, nan, 0}};
   const Segment3 s{{0, 0, 1}, {1, 1, 1}};
-  EXPECT_EQ(message([&] { closest_points(s, t); }).find("closest_points: b.c.y is nan"), 0u);
-  EXPECT_EQ(message([&] { distance(Ray3{{0, 0, nan}, {1, 0, 0}}, s); }).find("distance: a.origin.z is nan"), 0u);
+  EXPECT_EQ(message([&] { closest_points(s, t); }).find("closest_points: triangle.c.y is nan"), 0u);
+  EXPECT_EQ(message([&] { distance(Ray3{{0, 0, nan}, {1, 0, 0}}, s); }).find("distance: ray.origin.z is nan"), 0u);
   EXPECT_EQ(message([&] {
               distance(Line3{{0, 0, nan}, {0, 0, 0}}, Line3{{0, 0, 0}, {0, 0, 0}});
             }).find("distance: a.point.z is nan"),

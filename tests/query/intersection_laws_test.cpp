@@ -232,15 +232,15 @@ TEST(IntersectionLaws, BadInputIsNamed) {
   EXPECT_EQ(said([&] {
               (void)intersection(Ray3{{0, 0, 0}, {0, NAN, 0}}, t);
             }),
-            "intersection: a.direction.y is nan, not a real number; give a finite double");
+            "intersection: ray.direction.y is nan, not a real number; give a finite double");
   EXPECT_EQ(said([&] {
               (void)intersection(t, Aabb3{{0, 0, 0}, {0, 0, INFINITY}});
             }),
-            "intersection: b.max.z is inf, not a real number; give a finite double");
+            "intersection: aabb.max.z is inf, not a real number; give a finite double");
   EXPECT_EQ(said([&] {
               (void)intersection(Segment2{{0, 0}, {1, 1}}, Polygon2{{{0, 0}, {1, 0}}});
             }),
-            "intersection: b.vertices has 2 vertices; a polygon has three at least");
+            "intersection: polygon.vertices has 2 vertices; a polygon has three at least");
   EXPECT_EQ(said([&] {
               (void)intersection(Segment2{{0, 0}, {1, 1}}, Polygon2{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}});
             }),

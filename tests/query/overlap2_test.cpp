@@ -64,7 +64,7 @@ TEST(Overlap2Cases, NamesWhatIsNoNumber) {
     relate(Ray2{{0, 0}, {1, INFINITY}}, Triangle2{});
     FAIL();
   } catch (const NonFinite& e) {
-    EXPECT_EQ(std::string(e.what()).rfind("relate: a.direction.y is inf", 0), 0u) << e.what();
+    EXPECT_EQ(std::string(e.what()).rfind("relate: ray.direction.y is inf", 0), 0u) << e.what();
   }
 }
 

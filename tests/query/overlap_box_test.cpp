@@ -89,7 +89,7 @@ TEST(OverlapBoxCases, NamesWhatIsNoNumber) {
     relate(Segment3{{9, 9, 9}, {9, 9, nan}}, unit);
     FAIL();
   } catch (const NonFinite& e) {
-    EXPECT_EQ(std::string(e.what()).rfind("relate: a.b.z is nan", 0), 0u) << e.what();
+    EXPECT_EQ(std::string(e.what()).rfind("relate: segment.b.z is nan", 0), 0u) << e.what();
   }
   EXPECT_THROW(relate(Triangle3{{9, 9, 9}, {9, 9, 8}, {8, nan, 9}}, unit), NonFinite);
   EXPECT_THROW(relate(Triangle3{{9, 9, 9}, {9, 9, 8}, {8, 9, 9}}, Aabb3{{0, 0, 0}, {1, INFINITY, 1}}), NonFinite);

@@ -225,32 +225,32 @@ TEST(OverlapRoundBadInput, NamesThePart) {
   const auto expect = [](const std::string& text, std::string_view start) {
     EXPECT_EQ(text.substr(0, start.size()), start);
   };
-  expect(failure([&] { (void)relate(Triangle3{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, ball); }), "relate: a.c.y is nan");
-  expect(failure([&] { (void)relate(ball, Aabb3{{0, 0, 0}, {1, infinite, 1}}); }), "relate: b.max.y is inf");
-  expect(failure([&] { (void)relate(Line3{{0, 0, 0}, {1, nan, 0}}, ball); }), "relate: a.direction.y is nan");
-  expect(failure([&] { (void)relate(Plane3{{0, 0, 1}, nan}, ball); }), "relate: a.offset is nan");
+  expect(failure([&] { (void)relate(Triangle3{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, ball); }), "relate: triangle.c.y is nan");
+  expect(failure([&] { (void)relate(ball, Aabb3{{0, 0, 0}, {1, infinite, 1}}); }), "relate: aabb.max.y is inf");
+  expect(failure([&] { (void)relate(Line3{{0, 0, 0}, {1, nan, 0}}, ball); }), "relate: line.direction.y is nan");
+  expect(failure([&] { (void)relate(Plane3{{0, 0, 1}, nan}, ball); }), "relate: plane.offset is nan");
   expect(failure([&] {
            (void)relate(Segment3{{0, 0, 0}, {1, 0, 0}}, Cylinder3{{0, 0, 0}, {1, 0, 0}, nan});
          }),
-         "relate: b.radius is nan");
+         "relate: cylinder.radius is nan");
   expect(failure([&] {
            (void)relate(Segment3{{0, 0, 0}, {1, 0, 0}}, Capsule3{{0, 0, 0}, {1, 0, 0}, -1});
          }),
-         "relate: b.radius is negative");
+         "relate: capsule.radius is negative");
   expect(failure([&] {
            (void)relate(Plane3{{0, 0, 1}, 0}, Cone3{{0, 0, 0}, {1, 0, 0}, -1});
          }),
-         "relate: b.radius is negative");
-  expect(failure([&] { (void)relate(Polygon3{{{0, 0, 0}, {1, 0, 0}}}, ball); }), "relate: a.vertices has 2 vertices");
+         "relate: cone.radius is negative");
+  expect(failure([&] { (void)relate(Polygon3{{{0, 0, 0}, {1, 0, 0}}}, ball); }), "relate: polygon.vertices has 2 vertices");
   expect(failure([&] {
            (void)relate(Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}}, ball);
          }),
          "relate: the polygon is not planar");
-  expect(failure([&] { (void)relate(Circle2{{0, nan}, 1}, Aabb2{{0, 0}, {1, 1}}); }), "relate: a.center.y is nan");
+  expect(failure([&] { (void)relate(Circle2{{0, nan}, 1}, Aabb2{{0, 0}, {1, 1}}); }), "relate: circle.center.y is nan");
   expect(failure([&] {
            (void)relate(Sphere3{{0, 0, 0}, -1}, KDop3{k_dop_directions(6), {0, 0, 0}, {1, 1, 1}});
          }),
-         "relate: a.radius is negative");
+         "relate: sphere.radius is negative");
 }
 
 }  // namespace

@@ -328,7 +328,7 @@ TEST(BadInput, IsNamed) {
         return hits(Ray3{{nan, 0, 0}, {0, 0, 0}}, Aabb3{{0, 0, 0}, {1, 1, 1}});
       },
       "ray.origin.x");
-  expect_text<NonFinite>([&] { return hits(ray, Aabb3{{0, 0, 0}, {1, inf, 1}}); }, "box.max.y");
+  expect_text<NonFinite>([&] { return hits(ray, Aabb3{{0, 0, 0}, {1, inf, 1}}); }, "aabb.max.y");
   expect_text<InvalidShape>([&] { return hits(ray, Sphere3{{0, 0, 0}, -1}); }, "sphere.radius");
   expect_text<InvalidShape>([&] { return first_hit(ray, Capsule3{{0, 0, 0}, {1, 0, 0}, -1}); }, "capsule.radius");
   expect_text<InvalidShape>([&] { return first_hit(ray, Cylinder3{{0, 0, 0}, {1, 0, 0}, -1}); }, "cylinder.radius");

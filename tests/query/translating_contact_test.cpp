@@ -354,7 +354,7 @@ TEST(TranslatingContact, WhatIsNoShape) {
   EXPECT_EQ(text_of<InvalidShape>([&] {
               intersects(ball, Point3{0, 0, 0});
             }),
-            "intersects: a.shape.radius is negative; a radius is zero or positive");
+            "intersects: a.shape.radius is negative; give zero or more");
   const double nan = std::nan("");
   EXPECT_THAT(text_of<NonFinite>([&] {
                 first_contact(Translating<Point3>{{0, nan, 0}, {1, 0, 0}}, Point3{0, 0, 0});

@@ -31,22 +31,13 @@ namespace plumb {
 
 namespace query {
 
-/// A figure with straight edges and flat faces, whose type the compiler need not know.
-struct FlatView {
-  FigureKind kind;
-  int dimension;
-  const void* shape;
-};
+/// Of a figure with straight edges and flat faces.
+using FlatView = FigureView;
 
 template <class Shape>
 concept FlatFigure = Figure<Shape> &&
     !is_one_of(figure_kind<Shape>,
                {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
-
-template <FlatFigure Shape>
-FlatView view_of(const Shape& shape) {
-  return {figure_kind<Shape>, figure_dimension<Shape>, &shape};
-}
 
 Relation relate_flat(const FlatView& a, const FlatView& b);
 bool flat_intersects(const FlatView& a, const FlatView& b);

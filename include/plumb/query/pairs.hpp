@@ -215,6 +215,21 @@ inline constexpr FigureKind figure_kind = query::KindOf<Shape>::kind;
 template <Figure Shape>
 inline constexpr int figure_dimension = query::KindOf<Shape>::dimension;
 
+namespace query {
+
+/// A figure whose type the compiler need not know.
+struct FigureView {
+  FigureKind kind;
+  int dimension;
+  const void* shape;
+};
+template <Figure Shape>
+constexpr FigureView view_of(const Shape& shape) {
+  return {figure_kind<Shape>, figure_dimension<Shape>, &shape};
+}
+
+}  // namespace query
+
 /// How these two types are answered; absent as well where they are of the plane and of space.
 template <Figure A, Figure B>
 inline constexpr PairMethod method_of = figure_dimension<A> == figure_dimension<B>
