@@ -296,6 +296,11 @@ class Drawing {
     return points_[i].key.empty() ? "" : fmt::format(" data-key=\"{}\"", escaped(points_[i].key));
   }
 
+  [[nodiscard]] std::string place_of(std::size_t i) const {
+    const auto [x, y] = center(i);
+    return points_[i].key.empty() ? "" : fmt::format("{} data-at=\"{:.1f} {:.1f}\"", key_of(i), x, y);
+  }
+
   void draw_leader(std::size_t i) {
     const LabelPlace& p = layout_.labels[i];
     if (!p.leader) return;
@@ -309,7 +314,7 @@ class Drawing {
     const auto [x, y] = center(i);
     const std::string hint = p.hint.empty() ? fmt::format("{}: {:.4g}, {:.4g}", p.label, p.x, p.y) : p.hint;
     put("{} class=\"marker s{}{}\"{}><title>{}</title></{}>\n", marker_shape(i % kShapes, x, y),
-        (i + i / kShapes) % kShapes, p.complete ? "" : " partial", key_of(i), escaped(hint),
+        (i + i / kShapes) % kShapes, p.complete ? "" : " partial", place_of(i), escaped(hint),
         i % kShapes == 0 ? "circle" : "path");
   }
 

@@ -102,7 +102,9 @@ int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals)
   }
   if (!options.out) return 0;
   files.push_back({"chart.txt", std::move(table)});
-  files.push_back({"chart.json", trials_json(trials, settings, now()).dump(2) + "\n"});
+  const nlohmann::json raw = trials_json(trials, settings, now());
+  files.push_back({"chart.json", raw.dump(2) + "\n"});
+  files.push_back({"chart.html", trials_html(trials, raw)});
   write_folder(*options.out, files);
   say(fmt::format("{} files in {}\n", files.size(), printable(*options.out)));
   return 0;

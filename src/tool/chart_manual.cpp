@@ -26,9 +26,10 @@ allocations
        How often memory is asked for, a question.
 
 With --out DIR the same is written into that folder: chart.txt,
-chart.json (with machine, compiler, flags and date), and a picture for
-each task and class, TASK-CLASS.svg, of the wrong share against time,
-whose line joins the methods that no other beats in both.)"},
+chart.json (with machine, compiler, flags and date), a picture for each
+task and class, TASK-CLASS.svg, of the wrong share against time, whose
+line joins the methods that no other beats in both; and chart.html, a
+page with all of them, to be filtered, which needs no network.)"},
            {"METHODS", R"(
 float32        Single precision, of coordinates rounded to it.
 double         The formula as it is written.

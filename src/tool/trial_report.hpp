@@ -22,4 +22,7 @@ nlohmann::json trials_json(std::span<const trial::Trial> trials, const trial::Se
 /// Wrong share (of numbers: mean error in ulps) against nanoseconds a question, with the frontier drawn.
 std::string trial_chart(const trial::Trial& trial);
 
+/// All charts and figures in one page, with the JSON in it: hovering explains, checkboxes choose.
+std::string trials_html(std::span<const trial::Trial> trials, const nlohmann::json& raw);
+
 }  // namespace plumb::tool

@@ -47,6 +47,23 @@ class Report : public testing::Test {
     }
   }
 
+  /// How many trials have this value under the key.
+  static std::size_t trials_with(const std::string& key, const std::string& value) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(json_->at("trials"), [&](const json& trial) { return trial.at(key) == value; }));
+  }
+  /// How many trials have the method `double`.
+  static std::size_t doubles() {
+    std::size_t count = 0;
+    each([&](const std::string&, const std::string&, const json& m) { count += m.at("method") == "double"; });
+    return count;
+  }
+  static std::size_t tasks() {
+    std::set<std::string> names;
+    for (const json& trial : json_->at("trials")) names.insert(trial.at("task"));
+    return names.size();
+  }
+
   static Folder* folder_;
   static Outcome* outcome_;
   static json* json_;
@@ -125,6 +142,75 @@ TEST_F(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
       EXPECT_LT(m.at("allocations"), 3) << task << ' ' << input;
     }
   });
+}
+
+TEST_F(Report, IsAPageThatNeedsNothingElse) {
+  const std::string page = content(*folder_ / "report/chart.html");
+  EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("prefers-color-scheme: dark")));
+  std::string rest = page;  // but for the name of the SVG language, which nothing is fetched from
+  for (std::size_t at = 0; (at = rest.find("http://www.w3.org/2000/svg")) != std::string::npos;) rest.erase(at, 26);
+  EXPECT_THAT(rest, AllOf(Not(HasSubstr("http:")), Not(HasSubstr("https:")), Not(HasSubstr(" src="))));
+  const std::string begin = "id=\"raw\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  EXPECT_EQ(json::parse(page.substr(from, page.find("</script>", from) - from)), *json_);
+}
+
+/// The page in a browser, with a script of ours at its end whose result it shows; what the console said is in `err`.
+Outcome in_browser(const std::string& page, const std::string& script) {
+  const Folder folder;
+  std::ofstream(folder / "page.html") << page << "<script>{\n" << script << "\n}</script>\n";
+  return run("HOME=" + (folder / "home") +
+             " timeout 120 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir=" +
+             (folder / "profile") + " --dump-dom file://" + (folder / "page.html"));
+}
+
+TEST_F(Report, IsAPageWhoseFilterWorksInABrowser) {
+  if (run("command -v chromium").code != 0) {
+    std::puts("No chromium here: what the page does in a browser is skipped.");
+    return;
+  }
+  const std::string page = content(*folder_ / "report/chart.html");
+  const Outcome o = in_browser(page, R"(
+    const shown = selector => all(selector).filter(e => e.getClientRects().length > 0).length;
+    const counts = () => [shown('.marker[data-key="double"]'), shown('article'), shown('section'), shown('.marker.gone')];
+    const steps = () => all('.frontier').map(p => p.getAttribute('d')).join();
+    const click = (kind, value) => document.querySelector(`input[data-filter="${kind}"][value="${value}"]`).click();
+    const result = [counts()], first = steps();
+    click('method', 'double');
+    click('class', 'uniform');
+    click('task', 'orient2d');
+    result.push(counts());
+    click('method', 'exact');
+    click('method', 'plan');
+    click('method', 'batch');
+    result.push(steps() !== first);
+    document.querySelector('button[data-set="none"]').click();
+    result.push(shown('section'));
+    document.querySelector('button[data-set="all"]').click();
+    click('class', 'uniform');
+    for (const m of ['double', 'exact', 'plan', 'batch']) click('method', m);
+    result.push(counts(), steps() === first);
+    const marker = document.querySelector('.marker[data-key="float32"]'), hint = document.getElementById('hint');
+    marker.focus();
+    result.push(document.activeElement === marker && !hint.hidden && hint.textContent.startsWith('float32: '));
+    document.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape'}));
+    result.push(hint.hidden);
+    document.body.replaceChildren(JSON.stringify(result));)");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, Not(HasSubstr("CONSOLE")));
+  const std::size_t charts = json_->at("trials").size();
+  const std::size_t fewer = charts - trials_with("class", "uniform") - trials_with("task", "orient2d") + 1;
+  const std::string expected = json{{doubles(), charts, tasks(), 0},
+                                    {0, fewer, tasks() - 1, 0},
+                                    true,
+                                    0,
+                                    {doubles(), charts, tasks(), 0},
+                                    true,
+                                    true,
+                                    true}
+                                   .dump();
+  EXPECT_THAT(o.out, HasSubstr(expected));
+  EXPECT_THAT(in_browser(page, "missing();").err, HasSubstr("CONSOLE"));  // which the first would have shown as well
 }
 
 TEST_F(Report, HasTheSameAnswersForTheSameSeed) {
