@@ -125,9 +125,10 @@ std::optional<Relation> by_signs(const Obb3& a, const Obb3& b) {
   return verdict.relation();
 }
 
-[[gnu::noinline]] Relation exactly(const Obb3& a, const Obb3& b) {
+[[gnu::noinline]] Relation exactly(const Obb3& a, const Obb3& b, Asked asked) {
   require_finite<FaceOfA>(coordinates_of<FaceOfA>(a.center, b.center, a.axes[0], a.axes[1], a.axes[2], b.axes[0],
-                                                  b.axes[1], b.axes[2], a.half, b.half));
+                                                  b.axes[1], b.axes[2], a.half, b.half),
+                          name_of(asked));
   if (const auto answer = by_signs(a, b)) return *answer;
   return locate_origin(
       difference(a.center, b.center),
@@ -211,17 +212,17 @@ struct BothPlane {
 
 }  // namespace
 
-Relation relate(const Obb3& a, const Obb3& b) {
+Relation relate(const Obb3& a, const Obb3& b, Asked asked) {
   assert_sound_thread();
   if (const auto quick = by_doubles(a, b)) [[likely]]
     return *quick;
-  return exactly(a, b);
+  return exactly(a, b, asked);
 }
 
-Relation relate(const Obb2& a, const Obb2& b) {
+Relation relate(const Obb2& a, const Obb2& b, Asked asked) {
   const auto p =
       coordinates_of<BothPlane>(a.center, a.axes[0], a.axes[1], a.half, b.center, b.axes[0], b.axes[1], b.half);
-  require_finite<BothPlane>(p);
+  require_finite<BothPlane>(p, name_of(asked));
   Verdict verdict;
   if (!verdict.add(plane_gap(a, b, 0)) || !verdict.add(plane_gap(a, b, 1)) || !verdict.add(plane_gap(b, a, 0)) ||
       !verdict.add(plane_gap(b, a, 1)))

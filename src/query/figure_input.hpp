@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "plumb/figure/relation.hpp"
 #include "plumb/query/pairs.hpp"
 #include "query/figure_parts.hpp"
 
@@ -69,6 +70,12 @@ template <Figure A, Figure B>
 void require_figures(std::string_view function, const A& a, const B& b) {
   if (!is_sound(a) || !is_sound(b)) [[unlikely]]
     require_figures(function, view_of(a), view_of(b));
+}
+
+template <Figure A, Figure B>
+void require_figures(Asked asked, const A& a, const B& b) {
+  if (!is_sound(a) || !is_sound(b)) [[unlikely]]
+    require_figures(name_of(asked), view_of(a), view_of(b));
 }
 
 /// What a text calls it.

@@ -198,10 +198,11 @@ void in_chunks(const One& one, const Batch& many, std::span<std::uint8_t> out, A
     for (std::size_t u = 0; u < count; ++u) {
       const std::size_t i = from + unsure[u];
       if constexpr (n == 9) {
-        out[i] = intersects(many[i], one);
+        out[i] = relate(many[i], one) != Relation::disjoint;
       } else {
         const auto number = [&](std::size_t k) { return many.numbers(k)[i]; };
-        out[i] = intersects(one, Aabb3{{number(0), number(1), number(2)}, {number(3), number(4), number(5)}});
+        const Aabb3 box{{number(0), number(1), number(2)}, {number(3), number(4), number(5)}};
+        out[i] = relate(one, box) != Relation::disjoint;
       }
     }
   }

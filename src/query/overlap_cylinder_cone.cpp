@@ -182,15 +182,15 @@ Relation relation_of_point(const Point3& p, const Round& round) {
 }
 
 template <class Round>
-Relation relate_point(const Point3& p, const Round& round) {
+Relation relate_point(const Point3& p, const Round& round, Asked asked) {
   const auto [from, to, radius, is_cone] = axis_of(round);
-  require_figures("relate", p, round);
+  require_figures(asked, p, round);
   if (from != to && radius == 0) return relate(flat_set(p), flat_set(Segment3{from, to}));
   return from == to ? relate(p, Sphere3{from, radius}) : relation_of_point(p, round);
 }
 
 template <class Line, class Round>
-Relation relate_line(const Line& line, const Round& round) {
+Relation relate_line(const Line& line, const Round& round, Asked asked) {
   const auto [from, to, radius, is_cone] = axis_of(round);
   if (is_sound(line) && is_sound(round) && radius > 0 && from != to && !is_point(line)) [[likely]] {
     if (passes_by(line, axis_of(round))) return Relation::disjoint;
@@ -198,7 +198,7 @@ Relation relate_line(const Line& line, const Round& round) {
       return *r;
     if (const auto r = crossing<Running, core::Question>(line, round)) return *r;
   }
-  require_figures("relate", line, round);
+  require_figures(asked, line, round);
   if (from == to) return relate(line, Sphere3{from, radius});
   if (radius == 0) return relate(flat_set(line), flat_set(Segment3{from, to}));
   if (is_point(line)) return relation_of_point(start_of(line), round);
@@ -222,13 +222,13 @@ Relation relate_spanned_line(const ThreePointPlane3& line, const Cone3& shape) {
 
 using query::relate_line, query::relate_point;
 
-Relation relate(const Point3& a, const Cylinder3& b) { return relate_point(a, b); }
-Relation relate(const Point3& a, const Cone3& b) { return relate_point(a, b); }
-Relation relate(const Line3& a, const Cylinder3& b) { return relate_line(a, b); }
-Relation relate(const Ray3& a, const Cylinder3& b) { return relate_line(a, b); }
-Relation relate(const Segment3& a, const Cylinder3& b) { return relate_line(a, b); }
-Relation relate(const Line3& a, const Cone3& b) { return relate_line(a, b); }
-Relation relate(const Ray3& a, const Cone3& b) { return relate_line(a, b); }
-Relation relate(const Segment3& a, const Cone3& b) { return relate_line(a, b); }
+Relation relate(const Point3& a, const Cylinder3& b, Asked asked) { return relate_point(a, b, asked); }
+Relation relate(const Point3& a, const Cone3& b, Asked asked) { return relate_point(a, b, asked); }
+Relation relate(const Line3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Ray3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Segment3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Line3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Ray3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Segment3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
 
 }  // namespace plumb

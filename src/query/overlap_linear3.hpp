@@ -40,6 +40,6 @@ Linear3 flattened(const Triangle3& t);
 
 Relation relate(const Linear3& a, const Linear3& b);
 Relation relate(const Linear3& a, const Triangle3& b);
-Relation relate(const Triangle3& a, const Triangle3& b);
+Relation relate(const Triangle3& a, const Triangle3& b, Asked asked = {});
 
 }  // namespace plumb::query

@@ -233,8 +233,8 @@ bool is_solid(const Aabb3& box) { return box.min.x < box.max.x && box.min.y < bo
 bool has_extents(const Obb3& box) { return box.half.x != 0 && box.half.y != 0 && box.half.z != 0; }
 
 template <class Shape>
-Relation relate_obb(const Shape& a, const Obb3& b) {
-  require_figures("relate", a, b);
+Relation relate_obb(const Shape& a, const Obb3& b, Asked asked) {
+  require_figures(asked, a, b);
   const auto figure = [&] {
     if constexpr (requires { linear(a); }) {
       return linear(a);
@@ -307,13 +307,13 @@ Relation exactly(const Aabb3& a, const Obb3& b) {
 
 using query::relate_obb;
 
-Relation relate(const Line3& a, const Obb3& b) { return relate_obb(a, b); }
-Relation relate(const Ray3& a, const Obb3& b) { return relate_obb(a, b); }
-Relation relate(const Segment3& a, const Obb3& b) { return relate_obb(a, b); }
-Relation relate(const Triangle3& a, const Obb3& b) { return relate_obb(a, b); }
+Relation relate(const Line3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
+Relation relate(const Ray3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
+Relation relate(const Segment3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
+Relation relate(const Triangle3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
 
-Relation relate(const Aabb3& a, const Obb3& b) {
-  query::require_figures("relate", a, b);
+Relation relate(const Aabb3& a, const Obb3& b, Asked asked) {
+  query::require_figures(asked, a, b);
   if (query::is_empty(a)) return Relation::disjoint;
   if (query::is_solid(a)) {
     if (const auto r = query::by_pair(query::BoxPair<Approximate>(a, b))) [[likely]]

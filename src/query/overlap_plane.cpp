@@ -156,8 +156,8 @@ Relation relate_plane(const Halfspace3& half, const Shape& s) {
 }
 
 template <class A, class B>
-Relation related(const A& a, const B& b) {
-  require_figures("relate", a, b);
+Relation related(const A& a, const B& b, Asked asked) {
+  require_figures(asked, a, b);
   if constexpr (requires { relate_plane(a, b); }) {
     return relate_plane(a, b);
   } else {
@@ -170,38 +170,38 @@ Relation related(const A& a, const B& b) {
 
 using query::related;
 
-Relation relate(const Point3& a, const Plane3& b) { return related(a, b); }
-Relation relate(const Segment3& a, const Plane3& b) { return related(a, b); }
-Relation relate(const Plane3& a, const Triangle3& b) {
+Relation relate(const Point3& a, const Plane3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Segment3& a, const Plane3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Plane3& a, const Triangle3& b, Asked asked) {
   assert_sound_thread();
   const int p = query::quick_side(a, b.a), q = query::quick_side(a, b.b), r = query::quick_side(a, b.c);
-  if (p * q * r == 0) return related(a, b);
+  if (p * q * r == 0) return related(a, b, asked);
   return p == q && q == r ? Relation::disjoint : Relation::overlapping;
 }
-Relation relate(const Plane3& a, const Tetrahedron3& b) { return related(a, b); }
-Relation relate(const Plane3& a, const Aabb3& b) {
+Relation relate(const Plane3& a, const Tetrahedron3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Plane3& a, const Aabb3& b, Asked asked) {
   assert_sound_thread();
   const bool x = a.normal.x > 0, y = a.normal.y > 0, z = a.normal.z > 0;
   const auto& [min, max] = b;
   const int high = query::quick_side(a, {x ? max.x : min.x, y ? max.y : min.y, z ? max.z : min.z});
   const int low = query::quick_side(a, {x ? min.x : max.x, y ? min.y : max.y, z ? min.z : max.z});
-  if (low * high == 0 || query::is_empty(b)) return related(a, b);
+  if (low * high == 0 || query::is_empty(b)) return related(a, b, asked);
   return low == high ? Relation::disjoint : Relation::overlapping;
 }
-Relation relate(const Plane3& a, const Obb3& b) { return related(a, b); }
+Relation relate(const Plane3& a, const Obb3& b, Asked asked) { return related(a, b, asked); }
 
-Relation relate(const Point3& a, const ThreePointPlane3& b) { return related(a, b); }
-Relation relate(const Segment3& a, const ThreePointPlane3& b) { return related(a, b); }
-Relation relate(const ThreePointPlane3& a, const Triangle3& b) { return related(a, b); }
-Relation relate(const ThreePointPlane3& a, const Tetrahedron3& b) { return related(a, b); }
-Relation relate(const ThreePointPlane3& a, const Aabb3& b) { return related(a, b); }
-Relation relate(const ThreePointPlane3& a, const Obb3& b) { return related(a, b); }
+Relation relate(const Point3& a, const ThreePointPlane3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Segment3& a, const ThreePointPlane3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Tetrahedron3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Aabb3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Obb3& b, Asked asked) { return related(a, b, asked); }
 
-Relation relate(const Point3& a, const Halfspace3& b) { return related(a, b); }
-Relation relate(const Segment3& a, const Halfspace3& b) { return related(a, b); }
-Relation relate(const Halfspace3& a, const Triangle3& b) { return related(a, b); }
-Relation relate(const Halfspace3& a, const Tetrahedron3& b) { return related(a, b); }
-Relation relate(const Halfspace3& a, const Aabb3& b) { return related(a, b); }
-Relation relate(const Halfspace3& a, const Obb3& b) { return related(a, b); }
+Relation relate(const Point3& a, const Halfspace3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Segment3& a, const Halfspace3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Halfspace3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Halfspace3& a, const Tetrahedron3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Halfspace3& a, const Aabb3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Halfspace3& a, const Obb3& b, Asked asked) { return related(a, b, asked); }
 
 }  // namespace plumb

@@ -48,8 +48,8 @@ HalfspaceIntersection3 lifted(const KDop2& k_dop) {
 }
 
 template <class A, class B>
-Relation relate_lifted(const A& a, const B& b) {
-  require_figures("relate", a, b);
+Relation relate_lifted(const A& a, const B& b, Asked asked) {
+  require_figures(asked, a, b);
   return relate(lifted(a), lifted(b));
 }
 
@@ -58,33 +58,33 @@ Relation relate_lifted(const A& a, const B& b) {
 
 using query::relate_lifted;
 
-Relation relate(const Point2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Line2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Ray2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Segment2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Halfspace2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Triangle2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Quadrilateral2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Polygon2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const HoledPolygon2& a, const Circle2& b) { return relate_lifted(a, b); }
-Relation relate(const Circle2& a, const Aabb2& b) { return relate_lifted(a, b); }
-Relation relate(const Circle2& a, const Obb2& b) { return relate_lifted(b, a); }
-Relation relate(const Circle2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Circle2& a, const KDop2& b) { return relate_lifted(a, b); }
-Relation relate(const Circle2& a, const HalfspaceIntersection2& b) { return relate_lifted(a, b); }
+Relation relate(const Point2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Line2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Ray2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Segment2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Halfspace2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Triangle2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Quadrilateral2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Polygon2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const HoledPolygon2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Circle2& a, const Aabb2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Circle2& a, const Obb2& b, Asked asked) { return relate_lifted(b, a, asked); }
+Relation relate(const Circle2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Circle2& a, const KDop2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Circle2& a, const HalfspaceIntersection2& b, Asked asked) { return relate_lifted(a, b, asked); }
 
-Relation relate(const Point2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Line2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Ray2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Segment2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Halfspace2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Triangle2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Quadrilateral2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Polygon2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const HoledPolygon2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Aabb2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Obb2& a, const Capsule2& b) { return relate_lifted(a, b); }
-Relation relate(const Capsule2& a, const KDop2& b) { return relate_lifted(a, b); }
-Relation relate(const Capsule2& a, const HalfspaceIntersection2& b) { return relate_lifted(a, b); }
+Relation relate(const Point2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Line2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Ray2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Segment2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Halfspace2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Triangle2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Quadrilateral2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Polygon2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const HoledPolygon2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Aabb2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Obb2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Capsule2& a, const KDop2& b, Asked asked) { return relate_lifted(a, b, asked); }
+Relation relate(const Capsule2& a, const HalfspaceIntersection2& b, Asked asked) { return relate_lifted(a, b, asked); }
 
 }  // namespace plumb

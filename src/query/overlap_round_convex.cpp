@@ -24,33 +24,33 @@ std::optional<Sign> near_or_far(const Aabb3& box, const Capsule3& c) {
 }
 
 template <class Flat, class Round>
-[[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round) {
+[[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round, Asked asked) {
   if (is_sound(flat) && is_sound(round) && !may_be_empty(flat)) {
     if (const auto gap = quick_gap(vertices(flat), vertices(round), 0, round.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  require_figures("relate", flat, round);
+  require_figures(asked, flat, round);
   return relate_swept(core_set(round), round.radius, flat_set(flat));
 }
 
 template <class Flat, class Round>
-Relation relate_vertices(const Flat& flat, const Round& round) {
+Relation relate_vertices(const Flat& flat, const Round& round, Asked asked) {
   if constexpr (requires { near_or_far(flat, round); }) {
     if (is_sound(flat) && is_sound(round) && !may_be_empty(flat)) [[likely]] {
       if (const auto gap = near_or_far(flat, round)) [[likely]]
         return static_cast<Relation>(-*gap);
     }
   }
-  return relate_slowly(flat, round);
+  return relate_slowly(flat, round, asked);
 }
 
 template <class A, class B>
-Relation relate_round(const A& a, const B& b) {
+Relation relate_round(const A& a, const B& b, Asked asked) {
   if (is_sound(a) && is_sound(b)) [[likely]] {
     if (const auto gap = quick_gap(vertices(a), vertices(b), a.radius, b.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  require_figures("relate", a, b);
+  require_figures(asked, a, b);
   return relate_swept(core_set(a), a.radius, core_set(b), b.radius);
 }
 
@@ -59,32 +59,32 @@ Relation relate_round(const A& a, const B& b) {
 
 using query::relate_vertices, query::relate_round;
 
-Relation relate(const Triangle3& a, const Sphere3& b) { return relate_vertices(a, b); }
-Relation relate(const Rectangle3& a, const Sphere3& b) { return relate_vertices(a, b); }
-Relation relate(const Tetrahedron3& a, const Sphere3& b) { return relate_vertices(a, b); }
-Relation relate(const Sphere3& a, const Obb3& b) { return relate_vertices(b, a); }
-Relation relate(const Sphere3& a, const ConvexPolyhedron3& b) { return relate_vertices(b, a); }
+Relation relate(const Triangle3& a, const Sphere3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Rectangle3& a, const Sphere3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Tetrahedron3& a, const Sphere3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Sphere3& a, const Obb3& b, Asked asked) { return relate_vertices(b, a, asked); }
+Relation relate(const Sphere3& a, const ConvexPolyhedron3& b, Asked asked) { return relate_vertices(b, a, asked); }
 
-Relation relate(const Point3& a, const Capsule3& b) { return relate_vertices(a, b); }
-Relation relate(const Segment3& a, const Capsule3& b) { return relate_vertices(a, b); }
-Relation relate(const Triangle3& a, const Capsule3& b) { return relate_vertices(a, b); }
-Relation relate(const Rectangle3& a, const Capsule3& b) { return relate_vertices(a, b); }
-Relation relate(const Tetrahedron3& a, const Capsule3& b) { return relate_vertices(a, b); }
-Relation relate(const Aabb3& a, const Capsule3& b) { return relate_vertices(a, b); }
-Relation relate(const Obb3& a, const Capsule3& b) { return relate_vertices(a, b); }
-Relation relate(const Capsule3& a, const ConvexPolyhedron3& b) { return relate_vertices(b, a); }
+Relation relate(const Point3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Segment3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Triangle3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Rectangle3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Tetrahedron3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Aabb3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Obb3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Capsule3& a, const ConvexPolyhedron3& b, Asked asked) { return relate_vertices(b, a, asked); }
 
-Relation relate(const Point3& a, const Lozenge3& b) { return relate_vertices(a, b); }
-Relation relate(const Segment3& a, const Lozenge3& b) { return relate_vertices(a, b); }
-Relation relate(const Triangle3& a, const Lozenge3& b) { return relate_vertices(a, b); }
-Relation relate(const Rectangle3& a, const Lozenge3& b) { return relate_vertices(a, b); }
-Relation relate(const Tetrahedron3& a, const Lozenge3& b) { return relate_vertices(a, b); }
-Relation relate(const Aabb3& a, const Lozenge3& b) { return relate_vertices(a, b); }
-Relation relate(const Obb3& a, const Lozenge3& b) { return relate_vertices(a, b); }
-Relation relate(const Lozenge3& a, const ConvexPolyhedron3& b) { return relate_vertices(b, a); }
+Relation relate(const Point3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Segment3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Triangle3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Rectangle3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Tetrahedron3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Aabb3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Obb3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
+Relation relate(const Lozenge3& a, const ConvexPolyhedron3& b, Asked asked) { return relate_vertices(b, a, asked); }
 
-Relation relate(const Sphere3& a, const Capsule3& b) { return relate_round(a, b); }
-Relation relate(const Sphere3& a, const Lozenge3& b) { return relate_round(a, b); }
-Relation relate(const Capsule3& a, const Lozenge3& b) { return relate_round(a, b); }
+Relation relate(const Sphere3& a, const Capsule3& b, Asked asked) { return relate_round(a, b, asked); }
+Relation relate(const Sphere3& a, const Lozenge3& b, Asked asked) { return relate_round(a, b, asked); }
+Relation relate(const Capsule3& a, const Lozenge3& b, Asked asked) { return relate_round(a, b, asked); }
 
 }  // namespace plumb

@@ -168,8 +168,8 @@ class Search {
 };
 
 template <class Round, class Set>
-Relation relate_halfspaces(const Round& a, const Set& b) {
-  require_figures("relate", a, b);
+Relation relate_halfspaces(const Round& a, const Set& b, Asked asked) {
+  require_figures(asked, a, b);
   const std::vector<Side> sides = sides_of(b);
   const auto core = vertices(a);
   if (const auto gap = Search(sides, core, a.radius).run()) return static_cast<Relation>(-*gap);
@@ -181,11 +181,17 @@ Relation relate_halfspaces(const Round& a, const Set& b) {
 
 using query::relate_halfspaces;
 
-Relation relate(const Sphere3& a, const KDop3& b) { return relate_halfspaces(a, b); }
-Relation relate(const Sphere3& a, const HalfspaceIntersection3& b) { return relate_halfspaces(a, b); }
-Relation relate(const Capsule3& a, const KDop3& b) { return relate_halfspaces(a, b); }
-Relation relate(const Capsule3& a, const HalfspaceIntersection3& b) { return relate_halfspaces(a, b); }
-Relation relate(const Lozenge3& a, const KDop3& b) { return relate_halfspaces(a, b); }
-Relation relate(const Lozenge3& a, const HalfspaceIntersection3& b) { return relate_halfspaces(a, b); }
+Relation relate(const Sphere3& a, const KDop3& b, Asked asked) { return relate_halfspaces(a, b, asked); }
+Relation relate(const Sphere3& a, const HalfspaceIntersection3& b, Asked asked) {
+  return relate_halfspaces(a, b, asked);
+}
+Relation relate(const Capsule3& a, const KDop3& b, Asked asked) { return relate_halfspaces(a, b, asked); }
+Relation relate(const Capsule3& a, const HalfspaceIntersection3& b, Asked asked) {
+  return relate_halfspaces(a, b, asked);
+}
+Relation relate(const Lozenge3& a, const KDop3& b, Asked asked) { return relate_halfspaces(a, b, asked); }
+Relation relate(const Lozenge3& a, const HalfspaceIntersection3& b, Asked asked) {
+  return relate_halfspaces(a, b, asked);
+}
 
 }  // namespace plumb

@@ -118,12 +118,12 @@ std::optional<Sign> quick(const Line& line, const Lozenge3& l) {
 }
 
 template <class Line, class Round>
-Relation relate_line(const Line& line, const Round& round) {
+Relation relate_line(const Line& line, const Round& round, Asked asked) {
   if (is_sound(line) && is_sound(round)) [[likely]] {
     if (const auto gap = quick(line, round)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  require_figures("relate", line, round);
+  require_figures(asked, line, round);
   return relate_swept(core_set(round), round.radius, flat_set(line));
 }
 
@@ -132,9 +132,9 @@ Relation relate_line(const Line& line, const Round& round) {
 
 using query::relate_line;
 
-Relation relate(const Line3& a, const Capsule3& b) { return relate_line(a, b); }
-Relation relate(const Line3& a, const Lozenge3& b) { return relate_line(a, b); }
-Relation relate(const Ray3& a, const Capsule3& b) { return relate_line(a, b); }
-Relation relate(const Ray3& a, const Lozenge3& b) { return relate_line(a, b); }
+Relation relate(const Line3& a, const Capsule3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Line3& a, const Lozenge3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Ray3& a, const Capsule3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Ray3& a, const Lozenge3& b, Asked asked) { return relate_line(a, b, asked); }
 
 }  // namespace plumb

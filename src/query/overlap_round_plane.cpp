@@ -165,14 +165,14 @@ bool is_itself(const Cone3& c) { return c.radius > 0 && c.apex != c.base; }
 bool is_itself(const auto& round) { return round.radius > 0; }
 
 template <class Plane, class Round>
-Relation relate_round_shape(const Plane& plane, const Round& round) {
+Relation relate_round_shape(const Plane& plane, const Round& round, Asked asked) {
   constexpr bool of_halfspace = std::is_same_v<Plane, Halfspace3>;
   if (is_sound(plane) && is_sound(round) && is_itself(round)) [[likely]] {
     if (const auto r = quick(plane, round)) [[likely]]
       return *r;
     if (const auto sides = sides_of<Running>(plane, round)) return relation_of(*sides, of_halfspace);
   }
-  require_figures("relate", plane, round);
+  require_figures(asked, plane, round);
   if constexpr (std::is_same_v<Round, Cylinder3>) {
     if (round.a == round.b) return relate(plane, Sphere3{round.a, round.radius});
     if (round.radius == 0) return relate_swept(flat_set(Segment3{round.a, round.b}), 0, flat_set(plane));
@@ -201,23 +201,23 @@ namespace round_overlap {
 constinit const double plane_constant = filter_constant<predicates::NormalDistanceAgainst3d>();
 static_assert(filter_constant<predicates::SideOfPlane>() <= filter_constant<predicates::NormalDistanceAgainst3d>());
 
-Relation relate_exactly(const Plane3& a, const Sphere3& b) { return relate_round_shape(a, b); }
-Relation relate_exactly(const Halfspace3& a, const Sphere3& b) { return relate_round_shape(a, b); }
+Relation relate_exactly(const Plane3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate_exactly(const Halfspace3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
 
 }  // namespace round_overlap
 
-Relation relate(const Plane3& a, const Capsule3& b) { return relate_round_shape(a, b); }
-Relation relate(const Plane3& a, const Lozenge3& b) { return relate_round_shape(a, b); }
-Relation relate(const Plane3& a, const Cylinder3& b) { return relate_round_shape(a, b); }
-Relation relate(const Plane3& a, const Cone3& b) { return relate_round_shape(a, b); }
-Relation relate(const ThreePointPlane3& a, const Sphere3& b) { return relate_round_shape(a, b); }
-Relation relate(const ThreePointPlane3& a, const Capsule3& b) { return relate_round_shape(a, b); }
-Relation relate(const ThreePointPlane3& a, const Lozenge3& b) { return relate_round_shape(a, b); }
-Relation relate(const ThreePointPlane3& a, const Cylinder3& b) { return relate_round_shape(a, b); }
-Relation relate(const ThreePointPlane3& a, const Cone3& b) { return relate_round_shape(a, b); }
-Relation relate(const Halfspace3& a, const Capsule3& b) { return relate_round_shape(a, b); }
-Relation relate(const Halfspace3& a, const Lozenge3& b) { return relate_round_shape(a, b); }
-Relation relate(const Halfspace3& a, const Cylinder3& b) { return relate_round_shape(a, b); }
-Relation relate(const Halfspace3& a, const Cone3& b) { return relate_round_shape(a, b); }
+Relation relate(const Plane3& a, const Capsule3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const Plane3& a, const Lozenge3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const Plane3& a, const Cylinder3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const Plane3& a, const Cone3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Capsule3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Lozenge3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Cylinder3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const ThreePointPlane3& a, const Cone3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const Halfspace3& a, const Capsule3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const Halfspace3& a, const Lozenge3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const Halfspace3& a, const Cylinder3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+Relation relate(const Halfspace3& a, const Cone3& b, Asked asked) { return relate_round_shape(a, b, asked); }
 
 }  // namespace plumb

@@ -175,8 +175,8 @@ std::vector<Chain3> chains_of(const HoledPolygon3& a) {
 }
 
 template <class Polygon, class Round>
-Relation relate_polygon(const Polygon& a, const Round& b) {
-  require_figures("relate", a, b);
+Relation relate_polygon(const Polygon& a, const Round& b, Asked asked) {
+  require_figures(asked, a, b);
   if (b.radius == 0) return relate_core(a, b);
   if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
     const std::array corners{a.a, a.b, a.c, a.d};
@@ -195,11 +195,11 @@ Relation relate_region(std::span<const Chain3> chains, const Capsule3& capsule) 
 
 }  // namespace query
 
-Relation relate(const Quadrilateral3& a, const Sphere3& b) { return query::relate_polygon(a, b); }
-Relation relate(const Quadrilateral3& a, const Capsule3& b) { return query::relate_polygon(a, b); }
-Relation relate(const Polygon3& a, const Sphere3& b) { return query::relate_polygon(a, b); }
-Relation relate(const Polygon3& a, const Capsule3& b) { return query::relate_polygon(a, b); }
-Relation relate(const HoledPolygon3& a, const Sphere3& b) { return query::relate_polygon(a, b); }
-Relation relate(const HoledPolygon3& a, const Capsule3& b) { return query::relate_polygon(a, b); }
+Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
+Relation relate(const Quadrilateral3& a, const Capsule3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
+Relation relate(const Polygon3& a, const Sphere3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
+Relation relate(const Polygon3& a, const Capsule3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
+Relation relate(const HoledPolygon3& a, const Sphere3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
+Relation relate(const HoledPolygon3& a, const Capsule3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
 
 }  // namespace plumb

@@ -121,8 +121,8 @@ bool is_empty(const Aabb3& box) { return box.min.x > box.max.x || box.min.y > bo
 bool is_empty(const auto&) { return false; }
 
 template <class Flat>
-Relation relate_nearest(const Flat& flat, const Sphere3& ball) {
-  require_figures("relate", flat, ball);
+Relation relate_nearest(const Flat& flat, const Sphere3& ball, Asked asked) {
+  require_figures(asked, flat, ball);
   if (is_empty(flat)) return Relation::disjoint;
   if (const auto g = quick(flat, ball)) return static_cast<Relation>(-*g);
   const Sign s = gap(flat, ball);
@@ -133,14 +133,14 @@ Relation relate_nearest(const Flat& flat, const Sphere3& ball) {
 }  // namespace
 }  // namespace query
 
-Relation relate(const Point3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
-Relation relate(const Line3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
-Relation relate(const Ray3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
-Relation relate(const Segment3& a, const Sphere3& b) { return query::relate_nearest(a, b); }
+Relation relate(const Point3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
+Relation relate(const Line3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
+Relation relate(const Ray3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
+Relation relate(const Segment3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
 
 namespace round_overlap {
 
-Relation relate_exactly(const Sphere3& a, const Aabb3& b) { return query::relate_nearest(b, a); }
+Relation relate_exactly(const Sphere3& a, const Aabb3& b, Asked asked) { return query::relate_nearest(b, a, asked); }
 
 }  // namespace round_overlap
 

@@ -27,29 +27,29 @@ std::optional<Relation> quick(const Line3& l, const Triangle3& t) {
 namespace {
 
 template <class A, class B>
-Relation related(const A& a, const B& b) {
+Relation related(const A& a, const B& b, Asked asked) {
   if constexpr (std::is_same_v<B, Triangle3>) {
     assert_sound_thread();
     if (const auto answer = query::quick(a, b)) return *answer;
-    query::require_figures("relate", a, b);
+    query::require_figures(asked, a, b);
     return query::relate(query::linear(a), b);
   } else {
-    query::require_figures("relate", a, b);
+    query::require_figures(asked, a, b);
     return query::relate(query::linear(a), query::linear(b));
   }
 }
 
 }  // namespace
 
-Relation relate(const Line3& a, const Triangle3& b) { return related(a, b); }
-Relation relate(const Ray3& a, const Triangle3& b) { return related(a, b); }
-Relation relate(const Segment3& a, const Triangle3& b) { return related(a, b); }
+Relation relate(const Line3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Ray3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Segment3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
 
-Relation relate(const Line3& a, const Line3& b) { return related(a, b); }
-Relation relate(const Line3& a, const Ray3& b) { return related(a, b); }
-Relation relate(const Line3& a, const Segment3& b) { return related(a, b); }
-Relation relate(const Ray3& a, const Ray3& b) { return related(a, b); }
-Relation relate(const Ray3& a, const Segment3& b) { return related(a, b); }
-Relation relate(const Segment3& a, const Segment3& b) { return related(a, b); }
+Relation relate(const Line3& a, const Line3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Line3& a, const Ray3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Line3& a, const Segment3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Ray3& a, const Ray3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Ray3& a, const Segment3& b, Asked asked) { return related(a, b, asked); }
+Relation relate(const Segment3& a, const Segment3& b, Asked asked) { return related(a, b, asked); }
 
 }  // namespace plumb

@@ -128,15 +128,15 @@ Relation by_axes(const Tetrahedron3& a, const Tetrahedron3& b) {
 }  // namespace
 
 template <class A, class B>
-Relation related(const A& a, const B& b) {
-  require_figures("relate", a, b);
+Relation related(const A& a, const B& b, Asked asked) {
+  require_figures(asked, a, b);
   return by_axes(a, b);
 }
 
 }  // namespace query
 
-Relation relate(const Segment3& a, const Tetrahedron3& b) { return query::related(a, b); }
-Relation relate(const Triangle3& a, const Tetrahedron3& b) { return query::related(a, b); }
-Relation relate(const Tetrahedron3& a, const Tetrahedron3& b) { return query::related(a, b); }
+Relation relate(const Segment3& a, const Tetrahedron3& b, Asked asked) { return query::related(a, b, asked); }
+Relation relate(const Triangle3& a, const Tetrahedron3& b, Asked asked) { return query::related(a, b, asked); }
+Relation relate(const Tetrahedron3& a, const Tetrahedron3& b, Asked asked) { return query::related(a, b, asked); }
 
 }  // namespace plumb

@@ -184,18 +184,18 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
 }
 
 [[gnu::noinline]] std::optional<Relation> by_wide_signs(const Triangle3& a, const Triangle3& b,
-                                                        const std::array<double, 18>& coordinates) {
-  require_figures("relate", a, b);
+                                                        const std::array<double, 18>& coordinates, Asked asked) {
+  require_figures(asked, a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   LatticeDigits<18, wide_bits> digits(coordinates);
   if (digits.extend<wide_bits>()) return relate_by(IntegerSigns<Wide>{{digits}});
   return relate_by(PointSigns{{a.a, a.b, a.c, b.a, b.b, b.c}});
 }
 
-[[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b) {
+[[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Asked asked) {
   const auto coordinates = std::bit_cast<std::array<double, 18>>(std::array{a, b});
   const LatticeIntegers<18> all(coordinates);
-  const auto answer = all.bits() == 0 ? by_wide_signs(a, b, coordinates)
+  const auto answer = all.bits() == 0 ? by_wide_signs(a, b, coordinates, asked)
                       : all.bits() - all.zeros() <= integer::short_bits
                           ? relate_by(IntegerSigns<Short<integer::short_bits>>{{all, all.zeros()}})
                           : relate_by(IntegerSigns<Short<integer::long_bits>>{{all, 0}});
@@ -204,16 +204,16 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
 
 }  // namespace
 
-Relation relate(const Triangle3& a, const Triangle3& b) {
+Relation relate(const Triangle3& a, const Triangle3& b, Asked asked) {
   if (const auto answer = by_doubles(a, b)) return *answer;
-  return by_signs(a, b);
+  return by_signs(a, b, asked);
 }
 
 }  // namespace query
 
-Relation relate(const Triangle3& a, const Triangle3& b) {
+Relation relate(const Triangle3& a, const Triangle3& b, Asked asked) {
   assert_sound_thread();
-  return query::relate(a, b);
+  return query::relate(a, b, asked);
 }
 
 }  // namespace plumb

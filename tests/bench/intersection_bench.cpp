@@ -7,7 +7,7 @@
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/query/intersection.hpp"
 #include "plumb/query/lattice2.hpp"
-#include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap.hpp"
 
 namespace plumb::bench {
 namespace {

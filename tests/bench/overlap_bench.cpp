@@ -9,11 +9,8 @@
 #include "bench/overlap_rival.hpp"
 #include "plumb/figure/aabb.hpp"
 #include "plumb/figure/aabb_relation.hpp"
-#include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap_batch.hpp"
-#include "plumb/query/overlap_box.hpp"
-#include "plumb/query/overlap_plane.hpp"
-#include "plumb/query/overlap_triangle.hpp"
 #include "plumb/surface/read_mesh.hpp"
 
 namespace plumb::bench {

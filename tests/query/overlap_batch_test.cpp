@@ -2,7 +2,7 @@
 #include "plumb/query/overlap_batch.hpp"
 
 #include "plumb/figure/aabb.hpp"
-#include "plumb/query/overlap_box.hpp"
+#include "plumb/query/overlap.hpp"
 #include "query/relation_counts.hpp"
 
 namespace plumb {

@@ -66,7 +66,7 @@ bool intersects(const A& a, const B& b) {
                 !query::is_one_of(method_of<A, B>, {PairMethod::signs, PairMethod::bounds, PairMethod::distance})) {
     return query::flat_intersects(query::view_of(a), query::view_of(b));
   } else {
-    return relate(a, b) != Relation::disjoint;
+    return relate(a, b, Asked::intersects) != Relation::disjoint;
   }
 }
 template <class A, class B>

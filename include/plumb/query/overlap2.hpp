@@ -16,34 +16,19 @@
 
 namespace plumb {
 
-Relation relate(const Line2& a, const Line2& b);
-Relation relate(const Line2& a, const Ray2& b);
-Relation relate(const Line2& a, const Segment2& b);
-Relation relate(const Line2& a, const Triangle2& b);
-Relation relate(const Line2& a, const Aabb2& b);
-Relation relate(const Ray2& a, const Ray2& b);
-Relation relate(const Ray2& a, const Segment2& b);
-Relation relate(const Ray2& a, const Triangle2& b);
-Relation relate(const Ray2& a, const Aabb2& b);
-Relation relate(const Segment2& a, const Segment2& b);
-Relation relate(const Segment2& a, const Triangle2& b);
-Relation relate(const Segment2& a, const Aabb2& b);
-Relation relate(const Triangle2& a, const Triangle2& b);
-Relation relate(const Triangle2& a, const Aabb2& b);
-
-inline bool intersects(const Line2& a, const Line2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Line2& a, const Ray2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Line2& a, const Segment2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Line2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Line2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray2& a, const Ray2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray2& a, const Segment2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment2& a, const Segment2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Triangle2& a, const Triangle2& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Triangle2& a, const Aabb2& b) { return relate(a, b) != Relation::disjoint; }
+Relation relate(const Line2& a, const Line2& b, Asked asked = {});
+Relation relate(const Line2& a, const Ray2& b, Asked asked = {});
+Relation relate(const Line2& a, const Segment2& b, Asked asked = {});
+Relation relate(const Line2& a, const Triangle2& b, Asked asked = {});
+Relation relate(const Line2& a, const Aabb2& b, Asked asked = {});
+Relation relate(const Ray2& a, const Ray2& b, Asked asked = {});
+Relation relate(const Ray2& a, const Segment2& b, Asked asked = {});
+Relation relate(const Ray2& a, const Triangle2& b, Asked asked = {});
+Relation relate(const Ray2& a, const Aabb2& b, Asked asked = {});
+Relation relate(const Segment2& a, const Segment2& b, Asked asked = {});
+Relation relate(const Segment2& a, const Triangle2& b, Asked asked = {});
+Relation relate(const Segment2& a, const Aabb2& b, Asked asked = {});
+Relation relate(const Triangle2& a, const Triangle2& b, Asked asked = {});
+Relation relate(const Triangle2& a, const Aabb2& b, Asked asked = {});
 
 }  // namespace plumb

@@ -15,24 +15,14 @@
 
 namespace plumb {
 
-Relation relate(const Line3& a, const Aabb3& b);
-Relation relate(const Ray3& a, const Aabb3& b);
-Relation relate(const Segment3& a, const Aabb3& b);
-Relation relate(const Triangle3& a, const Aabb3& b);
-Relation relate(const Line3& a, const Obb3& b);
-Relation relate(const Ray3& a, const Obb3& b);
-Relation relate(const Segment3& a, const Obb3& b);
-Relation relate(const Triangle3& a, const Obb3& b);
-Relation relate(const Aabb3& a, const Obb3& b);
-
-inline bool intersects(const Line3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Triangle3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Line3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Triangle3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Aabb3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
+Relation relate(const Line3& a, const Aabb3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Aabb3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Aabb3& b, Asked asked = {});
+Relation relate(const Triangle3& a, const Aabb3& b, Asked asked = {});
+Relation relate(const Line3& a, const Obb3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Obb3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Obb3& b, Asked asked = {});
+Relation relate(const Triangle3& a, const Obb3& b, Asked asked = {});
+Relation relate(const Aabb3& a, const Obb3& b, Asked asked = {});
 
 }  // namespace plumb

@@ -17,21 +17,21 @@
 namespace plumb {
 
 /// Inside, where there is an inside, is overlapping.
-Relation relate(const Point3& a, const Cylinder3& b);
-Relation relate(const Point3& a, const Cone3& b);
+Relation relate(const Point3& a, const Cylinder3& b, Asked asked = {});
+Relation relate(const Point3& a, const Cone3& b, Asked asked = {});
 
-Relation relate(const Line3& a, const Cylinder3& b);
-Relation relate(const Ray3& a, const Cylinder3& b);
-Relation relate(const Segment3& a, const Cylinder3& b);
-Relation relate(const Plane3& a, const Cylinder3& b);
-Relation relate(const ThreePointPlane3& a, const Cylinder3& b);
-Relation relate(const Halfspace3& a, const Cylinder3& b);
+Relation relate(const Line3& a, const Cylinder3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Cylinder3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Cylinder3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Cylinder3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Cylinder3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Cylinder3& b, Asked asked = {});
 
-Relation relate(const Line3& a, const Cone3& b);
-Relation relate(const Ray3& a, const Cone3& b);
-Relation relate(const Segment3& a, const Cone3& b);
-Relation relate(const Plane3& a, const Cone3& b);
-Relation relate(const ThreePointPlane3& a, const Cone3& b);
-Relation relate(const Halfspace3& a, const Cone3& b);
+Relation relate(const Line3& a, const Cone3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Cone3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Cone3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Cone3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Cone3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Cone3& b, Asked asked = {});
 
 }  // namespace plumb

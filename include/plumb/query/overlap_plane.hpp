@@ -17,46 +17,25 @@
 
 namespace plumb {
 
-Relation relate(const Point3& a, const Plane3& b);
-Relation relate(const Segment3& a, const Plane3& b);
-Relation relate(const Plane3& a, const Triangle3& b);
-Relation relate(const Plane3& a, const Tetrahedron3& b);
-Relation relate(const Plane3& a, const Aabb3& b);
-Relation relate(const Plane3& a, const Obb3& b);
+Relation relate(const Point3& a, const Plane3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Plane3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Tetrahedron3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Aabb3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Obb3& b, Asked asked = {});
 
-Relation relate(const Point3& a, const ThreePointPlane3& b);
-Relation relate(const Segment3& a, const ThreePointPlane3& b);
-Relation relate(const ThreePointPlane3& a, const Triangle3& b);
-Relation relate(const ThreePointPlane3& a, const Tetrahedron3& b);
-Relation relate(const ThreePointPlane3& a, const Aabb3& b);
-Relation relate(const ThreePointPlane3& a, const Obb3& b);
+Relation relate(const Point3& a, const ThreePointPlane3& b, Asked asked = {});
+Relation relate(const Segment3& a, const ThreePointPlane3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Tetrahedron3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Aabb3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Obb3& b, Asked asked = {});
 
-Relation relate(const Point3& a, const Halfspace3& b);
-Relation relate(const Segment3& a, const Halfspace3& b);
-Relation relate(const Halfspace3& a, const Triangle3& b);
-Relation relate(const Halfspace3& a, const Tetrahedron3& b);
-Relation relate(const Halfspace3& a, const Aabb3& b);
-Relation relate(const Halfspace3& a, const Obb3& b);
-
-inline bool intersects(const Point3& a, const Plane3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const Plane3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Plane3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Plane3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Plane3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Plane3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
-
-inline bool intersects(const Point3& a, const ThreePointPlane3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const ThreePointPlane3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const ThreePointPlane3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const ThreePointPlane3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const ThreePointPlane3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const ThreePointPlane3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
-
-inline bool intersects(const Point3& a, const Halfspace3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const Halfspace3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Halfspace3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Halfspace3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Halfspace3& a, const Aabb3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Halfspace3& a, const Obb3& b) { return relate(a, b) != Relation::disjoint; }
+Relation relate(const Point3& a, const Halfspace3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Halfspace3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Tetrahedron3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Aabb3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Obb3& b, Asked asked = {});
 
 }  // namespace plumb

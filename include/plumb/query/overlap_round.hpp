@@ -37,9 +37,9 @@ namespace plumb {
 namespace round_overlap {
 
 /// For what doubles leave in doubt, and what is no shape.
-Relation relate_exactly(const Plane3& a, const Sphere3& b);
-Relation relate_exactly(const Halfspace3& a, const Sphere3& b);
-Relation relate_exactly(const Sphere3& a, const Aabb3& b);
+Relation relate_exactly(const Plane3& a, const Sphere3& b, Asked asked);
+Relation relate_exactly(const Halfspace3& a, const Sphere3& b, Asked asked);
+Relation relate_exactly(const Sphere3& a, const Aabb3& b, Asked asked);
 
 /// The filter's constant of the square of the distance from a plane against that of the radius, times that of the
 /// normal.
@@ -65,34 +65,34 @@ constexpr double clamped(double x, double low, double high) { return x < low ? l
 }  // namespace round_overlap
 
 /// Inside, where there is an inside, is overlapping.
-Relation relate(const Point3& a, const Sphere3& b);
-Relation relate(const Point3& a, const Capsule3& b);
-Relation relate(const Point3& a, const Lozenge3& b);
+Relation relate(const Point3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const Point3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Point3& a, const Lozenge3& b, Asked asked = {});
 
-Relation relate(const Line3& a, const Sphere3& b);
-Relation relate(const Ray3& a, const Sphere3& b);
-Relation relate(const Segment3& a, const Sphere3& b);
-inline Relation relate(const Plane3& a, const Sphere3& b) {
+Relation relate(const Line3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Sphere3& b, Asked asked = {});
+inline Relation relate(const Plane3& a, const Sphere3& b, Asked asked = {}) {
   const auto [gap, side] = round_overlap::gap(a.normal, a.offset, b);
   if (gap != 0) [[likely]]
     return gap > 0 ? Relation::disjoint : Relation::overlapping;
-  return round_overlap::relate_exactly(a, b);
+  return round_overlap::relate_exactly(a, b, asked);
 }
-Relation relate(const ThreePointPlane3& a, const Sphere3& b);
-inline Relation relate(const Halfspace3& a, const Sphere3& b) {
+Relation relate(const ThreePointPlane3& a, const Sphere3& b, Asked asked = {});
+inline Relation relate(const Halfspace3& a, const Sphere3& b, Asked asked = {}) {
   const auto [gap, side] = round_overlap::gap(a.normal, a.offset, b);
   if (gap != 0 && (gap < 0 || side != 0)) [[likely]]
     return gap > 0 && side > 0 ? Relation::disjoint : Relation::overlapping;
-  return round_overlap::relate_exactly(a, b);
+  return round_overlap::relate_exactly(a, b, asked);
 }
-Relation relate(const Triangle3& a, const Sphere3& b);
-Relation relate(const Quadrilateral3& a, const Sphere3& b);
-Relation relate(const Polygon3& a, const Sphere3& b);
-Relation relate(const HoledPolygon3& a, const Sphere3& b);
-Relation relate(const Rectangle3& a, const Sphere3& b);
-Relation relate(const Tetrahedron3& a, const Sphere3& b);
+Relation relate(const Triangle3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const Polygon3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const HoledPolygon3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const Rectangle3& a, const Sphere3& b, Asked asked = {});
+Relation relate(const Tetrahedron3& a, const Sphere3& b, Asked asked = {});
 /// By the nearest point of the box, whose numbers are input.
-inline Relation relate(const Sphere3& a, const Aabb3& b) {
+inline Relation relate(const Sphere3& a, const Aabb3& b, Asked asked = {}) {
   using round_overlap::clamped;
   const auto& [p, q] = b;
   const auto& c = a.center;
@@ -102,47 +102,47 @@ inline Relation relate(const Sphere3& a, const Aabb3& b) {
   const bool sound = (p.x <= q.x) & (p.y <= q.y) & (p.z <= q.z) & (all - all == 0);
   if (sure & sound) [[likely]]
     return gap > 0 ? Relation::disjoint : Relation::overlapping;
-  return round_overlap::relate_exactly(a, b);
+  return round_overlap::relate_exactly(a, b, asked);
 }
-Relation relate(const Sphere3& a, const Obb3& b);
-Relation relate(const Sphere3& a, const Capsule3& b);
-Relation relate(const Sphere3& a, const Lozenge3& b);
-Relation relate(const Sphere3& a, const KDop3& b);
-Relation relate(const Sphere3& a, const HalfspaceIntersection3& b);
-Relation relate(const Sphere3& a, const ConvexPolyhedron3& b);
+Relation relate(const Sphere3& a, const Obb3& b, Asked asked = {});
+Relation relate(const Sphere3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Sphere3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Sphere3& a, const KDop3& b, Asked asked = {});
+Relation relate(const Sphere3& a, const HalfspaceIntersection3& b, Asked asked = {});
+Relation relate(const Sphere3& a, const ConvexPolyhedron3& b, Asked asked = {});
 
-Relation relate(const Line3& a, const Capsule3& b);
-Relation relate(const Ray3& a, const Capsule3& b);
-Relation relate(const Segment3& a, const Capsule3& b);
-Relation relate(const Plane3& a, const Capsule3& b);
-Relation relate(const ThreePointPlane3& a, const Capsule3& b);
-Relation relate(const Halfspace3& a, const Capsule3& b);
-Relation relate(const Triangle3& a, const Capsule3& b);
-Relation relate(const Quadrilateral3& a, const Capsule3& b);
-Relation relate(const Polygon3& a, const Capsule3& b);
-Relation relate(const HoledPolygon3& a, const Capsule3& b);
-Relation relate(const Rectangle3& a, const Capsule3& b);
-Relation relate(const Tetrahedron3& a, const Capsule3& b);
-Relation relate(const Aabb3& a, const Capsule3& b);
-Relation relate(const Obb3& a, const Capsule3& b);
-Relation relate(const Capsule3& a, const Lozenge3& b);
-Relation relate(const Capsule3& a, const KDop3& b);
-Relation relate(const Capsule3& a, const HalfspaceIntersection3& b);
-Relation relate(const Capsule3& a, const ConvexPolyhedron3& b);
+Relation relate(const Line3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Triangle3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Quadrilateral3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Polygon3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const HoledPolygon3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Rectangle3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Tetrahedron3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Aabb3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Obb3& a, const Capsule3& b, Asked asked = {});
+Relation relate(const Capsule3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Capsule3& a, const KDop3& b, Asked asked = {});
+Relation relate(const Capsule3& a, const HalfspaceIntersection3& b, Asked asked = {});
+Relation relate(const Capsule3& a, const ConvexPolyhedron3& b, Asked asked = {});
 
-Relation relate(const Line3& a, const Lozenge3& b);
-Relation relate(const Ray3& a, const Lozenge3& b);
-Relation relate(const Segment3& a, const Lozenge3& b);
-Relation relate(const Plane3& a, const Lozenge3& b);
-Relation relate(const ThreePointPlane3& a, const Lozenge3& b);
-Relation relate(const Halfspace3& a, const Lozenge3& b);
-Relation relate(const Triangle3& a, const Lozenge3& b);
-Relation relate(const Rectangle3& a, const Lozenge3& b);
-Relation relate(const Tetrahedron3& a, const Lozenge3& b);
-Relation relate(const Aabb3& a, const Lozenge3& b);
-Relation relate(const Obb3& a, const Lozenge3& b);
-Relation relate(const Lozenge3& a, const KDop3& b);
-Relation relate(const Lozenge3& a, const HalfspaceIntersection3& b);
-Relation relate(const Lozenge3& a, const ConvexPolyhedron3& b);
+Relation relate(const Line3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Plane3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const ThreePointPlane3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Halfspace3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Triangle3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Rectangle3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Tetrahedron3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Aabb3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Obb3& a, const Lozenge3& b, Asked asked = {});
+Relation relate(const Lozenge3& a, const KDop3& b, Asked asked = {});
+Relation relate(const Lozenge3& a, const HalfspaceIntersection3& b, Asked asked = {});
+Relation relate(const Lozenge3& a, const ConvexPolyhedron3& b, Asked asked = {});
 
 }  // namespace plumb

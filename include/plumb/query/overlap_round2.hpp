@@ -16,33 +16,33 @@
 
 namespace plumb {
 
-Relation relate(const Point2& a, const Circle2& b);
-Relation relate(const Line2& a, const Circle2& b);
-Relation relate(const Ray2& a, const Circle2& b);
-Relation relate(const Segment2& a, const Circle2& b);
-Relation relate(const Halfspace2& a, const Circle2& b);
-Relation relate(const Triangle2& a, const Circle2& b);
-Relation relate(const Quadrilateral2& a, const Circle2& b);
-Relation relate(const Polygon2& a, const Circle2& b);
-Relation relate(const HoledPolygon2& a, const Circle2& b);
-Relation relate(const Circle2& a, const Aabb2& b);
-Relation relate(const Circle2& a, const Obb2& b);
-Relation relate(const Circle2& a, const Capsule2& b);
-Relation relate(const Circle2& a, const KDop2& b);
-Relation relate(const Circle2& a, const HalfspaceIntersection2& b);
+Relation relate(const Point2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Line2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Ray2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Segment2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Halfspace2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Triangle2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Quadrilateral2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Polygon2& a, const Circle2& b, Asked asked = {});
+Relation relate(const HoledPolygon2& a, const Circle2& b, Asked asked = {});
+Relation relate(const Circle2& a, const Aabb2& b, Asked asked = {});
+Relation relate(const Circle2& a, const Obb2& b, Asked asked = {});
+Relation relate(const Circle2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Circle2& a, const KDop2& b, Asked asked = {});
+Relation relate(const Circle2& a, const HalfspaceIntersection2& b, Asked asked = {});
 
-Relation relate(const Point2& a, const Capsule2& b);
-Relation relate(const Line2& a, const Capsule2& b);
-Relation relate(const Ray2& a, const Capsule2& b);
-Relation relate(const Segment2& a, const Capsule2& b);
-Relation relate(const Halfspace2& a, const Capsule2& b);
-Relation relate(const Triangle2& a, const Capsule2& b);
-Relation relate(const Quadrilateral2& a, const Capsule2& b);
-Relation relate(const Polygon2& a, const Capsule2& b);
-Relation relate(const HoledPolygon2& a, const Capsule2& b);
-Relation relate(const Aabb2& a, const Capsule2& b);
-Relation relate(const Obb2& a, const Capsule2& b);
-Relation relate(const Capsule2& a, const KDop2& b);
-Relation relate(const Capsule2& a, const HalfspaceIntersection2& b);
+Relation relate(const Point2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Line2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Ray2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Segment2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Halfspace2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Triangle2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Quadrilateral2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Polygon2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const HoledPolygon2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Aabb2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Obb2& a, const Capsule2& b, Asked asked = {});
+Relation relate(const Capsule2& a, const KDop2& b, Asked asked = {});
+Relation relate(const Capsule2& a, const HalfspaceIntersection2& b, Asked asked = {});
 
 }  // namespace plumb

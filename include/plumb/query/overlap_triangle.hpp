@@ -15,35 +15,20 @@
 
 namespace plumb {
 
-Relation relate(const Line3& a, const Triangle3& b);
-Relation relate(const Ray3& a, const Triangle3& b);
-Relation relate(const Segment3& a, const Triangle3& b);
-Relation relate(const Triangle3& a, const Triangle3& b);
-Relation relate(const Segment3& a, const Tetrahedron3& b);
-Relation relate(const Triangle3& a, const Tetrahedron3& b);
-Relation relate(const Tetrahedron3& a, const Tetrahedron3& b);
-
-inline bool intersects(const Line3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Triangle3& a, const Triangle3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Triangle3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Tetrahedron3& a, const Tetrahedron3& b) { return relate(a, b) != Relation::disjoint; }
+Relation relate(const Line3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const Triangle3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Tetrahedron3& b, Asked asked = {});
+Relation relate(const Triangle3& a, const Tetrahedron3& b, Asked asked = {});
+Relation relate(const Tetrahedron3& a, const Tetrahedron3& b, Asked asked = {});
 
 /// What is straight, among itself.
-Relation relate(const Line3& a, const Line3& b);
-Relation relate(const Line3& a, const Ray3& b);
-Relation relate(const Line3& a, const Segment3& b);
-Relation relate(const Ray3& a, const Ray3& b);
-Relation relate(const Ray3& a, const Segment3& b);
-Relation relate(const Segment3& a, const Segment3& b);
-
-inline bool intersects(const Line3& a, const Line3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Line3& a, const Ray3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Line3& a, const Segment3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray3& a, const Ray3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Ray3& a, const Segment3& b) { return relate(a, b) != Relation::disjoint; }
-inline bool intersects(const Segment3& a, const Segment3& b) { return relate(a, b) != Relation::disjoint; }
+Relation relate(const Line3& a, const Line3& b, Asked asked = {});
+Relation relate(const Line3& a, const Ray3& b, Asked asked = {});
+Relation relate(const Line3& a, const Segment3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Ray3& b, Asked asked = {});
+Relation relate(const Ray3& a, const Segment3& b, Asked asked = {});
+Relation relate(const Segment3& a, const Segment3& b, Asked asked = {});
 
 }  // namespace plumb
