@@ -10,31 +10,39 @@ Manual chart_manual() {
 Puts the same questions to every method that software answers them by,
 and says of each how often it is wrong and how long it takes.
 
-A task is a question: on which side of a line is a point (orient2d), of
-a plane (orient3d), is a point in a circle (incircle), in a sphere
-(insphere). Each is asked of several classes of inputs, from harmless
-to exactly degenerate. GMP's rationals are the judge.
+A task is a question. Each is asked of several classes of inputs, from
+harmless to exactly degenerate, and judged in GMP's rationals:
 
-wrong  The share of wrong answers.
+       orient2d, orient3d: on which side of a line, a plane is a point?
+       incircle, insphere: is a point inside a circle, a sphere?
+       ray-triangle, segment-triangle, triangle-triangle: do they meet?
+       point-triangle-distance, segment-segment-distance: how far apart?
+
+wrong  The share of wrong answers; of numbers, of those that are not the
+       nearest double.
 unsure The share of questions to which the method knows that it has no
        answer. Those are not wrong.
 inconsistent
        The share of questions that the method answers otherwise when
        the arguments are given in another order.
+ulps   Of numbers, how many doubles lie between the answer and the
+       nearest one: in the mean, and at most.
 ns     Nanoseconds a question, on one thread: the median over blocks.
 allocations
        How often memory is asked for, a question.
 
 With --out DIR the same is written into that folder: chart.txt,
 chart.json (with machine, compiler, flags and date), a picture for each
-task and class, TASK-CLASS.svg, of the wrong share against time, whose
-line joins the methods that no other beats in both; and chart.html, a
-page with all of them, to be filtered, which needs no network.)"},
+task and class, TASK-CLASS.svg, of the wrong share (of numbers, the mean
+error in ulps) against time, whose line joins the methods that no other
+beats in both; and chart.html, a page with all of them, to be filtered,
+which needs no network.)"},
            {"METHODS", R"(
 float32        Single precision, of coordinates rounded to it.
 double         The formula as it is written.
-absolute       As double, but at most 1e-9 in magnitude is zero.
-relative       As double, but at most 1e-9 of the terms' size is zero.
+absolute       As double, with an epsilon: at most 1e-9 counts as zero.
+relative       As double, but the epsilon is 1e-9 of the size of the terms
+               or, where code branches, of the largest coordinate.
 long-double    The formula in the compiler's long double.
 float128       Quadruple precision, in software.
 compensated    Pairs of doubles that keep each rounding's error.

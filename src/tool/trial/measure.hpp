@@ -1,9 +1,10 @@
 // How did each method do on one class of inputs?  Wrong, unsure and inconsistent answers, time and memory.
 //
 // Laws: (1) all counts depend on the seed and the number of cases alone, not on the machine's speed; (2) an answer that
-// the method knows it does not have is unsure, never wrong; (3) inconsistent are those of two sure answers to one
-// question, asked with its arguments in another order, that contradict each other, be they right or wrong.
-// Source: RTCD 11.2; cost: as the methods take, every case asked once for each order and a few times for the clock.
+// the method knows it does not have, or that is not a number, is unsure, never wrong; (3) inconsistent are those of two
+// sure answers to one question, asked with its arguments in another order, that contradict each other, be they right or
+// wrong. Source: RTCD 11.2; cost: as the methods take, every case asked once for each order and a few times for the
+// clock.
 #pragma once
 
 #include <array>

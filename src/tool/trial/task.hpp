@@ -54,5 +54,10 @@ Task orient2d_task();
 Task orient3d_task();
 Task incircle_task();
 Task insphere_task();
+Task ray_triangle_task();
+Task segment_triangle_task();
+Task triangle_triangle_task();
+Task point_triangle_distance_task();
+Task segment_segment_distance_task();
 
 }  // namespace plumb::tool::trial

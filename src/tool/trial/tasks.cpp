@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tool/trial/predicate_task.hpp"
@@ -28,7 +29,16 @@ std::vector<InputClass> point_classes(Degeneracy degeneracy, int dimension) {
 
 std::vector<Task> all_tasks(std::span<const Rival> rivals) {
   std::vector<Task> tasks;
-  for (const auto make : {orient2d_task, orient3d_task, incircle_task, insphere_task}) tasks.push_back(make());
+  constexpr std::array makers{orient2d_task,
+                              orient3d_task,
+                              incircle_task,
+                              insphere_task,
+                              ray_triangle_task,
+                              segment_triangle_task,
+                              triangle_triangle_task,
+                              point_triangle_distance_task,
+                              segment_segment_distance_task};
+  for (const auto make : makers) tasks.push_back(make());
   for (Task& task : tasks) {
     for (const Rival& rival : rivals) {
       if (rival.task == task.name) task.methods.push_back(rival.method);
