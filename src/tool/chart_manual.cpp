@@ -41,8 +41,8 @@ which needs no network.)"},
 float32        Single precision, of coordinates rounded to it.
 double         The formula as it is written.
 absolute       As double, with an epsilon: at most 1e-9 counts as zero.
-relative       As double, but the epsilon is 1e-9 of the size of the terms
-               or, where code branches, of the largest coordinate.
+relative       As double, with an epsilon of 1e-9 of the terms' size or,
+               where code branches, of the largest coordinate.
 long-double    The formula in the compiler's long double.
 float128       Quadruple precision, in software.
 compensated    Pairs of doubles that keep each rounding's error.
