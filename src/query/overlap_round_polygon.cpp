@@ -1,4 +1,4 @@
-// Balls and capsules against quadrilaterals and polygons, with holes or without.
+// Balls, capsules and lozenges against quadrilaterals and polygons, with holes or without.
 #include "arith/running_error.hpp"
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
@@ -6,6 +6,7 @@
 #include "figure_input.hpp"
 #include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap_round.hpp"
+#include "polygon_relation.hpp"
 #include "round_polygon.hpp"
 
 namespace plumb {
@@ -23,9 +24,16 @@ template <class T>
 std::vector<Vec<T>> core_points(const Capsule3& c) {
   return {core::vec<T>(c.a), core::vec<T>(c.b)};
 }
+/// Around the parallelogram: each is joined to the next, the last to the first.
+template <class T>
+std::vector<Vec<T>> core_points(const Lozenge3& l) {
+  const Vec<T> p = core::vec<T>(l.corner), u = core::vec<T>(l.edges[0]), v = core::vec<T>(l.edges[1]);
+  return {p, p + u, p + u + v, p + v};
+}
 
 /// The inside of the region of edges in the plane of three points, against what is near to some points and to the
-/// segment between two.  What lies nearest to an edge is the edge's.
+/// segments from each to the next.  What lies nearest to an edge is the edge's; of a parallelogram the inside is
+/// nearest only where its corners are as near, or where edges of one of both cross the other.
 template <class T>
 class Inside {
  public:
@@ -47,13 +55,14 @@ class Inside {
       if (gap == Sign::positive || !holds(p, T(1.0))) continue;
       all = std::max(all, gap == Sign::negative ? Relation::overlapping : Relation::touching);
     }
-    if (points.size() == 2 && all != Relation::overlapping) {
-      const Sign s = ask_(heights[0]), e = ask_(heights[1]);
-      if (s * e == Sign::negative) {  // the plane is met at points[0] + (points[1] - points[0]) part / whole
-        const T zero = T(0.0), fall = heights[0] - heights[1];
+    for (std::size_t i = 0; i < points.size() && all != Relation::overlapping; ++i) {
+      const std::size_t j = (i + 1) % points.size();
+      const Sign s = ask_(heights[i]), e = ask_(heights[j]);
+      if (s * e == Sign::negative) {  // the plane is met at points[i] + (points[j] - points[i]) part / whole
+        const T zero = T(0.0), fall = heights[i] - heights[j];
         const bool falls = s == Sign::positive;
-        const T whole = falls ? fall : zero - fall, part = falls ? heights[0] : zero - heights[0];
-        if (holds(points[0] * whole + (points[1] - points[0]) * part, whole)) all = Relation::overlapping;
+        const T whole = falls ? fall : zero - fall, part = falls ? heights[i] : zero - heights[i];
+        if (holds(points[i] * whole + (points[j] - points[i]) * part, whole)) all = Relation::overlapping;
       }
     }
     if (!ask_.certain()) return {};
@@ -166,6 +175,10 @@ template <class Polygon>
 Relation relate_core(const Polygon& a, const Capsule3& b) {
   return relate(Segment3{b.a, b.b}, a);
 }
+template <class Polygon>
+Relation relate_core(const Polygon& a, const Lozenge3& b) {
+  return relate_convex("relate", view_of(a), core_set(b));
+}
 
 std::vector<Chain3> chains_of(const Polygon3& a) { return {a.vertices}; }
 std::vector<Chain3> chains_of(const HoledPolygon3& a) {
@@ -175,7 +188,7 @@ std::vector<Chain3> chains_of(const HoledPolygon3& a) {
 }
 
 template <class Polygon, class Round>
-Relation relate_polygon(const Polygon& a, const Round& b, Asked asked) {
+Relation relate_round(const Polygon& a, const Round& b, Asked asked) {
   require_figures(asked, a, b);
   if (b.radius == 0) return relate_core(a, b);
   if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
@@ -195,11 +208,14 @@ Relation relate_region(std::span<const Chain3> chains, const Capsule3& capsule) 
 
 }  // namespace query
 
-Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
-Relation relate(const Quadrilateral3& a, const Capsule3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
-Relation relate(const Polygon3& a, const Sphere3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
-Relation relate(const Polygon3& a, const Capsule3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
-Relation relate(const HoledPolygon3& a, const Sphere3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
-Relation relate(const HoledPolygon3& a, const Capsule3& b, Asked asked) { return query::relate_polygon(a, b, asked); }
+Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const Quadrilateral3& a, const Capsule3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const Polygon3& a, const Sphere3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const Polygon3& a, const Capsule3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const HoledPolygon3& a, const Sphere3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const HoledPolygon3& a, const Capsule3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const Quadrilateral3& a, const Lozenge3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const Polygon3& a, const Lozenge3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const HoledPolygon3& a, const Lozenge3& b, Asked asked) { return query::relate_round(a, b, asked); }
 
 }  // namespace plumb

@@ -308,4 +308,10 @@ Relation relate_polygon(std::string_view function, const FlatView& a, const Flat
   return most;
 }
 
+Relation relate_convex(std::string_view function, const FlatView& polygon, const FlatSet& other) {
+  const Parts p = parts_of(polygon, input_of(function, polygon));
+  const Piece piece{other, true};
+  return p.region ? relate(*p.region, piece) : relate_to_pieces(piece, p.pieces);
+}
+
 }  // namespace plumb::query

@@ -15,4 +15,7 @@ namespace plumb::query {
 /// One of them is a polygon; their numbers are finite.
 Relation relate_polygon(std::string_view function, const FlatView& a, const FlatView& b);
 
+/// A polygon and any convex set.
+Relation relate_convex(std::string_view function, const FlatView& polygon, const FlatSet& other);
+
 }  // namespace plumb::query
