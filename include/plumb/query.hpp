@@ -20,6 +20,7 @@
 #include "plumb/query/interval_halving.hpp"
 #include "plumb/query/lattice2.hpp"
 #include "plumb/query/motion.hpp"
+#include "plumb/query/moving_distance.hpp"
 #include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap2.hpp"
 #include "plumb/query/overlap_batch.hpp"

@@ -1,5 +1,6 @@
 #include "plumb/query/interval_halving.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +8,8 @@
 
 #include "figure/thrown.hpp"
 #include "plumb/degenerate.hpp"
+#include "plumb/query/continuous_contact.hpp"
+#include "plumb/query/moving_distance.hpp"
 #include "plumb/query/translating_contact.hpp"
 
 namespace plumb {
@@ -111,6 +114,128 @@ TEST(IntervalHalving, WhatSaysNothingMayMeetAtOnce) {
   const auto span = first_contact_span(Silent{});
   ASSERT_TRUE(span);
   EXPECT_EQ(span->from, 0);
+}
+
+// RTCD figure 5.33: a moving ball, here its center against all within its radius, and the spans that are looked at: a
+// half that is surely clear is left, the other is halved again.
+TEST(IntervalHalving, StepsTowardTheContact533) {
+  std::vector<TimeSpan> history;
+  const Capsule3 grown{{20, -9, 0}, {20, 9, 0}, 3.5};  // touched when x is 16.5, at 33 / 64
+  const auto span = first_contact_span(Translating<Point3>{{0, 0, 0}, {32, 0, 0}}, Translating<Capsule3>{grown, {}},
+                                       {.resolution = 1.0 / 16, .history = &history});
+  ASSERT_TRUE(span);
+  EXPECT_EQ(*span, (TimeSpan{0.5, 0.5625}));
+  EXPECT_THAT(history, testing::ElementsAre(TimeSpan{0, 1}, TimeSpan{0, 0.5}, TimeSpan{0.5, 1}, TimeSpan{0.5, 0.75},
+                                            TimeSpan{0.5, 0.625}, TimeSpan{0.5, 0.5625}));
+}
+
+/// Of the exact answer, where there is one: the span begins no later, and nothing is right.
+struct Held {
+  int met = 0, missed = 0, near_misses = 0;
+
+  template <class A, class B>
+  void ask(const A& a, const B& b, const std::optional<Root>& time, std::uint64_t index) {
+    const auto span = first_contact_span(a, b, {.resolution = 0x1p-12});
+    const auto swapped = first_contact_span(b, a, {.resolution = 0x1p-12});
+    EXPECT_EQ(span.has_value(), swapped.has_value()) << index;
+    if (!span) {
+      EXPECT_FALSE(time) << index;
+      ++missed;
+    } else if (time) {
+      EXPECT_TRUE(*time >= Rational(span->from)) << index;
+      EXPECT_LE(span->to - span->from, 0x1p-12) << index;
+      ++met;
+    } else {
+      ++near_misses;
+    }
+  }
+  ~Held() {
+    std::printf("met %d, missed %d, nearly %d\n", met, missed, near_misses);
+    EXPECT_GT(met, 25);
+    EXPECT_GT(missed, 50);
+    EXPECT_LT(near_misses, met);
+  }
+};
+
+class Numbers {
+ public:
+  explicit Numbers(Entropy& entropy)
+      : entropy_(entropy), scale_(std::ldexp(1 / 3.0, entropy.below(4) == 0 ? 300 : 0)) {}
+  double operator()() { return static_cast<double>(entropy_.within(8)) * scale_; }
+  Point3 point() {
+    const double x = (*this)(), y = (*this)(), z = (*this)();
+    return {x, y, z};
+  }
+  Triangle3 triangle() {
+    const Point3 a = point(), b = point(), c = point();
+    return {a, b, c};
+  }
+  Segment3 segment() {
+    const Point3 a = point(), b = point();
+    return {a, b};
+  }
+  Vector3 vector() {
+    const Point3 p = point();
+    return {p.x, p.y, p.z};
+  }
+
+ private:
+  Entropy& entropy_;
+  double scale_;
+};
+
+TEST(IntervalHalving, OfDistancesIsNeverLate) {
+  Held straight, corners, edges;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Entropy entropy(41, i);
+    Numbers n(entropy);
+    const Translating<Triangle3> a{n.triangle(), n.vector()}, b{n.triangle(), n.vector()};
+    straight.ask(a, b, first_contact_time(a, b), i);
+    const Translating<Point3> p{n.point(), n.vector()};
+    const Translating<Capsule3> c{{n.point(), n.point(), std::fabs(n())}, n.vector()};
+    straight.ask(p, c, first_contact_time(p, c), i);
+    const Moving<Point3> corner{n.point(), n.point()};
+    const Moving<Triangle3> face{n.triangle(), n.triangle()};
+    corners.ask(corner, face, first_contact_time(corner, face), i);
+    const Moving<Segment3> edge{n.segment(), n.segment()}, other{n.segment(), n.segment()};
+    edges.ask(edge, other, first_contact_time(edge, other), i);
+  }
+}
+
+TEST(IntervalHalving, OfDistancesThatHaveNoContactTime) {
+  const Polygon3 frame{{{5, 0, 0}, {5, 4, 0}, {5, 4, 4}, {5, 2, 1}, {5, 0, 4}}};  // with a notch above (5, 2, 1)
+  const Translating<Polygon3> wall{frame, {0, 0, 0}};
+  const auto through = [&](double z) { return first_contact_span(Translating<Point3>{{0, 2, z}, {8, 0, 0}}, wall); };
+  ASSERT_TRUE(through(0.5));
+  EXPECT_LE(through(0.5)->from, 0.625);
+  EXPECT_GE(through(0.5)->to, 0.625);
+  EXPECT_FALSE(through(1.5));
+  // Two triangles whose corners move: one folds over and meets the other by its edge.
+  const Triangle3 rest{{-4, -4, 1}, {4, -4, 1}, {0, 4, 1}}, open{{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}};
+  const Moving<Triangle3> still{rest, rest};
+  const auto folded = first_contact_span(Moving<Triangle3>{open, {{-1, 0, 0}, {1, 0, 0}, {0, 0, 2}}}, still);
+  ASSERT_TRUE(folded);
+  EXPECT_LE(folded->from, 0.5);
+  EXPECT_GE(folded->to, 0.5);
+  EXPECT_FALSE(first_contact_span(Moving<Triangle3>{open, {{-1, 0, 0}, {1, 0, 0}, {0, 0, 0.875}}}, still));
+}
+
+TEST(IntervalHalving, NamesWhatIsNoNumber) {
+  const double nan = std::nan("");
+  const auto text = [](auto ask) { return text_of<NonFinite>(ask); };
+  EXPECT_THAT(text([&] {
+                first_contact_span(Translating<Point3>{{0, nan, 0}, {}}, Translating<Point3>{{0, 0, 0}, {}});
+              }),
+              testing::HasSubstr("first_contact_span: a.shape.y is nan"));
+  EXPECT_THAT(text([&] {
+                first_contact_span(Translating<Point3>{{0, 0, 0}, {}}, Translating<Point3>{{1, 0, 0}, {0, 0, nan}});
+              }),
+              testing::HasSubstr("first_contact_span: b.by.z is nan"));
+  const Triangle3 t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, bad{{0, 0, 0}, {1, 0, 0}, {0, INFINITY, 0}};
+  EXPECT_THAT(text([&] {
+                first_contact_span(Moving<Triangle3>{t, bad}, Moving<Triangle3>{t, t});
+              }),
+              testing::HasSubstr("first_contact_span: a.to.c.y is inf"));
 }
 
 }  // namespace
