@@ -90,6 +90,12 @@ inline std::optional<Relation> by_doubles(Reach reach, const PairOfDifferences& 
   return {};
 }
 
+inline std::optional<Relation> by_doubles(const Segment3& s, const Triangle3& t) {
+  const auto of_axis = [](double p, double q, double a) { return Pair{q, p} - Pair{p, a}; };
+  return by_doubles(Reach::segment,
+                    {of_axis(s.a.x, s.b.x, t.a.x), of_axis(s.a.y, s.b.y, t.a.y), of_axis(s.a.z, s.b.z, t.a.z)}, t);
+}
+
 /// Which corner is alone on its side, by the bits of those below; and the two others in turn.
 inline constexpr std::array<unsigned char, 8> corner_alone{0, 0, 1, 2, 2, 1, 0, 0};
 

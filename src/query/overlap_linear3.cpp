@@ -41,7 +41,7 @@ Sign rise(const Triangle3& t, const Linear3& l) {
                      : orient_seen_from(l.direction(), t.a, t.b, t.c);
 }
 Sign pass(const Linear3& l, const Point3& a, const Point3& b) {
-  return l.by_points ? line_edge(l.p, l.q, a, b) : line_edge(l.p, l.direction(), a, b);
+  return l.by_points ? orient3d(l.p, l.q, a, b) : line_edge(l.p, l.direction(), a, b);
 }
 
 Relation in_plane(const Linear3& a, const Triangle3& b) {
@@ -51,12 +51,16 @@ Relation in_plane(const Linear3& a, const Triangle3& b) {
 
 }  // namespace
 
-std::size_t telling_axis(const Triangle3& t) {
+std::size_t likely_axis(const Triangle3& t) {
   const double ux = t.b.x - t.a.x, uy = t.b.y - t.a.y, uz = t.b.z - t.a.z;
   const double vx = t.c.x - t.a.x, vy = t.c.y - t.a.y, vz = t.c.z - t.a.z;
   const double x = magnitude_of(uy * vz - uz * vy), y = magnitude_of(uz * vx - ux * vz),
                z = magnitude_of(ux * vy - uy * vx);
-  const std::size_t first = x > y ? (x > z ? 0 : 2) : y > z ? 1 : 2;  // most likely
+  return x > y ? (x > z ? 0 : 2) : y > z ? 1 : 2;
+}
+
+std::size_t telling_axis(const Triangle3& t) {
+  const std::size_t first = likely_axis(t);
   for (const std::size_t k : {first, (first + 1) % 3, (first + 2) % 3}) {
     const Triangle2 flat = seen(t, k);
     if (orient2d(flat.a, flat.b, flat.c) != Sign::zero) return k;

@@ -32,6 +32,8 @@ inline Linear3 linear(const Line3& l) { return Linear3::along(Reach::line, l.poi
 inline Linear3 linear(const Ray3& r) { return Linear3::along(Reach::ray, r.origin, r.direction); }
 inline Linear3 linear(const Segment3& s) { return Linear3::through(Reach::segment, s.a, s.b); }
 
+/// The axis along which doubles see most of the triangle.
+std::size_t likely_axis(const Triangle3& t);
 /// An axis along which the triangle has an area; 3 when it has none.
 std::size_t telling_axis(const Triangle3& t);
 

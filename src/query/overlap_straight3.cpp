@@ -1,6 +1,7 @@
 // What is straight in space: among itself, and with triangles.
 #include "figure_input.hpp"
 #include "overlap_filters.hpp"
+#include "overlap_lattice3.hpp"
 #include "overlap_signs.hpp"
 #include "plumb/query/overlap_triangle.hpp"
 
@@ -8,11 +9,7 @@ namespace plumb {
 namespace query {
 namespace {
 
-std::optional<Relation> quick(const Segment3& s, const Triangle3& t) {
-  const auto of_axis = [](double p, double q, double a) { return Pair{q, p} - Pair{p, a}; };
-  return by_doubles(Reach::segment,
-                    {of_axis(s.a.x, s.b.x, t.a.x), of_axis(s.a.y, s.b.y, t.a.y), of_axis(s.a.z, s.b.z, t.a.z)}, t);
-}
+std::optional<Relation> quick(const Segment3& s, const Triangle3& t) { return by_doubles(s, t); }
 std::optional<Relation> quick(Reach reach, const Point3& p, const Vector3& d, const Triangle3& t) {
   return by_doubles(reach, {Pair{d.x, p.x - t.a.x}, Pair{d.y, p.y - t.a.y}, Pair{d.z, p.z - t.a.z}}, t);
 }
@@ -31,6 +28,9 @@ Relation related(const A& a, const B& b, Asked asked) {
   if constexpr (std::is_same_v<B, Triangle3>) {
     assert_sound_thread();
     if (const auto answer = query::quick(a, b)) return *answer;
+    if constexpr (std::is_same_v<A, Segment3>) {
+      if (const auto answer = query::by_lattice(a, b)) return *answer;
+    }
     query::require_figures(asked, a, b);
     return query::relate(query::linear(a), b);
   } else {

@@ -3,17 +3,20 @@
 // Where both cross the line of their planes, each does so in an interval, and the ends of intervals are compared by the
 // volume of the edges that they lie on.  In one plane the edges are the axes that can separate.
 // `Signs` has the corners of a as 0, 1, 2 and of b as 3, 4, 5: sides(i, j) gives the signs of corners j, j + 1, j + 2
-// over the plane of i, i + 1, i + 2, volume(i, j, k, l) is orient3d; seen_along(axis) has area(i, j, k), orient2d, and
-// most_area, the most of those for three corners, times a sign.
+// over the plane of i, i + 1, i + 2, volume(i, j, k, l) is orient3d.  As seen along an axis, areas has all of one plane
+// and turn_of_b the second triangle's; axes are those to look along, in turn, and straight is asked where no axis shows
+// b with an area.
 //
-// Laws: exact where the signs are; nothing for triangles without area, unless they are apart.
-// Source: Guigue and Devillers 2003; RTCD 5.2.10.  Cost: six to eight volumes; in one plane up to 22 areas.
+// Laws: exact where the signs are; nothing for triangles without area, unless they are apart or of one line.
+// Source: Guigue and Devillers 2003; RTCD 5.2.10.  Cost: six to eight volumes; in one plane three and all areas.
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "overlap_signs.hpp"
+#include "flat_areas.hpp"
+#include "overlap_linear3.hpp"
+#include "overlap_quick2.hpp"
 
 namespace plumb::query {
 
@@ -49,33 +52,27 @@ constexpr Fan fan(std::size_t from, const Crossing& c) {
   return c.above == Sign::positive ? Fan{from + c.alone, next, last} : Fan{from + c.alone, last, next};
 }
 
-// How far the corners from, from + 1, from + 2 reach into the inner sides of the edges of those at `of`, which turn so.
-template <class Areas>
-Sign beyond_edges(const Areas& flat, std::size_t of, Sign turns, std::size_t from) {
-  const auto at = [&](std::size_t p, std::size_t q) { return flat.most_area(of + p, of + q, from, turns); };
-  return least(at(0, 1), least(at(1, 2), at(2, 0)));
-}
-
+/// Doubles first: in a plane little is degenerate that is not so in space.
 template <class Signs>
-std::optional<Relation> relate_in_plane(const Signs& signs) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto flat = signs.seen_along(axis);
-    const Sign of_b = flat.area(3, 4, 5);
-    if (of_b == Sign::zero) continue;
-    const Sign of_a = flat.area(0, 1, 2);
-    if (of_a == Sign::zero) return {};
-    const Sign first = beyond_edges(flat, 0, of_a, 3);
-    if (first == Sign::negative) return Relation::disjoint;
-    return relation(least(first, beyond_edges(flat, 3, of_b, 0)));
+std::optional<Relation> relate_in_plane(const Triangle3& a, const Triangle3& b, const Signs& signs) {
+  if constexpr (Signs::doubles_first) {
+    const std::size_t likely = likely_axis(a);
+    if (const auto answer = by_doubles(seen(a, likely), seen(b, likely))) return answer;
   }
-  return {};
+  for (const std::size_t axis : signs.axes()) {
+    if (signs.turn_of_b(axis) == Sign::zero) continue;
+    const TriangleAreas<double> areas = signs.areas(axis);
+    if (areas.of_a == 0) return {};
+    return relation(sign_of_number(depth(areas)));
+  }
+  return signs.straight();
 }
 
 template <class Signs>
-std::optional<Relation> relate_by(const Signs& signs) {
+std::optional<Relation> relate_by(const Triangle3& a, const Triangle3& b, const Signs& signs) {
   const Sides of_a = signs.sides(3, 0);
   if (apart(of_a)) return Relation::disjoint;
-  if (all_are(of_a, Sign::zero)) return relate_in_plane(signs);
+  if (all_are(of_a, Sign::zero)) return relate_in_plane(a, b, signs);
   const Sides of_b = signs.sides(0, 3);
   if (apart(of_b)) return Relation::disjoint;
   if (all_are(of_b, Sign::zero)) return {};  // a has no area

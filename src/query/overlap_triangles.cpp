@@ -1,14 +1,14 @@
-// Two triangles in space: by doubles; by the small integers that the corners are on their common lattice; by exact
-// signs of the corners; and what has no area as the segment or point that it is.
+// Two triangles in space: by doubles; by the integers that the corners are on their common lattice; by exact signs of
+// the corners; and what has no area as the segment or point that it is.
 #include <bit>
 
 #include "figure_input.hpp"
+#include "lattice_volumes.hpp"
+#include "long_filter.hpp"
 #include "overlap_filters.hpp"
 #include "overlap_signs.hpp"
 #include "overlap_triangle_signs.hpp"
 #include "plumb/arith/lattice_digits.hpp"
-#include "plumb/arith/lattice_integers.hpp"
-#include "plumb/arith/wide_int.hpp"
 #include "plumb/query/overlap_triangle.hpp"
 
 namespace plumb {
@@ -66,110 +66,99 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
 
 namespace {
 
-/// Of coordinates as doubles, seen along an axis, and in space.
-struct PointAreas {
-  std::array<Point2, 6> p;
+/// Of corners whose coordinates take many bits.
+class PointSigns {
+ public:
+  explicit PointSigns(const std::array<Point3, 6>& p) : p_(p) {}
 
-  [[nodiscard]] Sign area(std::size_t i, std::size_t j, std::size_t k) const { return orient2d(p[i], p[j], p[k]); }
-  [[nodiscard]] Sign most_area(std::size_t i, std::size_t j, std::size_t from, Sign turns) const {
-    Sign all = turns * area(i, j, from);
-    if (all != Sign::positive) all = most(all, turns * area(i, j, from + 1));
-    if (all != Sign::positive) all = most(all, turns * area(i, j, from + 2));
-    return all;
+  static constexpr bool doubles_first = true;
+  static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
+  static std::optional<Relation> straight() { return {}; }
+  [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return area(axis, 3, 4, 5); }
+  [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
+    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return static_cast<double>(area(axis, i, j, k));
+    };
+    const auto edge = [&](std::size_t i, std::size_t j, std::size_t from) {
+      return Three<double>{at(i, j, from), at(i, j, from + 1), at(i, j, from + 2)};
+    };
+    return {at(0, 1, 2),
+            at(3, 4, 5),
+            {edge(0, 1, 3), edge(1, 2, 3), edge(2, 0, 3)},
+            {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
   }
-};
-struct PointSigns {
-  std::array<Point3, 6> p;
-
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    // Of coordinates whose exponents are far apart; the sums of magnitudes tell more of those.
-    const auto at = coordinates_of<predicates::Orient3d>(p[i], p[j], p[k], p[l]);
+    // The exponents are far apart: the sums of magnitudes tell more of those.
+    const auto at = coordinates_of<predicates::Orient3d>(p_[i], p_[j], p_[k], p_[l]);
     if (const int s = magnitude_filter<predicates::Orient3d>(at); s != 0) return static_cast<Sign>(s);
-    if (const auto s = interval_sign<predicates::Orient3d>(at); s.certain()) return s.value();
+    if (const int s = long_filter<predicates::Orient3d>(at); s != 0) return static_cast<Sign>(s);
     return decide_exactly<predicates::Orient3d>(at).sign;
-  }
-  [[nodiscard]] PointAreas seen_along(std::size_t axis) const {
-    return {
-        {seen(p[0], axis), seen(p[1], axis), seen(p[2], axis), seen(p[3], axis), seen(p[4], axis), seen(p[5], axis)}};
   }
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
     return {-volume(i, i + 1, i + 2, j), -volume(i, i + 1, i + 2, j + 1), -volume(i, i + 1, i + 2, j + 2)};
   }
+
+ private:
+  [[nodiscard]] Sign area(std::size_t axis, std::size_t i, std::size_t j, std::size_t k) const {
+    return query::orient2d(seen(p_[i], axis), seen(p_[j], axis), seen(p_[k], axis));
+  }
+  const std::array<Point3, 6>& p_;
 };
 
-/// Of integers of this many bits.  Where in a plane is the least predictable of all, so it is asked without a branch.
-template <int Bits>
-struct IntegerAreas {
-  using Number = WideInt<Bits + 1>;
-  std::array<Number, 6> x, y;  // from the first corner
+using Corners = std::array<double, 18>;
 
-  template <class N>
-  [[nodiscard]] auto value(std::size_t i, const N& dx, const N& dy, std::size_t k) const {
-    return dx * (y[k] - y[i]) - dy * (x[k] - x[i]);
-  }
-  [[nodiscard]] Sign area(std::size_t i, std::size_t j, std::size_t k) const {
-    return value(i, x[j] - x[i], y[j] - y[i], k).sign();
-  }
-  [[nodiscard]] Sign most_area(std::size_t i, std::size_t j, std::size_t from, Sign turns) const {
-    const auto dx = x[j] - x[i], dy = y[j] - y[i];
-    const auto first = value(i, dx, dy, from), second = value(i, dx, dy, from + 1), third = value(i, dx, dy, from + 2);
-    if constexpr (decltype(first)::limbs == 1) {
-      const auto way = static_cast<std::int64_t>(turns);
-      return sign_of_number(std::max(std::max(way * first.low64(), way * second.low64()), way * third.low64()));
-    } else {
-      return most(turns * first.sign(), most(turns * second.sign(), turns * third.sign()));
-    }
-  }
-};
+/// Of corners on one lattice of many bits.
+class WideSigns : public PointSigns {
+ public:
+  static constexpr int bits = integer::wide_bits.front();
+  using Digits = LatticeDigits<18, bits>;
 
-/// `Source` tells the difference of coordinates i and j, as an integer of so many bits.
-template <class Source>
-struct IntegerSigns {
-  Source all;
+  WideSigns(const std::array<Point3, 6>& p, const Digits& digits) : PointSigns(p), digits_(digits) {}
 
-  using Number = WideInt<Source::bits + 1>;
-  using Vector = predicates::Triple<Number>;
-
-  [[nodiscard]] Number number(std::size_t from, std::size_t to, std::size_t axis) const {
-    return all.difference(3 * to + axis, 3 * from + axis);
-  }
-  [[nodiscard]] Vector vector(std::size_t from, std::size_t to) const {
-    return {number(from, to, 0), number(from, to, 1), number(from, to, 2)};
-  }
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    return predicates::triple(vector(l, i), vector(l, j), vector(l, k)).sign();
-  }
-  [[nodiscard]] IntegerAreas<Source::bits> seen_along(std::size_t axis) const {
-    IntegerAreas<Source::bits> flat;
-    for (std::size_t i = 0; i < 6; ++i) {
-      flat.x[i] = number(0, i, (axis + 1) % 3);
-      flat.y[i] = number(0, i, (axis + 2) % 3);
-    }
-    return flat;
+    return predicates::triple(step(l, i), step(l, j), step(l, k)).sign();
   }
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
-    const auto normal = predicates::cross(vector(i, i + 1), vector(i, i + 2));
-    const auto side = [&](std::size_t k) { return predicates::dot(vector(i, k), normal).sign(); };
+    const auto normal = predicates::cross(step(i, i + 1), step(i, i + 2));
+    const auto side = [&](std::size_t k) { return predicates::dot(step(i, k), normal).sign(); };
     return {side(j), side(j + 1), side(j + 2)};
   }
+
+ private:
+  [[nodiscard]] predicates::Triple<WideInt<bits + 1>> step(std::size_t i, std::size_t j) const {
+    const auto along = [&](std::size_t axis) { return digits_.difference<bits>(3 * j + axis, 3 * i + axis); };
+    return {along(0), along(1), along(2)};
+  }
+  const Digits& digits_;
 };
 
-template <int Bits>
-struct Short {
-  static constexpr int bits = Bits;
-  const LatticeIntegers<18>& all;
-  int zeros;
-  [[nodiscard]] WideInt<Bits + 1> difference(std::size_t i, std::size_t j) const {
-    return WideInt<Bits + 1>{all.difference(i, j) >> zeros};
+template <class Step>
+class LatticeSigns : public LatticeVolumes<Step, 6> {
+ public:
+  LatticeSigns(const LatticePoints<6, 3>& points, const Triangle3& a, const Triangle3& b)
+      : LatticeVolumes<Step, 6>(points), a_(a), b_(b) {}
+
+  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return this->template over<3>(i, j); }
+  [[nodiscard]] Sign turn_of_b(std::size_t axis) const {
+    return sign_of_number(this->seen_along(axis, [](const auto& at, const auto& told) {
+      const auto p = at(3), q = at(4), r = at(5);
+      return told((area(p, q) + area(q, r)) - area(p, r));
+    }));
   }
-};
-constexpr int wide_bits = integer::wide_bits.front();
-struct Wide {
-  static constexpr int bits = wide_bits;
-  const LatticeDigits<18, wide_bits>& all;
-  [[nodiscard]] WideInt<bits + 1> difference(std::size_t i, std::size_t j) const {
-    return all.template difference<bits>(i, j);
+  [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
+    return this->seen_along(axis, [](const auto& at, const auto& told) {
+      return told_areas(triangle_areas(at(1), at(2), {at(3), at(4), at(5)}), told);
+    });
   }
+  [[nodiscard]] std::optional<Relation> straight() const {
+    const auto axis = running_axis(this->points_);
+    if (!axis) return {};
+    return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a_), std::bit_cast<std::array<double, 9>>(b_),
+                              *axis);
+  }
+
+ private:
+  const Triangle3 &a_, &b_;
 };
 
 bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
@@ -183,22 +172,19 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   return telling_axis(b) == 3 ? relate(flattened(b), a) : relate(flattened(a), b);
 }
 
-[[gnu::noinline]] std::optional<Relation> by_wide_signs(const Triangle3& a, const Triangle3& b,
-                                                        const std::array<double, 18>& coordinates, Asked asked) {
+[[gnu::noinline]] std::optional<Relation> by_points(const Triangle3& a, const Triangle3& b, Asked asked) {
   require_figures(asked, a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
-  LatticeDigits<18, wide_bits> digits(coordinates);
-  if (digits.extend<wide_bits>()) return relate_by(IntegerSigns<Wide>{{digits}});
-  return relate_by(PointSigns{{a.a, a.b, a.c, b.a, b.b, b.c}});
+  const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
+  WideSigns::Digits digits(std::bit_cast<Corners>(corners));
+  if (digits.extend<WideSigns::bits>()) return relate_by(a, b, WideSigns(corners, digits));
+  return relate_by(a, b, PointSigns(corners));
 }
 
 [[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Asked asked) {
-  const auto coordinates = std::bit_cast<std::array<double, 18>>(std::array{a, b});
-  const LatticeIntegers<18> all(coordinates);
-  const auto answer = all.bits() == 0 ? by_wide_signs(a, b, coordinates, asked)
-                      : all.bits() - all.zeros() <= integer::short_bits
-                          ? relate_by(IntegerSigns<Short<integer::short_bits>>{{all, all.zeros()}})
-                          : relate_by(IntegerSigns<Short<integer::long_bits>>{{all, 0}});
+  const LatticePoints<6, 3> points(std::bit_cast<Corners>(std::array{a, b}));
+  const auto ask = [&](const auto& signs) { return relate_by(a, b, signs); };
+  const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, asked);
   return answer ? *answer : without_area(a, b);
 }
 

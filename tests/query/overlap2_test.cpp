@@ -1,7 +1,7 @@
 // Figures of the plane against a linear program in rationals.
 #include "plumb/query/overlap2.hpp"
 
-#include "query/relation_counts.hpp"
+#include "query/flat_lattices.hpp"
 
 namespace plumb {
 namespace {
@@ -21,6 +21,12 @@ TYPED_TEST_SUITE(Overlap2, Pairs);
 
 TYPED_TEST(Overlap2, AgreesWithTheOracle) {
   expect_as_oracle<typename TypeParam::First, typename TypeParam::Second>(51, 1000);
+}
+
+TEST(Overlap2Cases, LatticesOfEveryWidth) {
+  expect_as_oracle_on_lattices<Triangle2, Triangle2, 2>(63, 2000);
+  expect_as_oracle_on_lattices<Segment2, Triangle2, 2>(64, 2000);
+  expect_as_oracle_on_lattices<Segment2, Segment2, 2>(65, 2000);
 }
 
 // RTCD figure 5.10: the lines cross, but beyond an end; within both; and with an end on the other segment.

@@ -1,7 +1,7 @@
 // Triangles, tetrahedra and what is straight in space against a linear program in rationals.
 #include "plumb/query/overlap_triangle.hpp"
 
-#include "query/relation_counts.hpp"
+#include "query/flat_lattices.hpp"
 
 namespace plumb {
 namespace {
@@ -23,15 +23,37 @@ TYPED_TEST(OverlapTriangle, AgreesWithTheOracle) {
   expect_as_oracle<typename TypeParam::First, typename TypeParam::Second>(52, 1000);
 }
 
+TEST(OverlapTriangleCases, LatticesOfEveryWidth) {
+  expect_as_oracle_on_lattices<Triangle3, Triangle3, 3>(61, 2000);
+  expect_as_oracle_on_lattices<Segment3, Triangle3, 3>(62, 2000);
+}
+
 Triangle3 turned(const Triangle3& t) { return {t.c, t.a, t.b}; }
 Triangle3 flipped(const Triangle3& t) { return {t.a, t.c, t.b}; }
 
-void expect_relation(const Triangle3& a, const Triangle3& b, Relation expected) {
+void expect_in_any_order(const Triangle3& a, const Triangle3& b, Relation expected) {
   for (const Triangle3& p : {a, turned(a), turned(turned(a)), flipped(a)}) {
     for (const Triangle3& q : {b, turned(b), turned(turned(b)), flipped(b)}) {
       EXPECT_EQ(relate(p, q), expected);
       EXPECT_EQ(relate(q, p), expected);
     }
+  }
+}
+
+// At any scale, and at one for each axis: subnormal, huge, far apart; where that rounds nothing.
+void expect_relation(const Triangle3& a, const Triangle3& b, Relation expected) {
+  expect_in_any_order(a, b, expected);
+  for (const auto& [x, y, z] : {std::array{0x1p-1074, 0x1p-1074, 0x1p-1074}, std::array{0x1p1018, 0x1p1018, 0x1p1018},
+                                std::array{0x1p-370, 0x1p-350, 0x1p-340}, std::array{0x1p340, 0x1p350, 0x1p330},
+                                std::array{0x1p-1074, 1.0, 0x1p1018}, std::array{0x1p1018, 0x1p-1000, 0x1p-1074}}) {
+    bool exact = true;
+    const auto scaled = [&](const Point3& p) {
+      const Point3 q{p.x * x, p.y * y, p.z * z};
+      exact = exact && Point3{q.x / x, q.y / y, q.z / z} == p;
+      return q;
+    };
+    const Triangle3 p{scaled(a.a), scaled(a.b), scaled(a.c)}, q{scaled(b.a), scaled(b.b), scaled(b.c)};
+    if (exact) expect_in_any_order(p, q, expected);
   }
 }
 

@@ -1,0 +1,68 @@
+#include "overlap_lattice3.hpp"
+
+#include <bit>
+
+#include "lattice_volumes.hpp"
+#include "overlap_quick2.hpp"
+
+namespace plumb::query {
+namespace {
+
+/// The corners of the triangle are 0, 1, 2, the ends of the segment 3, 4.
+template <class Step>
+class SegmentSigns : public LatticeVolumes<Step, 5> {
+ public:
+  using LatticeVolumes<Step, 5>::LatticeVolumes;
+
+  [[nodiscard]] SegmentAreas<double> areas(std::size_t axis) const {
+    return this->seen_along(axis, [](const auto& at, const auto& told) {
+      return told_areas(segment_areas(at(1), at(2), at(3), at(4)), told);
+    });
+  }
+  [[nodiscard]] std::optional<Relation> straight(const Segment3& s, const Triangle3& t) const {
+    const auto axis = running_axis(this->points_);
+    if (!axis) return {};
+    return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), *axis);
+  }
+};
+
+template <class Signs>
+std::optional<Relation> relate_in_plane(const Segment3& s, const Triangle3& t, const Signs& signs) {
+  if constexpr (Signs::doubles_first) {
+    const std::size_t likely = likely_axis(t);
+    if (const auto answer = by_doubles(Segment2{seen(s.a, likely), seen(s.b, likely)}, seen(t, likely))) return answer;
+  }
+  for (const std::size_t axis : signs.axes()) {
+    const SegmentAreas<double> areas = signs.areas(axis);
+    if (areas.of_triangle == 0) continue;
+    if (s.a == s.b) return {};
+    return relation(sign_of_number(depth(areas)));
+  }
+  return signs.straight(s, t);
+}
+
+template <class Signs>
+std::optional<Relation> relate_by(const Segment3& s, const Triangle3& t, const Signs& signs) {
+  const auto [from, to] = signs.template over<2>(0, 3);
+  const Sign reaches = -(from * to);
+  if (reaches == Sign::negative) return Relation::disjoint;
+  if (from == to) return relate_in_plane(s, t, signs);  // both are zero
+  const Sign ab = signs.volume(3, 4, 0, 1), bc = signs.volume(3, 4, 1, 2), ca = signs.volume(3, 4, 2, 0);
+  const Sign low = least(ab, least(bc, ca)), high = most(ab, most(bc, ca));
+  if (low * high == Sign::negative) return Relation::disjoint;
+  return low * high == Sign::zero ? Relation::touching : relation(reaches);
+}
+
+}  // namespace
+
+std::optional<Relation> by_lattice(const Segment3& s, const Triangle3& t) {
+  struct Both {
+    Triangle3 t;
+    Segment3 s;
+  };
+  const LatticePoints<5, 3> points(std::bit_cast<std::array<double, 15>>(Both{t, s}));
+  if (!points.is_lattice()) return {};
+  return by_lattice<SegmentSigns>(points, [&](const auto& signs) { return relate_by(s, t, signs); });
+}
+
+}  // namespace plumb::query
