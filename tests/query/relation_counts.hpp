@@ -6,6 +6,7 @@
 #include <array>
 
 #include "figure/shape_cases.hpp"
+#include "plumb/query/overlap.hpp"
 #include "query/rational_relation.hpp"
 
 namespace plumb {
