@@ -9,8 +9,9 @@ namespace {
 
 template <class A, class B>
 Intersection2 common(const A& a, const B& b) {
-  query::require_figures("intersection", a, b);
   if (auto quick = meeting::quick(a, b)) return std::move(*quick);
+  query::require_figures("intersection", a, b);
+  if (auto common = meeting::by_signs(a, b)) return std::move(*common);
   return meeting::meet(meeting::convex_set(a), meeting::convex_set(b));
 }
 
