@@ -5,8 +5,10 @@
 
 #include "figure/finite_parts.hpp"
 #include "plumb/query/overlap.hpp"
+#include "query/figure_input.hpp"
 #include "query/meeting_time.hpp"
 #include "query/moving_axes.hpp"
+#include "query/quick_motion.hpp"
 #include "query/time_judges.hpp"
 
 namespace plumb {
@@ -164,32 +166,76 @@ std::optional<Contact> quick_contact(const std::vector<Candidate>& found, const 
   return Contact{*down, precise.feature_of_a(found[0].pair), precise.feature_of_b(found[0].pair)};
 }
 
+template <quick::Asked asked, class A, class B>
+concept IsQuick = requires(const Translating<A>& a, const Translating<B>& b) {
+  quick::contact<asked>(a, b);
+};
+
+/// Where doubles and pairs of them tell; invalid shapes are left to those who name what is wrong.
+template <quick::Asked asked, class A, class B>
+quick::Answer quick_answer(const Translating<A>& a, const Translating<B>& b) {
+  if constexpr (IsQuick<asked, A, B>) {
+    return is_sound(a.shape) && is_sound(b.shape) && is_real(sum_of(a.by) + sum_of(b.by)) ? quick::contact<asked>(a, b)
+                                                                                          : quick::unsure;
+  } else if constexpr (IsQuick<asked, B, A>) {
+    const quick::Answer answer = quick_answer<asked>(b, a);
+    return {answer.told, swapped(answer.contact)};
+  } else {
+    return quick::unsure;
+  }
+}
+
+// What is not told quickly, out of the way of what is.
+template <class A, class B>
+[[gnu::noinline]] std::optional<Root> time_of(const Translating<A>& a, const Translating<B>& b) {
+  const Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  return meeting(outlook("first_contact_time", of_a, of_b, start_relation<A, B>), of_a, of_b).time;
+}
+template <class A, class B>
+[[gnu::noinline]] std::optional<Contact> contact_of(const Translating<A>& a, const Translating<B>& b) {
+  const Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  const Outlook out = outlook("first_contact", of_a, of_b, start_relation<A, B>);
+  if (const auto quick = quick_contact(out.found, of_a, of_b)) return quick;
+  const Meeting m = meeting(out, of_a, of_b);
+  if (!m.time) return {};
+  return Contact{m.time->rounded(Rounding::down), m.a, m.b};
+}
+template <class A, class B>
+[[gnu::noinline]] bool meet(const Translating<A>& a, const Translating<B>& b) {
+  const Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  const Outlook out = outlook("intersects", of_a, of_b, start_relation<A, B>);
+  const auto surely = [](const Candidate& c) { return c.time.certain() && c.time.latest() <= 1; };
+  return out.overlap || std::ranges::any_of(out.found, surely) || meeting(out, of_a, of_b).time.has_value();
+}
+
 }  // namespace
 }  // namespace query
 
+using query::quick::Told;
+
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const Translating<B>& b) {
-  const query::Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
-  return query::meeting(query::outlook("first_contact_time", of_a, of_b, query::start_relation<A, B>), of_a, of_b).time;
+  if (query::quick_answer<query::quick::Asked::whether>(a, b).told == Told::no) return {};
+  return query::time_of(a, b);
 }
 
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const Translating<B>& b) {
-  const query::Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
-  const query::Outlook out = query::outlook("first_contact", of_a, of_b, query::start_relation<A, B>);
-  if (const auto quick = query::quick_contact(out.found, of_a, of_b)) return quick;
-  const query::Meeting m = query::meeting(out, of_a, of_b);
-  if (!m.time) return {};
-  return Contact{m.time->rounded(Rounding::down), m.a, m.b};
+  const auto [told, contact] = query::quick_answer<query::quick::Asked::when>(a, b);
+  if (told == Told::no) return {};
+  if (told == Told::yes) return contact;
+  if (told == Told::starts && query::relation_of(a.shape, b.shape) == Relation::overlapping)
+    return query::quick::overlap.contact;
+  return query::contact_of(a, b);
 }
 
 template <class A, class B>
 requires MovingPair<A, B>
 bool intersects(const Translating<A>& a, const Translating<B>& b) {
-  const query::Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
-  const query::Outlook out = query::outlook("intersects", of_a, of_b, query::start_relation<A, B>);
-  const auto surely = [](const query::Candidate& c) { return c.time.certain() && c.time.latest() <= 1; };
-  return out.overlap || std::ranges::any_of(out.found, surely) || query::meeting(out, of_a, of_b).time.has_value();
+  const Told told = query::quick_answer<query::quick::Asked::whether>(a, b).told;
+  if (told == Told::no || told == Told::yes) return told == Told::yes;
+  if (told == Told::starts && query::relation_of(a.shape, b.shape) != Relation::disjoint) return true;
+  return query::meet(a, b);
 }
 
 #define PLUMB_MOVING_PAIR(A, B)                                                                  \
