@@ -43,7 +43,7 @@ void require_valid(std::string_view function, const A& a, const B& b, const Cont
 }
 
 std::optional<ExactContact> exact_first_contact(const Motion& m, double separation) {
-  if (separation > 0 && query::moving::surely_apart(m, separation)) return {};
+  if (separation > 0 && query::moving::separation_filter(m, separation) == Verdict::no) return {};
   return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, separation);
 }
 
@@ -73,7 +73,11 @@ bool meet(const A& a, const B& b, const ContactOptions& options) {
   if (verdict == Verdict::yes) return true;
   if (verdict == Verdict::no && options.separation == 0) [[likely]]
     return false;
-  return exact_first_contact(m, options.separation).has_value();
+  if (options.separation > 0) {
+    const Verdict near = query::moving::separation_filter(m, options.separation);
+    if (near != Verdict::unsure) return near == Verdict::yes;
+  }
+  return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, options.separation).has_value();
 }
 
 template <class A, class B>
@@ -89,7 +93,11 @@ std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& opt
                      {edges ? FeatureKind::edge : FeatureKind::face, 0}};
     }
   }
-  const auto exact = exact_first_contact(m, options.separation);
+  if (options.separation > 0) {
+    const auto [verdict, near] = query::moving::first_near_contact(m, options.separation);
+    if (verdict != Verdict::unsure) return verdict == Verdict::yes ? std::optional(near) : std::nullopt;
+  }
+  const auto exact = query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, options.separation);
   if (!exact) return {};
   return Contact{query::rounded(Rounding::down, exact->time), exact->a, exact->b};
 }

@@ -12,8 +12,8 @@
 // Source: RTCD 5.5; Provot 1997; Brochu, Edwards and Bridson 2012 for what exactness asks.
 // Cost: comparisons of coordinates or the cubic's signs, below 100 ns, for what stays apart; below a microsecond for
 // most contacts, some 2 us for their times; 5 to 20 us where an edge or an end is met exactly or an exact time is asked
-// for, and some 100 us for motion within one plane.  With a separation some 100 ns where a normal keeps them apart,
-// otherwise some 200 us.
+// for, and some 100 us for motion within one plane.  With a separation some 0.3 us, and a few us for its
+// time; 200 us where doubles do not tell.
 #pragma once
 
 #include <optional>
