@@ -33,6 +33,7 @@
 #include "plumb/query/pairs.hpp"
 #include "plumb/query/planes.hpp"
 #include "plumb/query/ray.hpp"
+#include "plumb/query/ray2.hpp"
 #include "plumb/query/ray_batch.hpp"
 #include "plumb/query/ray_hits.hpp"
 #include "plumb/query/ray_parameter.hpp"
