@@ -1,12 +1,11 @@
-// Do plain doubles prove how two oriented boxes lie to one another?  Fifteen gaps that share their products.
+// How far off may doubles be that tell how oriented boxes lie?  The gaps along all axes as formulas, and their bounds.
 //
-// The matrix of a's cofactors (its rows are a's face normals n_i) maps a to an axis-aligned box and b to another
-// parallelepiped, and maps separating axes to separating axes.  There the fifteen axes cost nearly what they do for
-// orthonormal ones, but no axes need be orthonormal: every gap is a polynomial's value times a square.
-// Laws: an answer is that of real arithmetic; whatever is near to zero, or not finite, is unsure.  The bounds of the
-// errors are derived from the formulas that are computed (certify/formula.hpp), over the largest coordinate of a's
-// axes, of b's, and of what lies between the centers.
-// Source: RTCD 4.4.1, table 4.1.  Cost: about 190 products at most; 30 where the line of centers separates.
+// The matrix of a box's cofactors (its rows are the box's face normals n_i) maps it to an axis-aligned one, and another
+// parallelepiped to one of its kind, and separating axes to separating axes.  There the fifteen axes cost nearly what
+// they do for orthonormal ones, but no axes need be orthonormal: every gap is a polynomial's value times a square.
+// Laws: a gap that is computed in doubles, its sums in whatever order, is off by no more than its bound: a constant
+// that is derived from the formula (certify/formula.hpp), times powers of the largest coordinate of a's axes, of b's,
+// and of what lies between the centers. Source: RTCD 4.4.1, table 4.1.  Cost: none; figure/obb_quick.cpp computes them.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +27,8 @@ struct Shape {
                                                                    "a.axes[2]", "b.axes[0]", "b.axes[1]", "b.axes[2]",
                                                                    "a.half",    "b.half"};
   static constexpr bool homogeneous = false;
+  // The numbers before these are points, then come axes, then half extents.
+  static constexpr std::size_t axes_from = 6, half_a_from = 24, half_b_from = 27;
 };
 template <class T>
 using Boxes = std::array<T, 30>;
@@ -41,14 +42,10 @@ constexpr auto axis_of_b(const Boxes<T>& p, std::size_t j) {
 }
 
 /// The absolute value in a bound: that of the value, for | |v| - |V| | <= |v - V|.
-struct Size {
-  constexpr double operator()(double x) const { return magnitude_of(x); }
-  template <class T>
-  constexpr T operator()(const T& x) const {
-    return x;
-  }
-};
-inline constexpr Size size;
+template <class T>
+constexpr T size(const T& x) {
+  return x;
+}
 
 /// A vector of b in the frame of a, one coordinate of each of b's axes in turn.
 template <class B, class N>
@@ -98,14 +95,15 @@ struct Frame {
   constexpr auto k() const { return predicates::argument(p, 9); }
 };
 
-/// Along the line of centers.
-struct CenterGap : Shape {
+/// Along the first axis of space.
+struct AxisOfSpace : Shape {
   static constexpr std::string_view name = "relate";
   template <class T>
   constexpr auto operator()(const Boxes<T>& p) const {
-    const auto d = Frame<T>{p}.between();
-    return dot(d, d) - (reach(predicates::argument(p, 8), row(axis_of_a(p, 0), axis_of_a(p, 1), axis_of_a(p, 2), d)) +
-                        reach(predicates::argument(p, 9), row(axis_of_b(p, 0), axis_of_b(p, 1), axis_of_b(p, 2), d)));
+    const auto reach_along = [&](std::size_t axes, std::size_t half) {
+      return reach(predicates::argument(p, half), Triple{p[3 * axes], p[3 * axes + 3], p[3 * axes + 6]});
+    };
+    return size(p[3] - p[0]) - (reach_along(2, 8) + reach_along(5, 9));
   }
 };
 struct FaceOfA : Shape {
@@ -144,22 +142,63 @@ struct FaceOfB : Shape {
   }
 };
 
-/// The magnitude of the gap for centers, half extents of a and of b as given, all axes of ones.
+/// Of an axis-aligned box a and b, twice as far apart and twice as large: min, max, cb, b's axes, b's half extents.
+struct BoxShape {
+  static constexpr std::array arguments{3, 3, 3, 3, 3, 3, 3};
+  static constexpr std::string_view name = "relate";
+  static constexpr bool homogeneous = false;
+  static constexpr std::size_t axes_from = 9, half_a_from = 18, half_b_from = 18;
+};
+template <class T>
+struct BoxFrame {
+  const std::array<T, 21>& p;
+  constexpr auto t(std::size_t i) const { return (p[6 + i % 3] - p[i % 3]) + (p[6 + i % 3] - p[3 + i % 3]); }
+  constexpr auto h(std::size_t i) const { return p[3 + i % 3] - p[i % 3]; }
+  constexpr auto n(std::size_t i) const { return Triple{p[9 + i % 3], p[12 + i % 3], p[15 + i % 3]}; }
+  constexpr auto c(std::size_t i) const { return cross(n(i + 1), n(i + 2)); }
+  constexpr auto k() const { return Triple{p[18] + p[18], p[19] + p[19], p[20] + p[20]}; }
+};
+struct FaceOfBox : BoxShape {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 21>& p) const {
+    const BoxFrame<T> f{p};
+    return face_gap_of_a(f.t(0), f.h(0), f.n(0), f.k());
+  }
+};
+struct EdgeOfBox : BoxShape {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 21>& p) const {
+    const BoxFrame<T> f{p};
+    return edge_gaps(f.t(1), f.t(2), f.h(1), f.h(2), f.n(1), f.n(2), f.c(0), f.k()).x;
+  }
+};
+struct FaceBesideBox : BoxShape {
+  template <class T>
+  constexpr auto operator()(const std::array<T, 21>& p) const {
+    const BoxFrame<T> f{p};
+    return face_gaps_of_b(Triple{f.t(0), f.t(1), f.t(2)}, Triple{f.h(0), f.h(1), f.h(2)}, f.c(0), f.c(1), f.c(2),
+                          dot(f.n(0), f.c(0)), f.k())
+        .x;
+  }
+};
+
+/// The magnitude of the gap for points, half extents of a and of b as given, all axes of ones.
 template <class F>
-consteval double terms(double centers, double half_a, double half_b) {
-  Boxes<LargestMagnitude::Input> p;
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = {i < 6 ? centers : i < 24 ? 1 : i < 27 ? half_a : half_b};
+consteval double terms(double points, double half_a, double half_b) {
+  std::array<LargestMagnitude::Input, arity<F>> p;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = {i < F::axes_from ? points : i < F::half_a_from ? 1 : i < F::half_b_from ? half_a : half_b};
   return LargestMagnitude(F{}(p)).magnitude;
 }
 
 /// The gap's error is at most this times largest(a)^x largest(b)^y (largest(d) + the sum of half_a largest(a) + that of
 /// half_b largest(b)), with x and y the degrees in the axes of what is multiplied by d: the magnitude has no larger
-/// coefficient, and what is multiplied by a half extent has an axis of its own more.  Paid for twice over: the dozen
-/// roundings of that product.
+/// coefficient, and what is multiplied by a half extent has an axis of its own more.  Twice the filter's constant pays
+/// for another order of the sums, for products that are not rounded, and for the dozen roundings of that product.
 template <class F>
 inline constexpr double error = [] {
   const double most = std::max({terms<F>(1, 0, 0), terms<F>(0, 1, 0), terms<F>(0, 0, 1)});
-  return filter_constant<F>() * most * (1 + 0x1p-40);
+  return 2 * filter_constant<F>() * most;
 }();
 
 }  // namespace plumb::obb_gaps

@@ -2,6 +2,7 @@
 #include <plumb/predicates/direction.hpp>
 
 #include "obb_gaps.hpp"
+#include "obb_quick.hpp"
 #include "plumb/certify/separating_axis.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/obb.hpp"
@@ -10,77 +11,7 @@
 namespace plumb {
 namespace {
 
-using namespace obb_gaps;
-
-Triple<double> triple(const Vector3& v) { return {v.x, v.y, v.z}; }
-Triple<double> sizes(const Vector3& v) { return {magnitude_of(v.x), magnitude_of(v.y), magnitude_of(v.z)}; }
-
-double larger(double a, double b) { return a > b ? a : b; }
-double largest(const Triple<double>& v) { return larger(larger(size(v.x), size(v.y)), size(v.z)); }
-
-// No power of degree nine or lower of it underflows, nor its product with an error's constant.
-constexpr double least = 0x1p-100;
-
-// What is certain of the fifteen gaps so far.
-struct Gaps {
-  bool all_negative = true;
-
-  bool positive(double gap, double error) {
-    error += gap - gap;  // NaN where the gap has overflowed, so that nothing is certain
-    all_negative = all_negative && gap < -error;
-    return gap > error;
-  }
-  bool any_positive(const Triple<double>& gaps, double error) {
-    const bool x = positive(gaps.x, error), y = positive(gaps.y, error), z = positive(gaps.z, error);
-    return x || y || z;
-  }
-};
-
-// A NaN or infinity among the numbers makes `all` one, and nothing is certain then.
-std::optional<Relation> by_doubles(const Obb3& a, const Obb3& b) {
-  const Triple<double> d{b.center.x - a.center.x, b.center.y - a.center.y, b.center.z - a.center.z};
-  const auto a0 = triple(a.axes[0]), a1 = triple(a.axes[1]), a2 = triple(a.axes[2]);
-  const auto b0 = triple(b.axes[0]), b1 = triple(b.axes[1]), b2 = triple(b.axes[2]);
-  const auto half = sizes(a.half), k = sizes(b.half);
-  const double of_d = larger(largest(d), least);
-  const double of_a = larger(larger(largest(a0), largest(a1)), larger(largest(a2), least));
-  const double of_b = larger(larger(largest(b0), largest(b1)), larger(largest(b2), least));
-  const double all = of_d + (of_a * (half.x + half.y + half.z) + of_b * (k.x + k.y + k.z));
-
-  const double between = dot(d, d) - (reach(half, row(a0, a1, a2, d)) + reach(k, row(b0, b1, b2, d)));
-  if (between > error<CenterGap> * of_d * all + (between - between)) return Relation::disjoint;
-
-  Gaps gaps;
-  const auto n0 = cross(a1, a2), n1 = cross(a2, a0), n2 = cross(a0, a1);
-  const double volume = size(dot(a0, n0));
-  const Triple<double> t{dot(d, n0), dot(d, n1), dot(d, n2)};
-  const Triple<double> h{half.x * volume, half.y * volume, half.z * volume};
-  const auto r0 = row(b0, b1, b2, n0), r1 = row(b0, b1, b2, n1), r2 = row(b0, b1, b2, n2);
-  const double a_error = error<FaceOfA> * (of_a * of_a) * all;
-  static_assert(error<CenterInA> <= error<FaceOfA>);
-  if (gaps.any_positive(
-          {face_gap_of_a(t.x, h.x, r0, k), face_gap_of_a(t.y, h.y, r1, k), face_gap_of_a(t.z, h.z, r2, k)}, a_error))
-    return Relation::disjoint;
-  const double volumes = (h.x - h.x) + (h.y - h.y) + (h.z - h.z);  // NaN where they have overflowed
-  if (gaps.all_negative && size(t.x) - h.x < -a_error && size(t.y) - h.y < -a_error && size(t.z) - h.z < -a_error &&
-      volumes == 0)
-    return Relation::overlapping;  // the center of b is inside a; the gaps ask whether b's numbers are real
-
-  const auto c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
-  const double a4 = (of_a * of_a) * (of_a * of_a);
-  if (gaps.any_positive(face_gaps_of_b(t, h, c0, c1, c2, dot(r0, c0), k),
-                        error<FaceOfB> * (a4 * (of_a * of_a)) * (of_b * of_b) * all))
-    return Relation::disjoint;
-  const double edge_error = error<EdgePair> * a4 * of_b * all;
-  if (gaps.any_positive(edge_gaps(t.y, t.z, h.y, h.z, r1, r2, c0, k), edge_error) ||
-      gaps.any_positive(edge_gaps(t.z, t.x, h.z, h.x, r2, r0, c1, k), edge_error) ||
-      gaps.any_positive(edge_gaps(t.x, t.y, h.x, h.y, r0, r1, c2, k), edge_error))
-    return Relation::disjoint;
-  // If all six edges lay in a plane, two that are not parallel would have shown its normal, along which no gap is
-  // negative; so they span space, and the fifteen axes are all there are.
-  if (gaps.all_negative) return Relation::overlapping;
-  return {};
-}
+using obb_gaps::FaceOfA;
 
 BigDyadic product(double a, double b) { return BigDyadic(a) * BigDyadic(b); }
 BigVector difference(const Point3& from, const Point3& to) {
@@ -214,7 +145,7 @@ struct BothPlane {
 
 Relation relate(const Obb3& a, const Obb3& b, Asked asked) {
   assert_sound_thread();
-  if (const auto quick = by_doubles(a, b)) [[likely]]
+  if (const auto quick = quick_relation(a, b)) [[likely]]
     return *quick;
   return exactly(a, b, asked);
 }

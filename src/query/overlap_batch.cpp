@@ -2,7 +2,8 @@
 
 #include <cstring>
 
-#include "query/overlap_box_filter.hpp"
+#include "query/overlap_filters.hpp"
+#include "query/overlap_shapes3.hpp"
 
 // As for the batches of signs: those that bring something (docs/batches.md).
 #define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -10,6 +11,40 @@
 #define HWY_TARGET_INCLUDE "query/overlap_batch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#ifndef PLUMB_OVERLAP_BATCH_ONCE
+#define PLUMB_OVERLAP_BATCH_ONCE
+namespace plumb::query {
+
+// Seen from the center of the box, twice as large: p' = 2 p - (min + max), as in overlap_box_gaps.hpp.
+/// Points a, b, c, min, max: along the first axis times ab, with absolute values resolved.
+struct EdgeGap {
+  static constexpr std::string_view name = "relate";
+  static constexpr int points = 5, dimension = 3;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 15>& p) const {
+    const auto seen_from = [&](std::size_t i) { return (p[i] + p[i]) - (p[9 + i] + p[12 + i]); };
+    const auto across = (p[4] - p[1]) * (p[8] - p[5]) - (p[5] - p[2]) * (p[7] - p[4]);
+    const auto y = p[4] - p[1], z = p[5] - p[2];
+    return ((y * seen_from(2) - z * seen_from(1)) + across) - (across + (y * (p[14] - p[11]) + z * (p[13] - p[10])));
+  }
+};
+/// Along the normal.
+struct NormalGap {
+  static constexpr std::string_view name = "relate";
+  static constexpr int points = 5, dimension = 3;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 15>& p) const {
+    using predicates::difference;
+    const auto seen_from = [&](std::size_t i) { return (p[i] + p[i]) - (p[9 + i] + p[12 + i]); };
+    const auto n = predicates::cross(difference(p, 0, 1), difference(p, 1, 2));
+    return predicates::dot(n, predicates::Triple{seen_from(0), seen_from(1), seen_from(2)}) -
+           predicates::dot(n, difference(p, 3, 4));
+  }
+};
+
+}  // namespace plumb::query
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::overlap_batch::HWY_NAMESPACE {
@@ -42,7 +77,7 @@ Vector cross(const Vector& a, const Vector& b) {
           hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-// As query::BoxErrors; NaN where a product might overflow.
+// The bounds of the errors, for numbers of up to so much in each axis; NaN where a product might overflow.
 struct Errors {
   Vector planes;
   V space;

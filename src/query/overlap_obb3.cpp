@@ -3,14 +3,17 @@
 // The matrix of the box's cofactors (rows N_i, its face normals) maps it to an axis-aligned box, |t_i| <= H_i, and the
 // other shape to one of its kind; a linear map that is one to one keeps the relation.  There the axes that can separate
 // are those of the box, the normal of a triangle, and cross products of an edge with an axis, of two terms each.
-// Over doubles with their errors first, then over pairs of them, then over integers (docs/overlap.md).
+// Over doubles with bounds of their errors first (overlap_box_quick.hpp, figure/obb_quick.hpp), then with the errors of
+// each carried along, then over pairs of doubles, then over integers (docs/overlap.md).
 // Source: RTCD 5.2.1, 5.2.9, 5.3.3, 4.4.1.
 #include <optional>
 
 #include "certain.hpp"
+#include "figure/obb_quick.hpp"
 #include "figure/zonotope.hpp"
 #include "figure_input.hpp"
 #include "flat_set.hpp"
+#include "overlap_box_quick.hpp"
 #include "overlap_shapes3.hpp"
 #include "overlap_signs.hpp"
 #include "plumb/query/overlap_box.hpp"
@@ -234,7 +237,14 @@ bool has_extents(const Obb3& box) { return box.half.x != 0 && box.half.y != 0 &&
 
 template <class Shape>
 Relation relate_obb(const Shape& a, const Obb3& b, Asked asked) {
+  assert_sound_thread();
+  if (const auto r = quick_relation(a, b)) [[likely]]
+    return *r;
   require_figures(asked, a, b);
+  if constexpr (std::is_same_v<Shape, Triangle3>) {
+    if (a.a == a.b || a.c == a.a) return relate_obb(Segment3{a.b, a.c}, b, asked);
+    if (a.b == a.c) return relate_obb(Segment3{a.a, a.b}, b, asked);
+  }
   const auto figure = [&] {
     if constexpr (requires { linear(a); }) {
       return linear(a);
@@ -243,8 +253,7 @@ Relation relate_obb(const Shape& a, const Obb3& b, Asked asked) {
     }
   }();
   if (has_extents(b)) {
-    if (const auto r = by<Approximate>(figure, b)) [[likely]]
-      return *r;
+    if (const auto r = by<Approximate>(figure, b)) return *r;
     if (const auto r = by<Ball>(figure, b)) return *r;
     if (const auto r = by<BigDyadic>(figure, b)) return *r;
   }
@@ -313,11 +322,13 @@ Relation relate(const Segment3& a, const Obb3& b, Asked asked) { return relate_o
 Relation relate(const Triangle3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
 
 Relation relate(const Aabb3& a, const Obb3& b, Asked asked) {
+  assert_sound_thread();
+  if (const auto r = quick_relation(a, b); r && !query::is_empty(a)) [[likely]]
+    return *r;
   query::require_figures(asked, a, b);
   if (query::is_empty(a)) return Relation::disjoint;
   if (query::is_solid(a)) {
-    if (const auto r = query::by_pair(query::BoxPair<Approximate>(a, b))) [[likely]]
-      return *r;
+    if (const auto r = query::by_pair(query::BoxPair<Approximate>(a, b))) return *r;
     if (const auto r = query::by_pair(query::BoxPair<Ball>(a, b))) return *r;
   }
   return query::exactly(a, b);

@@ -82,23 +82,21 @@ Relation relate(const Triangle3& a, const Aabb3& b) {
     std::tie(low[k], high[k]) = std::minmax({numbers(a.a)[k], numbers(a.b)[k], numbers(a.c)[k]});
     all = least(all, in_range(low[k], high[k], numbers(b.min)[k], numbers(b.max)[k]));
   }
+  // The signs of degree 2 before those of degree 3: what is apart along one axis is apart, flat or not.
+  std::array<Sign, 3> normal{};
+  for (std::size_t k = 0; k < 3 && all != Sign::negative; ++k) {
+    const Triangle2 flat = seen(a, k);
+    normal[k] = orient2d(flat.a, flat.b, flat.c);
+    all = least(all, across(flat, normal[k], seen(b, k)));
+  }
+  if (all == Sign::negative) return Relation::disjoint;
   if (const auto [kind, k] = flatness(b); kind != Kind::solid) {
     if (kind == Kind::straight) return relate(flattened(b), a);
     if (low[k] == high[k]) {
       return low[k] == numbers(b.min)[k] ? relate(seen(a, k), seen(b, k)) : Relation::disjoint;
     }
   }
-  if (all == Sign::negative) return Relation::disjoint;
-  std::array<Sign, 3> normal{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Triangle2 flat = seen(a, k);
-    normal[k] = orient2d(flat.a, flat.b, flat.c);
-  }
-  all = least(all, beside(a, normal, b));
-  for (std::size_t k = 0; k < 3 && all != Sign::negative; ++k) {
-    all = least(all, across(seen(a, k), normal[k], seen(b, k)));
-  }
-  return relation(all);
+  return relation(least(all, beside(a, normal, b)));
 }
 
 }  // namespace plumb::query

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "figure/obb_cases.hpp"
+#include "figure/powers_of_two.hpp"
 #include "figure/shape_cases.hpp"
 #include "oracle/boxes.hpp"
 #include "plumb/arith/error.hpp"
@@ -170,6 +171,8 @@ TEST(ObbTest, KeepsItsLaws) {
     ASSERT_EQ(relate(a, b), r) << m.about(a, b);
   });
 }
+
+TEST(ObbTest, IsTheSameTimesPowersOfTwo) { powers_of_two::expect_same_relation<Obb3, Obb3>(405, 600); }
 
 TEST(ObbTest, RefusesWhatIsNoNumber) {
   for (std::size_t i = 0; i < 15; ++i) {

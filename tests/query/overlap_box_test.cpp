@@ -1,6 +1,7 @@
 // Boxes in space against a linear program in rationals.
 #include "plumb/query/overlap_box.hpp"
 
+#include "figure/powers_of_two.hpp"
 #include "plumb/figure/obb.hpp"
 #include "query/relation_counts.hpp"
 
@@ -21,6 +22,38 @@ TYPED_TEST_SUITE(OverlapBox, Pairs);
 TYPED_TEST(OverlapBox, AgreesWithTheOracle) {
   using Second = typename TypeParam::Second;
   expect_as_oracle<typename TypeParam::First, Second>(53, std::is_same_v<Second, Obb3> ? 400 : 1000);
+}
+
+TYPED_TEST(OverlapBox, IsTheSameTimesPowersOfTwo) {
+  powers_of_two::expect_same_relation<typename TypeParam::First, typename TypeParam::Second>(54, 300);
+}
+
+/// Each number of either made NaN or infinite, wherever the other one is.
+TYPED_TEST(OverlapBox, RefusesEveryNumberThatIsNone) {
+  using A = typename TypeParam::First;
+  using B = typename TypeParam::Second;
+  const auto spoil = [](auto& s, std::size_t k, double bad) {
+    std::array<double, sizeof(s) / sizeof(double)> numbers;
+    std::memcpy(numbers.data(), &s, sizeof(s));
+    numbers.at(k) = bad;
+    std::memcpy(&s, numbers.data(), sizeof(s));
+  };
+  shape_cases::on_shapes(55, 12, [&](shape_cases::Material& m) {
+    const A a = m.shape<A>();
+    const B b = m.shape<B>();
+    for (const double bad : {std::nan(""), double{INFINITY}, -double{INFINITY}}) {
+      for (std::size_t k = 0; k < sizeof(A) / sizeof(double); ++k) {
+        A c = a;
+        spoil(c, k, bad);
+        EXPECT_THROW(relate(c, b), NonFinite) << k << m.about(c, b);
+      }
+      for (std::size_t k = 0; k < sizeof(B) / sizeof(double); ++k) {
+        B d = b;
+        spoil(d, k, bad);
+        EXPECT_THROW(relate(a, d), NonFinite) << k << m.about(a, d);
+      }
+    }
+  });
 }
 
 constexpr Aabb3 unit{{0, 0, 0}, {1, 1, 1}};
