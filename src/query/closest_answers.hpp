@@ -61,33 +61,52 @@ void require(std::string_view function, const Shape& s, const PointOf<Shape>& p)
   if constexpr (requires { Nearest<Shape>::require_some(function, s); }) Nearest<Shape>::require_some(function, s);
 }
 
-/// By the quick way where there is one and it tells, else by signs, pairs of doubles and integers.
+/// By signs, pairs of doubles and integers: where there is no quick way, or it does not tell.
+struct Answer {
+  Feature feature;
+  Numbers numbers;  // those that are wanted
+};
 template <class Shape>
-Quickly answer(std::string_view function, Wanted wanted, const Shape& shape, const PointOf<Shape>& p) {
-  if constexpr (requires(Quickly & found) { quickly(wanted, shape, p, found); }) {
-    Quickly found;
-    if (quickly(wanted, shape, p, found)) [[likely]]
-      return found;
-  }
+[[gnu::noinline]] Answer answer(std::string_view function, Wanted wanted, const Shape& shape, const PointOf<Shape>& p) {
   require(function, shape, p);
   const Feature feature = Nearest<Shape>::feature(shape, p);
   return {feature, numbers_of(wanted, shape, p, feature)};
 }
 
-template <class Shape, class Answer>
-Answer closest_points_of(const PointOf<Shape>& p, const Shape& shape) {
-  const auto [feature, n] = answer("closest_points", Wanted::both, shape, p);
-  return {p, within<PointOf<Shape>>(n.point), n.distance, {FeatureKind::vertex, 0}, feature};
+template <class Shape, class To>
+bool told_quickly(const Shape& shape, const PointOf<Shape>& p, To& to) {
+  if constexpr (HasQuick<Shape>) {
+    return quickly(shape, p, to);
+  } else {
+    return false;
+  }
+}
+
+template <class Shape, class Result>
+Result closest_points_of(const PointOf<Shape>& p, const Shape& shape) {
+  Result to;
+  to.on_a = p;
+  to.feature_a = {FeatureKind::vertex, 0};
+  if (!told_quickly(shape, p, to)) {
+    const auto [feature, n] = answer("closest_points", Wanted::both, shape, p);
+    to.on_b = within<PointOf<Shape>>(n.point), to.distance = n.distance, to.feature_b = feature;
+  }
+  return to;
 }
 
 template <class Shape>
 PointOf<Shape> closest_point_of(const Shape& shape, const PointOf<Shape>& p) {
-  return within<PointOf<Shape>>(answer("closest_point", Wanted::point, shape, p).numbers.point);
+  PointOf<Shape> to;
+  if (!told_quickly(shape, p, to))
+    to = within<PointOf<Shape>>(answer("closest_point", Wanted::point, shape, p).numbers.point);
+  return to;
 }
 
 template <class Shape>
 double distance_of(const PointOf<Shape>& p, const Shape& shape) {
-  return answer("distance", Wanted::distance, shape, p).numbers.distance;
+  double to;
+  if (!told_quickly(shape, p, to)) to = answer("distance", Wanted::distance, shape, p).numbers.distance;
+  return to;
 }
 
 template <class Shape>

@@ -1,6 +1,7 @@
 // Lines, rays and segments against one another: places by signs over doubles, then over pairs of doubles, then over
 // integers; the numbers of the one pair of places likewise.
 #include "plumb/query/closest_pairs.hpp"
+#include "query/closest_quick_pairs.hpp"
 #include "query/figure_input.hpp"
 #include "query/linear_pair.hpp"
 #include "query/quick_numbers.hpp"
@@ -67,13 +68,24 @@ template <class A, class B>
 auto closest_of(const A& a, const B& b) {
   using Result = std::conditional_t<is_in_space<A>, Closest, Closest2>;
   constexpr std::string_view name = "closest_points";
+  Result to;
+  if constexpr (std::is_same_v<A, Segment3> && std::is_same_v<B, Segment3>) {
+    if (quickly(a, b, to)) [[likely]]
+      return to;
+  }
   const Places places = places_of(a, b, name);
+  to.feature_a = feature(places.a), to.feature_b = feature(places.b);
+  if constexpr (is_in_space<A>) {
+    if (quickly(LineAt(a), LineAt(b), places, to)) [[likely]]
+      return to;
+  }
   auto numbers = quick_numbers(straight(a), straight(b), places);
   if (!numbers) {
     require_figures(name, a, b);
     numbers = numbers_exactly(straight(a), straight(b), places);
   }
-  return Result{numbers->on_a, numbers->on_b, numbers->distance, feature(places.a), feature(places.b)};
+  to.on_a = numbers->on_a, to.on_b = numbers->on_b, to.distance = numbers->distance;
+  return to;
 }
 
 std::optional<double> parameter(Place place, const Ball& numerator, const Ball& whole) {
@@ -91,7 +103,16 @@ requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b) { re
 template <class A, class B>
 requires query::StraightPair<A, B>
 double distance(const A& a, const B& b) {
+  [[maybe_unused]] double quick;
+  if constexpr (std::is_same_v<A, Segment3> && std::is_same_v<B, Segment3>) {
+    if (quickly(a, b, quick)) [[likely]]
+      return quick;
+  }
   const Places places = places_of(a, b, "distance");
+  if constexpr (is_in_space<A>) {
+    if (quickly(LineAt(a), LineAt(b), places, quick)) [[likely]]
+      return quick;
+  }
   if (const auto d = quick_distance(straight(a), straight(b), places)) [[likely]]
     return *d;
   require_figures("distance", a, b);

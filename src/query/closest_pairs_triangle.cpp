@@ -1,5 +1,6 @@
 // Triangles against lines, rays, segments and triangles.
 #include "plumb/query/closest_pairs.hpp"
+#include "query/closest_quick_pairs.hpp"
 #include "query/figure_input.hpp"
 #include "query/quick_numbers.hpp"
 #include "query/straight_guess.hpp"
@@ -64,6 +65,41 @@ std::optional<Numbers<Point3>> numbers_of(const A& a, const B& b, const FeatureP
   return quick_numbers(p.line, q.line, {p.place, q.place});
 }
 
+void turn(Closest& c) { c = swapped(c); }
+void turn(double&) {}
+void name_vertex(const Point3& v, Closest& c) { c.on_a = v; }
+void name_vertex(const Point3&, double&) {}
+
+LineAt line_at(const Straight<Point3>& s, Feature) {
+  LineAt line(s.from, s.to);
+  if (!s.ends) line.to = nullptr, line.direction = &s.direction;
+  return line;
+}
+LineAt line_at(const Triangle3& t, Feature f) {
+  const std::array corner{&t.a, &t.b, &t.c};
+  return {*corner[f.index], *corner[(f.index + 1) % 3]};
+}
+Place place_at(const Straight<Point3>&, Feature f) {
+  if (f.kind == FeatureKind::edge) return Place::inside;
+  return f.index == 0 ? Place::start : Place::end;
+}
+Place place_at(const Triangle3&, Feature f) { return f.kind == FeatureKind::edge ? Place::inside : Place::start; }
+
+/// In lanes: all but the points of an edge that crosses a face.
+template <class A, class B, class To>
+bool told_quickly(const A& a, const B& b, const FeaturePair& f, To& to) {
+  const bool turned = f.a == the_face;
+  if (!turned && f.b != the_face)
+    return quickly(line_at(a, f.a), line_at(b, f.b), {place_at(a, f.a), place_at(b, f.b)}, to);
+  const OnLine from = turned ? on_line(b, f.b) : on_line(a, f.a);
+  if (from.place == Place::inside) return false;
+  const Point3& v = from.line.at(from.place);
+  if (!quickly(v, turned ? *triangle_of(a) : *triangle_of(b), to)) return false;
+  name_vertex(v, to);
+  if (turned) turn(to);
+  return true;
+}
+
 template <class A, class B>
 std::optional<double> distance_between(const A& a, const B& b, const FeaturePair& f) {
   if (f.a == the_face || f.b == the_face) {
@@ -118,6 +154,11 @@ Closest closest_of(const A& a, const B& b) {
   const auto& p = in_one_form(a);
   const auto& q = in_one_form(b);
   if (const auto features = certain_features(p, q)) {
+    Closest to;
+    if (told_quickly(p, q, *features, to)) [[likely]] {
+      to.feature_a = features->a, to.feature_b = features->b;
+      return to;
+    }
     if (const auto n = numbers_of(p, q, *features)) return {n->on_a, n->on_b, n->distance, features->a, features->b};
   }
   require_figures("closest_points", a, b);
@@ -138,6 +179,9 @@ double distance_of(const A& a, const B& b) {
   const auto& p = in_one_form(a);
   const auto& q = in_one_form(b);
   if (const auto features = certain_features(p, q)) {
+    double to;
+    if (told_quickly(p, q, *features, to)) [[likely]]
+      return to;
     if (const auto d = distance_between(p, q, *features)) return *d;
   }
   require_figures("distance", a, b);

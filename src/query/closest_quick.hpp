@@ -2,26 +2,25 @@
 //
 // Laws: true only where the feature is certain and each number is the exact one rounded once; false says nothing: then
 // signs and integers answer.  Input that is NaN or infinite is never answered.
-// Source: Dekker 1971, Ziv 1991; the bounds are those of docs/closest.md.  Cost: 15 to 40 ns with fused multiply-adds;
+// Source: Dekker 1971, Ziv 1991; the bounds are those of docs/closest.md.  Cost: 3 to 45 ns with fused multiply-adds;
 // machines without them get false at once.
 #pragma once
+
+#include <concepts>
 
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/simplex.hpp"
-#include "plumb/figure/voronoi_region.hpp"
-#include "query/closest_numbers.hpp"
+#include "plumb/query/closest_result.hpp"
 
 namespace plumb::query {
 
-struct Quickly {
-  Feature feature;
-  Numbers numbers;  // those that are wanted
-};
+/// The nearest point, its distance, or both and the feature: on_b, distance and feature_b of a Closest.
+template <class Shape, class To>
+bool quickly(const Shape& s, const Point3& p, To& to);
 
-bool quickly(Wanted wanted, const Segment3& s, const Point3& p, Quickly& found);
-bool quickly(Wanted wanted, const Triangle3& s, const Point3& p, Quickly& found);
-bool quickly(Wanted wanted, const Aabb3& s, const Point3& p, Quickly& found);
-bool quickly(Wanted wanted, const Obb3& s, const Point3& p, Quickly& found);
+template <class Shape>
+concept HasQuick = std::same_as<Shape, Segment3> || std::same_as<Shape, Triangle3> || std::same_as<Shape, Aabb3> ||
+    std::same_as<Shape, Obb3>;
 
 }  // namespace plumb::query

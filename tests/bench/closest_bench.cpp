@@ -1,6 +1,7 @@
 // How long does a nearest point take, and how far off is it?  Beside plain doubles, Eigen and CGAL's Epick, on general
-// and nearly degenerate input.  `ns` is for one question, `worst` and `mean` are errors of coordinates and distances in
-// ulps against the exact numbers rounded once, `off` the share of answers with an error of more than 4.
+// and nearly degenerate input, and on general input far from the origin.  `ns` is for one question, `worst` and `mean`
+// are errors of coordinates and distances in ulps against the exact numbers rounded once, `off` the share of answers
+// with an error of more than 4.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -47,6 +48,16 @@ std::array<Vector3, 3> axes(Entropy& entropy) {
           Vector3{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
 }
 
+enum class Input { general, near, far };
+constexpr const char* input_names[] = {"general", "near", "far"};
+
+/// A million times as far from the origin as it is large.
+Point3 away(const Point3& p) { return {p.x + 0x1.8p20, p.y - 0x1.2p20, p.z + 0x1.5p20}; }
+void move_away(Segment3& s) { s = {away(s.a), away(s.b)}; }
+void move_away(Triangle3& t) { t = {away(t.a), away(t.b), away(t.c)}; }
+void move_away(Aabb3& box) { box = {away(box.min), away(box.max)}; }
+void move_away(Obb3& box) { box.center = away(box.center); }
+
 void fill(Case<Segment3>& c, bool near, Entropy& e) {
   c.shape = {cube_point(e), cube_point(e)};
   c.p = near ? nudged(mixed(c.shape.a, c.shape.b, 1.25 * unit_coordinate(e)), e) : cube_point(e);
@@ -80,14 +91,20 @@ void fill(Case<Obb3>& c, bool near, Entropy& e) {
 }
 
 template <class Shape>
-std::vector<Case<Shape>> inputs(bool near) {
+std::vector<Case<Shape>> inputs(Input input) {
   std::vector<Case<Shape>> all(cases);
   for (std::size_t i = 0; i < cases; ++i) {
     Entropy entropy(51, i);
-    fill(all[i], near, entropy);
+    fill(all[i], input == Input::near, entropy);
+    if (input != Input::far) continue;
+    move_away(all[i].shape);
+    all[i].p = away(all[i].p);
   }
   return all;
 }
+
+const Point3& point_of(const NearestFound& n) { return n.point; }
+const Point3& point_of(const Closest& c) { return c.on_b; }
 
 double ulps_off(double x, double exact) {
   if (x == exact) return 0;
@@ -96,24 +113,25 @@ double ulps_off(double x, double exact) {
 }
 
 template <class Shape, class Method>
-void add(const std::string& name, bool near, Method method) {
-  const std::string whole = name + (near ? "/near/" : "/general/") + Method::name;
-  benchmark::RegisterBenchmark(whole.c_str(), [near, method](benchmark::State& state) {
-    const auto all = inputs<Shape>(near);
+void add(const std::string& name, Input input, Method method) {
+  const std::string whole = name + "/" + input_names[static_cast<std::size_t>(input)] + "/" + Method::name;
+  benchmark::RegisterBenchmark(whole.c_str(), [input, method](benchmark::State& state) {
+    const auto all = inputs<Shape>(input);
     for (auto _ : state) {
       double sum = 0;
       for (const auto& c : all) {
-        const NearestFound n = method(c.shape, c.p);
-        sum += n.point.x + n.point.y + n.point.z + n.distance;
+        const auto n = method(c.shape, c.p);
+        sum += point_of(n).x + point_of(n).y + point_of(n).z + n.distance;
       }
       benchmark::DoNotOptimize(sum);
     }
     double worst = 0, sum = 0, off = 0;
     for (const auto& c : all) {
-      const NearestFound n = method(c.shape, c.p);
+      const auto n = method(c.shape, c.p);
+      const Point3 q = point_of(n);
       const Closest exact = closest_points(c.p, c.shape);
-      const double most = std::fmax(std::fmax(ulps_off(n.point.x, exact.on_b.x), ulps_off(n.point.y, exact.on_b.y)),
-                                    std::fmax(ulps_off(n.point.z, exact.on_b.z), ulps_off(n.distance, exact.distance)));
+      const double most = std::fmax(std::fmax(ulps_off(q.x, exact.on_b.x), ulps_off(q.y, exact.on_b.y)),
+                                    std::fmax(ulps_off(q.z, exact.on_b.z), ulps_off(n.distance, exact.distance)));
       worst = std::fmax(worst, most);
       sum += std::fmin(most, 0x1p53);
       off += most > 4 ? 1 : 0;
@@ -128,10 +146,7 @@ void add(const std::string& name, bool near, Method method) {
 
 struct Exact {
   static constexpr const char* name = "plumb";
-  NearestFound operator()(const auto& shape, const Point3& p) const {
-    const Closest c = closest_points(p, shape);
-    return {c.on_b, c.distance};
-  }
+  Closest operator()(const auto& shape, const Point3& p) const { return closest_points(p, shape); }
 };
 struct Plain {
   static constexpr const char* name = "plain";
@@ -148,7 +163,7 @@ struct ByCgal {
 
 template <class Shape, class... Methods>
 void add_all(const std::string& name) {
-  for (const bool near : {false, true}) (add<Shape>(name, near, Methods{}), ...);
+  for (const Input input : {Input::general, Input::near, Input::far}) (add<Shape>(name, input, Methods{}), ...);
 }
 
 /// One point against many: `ns` is for one item.
@@ -157,7 +172,7 @@ void add_many(const std::string& name) {
   const auto run = [&](const std::string& method, auto find) {
     benchmark::RegisterBenchmark((name + "/" + method).c_str(), [find](benchmark::State& state) {
       std::vector<Shape> items;
-      for (const auto& c : inputs<Shape>(false)) items.push_back(c.shape);
+      for (const auto& c : inputs<Shape>(Input::general)) items.push_back(c.shape);
       const Batch batch(items);
       for (auto _ : state) {
         std::size_t found = find(items, batch, Point3{0.25, 2.5, -0.125});

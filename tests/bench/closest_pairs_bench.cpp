@@ -1,5 +1,6 @@
 // How long do closest points take, and how far off are plain doubles?  Segments, lines and triangles beside plain
-// doubles, Eigen and CGAL's kernel of doubles.  `ns` a pair; `ulps`: the median and the worst error of the distance.
+// doubles, Eigen and CGAL's kernel of doubles.  `ns` a pair; `ulps`: the median, the mean and the worst error of the
+// distance.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -17,8 +18,8 @@ namespace {
 constexpr std::size_t pairs = 1024;
 
 /// 0: anywhere in a cube; 1: almost parallel, off by 2^-30 of the length; 2: exactly parallel on a grid; 3: integers of
-/// ten bits; 4: far apart.
-constexpr int kinds = 5;
+/// ten bits; 4: far apart; 5: as 0, a million times as far from the origin.
+constexpr int kinds = 6;
 
 Point3 anywhere(Entropy& e, double size) {
   const auto at = [&] { return size * signed_unit_coordinate(e); };
@@ -40,6 +41,9 @@ std::vector<Point3> points(int kind, std::size_t each, Entropy& e) {
   const std::size_t half = each / 2;
   if (kind == 1) p[half + 1] = sum(p[half], sum(difference(p[1], p[0]), anywhere(e, 0x1p-30)));
   if (kind == 2) p[half + 1] = sum(p[half], difference(p[1], p[0]));
+  if (kind == 5) {
+    for (Point3& x : p) x = sum(x, {0x1.8p20, -0x1.2p20, 0x1.5p20});
+  }
   if (kind == 4) {
     for (std::size_t i = half; i < each; ++i) p[i] = sum(p[i], {5, 3, 1});
   }
@@ -100,7 +104,10 @@ void count_ulps(benchmark::State& state, const All& all, Distance distance_of) {
   }
   if (off.empty()) return;
   std::sort(off.begin(), off.end());
+  double mean = 0;
+  for (const double x : off) mean += std::fmin(x, 0x1p53) / static_cast<double>(off.size());
   state.counters["ulps_median"] = off[off.size() / 2];
+  state.counters["ulps_mean"] = mean;
   state.counters["ulps_worst"] = off.back();
 }
 

@@ -8,6 +8,7 @@
 
 #include "oracle/straight.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/degenerate/coordinates.hpp"
 #include "plumb/query/closest.hpp"
 #include "query/straight_cases.hpp"
 #include "query/straight_oracle.hpp"
@@ -151,6 +152,38 @@ TEST(ClosestPairs, LineAndTriangleInThePlane) { run_pair<Line2, Triangle2>(17, {
 TEST(ClosestPairs, RayAndTriangleInThePlane) { run_pair<Ray2, Triangle2>(18, {"ve", "vf", "ev", "ee", "vv"}); }
 TEST(ClosestPairs, SegmentAndTriangleInThePlane) { run_pair<Segment2, Triangle2>(19, {"ve", "vf", "ev", "ee", "vv"}); }
 TEST(ClosestPairs, TrianglesInThePlane) { run_pair<Triangle2, Triangle2>(20, {"ve", "vf", "ev", "ee", "vv", "fv"}); }
+
+/// Nothing special, but for how far they are from the origin and from being parallel or near: pairs of doubles tell
+/// nearly all.
+TEST(ClosestPairs, OfUniformShapes) {
+  Tally segments, lines, triangles;
+  for (std::uint64_t i = 0; i < straight_case_count; ++i) {
+    Entropy e(41, i);
+    const double far = e.coin() ? 0 : std::ldexp(1.0, static_cast<int>(e.below(40)));
+    const auto point = [&](double size) {
+      const double x = signed_unit_coordinate(e), y = signed_unit_coordinate(e), z = signed_unit_coordinate(e);
+      return Point3{far + size * x, size * y, far + size * z};
+    };
+    const auto near = [&](const Point3& p, const Point3& from, const Point3& to) {
+      const double size = std::ldexp(1.0, -static_cast<int>(e.below(60)));
+      const double x = signed_unit_coordinate(e), y = signed_unit_coordinate(e), z = signed_unit_coordinate(e);
+      return Point3{p.x + (to.x - from.x) + size * x, p.y + (to.y - from.y) + size * y,
+                    p.z + (to.z - from.z) + size * z};
+    };
+    const Point3 a = point(1), b = point(1), d = point(1);
+    const Point3 c = e.coin() ? point(1) : near(a, a, b), f = e.coin() ? point(4) : near(c, a, b);
+    const auto line = [](const Point3& p, const Point3& q) { return Line3{p, {q.x - p.x, q.y - p.y, q.z - p.z}}; };
+    expect_closest(Segment3{a, b}, Segment3{c, f}, segments);
+    expect_closest(line(a, b), line(c, f), lines);
+    if (i % 4 == 0) expect_closest(Triangle3{a, b, d}, Triangle3{c, f, point(2)}, triangles);
+    if (testing::Test::HasFailure()) FAIL() << "replay: Entropy(41, " << i << ")";
+  }
+  for (const char* answer : {"ee", "ev", "ve", "vv"}) {
+    EXPECT_GT(segments.count(answer), 0) << answer;
+    EXPECT_GT(triangles.count(answer), 0) << answer;
+  }
+  EXPECT_GT(lines.count("ee"), 0);
+}
 
 /// Multiplied by a power of two, and moved by integers.
 template <class S>

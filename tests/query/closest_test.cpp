@@ -39,7 +39,8 @@ bool is_nearest_root(double x, const mpq_class& square, const mpq_class& less = 
     const mpq_class low = at(below), high = at(below + 1);
     if (std::isinf(x)) return overflows(low);
     const bool one = is_nearest(x, low), other = is_nearest(x, high);
-    if (one == other) return one;
+    if (one && other) return true;
+    if (!one && !other && (low < x) == (high < x)) return false;
   }
   return false;
 }
@@ -181,6 +182,34 @@ TEST(ClosestTest, OfUniformPoints) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     for (std::size_t kind = 0; kind < (i < 2 ? i + 2 : 3); ++kind) EXPECT_GT(seen[i].kind[kind], 2) << i << kind;
   }
+}
+
+/// At all distances from the line, and from the origin.
+TEST(ClosestTest, NearToSegmentsAndTriangles) {
+  Seen seen;
+  for (std::uint64_t index = 0; index < 400 * shape_cases::more; ++index) {
+    SCOPED_TRACE(testing::Message() << "start 22 index " << index);
+    Entropy e(22, index);
+    const auto power = [&](std::uint64_t most) { return std::ldexp(1.0, -static_cast<int>(e.below(most))); };
+    const double far = e.coin() ? 0 : 1 / power(40), size = power(3), off = power(70);
+    const auto point = [&](double scale) {
+      const double x = signed_unit_coordinate(e), y = signed_unit_coordinate(e), z = signed_unit_coordinate(e);
+      return Point3{scale * x, scale * y, scale * z};
+    };
+    const auto sum = [](const Point3& p, const Point3& q, double t) {
+      return Point3{p.x + t * q.x, p.y + t * q.y, p.z + t * q.z};
+    };
+    const Point3 a = sum(point(size), {1, -1, 1}, far), way = point(1), b = sum(a, way, 1), c = sum(a, point(1), 1);
+    const Point3 p = sum(sum(a, way, 1.5 * unit_coordinate(e) - 0.25), point(1), off);
+    const auto expect = [&](const auto& shape) {
+      const Nearest expected = nearest_of(shape_of(shape), exact(p));
+      seen.add(expected.feature);
+      expect_nearest(shape, p, expected);
+    };
+    expect(Segment3{a, b});
+    expect(Triangle3{a, b, c});
+  }
+  for (std::size_t kind = 0; kind < 3; ++kind) EXPECT_GT(seen.kind[kind], 20) << kind;
 }
 
 TEST(ClosestTest, OfPoints) {
