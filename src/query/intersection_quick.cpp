@@ -113,6 +113,21 @@ Intersection3 crossing_segment(const Triangle3& a, const Triangle3& b) {
   return common;
 }
 
+/// Of triangles that have nothing else in common.
+Intersection3 shared_corners(const Triangle3& t, const Triangle3& u) {
+  Intersection3 common;
+  for (const Point3& p : {t.a, t.b, t.c}) {
+    const bool shared = p == u.a || p == u.b || p == u.c;
+    if (shared && (common.vertices.empty() || p != std::get<Point3>(common.vertices[0].as)))
+      common.vertices.emplace_back(p);
+  }
+  common.kind = common.vertices.size() == 1 ? IntersectionKind::point : IntersectionKind::segment;
+  if (common.vertices.size() == 2 &&
+      precedes(std::get<Point3>(common.vertices[1].as), std::get<Point3>(common.vertices[0].as)))
+    std::swap(common.vertices[0], common.vertices[1]);
+  return common;
+}
+
 bool is_coplanar(const Triangle3& t, const Triangle3& u) {
   const auto on = [&](const Point3& p) { return query::orient3d(t.a, t.b, t.c, p) == Sign::zero; };
   return on(u.a) && on(u.b) && on(u.c);
@@ -145,6 +160,7 @@ std::optional<Intersection3> quick(const Segment3& s, const Triangle3& t) {
 std::optional<Intersection3> quick(const Triangle3& t, const Triangle3& u) {
   const auto told = query::by_doubles(t, u);
   if (!told) return {};
+  if (*told == Relation::touching) return shared_corners(t, u);
   return *told == Relation::disjoint ? Intersection3{} : crossing_segment(t, u);
 }
 

@@ -4,6 +4,7 @@
 
 #include "lattice_volumes.hpp"
 #include "overlap_quick2.hpp"
+#include "wide_volumes.hpp"
 
 namespace plumb::query {
 namespace {
@@ -24,6 +25,15 @@ class SegmentSigns : public LatticeVolumes<Step, 5> {
     if (!axis) return {};
     return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), *axis);
   }
+};
+
+/// Of which doubles alone tell what lies in a plane.
+struct WideSigns : WideVolumes<5> {
+  using WideVolumes<5>::WideVolumes;
+  static constexpr bool doubles_first = true;
+  static constexpr std::array<std::size_t, 0> axes() { return {}; }
+  static SegmentAreas<double> areas(std::size_t) { return {}; }
+  static std::optional<Relation> straight(const Segment3&, const Triangle3&) { return {}; }
 };
 
 template <class Signs>
@@ -60,9 +70,11 @@ std::optional<Relation> by_lattice(const Segment3& s, const Triangle3& t) {
     Triangle3 t;
     Segment3 s;
   };
-  const LatticePoints<5, 3> points(std::bit_cast<std::array<double, 15>>(Both{t, s}));
-  if (!points.is_lattice()) return {};
-  return by_lattice<SegmentSigns>(points, [&](const auto& signs) { return relate_by(s, t, signs); });
+  const auto coordinates = std::bit_cast<std::array<double, 15>>(Both{t, s});
+  const auto ask = [&](const auto& signs) { return relate_by(s, t, signs); };
+  if (const LatticePoints<5, 3> points(coordinates); points.is_lattice()) return by_lattice<SegmentSigns>(points, ask);
+  if (const WideSigns wide(coordinates); wide.is_lattice()) return ask(wide);
+  return {};
 }
 
 }  // namespace plumb::query

@@ -8,11 +8,36 @@
 #include "overlap_filters.hpp"
 #include "overlap_signs.hpp"
 #include "overlap_triangle_signs.hpp"
-#include "plumb/arith/lattice_digits.hpp"
 #include "plumb/query/overlap_triangle.hpp"
+#include "wide_volumes.hpp"
 
 namespace plumb {
 namespace query {
+
+namespace {
+
+/// Neighbors in a mesh: where all corners that are not shared lie on one side of the other triangle's plane, nothing is
+/// in common but what the shared ones span, of which the inside is none of the triangle's.
+[[gnu::noinline]] std::optional<Relation> by_shared_corners(const Triangle3& a, const Triangle3& b,
+                                                            const std::array<double, 3>& over_a, double error_a,
+                                                            const std::array<double, 3>& over_b, double error_b) {
+  const std::array p{a.a, a.b, a.c}, q{b.a, b.b, b.c};
+  const auto touches = [](const auto& corners, const auto& others, const std::array<double, 3>& over, double error) {
+    int shared = 0, above = 0, below = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (corners[i] == others[0] || corners[i] == others[1] || corners[i] == others[2]) {
+        ++shared;
+      } else {
+        above += static_cast<int>(over[i] > error), below += static_cast<int>(over[i] < -error);
+      }
+    }
+    return shared != 0 && (shared + above == 3 || shared + below == 3) && shared != 3;
+  };
+  if (touches(q, p, over_a, error_a) || touches(p, q, over_b, error_b)) return Relation::touching;
+  return {};
+}
+
+}  // namespace
 
 std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   using predicates::cross, predicates::dot;
@@ -40,7 +65,8 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   const auto certain = [](const std::array<double, 3>& x, double e) {
     return std::min(std::min(magnitude_of(x[0]), magnitude_of(x[1])), magnitude_of(x[2])) > e;
   };
-  if (!certain(over_a, error) || !certain(over_b, twofold)) return {};
+  if (!certain(over_a, error) || !certain(over_b, twofold))
+    return by_shared_corners(a, b, over_a, error, over_b, twofold);
   const auto below = [](const std::array<double, 3>& x) {
     return static_cast<unsigned>(x[0] < 0) | static_cast<unsigned>(x[1] < 0) << 1 |
            static_cast<unsigned>(x[2] < 0) << 2;
@@ -110,26 +136,15 @@ using Corners = std::array<double, 18>;
 /// Of corners on one lattice of many bits.
 class WideSigns : public PointSigns {
  public:
-  static constexpr int bits = integer::wide_bits.front();
-  using Digits = LatticeDigits<18, bits>;
-
-  WideSigns(const std::array<Point3, 6>& p, const Digits& digits) : PointSigns(p), digits_(digits) {}
+  WideSigns(const std::array<Point3, 6>& p, const WideVolumes<6>& volumes) : PointSigns(p), volumes_(volumes) {}
 
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    return predicates::triple(step(l, i), step(l, j), step(l, k)).sign();
+    return volumes_.volume(i, j, k, l);
   }
-  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
-    const auto normal = predicates::cross(step(i, i + 1), step(i, i + 2));
-    const auto side = [&](std::size_t k) { return predicates::dot(step(i, k), normal).sign(); };
-    return {side(j), side(j + 1), side(j + 2)};
-  }
+  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return volumes_.over<3>(i, j); }
 
  private:
-  [[nodiscard]] predicates::Triple<WideInt<bits + 1>> step(std::size_t i, std::size_t j) const {
-    const auto along = [&](std::size_t axis) { return digits_.difference<bits>(3 * j + axis, 3 * i + axis); };
-    return {along(0), along(1), along(2)};
-  }
-  const Digits& digits_;
+  const WideVolumes<6>& volumes_;
 };
 
 template <class Step>
@@ -176,8 +191,8 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   require_figures(asked, a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
-  WideSigns::Digits digits(std::bit_cast<Corners>(corners));
-  if (digits.extend<WideSigns::bits>()) return relate_by(a, b, WideSigns(corners, digits));
+  const WideVolumes<6> wide(std::bit_cast<Corners>(corners));
+  if (wide.is_lattice()) return relate_by(a, b, WideSigns(corners, wide));
   return relate_by(a, b, PointSigns(corners));
 }
 

@@ -113,6 +113,23 @@ Pairs<Triangle3, Triangle3> mesh_pairs() {
   return pairs;
 }
 
+/// Of one mesh, with a corner or an edge in common.
+Pairs<Triangle3, Triangle3> neighbor_pairs() {
+  const TriangleMesh mesh = read_mesh(PLUMB_SOURCE_DIR "/../shared/models/spot.obj");
+  const auto triangle = [&](const auto& t) {
+    return Triangle3{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+  };
+  Pairs<Triangle3, Triangle3> pairs;
+  for (std::size_t i = 0; pairs.size() < cases; i = (i + 977) % mesh.triangles.size()) {
+    for (std::size_t j = 0; j < mesh.triangles.size() && pairs.size() < cases; ++j) {
+      const auto &s = mesh.triangles[i], &t = mesh.triangles[j];
+      const auto shared = std::ranges::count_if(s, [&](auto v) { return std::ranges::find(t, v) != t.end(); });
+      if (shared == 1 || shared == 2) pairs.emplace_back(triangle(s), triangle(t));
+    }
+  }
+  return pairs;
+}
+
 /// One against many: one by one, and in lanes.
 void register_batches(const std::string& inputs_name) {
   struct Many {
@@ -153,6 +170,7 @@ void register_batches(const std::string& inputs_name) {
   register_pair<Triangle3, Triangle3>("triangle-triangle");
   const auto of_mesh = mesh_pairs();
   add_pairs("triangle-triangle", "mesh", of_mesh);
+  add_pairs("triangle-triangle", "neighbors", neighbor_pairs());
   register_pair<Segment3, Triangle3>("segment-triangle");
   Pairs<Segment3, Triangle3> edges;
   Pairs<Triangle3, Aabb3> boxes;
