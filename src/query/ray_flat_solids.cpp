@@ -1,6 +1,7 @@
-// Planes, halfspaces, k-DOPs and axis-aligned boxes: whose constraints are as given.
+// Planes, halfspaces, k-DOPs and axis-aligned boxes: whose constraints are as given, or those of three points.
 #include <span>
 
+#include "plumb/predicates.hpp"
 #include "query/ray_box_feature.hpp"
 #include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
@@ -45,6 +46,54 @@ struct PlaneModel {
   NormalForm<T> normal(const ShotLine<T>&, const Decided&, RaySigns&) const {
     return still_normal(vector_of<T>(plane.normal));
   }
+};
+
+/// The plane of three points: two constraints; or the line or the place that they are, where every coordinate of
+/// (x - a) x along, or of x - a, is zero.
+struct PointsModel {
+  explicit PointsModel(const ThreePointPlane3& p)
+      : plane(p),
+        along(p.b == p.a ? p.c : p.b),
+        dimension(!collinear(p.a, p.b, p.c) ? 2
+                  : along == p.a            ? 0
+                                            : 1) {}
+
+  [[nodiscard]] std::size_t size() const { return dimension == 2 ? 2 : 6; }
+  template <class T>
+  Linear<T> linear(const ShotLine<T>& line, std::uint32_t i, RaySigns&) const {
+    const Vec3<T> from = line.origin_from(plane.a), &d = line.direction;
+    T constant(0.0), slope(0.0);
+    if (dimension == 2) {
+      const Vec3<T> n = plane_normal<T>();
+      constant = dot(from, n), slope = dot(d, n);
+    } else {
+      const Vec3<T> e = between<T>(plane.a, along);
+      const Vec3<T> off = dimension == 1 ? cross(from, e) : from, change = dimension == 1 ? cross(d, e) : d;
+      const std::uint32_t k = i / 2;
+      constant = k == 0 ? off.x : k == 1 ? off.y : off.z;
+      slope = k == 0 ? change.x : k == 1 ? change.y : change.z;
+    }
+    const T zero(0.0);
+    return i % 2 == 1 ? Linear<T>{zero - constant, zero - slope} : Linear<T>{constant, slope};
+  }
+  [[nodiscard]] Feature feature(std::span<const std::uint32_t>) const {
+    return {dimension == 2 ? FeatureKind::face : dimension == 1 ? FeatureKind::edge : FeatureKind::vertex, 0};
+  }
+  template <class T>
+  NormalForm<T> normal(const ShotLine<T>&, const Decided&, RaySigns&) const {
+    return still_normal(dimension == 2 ? plane_normal<T>() : vector_of<T>(Vector3{0, 0, 0}));
+  }
+  void know(const Decided&, Known& known) const {
+    if (dimension == 0) known = {plane.a.x, plane.a.y, plane.a.z};
+  }
+  template <class T>
+  [[nodiscard]] Vec3<T> plane_normal() const {
+    return cross(between<T>(plane.a, plane.b), between<T>(plane.a, plane.c));
+  }
+
+  const ThreePointPlane3& plane;
+  Point3 along;
+  int dimension;
 };
 
 struct KDopModel {
@@ -110,6 +159,11 @@ std::optional<Answer> of(const AnyRay& ray, const Plane3& plane) {
   return of_model<Answer>(ray, PlaneModel{plane});
 }
 template <class Answer>
+std::optional<Answer> of(const AnyRay& ray, const ThreePointPlane3& plane) {
+  require<Answer>(ray, plane);
+  return of_model<Answer>(ray, PointsModel(plane));
+}
+template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Halfspace3& halfspace) {
   require<Answer>(ray, halfspace);
   return of_model<Answer>(ray, HalfspaceModel{halfspace});
@@ -132,11 +186,15 @@ bool is_hit(const AnyRay& ray, const Aabb3& box) { return of<Decided>(ray, box).
 }  // namespace query
 
 std::optional<Hit> first_hit(const AnyRay& ray, const Plane3& plane) { return query::of<Hit>(ray, plane); }
+std::optional<Hit> first_hit(const AnyRay& ray, const ThreePointPlane3& plane) { return query::of<Hit>(ray, plane); }
 std::optional<Hit> first_hit(const AnyRay& ray, const Halfspace3& halfspace) { return query::of<Hit>(ray, halfspace); }
 std::optional<Hit> first_hit(const AnyRay& ray, const Aabb3& box) { return query::of<Hit>(ray, box); }
 std::optional<Hit> first_hit(const AnyRay& ray, const KDop3& k_dop) { return query::of<Hit>(ray, k_dop); }
 
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Plane3& plane) {
+  return query::of<RayParameter>(ray, plane);
+}
+std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const ThreePointPlane3& plane) {
   return query::of<RayParameter>(ray, plane);
 }
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Halfspace3& halfspace) {

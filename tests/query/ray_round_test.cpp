@@ -283,6 +283,39 @@ TEST(FirstHit, OfPlanesHalfspacesAndKDopsIsThatOfTheirInequalities) {
   EXPECT_GT(spaces.interiors, 100);
 }
 
+/// Equations of the plane, line or place that three points are.
+std::vector<std::pair<Coordinates, Rational>> equations(const ThreePointPlane3& p) {
+  const Coordinates a = exact::of(p.a), u = exact::difference(exact::of(p.b), a),
+                    v = exact::difference(exact::of(p.c), a), n = oracle::cross(u, v);
+  std::vector<Coordinates> rows;
+  if (exact::square(n) != 0) {
+    rows = {n};
+  } else {
+    const Coordinates e = exact::square(u) != 0 ? u : v;
+    const std::array<Coordinates, 3> units{exact::of(Vector3{1, 0, 0}), exact::of(Vector3{0, 1, 0}),
+                                           exact::of(Vector3{0, 0, 1})};
+    for (const Coordinates& unit : units) rows.push_back(exact::square(e) != 0 ? oracle::cross(e, unit) : unit);
+  }
+  std::vector<std::pair<Coordinates, Rational>> all;
+  for (const Coordinates& row : rows) {
+    const Coordinates back = exact::difference(exact::of(Vector3{0, 0, 0}), row);
+    all.emplace_back(row, exact::dot(row, a)), all.emplace_back(back, exact::dot(back, a));
+  }
+  return all;
+}
+
+TEST(FirstHit, OfPlanesOfThreePointsIsThatOfTheirEquations) {
+  Tally tally;
+  on_shapes(706, 1500, [&](Material& m) {
+    auto plane = m.shape<ThreePointPlane3>();
+    if (m.below(4) == 0) plane.c = m.below(2) == 0 ? plane.a : plane.b;
+    if (m.below(16) == 0) plane.b = plane.c = plane.a;
+    const AnyRay ray = ray_of(m);
+    check_halfspaces(m.about(plane) + " " + text_of(ray), ray, plane, equations(plane), tally);
+  });
+  for (const long n : {tally.misses, tally.faces, tally.edges, tally.vertices}) EXPECT_GT(n, 20);
+}
+
 TEST(FirstHit, OfConvexPolyhedraIsThatOfRationals) {
   Tally tally;
   for (std::uint64_t i = 0; i < 150 * shape_cases::more; ++i) {
