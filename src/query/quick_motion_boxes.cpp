@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include "plumb/figure/box.hpp"
@@ -18,13 +17,13 @@ constexpr double high(double x) { return x + magnitude_of(x) * slack + least; }
 struct Axis {
   std::array<double, 2> a, b;  // mirrored; from lower to upper
   std::array<double, 2> by;
-  double speed, gap, way;
+  double speed;
   bool mirrored;
 };
 
 Axis axis_of(double a0, double a1, double b0, double b1, double of_a, double of_b) {
-  if (of_a >= of_b) return {{a0, a1}, {b0, b1}, {of_a, of_b}, of_a - of_b, b0 - a1, b1 - a0, false};
-  return {{-a1, -a0}, {-b1, -b0}, {-of_a, -of_b}, of_b - of_a, a0 - b1, a1 - b0, true};
+  if (of_a >= of_b) return {{a0, a1}, {b0, b1}, {of_a, of_b}, of_a - of_b, false};
+  return {{-a1, -a0}, {-b1, -b0}, {-of_a, -of_b}, of_b - of_a, true};
 }
 
 /// How the ends of a lie to those of b at a time, where that is certain.
@@ -108,38 +107,43 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   const auto& [p, q] = a.shape;
   const auto& [r, s] = b.shape;
   if (!(p.x <= q.x && p.y <= q.y && p.z <= q.z && r.x <= s.x && r.y <= s.y && r.z <= s.z)) return no;
-  const std::array<Axis, 3> axes{axis_of(p.x, q.x, r.x, s.x, a.by.x, b.by.x),
-                                 axis_of(p.y, q.y, r.y, s.y, a.by.y, b.by.y),
-                                 axis_of(p.z, q.z, r.z, s.z, a.by.z, b.by.z)};
-  double from = 0, second = 0, to = 1, finite = 0;
+  double from = 0, second = 0, to = 1, all_speeds = 0;
   std::size_t first = 3;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Axis& x = axes[k];
-    finite += (x.speed - x.speed) + (x.gap - x.gap) + (x.way - x.way);
-    // The signs of differences are exact.
-    if (x.way < 0 || (x.gap > 0 && x.speed == 0)) return finite == 0 ? no : unsure;
-    if (x.gap > 0) {
-      const double enters = x.gap / x.speed;
-      if (enters > from) {
-        second = from, from = enters, first = k;
-      } else {
-        second = std::max(second, enters);
-      }
+  bool within = true;
+  // False: they never meet.
+  const auto narrow = [&](std::size_t k, double a0, double a1, double b0, double b1, double of_a, double of_b) {
+    // Which way it goes cannot be predicted, so nothing branches on it.  The signs of differences are exact.
+    const double signed_speed = of_a - of_b, ahead = b0 - a1, behind = a0 - b1, speed = magnitude_of(signed_speed);
+    const double gap = signed_speed < 0 ? behind : ahead, way = signed_speed < 0 ? -ahead : -behind;
+    if (way < 0 || low(gap) > high(speed)) return false;
+    all_speeds += speed;
+    within = within && gap < 0 && way > 0;
+    const double enters = gap / speed, leaves = way / speed;  // NaN, where it touches and rests
+    if (enters > from) {
+      second = from, from = enters, first = k;
+    } else if (enters > second) {
+      second = enters;
     }
-    if (x.speed > 0) to = std::min(to, x.way / x.speed);
-  }
-  if (finite != 0) return unsure;
+    if (leaves < to) to = leaves;
+    return true;
+  };
+  if (!narrow(0, p.x, q.x, r.x, s.x, a.by.x, b.by.x)) return no;
+  if (!narrow(1, p.y, q.y, r.y, s.y, a.by.y, b.by.y)) return no;
+  if (!narrow(2, p.z, q.z, r.z, s.z, a.by.z, b.by.z)) return no;
+  if (!(all_speeds < Ball::infinity)) return unsure;
   if (low(from) > high(to)) return no;
   if (first == 3) {
     if constexpr (asked == Asked::whether) return overlap;
-    const bool within = std::ranges::all_of(
-        axes, [](const Axis& x) { return x.gap < 0 && x.way > 0 && x.a[0] < x.a[1] && x.b[0] < x.b[1]; });
-    return within ? overlap : unsure;
+  } else {
+    if (!(high(from) <= low(to))) return unsure;
+    if constexpr (asked == Asked::whether) return {Told::yes};
   }
-  if (!(high(from) <= low(to))) return unsure;
-  if constexpr (asked == Asked::whether) return {Told::yes};
+  if (!(p.x < q.x && p.y < q.y && p.z < q.z && r.x < s.x && r.y < s.y && r.z < s.z)) return unsure;
+  if (first == 3) return within ? overlap : unsure;
   if (!(low(from) > high(second))) return unsure;
-  if (std::ranges::any_of(axes, [](const Axis& x) { return !(x.a[0] < x.a[1] && x.b[0] < x.b[1]); })) return unsure;
+  const std::array<Axis, 3> axes{axis_of(p.x, q.x, r.x, s.x, a.by.x, b.by.x),
+                                 axis_of(p.y, q.y, r.y, s.y, a.by.y, b.by.y),
+                                 axis_of(p.z, q.z, r.z, s.z, a.by.z, b.by.z)};
   const std::optional<Contact> meeting = features(axes, first, from);
   return meeting ? entering(axes[first], *meeting) : unsure;
 }

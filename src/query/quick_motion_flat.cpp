@@ -27,6 +27,7 @@ class Window {
     }
     if (low > off && low - speed > 2 * off) return false;
     if (high < -2 * off) return false;  // and the motion does not lead there
+    within_ = within_ && low < -off && high > off;
     if (!(speed > 2 * off)) return true;
     const double enters = low / speed, leaves = high / speed;
     if (enters > from_) from_ = enters, entered_ = {low, speed, off}, first_ = facet;
@@ -40,12 +41,15 @@ class Window {
   }
   [[nodiscard]] const Facet& first() const { return first_; }
   [[nodiscard]] bool open() const { return from_ <= to_; }
+  /// The differences reach surely beyond the origin along all directions, which is so of solid ones only.
+  [[nodiscard]] bool within() const { return within_; }
 
  private:
   struct End {
     double at, speed, off;
   };
   double from_ = 0, to_ = 1;
+  bool within_ = true;
   Facet first_;
   End entered_{0, 1, 0}, left_{1, 1, 0};
 };
@@ -242,6 +246,7 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
     }
     Window window;
     if (!narrowed(search, window)) return no;
+    if (window.within()) return overlap;
     if (!window.open()) return unsure;
     if (window.first().kind == Kind::none) return {Told::starts};
     return along_facet<asked>(a, b, Pair(a, b), window.first());

@@ -17,26 +17,29 @@ struct Closing {
   }
 };
 
-template <Asked asked, class T = Approximate>
+template <Asked asked>
 [[gnu::always_inline]] inline Answer balls(const Point3& a, const Point3& b, double of_a, double of_b,
                                            const Vector3& by_a, const Vector3& by_b, Feature feature_b) {
-  const auto closing = [&]<class N>(N reach) { return Closing<N>(a, b, reach + N(of_b), velocity<N>(by_a, by_b)); };
-  const Closing<T> q = closing(T(of_a));
-  const int at_start = certain(q.c), way = certain(q.h);
-  if (at_start < 0) return overlap;
-  if (at_start == 0) return unsure;
-  if (way > 0) return no;
-  const int at_end = certain(q.c + q.h + q.h + q.e), way_at_end = certain(q.h + q.e);
-  if (at_end > 0 && way_at_end < 0) return no;
-  bool meets = at_end < 0;
+  // Every number is off by a unit of 2^-53, a sum of squares by 5, a dot product by 5 of the sizes of its terms: by
+  // Cauchy's inequality of the root of `all` e, which is less than half their sum; a product of two by twice as much.
+  const Vec3<double> d = between<double>(b, a), v = velocity<double>(by_a, by_b);
+  const double reach = of_a + of_b, square = reach * reach, far = dot(d, d), h = dot(d, v), e = dot(v, v);
+  constexpr double unit = 0x1p-49, least = 0x1p-1000;
+  const double c = far - square, all = far + square, doubt = (all + e) * unit + least;
+  if (c < -doubt) return overlap;
+  if (!(c > doubt)) return unsure;
+  if (h > doubt) return no;
+  const double at_end = (c + h) + (h + e), way_at_end = h + e;
+  if (at_end > 4 * doubt && way_at_end < -2 * doubt) return no;
+  bool meets = at_end < -4 * doubt;
   if (!meets || asked == Asked::when) {
-    const int roots = certain(q.h * q.h - q.e * q.c);
-    if (roots < 0) return no;
-    meets = meets || (roots > 0 && way < 0 && way_at_end > 0);
+    const double rest = h * h - e * c, off = 4 * unit * (e * all + least * (all + e + 1));
+    if (rest < -off) return no;
+    meets = meets || (rest > off && h < -doubt && way_at_end > 2 * doubt);
   }
-  if (!meets) return unsure;
+  if (!meets) return v.x == 0 && v.y == 0 && v.z == 0 ? no : unsure;
   if constexpr (asked == Asked::whether) return {Told::yes};
-  const Closing<Pairs> p = closing(Pairs(of_a));
+  const Closing<Pairs> p(a, b, Pairs(of_a) + Pairs(of_b), velocity<Pairs>(by_a, by_b));
   return at(quotient(p.c, root(p.h * p.h - p.e * p.c) - p.h), {FeatureKind::face, 0}, feature_b);
 }
 

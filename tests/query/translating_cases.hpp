@@ -21,14 +21,16 @@ class Draw {
       : entropy_(entropy),
         most_(1 + static_cast<std::int64_t>(entropy.below(4))),
         numbers_(numbers),
-        exponent_(numbers == Numbers::scaled ? static_cast<int>(entropy.within(900)) : 0) {}
+        exponent_(numbers == Numbers::scaled                   ? static_cast<int>(entropy.within(900))
+                  : numbers == Numbers::wide && entropy.coin() ? 500
+                                                               : 60) {}
 
   double number() {
     const auto n = static_cast<double>(entropy_.within(most_));
     if (numbers_ == Numbers::noisy) return n + 0.25 * signed_unit_coordinate(entropy_);
     if (numbers_ == Numbers::ulps && entropy_.below(8) == 0) return std::nextafter(n, entropy_.coin() ? 9 : -9);
-    if (numbers_ == Numbers::wide) return std::ldexp(n, static_cast<int>(entropy_.within(60)));
-    return std::ldexp(n, exponent_);
+    if (numbers_ == Numbers::wide) return std::ldexp(n, static_cast<int>(entropy_.within(exponent_)));
+    return numbers_ == Numbers::scaled ? std::ldexp(n, exponent_) : n;
   }
   Point3 point() {
     const double x = number(), y = number(), z = number();
