@@ -34,6 +34,11 @@ inline Approximate opposite(const Approximate& a) { return {-a.value, a.magnitud
 /// A point of a hull: parts of its ways, or weights of its vertices.
 using Parts = std::array<double, 3>;
 
+/// The least and the most.
+struct Reaches {
+  double low, high;
+};
+
 template <class T, std::size_t Ways, bool centered>
 struct Woven {
   static constexpr std::size_t way_count = Ways, face_count = Ways == 3 ? 3 : 0, dimension = Ways;
@@ -47,17 +52,18 @@ struct Woven {
   /// The ways that face number i lies along.
   static constexpr std::array<std::size_t, 2> of_face(std::size_t i) { return {(i + 1) % 3, (i + 2) % 3}; }
 
-  /// How far the hull reaches along n from its place, which the ways of the mask are normal to: the least and the most.
-  [[gnu::always_inline]] inline double low_along(const Vec3<double>& n, unsigned normal = 0) const {
-    double low = 0;
+  /// How far the hull reaches along n from its place.
+  [[gnu::always_inline]] inline Reaches along(const Vec3<double>& n) const {
+    double low = 0, high = 0;
     for (std::size_t i = 0; i < Ways; ++i) {
-      const double at = (normal >> i & 1) != 0 ? 0 : dot(n, ways[i]);
-      low += centered ? -magnitude_of(at) : at < 0 ? at : 0;
+      const double at = dot(n, ways[i]);
+      if constexpr (centered) {
+        high += magnitude_of(at);
+      } else {
+        low += at < 0 ? at : 0, high += at > 0 ? at : 0;
+      }
     }
-    return low;
-  }
-  [[gnu::always_inline]] inline double high_along(const Vec3<double>& n, unsigned normal = 0) const {
-    return -low_along(Vec3<double>{-n.x, -n.y, -n.z}, normal);
+    return {centered ? -high : low, high};
   }
 
   /// The vertex that is farthest along n; is that certain?  Ways of the mask are normal to n, and end at 0.
@@ -94,6 +100,10 @@ struct Woven {
     for (std::size_t i = 0; i < Ways; ++i) p = p + ways[i] * T(parts[i]);
     return p;
   }
+  [[nodiscard]] Vec3<T> middle_point() const {
+    if constexpr (centered) return {T(0.0), T(0.0), T(0.0)};
+    return at(middle());
+  }
   /// How far may the point go along a way, back and forth?
   static constexpr std::array<double, 2> room(const Parts& parts, std::size_t i) {
     return {least - parts[i], 1 - parts[i]};
@@ -128,15 +138,10 @@ struct ThreeCorners {
   [[nodiscard]] const Vec3<T>& whole_way(std::size_t i) const { return ways[i]; }
   static constexpr std::array<std::size_t, 2> of_face(std::size_t) { return {0, 1}; }
 
-  [[gnu::always_inline]] inline double low_along(const Vec3<double>& n, unsigned normal = 0) const {
-    if (normal == 7) return 0;
-    const double ab = (normal & 1) != 0 ? 0 : dot(n, ways[0]);
-    const double ac = (normal & 2) != 0 ? ab : (normal & 4) != 0 ? 0 : -dot(n, ways[2]);
-    const double low = ab < ac ? ab : ac;
-    return low < 0 ? low : 0;
-  }
-  [[gnu::always_inline]] inline double high_along(const Vec3<double>& n, unsigned normal = 0) const {
-    return -low_along(Vec3<double>{-n.x, -n.y, -n.z}, normal);
+  [[gnu::always_inline]] inline Reaches along(const Vec3<double>& n) const {
+    const double ab = dot(n, ways[0]), ac = -dot(n, ways[2]);
+    const double low = ab < ac ? ab : ac, high = ab < ac ? ac : ab;
+    return {low < 0 ? low : 0, high > 0 ? high : 0};
   }
   [[nodiscard]] std::pair<unsigned, bool> farthest(const Vec3<Approximate>& n, unsigned normal) const {
     if (normal == 7) return {0, true};
@@ -164,6 +169,7 @@ struct ThreeCorners {
     constexpr double within = 1 - 0x1p-40;  // of weights that are off by their roundings
     return ways[0] * T(parts[1] * within) - ways[2] * T(parts[2] * within);
   }
+  [[nodiscard]] Vec3<T> middle_point() const { return at(middle()); }
   static constexpr std::array<double, 2> room(const Parts& parts, std::size_t i) {
     return {-parts[(i + 1) % 3], parts[i]};
   }

@@ -85,7 +85,7 @@ template <class Shape>
 concept Round = std::same_as<Shape, Sphere3> || std::same_as<Shape, Capsule3>;
 /// One quadratic, or in the other order.
 template <class A, class B>
-concept IsBalls = std::same_as<A, Sphere3> &&(std::same_as<B, Sphere3> || std::same_as<B, Point3>) ||
+concept IsBalls = (std::same_as<A, Sphere3> && (std::same_as<B, Sphere3> || std::same_as<B, Point3>)) ||
                   (std::same_as<A, Capsule3> && std::same_as<B, Sphere3>);
 template <Asked asked, Round A, Small B>
 requires(!IsBalls<A, B>) Answer contact(const Translating<A>& a, const Translating<B>& b);

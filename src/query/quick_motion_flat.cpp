@@ -70,8 +70,7 @@ template <class A, class B>
 bool narrowed(const Search<A, B>& s, Window& window) {
   using HullA = typename Search<A, B>::HullA;
   using HullB = typename Search<A, B>::HullB;
-  const auto ask = [&](const Vec3<double>& x, const Vec3<double>& y, unsigned normal_to_a, unsigned normal_to_b,
-                       const Facet& facet) {
+  const auto ask = [&](const Vec3<double>& x, const Vec3<double>& y, const Facet& facet) {
     const Vec3<double> n = cross(x, y);
     // A number is off by a unit of 2^-53, so a coordinate of n by 8 of its larger term, 4 of what both may be; a dot
     // product by 8 then, and at most eight are added: below 16 units of the sum of all sizes, and what underflows.
@@ -80,21 +79,20 @@ bool narrowed(const Search<A, B>& s, Window& window) {
     const double terms = 2 * larger_x * larger_y + (larger_x + larger_y + 1) * least;
     const double off = terms * (s.size + least) * 0x1p-48 + least;
     const double at = dot(n, s.apart);
-    return window.narrow((at + s.b.low_along(n, normal_to_b)) - s.a.high_along(n, normal_to_a),
-                         (at + s.b.high_along(n, normal_to_b)) - s.a.low_along(n, normal_to_a), dot(n, s.by), off,
-                         facet);
+    const Reaches of_a = s.a.along(n), of_b = s.b.along(n);
+    return window.narrow((at + of_b.low) - of_a.high, (at + of_b.high) - of_a.low, dot(n, s.by), off, facet);
   };
   for (std::size_t i = 0; i < HullA::face_count; ++i) {
     const auto [u, v] = HullA::of_face(i);
-    if (!ask(s.a.way(u), s.a.way(v), mask_of_face<HullA>(i), 0, {Kind::face_of_a, i, 0})) return false;
+    if (!ask(s.a.way(u), s.a.way(v), {Kind::face_of_a, i, 0})) return false;
   }
   for (std::size_t i = 0; i < HullB::face_count; ++i) {
     const auto [u, v] = HullB::of_face(i);
-    if (!ask(s.b.way(u), s.b.way(v), 0, mask_of_face<HullB>(i), {Kind::face_of_b, 0, i})) return false;
+    if (!ask(s.b.way(u), s.b.way(v), {Kind::face_of_b, 0, i})) return false;
   }
   for (std::size_t i = 0; i < HullA::way_count; ++i) {
     for (std::size_t j = 0; j < HullB::way_count; ++j) {
-      if (!ask(s.a.way(i), s.b.way(j), 1U << i, 1U << j, {Kind::edges, i, j})) return false;
+      if (!ask(s.a.way(i), s.b.way(j), {Kind::edges, i, j})) return false;
     }
   }
   return true;
@@ -203,10 +201,10 @@ Answer along_facet(const Translating<A>& a, const Translating<B>& b, const auto&
   if (told != Told::yes) return {flat ? told : Told::unsure};
   if constexpr (asked == Asked::whether) return {told};
   if (!ends.sure) return unsure;
-  const auto [of_a, of_b] = features<HullA, HullB>(facet, ends);
+  const std::pair<Feature, Feature> meeting = features<HullA, HullB>(facet, ends);
   const auto time = [&]<class N>(N) {
     const Crossing<N> c = precisely<N>(a, b, facet, ends);
-    return at(quotient(c.gap, c.speed), of_a, of_b);
+    return at(quotient(c.gap, c.speed), meeting.first, meeting.second);
   };
   const Answer answer = time(Pairs(0.0));
   return answer.told == Told::yes ? answer : time(Ball(0.0));

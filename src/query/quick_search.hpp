@@ -43,7 +43,7 @@ class Search {
     size = size_of(apart) + size_of(by);
     for (std::size_t i = 0; i < HullA::way_count; ++i) size += size_of(a.way(i));
     for (std::size_t i = 0; i < HullB::way_count; ++i) size += size_of(b.way(i));
-    see();
+    between_them = apart + b.middle_point() - a.middle_point();
     move_in_time();
   }
 
@@ -54,9 +54,9 @@ class Search {
     if (!(square > 0x1p-900 && square < 0x1p900)) return false;
     // Every number is off by 2 units of 2^-53 at most, a dot product by 3 more, at most nine of them are added, and the
     // length and its product with the reach are off by 4: below 20 units of the sum of all sizes.
-    const double length = std::sqrt(square), limit = reach * length;
+    const double limit = reach > 0 ? reach * std::sqrt(square) : 0;
     const double off = (largest_of(n) * (size + 0x1p-900) + limit) * 0x1p-48 + 0x1p-960;
-    const double rest = ((dot(n, apart) + b.low_along(n)) - a.high_along(n)) - limit;
+    const double rest = ((dot(n, apart) + b.along(n).low) - a.along(n).high) - limit;
     return rest > off && rest - dot(n, by) > off;
   }
   /// Comes nearer by each way, one after the other.
@@ -81,7 +81,7 @@ class Search {
       if (!(closing > 0) || !(distance > reach * 0.5)) return false;
       const double wait = distance * (distance - reach) / closing;
       if (time == 0 && wait < 0) return false;
-      time = std::fmin(std::fmax(time + wait, 0), 1);
+      time = within_time(time + wait);
       see();
       if (std::fabs(wait) <= time * 0x1p-44) return true;
     }
@@ -99,9 +99,10 @@ class Search {
 
  private:
   void see() { between_them = (apart + b.at(of_b)) - (a.at(of_a) + by * time); }
+  static double within_time(double t) { return t > 1 ? 1 : t > 0 ? t : 0; }
   void move_in_time() {
     if (!(speed_ > 0)) return;
-    const double to = std::fmin(std::fmax(time + dot(between_them, by) / speed_, 0), 1), wait = to - time;
+    const double to = within_time(time + dot(between_them, by) / speed_), wait = to - time;
     time = to;
     between_them = between_them - by * wait;
   }
