@@ -55,6 +55,8 @@ template <class Shape>
 void require(std::string_view function, const Shape& s, const PointOf<Shape>& p) {
   if constexpr (requires { s.mesh; }) {
     require_figure(function, "point", p);
+  } else if (std::is_same_v<Shape, PointOf<Shape>> && function == "closest_point") {
+    require_figures(function, s, p);  // which takes the shape first
   } else {
     require_figures(function, p, s);
   }

@@ -31,6 +31,8 @@ template <class Point>
 
 template <class A, class B>
 [[gnu::flatten]] Places places_of(const A& a, const B& b, std::string_view function) {
+  // Of lines that cross in the plane no point is looked at.
+  if constexpr (std::is_same_v<A, Line2> && std::is_same_v<B, Line2>) require_figures(function, a, b);
   if (const auto places = places_over<Approximate>(a, b)) [[likely]]
     return *places;
   require_figures(function, a, b);

@@ -35,15 +35,15 @@ struct Linear {
   [[nodiscard]] const Point& at(Place place) const { return place == Place::end ? to : from; }
 };
 
-inline int order_of(const Vector2& v) { return v.x != 0 ? (v.x > 0 ? 1 : -1) : (v.y > 0) - (v.y < 0); }
+inline int order_of(const Vector2& v) { return v.x != 0 ? (v.x > 0 ? 1 : -1) : (v.y > 0) - !(v.y >= 0); }
 inline int order_of(const Vector3& v) {
-  return v.x != 0 ? (v.x > 0 ? 1 : -1) : v.y != 0 ? (v.y > 0 ? 1 : -1) : (v.z > 0) - (v.z < 0);
+  return v.x != 0 ? (v.x > 0 ? 1 : -1) : v.y != 0 ? (v.y > 0 ? 1 : -1) : (v.z > 0) - !(v.z >= 0);
 }
 inline int order_of(const Point2& a, const Point2& b) {
-  return a.x != b.x ? (b.x > a.x ? 1 : -1) : (b.y > a.y) - (b.y < a.y);
+  return a.x != b.x ? (b.x > a.x ? 1 : -1) : (b.y > a.y) - !(b.y >= a.y);
 }
 inline int order_of(const Point3& a, const Point3& b) {
-  return a.x != b.x ? (b.x > a.x ? 1 : -1) : a.y != b.y ? (b.y > a.y ? 1 : -1) : (b.z > a.z) - (b.z < a.z);
+  return a.x != b.x ? (b.x > a.x ? 1 : -1) : a.y != b.y ? (b.y > a.y ? 1 : -1) : (b.z > a.z) - !(b.z >= a.z);
 }
 
 template <class Point>

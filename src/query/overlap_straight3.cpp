@@ -23,20 +23,25 @@ std::optional<Relation> quick(const Line3& l, const Triangle3& t) {
 
 namespace {
 
+template <class A>
+[[gnu::noinline]] Relation exactly(const A& a, const Triangle3& b, Asked asked) {
+  if constexpr (std::is_same_v<A, Segment3>) {
+    if (const auto answer = query::by_lattice(a, b)) return *answer;
+  }
+  query::require_figures(asked, a, b);
+  return query::relate(query::linear(a), b);
+}
+
+template <class A>
+Relation related(const A& a, const Triangle3& b, Asked asked) {
+  assert_sound_thread();
+  if (const auto answer = query::quick(a, b)) return *answer;
+  return exactly(a, b, asked);
+}
 template <class A, class B>
 Relation related(const A& a, const B& b, Asked asked) {
-  if constexpr (std::is_same_v<B, Triangle3>) {
-    assert_sound_thread();
-    if (const auto answer = query::quick(a, b)) return *answer;
-    if constexpr (std::is_same_v<A, Segment3>) {
-      if (const auto answer = query::by_lattice(a, b)) return *answer;
-    }
-    query::require_figures(asked, a, b);
-    return query::relate(query::linear(a), b);
-  } else {
-    query::require_figures(asked, a, b);
-    return query::relate(query::linear(a), query::linear(b));
-  }
+  query::require_figures(asked, a, b);
+  return query::relate(query::linear(a), query::linear(b));
 }
 
 }  // namespace

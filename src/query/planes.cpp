@@ -127,8 +127,7 @@ Vector3 approximate(const ExactVector3& a) {
 }
 
 FlatIntersection intersection(const AnyPlane3& a, const AnyPlane3& b) {
-  require_plane("a", a);
-  require_plane("b", b);
+  std::visit([](const auto& p, const auto& q) { query::require_figures("intersection", p, q); }, a, b);
   Rows rows = equations(a);
   for (Row& row : equations(b)) rows.push_back(std::move(row));
   return solution(reduced(std::move(rows)));

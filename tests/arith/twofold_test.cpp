@@ -1,8 +1,10 @@
-// Numbers that carry a bound of their error, against rationals: arith/twofold.hpp and arith/approximate.hpp.
+// Numbers that carry a bound of their error, against rationals: arith/twofold.hpp,
+// arith/approximate.hpp and arith/running_error.hpp.
 #include "plumb/arith/twofold.hpp"
 
 #include <gtest/gtest.h>
 
+#include "arith/running_error.hpp"
 #include "arith/samples.hpp"
 #include "plumb/arith/approximate.hpp"
 
@@ -94,6 +96,102 @@ TEST(TwofoldTest, TellsNothingOfWhatIsNone) {
   EXPECT_FALSE(root(Twofold<false>(-1)).nearest());
   EXPECT_FALSE((Twofold<false>(0x1p-700) * Twofold<false>(0x1.8p-374)).nearest());  // the last bit may be lost
   EXPECT_EQ(quotient(Twofold<false>(1), Twofold<false>(3)).nearest(), 1.0 / 3);
+}
+
+/// No claim where the bound is no number.
+void expect_within(const Running& x, const mpq_class& exact, std::array<int, 4>& told) {
+  const Unsure<Sign> sign = x.sign();
+  if (sign.certain()) {
+    ++told[static_cast<std::size_t>(static_cast<int>(sign.value()) + 1)];
+    ASSERT_EQ(static_cast<int>(sign.value()), sgn(exact)) << std::hexfloat << x.value << " +- " << x.error;
+  } else {
+    ++told[3];
+  }
+  if (std::fabs(x.lower()) < samples::infinity) {
+    ASSERT_LE(rational(x.lower()), exact);
+  }
+  if (std::fabs(x.upper()) < samples::infinity) {
+    ASSERT_GE(rational(x.upper()), exact);
+  }
+  if (!(std::fabs(x.value) < samples::infinity && x.error < samples::infinity)) return;
+  const mpq_class bound = rational(x.error) * (1 + samples::power_of_two(-39));
+  ASSERT_LE(abs(exact - rational(x.value)), bound) << std::hexfloat << x.value << " +- " << x.error;
+}
+
+TEST(RunningTest, HoldsTheExactResultOfExpressions) {
+  std::array<int, 4> told{};  // negative, zero, positive, unsure
+  int overflown = 0, underflown = 0;
+  for (std::uint64_t index = 0; index < 20'000; ++index) {
+    SCOPED_TRACE(index);
+    Entropy entropy(3, index);
+    const bool extreme = entropy.below(3) == 0;
+    std::array<Running, 6> x;
+    std::array<mpq_class, 6> exact;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double other = i == 0 ? 0 : x[i - 1].value;
+      const double drawn = extreme ? samples::any_double(entropy, other) : std::ldexp(wide_coordinate(entropy), -20);
+      x[i] = Running(drawn), exact[i] = rational(drawn);
+    }
+    for (int step = 0; step < 12; ++step) {
+      const std::size_t i = entropy.below(x.size()), j = entropy.below(x.size()), to = entropy.below(x.size());
+      switch (entropy.below(5)) {
+        case 0:
+          x[to] = x[i] + x[j], exact[to] = exact[i] + exact[j];
+          break;
+        case 1:
+          x[to] = x[i] - x[j], exact[to] = exact[i] - exact[j];
+          break;
+        case 2:
+          x[to] = magnitude(x[i]), exact[to] = abs(exact[i]);
+          break;
+        default:
+          x[to] = x[i] * x[j], exact[to] = exact[i] * exact[j];
+      }
+      expect_within(x[to], exact[to], told);
+      if (HasFatalFailure()) return;
+      if (!(std::fabs(x[to].value) < samples::infinity)) {
+        ++overflown;
+        break;
+      }
+      underflown += x[to].value == 0 && exact[to] != 0;
+    }
+  }
+  std::printf("negative %d, zero %d, positive %d, unsure %d; overflown %d, underflown %d\n", told[0], told[1], told[2],
+              told[3], overflown, underflown);
+  for (const int count : told) EXPECT_GT(count, 3'000);
+  EXPECT_GT(overflown, 1'000);
+  EXPECT_GT(underflown, 1'000);
+}
+
+TEST(RunningTest, HoldsTheExactResultForAllPairsOfSpecialValues) {
+  std::array<int, 4> told{};
+  for (const double a : samples::special_values()) {
+    for (const double b : samples::special_values()) {
+      SCOPED_TRACE(testing::Message() << std::hexfloat << a << " and " << b);
+      expect_within(Running(a) + Running(b), rational(a) + rational(b), told);
+      expect_within(Running(a) - Running(b), rational(a) - rational(b), told);
+      expect_within(Running(a) * Running(b), rational(a) * rational(b), told);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(RunningTest, KeepsItsBoundOverLongSums) {
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    SCOPED_TRACE(index);
+    Entropy entropy(4, index);
+    std::array<int, 4> told{};
+    Running sum(0.0);
+    mpq_class exact = 0;
+    for (int i = 0; i < 1'000; ++i) {  // 2^11 operations together
+      const double a = unit_coordinate(entropy), b = unit_coordinate(entropy);
+      sum = sum + Running(a) * Running(b);
+      exact += rational(a) * rational(b);
+    }
+    expect_within(sum, exact, told);
+    expect_within(sum - Running(exact.get_d()), exact - rational(exact.get_d()), told);
+    EXPECT_LT(sum.error, 0x1p-35);
+  }
 }
 
 }  // namespace

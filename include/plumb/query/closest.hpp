@@ -44,17 +44,6 @@ namespace query {
 template <class Shape, class... Shapes>
 concept AnyOf = (std::same_as<Shape, Shapes> || ...);
 
-/// The figures of a pair are declared in this order; the other order is made of it.
-template <class Shape>
-inline constexpr int place = AnyOf<Shape, Point2, Point3>       ? 0
-                             : AnyOf<Shape, Line2, Line3>       ? 1
-                             : AnyOf<Shape, Ray2, Ray3>         ? 2
-                             : AnyOf<Shape, Segment2, Segment3> ? 3
-                                                                : 4;
-
-template <class A, class B>
-concept OutOfOrder = (place<A> > place<B>);
-
 }  // namespace query
 
 /// Shapes whose nearest point to a point has rational coordinates.
@@ -111,29 +100,29 @@ std::array<double, 3> closest_weights(const Triangle3& triangle, const Point3& p
 
 // What is asked for is named in the requirement, not in the result: Clang 14 looks at a result's type first.
 template <class A, class B>
-requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { closest_points(b, a); })  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { closest_points(b, a); })  //
     auto closest_points(const A& a, const B& b) {
   return swapped(closest_points(b, a));
 }
 template <class A, class B>
-requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { distance(b, a); })  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { distance(b, a); })  //
     double distance(const A& a, const B& b) {
   return distance(b, a);
 }
 template <class A, class B>
-requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { squared_distance_exact(b, a); })  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { squared_distance_exact(b, a); })  //
     Rational squared_distance_exact(const A& a, const B& b) {
   return squared_distance_exact(b, a);
 }
 template <class A, class B>
-requires(query::OutOfOrder<A, B>&& requires(const A& a, const B& b) { exact_distance(b, a); })  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { exact_distance(b, a); })  //
     ExactDistance exact_distance(const A& a, const B& b) {
   return exact_distance(b, a);
 }
 
 /// Of two figures neither of which is a point.
 template <class A, class B>
-requires(query::place<A> > 0 && query::place<B> >= query::place<A> &&
+requires(!query::AnyOf<A, Point2, Point3> && !OtherWayRound<A, B> &&
          requires(const A& a, const B& b) { squared_distance_exact(a, b); })  //
     ExactDistance exact_distance(const A& a, const B& b) {
   return {squared_distance_exact(a, b)};

@@ -26,26 +26,22 @@
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/simplex.hpp"
 #include "plumb/query/closest_result.hpp"
+#include "plumb/query/pairs.hpp"
 
 namespace plumb {
 
 namespace query {
 
-/// Lines before rays before segments before triangles: pairs are declared in this order, and query/closest.hpp turns
-/// them round.
 template <class S>
-inline constexpr int straight_rank = std::same_as<S, Line2> || std::same_as<S, Line3>           ? 1
-                                     : std::same_as<S, Ray2> || std::same_as<S, Ray3>           ? 2
-                                     : std::same_as<S, Segment2> || std::same_as<S, Segment3>   ? 3
-                                     : std::same_as<S, Triangle2> || std::same_as<S, Triangle3> ? 4
-                                                                                                : 0;
-template <class S>
-inline constexpr bool is_in_space =
-    std::same_as<S, Line3> || std::same_as<S, Ray3> || std::same_as<S, Segment3> || std::same_as<S, Triangle3>;
+concept StraightFigure = Figure<S> &&
+    is_one_of(figure_kind<S>, {FigureKind::line, FigureKind::ray, FigureKind::segment, FigureKind::triangle});
+template <StraightFigure S>
+inline constexpr bool is_in_space = figure_dimension<S> == 3;
 
+/// In canonical order; query/closest.hpp turns them round.
 template <class A, class B>
-concept StraightPair = straight_rank<A> >
-0 && straight_rank<A> <= straight_rank<B>&& is_in_space<A> == is_in_space<B>;
+concept StraightPair = StraightFigure<A> && StraightFigure<B> &&
+    (figure_dimension<A> == figure_dimension<B>)&&!OtherWayRound<A, B>;
 
 }  // namespace query
 
@@ -54,8 +50,7 @@ concept StraightPair2 = query::StraightPair<A, B> && !query::is_in_space<A>;
 template <class A, class B>
 concept StraightPair3 = query::StraightPair<A, B> && query::is_in_space<A>;
 template <class A, class B>
-concept LinearPair = query::StraightPair<A, B> && query::straight_rank<B>
-<= 3;
+concept LinearPair = query::StraightPair<A, B> &&(figure_kind<B> != FigureKind::triangle);
 
 template <class A, class B>
 requires StraightPair2<A, B> Closest2 closest_points(const A& a, const B& b);

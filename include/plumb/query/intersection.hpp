@@ -25,31 +25,6 @@
 
 namespace plumb {
 
-namespace intersecting {
-template <>
-inline constexpr int rank<Line3> = 0;
-template <>
-inline constexpr int rank<Ray3> = 1;
-template <>
-inline constexpr int rank<Segment3> = 2;
-template <>
-inline constexpr int rank<Plane3> = 3;
-template <>
-inline constexpr int rank<ThreePointPlane3> = 3;
-template <>
-inline constexpr int rank<Halfspace3> = 4;
-template <>
-inline constexpr int rank<Triangle3> = 5;
-template <>
-inline constexpr int rank<Tetrahedron3> = 7;
-template <>
-inline constexpr int rank<Aabb3> = 8;
-template <>
-inline constexpr int rank<Obb3> = 9;
-template <>
-inline constexpr int rank<ConvexPolyhedron3> = 10;
-}  // namespace intersecting
-
 Intersection3 intersection(const Line3& a, const Line3& b);
 Intersection3 intersection(const Line3& a, const Ray3& b);
 Intersection3 intersection(const Line3& a, const Segment3& b);

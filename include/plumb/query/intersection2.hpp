@@ -21,29 +21,9 @@
 #include "plumb/figure/polygon.hpp"
 #include "plumb/figure/simplex.hpp"
 #include "plumb/query/intersection_result.hpp"
+#include "plumb/query/pairs.hpp"
 
 namespace plumb {
-
-namespace intersecting {
-/// Overloads take the figure of lower rank first.
-template <class Figure>
-inline constexpr int rank = -1;
-template <>
-inline constexpr int rank<Line2> = 0;
-template <>
-inline constexpr int rank<Ray2> = 1;
-template <>
-inline constexpr int rank<Segment2> = 2;
-template <>
-inline constexpr int rank<Triangle2> = 5;
-template <>
-inline constexpr int rank<Polygon2> = 6;
-template <>
-inline constexpr int rank<Aabb2> = 8;
-
-template <class A, class B>
-concept OtherWayRound = (rank<A> > rank<B>)&&rank<B> >= 0;
-}  // namespace intersecting
 
 Intersection2 intersection(const Line2& a, const Line2& b);
 Intersection2 intersection(const Line2& a, const Ray2& b);
@@ -69,7 +49,9 @@ Intersection2 intersection(const Aabb2& a, const Aabb2& b);
 
 /// The same with the figures named the other way round.
 template <class A, class B>
-requires intersecting::OtherWayRound<A, B>
-auto intersection(const A& a, const B& b) { return intersection(b, a); }
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { intersection(b, a); })  //
+    auto intersection(const A& a, const B& b) {
+  return intersection(b, a);
+}
 
 }  // namespace plumb

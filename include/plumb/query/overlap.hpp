@@ -42,13 +42,10 @@ concept FlatFigure = Figure<Shape> &&
 Relation relate_flat(const FlatView& a, const FlatView& b);
 bool flat_intersects(const FlatView& a, const FlatView& b);
 
-template <Figure Shape>
-inline constexpr int place_of_kind = static_cast<int>(figure_kind<Shape>);
-
 template <class A, class B>
-concept InOrder = RelatedPair<A, B> &&(place_of_kind<A> <= place_of_kind<B>);
+concept InOrder = RelatedPair<A, B> && !OtherWayRound<A, B>;
 template <class A, class B>
-concept OtherWayRound = RelatedPair<A, B> &&(place_of_kind<B> < place_of_kind<A>);
+concept Turned = RelatedPair<A, B> && OtherWayRound<A, B>;
 
 }  // namespace query
 
@@ -57,7 +54,7 @@ requires(query::InOrder<A, B>&& query::FlatFigure<A>&& query::FlatFigure<B>) Rel
   return query::relate_flat(query::view_of(a), query::view_of(b));
 }
 template <class A, class B>
-requires query::OtherWayRound<A, B> Relation relate(const A& a, const B& b) { return relate(b, a); }
+requires query::Turned<A, B> Relation relate(const A& a, const B& b) { return relate(b, a); }
 
 template <class A, class B>
 requires query::InOrder<A, B>
@@ -70,7 +67,7 @@ bool intersects(const A& a, const B& b) {
   }
 }
 template <class A, class B>
-requires query::OtherWayRound<A, B>
+requires query::Turned<A, B>
 bool intersects(const A& a, const B& b) { return intersects(b, a); }
 
 }  // namespace plumb

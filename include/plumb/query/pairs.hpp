@@ -236,6 +236,10 @@ inline constexpr PairMethod method_of = figure_dimension<A> == figure_dimension<
                                             ? pair_method(figure_kind<A>, figure_kind<B>, figure_dimension<A>)
                                             : PairMethod::absent;
 
+/// Of which pairs are declared in canonical order, so that the other order is made of it.
+template <class A, class B>
+concept OtherWayRound = Figure<A> && Figure<B> &&(figure_kind<A> > figure_kind<B>);
+
 /// Two figures of one space that relate and intersects take, in either order.
 template <class A, class B>
 concept RelatedPair = Figure<A> && Figure<B> &&(method_of<A, B> != PairMethod::absent);
