@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "plumb/certify/direction.hpp"
@@ -49,6 +50,9 @@ PlaneOfPoints plane_of_points(std::size_t count, const At& at) {
 inline PlaneOfPoints plane_of_points(std::span<const Point3> points) {
   return plane_of_points(points.size(), [&](std::size_t i) -> const Point3& { return points[i]; });
 }
+
+/// Throws InvalidShape for points of no plane: "locate: the polygon is not planar: its vertex 3 is off the plane ...".
+void require_planar(std::string_view function, std::string_view name, const PlaneOfPoints& plane);
 
 enum class Look : unsigned char { along_z, along_x, along_y };
 

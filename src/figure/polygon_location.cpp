@@ -81,17 +81,7 @@ Location locate_in_space(std::span<const Chain3> chains, const Point3& p) {
   std::vector<Point3> all;
   for (const Chain3& chain : chains) all.insert(all.end(), chain.begin(), chain.end());
   const PlaneOfPoints plane = plane_of_points(all);
-  if (plane.dimension == 3) {
-    throw InvalidShape(std::string("locate: the polygon is not planar: its vertex ")
-                           .append(std::to_string(plane.off))
-                           .append(" is off the plane of the vertices ")
-                           .append(std::to_string(plane.span[0]))
-                           .append(", ")
-                           .append(std::to_string(plane.span[1]))
-                           .append(" and ")
-                           .append(std::to_string(plane.span[2]))
-                           .append("; triangulate it"));
-  }
+  require_planar("locate", "polygon", plane);
   if (plane.dimension < 2) {
     for (const Chain3& chain : chains) {
       const Point3* a = &chain.back();

@@ -139,21 +139,6 @@ bool projects_into(const Chains<Point3>& chains, const std::array<std::size_t, 3
   return odd;
 }
 
-void require_planar(std::string_view function, const Chains<Point3>& chains) {
-  const PlaneOfPoints plane = plane_of_points(chains.vertices);
-  if (plane.dimension < 3) return;
-  throw InvalidShape(std::string(function)
-                         .append(": the polygon is not planar: its vertex ")
-                         .append(std::to_string(plane.off))
-                         .append(" is off the plane of the vertices ")
-                         .append(std::to_string(plane.span[0]))
-                         .append(", ")
-                         .append(std::to_string(plane.span[1]))
-                         .append(" and ")
-                         .append(std::to_string(plane.span[2]))
-                         .append("; triangulate it"));
-}
-
 }  // namespace
 
 template <class Polygon>
@@ -177,7 +162,9 @@ struct Nearest<HoledPolygon2> : NearestOfPolygon2<HoledPolygon2> {};
 
 template <class Polygon>
 struct NearestOfPolygon3 {
-  static void require_some(std::string_view function, const Polygon& s) { require_planar(function, chains_of(s)); }
+  static void require_some(std::string_view function, const Polygon& s) {
+    require_planar(function, spoken(view_of(s)), plane_of_points(chains_of(s).vertices));
+  }
   static Feature feature(const Polygon& s, const Point3& p) {
     const auto chains = chains_of(s);
     const PlaneOfPoints plane = plane_of_points(chains.vertices);

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "plumb/certify/direction.hpp"
-#include "round_polygon.hpp"
+#include "odd_edges.hpp"
 
 namespace plumb::query {
 namespace {

@@ -4,15 +4,16 @@
 #include "figure/core_distance.hpp"
 #include "figure/plane_of_points.hpp"
 #include "figure_input.hpp"
+#include "odd_edges.hpp"
 #include "plumb/query/overlap.hpp"
 #include "plumb/query/overlap_round.hpp"
 #include "polygon_relation.hpp"
-#include "round_polygon.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
 
+using Chain3 = std::span<const Point3>;
 template <class T>
 using Vec = core::Vec<T>;
 
@@ -103,18 +104,10 @@ std::vector<Segment3> edges_of(std::span<const Chain3> chains) {
 }
 
 /// The plane of the chains, with three corners that span it.
-PlaneOfPoints plane_of(const std::vector<Segment3>& edges) {
+PlaneOfPoints plane_of(const std::vector<Segment3>& edges, std::string_view function, std::string_view name) {
   const PlaneOfPoints plane = plane_of_points(edges.size(), [&](std::size_t i) -> const Point3& { return edges[i].b; });
-  if (plane.dimension < 3) return plane;
-  throw InvalidShape(std::string("relate: the polygon is not planar: its vertex ")
-                         .append(std::to_string(plane.off))
-                         .append(" is off the plane of the vertices ")
-                         .append(std::to_string(plane.span[0]))
-                         .append(", ")
-                         .append(std::to_string(plane.span[1]))
-                         .append(" and ")
-                         .append(std::to_string(plane.span[2]))
-                         .append("; triangulate it"));
+  require_planar(function, name, plane);
+  return plane;
 }
 
 template <class Round>
@@ -136,9 +129,10 @@ bool is_alone(std::span<const Segment3> edges, std::size_t i) {
 }
 
 template <class Round>
-Relation relate_edges(std::span<const Chain3> chains, const Round& round) {
+Relation relate_edges(std::span<const Chain3> chains, const Round& round, std::string_view function,
+                      std::string_view name) {
   const std::vector<Segment3> edges = edges_of(chains);
-  const PlaneOfPoints plane = plane_of(edges);
+  const PlaneOfPoints plane = plane_of(edges, function, name);
   const std::array<Point3, 3> span{edges[plane.span[0]].b, edges[plane.span[1]].b, edges[plane.span[2]].b};
   Relation all = Relation::disjoint;
   if (plane.dimension == 2) {
@@ -193,18 +187,13 @@ Relation relate_round(const Polygon& a, const Round& b, Asked asked) {
   if (b.radius == 0) return relate_core(a, b);
   if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
     const std::array corners{a.a, a.b, a.c, a.d};
-    return relate_edges(std::array<Chain3, 1>{corners}, b);
+    return relate_edges(std::array<Chain3, 1>{corners}, b, name_of(asked), spoken(view_of(a)));
   } else {
-    return relate_edges(chains_of(a), b);
+    return relate_edges(chains_of(a), b, name_of(asked), spoken(view_of(a)));
   }
 }
 
 }  // namespace
-
-Relation relate_region(std::span<const Chain3> chains, const Sphere3& ball) { return relate_edges(chains, ball); }
-Relation relate_region(std::span<const Chain3> chains, const Capsule3& capsule) {
-  return relate_edges(chains, capsule);
-}
 
 }  // namespace query
 

@@ -98,21 +98,6 @@ PlaneRegion region_of(const std::vector<Chain>& chains, const std::vector<Point3
   return r;
 }
 
-[[noreturn]] void throw_not_planar(std::string_view function, std::string_view name, const PlaneOfPoints& plane) {
-  throw InvalidShape(std::string(function)
-                         .append(": the ")
-                         .append(name)
-                         .append(" is not planar: its vertex ")
-                         .append(std::to_string(plane.off))
-                         .append(" is off the plane of the vertices ")
-                         .append(std::to_string(plane.span[0]))
-                         .append(", ")
-                         .append(std::to_string(plane.span[1]))
-                         .append(" and ")
-                         .append(std::to_string(plane.span[2]))
-                         .append("; triangulate it"));
-}
-
 /// The chains, and the plane that they lie in; nothing of other figures.
 struct PolygonInput {
   std::vector<Chain> chains;
@@ -130,7 +115,7 @@ PolygonInput input_of(std::string_view function, const FlatView& v) {
   input.chains = chains_of(v);
   for (const Chain& chain : input.chains) input.all.insert(input.all.end(), chain.begin(), chain.end());
   input.plane = plane_of_points(input.all);
-  if (input.plane.dimension == 3) throw_not_planar(function, spoken(v), input.plane);
+  require_planar(function, spoken(v), input.plane);
   return input;
 }
 

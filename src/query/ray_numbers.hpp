@@ -236,13 +236,14 @@ void require_ray(std::string_view function, const AnyRay& ray, const Shape& s) {
   if (!is_sound(ray) || !is_sound(s)) [[unlikely]]
     require_ray(function, ray, view_of(s));
 }
-/// By the function that gives such an answer.
+/// That gives such an answer.
+template <class Answer>
+inline constexpr std::string_view function_of = std::is_same_v<Answer, Hit>            ? "first_hit"
+                                                : std::is_same_v<Answer, RayParameter> ? "first_hit_parameter"
+                                                                                       : "hits";
 template <class Answer, Figure Shape>
 void require(const AnyRay& ray, const Shape& s) {
-  require_ray(std::is_same_v<Answer, Hit>            ? "first_hit"
-              : std::is_same_v<Answer, RayParameter> ? "first_hit_parameter"
-                                                     : "hits",
-              ray, s);
+  require_ray(function_of<Answer>, ray, s);
 }
 
 }  // namespace plumb::query

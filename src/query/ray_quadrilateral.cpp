@@ -2,6 +2,7 @@
 //
 // Beside its chain a point is inside where the chain winds around it an odd number of times: where it is in one of the
 // triangles abc and acd, by the half-open rule, and not in both.
+#include "figure/plane_of_points.hpp"
 #include "plumb/figure/polygon_location.hpp"
 #include "plumb/predicates.hpp"
 #include "query/ray_facets.hpp"
@@ -118,7 +119,7 @@ template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Quadrilateral3& q) {
   require<Answer>(ray, q);
   if (orient3d(q.a, q.b, q.c, q.d) != Sign::zero)
-    throw InvalidShape("first_hit: the corners of the quadrilateral are not in one plane; give two triangles");
+    require_planar(function_of<Answer>, "quadrilateral", plane_of_points(std::array{q.a, q.b, q.c, q.d}));
   const QuadrilateralModel model{q, spanning(q)};
   return answer<Answer>(ray, model,
                         certainly([&]<class T>(RaySigns& ask) { return decide_quadrilateral<T>(ray, model, ask); }));

@@ -245,7 +245,7 @@ TEST(OverlapRoundBadInput, NamesThePart) {
   expect(failure([&] {
            (void)relate(Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}}, ball);
          }),
-         "relate: the polygon is not planar");
+         "relate: the quadrilateral is not planar");
   expect(failure([&] { (void)relate(Circle2{{0, nan}, 1}, Aabb2{{0, 0}, {1, 1}}); }), "relate: circle.center.y is nan");
   expect(failure([&] {
            (void)relate(Sphere3{{0, 0, 0}, -1}, KDop3{k_dop_directions(6), {0, 0, 0}, {1, 1, 1}});
