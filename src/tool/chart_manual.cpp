@@ -16,6 +16,10 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        orient2d, orient3d: on which side of a line, a plane is a point?
        incircle, insphere: is a point inside a circle, a sphere?
        ray-triangle, segment-triangle, triangle-triangle: do they meet?
+       box-box, obb-obb: do boxes meet, along the axes, turned?
+       point-in-polygon, point-in-polyhedron: is it in, or on the border?
+       hull-2d: which of 16 points are corners of their hull?
+       smallest-ball: how large is the smallest ball around 5 points?
        point-triangle-distance, segment-segment-distance: how far apart?
 
 wrong  The share of wrong answers; of numbers, of those that are not the

@@ -123,7 +123,8 @@ TEST_F(Report, FindsExactMethodsRightAndConsistentOnEverything) {
 TEST_F(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
   each([&](const std::string& task, const std::string& input, const json& m) {
     const std::string name = m.at("method");
-    if (name == "double" && input == "degenerate_long") {
+    if (name == "double" && input == "degenerate_long" &&
+        task != "box-box") {  // whose coordinates are compared as given
       EXPECT_GT(m.at("wrong"), 0) << task;
     }
     if (name == "double" && input == "uniform" && !m.contains("mean_ulps")) {
@@ -141,7 +142,7 @@ TEST_F(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
     if (name == "rationals") {
       EXPECT_GT(m.at("allocations"), 10) << task << ' ' << input;
     }
-    if (name == "double") {
+    if (name == "double" && task != "hull-2d") {
       EXPECT_EQ(m.at("allocations"), 0) << task << ' ' << input;
     }
   });

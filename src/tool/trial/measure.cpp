@@ -10,8 +10,9 @@
 namespace plumb::tool::trial {
 namespace {
 
-constexpr double least_ns = 20'000;  // of a block's measurement: shorter ones are repeated for the clock's sake
-constexpr int most_repeats = 16;
+constexpr double least_ns = 20'000;    // of a block's measurement: shorter ones are repeated for the clock's sake
+constexpr double long_ns = 2'000'000;  // what takes longer is measured once: a disturbance is a small part of it
+constexpr int least_repeats = 3, most_repeats = 16;
 
 /// The number of doubles between two finite ones; from zero to zero none, whatever the signs.
 double doubles_apart(double a, double b) {
@@ -35,7 +36,7 @@ double elapsed_ns(Round& round) {
 /// The least of some repetitions: what disturbs a measurement makes it longer.
 double time_of(Round& round) {
   double least = elapsed_ns(round), sum = least;
-  for (int i = 0; i < most_repeats && sum < least_ns; ++i) {
+  for (int i = 1; i < most_repeats && least < long_ns && (i < least_repeats || sum < least_ns); ++i) {
     const double ns = elapsed_ns(round);
     least = std::min(least, ns);
     sum += ns;

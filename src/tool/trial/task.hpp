@@ -57,6 +57,12 @@ Task insphere_task();
 Task ray_triangle_task();
 Task segment_triangle_task();
 Task triangle_triangle_task();
+Task box_box_task();
+Task oriented_boxes_task();
+Task point_in_polygon_task();
+Task point_in_polyhedron_task();
+Task hull2_task();
+Task smallest_ball_task();
 Task point_triangle_distance_task();
 Task segment_segment_distance_task();
 

@@ -36,6 +36,12 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               ray_triangle_task,
                               segment_triangle_task,
                               triangle_triangle_task,
+                              box_box_task,
+                              oriented_boxes_task,
+                              point_in_polygon_task,
+                              point_in_polyhedron_task,
+                              hull2_task,
+                              smallest_ball_task,
                               point_triangle_distance_task,
                               segment_segment_distance_task};
   for (const auto make : makers) tasks.push_back(make());

@@ -1,0 +1,142 @@
+#include <algorithm>
+
+#include "plumb/figure/polygon_location.hpp"
+#include "plumb/query/ray_parity.hpp"
+#include "tool/trial/float_methods.hpp"
+#include "tool/trial/location_tests.hpp"
+#include "tool/trial/rational_judge.hpp"
+
+namespace plumb::tool::trial {
+namespace {
+
+struct InPolygon {
+  Point2 p;
+  Polygon2 polygon;
+};
+struct InMesh {
+  Point3 p;
+  TriangleMesh mesh;
+};
+
+/// A star about the origin: corner i at a random distance in direction i; the point on the same lattice.
+void fill_star(std::span<double> q, Entropy& entropy, std::uint64_t size) {
+  constexpr std::array<std::array<int, 2>, polygon_corners> directions{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  for (std::size_t k = 0; k < 2; ++k) q[k] = static_cast<double>(entropy.within(static_cast<std::int64_t>(size / 2)));
+  for (std::size_t i = 0; i < polygon_corners; ++i) {
+    const auto far = static_cast<double>(1 + entropy.below(size));
+    for (std::size_t k = 0; k < 2; ++k) q[2 + 2 * i + k] = far * directions[i][k];
+  }
+}
+
+void fill_solid(std::span<double> q, Entropy& entropy, std::uint64_t size) {
+  std::ranges::fill(q, 0.0);
+  for (std::size_t k = 0; k < 3; ++k) q[k] = static_cast<double>(entropy.within(static_cast<std::int64_t>(size / 2)));
+  for (std::size_t corner = 0; corner < 6; ++corner) {
+    const auto far = static_cast<double>(1 + entropy.below(size));
+    q[3 + 3 * corner + corner / 2] = corner % 2 == 0 ? far : -far;
+  }
+}
+
+/// Away from the origin and scaled by what is no power of two: every coordinate rounds.
+void move_away(std::span<double> q) {
+  for (double& x : q) x = 0.1 * x + 1.3;
+}
+
+std::vector<InputClass> lattice_classes(void (*fill)(std::span<double>, Entropy&, std::uint64_t)) {
+  const auto moved = [fill](std::span<double> q, Entropy& entropy, std::uint64_t size) {
+    fill(q, entropy, size);
+    move_away(q);
+  };
+  return {
+      {"touching", "integers to 4, the point often on the boundary",
+       [fill](std::span<double> q, Entropy& e) { fill(q, e, 4); }},
+      {"grid", "integers to a million", [fill](std::span<double> q, Entropy& e) { fill(q, e, 1'000'000); }},
+      {"off_by_ulps", "as touching, scaled and moved, so that every coordinate rounds",
+       [moved](std::span<double> q, Entropy& e) { moved(q, e, 4); }},
+      {"moved", "as grid, scaled and moved, so that every coordinate rounds",
+       [moved](std::span<double> q, Entropy& e) { moved(q, e, 1'000'000); }},
+  };
+}
+
+/// In a closed polygon: on an edge, or an odd number of edges crosses the ray to the right.
+bool in_polygon(std::span<const double> q) {
+  const auto at = [q](std::size_t i) { return std::array{mpq_class(q[2 * i]), mpq_class(q[2 * i + 1])}; };
+  const auto p = at(0);
+  bool inside = false;
+  for (std::size_t i = 1; i <= polygon_corners; ++i) {
+    const auto a = at(i), b = at(i % polygon_corners + 1);
+    const mpq_class side = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+    const auto within = [&](std::size_t k) { return std::min(a[k], b[k]) <= p[k] && p[k] <= std::max(a[k], b[k]); };
+    if (side == 0 && within(0) && within(1)) return true;
+    if ((a[1] > p[1]) != (b[1] > p[1]) && (side > 0) == (b[1] > a[1])) inside = !inside;
+  }
+  return inside;
+}
+
+/// In a closed solid: on a face, or an odd number of faces is hit by a ray that meets no edge.
+bool in_solid(std::span<const double> q) {
+  const RationalVec p = rational_vec(q, 0);
+  const auto corner = [&](std::size_t face, std::size_t i) { return rational_vec(q, 1 + octahedron_faces[face][i]); };
+  for (std::size_t face = 0; face < octahedron_faces.size(); ++face) {
+    if (meet({{p}, {}}, {{corner(face, 0), corner(face, 1), corner(face, 2)}, {}})) return true;
+  }
+  for (long attempt = 1;; ++attempt) {
+    const RationalVec d{mpq_class(1000), mpq_class(17 * attempt), mpq_class(attempt * attempt + 1)};
+    bool inside = false, lucky = true;
+    for (std::size_t face = 0; face < octahedron_faces.size() && lucky; ++face) {
+      const RationalVec a = corner(face, 0) - p, b = corner(face, 1) - p, c = corner(face, 2) - p;
+      const RationalVec n = cross(b - a, c - a);
+      const mpq_class height = dot(a, n), rise = dot(d, n);
+      if (height == 0) continue;  // beside the face, in its plane: a ray that leaves the plane misses it
+      const std::array side{dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))};
+      lucky = rise != 0 && std::ranges::none_of(side, [](const mpq_class& s) { return s == 0; });
+      const bool through = (side[0] > 0) == (side[1] > 0) && (side[1] > 0) == (side[2] > 0);
+      if (lucky && through && height / rise > 0) inside = !inside;
+    }
+    if (lucky) return inside;
+  }
+}
+
+}  // namespace
+
+Task point_in_polygon_task() {
+  constexpr std::size_t numbers = std::tuple_size_v<PolygonNumbers>;
+  Task task{"point-in-polygon", "is a point in a closed polygon?", numbers, AnswerKind::decision, {}, {}, {}, {}};
+  task.symmetries = {reordered(2, {0, 2, 3, 4, 5, 6, 7, 8, 1}), reordered(2, {0, 8, 7, 6, 5, 4, 3, 2, 1})};
+  task.classes = lattice_classes(fill_star);
+  task.judge = [](std::span<const double> q) { return as_answer(in_polygon(q)); };
+  task.methods = float_methods<numbers>(PointInPolygon{});
+  task.methods.push_back(each_made<numbers>(
+      "exact", "ours, one at a time",
+      [](const PolygonNumbers& q) {
+        InPolygon question{{q[0], q[1]}, {}};
+        for (std::size_t i = 2; i < numbers; i += 2) question.polygon.vertices.push_back({q[i], q[i + 1]});
+        return question;
+      },
+      [](const InPolygon& q) { return contains(q.polygon, q.p); }));
+  return task;
+}
+
+Task point_in_polyhedron_task() {
+  Task task{"point-in-polyhedron", "is a point in a closed mesh?", 21, AnswerKind::decision, {}, {}, {}, {}};
+  task.symmetries = {reordered(3, {0, 3, 4, 5, 6, 1, 2})};  // the axes in turn: the same solid
+  task.classes = lattice_classes(fill_solid);
+  task.judge = [](std::span<const double> q) { return as_answer(in_solid(q)); };
+  task.methods = float_methods<21>(PointInPolyhedron{});
+  task.methods.push_back(each_made<21>(
+      "exact", "ours, one at a time",
+      [](const std::array<double, 21>& q) {
+        InMesh question{{q[0], q[1], q[2]}, {}};
+        for (std::size_t i = 3; i < 21; i += 3) question.mesh.vertices.push_back({q[i], q[i + 1], q[i + 2]});
+        for (const auto& f : octahedron_faces) {
+          question.mesh.triangles.push_back(
+              {static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]), static_cast<std::uint32_t>(f[2])});
+        }
+        return question;
+      },
+      [](const InMesh& q) { return contains(q.mesh, q.p); }));
+  return task;
+}
+
+}  // namespace plumb::tool::trial
