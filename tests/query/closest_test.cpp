@@ -390,6 +390,24 @@ TEST(ClosestTest, OfBallsAndCapsules) {
   check_round<Sphere3, Capsule3, Point3>(18);
 }
 
+TEST(ClosestTest, OfLozenges) {
+  std::array<int, 3> parts{};
+  int inside = 0;
+  on_shapes(23, 300, [&](Material& m) {
+    const Lozenge3 lozenge = m.shape<Lozenge3>();
+    const Point3 p = m.probe3();
+    SCOPED_TRACE(m.about(lozenge, p));
+    const Nearest core =
+        nearest_of(box_of(exact(lozenge.corner), {exact(lozenge.edges[0]), exact(lozenge.edges[1])}), exact(p));
+    const std::size_t kind = static_cast<std::size_t>(core.feature.kind);
+    constexpr std::array<std::size_t, 3> first{5, 1, 0};
+    expect_round(lozenge, p, core, face(first[kind] + core.feature.index), {FeatureKind::interior, 0});
+    (closest_points(p, lozenge).feature_b.kind == FeatureKind::interior ? inside : parts[kind]) += 1;
+  });
+  EXPECT_GT(inside, 10);
+  for (const int n : parts) EXPECT_GT(n, 2);
+}
+
 TEST(ClosestTest, OfConvexPolyhedra) {
   const ConvexPolyhedron3 polyhedron = convex_polyhedron(
       PolygonMesh{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 2}},
