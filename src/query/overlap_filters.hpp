@@ -87,6 +87,10 @@ inline std::optional<Relation> by_doubles(Reach reach, const PairOfDifferences& 
   if (reach == Reach::segment) least = std::min(least, (all - at) * way);
   if (least < -error && magnitude_of(all) > error) return Relation::disjoint;
   if (least > error) return Relation::overlapping;  // so u, v and what is left of all have one sign, and all has it
+  if (reach == Reach::segment) {  // at, and at less all, are the heights of both ends, which may tell by themselves
+    const double to = at - all;
+    if (std::min(at, to) > error || std::max(at, to) < -error) return Relation::disjoint;
+  }
   return {};
 }
 

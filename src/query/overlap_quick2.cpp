@@ -53,12 +53,12 @@ std::optional<Relation> relate(const OnLattice<Segment2, Triangle2>& on) {
   return relation(sign_of_number(depth(areas)));
 }
 std::optional<Relation> relate(const OnLattice<Triangle2, Triangle2>& on) {
-  const auto areas = on.points.seen(0, 1, [](const auto& at, const auto& told) {
-    return told_areas(triangle_areas(at(1), at(2), {at(3), at(4), at(5)}), told);
+  return on.points.seen(0, 1, [&](const auto& at, const auto& told) -> std::optional<Relation> {
+    if (told(area(at(1), at(2))) == 0) return on.straight();
+    const auto areas = told_areas(triangle_areas(at(1), at(2), {at(3), at(4), at(5)}), told);
+    if (areas.of_b == 0) return {};
+    return relation(sign_of_number(depth(areas)));
   });
-  if (areas.of_a == 0) return on.straight();
-  if (areas.of_b == 0) return {};
-  return relation(sign_of_number(depth(areas)));
 }
 
 template <class A, class B>

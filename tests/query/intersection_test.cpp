@@ -165,6 +165,52 @@ TEST(Intersection, PlanesAndSolids) {
 
 TEST(Intersection, TrianglesOfSpace) { hold<Triangle3, Triangle3>(72, 500, {nothing, point, segment, polygon}, 3); }
 
+/// Random ones, of which nearly none have a corner on an edge or a face: how many meet so?
+template <class A, class B, class Draw>
+void hold_in_general_position(std::uint64_t start, IntersectionKind kind, int least, const Draw& draw) {
+  int met = 0;
+  for (std::uint64_t index = 0; index < 150 * shape_cases::more; ++index) {
+    Entropy entropy(start, index);
+    A a;
+    B b;
+    a.a = draw(entropy), a.b = draw(entropy);
+    if constexpr (requires { a.c; }) a.c = draw(entropy);
+    b.a = draw(entropy), b.b = draw(entropy), b.c = draw(entropy);
+    const auto told = intersection(a, b);
+    met += told.kind == kind ? 1 : 0;
+    const auto failure = "start " + std::to_string(start) + " index " + std::to_string(index);
+    EXPECT_EQ(exact::wrong(told, exact::common(exact::generated(a), exact::generated(b))), "") << failure;
+    if constexpr (std::is_same_v<A, B>) {
+      EXPECT_TRUE(told.vertices == intersection(b, a).vertices) << failure;
+    }
+  }
+  EXPECT_GE(met, least * static_cast<int>(shape_cases::more)) << "start " << start;
+}
+
+TEST(Intersection, TrianglesInGeneralPosition) {
+  const auto number = [](Entropy& e) { return static_cast<double>(e.within(1000)) * 0x1p-10; };
+  const auto in_plane = [&](Entropy& e) { return Point2{number(e), number(e)}; };
+  const auto in_space = [&](Entropy& e) { return Point3{number(e), number(e), number(e)}; };
+  const auto slanted = [&](Entropy& e) {
+    const double x = number(e), y = number(e);
+    return Point3{x, y, x + 2 * y};
+  };
+  const auto upright = [&](Entropy& e) { return Point3{2, number(e), number(e)}; };
+  hold_in_general_position<Triangle2, Triangle2>(171, polygon, 60, in_plane);
+  hold_in_general_position<Segment3, Triangle3>(172, point, 10, in_space);
+  hold_in_general_position<Triangle3, Triangle3>(173, segment, 30, in_space);
+  hold_in_general_position<Triangle3, Triangle3>(174, polygon, 60, slanted);
+  hold_in_general_position<Triangle3, Triangle3>(175, polygon, 60, upright);
+}
+
+// Of a mesh: what they share is all that they have in common.
+TEST(Intersection, NeighborsShareACornerOrAnEdge) {
+  const Point3 p{0.1, 0.2, 0.3}, q{0.7, 0.1, 0.9};
+  const Triangle3 t{p, q, {0.3, 0.8, 0.5}};
+  EXPECT_EQ(intersection(t, Triangle3{{0.9, 0.9, -0.7}, q, p}).vertices, (std::vector<ExactPoint3>{p, q}));
+  EXPECT_EQ(intersection(Triangle3{{-0.3, 0.4, -0.5}, {-0.7, 0.1, -0.1}, p}, t).vertices, std::vector<ExactPoint3>{p});
+}
+
 TEST(Intersection, TrianglesAndSolids) {
   hold<Triangle3, Tetrahedron3>(73, 60, {nothing, point, segment, polygon}, 1);
   hold<Triangle3, Aabb3>(74, 16, {nothing, polygon}, 1);
