@@ -1,4 +1,4 @@
-#include "plumb/query/overlap_triangle.hpp"
+#include "plumb/query/overlap.hpp"
 #include "tool/trial/float_methods.hpp"
 #include "tool/trial/rational_judge.hpp"
 #include "tool/trial/triangle_tests.hpp"
