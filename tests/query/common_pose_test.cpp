@@ -132,8 +132,8 @@ void expect_same_hits_of(Types<Shapes...>, Moved& moved, std::uint64_t start, st
 
 TEST(CommonPose, FirstHitsAreTheSame) {
   Moved moved;
-  expect_same_hits_of(Types<Plane3, Halfspace3, Triangle3, Quadrilateral3, Rectangle3, Tetrahedron3, Sphere3, Capsule3,
-                            Cylinder3, Aabb3, Obb3, KDop3, ConvexPolyhedron3>{},
+  expect_same_hits_of(Types<Plane3, ThreePointPlane3, Halfspace3, Triangle3, Quadrilateral3, Rectangle3, Tetrahedron3,
+                            Sphere3, Capsule3, Cylinder3, Aabb3, Obb3, KDop3, ConvexPolyhedron3>{},
                       moved, 4301, 150);
 }
 
