@@ -1,8 +1,9 @@
 // Is a ball or capsule nearer than this to a triangle, a box, a segment?  Nearest points in doubles, and their proof.
 //
 // Laws: an answer is the sign of the distance minus the radius, proved: by two points that are nearer, or by a
-// direction along which everything is farther; none where doubles prove neither.  For numbers that are not real there
-// may be an answer, though not of two segments: who calls has looked. Source: RTCD 5.1.2, 5.1.3, 5.1.4, 5.1.5, 5.1.9.
+// direction along which everything is farther; none where doubles prove neither, nor for a negative radius or a number
+// that is not real, but of a box with the axes of space: who calls has looked.
+// Source: RTCD 5.1.2, 5.1.3, 5.1.4, 5.1.5, 5.1.9.
 // Cost: some 10 to 30 ns.
 #pragma once
 
@@ -11,7 +12,6 @@
 
 #include "core_distance.hpp"
 #include "plumb/arith/approximate.hpp"
-#include "plumb/arith/interval.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/simplex.hpp"
@@ -23,7 +23,6 @@ using PlainVec = core::Vec<double>;
 
 inline PlainVec plain(const Point3& p) { return {p.x, p.y, p.z}; }
 inline PlainVec plain(const Vector3& v) { return {v.x, v.y, v.z}; }
-inline Way exactly(const PlainVec& v) { return {Approximate(v.x), Approximate(v.y), Approximate(v.z)}; }
 inline Way way(const Point3& from, const Point3& to) {
   return {Approximate::difference(to.x, from.x), Approximate::difference(to.y, from.y),
           Approximate::difference(to.z, from.z)};
@@ -35,32 +34,34 @@ inline int certain_sign(const Approximate& x) {
   return static_cast<int>(x.value > most) - static_cast<int>(x.value < -most);
 }
 
-/// Bounds of the exact value: what Signs asks for, and two roundings more.
-inline double off_by(const Approximate& x) { return (x.error + 2) * 0x1p-53 * x.magnitude; }
-inline double lower(const Approximate& x) { return x.value - off_by(x); }
-inline double upper_magnitude(const Approximate& x) { return magnitude_of(x.value) + off_by(x); }
+inline double sum_of_sizes(const PlainVec& v) { return magnitude_of(v.x) + magnitude_of(v.y) + magnitude_of(v.z); }
 
-/// What products of few positive numbers lose by rounding, and by underflow: of a square that is multiplied once more
-/// `tiny` times the other factor.
-inline constexpr double more = 1 + 0x1p-40, least_square = 0x1p-900, tiny = 0x1p-1060;
+/// What two near points show, `off` apart, the one sought less the other; `low` is the least height along `off` of what
+/// lies on the one's side over what lies on the other's.
+///
+/// Let `sizes` be the sum of the sizes of the coordinates of all differences of input points, and of half extents times
+/// axes, that both are sums of, with parts of at most 1.  A coordinate of `off` rounds each of its terms twice and adds
+/// up to six, so that all are off by no more than 16 u sizes together, and a height by no more than 16 u sizes times
+/// the sum of the sizes of `off`; 64 u pays for what the bounds round, for the rounded sum of two radii, and for parts
+/// that add up to 1 + 4 u.  The guards pay for underflow, of squares and of products of two; up to `most` nothing
+/// overflows, and a NaN or infinity is never below it.
+struct NearPoints {
+  PlainVec off;
+  double low, sizes;
 
-/// Is |way| / weight less than the reach, neither of them negative?
-inline bool is_near(const Way& way, double reach, double weight) {
-  const double x = upper_magnitude(way.x), y = upper_magnitude(way.y), z = upper_magnitude(way.z);
-  const double limit = reach * weight;
-  return (x * x + y * y + z * z) * more + least_square < limit * limit;
-}
+  [[nodiscard]] std::optional<Sign> proof(double reach) const {
+    constexpr double unsure = 0x1p-47, more = 1 + 0x1p-40, tiny = 0x1p-1060, guard = 0x1p-900, most = 0x1p250;
+    const double square = core::dot(off, off), inner = reach - unsure * (sizes + reach);
+    const double above = low - (unsure * sizes * sum_of_sizes(off) + guard);
+    const int near = static_cast<int>(inner > 0) & static_cast<int>(square * more + guard < inner * inner);
+    const int far =
+        static_cast<int>(above > 0) & static_cast<int>(above * above > (reach * reach * more + tiny) * square + guard);
+    if (((near | far) & static_cast<int>(reach >= 0) & static_cast<int>(sizes + reach < most)) == 0) return {};
+    return static_cast<Sign>(far - near);
+  }
+};
 
-/// Are all heights over |n| more than the reach, which is not negative?  For |n| that is not less, in doubles.
-template <class... Heights>
-bool all_far(double reach, const PlainVec& n, const Heights&... heights) {
-  double low = Interval::infinity;
-  bool above = true;  // false where one is NaN
-  ((above = above & (lower(heights) > 0), low = lower(heights) < low ? lower(heights) : low), ...);
-  const double square = core::dot(n, n), limit = reach * reach * square * more + tiny * square + least_square;
-  return above && low * low > limit;
-}
-
+inline double least_of(double a, double b) { return a < b ? a : b; }
 inline double clamped(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Triangle3& t, const Point3& center, double radius) {
@@ -86,43 +87,30 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
   } else {
     u = va, v = vb, w = vc;
   }
-  const double whole = u + v + w, share = 1 / whole;
-  const PlainVec off = ap - ab * (v * share) - ac * (w * share);
-  const Way ta = way(t.a, center), tb = way(t.b, center), tc = way(t.c, center);
-  if (core::dot(off, off) > radius * radius) {
-    const Way n = exactly(off);
-    if (all_far(radius, off, core::dot(n, ta), core::dot(n, tb), core::dot(n, tc))) return Sign::positive;
-  } else if (u >= 0 && v >= 0 && w >= 0) {
-    if (is_near(ta * Approximate(u) + tb * Approximate(v) + tc * Approximate(w), radius, whole)) return Sign::negative;
-  }
-  return {};
+  const double share = 1 / (u + v + w);
+  v *= share, w *= share;
+  if (!(v >= 0 && w >= 0 && v + w <= 1 + 0x1p-51)) return {};
+  const PlainVec off = ap - ab * v - ac * w;
+  const double back = core::dot(off, ab), other = core::dot(off, ac);
+  const double low = core::dot(off, ap) - (back > other ? (back > 0 ? back : 0) : (other > 0 ? other : 0));
+  return NearPoints{off, low, sum_of_sizes(ap) + (sum_of_sizes(ab) + sum_of_sizes(ac))}.proof(radius);
 }
 
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Obb3& box, const Point3& center, double radius) {
   const PlainVec d = plain(center) - plain(box.center);
   const std::array half{magnitude_of(box.half.x), magnitude_of(box.half.y), magnitude_of(box.half.z)};
-  std::array<double, 3> t{};
+  const std::array axis{plain(box.axes[0]), plain(box.axes[1]), plain(box.axes[2])};
   PlainVec off = d;
+  double sizes = sum_of_sizes(d);
   for (std::size_t i = 0; i < 3; ++i) {
-    const PlainVec u = plain(box.axes[i]);
-    const double square = core::dot(u, u);
-    t[i] = square > 0 ? clamped(core::dot(d, u) / square, -half[i], half[i]) : 0;
-    off = off - u * t[i];
+    const double square = core::dot(axis[i], axis[i]);
+    const double t = square > 0 ? clamped(core::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
+    off = off - axis[i] * t;
+    sizes += half[i] * sum_of_sizes(axis[i]);
   }
-  const Way from = way(box.center, center), u = exactly(plain(box.axes[0])), v = exactly(plain(box.axes[1])),
-            w = exactly(plain(box.axes[2]));
-  if (core::dot(off, off) > radius * radius) {
-    const Way n = exactly(off);
-    const auto back = [&](const Way& axis, double h) {
-      const Approximate along = core::dot(n, axis);
-      return Approximate(magnitude_of(along.value), along.magnitude, along.error) * Approximate(h);
-    };
-    if (all_far(radius, off, core::dot(n, from) - (back(u, half[0]) + back(v, half[1]) + back(w, half[2]))))
-      return Sign::positive;
-  } else if (is_near(from - u * Approximate(t[0]) - v * Approximate(t[1]) - w * Approximate(t[2]), radius, 1)) {
-    return Sign::negative;
-  }
-  return {};
+  double low = core::dot(off, d);
+  for (std::size_t i = 0; i < 3; ++i) low -= magnitude_of(core::dot(off, axis[i])) * half[i];
+  return NearPoints{off, low, sizes}.proof(radius);
 }
 
 /// Of two segments pq and xy.
@@ -141,23 +129,17 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
     s = a > 0 ? clamped((b - g) / a, 0, 1) : 0;
   }
   const PlainVec off = r + d * s - e * t;
-  const double sum = radius_pq + radius_xy;
-  const Way from = way(xy.a, pq.a), dw = way(pq.a, pq.b), ew = way(xy.a, xy.b);
-  if (core::dot(off, off) > sum * sum) {
-    const Way n = exactly(off);
-    const Approximate h = core::dot(n, from), up = core::dot(n, dw), down = core::dot(n, ew);
-    if (all_far(sum, off, h, h + up, h - down, (h + up) - down)) return Sign::positive;
-  } else if (is_near(from + dw * Approximate(s) - ew * Approximate(t), sum, 1)) {
-    return Sign::negative;
-  }
-  return {};
+  const double up = core::dot(off, d), down = -core::dot(off, e);
+  const double low = core::dot(off, r) + (least_of(up, 0) + least_of(down, 0));
+  if (!(radius_pq >= 0 && radius_xy >= 0)) return {};
+  return NearPoints{off, low, sum_of_sizes(r) + (sum_of_sizes(d) + sum_of_sizes(e))}.proof(radius_pq + radius_xy);
 }
 
 /// Of a box that is not empty.
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Aabb3& box, const Segment3& pq, double radius) {
   const auto past = [&](double low, double high, double from, double to) {
     const double first = from < to ? from : to, last = from < to ? to : from;
-    const double limit = radius * more;  // a difference of two doubles is rounded once
+    const double limit = radius * (1 + 0x1p-40);  // a difference of two doubles is rounded once
     return (low - last > limit) | (first - high > limit);
   };
   if (past(box.min.x, box.max.x, pq.a.x, pq.b.x) || past(box.min.y, box.max.y, pq.a.y, pq.b.y) ||
@@ -166,25 +148,20 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
   constexpr int most_rounds = 12;
   const PlainVec p = plain(pq.a), d = plain(pq.b) - p;
   const double square = core::dot(d, d);
-  const Way dw = way(pq.a, pq.b);
   double s = 0.5;
   for (int round = 0; round < most_rounds; ++round) {
     const PlainVec at = p + d * s;
-    const Point3 q{clamped(at.x, box.min.x, box.max.x), clamped(at.y, box.min.y, box.max.y),
-                   clamped(at.z, box.min.z, box.max.z)};
-    const PlainVec off = at - plain(q);
-    const double gap = core::dot(off, off);
-    if (gap < radius * radius) {
-      if (is_near(way(q, pq.a) + dw * Approximate(s), radius, 1)) return Sign::negative;
-      return {};
-    }
+    const PlainVec q{clamped(at.x, box.min.x, box.max.x), clamped(at.y, box.min.y, box.max.y),
+                     clamped(at.z, box.min.z, box.max.z)};
     const auto corner = [](double n, double low, double high) { return n > 0 ? high : low; };
-    const Point3 near{corner(off.x, box.min.x, box.max.x), corner(off.y, box.min.y, box.max.y),
-                      corner(off.z, box.min.z, box.max.z)};
-    const Way n = exactly(off);
-    const Approximate h = core::dot(n, way(near, pq.a));
-    if (all_far(radius, off, h, h + core::dot(n, dw))) return Sign::positive;
-    const double next = square > 0 ? clamped(s - core::dot(off, d) / square, 0, 1) : 0;
+    const PlainVec from_q = p - q, off = from_q + d * s;
+    const PlainVec near{corner(off.x, box.min.x, box.max.x), corner(off.y, box.min.y, box.max.y),
+                        corner(off.z, box.min.z, box.max.z)};
+    const PlainVec from_near = p - near;
+    const double along = core::dot(off, d), low = core::dot(off, from_near) + least_of(along, 0);
+    const double sizes = sum_of_sizes(from_q) + (sum_of_sizes(from_near) + sum_of_sizes(d));
+    if (const auto sign = NearPoints{off, low, sizes}.proof(radius)) return sign;
+    const double next = square > 0 ? clamped(s - along / square, 0, 1) : 0;
     if (next == s) break;
     s = next;
   }

@@ -20,6 +20,7 @@ std::optional<Sign> near_or_far(const Segment3& s, const Capsule3& c) {
   return quick_gap(s, Segment3{c.a, c.b}, 0, c.radius);
 }
 std::optional<Sign> near_or_far(const Aabb3& box, const Capsule3& c) {
+  if (!is_sound(box) || !is_sound(c) || may_be_empty(box)) return {};
   return quick_gap(box, Segment3{c.a, c.b}, c.radius);
 }
 
@@ -36,10 +37,8 @@ template <class Flat, class Round>
 template <class Flat, class Round>
 Relation relate_vertices(const Flat& flat, const Round& round, Asked asked) {
   if constexpr (requires { near_or_far(flat, round); }) {
-    if (is_sound(flat) && is_sound(round) && !may_be_empty(flat)) [[likely]] {
-      if (const auto gap = near_or_far(flat, round)) [[likely]]
-        return static_cast<Relation>(-*gap);
-    }
+    if (const auto gap = near_or_far(flat, round)) [[likely]]
+      return static_cast<Relation>(-*gap);
   }
   return relate_slowly(flat, round, asked);
 }

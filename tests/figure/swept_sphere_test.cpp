@@ -9,6 +9,7 @@
 #include <map>
 
 #include "figure/bound_oracle.hpp"
+#include "figure/powers_of_two.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/figure/measures.hpp"
 
@@ -133,6 +134,10 @@ void relations_are_exact(std::uint64_t start, std::uint64_t cases) {
 TEST(Capsule, RelationsAreExact) {
   relations_are_exact<Capsule2>(601, 1000);
   relations_are_exact<Capsule3>(602, 2500);
+}
+
+TEST(Capsule, RelationsAreTheSameTimesPowersOfTwo) {
+  powers_of_two::expect_same_relation<Capsule3, Capsule3>(604, 300);
 }
 
 TEST(Lozenge, RelationsAreExact) { relations_are_exact<Lozenge3>(603, 350); }

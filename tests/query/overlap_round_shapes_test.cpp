@@ -1,6 +1,7 @@
 // Cylinders and cones; the book's figures of round shapes, laws and bad input.
 #include <gtest/gtest.h>
 
+#include "figure/powers_of_two.hpp"
 #include "plumb/query/overlap.hpp"
 #include "query/axis_oracle.hpp"
 
@@ -188,6 +189,12 @@ TEST(OverlapRoundLaws, PowersOfTwo) {
   expect_laws<Segment3, Cone3>(666);
   expect_laws<Triangle2, Circle2>(667);
 }
+TEST(OverlapRoundLaws, PowersOfTwoFromTheLeastDoublesToTheLargest) {
+  powers_of_two::expect_same_relation<Triangle3, Sphere3>(669, 100);
+  powers_of_two::expect_same_relation<Sphere3, Obb3>(670, 100);
+  powers_of_two::expect_same_relation<Segment3, Capsule3>(671, 100);
+  powers_of_two::expect_same_relation<Aabb3, Capsule3>(672, 100);
+}
 
 TEST(OverlapRoundLaws, OrderOfCornersAndExactTranslation) {
   Entropy entropy(668);
@@ -225,7 +232,10 @@ TEST(OverlapRoundBadInput, NamesThePart) {
   const auto expect = [](const std::string& text, std::string_view start) {
     EXPECT_EQ(text.substr(0, start.size()), start);
   };
-  expect(failure([&] { (void)relate(Triangle3{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, ball); }), "relate: triangle.c.y is nan");
+  expect(failure([&] {
+           (void)relate(Triangle3{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, ball);
+         }),
+         "relate: triangle.c.y is nan");
   expect(failure([&] { (void)relate(ball, Aabb3{{0, 0, 0}, {1, infinite, 1}}); }), "relate: aabb.max.y is inf");
   expect(failure([&] { (void)relate(Line3{{0, 0, 0}, {1, nan, 0}}, ball); }), "relate: line.direction.y is nan");
   expect(failure([&] { (void)relate(Plane3{{0, 0, 1}, nan}, ball); }), "relate: plane.offset is nan");
@@ -241,7 +251,10 @@ TEST(OverlapRoundBadInput, NamesThePart) {
            (void)relate(Plane3{{0, 0, 1}, 0}, Cone3{{0, 0, 0}, {1, 0, 0}, -1});
          }),
          "relate: cone.radius is negative");
-  expect(failure([&] { (void)relate(Polygon3{{{0, 0, 0}, {1, 0, 0}}}, ball); }), "relate: polygon.vertices has 2 vertices");
+  expect(failure([&] {
+           (void)relate(Polygon3{{{0, 0, 0}, {1, 0, 0}}}, ball);
+         }),
+         "relate: polygon.vertices has 2 vertices");
   expect(failure([&] {
            (void)relate(Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}}, ball);
          }),

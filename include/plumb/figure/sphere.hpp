@@ -66,9 +66,9 @@ inline double square_of_distance(const Point3& a, const Point3& b) {
 }
 
 /// The filter of Gap2 and Gap3 in fewer operations: |value| > c (square + reach + guards).  No product is negative, so
-/// that their sum is their magnitude; and square + reach is at most 2 square + |value|, so that it is enough to ask
-/// |value| > 3 c square + guard.  The fourth c pays for what rounds otherwise.
-inline constexpr double constant = 4 * filter_constant<Gap3>(), guard = 8 * filter_constant<Gap3>() * underflow_guard;
+/// that their sum is their magnitude, and is infinite or NaN where something has overflowed: then nothing is sure.
+/// Twice c pays for what rounds otherwise.
+inline constexpr double constant = 2 * filter_constant<Gap3>(), guard = 8 * filter_constant<Gap3>() * underflow_guard;
 static_assert(filter_constant<Gap2>() <= filter_constant<Gap3>());
 
 /// Is one of them negative, or -0?  Asked of integers, who have time left.
@@ -84,9 +84,7 @@ template <class Ball>
 Gap gap(const Ball& a, const Ball& b) {
   assert_sound_thread();
   const double square = square_of_distance(a.center, b.center), sum = a.radius + b.radius, reach = sum * sum;
-  const double value = square - reach;
-  // A value that has overflowed makes the threshold NaN: then nothing is sure.
-  const double threshold = constant * square + guard + (value - value);
+  const double value = square - reach, threshold = constant * (square + reach) + guard;
   return {value, magnitude_of(value) > threshold && !has_sign(a.radius, b.radius)};
 }
 
