@@ -1,40 +1,20 @@
 // How does each method take the sign of a formula?  The formula, run over the numbers that software commonly uses.
 //
-// Laws: every method gets the same doubles; float32 gets them rounded to floats beforehand, as software that stores
-// floats does, and plan as the kernel of the scene's lattice keeps them.  An epsilon makes zeros of small values, as is
-// commonly written; no decision of ours uses one.  `plumb check` tries some of them on meshes, `plumb chart` all.
+// Laws: those of formula_numbers.hpp.  `plumb check` tries some of these methods on meshes, `plumb chart` all.
 // Source: RTCD 11.2, 11.3.1 (tolerances); cost: what is measured.
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
 #include <tuple>
 
 #include "plumb/arith/big.hpp"
 #include "plumb/certify/bounded_points.hpp"
-#include "plumb/certify/decide.hpp"
-#include "plumb/certify/kernel.hpp"
 #include "tool/trial/adaptive.hpp"
 #include "tool/trial/compensated.hpp"
 #include "tool/trial/contestant.hpp"
+#include "tool/trial/formula_numbers.hpp"
 
 namespace plumb::tool::trial {
-
-/// The epsilon that is on trial here.
-inline constexpr double customary_epsilon = 1e-9;
-
-/// What counts as zero in the size of the formula's terms: the largest difference to the last point, to the degree.
-template <Formula F>
-double size_of_terms(const Coordinates<F>& p) {
-  constexpr auto dimension = static_cast<std::size_t>(F::dimension);
-  double largest = 0;
-  for (std::size_t i = 0; i + dimension < p.size(); ++i) {
-    largest = std::max(largest, std::fabs(p[i] - p[p.size() - dimension + i % dimension]));
-  }
-  return power<degree<F>()>(largest);
-}
 
 template <Formula F>
 std::vector<Coordinates<F>> sets_of(std::span<const double> questions) {
@@ -43,32 +23,12 @@ std::vector<Coordinates<F>> sets_of(std::span<const double> questions) {
   return sets;
 }
 
-/// The formula over another kind of floating-point number, which takes every double's value or rounds it.
-template <Formula F, class Real>
-std::array<Real, arity<F>> converted(const Coordinates<F>& p) {
-  std::array<Real, arity<F>> r{};
-  std::ranges::transform(p, r.begin(), [](double x) { return static_cast<Real>(x); });
-  return r;
-}
-
-/// The points of a formula as a plan's kernel keeps them.
-template <Formula F>
-using PlannedPoints =
-    std::array<LatticePoint<static_cast<std::size_t>(F::dimension)>, static_cast<std::size_t>(F::points)>;
-
 template <Formula F>
 class PlannedRound final : public Round {
  public:
   PlannedRound(std::span<const double> questions, const Scene& scene)
-      : kernel_(plan(scene.lattice)), sets_(questions.size() / arity<F>), signs_(sets_.size()) {
-    constexpr auto dimension = static_cast<std::size_t>(F::dimension);
-    for (std::size_t i = 0; i < sets_.size(); ++i) {
-      for (std::size_t k = 0; k < sets_[i].size(); ++k) {
-        std::array<double, dimension> x{};
-        std::copy_n(&questions[i * arity<F> + k * dimension], dimension, x.begin());
-        sets_[i][k] = kernel_.point(x);
-      }
-    }
+      : kernel_(plan(scene.lattice)), signs_(questions.size() / arity<F>) {
+    for (const Coordinates<F>& p : sets_of<F>(questions)) sets_.push_back(taken_in<F>(kernel_, p));
   }
   void answer() override {
     kernel_.with<F>([&](const auto& sign) { take_all(sign); });
