@@ -143,10 +143,6 @@ namespace {
 
 constexpr std::size_t most_lanes = 8;
 
-std::array<Point3, 1> corners_of(const Point3& p) { return {p}; }
-std::array<Point3, 2> corners_of(const Segment3& s) { return {s.a, s.b}; }
-std::array<Point3, 3> corners_of(const Triangle3& t) { return {t.a, t.b, t.c}; }
-
 template <class Batch, std::size_t numbers, class Scan>
 NearestOfMany nearest_of(const Batch& many, const Point3& p, Scan scan) {
   require_figure("nearest", "p", p);
@@ -165,48 +161,16 @@ NearestOfMany nearest_of(const Batch& many, const Point3& p, Scan scan) {
 
 }  // namespace
 
-template <class Item, std::size_t corners>
-ItemBatch<Item, corners>::ItemBatch(std::span<const Item> items) : size_(items.size()) {
-  constexpr std::string_view name = corners == 1 ? "PointBatch3" : corners == 2 ? "SegmentBatch3" : "TriangleBatch3";
-  for (auto& numbers : of_) numbers.reserve(items.size() + most_lanes);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto all = corners_of(items[i]);
-    if (!is_sound(items[i]))
-      require_figure(name, std::string("items[").append(std::to_string(i)).append("]"), items[i]);
-    for (std::size_t c = 0; c < corners; ++c) {
-      of_[3 * c].push_back(all[c].x), of_[3 * c + 1].push_back(all[c].y), of_[3 * c + 2].push_back(all[c].z);
-    }
-  }
-  if (items.empty()) return;
-  for (auto& numbers : of_) numbers.resize(items.size() + most_lanes, numbers.back());
-}
-
-template <class Item, std::size_t corners>
-Item ItemBatch<Item, corners>::operator[](std::size_t i) const {
-  const auto at = [&](std::size_t c) { return Point3{of_[3 * c][i], of_[3 * c + 1][i], of_[3 * c + 2][i]}; };
-  if constexpr (corners == 1) {
-    return at(0);
-  } else if constexpr (corners == 2) {
-    return {at(0), at(1)};
-  } else {
-    return {at(0), at(1), at(2)};
-  }
-}
-
-template class ItemBatch<Point3, 1>;
-template class ItemBatch<Segment3, 2>;
-template class ItemBatch<Triangle3, 3>;
-
 }  // namespace query
 
-NearestOfMany nearest(const PointBatch3& many, const Point3& p) {
-  return query::nearest_of<PointBatch3, 3>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::points));
+NearestOfMany nearest(const PointBatch& many, const Point3& p) {
+  return query::nearest_of<PointBatch, 3>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::points));
 }
-NearestOfMany nearest(const SegmentBatch3& many, const Point3& p) {
-  return query::nearest_of<SegmentBatch3, 6>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::segments));
+NearestOfMany nearest(const SegmentBatch& many, const Point3& p) {
+  return query::nearest_of<SegmentBatch, 6>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::segments));
 }
-NearestOfMany nearest(const TriangleBatch3& many, const Point3& p) {
-  return query::nearest_of<TriangleBatch3, 9>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::triangles));
+NearestOfMany nearest(const TriangleBatch& many, const Point3& p) {
+  return query::nearest_of<TriangleBatch, 9>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::triangles));
 }
 
 }  // namespace plumb

@@ -29,10 +29,13 @@ template <class Point>
   return *places_over<BigDyadic>(a, b);
 }
 
+/// Where they cross no point of theirs is looked at, which may be none.
+template <class A, class B>
+inline constexpr bool are_lines_of_plane = std::is_same_v<A, Line2>&& std::is_same_v<B, Line2>;
+
 template <class A, class B>
 [[gnu::flatten]] Places places_of(const A& a, const B& b, std::string_view function) {
-  // Of lines that cross in the plane no point is looked at.
-  if constexpr (std::is_same_v<A, Line2> && std::is_same_v<B, Line2>) require_figures(function, a, b);
+  if constexpr (are_lines_of_plane<A, B>) require_figures(function, a, b);
   if (const auto places = places_over<Approximate>(a, b)) [[likely]]
     return *places;
   require_figures(function, a, b);
@@ -147,6 +150,9 @@ namespace query {
 template <class A, class B>
 requires StraightPair<A, B>
 [[gnu::flatten]] std::optional<Sign> quick_comparison(const A& a, const B& b, double than) {
+  if constexpr (are_lines_of_plane<A, B>) {
+    if (!is_sound(a) || !is_sound(b)) return {};
+  }
   Signs ask;
   const auto p = linear<Approximate>(straight(a)), q = linear<Approximate>(straight(b));
   const auto pair = close_pair<Approximate>(p, q, closest_places<Approximate>(p, q, ask));

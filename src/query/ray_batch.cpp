@@ -84,24 +84,6 @@ std::uint32_t nearest_of(const AnyRay& ray, const TriangleBatch& many, HitRule r
 
 using namespace query;
 
-void TriangleBatch::add(const Triangle3& t) {
-  const std::array all{t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z};
-  if (!is_sound(t))
-    require_figure("TriangleBatch", std::string("triangles[").append(std::to_string(size())).append("]"), t);
-  for (std::size_t k = 0; k < all.size(); ++k) of_[k].push_back(all[k]);
-}
-
-TriangleBatch::TriangleBatch(std::span<const Triangle3> triangles) {
-  for (auto& numbers : of_) numbers.reserve(triangles.size());
-  for (const Triangle3& t : triangles) add(t);
-}
-
-TriangleBatch::TriangleBatch(const TriangleMesh& mesh) {
-  require_mesh("TriangleBatch", mesh);
-  for (auto& numbers : of_) numbers.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) add({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
-}
-
 void hits(const AnyRay& ray, const TriangleBatch& many, std::span<std::uint8_t> out, HitRule rule) {
   require_length(out.size(), many.size());
   std::fill(out.begin(), out.end(), std::uint8_t{0});
@@ -157,7 +139,7 @@ std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& man
 
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule) {
   require_mesh("first_hit", mesh);
-  return first_hit(ray, TriangleBatch(mesh), rule);
+  return first_hit(ray, triangle_batch(mesh), rule);
 }
 
 }  // namespace plumb

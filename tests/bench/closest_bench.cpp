@@ -201,8 +201,8 @@ void add_many(const std::string& name) {
 }
 
 const bool added = [] {
-  add_many<SegmentBatch3, Segment3>("many_segments");
-  add_many<TriangleBatch3, Triangle3>("many_triangles");
+  add_many<SegmentBatch, Segment3>("many_segments");
+  add_many<TriangleBatch, Triangle3>("many_triangles");
   add_all<Segment3, Exact, Plain, ByEigen, ByCgal>("point_segment");
   add_all<Triangle3, Exact, Plain, ByEigen, ByCgal>("point_triangle");
   add_all<Aabb3, Exact, Plain, ByEigen>("point_box");

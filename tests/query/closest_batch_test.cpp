@@ -45,9 +45,9 @@ TEST(ClosestBatchTest, TheFirstOfTheNearest) {
     }
     const Point3 p = entropy.coin() ? all.back() : Point3{(all[0].x + all[1].x) / 2, all[0].y, all[0].z};
     if (!std::isfinite(p.x)) continue;
-    expect_first<PointBatch3>(points, p);
-    expect_first<SegmentBatch3>(segments, p);
-    expect_first<TriangleBatch3>(triangles, p);
+    expect_first<PointBatch>(points, p);
+    expect_first<SegmentBatch>(segments, p);
+    expect_first<TriangleBatch>(triangles, p);
     const std::size_t best = first_nearest(segments, p);
     for (std::size_t i = best + 1; i < n; ++i)
       ties += compare_distance(p, segments[i], p, segments[best]) == Sign::zero ? 1 : 0;
@@ -59,19 +59,19 @@ TEST(ClosestBatchTest, OffByTheLeast) {
   std::vector<Point3> points(100, Point3{1, 1, 1});
   points[57].x = std::nextafter(1.0, 0.0);
   points[80] = points[57];
-  EXPECT_EQ(nearest(PointBatch3(points), {0, 0, 0}).index, 57U);
+  EXPECT_EQ(nearest(PointBatch(points), {0, 0, 0}).index, 57U);
   points[91].z = 0x1p-1074, points[91].x = points[91].y = 0;
-  EXPECT_EQ(nearest(PointBatch3(points), {0, 0, 0}), (NearestOfMany{91, 0x1p-1074}));
+  EXPECT_EQ(nearest(PointBatch(points), {0, 0, 0}), (NearestOfMany{91, 0x1p-1074}));
   const double most = std::numeric_limits<double>::max();
   const std::vector<Segment3> far{{{most, most, 0}, {most, 0, 0}}, {{most, 0, 0}, {most / 2, 0, 0}}};
-  EXPECT_EQ(nearest(SegmentBatch3(far), {-most, 0, 0}).index, 1U);
+  EXPECT_EQ(nearest(SegmentBatch(far), {-most, 0, 0}).index, 1U);
 }
 
 TEST(ClosestBatchTest, NothingIsRefusedByName) {
-  EXPECT_THROW(nearest(PointBatch3({}), {0, 0, 0}), InvalidShape);
+  EXPECT_THROW(nearest(PointBatch({}), {0, 0, 0}), InvalidShape);
   const std::vector<Segment3> bad{{}, {{0, 0, 0}, {0, std::nan(""), 0}}};
   try {
-    SegmentBatch3 batch(bad);
+    SegmentBatch batch(bad);
     ADD_FAILURE();
   } catch (const NonFinite& e) {
     EXPECT_THAT(e.what(), testing::HasSubstr("items[1].b.y is nan"));
@@ -82,12 +82,12 @@ TEST(ClosestBatch, SizesWhoseSixthPowersAreNoDoubles) {
   for (const double s : {1.0, 0x1p-200, 0x1p-300, 0x1p120}) {
     const std::vector<Triangle3> small{{{0, 0, 0}, {s, 0, 0}, {0, s, 0}},
                                        {{.75 * s, .25 * s, s}, {1.75 * s, .25 * s, s}, {1.75 * s, 1.25 * s, s}}};
-    EXPECT_EQ(nearest(TriangleBatch3(small), Point3{.25 * s, .25 * s, s}).index, 1u) << s;
+    EXPECT_EQ(nearest(TriangleBatch(small), Point3{.25 * s, .25 * s, s}).index, 1u) << s;
   }
   for (const double s : {1.0, 0x1p172, 0x1p300, 0x1p-172}) {
     const std::vector<Triangle3> large{{{0, 0, 0}, {4 * s, 0, 0}, {0, 4 * s, 0}},
                                        {{1.5 * s, s, .1 * s}, {2.5 * s, s, .1 * s}, {2.5 * s, 2 * s, .1 * s}}};
-    EXPECT_EQ(nearest(TriangleBatch3(large), Point3{s, s, .1 * s}).index, 0u) << s;
+    EXPECT_EQ(nearest(TriangleBatch(large), Point3{s, s, .1 * s}).index, 0u) << s;
   }
 }
 

@@ -133,6 +133,7 @@ void expect_refused(const A& a, const B& b, std::string_view name, bool first) {
   if constexpr (HasDistance<A, B>) {
     expect("distance", [&] { (void)distance(a, b); });
     expect("closest_points", [&] { (void)closest_points(a, b); });
+    expect("distance", [&] { (void)compare_distance(a, b, 1); });  // of which it is the sign
   }
   if constexpr (requires { squared_distance_exact(a, b); })
     expect("squared_distance_exact", [&] { (void)squared_distance_exact(a, b); });

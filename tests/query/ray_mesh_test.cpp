@@ -251,7 +251,7 @@ TEST(Batch, NamesWhatIsWrong) {
     const TriangleBatch batch(bad);
     FAIL();
   } catch (const NonFinite& e) {
-    EXPECT_NE(std::string(e.what()).find("triangles[1].b.y"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("items[1].b.y"), std::string::npos) << e.what();
   }
   const TriangleBatch one(std::span<const Triangle3>(bad.data(), 1));
   std::vector<std::uint8_t> out(2);
@@ -274,7 +274,7 @@ TEST(Watertight, RealMeshesAreCrossedAsOftenInAsOut) {
       continue;
     }
     ++closed;
-    const TriangleBatch batch(mesh);
+    const TriangleBatch batch = triangle_batch(mesh);
     for (std::uint64_t i = 0; i < 12 * shape_cases::more; ++i) {
       Entropy e(606, i);
       const auto unit = [&] { return static_cast<double>(e.within(1024)) / 1024; };

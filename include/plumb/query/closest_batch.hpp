@@ -6,13 +6,9 @@
 // bounds; exact comparisons only among items that the bounds cannot tell apart.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <span>
-#include <vector>
 
-#include "plumb/figure/linear.hpp"
-#include "plumb/figure/simplex.hpp"
+#include "plumb/query/item_batch.hpp"
 
 namespace plumb {
 
@@ -22,32 +18,8 @@ struct NearestOfMany {
   friend bool operator==(const NearestOfMany&, const NearestOfMany&) = default;
 };
 
-namespace query {
-
-/// The coordinates of items of `corners` points each, an array for each coordinate.
-template <class Item, std::size_t corners>
-class ItemBatch {
- public:
-  explicit ItemBatch(std::span<const Item> items);
-
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] Item operator[](std::size_t i) const;
-  /// Behind the last item it goes on for a few more, so that whole lanes can be read.
-  [[nodiscard]] const double* numbers(std::size_t k) const { return of_[k].data(); }
-
- private:
-  std::size_t size_;
-  std::array<std::vector<double>, 3 * corners> of_;
-};
-
-}  // namespace query
-
-using PointBatch3 = query::ItemBatch<Point3, 1>;
-using SegmentBatch3 = query::ItemBatch<Segment3, 2>;
-using TriangleBatch3 = query::ItemBatch<Triangle3, 3>;
-
-NearestOfMany nearest(const PointBatch3& many, const Point3& p);
-NearestOfMany nearest(const SegmentBatch3& many, const Point3& p);
-NearestOfMany nearest(const TriangleBatch3& many, const Point3& p);
+NearestOfMany nearest(const PointBatch& many, const Point3& p);
+NearestOfMany nearest(const SegmentBatch& many, const Point3& p);
+NearestOfMany nearest(const TriangleBatch& many, const Point3& p);
 
 }  // namespace plumb

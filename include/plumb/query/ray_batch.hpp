@@ -8,35 +8,16 @@
 // that doubles leave in doubt.  The best instruction set that the processor has is taken.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "plumb/figure/box_batch.hpp"
 #include "plumb/figure/mesh.hpp"
+#include "plumb/query/item_batch.hpp"
 #include "plumb/query/ray.hpp"
 
 namespace plumb {
-
-/// Triangles, coordinate by coordinate.
-class TriangleBatch {
- public:
-  explicit TriangleBatch(std::span<const Triangle3> triangles);
-  /// Those of a mesh; one that names no vertex throws InvalidShape.
-  explicit TriangleBatch(const TriangleMesh& mesh);
-
-  [[nodiscard]] std::size_t size() const { return of_[0].size(); }
-  /// Numbers 0 to 8: a.x, a.y, a.z, b.x, ..., c.z.
-  [[nodiscard]] const double* numbers(std::size_t k) const { return of_[k].data(); }
-  [[nodiscard]] Triangle3 operator[](std::size_t i) const {
-    return {{of_[0][i], of_[1][i], of_[2][i]}, {of_[3][i], of_[4][i], of_[5][i]}, {of_[6][i], of_[7][i], of_[8][i]}};
-  }
-
- private:
-  void add(const Triangle3& triangle);
-  std::array<std::vector<double>, 9> of_;
-};
 
 /// out[i] is 1 where triangle i is hit, else 0.
 void hits(const AnyRay& ray, const TriangleBatch& many, std::span<std::uint8_t> out, HitRule rule = HitRule::closed);
