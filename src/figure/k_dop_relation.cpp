@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "halfspace_slack.hpp"
 #include "k_dop_proof.hpp"
 #include "k_dop_sets.hpp"
 
@@ -50,6 +51,24 @@ KDop<Vector> common_part(const KDop<Vector>& a, const KDop<Vector>& b) {
   return both;
 }
 
+// The greatest slack that a point has in all halfspaces: its sign, where that is proved.
+template <class Vector>
+std::optional<int> sign_of_slack(const KDop<Vector>& k_dop) {
+  const auto row = [&]<class T>(std::size_t i, const T&) {
+    const auto d = coordinates(k_dop.directions.all()[i / 2]);
+    SlackRow<T> r{{T(0.0), T(0.0), T(0.0)}, T(i % 2 == 0 ? k_dop.max[i / 2] : -k_dop.min[i / 2])};
+    for (std::size_t k = 0; k < d.size(); ++k) r.normal[k] = T(i % 2 == 0 ? d[k] : -d[k]);
+    return r;
+  };
+  HalfspaceSlack slack([&](std::size_t i) { return row(i, BigDyadic()); });
+  for (std::size_t i = 0; i < 2 * k_dop.min.size(); ++i) {
+    double size = 0;
+    for (const double x : coordinates(k_dop.directions.all()[i / 2])) size += magnitude_of(x);
+    slack.add(row(i, Running()), size);
+  }
+  return slack.sign();
+}
+
 // Which halfspaces have slack somewhere in the set, which is not empty: those that bound its relative interior.
 std::vector<bool> with_slack(const Constraints& halfspaces) {
   std::vector<bool> slack(halfspaces.rows.size(), true);
@@ -65,6 +84,8 @@ Relation relation(std::string_view function, const KDop<Vector>& a, const KDop<V
   if (!overlap(function, a, b)) return Relation::disjoint;
   const KDop<Vector> both = common_part(a, b);
   if (const auto proof = has_inner_point(both)) return *proof ? Relation::overlapping : Relation::disjoint;
+  const auto sign = sign_of_slack(both);
+  if (sign && (*sign != 0 || (sign_of_slack(a) == 1 && sign_of_slack(b) == 1))) return static_cast<Relation>(*sign);
   const Constraints common = halfspaces(both);
   const int slack = feasible(common, std::vector<bool>(common.rows.size(), true)).slack;
   if (slack != 0) return slack < 0 ? Relation::disjoint : Relation::overlapping;
@@ -84,6 +105,7 @@ bool meet(const KDop<Vector>& a, const KDop<Vector>& b) {
   if (!overlap("intersects", a, b)) return false;
   const KDop<Vector> both = common_part(a, b);
   if (const auto proof = has_inner_point(both)) return *proof;
+  if (const auto sign = sign_of_slack(both)) return *sign >= 0;
   return !is_empty(halfspaces(both));
 }
 
@@ -92,6 +114,7 @@ bool is_empty_set(const KDop<Vector>& k_dop) {
   check("is_empty", "k_dop", k_dop);
   if (has_empty_interval(k_dop)) return true;
   if (const auto proof = has_inner_point(k_dop)) return !*proof;
+  if (const auto sign = sign_of_slack(k_dop)) return *sign < 0;
   return is_empty(halfspaces(k_dop));
 }
 

@@ -41,60 +41,130 @@ std::optional<Vertices> cut_to(const Vertices& others, const AxisBody<Running>& 
   return ends;
 }
 
+/// A polyhedron, climbed from vertex to vertex, or the vertices of a small figure.
+struct Hull {
+  const ConvexPolyhedron3* solid = nullptr;
+  Vertices vertices = {};
+  std::uint32_t at = 0;  // the one that was found last
+
+  [[nodiscard]] Vertex vertex(std::size_t i) const {
+    return solid != nullptr ? core::vec<Running>(solid->mesh.vertices[i]) : vertices[i];
+  }
+};
+
+Vertices used_vertices(const ConvexPolyhedron3& s) {
+  Vertices all;
+  for (std::size_t i = 0; i < s.mesh.vertices.size(); ++i) {
+    if (!s.neighbors_of(i).empty()) all.push_back(core::vec<Running>(s.mesh.vertices[i]));
+  }
+  return all;
+}
+
+Hull hull_of(const ConvexPolyhedron3& solid) { return {&solid, {}, solid.mesh.corners[0]}; }
+
 /// Nothing for figures that go on in two directions.
-std::optional<Vertices> vertices_of(const FlatView& v, const Vertices* others) {
-  return with_shape(v, [&](const auto& s) -> std::optional<Vertices> {
+std::optional<Hull> hull_of(const FlatView& v, const ConvexPolyhedron3& other) {
+  return with_shape(v, [&](const auto& s) -> std::optional<Hull> {
     using Shape = std::remove_cvref_t<decltype(s)>;
-    Vertices all;
     if constexpr (std::is_same_v<Shape, ConvexPolyhedron3>) {
-      std::vector<bool> used(s.mesh.vertices.size());
-      for (const std::uint32_t c : s.mesh.corners) used[c] = true;
-      for (std::size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) all.push_back(core::vec<Running>(s.mesh.vertices[i]));
-      }
-      return all;
+      return hull_of(s);
     } else if constexpr (has_body<Shape>) {
       const auto body = axis_body_of<Running>(s, {0, 0, 0});
-      if (body.edge_count > 0 && body.ends[0] != EdgeEnd::none)
-        return body.edge_count == 1 && others != nullptr ? cut_to(*others, body) : std::nullopt;
-      all.assign(body.points.begin(), body.points.begin() + static_cast<std::ptrdiff_t>(body.point_count));
-      return all;
+      if (body.edge_count > 0 && body.ends[0] != EdgeEnd::none) {
+        if (body.edge_count > 1) return {};
+        auto part = cut_to(used_vertices(other), body);
+        return part ? std::optional(Hull{nullptr, std::move(*part)}) : std::nullopt;
+      }
+      return Hull{nullptr, {body.points.begin(), body.points.begin() + static_cast<std::ptrdiff_t>(body.point_count)}};
     } else {
       return {};
     }
   });
 }
 
-const Vertex& farthest(const Vertices& vertices, const Triple& along, double way) {
-  const Vertex* best = &vertices[0];
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Vertex& v : vertices) {
-    const double reach = way * core::dot(value(v), along);
-    if (reach > most) most = reach, best = &v;
+/// A vertex that no other one is seen beyond, along way times the direction.
+Vertex farthest(Hull& hull, const Triple& along, double way) {
+  const Triple n = along * way;
+  if (hull.solid == nullptr) {
+    for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) {
+      if (core::dot(value(hull.vertices[i]), n) > core::dot(value(hull.vertices[hull.at]), n)) hull.at = i;
+    }
+    return hull.vertices[hull.at];
   }
-  return *best;
+  const std::vector<Point3>& points = hull.solid->mesh.vertices;
+  const auto reach = [&](std::uint32_t i) { return points[i].x * n.x + points[i].y * n.y + points[i].z * n.z; };
+  double most = reach(hull.at);
+  for (bool better = true; better;) {
+    better = false;
+    for (const std::uint32_t i : hull.solid->neighbors_of(hull.at)) {
+      const double r = reach(i);
+      if (r > most) most = r, hull.at = i, better = true;
+    }
+  }
+  return core::vec<Running>(points[hull.at]);
 }
 
-/// Are all of a strictly farther along than all of b?
-bool proves_apart(const Vertices& a, const Vertices& b, const Triple& along) {
-  const Vertex n{Running(along.x), Running(along.y), Running(along.z)};
-  double least = std::numeric_limits<double>::infinity(), most = -least, widths = 0;
-  for (const Vertex& v : a) {
+/// Nothing of the polyhedron is below these: some vertices that doubles do not tell from one another along n, all of
+/// whose other neighbors are above.  From the first of them a way down to the lowest vertex cannot leave them.
+constexpr std::size_t most_level = 16;
+struct Level {
+  std::array<std::uint32_t, most_level> vertices;
+  std::size_t count = 0;
+};
+std::optional<Level> lowest_of(const ConvexPolyhedron3& solid, std::uint32_t from, const Vertex& n) {
+  const auto vertex = [&](std::uint32_t i) { return core::vec<Running>(solid.mesh.vertices[i]); };
+  const Vertex lowest = vertex(from);
+  Level level{{from}, 1};
+  for (std::size_t k = 0; k < level.count; ++k) {
+    for (const std::uint32_t i : solid.neighbors_of(level.vertices[k])) {
+      if (core::dot(vertex(i) - lowest, n).lower() > 0) continue;
+      const auto end = level.vertices.begin() + static_cast<std::ptrdiff_t>(level.count);
+      if (std::find(level.vertices.begin(), end, i) != end) continue;
+      if (level.count == most_level) return {};
+      level.vertices[level.count++] = i;
+    }
+  }
+  return level;
+}
+
+/// A number that nothing of the hull is below along n; infinite or NaN where doubles do not tell.
+double least_along(const Hull& hull, const Vertex& n) {
+  double least = std::numeric_limits<double>::infinity(), widths = 0;
+  const auto look = [&](const Vertex& v) {
     const Running at = core::dot(v, n);
     widths += at.upper() - at.lower();
     least = std::min(least, at.lower());
+  };
+  if (hull.solid == nullptr) {
+    for (const Vertex& v : hull.vertices) look(v);
+  } else if (const auto level = lowest_of(*hull.solid, hull.at, n)) {
+    for (std::size_t k = 0; k < level->count; ++k) look(hull.vertex(level->vertices[k]));
+  } else {
+    for (const std::uint32_t i : hull.solid->mesh.corners) look(hull.vertex(i));
   }
-  for (const Vertex& v : b) {
-    const Running at = core::dot(v, n);
-    widths += at.upper() - at.lower();
-    most = std::max(most, at.upper());
-  }
-  return widths - widths == 0 && least > most;
+  return least + (widths - widths);
 }
 
+/// Are all of a strictly farther along than all of b?  Both have been asked for their farthest vertices that way.
+bool proves_apart(const Hull& a, const Hull& b, const Triple& along) {
+  const Vertex n{Running(along.x), Running(along.y), Running(along.z)};
+  const Vertex back{Running(-along.x), Running(-along.y), Running(-along.z)};
+  const Running gap = Running(least_along(a, n)) + Running(least_along(b, back));
+  return gap.lower() > 0 && gap.value < std::numeric_limits<double>::infinity();
+}
+
+/// Up to four differences.
+struct Simplex {
+  std::array<Vertex, 4> at;
+  std::size_t size = 0;
+
+  void add(const Vertex& v) { at[size++] = v; }
+};
+
 /// Is the origin strictly inside of the tetrahedron?
-bool proves_overlap(const std::vector<Vertex>& s) {
-  if (s.size() != 4) return false;
+bool proves_overlap(const Simplex& simplex) {
+  if (simplex.size != 4) return false;
+  const auto& s = simplex.at;
   Sign all{};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto sign = core::dot(s[(i + 1) % 4], core::cross(s[(i + 2) % 4], s[(i + 3) % 4])).sign();
@@ -108,23 +178,23 @@ bool proves_overlap(const std::vector<Vertex>& s) {
 
 /// The part of the simplex that is nearest to the origin, and its nearest point: of all its parts.
 struct Nearest {
-  std::vector<Vertex> part;
+  Simplex part;
   Triple at{0, 0, 0};
+  double square = std::numeric_limits<double>::infinity();
 };
-Nearest nearest(const std::vector<Vertex>& simplex) {
+Nearest nearest(const Simplex& simplex) {
   Nearest best;
-  double distance = std::numeric_limits<double>::infinity();
-  for (unsigned chosen = 1; chosen < 1u << simplex.size(); ++chosen) {
-    std::vector<Vertex> part;
-    for (std::size_t i = 0; i < simplex.size(); ++i) {
-      if ((chosen >> i & 1u) != 0) part.push_back(simplex[i]);
+  for (unsigned chosen = 1; chosen < 1u << simplex.size; ++chosen) {
+    Simplex part;
+    for (std::size_t i = 0; i < simplex.size; ++i) {
+      if ((chosen >> i & 1u) != 0) part.add(simplex.at[i]);
     }
     // Weights of the edges from the first corner, by elimination of their normal equations.
-    const Triple base = value(part[0]);
-    const std::size_t n = part.size() - 1;
+    const Triple base = value(part.at[0]);
+    const std::size_t n = part.size - 1;
     std::array<Triple, 3> edge{};
     std::array<std::array<double, 4>, 3> row{};
-    for (std::size_t i = 0; i < n; ++i) edge[i] = value(part[i + 1]) - base;
+    for (std::size_t i = 0; i < n; ++i) edge[i] = value(part.at[i + 1]) - base;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) row[i][j] = core::dot(edge[i], edge[j]);
       row[i][3] = -core::dot(edge[i], base);
@@ -146,29 +216,35 @@ Nearest nearest(const std::vector<Vertex>& simplex) {
       rest -= weight;
       at = at + edge[i] * weight;
     }
-    if (inside && rest > 0 && core::dot(at, at) < distance) {
-      distance = core::dot(at, at);
-      best = {std::move(part), at};
-    }
+    if (inside && rest > 0 && core::dot(at, at) < best.square) best = {part, at, core::dot(at, at)};
   }
   return best;
 }
 
 bool same(const Triple& a, const Triple& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-std::optional<Relation> relate_hulls(const Vertices& a, const Vertices& b) {
-  std::vector<Vertex> simplex{a[0] - b[0]};
-  Triple at = value(simplex[0]);
+std::optional<Relation> relate_hulls(Hull& a, Hull& b) {
+  constexpr double nothing = 0x1p-90;  // of the square of a length that is lost in the differences' roundings
+  Simplex simplex;
+  simplex.add(a.vertex(a.at) - b.vertex(b.at));
+  Triple at = value(simplex.at[0]);
+  double largest = core::dot(at, at), square = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
     const Vertex next = farthest(a, at, -1) - farthest(b, at, 1);
-    if (core::dot(value(next), at) > 0 && proves_apart(a, b, at)) return Relation::disjoint;
-    if (std::ranges::any_of(simplex, [&](const Vertex& v) { return same(value(v), value(next)); })) return {};
-    simplex.push_back(next);
+    const Triple reached = value(next);
+    if (core::dot(reached, at) > 0 && proves_apart(a, b, at)) return Relation::disjoint;
+    largest = std::max(largest, core::dot(reached, reached));
+    for (std::size_t i = 0; i < simplex.size; ++i) {
+      if (same(value(simplex.at[i]), reached)) return {};
+    }
+    simplex.add(next);
     if (proves_overlap(simplex)) return Relation::overlapping;
-    Nearest found = nearest(simplex);
-    if (found.part.empty() || found.part.size() == 4) return {};
-    simplex = std::move(found.part);
+    const Nearest found = nearest(simplex);
+    if (found.part.size == 0 || found.part.size == 4) return {};
+    if (!(found.square < square) || found.square < largest * nothing) return {};
+    simplex = found.part;
     at = found.at;
+    square = found.square;
   }
   return {};
 }
@@ -177,10 +253,11 @@ std::optional<Relation> relate_hulls(const Vertices& a, const Vertices& b) {
 
 std::optional<Relation> relate_by_search(const FlatView& a, const FlatView& b) {
   const bool a_first = a.kind == FigureKind::convex_polyhedron;
-  const auto solid = vertices_of(a_first ? a : b, nullptr);
-  const auto other = vertices_of(a_first ? b : a, &*solid);
-  if (!other) return {};
-  return relate_hulls(*solid, *other);
+  const auto& solid = *static_cast<const ConvexPolyhedron3*>((a_first ? a : b).shape);
+  Hull first = hull_of(solid);
+  auto second = hull_of(a_first ? b : a, solid);
+  if (!second) return {};
+  return relate_hulls(first, *second);
 }
 
 }  // namespace plumb::query

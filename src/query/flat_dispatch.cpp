@@ -4,12 +4,12 @@
 #include "figure_input.hpp"
 #include "flat_set.hpp"
 #include "flat_view.hpp"
-#include "halfspace_clip.hpp"
 #include "plane_extent.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/figure/polyhedron.hpp"
 #include "polygon_relation.hpp"
 #include "separating_axes.hpp"
+#include "slack_relation.hpp"
 
 namespace plumb::query {
 namespace {
@@ -50,12 +50,15 @@ std::optional<Relation> relate_by_place(const FlatView& point, const FlatView& o
 
 std::optional<Relation> relate_figures(const FlatView& a, const FlatView& b) {
   if (is_empty_box(a) || is_empty_box(b)) return Relation::disjoint;
-  if (is_many_planes(a)) return relate_by_clipping(a, b);
-  if (is_many_planes(b)) return relate_by_clipping(b, a);
+  if (is_many_planes(a)) return relate_by_slack(a, b);
+  if (is_many_planes(b)) return relate_by_slack(b, a);
   if (is_one_plane(a)) return relate_by_extent(a, b);
   if (is_one_plane(b)) return relate_by_extent(b, a);
   if (has_axes(a) && has_axes(b)) return relate_by_axes(a, b);
-  if (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) return relate_by_search(a, b);
+  if (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) {
+    if (const auto found = relate_by_search(a, b)) return found;
+    return a.kind == FigureKind::convex_polyhedron ? relate_by_slack(a, b) : relate_by_slack(b, a);
+  }
   return {};
 }
 

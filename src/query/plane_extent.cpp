@@ -1,8 +1,10 @@
 #include "plane_extent.hpp"
 
+#include "arith/plane_value.hpp"
 #include "arith/running_error.hpp"
 #include "axis_body.hpp"
 #include "plumb/certify/direction.hpp"
+#include "plumb/certify/side_of_plane.hpp"
 
 namespace plumb::query {
 namespace {
@@ -59,8 +61,10 @@ std::optional<Extent> extent_of(const ConvexPolyhedron3& polyhedron, const Vecto
   for (const std::uint32_t v : polyhedron.mesh.corners) {
     const Point3& p = polyhedron.mesh.vertices[v];
     Sign sign{};
-    if (!sign_of(core::dot(n, core::vec<Running>(p)) - Running(offset), sign))
-      sign_of(core::dot(core::vec<BigDyadic>(normal), core::vec<BigDyadic>(p)) - BigDyadic(offset), sign);
+    if (!sign_of(core::dot(n, core::vec<Running>(p)) - Running(offset), sign)) {
+      const auto exact = sign_of_plane_value(normal, offset, p);
+      sign = exact ? *exact : side_of_plane(normal, offset, p);
+    }
     extent.add(sign);
     if (extent.least == Sign::negative && extent.greatest == Sign::positive) break;
   }

@@ -1,0 +1,122 @@
+#include "halfspace_slack.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb::figure {
+namespace {
+
+constexpr int most_pivots = 60;
+
+double certain_part(const Running& x) { return std::fabs(x.value) > x.error ? x.value : 0; }
+
+}  // namespace
+
+void HalfspaceSlack::add(const Near& row, double unit) {
+  const double by = std::ldexp(1.0, std::clamp(std::ilogb(unit), -1000, 1000));
+  near_.push_back(row);
+  unit_.push_back(by);
+  Guess g{};
+  for (std::size_t k = 0; k < 3; ++k) g.column[k] = certain_part(row.normal[k]) / by;
+  g.column[3] = 1;
+  g.limit = certain_part(row.limit) / by;
+  scale_ = std::max(scale_, std::fabs(g.limit));
+  guess_.push_back(g);
+}
+
+std::optional<int> HalfspaceSlack::sign() {
+  const auto near = sign_by_doubles();
+  return near ? near : sign_by_integers();
+}
+
+std::optional<int> HalfspaceSlack::sign_by_doubles() {
+  guessed_ = guess();
+  if (!guessed_) return {};
+  if (at_[3] > 0 && has_slack_everywhere()) return 1;
+  if (at_[3] < 0 && has_no_point()) return -1;
+  return {};
+}
+
+std::vector<std::size_t> HalfspaceSlack::deciding() const {
+  std::vector<std::size_t> order, rows;
+  for (std::size_t k = 0; k < most; ++k) {
+    if (guessed_ && basis_[k] < near_.size() && weight_[k] > 0x1p-30) order.push_back(k);
+  }
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return weight_[a] > weight_[b]; });
+  for (const std::size_t k : order) rows.push_back(basis_[k]);
+  return rows;
+}
+
+// min limits . y with sum of y_j columns = (0, .., 0, 1), y >= 0: a basis of four columns, which at first are the
+// numbers held at zero and slack <= 1.
+bool HalfspaceSlack::guess() {
+  for (std::size_t k = 0; k < most; ++k) inverse_[k] = {}, inverse_[k][k] = 1;
+  basis_.fill(held);
+  basis_[3] = at_most_one;
+  weight_ = {};
+  weight_[3] = 1;
+  for (int pivots = 0; pivots < most_pivots; ++pivots) {
+    multiply();
+    const std::size_t in = entering();
+    if (in == held) return true;
+    Column step{};
+    for (std::size_t k = 0; k < most; ++k) {
+      for (std::size_t i = 0; i < most; ++i) step[k] += inverse_[k][i] * guess_[in].column[i];
+    }
+    const std::size_t out = leaving(step);
+    if (out == most) return false;
+    pivot(out, in, step);
+  }
+  return false;
+}
+
+void HalfspaceSlack::multiply() {
+  at_ = {};
+  for (std::size_t k = 0; k < most; ++k) {
+    const double cost = limit(basis_[k]);
+    for (std::size_t i = 0; i < most; ++i) at_[i] += cost * inverse_[k][i];
+  }
+}
+
+// The row that the point violates most.  Violations within rounding are none: whether the guess is right is proved.
+std::size_t HalfspaceSlack::entering() const {
+  std::size_t best = held;
+  double largest = scale_ * 0x1p-40;
+  for (std::size_t j = 0; j < guess_.size(); ++j) {
+    const Column& c = guess_[j].column;
+    const double above = ((c[0] * at_[0] + c[1] * at_[1]) + (c[2] * at_[2] + c[3] * at_[3])) - guess_[j].limit;
+    if (above > largest) best = j, largest = above;
+  }
+  return best;
+}
+
+std::size_t HalfspaceSlack::leaving(const Column& step) const {
+  constexpr double nothing = 0x1p-30;
+  std::size_t best = most;
+  for (std::size_t k = 0; k < most; ++k) {
+    if (basis_[k] == held && std::fabs(step[k]) > nothing) return k;
+    if (step[k] > nothing && (best == most || weight_[k] * step[best] < weight_[best] * step[k])) best = k;
+  }
+  return best;
+}
+
+void HalfspaceSlack::pivot(std::size_t out, std::size_t in, const Column& step) {
+  weight_[out] /= step[out];
+  for (double& x : inverse_[out]) x /= step[out];
+  for (std::size_t k = 0; k < most; ++k) {
+    if (k == out) continue;
+    weight_[k] -= step[k] * weight_[out];
+    for (std::size_t i = 0; i < most; ++i) inverse_[k][i] -= step[k] * inverse_[out][i];
+  }
+  basis_[out] = in;
+}
+
+bool HalfspaceSlack::has_slack_everywhere() const {
+  return std::ranges::all_of(near_, [&](const Near& row) {
+    Running sum = Running(0.0) - row.limit;
+    for (std::size_t k = 0; k < 3; ++k) sum = sum + row.normal[k] * Running(at_[k]);
+    return sum.upper() < 0;
+  });
+}
+
+}  // namespace plumb::figure
