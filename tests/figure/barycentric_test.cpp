@@ -9,6 +9,7 @@
 #include "figure/rationals.hpp"
 #include "figure/shape_cases.hpp"
 #include "figure/thrown.hpp"
+#include "oracle/shapes.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 
@@ -213,6 +214,19 @@ TEST(BarycentricTest, CenterOfGravity) {
   });
   EXPECT_GT(made, 1000);
   EXPECT_GT(none, 10);
+  int by_cgal = 0;
+  on_shapes(19, 500, [&](Material& m) {
+    const auto t = m.shape<Triangle3>();
+    const auto flat = m.shape<Triangle2>();
+    const std::array<double, 3> w{m.multiple(), m.multiple(), m.multiple()};
+    try {
+      EXPECT_TRUE(oracle::is_barycenter(t, w, from_barycentric(t, w))) << m.about(t, w);
+      EXPECT_TRUE(oracle::is_barycenter(flat, w, from_barycentric(flat, w))) << m.about(flat, w);
+      ++by_cgal;
+    } catch (const Error&) {  // no weight at all, or beyond all doubles
+    }
+  });
+  EXPECT_GT(by_cgal, 300);
   EXPECT_EQ(from_barycentric(Segment2{{0, 0}, {3, 6}}, {2, 1}), (Point2{1, 2}));
   EXPECT_EQ(from_barycentric(Segment3{{0, 0, 0}, {3, 6, 9}}, {2, 1}), (Point3{1, 2, 3}));
   EXPECT_EQ(from_barycentric(Triangle2{{0, 0}, {3, 0}, {0, 3}}, {1, 1, 1}), (Point2{1, 1}));

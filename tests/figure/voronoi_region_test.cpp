@@ -10,6 +10,7 @@
 #include "figure/rationals.hpp"
 #include "figure/shape_cases.hpp"
 #include "figure/thrown.hpp"
+#include "oracle/shapes.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/polyhedron.hpp"
 
@@ -172,6 +173,9 @@ Seen check_shapes(std::uint64_t start, std::uint64_t cases) {
       }
     }
     const Feature told = voronoi_region(shape, p);
+    if constexpr (std::is_same_v<Shape, Triangle3>) {
+      EXPECT_TRUE(oracle::is_as_near(shape, told, p).value_or(true)) << m.about(shape, p);
+    }
     ++seen.kind[static_cast<std::size_t>(told.kind)];
     EXPECT_EQ(told, told_by_rationals(pieces(shape), exact(p))) << m.about(shape, p);
   });

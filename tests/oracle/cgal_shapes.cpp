@@ -1,6 +1,9 @@
 #include <CGAL/squared_distance_2.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <cmath>
+#include <limits>
+
 #include "oracle/cgal_kernel.hpp"
 #include "oracle/shapes.hpp"
 
@@ -37,6 +40,16 @@ Where within(const Segment& segment, const Point& p, const Capsule& c) {
   if (segment.is_degenerate() || c.radius == 0) return {};
   return Location{
       static_cast<signed char>(CGAL::compare(Number(c.radius) * Number(c.radius), CGAL::squared_distance(p, segment)))};
+}
+
+/// No double is nearer to x.
+bool is_nearest(double told, const Number& x) {
+  const Number off = CGAL::abs(Number(told) - x);
+  for (const double way : {-HUGE_VAL, HUGE_VAL}) {
+    const double other = std::nextafter(told, way);
+    if (std::isfinite(other) && CGAL::abs(Number(other) - x) < off) return false;
+  }
+  return std::isfinite(told);
 }
 
 }  // namespace
@@ -99,6 +112,27 @@ Where locate(const Obb3& b, const Point3& p) {
                                                      Number(b.center.y), u.z(), v.z(), w.z(), Number(b.center.z));
   const Kernel::Point_3 image = from_cube.inverse().transform(of(p));
   return side(Kernel::Iso_cuboid_3(-1, -1, -1, 1, 1, 1).bounded_side(image));
+}
+
+std::optional<bool> is_as_near(const Triangle3& t, const Feature& feature, const Point3& point) {
+  const std::array corners{of(t.a), of(t.b), of(t.c)};
+  const Kernel::Triangle_3 triangle(corners[0], corners[1], corners[2]);
+  if (triangle.is_degenerate()) return {};
+  const Kernel::Point_3 p = of(point);
+  const Number least = CGAL::squared_distance(p, triangle);
+  if (feature.kind == FeatureKind::face) return CGAL::squared_distance(p, triangle.supporting_plane()) == least;
+  const auto &a = corners[feature.index], &b = corners[(feature.index + 1) % 3];
+  if (feature.kind == FeatureKind::vertex) return CGAL::squared_distance(p, a) == least;
+  return CGAL::squared_distance(p, Kernel::Line_3(a, b)) == least;
+}
+
+bool is_barycenter(const Triangle2& t, const std::array<double, 3>& w, const Point2& told) {
+  const auto c = CGAL::barycenter(of(t.a), Number(w[0]), of(t.b), Number(w[1]), of(t.c), Number(w[2]));
+  return is_nearest(told.x, c.x()) && is_nearest(told.y, c.y());
+}
+bool is_barycenter(const Triangle3& t, const std::array<double, 3>& w, const Point3& told) {
+  const auto c = CGAL::barycenter(of(t.a), Number(w[0]), of(t.b), Number(w[1]), of(t.c), Number(w[2]));
+  return is_nearest(told.x, c.x()) && is_nearest(told.y, c.y()) && is_nearest(told.z, c.z());
 }
 
 }  // namespace plumb::oracle

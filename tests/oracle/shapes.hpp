@@ -4,6 +4,7 @@
 // Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".  Cost: some 10 us a question.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "plumb/figure.hpp"
@@ -32,5 +33,13 @@ std::optional<Location> locate(const Aabb3& box, const Point3& p);
 
 /// By the affine map that takes the box to a cube.
 std::optional<Location> locate(const Obb3& box, const Point3& p);
+
+/// Is the feature's own line or plane as near to p as the triangle is?  As CGAL measures squares of distances in space;
+/// in the plane CGAL 5 names another vertex of some triangles, as of (-2, 2), (0, 1), (-1, 0) for (2, 0).
+std::optional<bool> is_as_near(const Triangle3& triangle, const Feature& feature, const Point3& p);
+
+/// CGAL's barycenter of the corners: has `told` the nearest doubles to it, where the sum of weights is not zero?
+bool is_barycenter(const Triangle2& triangle, const std::array<double, 3>& weights, const Point2& told);
+bool is_barycenter(const Triangle3& triangle, const std::array<double, 3>& weights, const Point3& told);
 
 }  // namespace plumb::oracle
