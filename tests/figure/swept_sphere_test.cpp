@@ -279,6 +279,97 @@ TEST(SweptSphere, MergedAndMovedOnesHoldWhatTheyAreMadeOf) {
   moves_hold<Lozenge3>(622, 250);
 }
 
+Rational inner(const Rational3& u, const Rational3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+/// Is the point within the cylinder, or within the ball where its ends are equal?
+bool holds_point(const Cylinder3& c, const Rational3& p) {
+  const Rational3 w = sum(p, times(-1, rational(c.a))), d = sum(rational(c.b), times(-1, rational(c.a)));
+  const Rational along = inner(w, d), square = inner(d, d), r(c.radius);
+  if (square == 0) return inner(w, w) <= r * r;
+  return along >= 0 && along <= square && inner(w, w) * square - along * along <= r * r * square;
+}
+
+/// Points of it near to the rims of both ends: perpendicular vectors by rationals, shortened by doubles and a little.
+std::vector<Rational3> rim_points(const Cylinder3& c) {
+  std::vector<Rational3> points{rational(c.a), rational(c.b)};
+  const Rational3 d = sum(rational(c.b), times(-1, rational(c.a)));
+  for (const Rational3& u : {Rational3{1, 0, 0}, Rational3{0, 1, 0}, Rational3{0, 0, 1}, Rational3{1, 2, -3}}) {
+    Rational3 v = inner(d, d) == 0 ? u : sum(times(inner(d, d), u), times(-inner(u, d), d));
+    const Rational largest = std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
+    if (largest == 0) continue;
+    v = times(Rational(1 / largest), v);
+    const double length = std::sqrt(inner(v, v).get_d());
+    for (const int way : {-1, 1}) {
+      const Rational by = way * Rational(c.radius) * Rational(1 - 0x1p-40) / Rational(length);
+      for (const Point3& end : {c.a, c.b}) points.push_back(sum(rational(end), times(by, v)));
+    }
+  }
+  return points;
+}
+
+TEST(SweptSphere, CylindersMergedAndMovedHoldWhatTheyAreMadeOf) {
+  int merged = 0, moved = 0, apart = 0, common = 0;
+  on_shapes(623, 300, [&](Material& m) {
+    const auto a = m.shape<Cylinder3>(), b = m.shape<Cylinder3>();
+    const bool meet = std::ranges::any_of(rim_points(a), [&](const Rational3& p) { return holds_point(b, p); });
+    const bool may = may_overlap(a, b);
+    ASSERT_TRUE(may || !meet) << m.about(a, b);
+    ASSERT_EQ(may, may_overlap(b, a)) << m.about(a, b);
+    apart += !may, common += meet;
+    for (const Rational3& p : rim_points(a)) ASSERT_TRUE(holds_point(a, p)) << m.about(a);
+    try {
+      const Cylinder3 both = merge(a, b);
+      for (const Cylinder3& part : {a, b}) {
+        for (const Rational3& p : rim_points(part)) ASSERT_TRUE(holds_point(both, p)) << m.about(a, b, both);
+      }
+      ++merged;
+    } catch (const BeyondDoubles&) {
+    }
+    const Pose pose{{m.direction3(), m.direction3(), m.direction3()}, m.vector3()};
+    try {
+      const Cylinder3 image_of_a = transform(a, pose);
+      for (const Rational3& p : rim_points(a)) {
+        ASSERT_TRUE(holds_point(image_of_a, image(p, pose))) << m.about(a, pose, image_of_a);
+      }
+      ++moved;
+    } catch (const BeyondDoubles&) {
+    }
+  });
+  EXPECT_GT(merged, 200);
+  EXPECT_GT(moved, 200);
+  EXPECT_GT(apart, 30);
+  EXPECT_GT(common, 10);
+}
+
+TEST(SweptSphere, CylindersThatMayOverlap) {
+  const Cylinder3 c{{0, 0, 0}, {0, 0, 4}, 2};
+  EXPECT_TRUE(may_overlap(c, Cylinder3{{0, 0, 4}, {0, 0, 5}, 1}));     // end on end
+  EXPECT_FALSE(may_overlap(c, Cylinder3{{0, 0, 4.5}, {0, 0, 5}, 9}));  // their capsules meet
+  EXPECT_FALSE(may_overlap(c, Cylinder3{{5, 0, 0}, {5, 0, 4}, 2}));
+  EXPECT_TRUE(may_overlap(c, Cylinder3{{4, 0, 0}, {4, 0, 4}, 2}));  // side by side
+  EXPECT_TRUE(may_overlap(c, Cylinder3{{0, 0, 0}, {0, 0, 0}, 0}));
+}
+
+TEST(SweptSphere, CylindersMovedByHand) {
+  const Cylinder3 c{{1, 2, 3}, {1, 2, 9}, 2};
+  const Pose turn{{Vector3{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {10, 0, 0}};
+  EXPECT_NEAR(volume(transform(c, turn)), volume(c), volume(c) * 1e-14);
+  EXPECT_EQ(merge(c, c), c);
+  const Cylinder3 rod = merge(Cylinder3{{0, 0, 0}, {1, 0, 0}, 1}, Cylinder3{{5, 0, 0}, {9, 0, 0}, 1});
+  EXPECT_NEAR(volume(rod), volume(Cylinder3{{0, 0, 0}, {9, 0, 0}, 1}), 1e-12);
+  const Cylinder3 nested = merge(c, Cylinder3{{1, 2, 4}, {1, 2, 5}, 1});
+  EXPECT_NEAR(volume(nested), volume(c), volume(c) * 1e-14);
+  const Pose shear{{Vector3{1, 0, 0}, {0, 1, 0}, {1, 0, 1}}, {0, 0, 0}};  // the disks stay level, the axis leans
+  const Cylinder3 leaning = transform(c, shear);
+  EXPECT_NEAR(std::hypot(leaning.b.x - leaning.a.x, leaning.b.z - leaning.a.z), std::sqrt(72) + 4 * std::sqrt(0.5),
+              1e-12);
+  EXPECT_THAT(
+      [] {
+        static_cast<void>(merge(Cylinder3{{0, 0, 0}, {1, 0, 0}, -1}, Cylinder3{}));
+      },
+      ThrowsMessage<InvalidShape>(HasSubstr("merge: a.radius is negative")));
+}
+
 // A rotation by a right angle is exact; a merged pair of collinear capsules is one.
 TEST(SweptSphere, MovesByHand) {
   const Pose turn{{Vector3{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {10, 0, 0}};
