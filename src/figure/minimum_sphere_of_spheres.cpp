@@ -11,6 +11,7 @@
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/minimum_sphere.hpp"
 #include "tangent_ball.hpp"
+#include "tangent_ball_guess.hpp"
 
 namespace plumb {
 namespace spheres {
@@ -77,8 +78,12 @@ class Search {
  public:
   using Point = decltype(Ball::center);
   explicit Search(std::span<const Ball> balls) : balls_(balls) {
-    const auto largest = std::ranges::max_element(balls, {}, &Ball::radius);
-    become(with(balls, {}, static_cast<std::uint32_t>(largest - balls.begin())));
+    // As far as doubles tell; from there exact steps go on, and mostly there is none.
+    const Basis guess = guess_touched(balls);
+    std::vector<RationalBall> touched;
+    for (const std::uint32_t i : guess) touched.push_back(rational(balls[i]));
+    auto ball = TangentBall::around(touched);
+    become(ball ? Held{guess, std::move(*ball)} : with(balls, {}, guess[0]));
   }
 
   /// Indices of the balls that the smallest ball touches.
