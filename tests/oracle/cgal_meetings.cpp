@@ -77,7 +77,12 @@ bool ball_meets(const Ball& ball, const Other& other) {
       if (ball_holds(ball, some_point(other))) return true;
     }
   }
-  return CGAL::do_intersect(cgal(ball), cgal(other));
+  if constexpr (std::is_same_v<Other, Triangle2>) {  // CGAL 5.5 takes the wrong corner of some for the nearest
+    const auto [a, b, c] = other;
+    return ball_meets(ball, Segment2{a, b}) || ball_meets(ball, Segment2{b, c}) || ball_meets(ball, Segment2{c, a});
+  } else {
+    return CGAL::do_intersect(cgal(ball), cgal(other));
+  }
 }
 
 /// CGAL 5.5's do_intersect is wrong where a line's first point lies beyond a ray, and where a line lies in the plane of
