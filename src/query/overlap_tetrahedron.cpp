@@ -4,11 +4,13 @@
 // Source: Ganovelli, Ponchio and Rocchini 2002; RTCD 5.2.1.
 #include <plumb/predicates/line_triangle.hpp>
 #include <span>
+#include <type_traits>
 
 #include "figure_input.hpp"
 #include "flat_set.hpp"
 #include "overlap_linear3.hpp"
 #include "overlap_signs.hpp"
+#include "plumb/certify/direction.hpp"
 #include "plumb/query/overlap_triangle.hpp"
 
 namespace plumb {
@@ -83,9 +85,30 @@ Sign beyond_edges(const Corners& t, const Faces& of, Points q) {
 
 bool holds_one(const Faces& of) { return (of.inner[0] & of.inner[1] & of.inner[2] & of.inner[3]) != 0; }
 
+Relation by_axes(const Triangle3& a, const Tetrahedron3& b);
+
+// A tetrahedron without volume is its faces together.  The inside of a face with area is in its own inside; where only
+// edges are met, the diagonals may be.
+template <class Figure>
+Relation by_faces(const Figure& a, const Tetrahedron3& b) {
+  bool met = false;
+  for (const Triangle3& face :
+       {Triangle3{b.b, b.c, b.d}, Triangle3{b.a, b.c, b.d}, Triangle3{b.a, b.b, b.d}, Triangle3{b.a, b.b, b.c}}) {
+    Relation with_face;
+    if constexpr (std::is_same_v<Figure, Tetrahedron3>) {
+      with_face = by_axes(face, a);
+    } else {
+      with_face = plumb::relate(a, face);
+    }
+    if (with_face == Relation::overlapping && !collinear(face.a, face.b, face.c)) return Relation::overlapping;
+    met = met || with_face != Relation::disjoint;
+  }
+  return met ? relate(flat_set(a), flat_set(b)) : Relation::disjoint;
+}
+
 Relation by_axes(const Segment3& a, const Tetrahedron3& b) {
   const Sign turns = orient3d(b.a, b.b, b.c, b.d);
-  if (turns == Sign::zero) return relate(flat_set(a), flat_set(b));
+  if (turns == Sign::zero) return by_faces(a, b);
   const Corners t = corners(b, turns);
   const std::array q{a.a, a.b};
   const Faces of = faces(t, q);
@@ -96,7 +119,7 @@ Relation by_axes(const Segment3& a, const Tetrahedron3& b) {
 
 Relation by_axes(const Triangle3& a, const Tetrahedron3& b) {
   const Sign turns = orient3d(b.a, b.b, b.c, b.d);
-  if (turns == Sign::zero) return relate(flat_set(a), flat_set(b));
+  if (turns == Sign::zero) return by_faces(a, b);
   const Corners t = corners(b, turns);
   const std::array q{a.a, a.b, a.c};
   const Faces of = faces(t, q);
@@ -115,7 +138,8 @@ Relation by_axes(const Triangle3& a, const Tetrahedron3& b) {
 
 Relation by_axes(const Tetrahedron3& a, const Tetrahedron3& b) {
   const Sign turns_a = orient3d(a.a, a.b, a.c, a.d), turns_b = orient3d(b.a, b.b, b.c, b.d);
-  if (turns_a == Sign::zero || turns_b == Sign::zero) return relate(flat_set(a), flat_set(b));
+  if (turns_b == Sign::zero) return by_faces(a, b);
+  if (turns_a == Sign::zero) return by_faces(b, a);
   const Corners p = corners(a, turns_a), q = corners(b, turns_b);
   const Faces of_a = faces(p, q);
   if (of_a.all == Sign::negative || holds_one(of_a)) return relation(of_a.all);
