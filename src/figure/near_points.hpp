@@ -109,7 +109,8 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
     sizes += half[i] * sum_of_sizes(axis[i]);
   }
   double low = core::dot(off, d);
-  for (std::size_t i = 0; i < 3; ++i) low -= magnitude_of(core::dot(off, axis[i])) * half[i];
+  // With the half extent first: what a product loses by underflow would grow with it.
+  for (std::size_t i = 0; i < 3; ++i) low -= magnitude_of(core::dot(off, axis[i] * half[i]));
   return NearPoints{off, low, sizes}.proof(radius);
 }
 

@@ -67,7 +67,7 @@ std::optional<Numbers<Point3>> numbers_of(const A& a, const B& b, const FeatureP
 
 void turn(Closest& c) { c = swapped(c); }
 void turn(double&) {}
-void name_vertex(const Point3& v, Closest& c) { c.on_a = v; }
+void name_vertex(const Point3& v, Closest& c) { c.on_a = told(v); }
 void name_vertex(const Point3&, double&) {}
 
 LineAt line_at(const Straight<Point3>& s, Feature) {

@@ -1,7 +1,8 @@
 // Which doubles are nearest to two closest points and to their distance?  Quotients and roots, each rounded once.
 //
-// Laws: pairs of doubles answer where they leave one double, integers otherwise; an end is the point as it is given.
-// Source: docs/proof.md; RTCD 11.4.  Cost: some 100 ns by pairs of doubles; a microsecond or two a number by integers.
+// Laws: pairs of doubles answer where they leave one double, integers otherwise; an end is the point as it is given,
+// but never -0. Source: docs/proof.md; RTCD 11.4.  Cost: some 100 ns by pairs of doubles; a microsecond or two a number
+// by integers.
 #pragma once
 
 #include <optional>
@@ -38,14 +39,14 @@ inline std::optional<double> moved(double base, const Ball& along, const Ball& t
 }
 
 inline std::optional<Point2> nearest_point(const PointOn<Ball, Point2>& p) {
-  if (is_zero(p.numerator)) return p.base;
+  if (is_zero(p.numerator)) return told(p.base);
   const Ball t = quotient(p.numerator, p.whole);
   const auto x = moved(p.base.x, p.along.x, t), y = moved(p.base.y, p.along.y, t);
   if (!x || !y) return {};
   return Point2{*x, *y};
 }
 inline std::optional<Point3> nearest_point(const PointOn<Ball, Point3>& p) {
-  if (is_zero(p.numerator)) return p.base;
+  if (is_zero(p.numerator)) return told(p.base);
   const Ball t = quotient(p.numerator, p.whole);
   const auto x = moved(p.base.x, p.along.x, t), y = moved(p.base.y, p.along.y, t), z = moved(p.base.z, p.along.z, t);
   if (!x || !y || !z) return {};
@@ -56,11 +57,11 @@ inline double moved(double base, const BigDyadic& along, const BigDyadic& numera
   return rounded_quotient(Rounding::nearest, BigDyadic(base) * whole + along * numerator, whole);
 }
 inline Point2 nearest_point(const PointOn<BigDyadic, Point2>& p) {
-  if (p.numerator.sign() == Sign::zero) return p.base;
+  if (p.numerator.sign() == Sign::zero) return told(p.base);
   return {moved(p.base.x, p.along.x, p.numerator, p.whole), moved(p.base.y, p.along.y, p.numerator, p.whole)};
 }
 inline Point3 nearest_point(const PointOn<BigDyadic, Point3>& p) {
-  if (p.numerator.sign() == Sign::zero) return p.base;
+  if (p.numerator.sign() == Sign::zero) return told(p.base);
   return {moved(p.base.x, p.along.x, p.numerator, p.whole), moved(p.base.y, p.along.y, p.numerator, p.whole),
           moved(p.base.z, p.along.z, p.numerator, p.whole)};
 }

@@ -88,8 +88,8 @@ template <class Wanted, class T, class Point>
   const bool p_inside = places.a == Place::inside, q_inside = places.b == Place::inside;
   if (p_inside && q_inside) return both_inside<Wanted>(p, q, out);
   const Point &from = p.at(places.a), &to = q.at(places.b);
-  if (!p_inside) out.on_a = from;
-  if (!q_inside) out.on_b = to;
+  if (!p_inside) out.on_a = told(from);
+  if (!q_inside) out.on_b = told(to);
   if (p_inside) return foot_on<Wanted, T>(p, to, out.on_a, out.distance);
   if (q_inside) return foot_on<Wanted, T>(q, from, out.on_b, out.distance);
   return keep_length<T>(out.distance, between<T>(from, to));
@@ -100,7 +100,7 @@ template <class Wanted, class T>
   const Vec3<T> n = cross(between<T>(t.a, t.b), between<T>(t.a, t.c));
   const Vec3<T> down = n * quotient(dot(n, between<T>(v, t.a)), dot(n, n));
   bool sure = keep_length<T>(out.distance, down);
-  out.on_a = v;
+  out.on_a = told(v);
   if constexpr (std::is_same_v<Wanted, PointsAndDistance>) sure &= keep(out.on_b, vector_of<T>(v) + down);
   return sure;
 }

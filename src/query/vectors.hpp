@@ -11,6 +11,10 @@
 
 namespace plumb::query {
 
+/// A point as an answer: without -0.
+inline Point2 told(const Point2& p) { return {p.x + 0.0, p.y + 0.0}; }
+inline Point3 told(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
+
 template <class T>
 struct Vec3 {
   T x, y, z;

@@ -296,6 +296,17 @@ TEST(ClosestPairs, OfParallelSegmentsTheFirstPair) {
   EXPECT_EQ(closest_points(p, on_p), (Closest{{2, 0, 0}, {2, 0, 0}, 0, edge_of(0), vertex_of(0)}));
 }
 
+TEST(ClosestPairs, NoAnswerHasANegativeZero) {
+  for (const double k : {1.0, 0x1p-1030}) {
+    const Segment3 s{{-0.0, 0, 0}, {-k, 0, k / 4}};
+    const Segment3 other{{k, 0, 0}, {2 * k, k, 0}};
+    const Triangle3 t{{k, 0, 0}, {2 * k, k, 0}, {3 * k, 0, k}};
+    EXPECT_FALSE(std::signbit(closest_points(s, other).on_a.x)) << k;
+    EXPECT_FALSE(std::signbit(closest_points(s, t).on_a.x)) << k;
+    EXPECT_FALSE(std::signbit(closest_points(t, s).on_b.x)) << k;
+  }
+}
+
 TEST(ClosestPairs, DegenerateShapesAreTheSetsTheyAre) {
   EXPECT_EQ(features(Line3{{1, 1, 1}, {0, 0, 0}}, Segment3{{0, 0, 0}, {4, 0, 0}}), "v0-e0");
   EXPECT_EQ(features(Segment3{{1, 1, 1}, {1, 1, 1}}, Segment3{{0, 0, 0}, {4, 0, 0}}), "v0-e0");
