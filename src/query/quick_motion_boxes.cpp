@@ -109,7 +109,7 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   if (!(p.x <= q.x && p.y <= q.y && p.z <= q.z && r.x <= s.x && r.y <= s.y && r.z <= s.z)) return no;
   double from = 0, second = 0, to = 1, all_speeds = 0;
   std::size_t first = 3;
-  bool within = true;
+  bool together = true, within = true;  // at the start
   // False: they never meet.
   const auto narrow = [&](std::size_t k, double a0, double a1, double b0, double b1, double of_a, double of_b) {
     // Which way it goes cannot be predicted, so nothing branches on it.  The signs of differences are exact.
@@ -117,6 +117,7 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
     const double gap = signed_speed < 0 ? behind : ahead, way = signed_speed < 0 ? -ahead : -behind;
     if (way < 0 || low(gap) > high(speed)) return false;
     all_speeds += speed;
+    together = together && gap <= 0;
     within = within && gap < 0 && way > 0;
     const double enters = gap / speed, leaves = way / speed;  // NaN, where it touches and rests
     if (enters > from) {
@@ -133,6 +134,7 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   if (!(all_speeds < Ball::infinity)) return unsure;
   if (low(from) > high(to)) return no;
   if (first == 3) {
+    if (!together) return unsure;  // a time has vanished
     if constexpr (asked == Asked::whether) return overlap;
   } else {
     if (!(high(from) <= low(to))) return unsure;

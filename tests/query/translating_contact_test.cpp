@@ -349,6 +349,15 @@ TEST(TranslatingContact, AnySizeOfNumbers) {
             0.25);
 }
 
+TEST(TranslatingContact, ATimeThatVanishesIsNotTheStart) {
+  const Translating<Aabb3> a{{{-1, 0, 0}, {0, 1, 1}},
+                             {4, 1, 0}};  // leaves b along y as it starts, and then enters along x
+  const Translating<Aabb3> b{{{0x1p-1074, -1, 0}, {1, 0, 1}}, {0, 0, 0}};
+  EXPECT_FALSE(intersects(a, b));
+  EXPECT_FALSE(intersects(b, a));
+  EXPECT_FALSE(first_contact(a, b));
+}
+
 TEST(TranslatingContact, WhatIsNoShape) {
   const Translating<Sphere3> ball{{{0, 0, 0}, -1}, {1, 0, 0}};
   EXPECT_EQ(text_of<InvalidShape>([&] {
