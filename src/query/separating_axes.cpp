@@ -97,6 +97,15 @@ Verdict exactly(const AxisBody<BigDyadic>& a, const AxisBody<BigDyadic>& b, cons
   return above == Sign::zero || below == Sign::zero ? Verdict::level : Verdict::across;
 }
 
+template <class Shape>
+Point3 origin(const Shape& s) {
+  if constexpr (has_body<Shape>) {
+    return origin_of(s);
+  } else {
+    return {0, 0, 0};
+  }
+}
+
 class Test {
  public:
   Test(const FlatView& a, const FlatView& b)
@@ -132,14 +141,6 @@ class Test {
 
  private:
   static constexpr std::size_t none = 100, face = 200;
-  template <class Shape>
-  static Point3 origin(const Shape& s) {
-    if constexpr (has_body<Shape>) {
-      return origin_of(s);
-    } else {
-      return {0, 0, 0};
-    }
-  }
   template <class T>
   [[nodiscard]] AxisBody<T> body(const FlatView& v) const {
     return with_shape(v, [this](const auto& s) {
