@@ -1,8 +1,9 @@
+#include "odd_edges.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include "plumb/certify/direction.hpp"
-#include "odd_edges.hpp"
 
 namespace plumb::query {
 namespace {
