@@ -43,9 +43,10 @@ void expect_in_any_order(const Triangle3& a, const Triangle3& b, Relation expect
 // At any scale, and at one for each axis: subnormal, huge, far apart; where that rounds nothing.
 void expect_relation(const Triangle3& a, const Triangle3& b, Relation expected) {
   expect_in_any_order(a, b, expected);
-  for (const auto& [x, y, z] : {std::array{0x1p-1074, 0x1p-1074, 0x1p-1074}, std::array{0x1p1018, 0x1p1018, 0x1p1018},
-                                std::array{0x1p-370, 0x1p-350, 0x1p-340}, std::array{0x1p340, 0x1p350, 0x1p330},
-                                std::array{0x1p-1074, 1.0, 0x1p1018}, std::array{0x1p1018, 0x1p-1000, 0x1p-1074}}) {
+  for (const auto& scale : {std::array{0x1p-1074, 0x1p-1074, 0x1p-1074}, std::array{0x1p1018, 0x1p1018, 0x1p1018},
+                            std::array{0x1p-370, 0x1p-350, 0x1p-340}, std::array{0x1p340, 0x1p350, 0x1p330},
+                            std::array{0x1p-1074, 1.0, 0x1p1018}, std::array{0x1p1018, 0x1p-1000, 0x1p-1074}}) {
+    const double x = scale[0], y = scale[1], z = scale[2];
     bool exact = true;
     const auto scaled = [&](const Point3& p) {
       const Point3 q{p.x * x, p.y * y, p.z * z};
