@@ -10,11 +10,9 @@ namespace {
 
 thread_local std::uint64_t taken = 0;
 
-void* counted(std::size_t size) {
+void* counted(std::size_t size) noexcept {
   ++taken;
-  void* const memory = std::malloc(size == 0 ? 1 : size);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
+  return std::malloc(size == 0 ? 1 : size);
 }
 
 // GMP cannot bear an exception: where its own functions fail they end the program, and so do these.
@@ -42,7 +40,14 @@ void count_gmp_allocations() { mp_set_memory_functions(for_gmp, again_for_gmp, g
 
 }  // namespace plumb::tool::trial
 
-// The whole program's; the forms for arrays and without exceptions end in these.
-void* operator new(std::size_t size) { return plumb::tool::trial::counted(size); }
+// The whole program's; the forms for arrays end in these.  Without exceptions as well, for sanitizers bring that one
+// along.
+void* operator new(std::size_t size) {
+  void* const memory = plumb::tool::trial::counted(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return plumb::tool::trial::counted(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
