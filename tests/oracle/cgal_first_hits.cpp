@@ -1,14 +1,11 @@
 #include <CGAL/intersections.h>
 #include <CGAL/squared_distance_3.h>
 
-#include "oracle/cgal_kernel.hpp"
+#include "oracle/cgal_figures.hpp"
 #include "oracle/first_hits.hpp"
 
 namespace plumb::oracle {
 namespace {
-
-Kernel::Point_3 of(const Point3& p) { return {Number(p.x), Number(p.y), Number(p.z)}; }
-Kernel::Vector_3 of(const Vector3& v) { return {Number(v.x), Number(v.y), Number(v.z)}; }
 
 /// Nothing for a ray that is a point.
 template <class Ask>

@@ -3,29 +3,11 @@
 
 #include <algorithm>
 
-#include "oracle/cgal_kernel.hpp"
+#include "oracle/cgal_figures.hpp"
 #include "oracle/intersections.hpp"
 
 namespace plumb::oracle {
 namespace {
-
-Kernel::Point_2 of(const Point2& p) { return {Number(p.x), Number(p.y)}; }
-Kernel::Point_3 of(const Point3& p) { return {Number(p.x), Number(p.y), Number(p.z)}; }
-Kernel::Vector_2 of(const Vector2& v) { return {Number(v.x), Number(v.y)}; }
-Kernel::Vector_3 of(const Vector3& v) { return {Number(v.x), Number(v.y), Number(v.z)}; }
-
-Kernel::Segment_2 of(const Segment2& s) { return {of(s.a), of(s.b)}; }
-Kernel::Segment_3 of(const Segment3& s) { return {of(s.a), of(s.b)}; }
-Kernel::Line_2 of(const Line2& l) { return {of(l.point), of(l.direction)}; }
-Kernel::Line_3 of(const Line3& l) { return {of(l.point), of(l.direction)}; }
-Kernel::Triangle_2 of(const Triangle2& t) { return {of(t.a), of(t.b), of(t.c)}; }
-Kernel::Triangle_3 of(const Triangle3& t) { return {of(t.a), of(t.b), of(t.c)}; }
-Kernel::Tetrahedron_3 of(const Tetrahedron3& t) { return {of(t.a), of(t.b), of(t.c), of(t.d)}; }
-Kernel::Plane_3 of(const Plane3& p) {
-  return {Number(p.normal.x), Number(p.normal.y), Number(p.normal.z), -Number(p.offset)};
-}
-Kernel::Iso_rectangle_2 of(const Aabb2& b) { return {of(b.min), of(b.max)}; }
-Kernel::Iso_cuboid_3 of(const Aabb3& b) { return {of(b.min), of(b.max)}; }
 
 /// CGAL orders the corners of a box itself; an empty one is none of its figures.
 template <class Figure>

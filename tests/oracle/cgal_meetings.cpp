@@ -1,31 +1,10 @@
 #include <CGAL/intersections.h>
 
-#include "oracle/cgal_kernel.hpp"
+#include "oracle/cgal_figures.hpp"
 #include "oracle/meetings.hpp"
 
 namespace plumb::oracle {
 namespace {
-
-Kernel::Point_2 cgal(const Point2& p) { return {Number(p.x), Number(p.y)}; }
-Kernel::Point_3 cgal(const Point3& p) { return {Number(p.x), Number(p.y), Number(p.z)}; }
-Kernel::Vector_2 cgal(const Vector2& v) { return {Number(v.x), Number(v.y)}; }
-Kernel::Vector_3 cgal(const Vector3& v) { return {Number(v.x), Number(v.y), Number(v.z)}; }
-Kernel::Line_2 cgal(const Line2& l) { return {cgal(l.point), cgal(l.direction)}; }
-Kernel::Line_3 cgal(const Line3& l) { return {cgal(l.point), cgal(l.direction)}; }
-Kernel::Ray_2 cgal(const Ray2& r) { return {cgal(r.origin), cgal(r.direction)}; }
-Kernel::Ray_3 cgal(const Ray3& r) { return {cgal(r.origin), cgal(r.direction)}; }
-Kernel::Segment_2 cgal(const Segment2& s) { return {cgal(s.a), cgal(s.b)}; }
-Kernel::Segment_3 cgal(const Segment3& s) { return {cgal(s.a), cgal(s.b)}; }
-Kernel::Plane_3 cgal(const Plane3& p) {
-  return {Number(p.normal.x), Number(p.normal.y), Number(p.normal.z), -Number(p.offset)};
-}
-Kernel::Triangle_2 cgal(const Triangle2& t) { return {cgal(t.a), cgal(t.b), cgal(t.c)}; }
-Kernel::Triangle_3 cgal(const Triangle3& t) { return {cgal(t.a), cgal(t.b), cgal(t.c)}; }
-Kernel::Tetrahedron_3 cgal(const Tetrahedron3& t) { return {cgal(t.a), cgal(t.b), cgal(t.c), cgal(t.d)}; }
-Kernel::Circle_2 cgal(const Circle2& c) { return {cgal(c.center), Number(c.radius) * Number(c.radius)}; }
-Kernel::Sphere_3 cgal(const Sphere3& s) { return {cgal(s.center), Number(s.radius) * Number(s.radius)}; }
-Kernel::Iso_rectangle_2 cgal(const Aabb2& b) { return {cgal(b.min), cgal(b.max)}; }
-Kernel::Iso_cuboid_3 cgal(const Aabb3& b) { return {cgal(b.min), cgal(b.max)}; }
 
 /// Is it what CGAL asks for?  Lines of space divide by their direction.
 template <class Shape>
@@ -39,7 +18,7 @@ bool is_proper(const Shape& s) {
   } else if constexpr (std::is_same_v<Shape, Aabb3>) {
     return s.min.x < s.max.x && s.min.y < s.max.y && s.min.z < s.max.z;
   } else {
-    return !cgal(s).is_degenerate();
+    return !of(s).is_degenerate();
   }
 }
 
@@ -48,7 +27,7 @@ inline constexpr bool is_ball = std::is_same_v<Shape, Circle2> || std::is_same_v
 
 template <class Ball, class Point>
 bool ball_holds(const Ball& ball, const Point& p) {
-  return CGAL::squared_distance(cgal(ball.center), cgal(p)) <= Number(ball.radius) * Number(ball.radius);
+  return CGAL::squared_distance(of(ball.center), of(p)) <= Number(ball.radius) * Number(ball.radius);
 }
 
 /// Of a shape with corners.
@@ -70,7 +49,7 @@ bool ball_meets(const Ball& ball, const Other& other) {
   if constexpr (is_ball<Other>) {
     if (ball_holds(ball, other.center) || ball_holds(other, ball.center)) return true;
   } else {
-    if (CGAL::do_intersect(cgal(ball.center), cgal(other))) return true;
+    if (CGAL::do_intersect(of(ball.center), of(other))) return true;
     if constexpr (
         requires { other.offset; } || requires { other.point; }) {  // goes out of the ball
     } else {
@@ -81,7 +60,7 @@ bool ball_meets(const Ball& ball, const Other& other) {
     const auto [a, b, c] = other;
     return ball_meets(ball, Segment2{a, b}) || ball_meets(ball, Segment2{b, c}) || ball_meets(ball, Segment2{c, a});
   } else {
-    return CGAL::do_intersect(cgal(ball), cgal(other));
+    return CGAL::do_intersect(of(ball), of(other));
   }
 }
 
@@ -113,9 +92,9 @@ std::optional<bool> meet(const Variant& a, const Variant& b) {
         } else if constexpr (is_ball<B>) {
           return ball_meets(y, x);
         } else if constexpr (is_constructed<A, B>()) {
-          return static_cast<bool>(CGAL::intersection(cgal(x), cgal(y)));
+          return static_cast<bool>(CGAL::intersection(of(x), of(y)));
         } else {
-          return CGAL::do_intersect(cgal(x), cgal(y));
+          return CGAL::do_intersect(of(x), of(y));
         }
       },
       a, b);

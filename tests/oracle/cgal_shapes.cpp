@@ -4,18 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/cgal_kernel.hpp"
+#include "oracle/cgal_figures.hpp"
 #include "oracle/shapes.hpp"
 
 namespace plumb::oracle {
 namespace {
 
 using Where = std::optional<Location>;
-
-Kernel::Point_2 of(const Point2& p) { return {Number(p.x), Number(p.y)}; }
-Kernel::Point_3 of(const Point3& p) { return {Number(p.x), Number(p.y), Number(p.z)}; }
-Kernel::Vector_2 of(const Vector2& v) { return {Number(v.x), Number(v.y)}; }
-Kernel::Vector_3 of(const Vector3& v) { return {Number(v.x), Number(v.y), Number(v.z)}; }
 
 Where boundary_if(bool on) { return on ? Location::boundary : Location::outside; }
 Where side(CGAL::Bounded_side s) {
