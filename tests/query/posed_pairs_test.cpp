@@ -65,7 +65,7 @@ void expect_distances_grow(Types<Bs...>, Moved& moved, std::uint64_t start, std:
   (expect_distance_grows<A, Bs>(moved, start++, cases), ...);
 }
 
-TEST(CommonPose, DistancesOfPointsGrowAsLengthsDo) {
+TEST(PosedPairs, DistancesOfPointsGrowAsLengthsDo) {
   Moved moved;
   expect_distances_grow<Point2>(Types<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Quadrilateral2, Polygon2,
                                       HoledPolygon2, Circle2, Aabb2, Obb2, Capsule2>{},
@@ -76,7 +76,7 @@ TEST(CommonPose, DistancesOfPointsGrowAsLengthsDo) {
       moved, 4101, 40);
 }
 
-TEST(CommonPose, DistancesOfStraightFiguresGrowAsLengthsDo) {
+TEST(PosedPairs, DistancesOfStraightFiguresGrowAsLengthsDo) {
   Moved moved;
   using Straight2 = Types<Line2, Ray2, Segment2, Triangle2>;
   using Straight3 = Types<Line3, Ray3, Segment3, Triangle3>;
@@ -130,7 +130,7 @@ void expect_same_hits_of(Types<Shapes...>, Moved& moved, std::uint64_t start, st
   (expect_same_hits<Shapes>(moved, start++, cases), ...);
 }
 
-TEST(CommonPose, FirstHitsAreTheSame) {
+TEST(PosedPairs, FirstHitsAreTheSame) {
   Moved moved;
   expect_same_hits_of(Types<Plane3, ThreePointPlane3, Halfspace3, Triangle3, Quadrilateral3, Rectangle3, Tetrahedron3,
                             Sphere3, Capsule3, Cylinder3, Aabb3, Obb3, KDop3, ConvexPolyhedron3>{},
@@ -170,7 +170,7 @@ void on_all_pairs(Types<A, Bs...>, F f) {
   if constexpr (sizeof...(Bs) > 0) on_all_pairs(Types<Bs...>{}, f);
 }
 
-TEST(CommonPose, FirstContactsAreAtTheSameTime) {
+TEST(PosedPairs, FirstContactsAreAtTheSameTime) {
   Moved moved;
   std::uint64_t start = 4401;
   on_all_pairs(Types<Point3, Segment3, Triangle3, Plane3, Sphere3, Aabb3, Obb3, Capsule3, ConvexPolyhedron3>{},
@@ -197,7 +197,7 @@ void expect_same_moving_time(Moved& moved, std::uint64_t start, std::uint64_t ca
     EXPECT_EQ(first, other) << about;
   });
 }
-TEST(CommonPose, CornersAndEdgesInMotionMeetAtTheSameTime) {
+TEST(PosedPairs, CornersAndEdgesInMotionMeetAtTheSameTime) {
   Moved moved;
   expect_same_moving_time<Point3, Triangle3>(moved, 4501, 400);
   expect_same_moving_time<Segment3, Segment3>(moved, 4502, 400);
