@@ -1,0 +1,62 @@
+// Where do methods fail, and what does the user see of it?  An experiment: scenes, each tried by the float ways and the
+// exact one, whose failures are counted in the user's terms ("hulls that lost an extreme point") and pictured.
+//
+// Laws: (1) every number is counted, none is typed in; (2) every loop that may not end is bounded, and counted when it
+// ran into its bound; (3) the exact method fails nothing, anywhere; (4) same settings, same findings, bit for bit.
+// Source: RTCD 11.2, 11.3; cost: all experiments in seconds when quick, in minutes in full.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumb::tool::stability {
+
+/// How often a method failed in one way, out of how many trials in which it could have.
+struct Count {
+  std::string failure;  // plural, as a column's head: "hulls that lost an extreme point"
+  std::uint64_t failures = 0, of = 0;
+};
+
+/// Methods are named as in src/tool/trial: float32, double, absolute, relative, long-double, exact ...
+struct MethodOutcome {
+  std::string method;
+  std::vector<Count> counts;  // of all methods of a scene the same failures, in the same order
+  bool exact = false;         // one of ours: any failure is a bug, and the laboratory exits with 1
+};
+
+/// A whole SVG with the classes of chart_style (src/tool/chart.hpp), so that it suits light and dark pages.
+struct Picture {
+  std::string name;  // of the file, without folder and extension, unique: "orient2d-grid"
+  std::string caption, svg;
+};
+
+struct Findings {
+  std::vector<MethodOutcome> outcomes;
+  std::vector<Picture> pictures;
+};
+
+/// A part of an experiment with a table of its own; running it is one step of the progress bar.
+struct Scene {
+  std::string name, about;
+  std::function<Findings()> run;
+};
+
+struct Settings {
+  std::uint64_t seed = 2026;
+  bool quick = false;
+  std::optional<std::string> ccd, models;  // folders of real queries and meshes, which are tried as well where given
+};
+
+/// `scenes` does no work worth waiting for: that is left to the scenes' `run`.
+struct Experiment {
+  std::string name, question, source;
+  std::function<std::vector<Scene>(const Settings&)> scenes;
+};
+
+/// In the order of the report.
+std::vector<Experiment> all_experiments();
+
+}  // namespace plumb::tool::stability
