@@ -1,0 +1,92 @@
+// On which inputs is a geometric function wrong?  Any function of a known kind against the exact answer.
+//
+//   const Findings findings = degenerate::check(kind, my_orient3d, {.seed = 7, .cases = 10'000});
+//   EXPECT_TRUE(findings.clean()) << degenerate::text(kind, findings);
+//
+// Cases come from the kind's generators, from the corpus, and from both with small moves ("mutated").  The first case
+// of each sort of failure is shrunk while the failure stays of that sort.
+// Laws: (1) with a budget of cases, the same function, options and corpus give the same findings, whatever the machine.
+// (2) Case i of a generator follows from the seed and i alone: case_of makes it again.  (3) A finding's smallest case
+// still fails, and no step of shrink_case.hpp makes it smaller, unless the calls ran out.  (4) What a function throws
+// is a finding, no error; what it changes in memory that is not its own is its own affair: `plumb fuzz` runs it in a
+// process of its own.
+// Unknown generators and corpus cases that are none throw Error, by name.
+// Source: RTCD 11; cost: some 1 to 10 us a case beside the function, milliseconds for a finding.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <typeinfo>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/degenerate/kind.hpp"
+
+namespace plumb::degenerate {
+
+inline constexpr std::string_view corpus_generator = "corpus", mutated_generator = "mutated";
+
+struct Tally {
+  std::string generator;
+  std::uint64_t asked = 0, wrong = 0, unsure = 0, failed = 0;  // unsure: answered NaN, which is no finding
+
+  [[nodiscard]] double share_wrong() const {
+    return asked == 0 ? 0 : static_cast<double>(wrong + failed) / static_cast<double>(asked);
+  }
+};
+
+struct Finding {
+  std::string generator;
+  std::uint64_t index = 0;  // case_of(kind, generator, seed, index)
+  std::string sort;
+  Numbers found, smallest;
+  Answer given, exact;  // of the smallest
+};
+
+struct Findings {
+  std::string kind;
+  std::uint64_t seed = 0;
+  std::vector<Tally> tallies;     // the corpus (if any), the generators in the kind's order, mutated ones
+  std::vector<Finding> findings;  // in the order of the tallies
+
+  [[nodiscard]] bool clean() const { return findings.empty(); }
+  [[nodiscard]] std::uint64_t asked() const;
+};
+
+struct CheckOptions {
+  std::uint64_t seed = 2026;
+  std::uint64_t cases = 1000;           // of each generator; 0: until the time is up
+  double seconds = 0;                   // 0: however long it takes
+  std::vector<std::string> generators;  // of the kind's and "mutated"; none: all
+  std::vector<Numbers> corpus;          // asked first; mutated cases start from them as well
+  std::optional<Tolerance> tolerance;   // nothing: the kind's
+  std::size_t keep = 1;                 // sorts of failure kept a generator
+  std::size_t shrink_calls = 20'000;    // a finding; a hundredth where the function crashed, hung or exited
+  std::size_t block = 256;              // cases asked at once
+  /// Told after every block, findings not yet shrunk; false ends the run.
+  std::function<bool(const Findings&)> progress;
+};
+
+using Callable = std::function<Answer(std::span<const double> numbers)>;
+/// Answers many cases, in order: for functions that live in another process.
+using Batch = std::function<void(std::span<const Numbers> cases, std::span<Answer> answers)>;
+
+Findings check(const Kind& kind, const Callable& function, const CheckOptions& options = {});
+Findings check_in_batches(const Kind& kind, const Batch& function, const CheckOptions& options = {});
+
+/// A function of the kind's C signature as a callable.
+Callable callable_of(const Kind& kind, ForeignFunction function);
+
+/// The same for a pointer to the function, whose type must be the kind's: throws Error naming the signature.
+template <class R, class... A>
+Findings check(const Kind& kind, R (*function)(A...), const CheckOptions& options = {}) {
+  if (kind.type != typeid(R(A...))) {
+    throw Error(std::string("check: ").append(kind.name).append(" asks a function such as ").append(kind.signature));
+  }
+  return check(kind, callable_of(kind, reinterpret_cast<ForeignFunction>(function)), options);
+}
+
+/// The case that check asks as number `index` of a generator, or of "mutated" (which the corpus has a part in).
+Numbers case_of(const Kind& kind, std::string_view generator, std::uint64_t seed, std::uint64_t index,
+                std::span<const Numbers> corpus = {});
+
+}  // namespace plumb::degenerate

@@ -1,0 +1,110 @@
+// What may a foreign function be asked, and when is its answer right?  A kind of question, as data.
+//
+// A case is one list of numbers: argument after argument, a count before each argument that may have any number of
+// points.  An answer is a short list of numbers: the sign, 1 or 0 for yes or no, the number, the corners of triangles.
+// The kinds there are: plumb/query/kinds.hpp.
+// Laws: (1) exact answers are those of real arithmetic for all finite doubles, numbers the nearest double; (2) every
+// generator's cases are valid, and the same choices make the same case; (3) `judge` decides without rounding: what a
+// tolerance allows is asked of exact numbers.
+// Source: RTCD 11 (what goes wrong); cost: an indirect call more than the question itself.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <typeindex>
+#include <utility>
+#include <vector>
+
+#include "plumb/degenerate/entropy.hpp"
+
+namespace plumb::degenerate {
+
+using Numbers = std::vector<double>;
+
+/// What an argument's numbers are, which says how they may become simpler.
+enum class Role : unsigned char {
+  points,   // each of `dimension` coordinates
+  vector,   // a direction: no point of it moves along when the case is translated
+  corners,  // the least and the largest corner of a box, in order
+  frame,    // three perpendicular axes of length one, as well as doubles can
+  extents,  // lengths, not negative
+};
+
+struct Part {
+  Role role;
+  int dimension;
+  std::size_t count = 1;  // of points, vectors, corners, axes; 1 for extents
+};
+
+/// One argument of the C function, in its order: its parts one after the other, or any number of points.
+struct Argument {
+  std::string_view name;
+  std::vector<Part> parts;
+  std::size_t least = 0;  // points, where there may be any number; the case then holds their count before them
+
+  [[nodiscard]] bool any_number() const { return least > 0; }
+};
+
+struct Generator {
+  std::string name, about;
+  std::function<void(Numbers& numbers, Entropy& entropy)> make;  // replaces what `numbers` held
+};
+
+enum class Outcome : unsigned char { answered, threw, crashed, hung, exited };
+constexpr std::string_view name_of(Outcome outcome) {
+  constexpr std::array<std::string_view, 5> names = {"answered", "threw", "crashed", "hung", "exited"};
+  return names[static_cast<std::size_t>(outcome)];
+}
+
+struct Answer {
+  Answer() = default;
+  Answer(double number) : numbers{number} {}  // NOLINT: a sign, a yes or no, a number is an answer
+  explicit Answer(Outcome how, std::string what = {}) : outcome(how), note(std::move(what)) {}
+
+  Outcome outcome = Outcome::answered;
+  Numbers numbers;
+  std::string note;  // of what did not answer: the exception's text, the signal
+};
+
+/// What the user allows of numbers; of decisions nothing is allowed.
+struct Tolerance {
+  std::uint64_t ulps = 0;  // as many doubles away from the nearest one
+  double relative = 0;     // of the largest magnitude among the case's numbers
+};
+
+enum class Verdict : unsigned char { right, unsure, wrong, failed };
+
+struct Judgment {
+  Verdict verdict = Verdict::right;
+  std::string_view sort;  // of the failure, such as "+ for 0": shrinking keeps it
+};
+
+using ForeignFunction = void (*)();
+
+struct Kind {
+  std::string_view name, question;
+  std::string_view signature;   // in C, the function called f
+  std::string_view convention;  // what its answer means
+  std::vector<Argument> arguments;
+  std::vector<Generator> generators;
+  std::type_index type;  // of the signature: typeid(double(const double*, ...))
+  Tolerance tolerance;   // the customary one
+
+  /// Asks a function of that signature.  What it throws passes through.
+  Answer (*call)(ForeignFunction function, std::span<const double> numbers);
+  /// Throws NonFinite.
+  Answer (*exact)(std::span<const double> numbers);
+  Judgment (*judge)(std::span<const double> numbers, const Answer& given, const Tolerance& tolerance);
+  /// An answer in words: "+", "yes", "0.5", "12 triangles".
+  std::string (*words)(const Answer& answer);
+};
+
+/// Whether the numbers are a case of the kind: as many as the arguments take, finite, boxes and lengths in order.  What
+/// is wrong otherwise, in words; empty for a case.
+std::string flaw_of(const Kind& kind, std::span<const double> numbers);
+
+}  // namespace plumb::degenerate
