@@ -4,8 +4,8 @@
 // points.  An answer is a short list of numbers: the sign, 1 or 0 for yes or no, the number, the corners of triangles.
 // The kinds there are: plumb/query/kinds.hpp.
 // Laws: (1) exact answers are those of real arithmetic for all finite doubles, numbers the nearest double; (2) every
-// generator's cases are valid, and the same choices make the same case; (3) `judge` decides without rounding: what a
-// tolerance allows is asked of exact numbers.
+// generator's cases are valid, and the same choices make the same case; (3) judge rounds nothing: how
+// far a number is from the nearest double of the exact one is asked exactly.
 // Source: RTCD 11 (what goes wrong); cost: an indirect call more than the question itself.
 #pragma once
 
@@ -85,10 +85,20 @@ struct Judgment {
 
 using ForeignFunction = void (*)();
 
+/// What an answer's numbers are.
+enum class AnswerForm : unsigned char {
+  sign,       // of one number
+  yes_no,     // 1 or 0
+  number,     // one
+  hit,        // 0, or 1 and the parameter; of a function that leaves the parameter alone, 1
+  triangles,  // three indices of points each
+};
+
 struct Kind {
   std::string_view name, question;
   std::string_view signature;   // in C, the function called f
   std::string_view convention;  // what its answer means
+  AnswerForm form;
   std::vector<Argument> arguments;
   std::vector<Generator> generators;
   std::type_index type;  // of the signature: typeid(double(const double*, ...))
@@ -96,12 +106,16 @@ struct Kind {
 
   /// Asks a function of that signature.  What it throws passes through.
   Answer (*call)(ForeignFunction function, std::span<const double> numbers);
-  /// Throws NonFinite.
   Answer (*exact)(std::span<const double> numbers);
-  Judgment (*judge)(std::span<const double> numbers, const Answer& given, const Tolerance& tolerance);
-  /// An answer in words: "+", "yes", "0.5", "12 triangles".
-  std::string (*words)(const Answer& answer);
+  /// For kinds with several right answers; nullptr where the exact one alone is right.
+  Judgment (*judge)(std::span<const double> numbers, const Answer& given) = nullptr;
 };
+
+/// Is the answer right?
+Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& given, const Tolerance& tolerance);
+
+/// An answer in words: "+", "yes", "0.5", "12 triangles", "crashed (SIGSEGV)".
+std::string words(const Kind& kind, const Answer& answer);
 
 /// Whether the numbers are a case of the kind: as many as the arguments take, finite, boxes and lengths in order.  What
 /// is wrong otherwise, in words; empty for a case.
