@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "chosen_names.hpp"
 #include "plumb/arith/error.hpp"
 #include "progress.hpp"
 #include "tool/trial/allocations.hpp"
@@ -18,21 +17,6 @@ namespace {
 
 using trial::InputClass;
 using trial::Task;
-
-bool wanted(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::ranges::find(names, name) != names.end();
-}
-
-/// Throws where one of the names is none of those that exist.
-void require_known(std::string_view what, const std::vector<std::string>& names,
-                   const std::vector<std::string>& known) {
-  for (const std::string& name : names) {
-    if (std::ranges::find(known, name) != known.end()) continue;
-    std::string all;
-    for (const std::string& k : known) all.append(all.empty() ? "" : ", ").append(k);
-    throw Error(fmt::format("chart: there is no {} {}; there are {}", what, printable(name), all));
-  }
-}
 
 std::vector<std::string> names_of(const std::vector<Task>& tasks) {
   std::vector<std::string> names;
@@ -53,22 +37,14 @@ std::vector<std::string> class_names_of(const std::vector<Task>& tasks) {
 /// What is asked for, in the order of the report.
 std::vector<Task> chosen(const ChartOptions& options, std::span<const trial::Rival> rivals) {
   std::vector<Task> tasks = trial::all_tasks(rivals);
-  require_known("task", options.tasks, names_of(tasks));
-  require_known("class", options.classes, class_names_of(tasks));
-  std::erase_if(tasks, [&](const Task& task) { return !wanted(options.tasks, task.name); });
+  require_known("chart", "task", options.tasks, names_of(tasks));
+  require_known("chart", "class", options.classes, class_names_of(tasks));
+  std::erase_if(tasks, [&](const Task& task) { return !is_chosen(options.tasks, task.name); });
   for (Task& task : tasks)
-    std::erase_if(task.classes, [&](const InputClass& c) { return !wanted(options.classes, c.name); });
+    std::erase_if(task.classes, [&](const InputClass& c) { return !is_chosen(options.classes, c.name); });
   std::erase_if(tasks, [](const Task& task) { return task.classes.empty(); });
   if (tasks.empty()) throw Error("chart: none of these tasks has any of these classes");
   return tasks;
-}
-
-std::string now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&time, &parts);
-  std::array<char, 32> text{};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
 }  // namespace
@@ -102,7 +78,7 @@ int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals)
   }
   if (!options.out) return 0;
   files.push_back({"chart.txt", std::move(table)});
-  const nlohmann::json raw = trials_json(trials, settings, now());
+  const nlohmann::json raw = trials_json(trials, settings);
   files.push_back({"chart.json", raw.dump(2) + "\n"});
   files.push_back({"chart.html", trials_html(trials, raw)});
   write_folder(*options.out, files);

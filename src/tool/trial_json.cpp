@@ -1,22 +1,12 @@
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "plumb/certify/environment.hpp"
+#include "origin.hpp"
 #include "trial_report.hpp"
 
 namespace plumb::tool {
 namespace {
 
 using nlohmann::json;
-
-/// As the system names it; "unknown" where it does not.
-std::string processor() {
-  std::ifstream about("/proc/cpuinfo");
-  for (std::string line; std::getline(about, line);) {
-    if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
-  }
-  return "unknown";
-}
 
 json json_of(const trial::Score& s, trial::AnswerKind kind) {
   json j{{"method", s.method},
@@ -35,18 +25,11 @@ json json_of(const trial::Score& s, trial::AnswerKind kind) {
 
 }  // namespace
 
-json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings, const std::string& when) {
-  const Environment e = check_environment();
-  json j{{"program", "plumb chart"},
-         {"version", e.version},
-         {"compiler", e.compiler},
-         {"flags", e.build},
-         {"machine", processor()},
-         {"instruction_sets", e.instruction_sets},
-         {"date", when},
-         {"seed", settings.seed},
-         {"cases", settings.cases},
-         {"trials", json::array()}};
+json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings) {
+  json j = origin_json("plumb chart");
+  j["seed"] = settings.seed;
+  j["cases"] = settings.cases;
+  j["trials"] = json::array();
   for (const trial::Trial& t : trials) {
     json one{{"task", t.task},
              {"question", t.question},

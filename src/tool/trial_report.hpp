@@ -15,9 +15,8 @@ namespace plumb::tool {
 
 std::string trial_text(const trial::Trial& trial, const Style& style);
 
-/// Where and when; `when` is an ISO 8601 date and time.
-nlohmann::json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings,
-                           const std::string& when);
+/// With where and when: origin_json, now.
+nlohmann::json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings);
 
 /// Wrong share (of numbers: mean error in ulps) against nanoseconds a question, with the frontier drawn.
 std::string trial_chart(const trial::Trial& trial);
