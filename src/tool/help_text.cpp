@@ -102,6 +102,10 @@ proof PREDICATE
        Writes the error bound behind a predicate's filter as a claim that
        a machine can check.
 
+stability
+       Runs geometric algorithms on inputs that break them, and says what
+       one sees of it: a hull lost a corner, a loop did not end.
+
 doctor
        Looks whether this machine and build are as the proofs assume.)"}},
           {{"EXIT STATUS", exit_status("No: a wrong sign, a machine that is not as the proofs assume.\n       `plumb "

@@ -15,6 +15,7 @@ Manual chart_manual();
 Manual check_manual();
 Manual sign_manual();
 Manual proof_manual();
+Manual stability_manual();
 Manual doctor_manual();
 
 }  // namespace plumb::tool

@@ -18,6 +18,7 @@
 #include "plumb/arith/error.hpp"
 #include "proof_command.hpp"
 #include "sign_command.hpp"
+#include "stability_command.hpp"
 #include "terminal.hpp"
 
 namespace plumb::tool {
@@ -26,13 +27,14 @@ namespace {
 class Program {
  public:
   explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
-    for (CLI::App* page : {&app_, bounds_, chart_, check_, sign_, proof_, doctor_})
+    for (CLI::App* page : {&app_, bounds_, chart_, check_, sign_, proof_, stability_, doctor_})
       page->set_help_flag("-h,--help", "Show this page.");
     app_.add_flag("--version", version_, "Print the version.");
     add_bounds();
     add_chart();
     add_check();
     add_proof();
+    add_stability();
     sign_->prefix_command();  // what follows is a case: a leading '-' there is a sign, not an option
   }
 
@@ -62,8 +64,9 @@ class Program {
     if (!rest.empty()) throw CLI::ExtrasError(rest);
     if (*chart_) return run_chart(chart_options_, rivals_);
     if (*proof_) return run_proof(proof_options_);
+    if (*stability_) return run_stability(stability_options_);
     if (*doctor_) return run_doctor();
-    throw Error("a command is needed: bounds, chart, check, sign, proof or doctor; 'plumb --help' explains");
+    throw Error("a command is needed: bounds, chart, check, sign, proof, stability or doctor; 'plumb --help' explains");
   }
 
   /// The page of the command that was named, or of the program.
@@ -74,12 +77,13 @@ class Program {
     if (*check_) return say(manual_page(check_manual(), *check_, style));
     if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
     if (*proof_) return say(manual_page(proof_manual(), *proof_, style));
+    if (*stability_) return say(manual_page(stability_manual(), *stability_, style));
     if (*doctor_) return say(manual_page(doctor_manual(), *doctor_, style));
     say(manual_page(program_manual(), app_, style));
   }
 
   [[nodiscard]] std::string help_hint() const {
-    for (const CLI::App* command : {bounds_, chart_, check_, sign_, proof_, doctor_}) {
+    for (const CLI::App* command : {bounds_, chart_, check_, sign_, proof_, stability_, doctor_}) {
       if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
     }
     return "'plumb --help' explains";
@@ -153,6 +157,22 @@ class Program {
         ->excludes(predicate);
   }
 
+  void add_stability() {
+    StabilityOptions& o = stability_options_;
+    stability_->add_option("--out", o.out, "Write the report into this folder, which is made where it is missing.")
+        ->type_name("DIR");
+    stability_->add_flag("--quick", o.settings.quick, "Try little of everything: seconds instead of minutes.");
+    stability_->add_option("--experiment", o.experiments, "Only this experiment; repeatable.")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    stability_->add_option("--seed", o.settings.seed, "Other inputs of the same kinds; 2026 when not given.")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
+    stability_->add_option("--ccd", o.settings.ccd, "Try the queries of continuous tests in this folder as well.")
+        ->type_name("DIR");
+    stability_->add_option("--models", o.settings.models, "Try the meshes in this folder as well.")->type_name("DIR");
+  }
+
   int run_case(const std::vector<std::string>& words) {
     if (std::ranges::any_of(words, [](const std::string& w) { return w == "--help" || w == "-h"; })) {
       help();
@@ -178,6 +198,8 @@ class Program {
   CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");
   ProofOptions proof_options_;
   CLI::App* proof_ = app_.add_subcommand("proof", "Write the claim of a filter's bound for a prover.");
+  StabilityOptions stability_options_;
+  CLI::App* stability_ = app_.add_subcommand("stability", "Find where geometric algorithms fail, and picture it.");
   CLI::App* doctor_ = app_.add_subcommand("doctor", "Look whether this machine is as the proofs assume.");
 };
 

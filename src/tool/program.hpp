@@ -1,5 +1,6 @@
 // How does the program run?  Reads the command line, runs one command, flushes, and answers with the exit code:
-// 0 done, 1 a wrong sign was found that --fail-on-wrong asked for, 2 bad input (also an output that cannot be written).
+// 0 done, 1 a wrong sign was found that --fail-on-wrong asked for or an exact method failed in the laboratory, 2 bad
+// input (also an output that cannot be written).
 //
 // Law: nothing that can go wrong ends in silence or in a crash: every failure is one line `plumb: ...` on standard
 // error.

@@ -59,4 +59,9 @@ struct Experiment {
 /// In the order of the report.
 std::vector<Experiment> all_experiments();
 
+Experiment grid_experiment();
+Experiment hull_experiment();
+Experiment segment_experiment();
+Experiment sweep_experiment();
+
 }  // namespace plumb::tool::stability

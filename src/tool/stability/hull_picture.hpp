@@ -1,0 +1,21 @@
+// What does a wrong hull look like?  The true hull, the claimed one, and the corners that it lost.
+//
+// Law: the picture is stretched along two axes as HullJudge says, so that what lies outside by an ulp is seen.
+// Source: none; cost: a millisecond.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tool/stability/hull_judge.hpp"
+
+namespace plumb::tool::stability {
+
+struct HullPictureText {
+  std::string title, subtitle;
+};
+
+std::string hull_picture(const HullPictureText& text, const HullJudge& judge,
+                         const std::vector<std::uint32_t>& claimed);
+
+}  // namespace plumb::tool::stability

@@ -1,0 +1,161 @@
+// Sweeps over segments in floating point: which pairs do they lose, which do they invent, and do they end?  Judged pair
+// by pair in GMP's rationals.
+#include <gmpxx.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "plumb/degenerate/points.hpp"
+#include "tool/stability/experiment.hpp"
+#include "tool/stability/segment_methods.hpp"
+#include "tool/stability/sweep.hpp"
+
+namespace plumb::tool::stability {
+namespace {
+
+using Segments = std::vector<Segment2>;
+
+Segments between(const std::vector<Point2>& points) {
+  Segments all;
+  for (std::size_t i = 0; i + 1 < points.size(); i += 2) all.push_back({points[i], points[i + 1]});
+  return all;
+}
+
+double unit(Entropy& entropy) { return static_cast<double>(entropy.bits(53)) * 0x1p-53; }
+
+Segments anywhere(std::size_t n, Entropy& entropy) {
+  Segments all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = unit(entropy), y = unit(entropy), u = unit(entropy), v = unit(entropy);
+    all.push_back({{x, y}, {u, v}});
+  }
+  return all;
+}
+
+Segments on_small_grid(std::size_t n, Entropy& entropy) {
+  Segments all;
+  const auto any = [&entropy] { return static_cast<double>(entropy.below(8)); };
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = any(), y = any(), u = any(), v = any();
+    all.push_back({{x, y}, {u, v}});
+  }
+  return all;
+}
+
+/// Hardly turned against one another about hardly different middles, so that they cross at tiny angles.
+Segments nearly_parallel(std::size_t n, Entropy& entropy) {
+  Segments all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double up = unit(entropy) * 0x1p-45, down = unit(entropy) * 0x1p-45;
+    all.push_back({{0.1 + unit(entropy), 0.3 + up}, {2.1 + unit(entropy), 0.7 + down}});
+  }
+  return all;
+}
+
+/// Through the middle of a circle, as well as doubles can.
+Segments bundle(std::size_t n, Entropy& entropy) {
+  Segments all;
+  const double x = unit(entropy), y = unit(entropy);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = std::numbers::pi * unit(entropy), c = std::cos(angle), s = std::sin(angle);
+    all.push_back({{x - c, y - s}, {x + c, y + s}});
+  }
+  return all;
+}
+
+/// A closed chain, whose neighbors share ends, through hard points.
+Segments chain(std::size_t n, Entropy& entropy) {
+  std::vector<Point2> p = points2(Family::degenerate_long, Degeneracy::cocircular, n, entropy);
+  Segments all;
+  for (std::size_t i = 0; i < n; ++i) all.push_back({p[i], p[(i + 1) % n]});
+  return all;
+}
+
+Segments of_mixture(std::size_t n, Entropy& entropy) {
+  return between(points2(Family::mixture, Degeneracy::collinear, 2 * n, entropy));
+}
+
+struct Kind {
+  std::string name, about;
+  Segments (*make)(std::size_t n, Entropy& entropy);
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"anywhere", "segments between uniform points of a square", anywhere},
+      {"small grid", "segments between integers below 8: many meet in ends, many overlap", on_small_grid},
+      {"nearly parallel", "segments that cross at tiny angles", nearly_parallel},
+      {"bundle", "segments through one point, as well as doubles can", bundle},
+      {"chain", "a closed chain through points that are exactly cocircular", chain},
+      {"mixture", "segments between points of the mixture of all hard families", of_mixture}};
+  return all;
+}
+
+Pairs true_pairs(const Segments& segments) {
+  std::vector<Segment<mpq_class>> exact;
+  for (const Segment2& s : segments) exact.push_back(converted<mpq_class>(s));
+  Pairs pairs;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    for (std::size_t j = i + 1; j < exact.size(); ++j) {
+      if (meet_by_signs(exact[i], exact[j], mpq_class(0))) pairs.insert({i, j});
+    }
+  }
+  return pairs;
+}
+
+std::optional<Pairs> swept(std::string_view method, const Segments& segments) {
+  return in_numbers_of(method, segments, [&](auto epsilon) {
+    using T = decltype(epsilon);
+    std::vector<Segment<T>> converted_ones;
+    for (const Segment2& s : segments) converted_ones.push_back(converted<T>(s));
+    return Sweep<T>(std::move(converted_ones), epsilon).run();
+  });
+}
+
+Findings run_kind(const Kind& kind, std::size_t n, std::size_t rounds, std::uint64_t start) {
+  const std::vector<Count> none{{"pairs that meet and were lost"},
+                                {"pairs that do not meet and were reported"},
+                                {"sweeps that lost or invented a pair"},
+                                {"sweeps that did not end"}};
+  Findings findings;
+  for (const std::string_view m : float_method_names) findings.outcomes.push_back({std::string(m), none});
+  findings.outcomes.push_back({"exact", none, true});
+  for (std::size_t i = 0; i < rounds; ++i) {
+    Entropy entropy(start, i);
+    const Segments segments = kind.make(n, entropy);
+    const Pairs truth = true_pairs(segments);
+    for (MethodOutcome& o : findings.outcomes) {
+      const std::optional<Pairs> said = swept(o.method, segments);
+      ++o.counts[3].of;
+      o.counts[3].failures += !said;
+      if (!said) continue;
+      std::size_t right = 0;
+      for (const auto& pair : *said) right += truth.contains(pair);
+      o.counts[0].of += truth.size();
+      o.counts[0].failures += truth.size() - right;
+      o.counts[1].of += n * (n - 1) / 2 - truth.size();
+      o.counts[1].failures += said->size() - right;
+      ++o.counts[2].of;
+      o.counts[2].failures += *said != truth;
+    }
+  }
+  return findings;
+}
+
+std::vector<Scene> sweep_scenes(const Settings& settings) {
+  const std::size_t n = settings.quick ? 10 : 24, rounds = settings.quick ? 4 : 40;
+  std::vector<Scene> scenes;
+  for (const Kind& kind : kinds()) {
+    scenes.push_back({kind.name, kind.about,
+                      [&kind, n, rounds, start = settings.seed] { return run_kind(kind, n, rounds, start); }});
+  }
+  return scenes;
+}
+
+}  // namespace
+
+Experiment sweep_experiment() {
+  return {"sweeps", "which of many segments meet?", "Bentley and Ottmann 1979; RTCD 5.1.9.1", sweep_scenes};
+}
+
+}  // namespace plumb::tool::stability

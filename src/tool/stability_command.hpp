@@ -1,0 +1,26 @@
+// `plumb stability`: where do methods fail?  The experiments of src/tool/stability, run and reported.
+//
+// Laws: (1) nothing is written that was not counted; text, JSON and HTML hold the same numbers; (2) without a folder
+// nothing but the tables is written; (3) an experiment that does not exist and a folder that cannot be used are refused
+// before anything runs.
+// Source: RTCD 11; cost: minutes, seconds when quick.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tool/stability/experiment.hpp"
+
+namespace plumb::tool {
+
+struct StabilityOptions {
+  std::optional<std::string> out;        // a folder
+  std::vector<std::string> experiments;  // none: all
+  stability::Settings settings;
+};
+
+/// 1 where an exact method failed anything, else 0.
+int run_stability(const StabilityOptions& options);
+
+}  // namespace plumb::tool
