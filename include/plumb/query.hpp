@@ -19,6 +19,7 @@
 #include "plumb/query/intersection_result.hpp"
 #include "plumb/query/interval_halving.hpp"
 #include "plumb/query/item_batch.hpp"
+#include "plumb/query/kinds.hpp"
 #include "plumb/query/lattice2.hpp"
 #include "plumb/query/motion.hpp"
 #include "plumb/query/moving_distance.hpp"

@@ -24,7 +24,7 @@ std::uint64_t weight_of(double x) {
   return x == 0 ? 0 : static_cast<std::uint64_t>(mantissa_length(x) + std::abs(highest_exponent(x)));
 }
 
-Measure measure(const Coordinates& coordinates) {
+Measure measure(std::span<const double> coordinates) {
   Measure made;
   for (auto x = coordinates.begin(); x != coordinates.end(); ++x) {
     const bool repeated = std::find(coordinates.begin(), x, *x) != x;
@@ -139,14 +139,33 @@ bool shrink_one(Shrinker& shrinker, std::size_t index) {
   return improved;
 }
 
+// One point becomes another.
+bool merge_points(Shrinker& shrinker, std::size_t stride) {
+  bool improved = false;
+  const auto count = static_cast<std::ptrdiff_t>(shrinker.current().size() / stride);
+  const auto step = static_cast<std::ptrdiff_t>(stride);
+  for (std::ptrdiff_t to = 0; to < count; ++to) {
+    for (std::ptrdiff_t from = 0; from < count; ++from) {
+      if (from == to) continue;
+      Coordinates candidate = shrinker.current();
+      std::copy_n(candidate.begin() + from * step, step, candidate.begin() + to * step);
+      improved |= shrinker.attempt(candidate);
+    }
+  }
+  return improved;
+}
+
 }  // namespace
+
+bool is_simpler(std::span<const double> a, std::span<const double> b) { return measure(a) < measure(b); }
 
 std::vector<double> shrink_coordinates(std::vector<double> coordinates, int dimension,
                                        const FailsOnCoordinates& still_fails, std::size_t most_calls) {
   Shrinker shrinker(std::move(coordinates), still_fails, most_calls);
   const auto stride = static_cast<std::size_t>(dimension);
   for (bool improved = true; improved && !shrinker.out_of_calls();) {
-    improved = shrink_together(shrinker, 0, 1);
+    improved = stride > 1 && merge_points(shrinker, stride);
+    improved |= shrink_together(shrinker, 0, 1);
     for (std::size_t axis = 0; stride > 1 && axis < stride; ++axis) {
       improved |= shrink_together(shrinker, axis, stride);
     }

@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <typeinfo>
 
 #include "plumb/arith/error.hpp"
@@ -39,7 +40,8 @@ struct Finding {
   std::uint64_t index = 0;  // case_of(kind, generator, seed, index)
   std::string sort;
   Numbers found, smallest;
-  Answer given, exact;  // of the smallest
+  Answer given, exact;   // of the smallest
+  bool repeated = true;  // false: asked again, it did not fail, and so was not shrunk
 };
 
 struct Findings {
@@ -54,16 +56,16 @@ struct Findings {
 
 struct CheckOptions {
   std::uint64_t seed = 2026;
-  std::uint64_t cases = 1000;           // of each generator; 0: until the time is up
-  double seconds = 0;                   // 0: however long it takes
-  std::vector<std::string> generators;  // of the kind's and "mutated"; none: all
-  std::vector<Numbers> corpus;          // asked first; mutated cases start from them as well
-  std::optional<Tolerance> tolerance;   // nothing: the kind's
-  std::size_t keep = 1;                 // sorts of failure kept a generator
-  std::size_t shrink_calls = 20'000;    // a finding; a hundredth where the function crashed, hung or exited
-  std::size_t block = 256;              // cases asked at once
+  std::uint64_t cases = 1000;                // of each generator; 0: until the time is up
+  double seconds = 0;                        // 0: however long it takes
+  std::vector<std::string> generators = {};  // of the kind's and "mutated"; none: all
+  std::vector<Numbers> corpus = {};          // asked first; mutated cases start from them as well
+  std::optional<Tolerance> tolerance = {};   // nothing: the kind's
+  std::size_t keep = 1;                      // sorts of failure kept a generator
+  std::size_t shrink_calls = 20'000;         // a finding; a hundredth where the function crashed, hung or exited
+  std::size_t block = 256;                   // cases asked at once
   /// Told after every block, findings not yet shrunk; false ends the run.
-  std::function<bool(const Findings&)> progress;
+  std::function<bool(const Findings&)> progress = {};
 };
 
 using Callable = std::function<Answer(std::span<const double> numbers)>;
@@ -78,7 +80,8 @@ Callable callable_of(const Kind& kind, ForeignFunction function);
 
 /// The same for a pointer to the function, whose type must be the kind's: throws Error naming the signature.
 template <class R, class... A>
-Findings check(const Kind& kind, R (*function)(A...), const CheckOptions& options = {}) {
+requires(!std::is_same_v<R, Answer>)  // that is a callable
+    Findings check(const Kind& kind, R (*function)(A...), const CheckOptions& options = {}) {
   if (kind.type != typeid(R(A...))) {
     throw Error(std::string("check: ").append(kind.name).append(" asks a function such as ").append(kind.signature));
   }

@@ -28,6 +28,9 @@ std::vector<std::uint64_t> shrink_choices(std::vector<std::uint64_t> choices, co
 std::vector<double> shrink_coordinates(std::vector<double> coordinates, int dimension,
                                        const FailsOnCoordinates& still_fails, std::size_t most_calls = 20'000);
 
+/// Whether shrink_coordinates prefers a to b.
+bool is_simpler(std::span<const double> a, std::span<const double> b);
+
 /// The candidates that shrink_choices tries, one at a time: for drivers that decide themselves, such as RapidCheck.
 class ChoiceShrinks {
  public:

@@ -1,0 +1,207 @@
+#include "plumb/degenerate/check.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+#include "degenerate/fields.hpp"
+#include "plumb/degenerate/shrink_case.hpp"
+
+namespace plumb::degenerate {
+
+namespace {
+
+// A generator's cases are its own, whichever others are asked for: FNV-1a of its name.
+std::uint64_t start_of(std::uint64_t seed, std::string_view generator) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : generator) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return seed ^ hash;
+}
+
+const Generator* generator_named(const Kind& kind, std::string_view name) {
+  const auto at = std::ranges::find(kind.generators, name, &Generator::name);
+  return at == kind.generators.end() ? nullptr : &*at;
+}
+
+[[noreturn]] void refuse_generator(const Kind& kind, std::string_view name) {
+  std::string text =
+      std::string("check: ").append(kind.name).append(" has no generator ").append(name).append("; it has");
+  for (const Generator& g : kind.generators) text.append(" ").append(g.name);
+  throw Error(text.append(" ").append(mutated_generator));
+}
+
+Answer asked(const Callable& function, std::span<const double> numbers) {
+  try {
+    return function(numbers);
+  } catch (const std::exception& e) {
+    return Answer(Outcome::threw, e.what());
+  } catch (...) {
+    return Answer(Outcome::threw, "no std::exception");
+  }
+}
+
+class Run {
+ public:
+  Run(const Kind& kind, const Batch& function, const CheckOptions& options)
+      : kind_(kind), function_(function), options_(options), tolerance_(options.tolerance.value_or(kind.tolerance)) {
+    if (options.cases == 0 && !(options.seconds > 0)) throw Error("check: neither cases nor seconds; give either");
+    for (const Numbers& numbers : options.corpus) {
+      if (const std::string flaw = flaw_of(kind, numbers); !flaw.empty()) throw Error("check: corpus: " + flaw);
+    }
+    for (const std::string& name : options.generators) {
+      if (name != mutated_generator && generator_named(kind, name) == nullptr) refuse_generator(kind, name);
+    }
+    if (!options.corpus.empty()) add(corpus_generator);
+    for (const Generator& g : kind.generators) {
+      if (wanted(g.name)) add(g.name);
+    }
+    if (wanted(mutated_generator)) add(mutated_generator);
+    found_.kind = kind.name;
+    found_.seed = options.seed;
+  }
+
+  Findings findings() && {
+    ask_all();
+    for (Finding& finding : found_.findings) shrink(finding);
+    std::ranges::stable_sort(found_.findings, {}, [&](const Finding& f) { return place_of(f.generator); });
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool wanted(std::string_view name) const {
+    return options_.generators.empty() || std::ranges::find(options_.generators, name) != options_.generators.end();
+  }
+  void add(std::string_view name) {
+    found_.tallies.emplace_back();
+    found_.tallies.back().generator = name;
+  }
+  [[nodiscard]] std::ptrdiff_t place_of(const std::string& generator) const {
+    return std::ranges::find(found_.tallies, generator, &Tally::generator) - found_.tallies.begin();
+  }
+
+  // A block of each in turn, so that a run that is stopped has asked all alike.
+  void ask_all() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    for (bool any = true; any;) {
+      any = false;
+      for (Tally& tally : found_.tallies) {
+        const std::uint64_t all = tally.generator == corpus_generator ? options_.corpus.size() : options_.cases;
+        const std::uint64_t left = all == 0 ? options_.block : all - tally.asked;
+        if (left == 0) continue;
+        any = true;
+        ask_block(tally, std::min<std::uint64_t>(left, options_.block));
+        if (options_.progress && !options_.progress(found_)) return;
+        const double taken = std::chrono::duration<double>(Clock::now() - start).count();
+        if (options_.seconds > 0 && taken >= options_.seconds) return;
+      }
+    }
+  }
+
+  void ask_block(Tally& tally, std::uint64_t count) {
+    const std::uint64_t first = tally.asked;
+    std::vector<Numbers> cases(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      cases[i] = tally.generator == corpus_generator
+                     ? options_.corpus[first + i]
+                     : case_of(kind_, tally.generator, options_.seed, first + i, options_.corpus);
+    }
+    std::vector<Answer> answers(count);
+    function_(cases, answers);
+    tally.asked += count;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const Judgment j = judge(kind_, cases[i], answers[i], tolerance_);
+      if (j.verdict == Verdict::right) continue;
+      (j.verdict == Verdict::unsure ? tally.unsure : j.verdict == Verdict::wrong ? tally.wrong : tally.failed) += 1;
+      if (j.verdict != Verdict::unsure) keep(tally.generator, first + i, j.sort, cases[i], answers[i]);
+    }
+  }
+
+  void keep(const std::string& generator, std::uint64_t index, std::string_view sort, const Numbers& numbers,
+            const Answer& given) {
+    std::size_t kept = 0;
+    for (const Finding& f : found_.findings) {
+      if (f.generator != generator) continue;
+      if (f.sort == sort) return;
+      ++kept;
+    }
+    if (kept >= options_.keep) return;
+    Finding f;
+    f.generator = generator;
+    f.index = index;
+    f.sort = sort;
+    f.found = f.smallest = numbers;
+    f.given = given;
+    found_.findings.push_back(std::move(f));
+  }
+
+  Answer ask_one(std::span<const double> numbers) {
+    std::vector<Numbers> cases{Numbers(numbers.begin(), numbers.end())};
+    std::vector<Answer> answers(1);
+    function_(cases, answers);
+    return std::move(answers[0]);
+  }
+
+  void shrink(Finding& f) {
+    const bool process = f.given.outcome != Outcome::answered && f.given.outcome != Outcome::threw;
+    const auto fails = [&](std::span<const double> numbers) {
+      return judge(kind_, numbers, ask_one(numbers), tolerance_).sort == f.sort;
+    };
+    f.repeated = fails(f.found);
+    if (f.repeated) {
+      f.smallest = shrink_case(kind_, f.found, fails, process ? options_.shrink_calls / 100 : options_.shrink_calls);
+      f.given = ask_one(f.smallest);
+    }
+    f.exact = kind_.exact(f.smallest);
+  }
+
+  const Kind& kind_;
+  const Batch& function_;
+  const CheckOptions& options_;
+  Tolerance tolerance_;
+  Findings found_;
+};
+
+}  // namespace
+
+std::uint64_t Findings::asked() const {
+  std::uint64_t all = 0;
+  for (const Tally& t : tallies) all += t.asked;
+  return all;
+}
+
+Numbers case_of(const Kind& kind, std::string_view generator, std::uint64_t seed, std::uint64_t index,
+                std::span<const Numbers> corpus) {
+  Entropy entropy(start_of(seed, generator), index);
+  Numbers numbers;
+  if (generator == mutated_generator) {
+    if (!corpus.empty() && entropy.coin()) {
+      numbers = corpus[entropy.below(corpus.size())];
+    } else {
+      kind.generators[entropy.below(kind.generators.size())].make(numbers, entropy);
+    }
+    mutate(kind, numbers, entropy);
+    return numbers;
+  }
+  const Generator* const named = generator_named(kind, generator);
+  if (named == nullptr) refuse_generator(kind, generator);
+  named->make(numbers, entropy);
+  return numbers;
+}
+
+Findings check_in_batches(const Kind& kind, const Batch& function, const CheckOptions& options) {
+  return Run(kind, function, options).findings();
+}
+
+Findings check(const Kind& kind, const Callable& function, const CheckOptions& options) {
+  const Batch batch = [&](std::span<const Numbers> cases, std::span<Answer> answers) {
+    for (std::size_t i = 0; i < cases.size(); ++i) answers[i] = asked(function, cases[i]);
+  };
+  return check_in_batches(kind, batch, options);
+}
+
+Callable callable_of(const Kind& kind, ForeignFunction function) {
+  return [call = kind.call, function](std::span<const double> numbers) { return call(function, numbers); };
+}
+
+}  // namespace plumb::degenerate

@@ -1,0 +1,112 @@
+#include "degenerate/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumb/certify/case_line.hpp"
+
+namespace plumb::degenerate {
+
+namespace {
+
+std::size_t numbers_in(const Argument& argument) {
+  std::size_t all = 0;
+  for (const Part& part : argument.parts) all += static_cast<std::size_t>(part.dimension) * part.count;
+  return all;
+}
+
+// Calls visit(field) for each, and returns what is wrong with the counts.
+template <class Visit>
+std::string walk(const Kind& kind, std::span<const double> numbers, const Visit& visit) {
+  const auto named = [&](const Argument& a, std::string what) {
+    return std::string(kind.name).append(": ").append(a.name).append(" ").append(what);
+  };
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < kind.arguments.size(); ++i) {
+    const Argument& argument = kind.arguments[i];
+    const std::size_t each = numbers_in(argument);
+    std::size_t times = 1;
+    if (argument.any_number()) {
+      if (at == numbers.size()) return named(argument, "lacks its count of points");
+      const double count = numbers[at++];
+      if (!(count >= 0 && count == std::trunc(count))) {
+        return named(argument, "begins with " + hexadecimal(count) + ", which is no count of points");
+      }
+      if (count < static_cast<double>(argument.least)) {
+        return named(argument, "takes at least " + std::to_string(argument.least) + " points");
+      }
+      // Not cast before: any double may stand here.
+      if (count > static_cast<double>((numbers.size() - at) / each)) return named(argument, "lacks numbers");
+      times = static_cast<std::size_t>(count);
+    }
+    if (numbers.size() - at < each * times) return named(argument, "lacks numbers");
+    for (const Part& part : argument.parts) {
+      const auto dimension = static_cast<std::size_t>(part.dimension);
+      visit(Field{part.role, i, dimension, at, part.count * times});
+      at += dimension * part.count * times;
+    }
+  }
+  if (at == numbers.size()) return {};
+  return std::string(kind.name).append(": numbers too many: ").append(std::to_string(numbers.size() - at));
+}
+
+}  // namespace
+
+std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers) {
+  std::vector<Field> fields;
+  walk(kind, numbers, [&](const Field& field) { fields.push_back(field); });
+  return fields;
+}
+
+std::string flaw_of(const Kind& kind, std::span<const double> numbers) {
+  for (const double x : numbers) {
+    if (!std::isfinite(x)) return std::string(kind.name).append(": a number is not finite");
+  }
+  std::string flaw;
+  std::string counts = walk(kind, numbers, [&](const Field& f) {
+    const std::span<const double> part = numbers.subspan(f.first, f.size());
+    const auto say = [&](std::string_view what) {
+      flaw = std::string(kind.name).append(": ").append(kind.arguments[f.argument].name).append(" ").append(what);
+    };
+    if (f.role == Role::corners) {
+      for (std::size_t axis = 0; axis < f.dimension; ++axis) {
+        if (part[axis] > part[f.dimension + axis]) say("has its corners out of order");
+      }
+    } else if (f.role == Role::extents) {
+      if (std::ranges::any_of(part, [](double x) { return x < 0; })) say("has a negative length");
+    }
+  });
+  return counts.empty() ? flaw : counts;
+}
+
+void put_in_order(const Kind& kind, std::span<double> numbers) {
+  for (const Field& f : fields_of(kind, numbers)) {
+    const std::span<double> part = numbers.subspan(f.first, f.size());
+    if (f.role == Role::corners) {
+      for (std::size_t axis = 0; axis < f.dimension; ++axis) {
+        if (part[axis] > part[f.dimension + axis]) std::swap(part[axis], part[f.dimension + axis]);
+      }
+    } else if (f.role == Role::extents) {
+      for (double& x : part) x = std::fabs(x);
+    }
+  }
+}
+
+Numbers gathered(std::span<const double> numbers, std::span<const Field> fields) {
+  Numbers all;
+  for (const Field& f : fields) {
+    const std::span<const double> part = numbers.subspan(f.first, f.size());
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+void scatter(std::span<const double> coordinates, std::span<const Field> fields, std::span<double> numbers) {
+  std::size_t at = 0;
+  for (const Field& f : fields) {
+    std::ranges::copy(coordinates.subspan(at, f.size()), numbers.begin() + static_cast<std::ptrdiff_t>(f.first));
+    at += f.size();
+  }
+}
+
+}  // namespace plumb::degenerate

@@ -1,0 +1,33 @@
+// Where do the numbers of a case stand?  The parts of its arguments, one after the other.
+//
+// Law: of a case without a flaw every number is in one field, or is the count before one.  Cost: linear in the fields.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plumb/degenerate/kind.hpp"
+
+namespace plumb::degenerate {
+
+struct Field {
+  Role role;
+  std::size_t argument, dimension, first, count;  // dimension * count numbers from `first`
+
+  [[nodiscard]] std::size_t size() const { return dimension * count; }
+};
+
+std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers);
+
+/// Corners in order, lengths not negative.
+void put_in_order(const Kind& kind, std::span<double> numbers);
+
+/// One to three small moves, some of which keep what is exactly so: a case that may have any number of points may have
+/// one more or less.
+void mutate(const Kind& kind, Numbers& numbers, Entropy& entropy);
+
+/// The coordinates of all points one after the other, and back.
+Numbers gathered(std::span<const double> numbers, std::span<const Field> fields);
+void scatter(std::span<const double> coordinates, std::span<const Field> fields, std::span<double> numbers);
+
+}  // namespace plumb::degenerate

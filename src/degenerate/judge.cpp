@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "degenerate/fields.hpp"
+#include "degenerate/words.hpp"
+#include "plumb/arith/rational.hpp"
+#include "plumb/degenerate/ulps.hpp"
+
+namespace plumb::degenerate {
+
+namespace {
+
+Judgment judged_sign(double given, double exact) {
+  constexpr std::array<std::array<std::string_view, 3>, 3> sorts = {
+      {{"", "- for 0", "- for +"}, {"0 for -", "", "0 for +"}, {"+ for -", "+ for 0", ""}}};
+  const auto place = [](double x) { return x < 0 ? 0u : x > 0 ? 2u : 1u; };
+  const std::string_view sort = sorts[place(given)][place(exact)];
+  return {sort.empty() ? Verdict::right : Verdict::wrong, sort};
+}
+
+Judgment judged_yes_no(double given, double exact) {
+  if ((given != 0) == (exact != 0)) return {};
+  return {Verdict::wrong, given != 0 ? "yes for no" : "no for yes"};
+}
+
+// The distance of two doubles against what is allowed, in rational numbers.
+bool within(double given, double exact, std::span<const double> numbers, const Tolerance& tolerance) {
+  if (given == exact) return true;
+  if (!std::isfinite(given) || !std::isfinite(exact)) return false;
+  const auto apart = static_cast<std::uint64_t>(place_of(std::max(given, exact))) -
+                     static_cast<std::uint64_t>(place_of(std::min(given, exact)));
+  if (apart <= tolerance.ulps) return true;
+  if (tolerance.relative == 0) return false;
+  double largest = 0;
+  for (const double x : numbers) largest = std::max(largest, std::fabs(x));
+  const Rational off = Rational(std::max(given, exact)) - Rational(std::min(given, exact));
+  return off <= Rational(tolerance.relative) * Rational(largest);
+}
+
+Judgment judged_number(double given, double exact, std::span<const double> numbers, const Tolerance& tolerance) {
+  if (within(given, exact, numbers, tolerance)) return {};
+  return {Verdict::wrong, given > exact ? "too large" : "too small"};
+}
+
+Judgment judged_hit(const Answer& given, const Answer& exact, const Tolerance& tolerance) {
+  const Judgment hit = judged_yes_no(given.numbers[0], exact.numbers[0]);
+  if (hit.verdict != Verdict::right || exact.numbers[0] == 0 || given.numbers.size() < 2) return hit;
+  const double t = given.numbers[1];
+  if (std::isnan(t)) return {Verdict::wrong, "hit without a parameter"};
+  if (within(t, exact.numbers[1], std::span(exact.numbers).subspan(1), tolerance)) return {};
+  return {Verdict::wrong, t > exact.numbers[1] ? "parameter too large" : "parameter too small"};
+}
+
+}  // namespace
+
+Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& given, const Tolerance& tolerance) {
+  if (given.outcome != Outcome::answered) return {Verdict::failed, name_of(given.outcome)};
+  if (given.numbers.size() == 1 && std::isnan(given.numbers[0])) return {Verdict::unsure, "NaN"};
+  if (kind.judge != nullptr) return kind.judge(numbers, given);
+  if (given.numbers.empty()) return {Verdict::failed, "no answer"};
+  const Answer exact = kind.exact(numbers);
+  switch (kind.form) {
+    case AnswerForm::sign:
+      return judged_sign(given.numbers[0], exact.numbers[0]);
+    case AnswerForm::yes_no:
+      return judged_yes_no(given.numbers[0], exact.numbers[0]);
+    case AnswerForm::number:
+      return judged_number(given.numbers[0], exact.numbers[0], numbers, tolerance);
+    case AnswerForm::hit:
+      return judged_hit(given, exact, tolerance);
+    case AnswerForm::triangles:
+      break;
+  }
+  return given.numbers == exact.numbers ? Judgment{} : Judgment{Verdict::wrong, "other triangles"};
+}
+
+std::string decimal(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
+
+std::string words(const Kind& kind, const Answer& answer) {
+  if (answer.outcome != Outcome::answered) {
+    std::string text(name_of(answer.outcome));
+    return answer.note.empty() ? text : text.append(" (").append(answer.note).append(")");
+  }
+  if (kind.form == AnswerForm::triangles && (answer.numbers.empty() || !std::isnan(answer.numbers[0]))) {
+    std::string text = std::to_string(answer.numbers.size() / 3).append(" triangles");
+    for (std::size_t i = 0; i < answer.numbers.size(); ++i) {
+      text.append(i % 3 != 0 ? " " : i == 0 ? ": (" : " (").append(decimal(answer.numbers[i]));
+      if (i % 3 == 2) text.append(")");
+    }
+    return text;
+  }
+  if (answer.numbers.empty()) return "no answer";
+  const double x = answer.numbers[0];
+  if (std::isnan(x)) return "NaN";
+  switch (kind.form) {
+    case AnswerForm::sign:
+      return x < 0 ? "-" : x > 0 ? "+" : "0";
+    case AnswerForm::yes_no:
+      return x != 0 ? "yes" : "no";
+    case AnswerForm::hit:
+      if (x == 0) return "no";
+      return answer.numbers.size() < 2 ? "yes" : std::string("yes at ").append(decimal(answer.numbers[1]));
+    default:
+      return decimal(x);
+  }
+}
+
+}  // namespace plumb::degenerate

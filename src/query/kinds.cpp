@@ -1,0 +1,297 @@
+#include "plumb/query/kinds.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <typeinfo>
+
+#include "plumb/arith/big.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/arith/rational.hpp"
+#include "plumb/figure/aabb_relation.hpp"
+#include "plumb/figure/obb.hpp"
+#include "plumb/figure/polygon_location.hpp"
+#include "plumb/predicates.hpp"
+#include "plumb/query/overlap2.hpp"
+#include "plumb/query/overlap_triangle.hpp"
+#include "plumb/query/ray.hpp"
+#include "query/exact_gap.hpp"
+#include "query/kind_generators.hpp"
+#include "query/kind_hull.hpp"
+
+namespace plumb::degenerate {
+
+namespace {
+
+using Given = std::span<const double>;
+
+Point2 point2(Given q, std::size_t at) { return {q[at], q[at + 1]}; }
+Point3 point3(Given q, std::size_t at) { return {q[at], q[at + 1], q[at + 2]}; }
+Vector3 vector3(Given q, std::size_t at) { return {q[at], q[at + 1], q[at + 2]}; }
+Triangle3 triangle(Given q, std::size_t at) { return {point3(q, at), point3(q, at + 3), point3(q, at + 6)}; }
+Obb3 oriented_box(Given q, std::size_t at) {
+  return {point3(q, at), {vector3(q, at + 3), vector3(q, at + 6), vector3(q, at + 9)}, vector3(q, at + 12)};
+}
+query::FlatSet point_set(Given q, std::size_t at) {
+  query::FlatSet set;
+  const auto end = at + 1 + 3 * static_cast<std::size_t>(q[at]);
+  for (std::size_t i = at + 1; i < end; i += 3) set.points.push_back({q[i], q[i + 1], q[i + 2]});
+  return set;
+}
+
+Answer answer(Sign sign) { return static_cast<double>(sign); }
+Answer answer(bool yes) { return yes ? 1.0 : 0.0; }
+
+// A function of pointers to doubles: where in the numbers each argument begins.
+template <std::size_t>
+using Pointer = const double*;
+template <class R, std::size_t... at>
+struct Fixed {
+  using Function = R(Pointer<at>...);
+  static Answer call(ForeignFunction function, Given q) {
+    const auto given = reinterpret_cast<Function*>(function)((q.data() + at)...);
+    if constexpr (std::is_same_v<R, double>)
+      return given;
+    else
+      return answer(given != 0);
+  }
+};
+
+using InPolygonFunction = int(const double*, const double*, std::size_t);
+using HitFunction = int(const double*, const double*, double*);
+using DistanceFunction = double(const double*, std::size_t, const double*, std::size_t);
+
+Answer call_in_polygon(ForeignFunction function, Given q) {
+  const auto n = static_cast<std::size_t>(q[2]);
+  return answer(reinterpret_cast<InPolygonFunction*>(function)(q.data(), q.data() + 3, n) != 0);
+}
+
+Answer call_hit(ForeignFunction function, Given q) {
+  // A NaN that no arithmetic makes: still there, the function does not tell parameters.
+  const auto untold = std::bit_cast<double>(0x7ff8'dead'beef'0001);
+  double t = untold;
+  if (reinterpret_cast<HitFunction*>(function)(q.data(), q.data() + 6, &t) == 0) return 0.0;
+  Answer hit = 1.0;
+  if (std::bit_cast<std::uint64_t>(t) != std::bit_cast<std::uint64_t>(untold)) hit.numbers.push_back(t);
+  return hit;
+}
+
+Answer call_distance(ForeignFunction function, Given q) {
+  const auto n = static_cast<std::size_t>(q[0]), second = 1 + 3 * n;
+  const auto m = static_cast<std::size_t>(q[second]);
+  return reinterpret_cast<DistanceFunction*>(function)(q.data() + 1, n, q.data() + second + 1, m);
+}
+
+Answer exact_hit(Given q) {
+  const auto hit = first_hit(Ray3{point3(q, 0), vector3(q, 3)}, triangle(q, 6));
+  if (!hit) return 0.0;
+  Answer yes = 1.0;
+  yes.numbers.push_back(hit->t);
+  return yes;
+}
+
+Answer exact_in_polygon(Given q) {
+  Polygon2 polygon;
+  for (std::size_t i = 3; i < q.size(); i += 2) polygon.vertices.push_back(point2(q, i));
+  return answer(contains(polygon, point2(q, 0)));
+}
+
+Answer exact_distance_of_hulls(Given q) {
+  const auto second = 1 + 3 * static_cast<std::size_t>(q[0]);
+  const auto square = query::squared_distance(point_set(q, 0), point_set(q, second));
+  return rounded_root(Rounding::nearest, Rational(BigRational{*square}));
+}
+
+// Arguments.
+Argument points(std::string_view name, int dimension, std::size_t count) {
+  return {name, {{Role::points, dimension, count}}};
+}
+Argument any_points(std::string_view name, int dimension, std::size_t least) {
+  return {name, {{Role::points, dimension}}, least};
+}
+Argument oriented(std::string_view name) {
+  return {name, {{Role::points, 3}, {Role::frame, 3, 3}, {Role::extents, 3}}};
+}
+Argument box(std::string_view name) { return {name, {{Role::corners, 3, 2}}}; }
+
+std::vector<Argument> single_points(std::string_view names, int dimension) {
+  std::vector<Argument> all;
+  for (std::size_t i = 0; i < names.size(); ++i) all.push_back(points(names.substr(i, 1), dimension, 1));
+  return all;
+}
+
+std::vector<Generator> with(std::vector<Generator> first, std::vector<Generator> more) {
+  std::ranges::move(more, std::back_inserter(first));
+  return first;
+}
+
+template <class Call>
+Kind predicate(std::string_view name, std::string_view question, std::string_view signature,
+               std::string_view convention, std::vector<Argument> arguments, Degeneracy aim, Arrange arrange,
+               Answer (*exact)(Given)) {
+  const int dimension = arguments[0].parts[0].dimension;
+  return {name,
+          question,
+          signature,
+          convention,
+          AnswerForm::sign,
+          std::move(arguments),
+          family_generators(aim, dimension, arrange),
+          typeid(typename Call::Function),
+          {},
+          Call::call,
+          exact};
+}
+
+std::vector<Kind> classics() {
+  return {
+      predicate<Fixed<double, 0, 2, 4>>(
+          "orient2d", "which way do three points turn?",
+          "double f(const double a[2], const double b[2], const double c[2])",
+          "positive: counterclockwise; only the sign counts", single_points("abc", 2), Degeneracy::collinear,
+          arrange_points<6>, [](Given q) { return answer(orient2d(point2(q, 0), point2(q, 2), point2(q, 4))); }),
+      predicate<Fixed<double, 0, 3, 6, 9>>(
+          "orient3d", "on which side of a plane is a point?",
+          "double f(const double a[3], const double b[3], const double c[3], const double d[3])",
+          "positive: d is below the plane that sees a, b, c counterclockwise from above; only the sign counts",
+          single_points("abcd", 3), Degeneracy::coplanar, arrange_points<12>,
+          [](Given q) { return answer(orient3d(point3(q, 0), point3(q, 3), point3(q, 6), point3(q, 9))); }),
+      predicate<Fixed<double, 0, 2, 4, 6>>(
+          "incircle", "is a point inside of a circle?",
+          "double f(const double a[2], const double b[2], const double c[2], const double d[2])",
+          "positive: d is inside the circle of a, b, c in counterclockwise order; only the sign counts",
+          single_points("abcd", 2), Degeneracy::cocircular, arrange_points<8>,
+          [](Given q) { return answer(incircle(point2(q, 0), point2(q, 2), point2(q, 4), point2(q, 6))); }),
+      predicate<Fixed<double, 0, 3, 6, 9, 12>>(
+          "insphere", "is a point inside of a sphere?",
+          "double f(const double a[3], const double b[3], const double c[3], const double d[3], const double e[3])",
+          "positive: e is inside the sphere of a, b, c, d, where orient3d(a, b, c, d) > 0; only the sign counts",
+          single_points("abcde", 3), Degeneracy::cospherical, arrange_points<15>,
+          [](Given q) {
+            return answer(insphere(point3(q, 0), point3(q, 3), point3(q, 6), point3(q, 9), point3(q, 12)));
+          }),
+  };
+}
+
+template <std::size_t second>
+Kind meeting(std::string_view name, std::string_view question, std::string_view signature,
+             std::vector<Argument> arguments, std::vector<Generator> generators, Answer (*exact)(Given)) {
+  using Call = Fixed<int, 0, second>;
+  return {name,
+          question,
+          signature,
+          "not 0: they have a point in common, and be it one of their boundaries",
+          AnswerForm::yes_no,
+          std::move(arguments),
+          std::move(generators),
+          typeid(typename Call::Function),
+          {},
+          Call::call,
+          exact};
+}
+
+std::vector<Kind> meetings() {
+  return {
+      meeting<4>("segment-segment", "do two segments of the plane meet?", "int f(const double a[4], const double b[4])",
+                 {points("a", 2, 2), points("b", 2, 2)}, family_generators(Degeneracy::collinear, 2, arrange_points<8>),
+                 [](Given q) {
+                   return answer(relate(Segment2{point2(q, 0), point2(q, 2)}, Segment2{point2(q, 4), point2(q, 6)}) !=
+                                 Relation::disjoint);
+                 }),
+      meeting<6>("segment-segment-3d", "do two segments in space meet?", "int f(const double a[6], const double b[6])",
+                 {points("a", 3, 2), points("b", 3, 2)}, family_generators(Degeneracy::coplanar, 3, arrange_points<12>),
+                 [](Given q) {
+                   return answer(relate(Segment3{point3(q, 0), point3(q, 3)}, Segment3{point3(q, 6), point3(q, 9)}) !=
+                                 Relation::disjoint);
+                 }),
+      meeting<9>("triangle-triangle", "do two triangles in space meet?", "int f(const double a[9], const double b[9])",
+                 {points("a", 3, 3), points("b", 3, 3)}, family_generators(Degeneracy::coplanar, 3, arrange_points<18>),
+                 [](Given q) { return answer(relate(triangle(q, 0), triangle(q, 9)) != Relation::disjoint); }),
+      meeting<6>("box-box", "do two boxes along the axes meet?", "int f(const double a[6], const double b[6])",
+                 {box("a"), box("b")}, family_generators(Degeneracy::coplanar, 3, arrange_boxes),
+                 [](Given q) {
+                   return answer(intersects(Aabb3{point3(q, 0), point3(q, 3)}, Aabb3{point3(q, 6), point3(q, 9)}));
+                 }),
+      meeting<15>("obb-obb", "do two oriented boxes meet?", "int f(const double a[15], const double b[15])",
+                  {oriented("a"), oriented("b")},
+                  with(family_generators(Degeneracy::coplanar, 3, arrange_oriented_boxes), {stacked_boxes()}),
+                  [](Given q) { return answer(intersects(oriented_box(q, 0), oriented_box(q, 15))); }),
+  };
+}
+
+std::vector<Kind> others() {
+  constexpr Tolerance fine{.ulps = 1 << 12, .relative = 0};
+  constexpr Tolerance coarse{.ulps = 1 << 12, .relative = 0x1p-40};
+  return {
+      {"ray-triangle",
+       "where does a ray hit a triangle?",
+       "int f(const double ray[6], const double triangle[9], double* t)",
+       "not 0: the ray from the first three numbers along the last three meets the closed triangle, first at t times "
+       "its "
+       "direction; *t may be left alone",
+       AnswerForm::hit,
+       {{"ray", {{Role::points, 3}, {Role::vector, 3}}}, points("triangle", 3, 3)},
+       family_generators(Degeneracy::coplanar, 3, arrange_ray),
+       typeid(HitFunction),
+       fine,
+       call_hit,
+       exact_hit},
+      {"point-in-polygon",
+       "is a point in a closed polygon?",
+       "int f(const double p[2], const double* vertices, size_t n)",
+       "not 0: p is on an edge, or the chain winds around it an odd number of times",
+       AnswerForm::yes_no,
+       {points("p", 2, 1), any_points("vertices", 2, 3)},
+       with(family_generators(Degeneracy::collinear, 2, arrange_polygon), {boundary_points()}),
+       typeid(InPolygonFunction),
+       {},
+       call_in_polygon,
+       exact_in_polygon},
+      {"convex-distance",
+       "how far apart are the convex hulls of two sets of points?",
+       "double f(const double* a, size_t n, const double* b, size_t m)",
+       "the distance, 0 where the hulls meet",
+       AnswerForm::number,
+       {any_points("a", 3, 1), any_points("b", 3, 1)},
+       family_generators(Degeneracy::coplanar, 3, arrange_point_sets),
+       typeid(DistanceFunction),
+       coarse,
+       call_distance,
+       exact_distance_of_hulls},
+      {"hull",
+       "what is the convex hull of points in space?",
+       "size_t f(const double* points, size_t n, size_t* triangles, size_t capacity)",
+       "the number of triangles, three indices each, counterclockwise seen from outside; 0 where all points are in one "
+       "plane, (size_t)-1: no answer; there is room for capacity triangles, which is 2 n",
+       AnswerForm::triangles,
+       {any_points("points", 3, 1)},
+       with(cloud_generators(), family_generators(Degeneracy::coplanar, 3, arrange_cloud)),
+       typeid(std::remove_pointer_t<HullFunction>),
+       {},
+       call_hull,
+       exact_hull,
+       judge_hull},
+  };
+}
+
+}  // namespace
+
+std::span<const Kind> kinds() {
+  static const std::vector<Kind> all = [] {
+    std::vector<Kind> made = classics();
+    for (std::vector<Kind>& more : std::array{meetings(), others()}) std::ranges::move(more, std::back_inserter(made));
+    return made;
+  }();
+  return all;
+}
+
+const Kind& kind_named(std::string_view name) {
+  const std::span<const Kind> all = kinds();
+  const auto at = std::ranges::find(all, name, &Kind::name);
+  if (at != all.end()) return *at;
+  std::string text = std::string("no kind is called ").append(name).append("; there are");
+  for (const Kind& kind : all) text.append(" ").append(kind.name);
+  throw Error(text);
+}
+
+}  // namespace plumb::degenerate

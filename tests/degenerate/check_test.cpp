@@ -1,0 +1,239 @@
+// Does a run ask what it says, find what fails, shrink it, and say so the same way each time?
+#include "plumb/degenerate/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "plumb/degenerate/paste.hpp"
+#include "plumb/degenerate/shrink_case.hpp"
+#include "plumb/query/kinds.hpp"
+
+namespace plumb::degenerate {
+namespace {
+
+bool same_bits(const Numbers& a, const Numbers& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+double naive_orient2d(const double* a, const double* b, const double* c) {
+  return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
+}
+
+const Kind& turns() { return kind_named("orient2d"); }
+
+TEST(Check, SaysTheSameEachTime) {
+  const CheckOptions options{.seed = 3, .cases = 300, .keep = 2};
+  const Findings once = check(turns(), naive_orient2d, options), again = check(turns(), naive_orient2d, options);
+  ASSERT_FALSE(once.clean());
+  EXPECT_EQ(text(turns(), once), text(turns(), again));
+  EXPECT_NE(text(turns(), once), text(turns(), check(turns(), naive_orient2d, {.seed = 4, .cases = 300, .keep = 2})));
+}
+
+TEST(Check, NamesItsCasesSoThatTheyComeAgain) {
+  const Findings findings = check(turns(), naive_orient2d, {.seed = 3, .cases = 300});
+  for (const Finding& f : findings.findings) {
+    EXPECT_TRUE(same_bits(f.found, case_of(turns(), f.generator, 3, f.index))) << f.generator << ' ' << f.index;
+    const auto replayed = parse_case(turns(), case_line(turns(), f.smallest));
+    ASSERT_TRUE(replayed);
+    EXPECT_TRUE(same_bits(*replayed, f.smallest));
+    EXPECT_EQ(judge(turns(), *replayed, f.given, {}).sort, f.sort);
+  }
+  // One generator alone asks the same cases as among others.
+  const std::string& last = findings.findings.back().generator;
+  const Findings alone = check(turns(), naive_orient2d, {.seed = 3, .cases = 300, .generators = {last}});
+  ASSERT_EQ(alone.findings.size(), 1u);
+  EXPECT_EQ(alone.findings[0].index, findings.findings.back().index);
+  EXPECT_TRUE(same_bits(alone.findings[0].smallest, findings.findings.back().smallest));
+}
+
+TEST(Check, TellsEveryOutcome) {
+  const auto function = [](std::span<const double> q) -> Answer {
+    if (q[0] == 1) return std::numeric_limits<double>::quiet_NaN();
+    if (q[0] == 2) throw std::runtime_error("no such point");
+    if (q[0] == -1) throw 7;
+    if (q[0] == -2) return Answer(Outcome::hung);
+    return turns().exact(q);
+  };
+  const Findings findings =
+      check(turns(), function, {.cases = 500, .generators = {"touching"}, .keep = 9, .shrink_calls = 3000});
+  ASSERT_EQ(findings.tallies.size(), 1u);
+  const Tally& t = findings.tallies[0];
+  EXPECT_EQ(t.asked, 500u);
+  EXPECT_GT(t.unsure, 50u);
+  EXPECT_GT(t.failed, 150u);
+  EXPECT_EQ(t.wrong, 0u);
+  ASSERT_EQ(findings.findings.size(), 2u);  // what is unsure is no finding
+  for (const Finding& f : findings.findings) {
+    EXPECT_TRUE(f.sort == "threw" || f.sort == "hung") << f.sort;
+    for (std::size_t i = 1; i < 6; ++i) EXPECT_EQ(f.smallest[i], 0) << text(turns(), findings);
+    EXPECT_TRUE(f.repeated);
+  }
+}
+
+TEST(Check, KeepsWhatFailsOnlyOnce) {
+  bool first = true;
+  const auto function = [&first](std::span<const double> q) {
+    return std::exchange(first, false) ? Answer(Outcome::crashed, "SIGSEGV") : turns().exact(q);
+  };
+  const Findings findings = check(turns(), function, {.cases = 5});
+  ASSERT_EQ(findings.findings.size(), 1u);
+  EXPECT_FALSE(findings.findings[0].repeated);
+  EXPECT_TRUE(same_bits(findings.findings[0].found, findings.findings[0].smallest));
+  EXPECT_EQ(findings.findings[0].given.note, "SIGSEGV");
+}
+
+TEST(Check, AsksTheCorpusFirstAndMutatesIt) {
+  const Numbers known{1, 2, 3, 4, 5, 7};
+  std::vector<Numbers> asked;
+  const auto function = [&](std::span<const double> q) {
+    asked.emplace_back(q.begin(), q.end());
+    return turns().exact(q);
+  };
+  const Findings findings =
+      check(turns(), function, {.cases = 40, .generators = {"mutated"}, .corpus = {known}, .block = 16});
+  EXPECT_TRUE(findings.clean());
+  ASSERT_EQ(asked.size(), 41u);
+  EXPECT_TRUE(same_bits(asked[0], known));
+  int near = 0;
+  for (const Numbers& q : asked) near += std::ranges::count(q, 7.0) > 0 ? 1 : 0;
+  EXPECT_GE(near, 8);  // half of them start from the corpus, and most moves leave the 7 alone
+  EXPECT_EQ(findings.tallies[0].generator, corpus_generator);
+  EXPECT_EQ(findings.tallies[0].asked, 1u);
+}
+
+TEST(Check, StopsWhenToldAndWhenTheTimeIsUp) {
+  std::uint64_t told = 0;
+  const CheckOptions until_told{.cases = 0, .seconds = 100, .progress = [&](const Findings& f) {
+                                  told = f.asked();
+                                  return f.asked() < 2000;
+                                }};
+  const Findings stopped = check(turns(), turns().exact, until_told);
+  EXPECT_EQ(stopped.asked(), told);
+  EXPECT_LT(told, 2300u);
+  EXPECT_GT(check(turns(), turns().exact, {.cases = 0, .seconds = 0.01}).asked(), 0u);
+}
+
+TEST(Check, RefusesWhatItCannotAsk) {
+  const auto refused = [](const CheckOptions& options) -> std::string {
+    try {
+      check(turns(), turns().exact, options);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refused({.generators = {"gird"}}).find("orient2d has no generator gird; it has grid"), std::string::npos);
+  EXPECT_EQ(refused({.cases = 0}), "check: neither cases nor seconds; give either");
+  EXPECT_EQ(refused({.corpus = {{1, 2, 3}}}), "check: corpus: orient2d: b lacks numbers");
+}
+
+TEST(Case, SaysWhatIsWrongWithIt) {
+  const auto flaw = [](const char* kind, const Numbers& numbers) { return flaw_of(kind_named(kind), numbers); };
+  EXPECT_EQ(flaw("orient2d", {1, 2, 3, 4, 5, 6}), "");
+  EXPECT_EQ(flaw("orient2d", {1, 2, 3, 4, 5, 6, 7}), "orient2d: numbers too many: 1");
+  EXPECT_EQ(flaw("orient2d", {1, 2, 3, 4, 5, HUGE_VAL}), "orient2d: a number is not finite");
+  EXPECT_EQ(flaw("point-in-polygon", {0, 0}), "point-in-polygon: vertices lacks its count of points");
+  EXPECT_EQ(flaw("point-in-polygon", {0, 0, 1.5}),
+            "point-in-polygon: vertices begins with 0x1.8p+0, which is no count of points");
+  EXPECT_EQ(flaw("point-in-polygon", {0, 0, 2, 0, 0, 1, 1}), "point-in-polygon: vertices takes at least 3 points");
+  EXPECT_EQ(flaw("hull", {1e300, 0, 0, 0}), "hull: points lacks numbers");
+  EXPECT_EQ(flaw("box-box", {0, 0, 2, 1, 1, 1, 0, 0, 0, 1, 1, 1}), "box-box: a has its corners out of order");
+  Numbers boxes(30);
+  EXPECT_EQ(flaw("obb-obb", boxes), "");
+  boxes[29] = -1;
+  EXPECT_EQ(flaw("obb-obb", boxes), "obb-obb: b has a negative length");
+}
+
+TEST(Case, IsReadAndWrittenForEveryKind) {
+  for (const Kind& kind : kinds()) {
+    for (const Generator& g : kind.generators) {
+      const Numbers numbers = case_of(kind, g.name, 1, 0);
+      const std::string line = case_line(kind, numbers);
+      const auto read = parse_case(kind, line + "  # a remark");
+      ASSERT_TRUE(read) << line;
+      EXPECT_TRUE(same_bits(*read, numbers)) << line;
+      EXPECT_NE(cpp_text(kind, numbers, "mine").find("mine("), std::string::npos);
+    }
+    EXPECT_FALSE(parse_case(kind, "  # remark"));
+    EXPECT_FALSE(parse_case(kind, "another-kind 1 2 3"));
+    EXPECT_THROW(parse_case(kind, std::string(kind.name) + " 1"), Error);
+    EXPECT_THROW(parse_case(kind, std::string(kind.name) + " one"), Error);
+  }
+}
+
+TEST(Case, IsReadyToPaste) {
+  const Kind& kind = turns();
+  const Numbers numbers{0, 0, 1, 0, 0.5, 0.25};
+  EXPECT_EQ(decimal_text(kind, numbers), "a = (0, 0)\nb = (1, 0)\nc = (0.5, 0.25)");
+  EXPECT_EQ(case_line(kind, numbers), "orient2d 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x1p-1 0x1p-2 = +");
+  const std::string cpp = cpp_text(kind, numbers, "my_turn");
+  for (const char* part :
+       {"extern \"C\" double my_turn(const double a[2], const double b[2], const double c[2]);", "TEST(Orient2d, Case",
+        "const double c[] = {0x1p-1, 0x1p-2};  // 0.5, 0.25", "EXPECT_GT(my_turn(a, b, c), 0);"}) {
+    EXPECT_NE(cpp.find(part), std::string::npos) << cpp;
+  }
+  EXPECT_EQ(python_text(kind, numbers),
+            "# orient2d: which way do three points turn?\n"
+            "a = [float.fromhex(x) for x in \"0x0p+0 0x0p+0\".split()]  # 0, 0\n"
+            "b = [float.fromhex(x) for x in \"0x1p+0 0x0p+0\".split()]  # 1, 0\n"
+            "c = [float.fromhex(x) for x in \"0x1p-1 0x1p-2\".split()]  # 0.5, 0.25\n"
+            "exact = 1  # +\n");
+  EXPECT_EQ(obj_text(kind_named("segment-segment"), Numbers{0, 0, 1, 1, 0, 1, 1, 0}),
+            "# segment-segment 0x0p+0 0x0p+0 0x1p+0 0x1p+0 0x0p+0 0x1p+0 0x1p+0 0x0p+0 = yes\n"
+            "o a\nv 0 0 0\nv 1 1 0\nl 1 2\no b\nv 0 1 0\nv 1 0 0\nl 3 4\n");
+  const std::string boxes = obj_text(kind_named("box-box"), Numbers{0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1});
+  EXPECT_EQ(std::ranges::count(boxes, 'v'), 16);
+  EXPECT_EQ(std::ranges::count(boxes, 'f'), 12);
+  const std::string ray =
+      cpp_text(kind_named("ray-triangle"), Numbers{0, 0, -1, 0, 0, 2, -1, -1, 0, 1, -1, 0, 0, 1, 0}, "mine");
+  EXPECT_NE(ray.find("EXPECT_NE(mine(ray, triangle, &t), 0);\n  EXPECT_DOUBLE_EQ(t, 0x1p-1);"), std::string::npos);
+}
+
+// A failure that needs three vertices in a triangle of at least some size, far from the origin.
+TEST(ShrinkCase, DropsAndMergesPointsAndTurnsAxes) {
+  const Kind& kind = kind_named("point-in-polygon");
+  const auto tall = [](std::span<const double> q) {
+    double low = 0, high = 0;
+    for (std::size_t i = 4; i < q.size(); i += 2) {
+      low = std::min(low, q[i]);
+      high = std::max(high, q[i]);
+    }
+    return high - low > 5;
+  };
+  const Numbers shrunk = shrink_case(kind, {3.25, 1e9, 5, 0.1, 0.2, 17.3, -400, 33, 22, 1e-3, 1e5, 1, 2}, tall);
+  EXPECT_EQ(shrunk[2], 3);
+  EXPECT_EQ(shrunk.size(), 9u);
+  EXPECT_TRUE(tall(shrunk));
+  EXPECT_EQ(std::ranges::count_if(shrunk, [](double x) { return x != 0; }), 2) << decimal_text(kind, shrunk);
+
+  const Kind& boxes = kind_named("obb-obb");
+  const auto wide = [](std::span<const double> q) { return q[27] > 1; };
+  Numbers large = case_of(boxes, "stacked", 8, 0);
+  large[27] = 77.7;
+  const Numbers simple = shrink_case(boxes, large, wide);
+  EXPECT_EQ(std::vector(simple.begin() + 3, simple.begin() + 12), (std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(std::vector(simple.begin() + 18, simple.begin() + 27), (std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  EXPECT_GT(simple[27], 1);
+  EXPECT_LE(simple[27], 4);
+}
+
+TEST(Mutated, CasesAreCases) {
+  for (const Kind& kind : kinds()) {
+    std::size_t longest = 0, shortest = 1000;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const Numbers numbers = case_of(kind, mutated_generator, 6, i);
+      ASSERT_EQ(flaw_of(kind, numbers), "") << i;
+      longest = std::max(longest, numbers.size());
+      shortest = std::min(shortest, numbers.size());
+    }
+    const bool any_number = std::ranges::any_of(kind.arguments, [](const Argument& a) { return a.any_number(); });
+    EXPECT_EQ(longest > shortest, any_number) << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace plumb::degenerate

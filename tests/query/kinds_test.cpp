@@ -1,0 +1,314 @@
+// Are the kinds' exact answers exact, and are foreign functions caught where they are wrong, and only there?
+#include "plumb/query/kinds.hpp"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "degenerate/rational_signs.hpp"
+#include "figure/rational_polygon.hpp"
+#include "plumb/arith/big.hpp"
+#include "plumb/degenerate.hpp"
+#include "query/closest_oracle.hpp"
+#include "query/foreign_functions.hpp"
+#include "query/rational_relation.hpp"
+#include "query/ray_oracle.hpp"
+
+namespace plumb::degenerate {
+namespace {
+
+namespace foreign = plumb_test::foreign;
+
+#ifdef PLUMB_LONG_TESTS
+constexpr std::uint64_t asked_cases = 10'000, judged_cases = 1'000;
+#else
+constexpr std::uint64_t asked_cases = 200, judged_cases = 12;
+#endif
+
+template <class R, class... A>
+ForeignFunction function(R (*f)(A...)) {
+  return reinterpret_cast<ForeignFunction>(f);
+}
+
+ForeignFunction right_one(std::string_view kind) {
+  if (kind == "orient2d") return function(foreign::orient2d);
+  if (kind == "orient3d") return function(foreign::orient3d);
+  if (kind == "incircle") return function(foreign::incircle);
+  if (kind == "insphere") return function(foreign::insphere);
+  if (kind == "segment-segment") return function(foreign::segment_segment);
+  if (kind == "segment-segment-3d") return function(foreign::segment_segment_3d);
+  if (kind == "triangle-triangle") return function(foreign::triangle_triangle);
+  if (kind == "ray-triangle") return function(foreign::ray_triangle);
+  if (kind == "point-in-polygon") return function(foreign::point_in_polygon);
+  if (kind == "box-box") return function(foreign::box_box);
+  if (kind == "obb-obb") return function(foreign::obb_obb);
+  if (kind == "hull") return function(foreign::hull);
+  return nullptr;
+}
+
+TEST(Kinds, AreKnownByName) {
+  std::set<std::string_view> names;
+  for (const Kind& kind : kinds()) {
+    names.insert(kind.name);
+    EXPECT_EQ(&kind_named(kind.name), &kind);
+    EXPECT_NE(kind.signature.find(" f("), std::string_view::npos) << kind.name;
+    std::set<std::string> generators;
+    for (const Generator& g : kind.generators) generators.insert(g.name);
+    EXPECT_EQ(generators.size(), kind.generators.size()) << kind.name;
+  }
+  EXPECT_EQ(names.size(), 13u);
+  try {
+    kind_named("orient4d");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string_view(e.what()).find("orient4d; there are orient2d"), std::string_view::npos) << e.what();
+  }
+}
+
+TEST(Kinds, TakeFunctionsOfTheirSignatureOnly) {
+  EXPECT_TRUE(check(kind_named("ray-triangle"), foreign::ray_hits_triangle, {.cases = 50}).clean());
+  EXPECT_THROW(check(kind_named("orient3d"), foreign::orient2d), Error);
+  EXPECT_THROW(check(kind_named("hull"), foreign::ray_triangle), Error);
+}
+
+TEST(Kinds, FindNothingWrongWithTheLibrary) {
+  for (const Kind& kind : kinds()) {
+    CheckOptions options{.seed = 11, .cases = asked_cases};
+    const ForeignFunction right = right_one(kind.name);
+    const Findings findings = check(kind, right == nullptr ? Callable(kind.exact) : callable_of(kind, right), options);
+    EXPECT_TRUE(findings.clean()) << text(kind, findings);
+    EXPECT_EQ(findings.asked(), asked_cases * (kind.generators.size() + 1)) << kind.name;
+    for (const Tally& t : findings.tallies) EXPECT_EQ(t.unsure, 0u) << kind.name << ' ' << t.generator;
+  }
+}
+
+// The rational judges, each by a way of its own.
+using oracle::RationalPoint, oracle::Spanned;
+using Given = std::span<const double>;
+
+RationalPoint at(Given q, std::size_t i) { return {mpq_class(q[i]), mpq_class(q[i + 1]), mpq_class(q[i + 2])}; }
+
+Spanned spanned(Given q, std::size_t first, std::size_t points) {
+  Spanned all;
+  for (std::size_t i = 0; i < points; ++i) all.points.push_back(at(q, first + 3 * i));
+  return all;
+}
+
+Spanned flat_segment(Given q, std::size_t first) {
+  const auto corner = [&](std::size_t i) { return RationalPoint{mpq_class(q[i]), mpq_class(q[i + 1]), 0}; };
+  return {{corner(first), corner(first + 2)}, {}};
+}
+
+int sign_by_determinant(const Kind& kind, Given q) {
+  const std::vector<std::size_t> which{0, 1, 2, 3, 4};
+  if (kind.name == "orient2d") return plumb_test::sign_of_flat(q, 2, std::span(which).first(3));
+  if (kind.name == "orient3d") return -plumb_test::sign_of_flat(q, 3, std::span(which).first(4));
+  if (kind.name == "incircle") return -plumb_test::sign_of_round(q, 2, std::span(which).first(4));
+  return plumb_test::sign_of_round(q, 3, which);
+}
+
+bool meet_by_program(const Kind& kind, Given q) {
+  const auto meet = [](const Spanned& a, const Spanned& b) { return oracle::relation(a, b) != Relation::disjoint; };
+  if (kind.name == "segment-segment") return meet(flat_segment(q, 0), flat_segment(q, 4));
+  if (kind.name == "segment-segment-3d") return meet(spanned(q, 0, 2), spanned(q, 6, 2));
+  if (kind.name == "triangle-triangle") return meet(spanned(q, 0, 3), spanned(q, 9, 3));
+  if (kind.name == "box-box") {
+    const auto box = [&](std::size_t i) {
+      return oracle::spanned(Aabb3{{q[i], q[i + 1], q[i + 2]}, {q[i + 3], q[i + 4], q[i + 5]}});
+    };
+    return meet(box(0), box(6));
+  }
+  return meet(oracle::spanned(foreign::oriented_box(q.data())), oracle::spanned(foreign::oriented_box(&q[15])));
+}
+
+bool in_polygon_by_winding(Given q) {
+  std::vector<Point2> chain;
+  for (std::size_t i = 3; i < q.size(); i += 2) chain.push_back({q[i], q[i + 1]});
+  const std::span<const Point2> one(chain);
+  return plumb_test::location(std::span(&one, 1), {q[0], q[1]}) != Location::outside;
+}
+
+/// Nothing for more pairs of points than brute force takes.
+std::optional<mpq_class> square_by_simplices(Given q) {
+  const auto n = static_cast<std::size_t>(q[0]), second = 1 + 3 * n, m = static_cast<std::size_t>(q[second]);
+  if (n * m > 12) return {};
+  closest_oracle::Corners apart;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < m; ++j) {
+      const RationalPoint a = at(q, 1 + 3 * i), b = at(q, second + 1 + 3 * j);
+      apart.push_back({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+    }
+  }
+  return closest_oracle::nearest_of_hull(apart, {0, 0, 0}).square;
+}
+
+/// The places that are in no hull of the others; none where all points are in one plane.
+std::set<std::array<double, 3>> extreme_places(Given q) {
+  std::set<std::array<double, 3>> places, extreme;
+  for (std::size_t i = 1; i < q.size(); i += 3) places.insert({q[i] + 0.0, q[i + 1] + 0.0, q[i + 2] + 0.0});
+  for (const auto& p : places) {
+    Spanned others;
+    for (const auto& o : places) {
+      if (o != p) others.points.push_back(at(o, 0));
+    }
+    if (oracle::relation(spanned(p, 0, 1), others) == Relation::disjoint) extreme.insert(p);
+  }
+  return extreme;
+}
+
+bool is_flat_by_determinants(Given q) {
+  bool flat = true;
+  plumb_test::for_each_subset((q.size() - 1) / 3, 4, [&](std::span<const std::size_t> four) {
+    flat = flat && plumb_test::sign_of_flat(q.subspan(1), 3, four) == 0;
+  });
+  return flat;
+}
+
+struct Judges {
+  std::map<std::string, int> told;  // how often each answer came
+
+  void judge(const Kind& kind, Given q) {
+    const Answer exact = kind.exact(q);
+    switch (kind.form) {
+      case AnswerForm::sign:
+        EXPECT_EQ(exact.numbers[0], sign_by_determinant(kind, q)) << case_line(kind, q);
+        break;
+      case AnswerForm::yes_no:
+        EXPECT_EQ(exact.numbers[0] != 0,
+                  kind.name == "point-in-polygon" ? in_polygon_by_winding(q) : meet_by_program(kind, q))
+            << case_line(kind, q);
+        break;
+      case AnswerForm::hit: {
+        const Ray3 ray{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
+        const auto t = ray_oracle::first(ray_oracle::Path(ray), ray_oracle::corners_of(foreign::triangle(&q[6])));
+        ASSERT_EQ(exact.numbers.size(), t ? 2u : 1u) << case_line(kind, q);
+        if (t) {
+          EXPECT_TRUE(ray_oracle::is_nearest(exact.numbers[1], *t)) << case_line(kind, q);
+        }
+        break;
+      }
+      case AnswerForm::number:
+        if (const auto square = square_by_simplices(q)) {
+          EXPECT_EQ(exact.numbers[0], rounded_root(Rounding::nearest, Rational(BigRational{*square})))
+              << case_line(kind, q);
+          ++told[exact.numbers[0] == 0 ? "apart by nothing" : "apart"];
+        }
+        return;
+      case AnswerForm::triangles:
+        judge_hull(kind, q, exact);
+        return;
+    }
+    ++told[std::string(kind.name).append(" ").append(words(kind, {exact.numbers[0]}))];
+  }
+
+  void judge_hull(const Kind& kind, Given q, const Answer& exact) {
+    if (q.size() > 37) return;  // more than twelve points
+    ++told[exact.numbers.empty() ? "flat" : "solid"];
+    ASSERT_EQ(exact.numbers.empty(), is_flat_by_determinants(q)) << case_line(kind, q);
+    if (exact.numbers.empty()) return;
+    std::set<std::array<double, 3>> corners;
+    for (const double index : exact.numbers) {
+      const std::size_t i = 1 + 3 * static_cast<std::size_t>(index);
+      corners.insert({q[i] + 0.0, q[i + 1] + 0.0, q[i + 2] + 0.0});
+    }
+    EXPECT_EQ(corners, extreme_places(q)) << case_line(kind, q);
+  }
+};
+
+TEST(Kinds, AgreeWithRationals) {
+  Judges judges;
+  for (const Kind& kind : kinds()) {
+    std::vector<std::string> generators{std::string(mutated_generator)};
+    for (const Generator& g : kind.generators) generators.push_back(g.name);
+    for (const std::string& generator : generators) {
+      for (std::uint64_t i = 0; i < judged_cases; ++i) {
+        const Numbers numbers = case_of(kind, generator, 5, i);
+        ASSERT_EQ(flaw_of(kind, numbers), "") << kind.name << ' ' << generator << ' ' << i;
+        judges.judge(kind, numbers);
+      }
+    }
+  }
+  // Each answer that a kind has came at least five times.
+  for (const Kind& kind : kinds()) {
+    if (kind.form == AnswerForm::sign) {
+      for (const char* sign : {" +", " 0", " -"}) EXPECT_GE(judges.told[std::string(kind.name) + sign], 5) << kind.name;
+    } else if (kind.form == AnswerForm::yes_no || kind.form == AnswerForm::hit) {
+      for (const char* told : {" yes", " no"}) EXPECT_GE(judges.told[std::string(kind.name) + told], 5) << kind.name;
+    }
+  }
+  for (const char* told : {"apart by nothing", "apart", "flat", "solid"}) EXPECT_GE(judges.told[told], 5) << told;
+}
+
+// A cube's hull, then spoiled in every way that is told.
+TEST(Kinds, TellWhatIsWrongWithAHull) {
+  const Kind& kind = kind_named("hull");
+  Numbers cube{9};
+  for (int i = 0; i < 8; ++i) cube.insert(cube.end(), {double(i & 1) * 4, double(i >> 1 & 1) * 4, double(i >> 2) * 4});
+  cube.insert(cube.end(), {4, 4, 4});  // a corner once more
+  const Answer right = kind.exact(cube);
+  ASSERT_EQ(right.numbers.size(), 36u);
+  const auto sort = [&](const auto& spoil, const Numbers& points) {
+    Answer given = right;
+    spoil(given.numbers);
+    return std::string(judge(kind, points, given, {}).sort);
+  };
+  EXPECT_EQ(sort([](Numbers&) {}, cube), "");
+  EXPECT_EQ(sort([](Numbers& t) { std::ranges::replace(t, 7, 8); }, cube), "");  // by its other number
+  EXPECT_EQ(sort([](Numbers& t) { t.clear(); }, cube), "no triangles");
+  EXPECT_EQ(sort([](Numbers& t) { t.pop_back(); }, cube), "more triangles than its capacity");
+  EXPECT_EQ(sort([](Numbers& t) { t[4] = 9; }, cube), "an index beyond the points");
+  EXPECT_EQ(sort([](Numbers& t) { std::swap(t[0], t[1]); }, cube), "a point outside of a triangle");
+  EXPECT_EQ(sort([](Numbers& t) { t[0] = t[1]; }, cube), "a triangle without area");
+  EXPECT_EQ(sort([](Numbers& t) { t.resize(33); }, cube), "triangles that do not close");
+  EXPECT_EQ(sort([](Numbers&) {}, {4, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}), "triangles for points of one plane");
+  Numbers larger = cube;
+  larger[0] = 10;
+  larger.insert(larger.end(), {2, 2, 9});
+  EXPECT_EQ(sort([](Numbers&) {}, larger), "a point outside of a triangle");
+}
+
+TEST(Kinds, CatchNaiveOrientation) {
+  const Kind& kind = kind_named("orient3d");
+  const Findings findings = check(kind, foreign::naive_orient3d, {.cases = 300, .keep = 2});
+  ASSERT_FALSE(findings.clean());
+  std::uint64_t least = 1000;
+  for (const Finding& f : findings.findings) {
+    const double given = foreign::naive_orient3d(&f.smallest[0], &f.smallest[3], &f.smallest[6], &f.smallest[9]);
+    EXPECT_EQ(given, f.given.numbers[0]);
+    EXPECT_NE(words(kind, f.given), words(kind, f.exact)) << text(kind, findings);
+    std::uint64_t bits = 0;
+    for (const double x : f.smallest) bits += static_cast<std::uint64_t>(mantissa_length(x));
+    least = std::min(least, bits);
+  }
+  EXPECT_LT(least, 120u);  // of 12 x 53
+  // Sound families stay sound: integers of 17 bits at most, which doubles multiply exactly.
+  for (const Tally& t : findings.tallies) {
+    if (t.generator == "touching") {
+      EXPECT_EQ(t.wrong, 0u);
+    }
+  }
+}
+
+TEST(Kinds, CatchAnEpsilon) {
+  const Kind& kind = kind_named("triangle-triangle");
+  const Findings findings = check(kind, foreign::epsilon_triangle_triangle, {.cases = 100, .generators = {"uniform"}});
+  ASSERT_EQ(findings.findings.size(), 1u);
+  EXPECT_EQ(findings.findings[0].sort, "yes for no");
+  for (const double x : findings.findings[0].smallest) EXPECT_LE(mantissa_length(x), 3) << text(kind, findings);
+}
+
+TEST(Kinds, CatchWhatIsWrongOnBoundaries) {
+  const Kind& polygon = kind_named("point-in-polygon");
+  const Findings crossings = check(polygon, foreign::crossing_number, {.cases = 100, .generators = {"boundary"}});
+  ASSERT_EQ(crossings.findings.size(), 1u);
+  EXPECT_EQ(crossings.findings[0].smallest[2], 3) << text(polygon, crossings);  // shrunk to a triangle
+
+  const Kind& distances = kind_named("convex-distance");
+  const Findings vertices = check(distances, foreign::vertex_distance, {.cases = 50, .generators = {"grid"}});
+  ASSERT_EQ(vertices.findings.size(), 1u);
+  EXPECT_EQ(vertices.findings[0].smallest.size(), 2 + 3 * 3u) << text(distances, vertices);  // a point and a segment
+}
+
+}  // namespace
+}  // namespace plumb::degenerate
