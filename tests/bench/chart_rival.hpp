@@ -1,14 +1,36 @@
-// Who else answers the tasks of `plumb chart`?  CGAL's kernels, as methods.
+// Who else answers the tasks of `plumb chart`?  Libraries that people use, as methods; the program plumb-bench is plumb
+// with these, and is not installed.
 //
-// The program plumb-bench is plumb with these; it is not installed.
+// Laws: (1) a library's shapes are made before the clock runs, by the numbers that it computes in, and its function is
+// called as its users call it; `about` names the call. (2) What it reports as failure, by exception or by code, is
+// unsure, not wrong. (3) No library is asked what it does not claim to answer: where touching is its own affair,
+// docs/charts.md says so.
+// Source: none; cost: none, a list.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "tool/trial/task.hpp"
+#include "tool/trial/float_methods.hpp"
 
 namespace plumb::bench {
 
-std::vector<tool::trial::Rival> chart_rivals();
+using Rivals = std::vector<tool::trial::Rival>;
+
+void add_bullet(Rivals& all);
+void add_ccd(Rivals& all);
+void add_cgal_figures(Rivals& all);
+void add_cgal_predicates(Rivals& all);
+void add_eigen(Rivals& all);
+void add_embree(Rivals& all);
+void add_fcl(Rivals& all);
+void add_qhull(Rivals& all);
+
+/// Joins a task whose questions have N numbers: `make` turns them into the library's shapes, `take` is measured.
+template <std::size_t N, class Make, class Take>
+void join(Rivals& all, const char* task, std::string name, std::string about, Make make, Take take) {
+  all.push_back({task, tool::trial::each_made<N>(std::move(name), std::move(about), make, take)});
+}
 
 }  // namespace plumb::bench

@@ -2,6 +2,10 @@
 #include "tool/program.hpp"
 
 int main(int argc, char** argv) {
-  const std::vector<plumb::tool::trial::Rival> rivals = plumb::bench::chart_rivals();
+  plumb::bench::Rivals rivals;
+  for (const auto add : {plumb::bench::add_cgal_predicates, plumb::bench::add_cgal_figures, plumb::bench::add_embree,
+                         plumb::bench::add_fcl, plumb::bench::add_ccd, plumb::bench::add_bullet,
+                         plumb::bench::add_qhull, plumb::bench::add_eigen})
+    add(rivals);
   return plumb::tool::run_program(argc, argv, rivals);
 }

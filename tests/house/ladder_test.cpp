@@ -101,6 +101,8 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"include/plumb/surface/cgal.hpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
       {"include/plumb/surface/hull.hpp", "#include \"plumb/certify/cgal_kernel.hpp\"\n", "for its users alone"},
       {"tests/certify/law_test.cpp", "#include <boost/multiprecision/gmp.hpp>\n", "oracles and rivals"},
+      {"src/tool/hull.cpp", "#include <libqhull_r/qhull_ra.h>\n", "rivals only"},
+      {"tests/oracle/boxes.cpp", "#include <fcl/math/bv/OBB.h>\n", "rivals only"},
       {"include/plumb/figure.hpp", "#include \"plumb/arith/rational.hpp\"\n", "brings gmpxx.h along"},
       {"src/surface/utils.hpp", "", "says nothing"},
       {"tests/tool/string_helpers.hpp", "", "says nothing"},

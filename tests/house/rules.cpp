@@ -161,6 +161,10 @@ void check_libraries(const Source& source, std::vector<Breach>& out) {
         !path.starts_with("tests/bench/")) {
       forbid(spelled, "which is for oracles and rivals (and the adaptor) only");
     }
+    if (one_of(library, {"BulletCollision", "LinearMath", "ccd", "embree3", "fcl", "libqhull_r"}) &&
+        !path.starts_with("tests/bench/")) {
+      forbid(spelled, "which is for rivals only");
+    }
     if (("include/" + spelled).starts_with(cgal_adaptor) && !adapts && !path.starts_with("tests/")) {
       forbid(spelled, "which needs CGAL and is for its users alone");
     }

@@ -2,12 +2,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include "bench/chart_rival.hpp"
-#include "tool/trial/float_methods.hpp"
 
 namespace plumb::bench {
 namespace {
-
-using tool::trial::Rival;
 
 /// CGAL's points, made beforehand from the numbers of a question.
 template <class Point, std::size_t Dimension, std::size_t N>
@@ -24,13 +21,13 @@ auto points_of(const std::array<double, N>& q) {
 }
 
 template <class K>
-void add_kernel(std::vector<Rival>& all, const std::string& name, const std::string& about) {
+void add_kernel(Rivals& all, const std::string& name, const std::string& about) {
   using P2 = typename K::Point_2;
   using P3 = typename K::Point_3;
   const auto add = [&]<std::size_t Dimension, std::size_t Points>(const char* task, auto take) {
     using Point = std::conditional_t<Dimension == 2, P2, P3>;
     constexpr std::size_t numbers = Dimension * Points;
-    all.push_back({task, tool::trial::each_made<numbers>(name, about, points_of<Point, Dimension, numbers>, take)});
+    join<numbers>(all, task, name, about, points_of<Point, Dimension, numbers>, take);
   };
   add.template operator()<2, 3>("orient2d", [](const std::array<P2, 3>& p) {
     return static_cast<double>(typename K::Orientation_2()(p[0], p[1], p[2]));
@@ -49,11 +46,9 @@ void add_kernel(std::vector<Rival>& all, const std::string& name, const std::str
 
 }  // namespace
 
-std::vector<Rival> chart_rivals() {
-  std::vector<Rival> all;
+void add_cgal_predicates(Rivals& all) {
   add_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(all, "epick", "CGAL, exact predicates");
   add_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(all, "epeck", "CGAL, exact constructions as well");
-  return all;
 }
 
 }  // namespace plumb::bench

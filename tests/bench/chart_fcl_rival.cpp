@@ -1,0 +1,54 @@
+#include "bench/chart_rival.hpp"
+#include "bench/fcl_calls.hpp"
+
+namespace plumb::bench {
+namespace {
+
+using namespace fcl_calls;
+
+template <std::size_t N>
+std::array<Vec, N / 3> points_of(const std::array<double, N>& q) {
+  std::array<Vec, N / 3> p;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = Vec(&q[3 * i]);
+  return p;
+}
+
+}  // namespace
+
+void add_fcl(Rivals& all) {
+  join<18>(all, "triangle-triangle", "fcl", "FCL's Intersect::intersect_Triangle, as its meshes ask", points_of<18>,
+           [](const std::array<Vec, 6>& p) { return triangles_meet(p.data()); });
+  join<12>(
+      all, "box-box", "fcl", "FCL's AABB::overlap",
+      [](const std::array<double, 12>& q) {
+        return std::pair{fcl::AABBd(Vec(&q[0]), Vec(&q[3])), fcl::AABBd(Vec(&q[6]), Vec(&q[9]))};
+      },
+      [](const std::pair<fcl::AABBd, fcl::AABBd>& q) { return q.first.overlap(q.second); });
+  join<30>(
+      all, "obb-obb", "fcl", "FCL's OBB::overlap, of its hierarchies",
+      [](const std::array<double, 30>& q) {
+        return std::pair{bound(&q[0]), bound(&q[15])};
+      },
+      [](const std::pair<fcl::OBBd, fcl::OBBd>& q) { return q.first.overlap(q.second); });
+  join<30>(
+      all, "obb-obb", "fcl-collide", "FCL's collide() of two Boxes",
+      [](const std::array<double, 30>& q) {
+        return std::pair{Box(&q[0]), Box(&q[15])};
+      },
+      [](const std::pair<Box, Box>& q) { return meet(q.first, q.second); });
+  join<12>(all, "point-triangle-distance", "fcl", "FCL's sphereTriangleDistance, a sphere of radius 0", points_of<12>,
+           [](const std::array<Vec, 4>& p) {
+             double far = 0;
+             const bool apart = fcl::detail::sphereTriangleDistance(
+                 fcl::Sphered(0), fcl::Transform3d(fcl::Translation3d(p[0])), p[1], p[2], p[3], &far);
+             return apart ? far : 0;
+           });
+  join<12>(all, "segment-segment-distance", "fcl", "FCL's TriangleDistance::segPoints", points_of<12>,
+           [](const std::array<Vec, 4>& p) {
+             Vec between, x, y;
+             fcl::detail::TriangleDistance<double>::segPoints(p[0], p[1] - p[0], p[2], p[3] - p[2], between, x, y);
+             return (x - y).norm();
+           });
+}
+
+}  // namespace plumb::bench

@@ -1,0 +1,39 @@
+# The second program, plumb-bench: plumb with the rivals' libraries among the methods of `plumb chart`.  Not installed:
+# nothing that is links a rival.
+if(NOT PLUMB_BUILD_PROGRAM)
+  message(FATAL_ERROR "PLUMB_BUILD_RIVALS needs PLUMB_BUILD_PROGRAM")
+endif()
+# Debian: apt-get install libbullet-dev libccd-dev libembree-dev libfcl-dev, beside what the benchmarks need.
+find_path(PLUMB_BULLET_INCLUDE btBulletCollisionCommon.h PATH_SUFFIXES bullet REQUIRED)
+find_path(PLUMB_CCD_INCLUDE ccd/ccd.h REQUIRED)
+find_path(PLUMB_EMBREE_INCLUDE embree3/rtcore.h REQUIRED)
+find_path(PLUMB_FCL_INCLUDE fcl/fcl.h REQUIRED)
+add_library(rival_libraries INTERFACE)
+foreach(library BulletCollision-float64 LinearMath-float64 ccd embree3 fcl)
+  find_library(PLUMB_${library}_LIBRARY ${library} REQUIRED)
+  mark_as_advanced(PLUMB_${library}_LIBRARY)
+  target_link_libraries(rival_libraries INTERFACE ${PLUMB_${library}_LIBRARY})
+endforeach()
+mark_as_advanced(PLUMB_BULLET_INCLUDE PLUMB_CCD_INCLUDE PLUMB_EMBREE_INCLUDE PLUMB_FCL_INCLUDE)
+
+target_link_libraries(rival_libraries INTERFACE ${PLUMB_QHULL_LIBRARY})
+target_include_directories(rival_libraries SYSTEM INTERFACE ${PLUMB_BULLET_INCLUDE} ${PLUMB_CCD_INCLUDE}
+  ${PLUMB_EIGEN_INCLUDE} ${PLUMB_EMBREE_INCLUDE} ${PLUMB_FCL_INCLUDE} ${PLUMB_QHULL_INCLUDE})
+target_compile_definitions(rival_libraries INTERFACE BT_USE_DOUBLE_PRECISION)
+
+add_executable(plumb_bench plumb_bench.cpp ${chart_sources})
+set_target_properties(plumb_bench PROPERTIES OUTPUT_NAME plumb-bench)
+target_link_libraries(plumb_bench PRIVATE bench_rivals plumb_tool bench_flags rival_libraries)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # What GCC sees in CGAL's Min_sphere_d and TBB's counters is not there.
+  set_property(SOURCE chart_cgal_figures_rival.cpp APPEND PROPERTY COMPILE_OPTIONS
+    -Wno-maybe-uninitialized -Wno-stringop-overflow)
+endif()
+
+# Their functions by the C signatures of `plumb fuzz`, each library's in one shared library (docs/field_report.md).
+foreach(rival bullet ccd fcl qhull)
+  add_library(field_${rival} SHARED field/${rival}.cpp)
+  target_include_directories(field_${rival} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_features(field_${rival} PRIVATE cxx_std_20)
+  target_link_libraries(field_${rival} PRIVATE plumb_own_flags rival_libraries)
+endforeach()
