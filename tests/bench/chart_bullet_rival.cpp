@@ -1,3 +1,5 @@
+#include <LinearMath/btConvexHullComputer.h>
+
 #include "bench/bullet_calls.hpp"
 #include "bench/chart_rival.hpp"
 
@@ -54,6 +56,14 @@ void add_bullet(Rivals& all) {
         return Segments{Cloud(&q[0], 2), Cloud(&q[6], 2)};
       },
       [](const Segments& q) { return gap(q.first.shape(), q.second.shape()); });
+  join<36>(all, "hull-3d", "bullet", "Bullet's btConvexHullComputer", [](const std::array<double, 36>& q) {
+    btConvexHullComputer hull;
+    hull.compute(q.data(), 3 * sizeof(double), 12, 0, 0);
+    std::uint32_t found = 0;
+    for (int i = 0; i < hull.original_vertex_index.size(); ++i)
+      found |= bit_of<3>(q, &q[3 * static_cast<std::size_t>(hull.original_vertex_index[i])]);
+    return static_cast<double>(found);
+  });
 }
 
 }  // namespace plumb::bench

@@ -10,6 +10,7 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_2.h>
+#include <CGAL/convex_hull_3.h>
 #include <CGAL/intersections.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -62,16 +63,24 @@ struct Made {
   }
 };
 
-/// The corners as a set of bits, of equal points the first.
-template <class Point>
-double corners(const std::vector<Point>& points) {
-  std::vector<Point> hull;
-  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
-  std::uint32_t found = 0;
-  for (const Point& p : hull)
-    found |= std::uint32_t{1} << (std::find(points.begin(), points.end(), p) - points.begin());
-  return found;
+/// Points that CGAL found to be corners, as a set of bits.
+template <std::size_t Dimension, std::size_t N, class Point>
+double bits_of(const std::array<double, N>& q, const std::vector<Point>& found) {
+  std::uint32_t bits = 0;
+  for (const Point& p : found) {
+    std::array<double, Dimension> x;
+    for (std::size_t k = 0; k < Dimension; ++k) x[k] = CGAL::to_double(p[static_cast<int>(k)]);
+    bits |= bit_of<Dimension>(q, x.data());
+  }
+  return bits;
 }
+
+/// A question and its points.
+template <std::size_t N, class Point>
+struct Cloud {
+  std::array<double, N> q;
+  std::vector<Point> points;
+};
 
 /// Epeck's numbers are evaluated exactly before they are rounded, which to_double alone does not ask for.
 template <class Number>
@@ -133,9 +142,28 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
       });
   join<21>(all, "point-in-polyhedron", name, call("CGAL's Side_of_triangle_mesh"), M::located,
            [](const typename M::Located& q) { return (*q.side)(q.point) != CGAL::ON_UNBOUNDED_SIDE; });
+  using Flat = Cloud<32, typename K::Point_2>;
   join<32>(
       all, "hull-2d", name, call("CGAL's convex_hull_2"),
-      [](const std::array<double, 32>& q) { return M::points2(q, 0); }, corners<typename K::Point_2>);
+      [](const std::array<double, 32>& q) {
+        return Flat{q, M::points2(q, 0)};
+      },
+      [](const Flat& cloud) {
+        std::vector<typename K::Point_2> hull;
+        CGAL::convex_hull_2(cloud.points.begin(), cloud.points.end(), std::back_inserter(hull));
+        return bits_of<2>(cloud.q, hull);
+      });
+  using Solid = Cloud<36, P3>;
+  join<36>(
+      all, "hull-3d", name, call("CGAL's extreme_points_3"),
+      [](const std::array<double, 36>& q) {
+        return Solid{q, M::points3(q)};
+      },
+      [](const Solid& cloud) {
+        std::vector<P3> hull;
+        CGAL::extreme_points_3(cloud.points, std::back_inserter(hull));
+        return bits_of<3>(cloud.q, hull);
+      });
   join<15>(all, "smallest-ball", name, call("the root of CGAL's Min_sphere_d"), M::template points3<15>,
            [](const std::vector<P3>& points) {
              using Ball = CGAL::Min_sphere_d<CGAL::Min_sphere_annulus_d_traits_3<K>>;

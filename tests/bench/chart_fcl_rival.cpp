@@ -49,6 +49,18 @@ void add_fcl(Rivals& all) {
              fcl::detail::TriangleDistance<double>::segPoints(p[0], p[1] - p[0], p[2], p[3] - p[2], between, x, y);
              return (x - y).norm();
            });
+  join<24>(all, "vertex-face-motion", "fcl", "FCL's Intersect::intersect_VF", points_of<24>,
+           [](const std::array<Vec, 8>& p) {
+             double time = 0;
+             Vec at;
+             return OfMeshes::intersect_VF(p[1], p[2], p[3], p[0], p[5], p[6], p[7], p[4], &time, &at);
+           });
+  join<24>(all, "edge-edge-motion", "fcl", "FCL's Intersect::intersect_EE", points_of<24>,
+           [](const std::array<Vec, 8>& p) {
+             double time = 0;
+             Vec at;
+             return OfMeshes::intersect_EE(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], &time, &at);
+           });
 }
 
 }  // namespace plumb::bench

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cstdint>
-
 #include "bench/chart_rival.hpp"
 #include "bench/qhull_calls.hpp"
 
@@ -12,11 +9,8 @@ template <int Dimension, std::size_t N>
 double corners(const std::array<double, N>& q) {
   std::uint32_t found = 0;
   const bool done = with_qhull(Dimension, q.data(), N / Dimension, "qhull ", [&](const qhT& state) {
-    for (const vertexT* v = state.vertex_list; v != nullptr && v->next != nullptr; v = v->next) {
-      std::size_t first = 0;
-      while (!std::equal(v->point, v->point + Dimension, &q[first * Dimension])) ++first;
-      found |= std::uint32_t{1} << first;
-    }
+    for (const vertexT* v = state.vertex_list; v != nullptr && v->next != nullptr; v = v->next)
+      found |= bit_of<Dimension>(q, v->point);
   });
   return done ? found : tool::trial::unsure;
 }
@@ -24,9 +18,9 @@ double corners(const std::array<double, N>& q) {
 }  // namespace
 
 void add_qhull(Rivals& all) {
-  join<32>(
-      all, "hull-2d", "qhull", "Qhull's qh_new_qhull, its default options",
-      [](const std::array<double, 32>& q) { return q; }, corners<2, 32>);
+  const char* const about = "Qhull's qh_new_qhull, its default options";
+  join<32>(all, "hull-2d", "qhull", about, corners<2, 32>);
+  join<36>(all, "hull-3d", "qhull", about, corners<3, 36>);
 }
 
 }  // namespace plumb::bench

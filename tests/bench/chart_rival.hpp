@@ -8,6 +8,9 @@
 // Source: none; cost: none, a list.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +34,20 @@ void add_qhull(Rivals& all);
 template <std::size_t N, class Make, class Take>
 void join(Rivals& all, const char* task, std::string name, std::string about, Make make, Take take) {
   all.push_back({task, tool::trial::each_made<N>(std::move(name), std::move(about), make, take)});
+}
+
+/// The same where the library takes plain numbers.
+template <std::size_t N, class Take>
+void join(Rivals& all, const char* task, std::string name, std::string about, Take take) {
+  all.push_back({task, tool::trial::each_of<double, N>(std::move(name), std::move(about), take)});
+}
+
+/// A point of a question as a bit; of equal ones the first stands for all.
+template <std::size_t Dimension, std::size_t N>
+std::uint32_t bit_of(const std::array<double, N>& q, const double* point) {
+  std::size_t first = 0;
+  while (!std::equal(point, point + Dimension, &q[first * Dimension])) ++first;
+  return std::uint32_t{1} << first;
 }
 
 }  // namespace plumb::bench

@@ -5,10 +5,10 @@ extern "C" std::size_t qhull_hull(const double* points, std::size_t n, std::size
   std::size_t count = 0;
   const bool done = plumb::bench::with_qhull(3, points, n, "qhull Qt", [&](qhT& state) {
     for (facetT* facet = state.facet_list; facet != nullptr && facet->next != nullptr; facet = facet->next) {
-      setT* corners = qh_facet3vertex(&state, facet);  // in the facet's order
+      setT* corners = qh_facet3vertex(&state, facet);  // clockwise seen from outside
       if (count < capacity) {
         for (int k = 0; k < 3; ++k) {
-          triangles[3 * count + static_cast<std::size_t>(k)] =
+          triangles[3 * count + static_cast<std::size_t>(2 - k)] =
               static_cast<std::size_t>(qh_pointid(&state, static_cast<vertexT*>(corners->e[k].p)->point));
         }
       }
