@@ -30,6 +30,23 @@ const Generator* generator_named(const Kind& kind, std::string_view name) {
   throw Error(text.append(" ").append(mutated_generator));
 }
 
+Numbers make(const Kind& kind, std::string_view generator, Entropy& entropy, std::span<const Numbers> corpus) {
+  Numbers numbers;
+  if (generator == mutated_generator) {
+    if (!corpus.empty() && entropy.coin()) {
+      numbers = corpus[entropy.below(corpus.size())];
+    } else {
+      kind.generators[entropy.below(kind.generators.size())].make(numbers, entropy);
+    }
+    mutate(kind, numbers, entropy);
+    return numbers;
+  }
+  const Generator* const named = generator_named(kind, generator);
+  if (named == nullptr) refuse_generator(kind, generator);
+  named->make(numbers, entropy);
+  return numbers;
+}
+
 Answer asked(const Callable& function, std::span<const double> numbers) {
   try {
     return function(numbers);
@@ -113,26 +130,36 @@ class Run {
       const Judgment j = judge(kind_, cases[i], answers[i], tolerance_);
       if (j.verdict == Verdict::right) continue;
       (j.verdict == Verdict::unsure ? tally.unsure : j.verdict == Verdict::wrong ? tally.wrong : tally.failed) += 1;
-      if (j.verdict != Verdict::unsure) keep(tally.generator, first + i, j.sort, cases[i], answers[i]);
+      if (j.verdict == Verdict::unsure) continue;
+      tally.degenerate += is_degenerate(kind_, cases[i]) ? 1 : 0;
+      keep(tally.generator, first + i, j.sort, cases[i], answers[i]);
     }
   }
 
   void keep(const std::string& generator, std::uint64_t index, std::string_view sort, const Numbers& numbers,
             const Answer& given) {
+    const bool degenerate = is_degenerate(kind_, numbers);
+    Finding* worst = nullptr;  // of the same generator: one of the same sort, or the first that is degenerate
     std::size_t kept = 0;
-    for (const Finding& f : found_.findings) {
+    for (Finding& f : found_.findings) {
       if (f.generator != generator) continue;
-      if (f.sort == sort) return;
       ++kept;
+      if (f.sort == sort) {
+        if (degenerate || !f.degenerate) return;
+        worst = &f;
+        break;
+      }
+      if (worst == nullptr && f.degenerate) worst = &f;
     }
-    if (kept >= options_.keep) return;
-    Finding f;
+    const bool replaces = worst != nullptr && !degenerate && (worst->sort == sort || kept >= options_.keep);
+    if (!replaces && kept >= options_.keep) return;
+    Finding& f = replaces ? *worst : found_.findings.emplace_back();
     f.generator = generator;
     f.index = index;
     f.sort = sort;
+    f.degenerate = degenerate;
     f.found = f.smallest = numbers;
     f.given = given;
-    found_.findings.push_back(std::move(f));
   }
 
   Answer ask_one(std::span<const double> numbers) {
@@ -144,15 +171,42 @@ class Run {
 
   void shrink(Finding& f) {
     const bool process = f.given.outcome != Outcome::answered && f.given.outcome != Outcome::threw;
+    const std::size_t calls = process ? options_.shrink_calls / 100 : options_.shrink_calls;
     const auto fails = [&](std::span<const double> numbers) {
       return judge(kind_, numbers, ask_one(numbers), tolerance_).sort == f.sort;
     };
     f.repeated = fails(f.found);
     if (f.repeated) {
-      f.smallest = shrink_case(kind_, f.found, fails, process ? options_.shrink_calls / 100 : options_.shrink_calls);
+      f.smallest = shrink_case(kind_, f.found, fails, calls / 2);
+      if (f.generator != corpus_generator) {
+        Numbers other = shrink_case(kind_, of_simpler_choices(f, fails, calls / 4), fails, calls / 4);
+        if (std::pair(other.size(), is_simpler(f.smallest, other)) <
+            std::pair(f.smallest.size(), is_simpler(other, f.smallest))) {
+          f.smallest = std::move(other);
+        }
+      }
       f.given = ask_one(f.smallest);
     }
     f.exact = kind_.exact(f.smallest);
+  }
+
+  // Choices know what must stay exactly so: points of one plane stay in it while its integers shrink.
+  Numbers of_simpler_choices(const Finding& f, const FailsOnCoordinates& fails, std::size_t calls) {
+    std::vector<std::uint64_t> choices;
+    Entropy entropy(start_of(options_.seed, f.generator), f.index);
+    entropy.record_into(&choices);
+    make(kind_, f.generator, entropy, options_.corpus);
+    const auto replayed = [&](std::span<const std::uint64_t> some) {
+      Entropy replay = Entropy::from_choices(some);
+      return make(kind_, f.generator, replay, options_.corpus);
+    };
+    return replayed(shrink_choices(
+        choices,
+        [&](std::span<const std::uint64_t> some) {
+          const Numbers numbers = replayed(some);
+          return is_degenerate(kind_, numbers) <= f.degenerate && fails(numbers);
+        },
+        calls));
   }
 
   const Kind& kind_;
@@ -173,20 +227,7 @@ std::uint64_t Findings::asked() const {
 Numbers case_of(const Kind& kind, std::string_view generator, std::uint64_t seed, std::uint64_t index,
                 std::span<const Numbers> corpus) {
   Entropy entropy(start_of(seed, generator), index);
-  Numbers numbers;
-  if (generator == mutated_generator) {
-    if (!corpus.empty() && entropy.coin()) {
-      numbers = corpus[entropy.below(corpus.size())];
-    } else {
-      kind.generators[entropy.below(kind.generators.size())].make(numbers, entropy);
-    }
-    mutate(kind, numbers, entropy);
-    return numbers;
-  }
-  const Generator* const named = generator_named(kind, generator);
-  if (named == nullptr) refuse_generator(kind, generator);
-  named->make(numbers, entropy);
-  return numbers;
+  return make(kind, generator, entropy, corpus);
 }
 
 Findings check_in_batches(const Kind& kind, const Batch& function, const CheckOptions& options) {

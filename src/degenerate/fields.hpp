@@ -19,6 +19,13 @@ struct Field {
 
 std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers);
 
+/// What a figure spans, and what such figures span unless they are degenerate: triangles, directions, boxes, polygons.
+/// Single points and sets of any number of points are never degenerate.
+struct Span {
+  int dimension, most;
+};
+std::vector<Span> spans_of(const Kind& kind, std::span<const double> numbers);
+
 /// Corners in order, lengths not negative.
 void put_in_order(const Kind& kind, std::span<double> numbers);
 

@@ -293,20 +293,21 @@ std::string text(const Kind& kind, const Findings& findings) {
   std::size_t width = 9;
   for (const Tally& t : findings.tallies) width = std::max(width, t.generator.size());
   const auto cell = [&](auto value) {
-    out.width(10);
+    out.width(11);
     out << value;
   };
   const auto row_begins = [&](std::string_view name) { out << "  " << name << std::string(width - name.size(), ' '); };
   row_begins("generator");
-  for (const std::string_view head : {"asked", "wrong", "unsure", "failed"}) cell(head);
+  for (const std::string_view head : {"asked", "wrong", "unsure", "failed", "degenerate"}) cell(head);
   out << "\n";
   for (const Tally& t : findings.tallies) {
     row_begins(t.generator);
-    for (const std::uint64_t count : {t.asked, t.wrong, t.unsure, t.failed}) cell(count);
+    for (const std::uint64_t count : {t.asked, t.wrong, t.unsure, t.failed, t.degenerate}) cell(count);
     out << "\n";
   }
   for (const Finding& f : findings.findings) {
     out << "\n" << f.generator << " " << f.index << ": " << f.sort;
+    if (f.degenerate) out << ", of a degenerate figure";
     if (!f.repeated) out << " (not when asked again)";
     out << "; given " << words(kind, f.given) << ", exact " << words(kind, f.exact) << "\n";
     out << decimal_text(kind, f.smallest) << "\n" << case_line(kind, f.smallest) << "\n";

@@ -44,7 +44,11 @@ int rank_of(std::span<const double> axes, std::size_t dimension) {
 class CaseShrinker {
  public:
   CaseShrinker(const Kind& kind, Numbers numbers, const FailsOnCoordinates& still_fails, std::size_t most_calls)
-      : kind_(kind), current_(std::move(numbers)), still_fails_(still_fails), calls_left_(most_calls) {}
+      : kind_(kind),
+        current_(std::move(numbers)),
+        spans_(spans_of(kind, current_)),
+        still_fails_(still_fails),
+        calls_left_(most_calls) {}
 
   Numbers shrunk() && {
     for (Numbers before; calls_left_ > 0 && !same_bits(before, current_);) {
@@ -66,6 +70,8 @@ class CaseShrinker {
  private:
   bool fails(std::span<const double> candidate) {
     if (calls_left_ == 0 || !flaw_of(kind_, candidate).empty()) return false;
+    const auto keeps = [](const Span& now, const Span& before) { return now.dimension >= before.dimension; };
+    if (!std::ranges::equal(spans_of(kind_, candidate), spans_, keeps)) return false;
     --calls_left_;
     return still_fails_(candidate);
   }
@@ -128,6 +134,7 @@ class CaseShrinker {
 
   const Kind& kind_;
   Numbers current_;
+  const std::vector<Span> spans_;
   const FailsOnCoordinates& still_fails_;
   std::size_t calls_left_;
 };

@@ -296,6 +296,12 @@ TEST(Kinds, CatchAnEpsilon) {
   ASSERT_EQ(findings.findings.size(), 1u);
   EXPECT_EQ(findings.findings[0].sort, "yes for no");
   for (const double x : findings.findings[0].smallest) EXPECT_LE(mantissa_length(x), 3) << text(kind, findings);
+  EXPECT_FALSE(is_degenerate(kind, findings.findings[0].smallest)) << text(kind, findings);
+  // Where proper triangles fail as well, they are what is kept.
+  const Findings equal = check(kind, foreign::epsilon_triangle_triangle, {.cases = 300, .generators = {"near_half"}});
+  ASSERT_EQ(equal.findings.size(), 1u);
+  EXPECT_GT(equal.tallies[0].degenerate, 0u);
+  EXPECT_FALSE(is_degenerate(kind, equal.findings[0].smallest)) << text(kind, equal);
 }
 
 TEST(Kinds, CatchWhatIsWrongOnBoundaries) {

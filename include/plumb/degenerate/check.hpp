@@ -4,7 +4,8 @@
 //   EXPECT_TRUE(findings.clean()) << degenerate::text(kind, findings);
 //
 // Cases come from the kind's generators, from the corpus, and from both with small moves ("mutated").  The first case
-// of each sort of failure is shrunk while the failure stays of that sort.
+// of each sort of failure is shrunk while the failure stays of that sort: by its choices and by its numbers, whichever
+// gets farther.  Where not all are kept, those without degenerate figures are.
 // Laws: (1) with a budget of cases, the same function, options and corpus give the same findings, whatever the machine.
 // (2) Case i of a generator follows from the seed and i alone: case_of makes it again.  (3) A finding's smallest case
 // still fails, and no step of shrink_case.hpp makes it smaller, unless the calls ran out.  (4) What a function throws
@@ -29,6 +30,7 @@ inline constexpr std::string_view corpus_generator = "corpus", mutated_generator
 struct Tally {
   std::string generator;
   std::uint64_t asked = 0, wrong = 0, unsure = 0, failed = 0;  // unsure: answered NaN, which is no finding
+  std::uint64_t degenerate = 0;  // of those wrong or failed, the cases with a degenerate figure
 
   [[nodiscard]] double share_wrong() const {
     return asked == 0 ? 0 : static_cast<double>(wrong + failed) / static_cast<double>(asked);
@@ -39,6 +41,7 @@ struct Finding {
   std::string generator;
   std::uint64_t index = 0;  // case_of(kind, generator, seed, index)
   std::string sort;
+  bool degenerate = false;  // one of the figures of the case found
   Numbers found, smallest;
   Answer given, exact;   // of the smallest
   bool repeated = true;  // false: asked again, it did not fail, and so was not shrunk

@@ -121,4 +121,8 @@ std::string words(const Kind& kind, const Answer& answer);
 /// is wrong otherwise, in words; empty for a case.
 std::string flaw_of(const Kind& kind, std::span<const double> numbers);
 
+/// Whether one of a case's figures is less than figures of its sort are: a triangle on a line, a ray without direction,
+/// a flat box.
+bool is_degenerate(const Kind& kind, std::span<const double> numbers);
+
 }  // namespace plumb::degenerate
