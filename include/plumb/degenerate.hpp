@@ -14,6 +14,8 @@
 #include "plumb/degenerate/moves.hpp"
 #include "plumb/degenerate/paste.hpp"
 #include "plumb/degenerate/points.hpp"
+#include "plumb/degenerate/shape.hpp"
+#include "plumb/degenerate/shape_pair.hpp"
 #include "plumb/degenerate/shrink.hpp"
 #include "plumb/degenerate/shrink_case.hpp"
 #include "plumb/degenerate/ulps.hpp"

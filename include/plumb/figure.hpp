@@ -13,6 +13,7 @@
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/convexity.hpp"
 #include "plumb/figure/csg.hpp"
+#include "plumb/figure/generated.hpp"
 #include "plumb/figure/hull2.hpp"
 #include "plumb/figure/hull3.hpp"
 #include "plumb/figure/implicit_function.hpp"
