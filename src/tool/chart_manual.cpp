@@ -18,9 +18,11 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        ray-triangle, segment-triangle, triangle-triangle: do they meet?
        box-box, obb-obb: do boxes meet, along the axes, turned?
        point-in-polygon, point-in-polyhedron: is it in, or on the border?
+       segment-segment: do segments of the plane meet?
        hull-2d: which of 16 points are corners of their hull?
        smallest-ball: how large is the smallest ball around 5 points?
-       point-triangle-distance, segment-segment-distance: how far apart?
+       point-triangle-distance, segment-segment-distance,
+       convex-distance: how far apart? (hulls of 4 points each)
 
 wrong  The share of wrong answers; of numbers, of those that are not the
        nearest double.

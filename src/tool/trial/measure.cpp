@@ -14,18 +14,6 @@ constexpr double least_ns = 20'000;    // of a block's measurement: shorter ones
 constexpr double long_ns = 2'000'000;  // what takes longer is measured once: a disturbance is a small part of it
 constexpr int least_repeats = 3, most_repeats = 16;
 
-/// The number of doubles between two finite ones; from zero to zero none, whatever the signs.
-double doubles_apart(double a, double b) {
-  const auto place = [](double x) {
-    const auto bits = std::bit_cast<std::int64_t>(x);
-    return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
-  };
-  if (!std::isfinite(a) || !std::isfinite(b)) return a == b ? 0 : 0x1p64;
-  const std::int64_t i = place(a), j = place(b);
-  return i > j ? static_cast<double>(static_cast<std::uint64_t>(i) - static_cast<std::uint64_t>(j))
-               : static_cast<double>(static_cast<std::uint64_t>(j) - static_cast<std::uint64_t>(i));
-}
-
 double elapsed_ns(Round& round) {
   const auto start = std::chrono::steady_clock::now();
   round.answer();
@@ -142,6 +130,17 @@ Score score_of(const Method& method, const Task& task, const Inputs& inputs, con
 }
 
 }  // namespace
+
+double doubles_apart(double a, double b) {
+  const auto place = [](double x) {
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
+  };
+  if (!std::isfinite(a) || !std::isfinite(b)) return a == b ? 0 : 0x1p64;
+  const std::int64_t i = place(a), j = place(b);
+  return i > j ? static_cast<double>(static_cast<std::uint64_t>(i) - static_cast<std::uint64_t>(j))
+               : static_cast<double>(static_cast<std::uint64_t>(j) - static_cast<std::uint64_t>(i));
+}
 
 Trial measure(const Task& task, const InputClass& input, const Settings& settings, const std::function<void()>& tried) {
   Trial trial{task.name, task.question, input.name, input.about, task.kind, {}, {}};

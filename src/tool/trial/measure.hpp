@@ -42,6 +42,9 @@ struct Trial {
   std::vector<Score> scores;
 };
 
+/// The number of doubles between two finite ones; from zero to zero none, whatever the signs.
+double doubles_apart(double a, double b);
+
 /// `tried` is called after each method, and so as often as the task has methods.
 Trial measure(const Task& task, const InputClass& input, const Settings& settings, const std::function<void()>& tried);
 

@@ -54,6 +54,7 @@ Task orient2d_task();
 Task orient3d_task();
 Task incircle_task();
 Task insphere_task();
+Task segment_segment_task();
 Task ray_triangle_task();
 Task segment_triangle_task();
 Task triangle_triangle_task();
@@ -65,5 +66,6 @@ Task hull2_task();
 Task smallest_ball_task();
 Task point_triangle_distance_task();
 Task segment_segment_distance_task();
+Task convex_distance_task();
 
 }  // namespace plumb::tool::trial

@@ -33,6 +33,7 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               orient3d_task,
                               incircle_task,
                               insphere_task,
+                              segment_segment_task,
                               ray_triangle_task,
                               segment_triangle_task,
                               triangle_triangle_task,
@@ -43,7 +44,8 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               hull2_task,
                               smallest_ball_task,
                               point_triangle_distance_task,
-                              segment_segment_distance_task};
+                              segment_segment_distance_task,
+                              convex_distance_task};
   for (const auto make : makers) tasks.push_back(make());
   for (Task& task : tasks) {
     for (const Rival& rival : rivals) {

@@ -1,0 +1,41 @@
+#include "plumb/query/overlap.hpp"
+#include "tool/stability/segment_ways.hpp"
+#include "tool/trial/float_methods.hpp"
+#include "tool/trial/rational_judge.hpp"
+
+namespace plumb::tool::trial {
+namespace {
+
+struct SegmentAgainstSegment {
+  template <class T>
+  bool operator()(const std::array<T, 8>& q, T epsilon) const {
+    using stability::Segment;
+    return stability::meet_by_signs(Segment<T>{{q[0], q[1]}, {q[2], q[3]}}, Segment<T>{{q[4], q[5]}, {q[6], q[7]}},
+                                    epsilon);
+  }
+};
+
+}  // namespace
+
+Task segment_segment_task() {
+  Task task{"segment-segment", "do two segments of the plane meet?", 8, AnswerKind::decision, {}, {}, {}, {}};
+  task.symmetries = {reordered(2, {2, 3, 0, 1}), reordered(2, {1, 0, 2, 3})};
+  task.classes = shape_classes(2);
+  task.judge = [](std::span<const double> q) {
+    const auto point = [q](std::size_t i) { return RationalVec{mpq_class(q[2 * i]), mpq_class(q[2 * i + 1]), 0}; };
+    return as_answer(meet({{point(0), point(1)}, {}}, {{point(2), point(3)}, {}}));
+  };
+  task.methods = float_methods<8>(SegmentAgainstSegment{});
+  struct Question {
+    Segment2 a, b;
+  };
+  task.methods.push_back(each_made<8>(
+      "exact", "ours, one at a time",
+      [](const std::array<double, 8>& q) {
+        return Question{{{q[0], q[1]}, {q[2], q[3]}}, {{q[4], q[5]}, {q[6], q[7]}}};
+      },
+      [](const Question& q) { return intersects(q.a, q.b); }));
+  return task;
+}
+
+}  // namespace plumb::tool::trial
