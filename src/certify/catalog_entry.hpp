@@ -9,6 +9,7 @@
 
 #include "plumb/certify/catalog.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/certify/plan.hpp"
 
 namespace plumb::catalog_part {
 
@@ -80,6 +81,13 @@ Unsure<Sign> ask_other_filter(std::span<const double> coordinates) {
 }
 
 template <Formula F>
+constexpr std::array<int, 4> planned_bits() {
+  if constexpr (is_homogeneous<F>)
+    return {planned::plain_double<F>, planned::one_word_factors<F>, planned::modulo_word<F>, planned::two_words<F>};
+  return {-1, -1, -1, -1};
+}
+
+template <Formula F>
 CatalogEntry entry() {
   CatalogEntry e{};
   e.name = F::name;
@@ -94,6 +102,7 @@ CatalogEntry entry() {
   e.filter_constant = filter_constant<F>();
   e.filter_is_magnitude = filter_is_magnitude<F>;
   for (std::size_t i = 0; i < e.asks.size(); ++i) e.asks[i] = asks<F>(static_cast<Stage>(i));
+  e.planned_bits = planned_bits<F>();
   e.program = program<F>();
   e.value_bits = value_bits<F>;
   e.decide = decide_with_stage<F>;

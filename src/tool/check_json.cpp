@@ -4,7 +4,6 @@
 
 #include "check_command.hpp"
 #include "check_report.hpp"
-#include "lattice_savings.hpp"
 #include "plumb/certify/catalog.hpp"
 #include "plumb/certify/environment.hpp"
 
@@ -68,17 +67,7 @@ json json_of(const MeshStatistics& m) {
           {"zero_area_triangles", m.zero_area_faces}};
 }
 
-json json_of(const Lattice& lattice) {
-  json predicates = json::array();
-  for (const Saving& s : lattice_savings(lattice)) {
-    predicates.push_back({{"predicate", s.predicate},
-                          {"value_bits", s.value_bits},
-                          {"suffices", s.suffices},
-                          {"never_needs", s.skips},
-                          {"plan", s.plan}});
-  }
-  return {{"exponent", lattice.exponent}, {"bits", lattice.bits}, {"predicates", predicates}};
-}
+json json_of(const Lattice& lattice) { return {{"exponent", lattice.exponent}, {"bits", lattice.bits}}; }
 
 json json_of(const MeshCheck& c) {
   json j{{"name", c.name},

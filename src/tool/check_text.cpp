@@ -4,7 +4,6 @@
 
 #include "check_command.hpp"
 #include "check_report.hpp"
-#include "lattice_savings.hpp"
 #include "plumb/certify/catalog.hpp"
 
 namespace plumb::tool {
@@ -49,15 +48,9 @@ std::string file_lines(const MeshCheck& c) {
   return s;
 }
 
-std::string lattice_lines(const Lattice& lattice) {
-  std::string s = fmt::format("  lattice     2^{}, {} bits: coordinates are integers below 2^{} times 2^{}\n",
-                              lattice.exponent, lattice.bits, lattice.bits, lattice.exponent);
-  for (const Saving& saving : lattice_savings(lattice)) {
-    s += fmt::format("              {:<9} exact in {} ({} bits){}\n", saving.predicate, saving.suffices,
-                     saving.value_bits, saving.skips.empty() ? "" : fmt::format("; never needs {}", saving.skips));
-    s += fmt::format("              {:<9} plan: {}\n", "", saving.plan);
-  }
-  return s;
+std::string lattice_line(const Lattice& lattice) {
+  return fmt::format("  lattice     multiples of 2^{} of {} bits; `plumb plan` says what that saves\n", lattice.exponent,
+                     lattice.bits);
 }
 
 std::string defect_lines(const MeshStatistics& m) {
@@ -149,7 +142,7 @@ std::string text_report(const MeshCheck& c, const Style& style) {
   s += defect_lines(m);
   s += fmt::format("  edges       of {} interior: {} convex, {} exactly flat, {} reflex\n", grouped(m.interior_edges),
                    grouped(c.edges.convex), grouped(c.edges.flat), grouped(c.edges.reflex));
-  s += lattice_lines(c.lattice) + "\n" + legend(style) + tables({&c, 1}, style) + "\n";
+  s += lattice_line(c.lattice) + "\n" + legend(style) + tables({&c, 1}, style) + "\n";
   const Comparison total = c.total();
   return s + worst_lines(total, style) + verification_line(total, style);
 }

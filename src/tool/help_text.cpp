@@ -95,6 +95,11 @@ check [MESH]...
        Takes the decisions that mesh software takes on these meshes, in
        floating point and exactly, and says where floating point errs.
 
+plan [MESH]...
+       Says what exact decisions on a scene of these meshes need, what a
+       coarser lattice would save and do to them, and which bounding
+       volumes are the cheapest.
+
 sign PREDICATE COORDINATE...
        Decides one sign exactly and says which stage decided it.
 
@@ -105,6 +110,10 @@ proof PREDICATE
 stability
        Runs geometric algorithms on inputs that break them, and says what
        one sees of it: a hull lost a corner, a loop did not end.
+
+vectors
+       Writes test vectors for other programs: inputs with their exact
+       answers, in text files.
 
 doctor
        Looks whether this machine and build are as the proofs assume.)"}},

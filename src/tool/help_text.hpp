@@ -13,9 +13,11 @@ Manual program_manual();
 Manual bounds_manual();
 Manual chart_manual();
 Manual check_manual();
+Manual plan_manual();
 Manual sign_manual();
 Manual proof_manual();
 Manual stability_manual();
 Manual doctor_manual();
+Manual vectors_manual();
 
 }  // namespace plumb::tool

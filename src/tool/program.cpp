@@ -15,11 +15,13 @@
 #include "check_command.hpp"
 #include "doctor_command.hpp"
 #include "help_text.hpp"
+#include "plan_command.hpp"
 #include "plumb/arith/error.hpp"
 #include "proof_command.hpp"
 #include "sign_command.hpp"
 #include "stability_command.hpp"
 #include "terminal.hpp"
+#include "vectors_command.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -27,14 +29,16 @@ namespace {
 class Program {
  public:
   explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
-    for (CLI::App* page : {&app_, bounds_, chart_, check_, sign_, proof_, stability_, doctor_})
+    for (CLI::App* page : {&app_, bounds_, chart_, check_, plan_, sign_, proof_, vectors_, stability_, doctor_})
       page->set_help_flag("-h,--help", "Show this page.");
     app_.add_flag("--version", version_, "Print the version.");
     add_bounds();
     add_chart();
     add_check();
+    add_plan();
     add_proof();
     add_stability();
+    add_vectors();
     sign_->prefix_command();  // what follows is a case: a leading '-' there is a sign, not an option
   }
 
@@ -56,6 +60,10 @@ class Program {
       check_options_.meshes.insert(check_options_.meshes.end(), rest.begin(), rest.end());
       return run_check(check_options_);
     }
+    if (*plan_) {
+      plan_options_.meshes.insert(plan_options_.meshes.end(), rest.begin(), rest.end());
+      return run_plan(plan_options_);
+    }
     if (*sign_) {
       std::vector<std::string> words = sign_->remaining();
       words.insert(words.end(), rest.begin(), rest.end());
@@ -65,8 +73,11 @@ class Program {
     if (*chart_) return run_chart(chart_options_, rivals_);
     if (*proof_) return run_proof(proof_options_);
     if (*stability_) return run_stability(stability_options_);
+    if (*vectors_) return run_vectors(vectors_options_);
     if (*doctor_) return run_doctor();
-    throw Error("a command is needed: bounds, chart, check, sign, proof, stability or doctor; 'plumb --help' explains");
+    throw Error(
+        "a command is needed: bounds, chart, check, plan, sign, proof, vectors, stability or doctor; 'plumb --help' "
+        "explains");
   }
 
   /// The page of the command that was named, or of the program.
@@ -75,15 +86,17 @@ class Program {
     if (*bounds_) return say(manual_page(bounds_manual(), *bounds_, style));
     if (*chart_) return say(manual_page(chart_manual(), *chart_, style));
     if (*check_) return say(manual_page(check_manual(), *check_, style));
+    if (*plan_) return say(manual_page(plan_manual(), *plan_, style));
     if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
     if (*proof_) return say(manual_page(proof_manual(), *proof_, style));
     if (*stability_) return say(manual_page(stability_manual(), *stability_, style));
+    if (*vectors_) return say(manual_page(vectors_manual(), *vectors_, style));
     if (*doctor_) return say(manual_page(doctor_manual(), *doctor_, style));
     say(manual_page(program_manual(), app_, style));
   }
 
   [[nodiscard]] std::string help_hint() const {
-    for (const CLI::App* command : {bounds_, chart_, check_, sign_, proof_, stability_, doctor_}) {
+    for (const CLI::App* command : {bounds_, chart_, check_, plan_, sign_, proof_, vectors_, stability_, doctor_}) {
       if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
     }
     return "'plumb --help' explains";
@@ -143,6 +156,23 @@ class Program {
         ->type_name("FILE");
   }
 
+  void add_plan() {
+    PlanOptions& o = plan_options_;
+    plan_->add_option("MESH", o.meshes, "Mesh files, together one scene.");
+    plan_->add_option("--json", o.json, "Write the plan as JSON; '-' is standard output.")->type_name("FILE");
+    plan_->add_option("--chart", o.chart, "Draw the times on each lattice and of each volume, as SVG.")
+        ->type_name("FILE");
+    plan_->add_flag("--all", o.all, "List the plan of every predicate.");
+    plan_->add_option("--placements", o.placements, "How many placements of two copies; 200 when not given.")
+        ->check(CLI::Range(1U, 1'000'000U))
+        ->type_name("N");
+    plan_
+        ->add_option("--refined", o.refined_ns,
+                     "What the test behind the bounds costs, in nanoseconds; 1000 when not given.")
+        ->check(CLI::Range(0.0, 1e12))
+        ->type_name("NS");
+  }
+
   void add_proof() {
     ProofOptions& o = proof_options_;
     CLI::Option* const predicate = proof_->add_option("PREDICATE", o.predicate, "As of `plumb proof --list`.");
@@ -173,6 +203,16 @@ class Program {
     stability_->add_option("--models", o.settings.models, "Try the meshes in this folder as well.")->type_name("DIR");
   }
 
+  void add_vectors() {
+    VectorsOptions& o = vectors_options_;
+    vectors_->add_option("--out", o.out, "Write the files into this folder, which is made where it is missing.")
+        ->required()
+        ->type_name("DIR");
+    vectors_->add_option("--seed", o.seed, "Other cases of the same classes; 2026 when not given.")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
+  }
+
   int run_case(const std::vector<std::string>& words) {
     if (std::ranges::any_of(words, [](const std::string& w) { return w == "--help" || w == "-h"; })) {
       help();
@@ -195,11 +235,15 @@ class Program {
   CLI::App* chart_ = app_.add_subcommand("chart", "Hold the ways of answering geometric questions against each other.");
   CheckOptions check_options_;
   CLI::App* check_ = app_.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
+  PlanOptions plan_options_;
+  CLI::App* plan_ = app_.add_subcommand("plan", "Say what exact decisions on a scene need, and no more.");
   CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");
   ProofOptions proof_options_;
   CLI::App* proof_ = app_.add_subcommand("proof", "Write the claim of a filter's bound for a prover.");
   StabilityOptions stability_options_;
   CLI::App* stability_ = app_.add_subcommand("stability", "Find where geometric algorithms fail, and picture it.");
+  VectorsOptions vectors_options_;
+  CLI::App* vectors_ = app_.add_subcommand("vectors", "Write test vectors: inputs with exact answers.");
   CLI::App* doctor_ = app_.add_subcommand("doctor", "Look whether this machine is as the proofs assume.");
 };
 

@@ -27,9 +27,9 @@ exact          With exact decisions. It fails nothing.)"}},
           {{"EXIT STATUS", R"(
 0      Done.
 1      The exact method failed something, which is a bug. It says where.
-2      Bad input: wrong usage, an experiment that does not exist, a folder
-       that cannot be used. What was wrong stands on standard error, and
-       nothing is left half written.)"},
+2      Bad input: wrong usage, an experiment that does not exist, a
+       folder that cannot be used. What was wrong stands on standard
+       error, and nothing is left half written.)"},
            {"ENVIRONMENT", R"(
 NO_COLOR
        When set to anything, no colors. Without it, colors are used only

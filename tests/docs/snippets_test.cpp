@@ -71,7 +71,7 @@ std::optional<bool> looked_up(const std::string& line) {
 
 /// A program that the command runs, that not everyone has, and that is not installed here.
 std::string missing_tool(const std::string& line) {
-  for (const std::string name : {"doxygen", "gappa"}) {
+  for (const std::string name : {"doxygen", "gappa", "python3"}) {
     const bool runs = line.starts_with(name + " ") || line.ends_with("| " + name);
     if (runs && tool::run("command -v " + name).code != 0) return name;
   }

@@ -26,7 +26,8 @@ void expect_refusal(const Outcome& o, const std::string& words) {
 }
 
 TEST(Help, IsAManualPageOfEightyColumns) {
-  for (const std::string command : {"", "bounds", "chart", "check", "sign", "proof", "stability", "doctor"}) {
+  for (const std::string command :
+       {"", "bounds", "chart", "check", "plan", "sign", "proof", "vectors", "stability", "doctor"}) {
     const Outcome o = run("$PLUMB " + command + " --help");
     EXPECT_EQ(o.code, 0);
     EXPECT_EQ(o.err, "");

@@ -24,6 +24,9 @@ struct CatalogEntry {
   double filter_constant;                     // in units of one, about `roundings` times 2^-53
   bool filter_is_magnitude;                   // filter A, otherwise filter B
   std::array<bool, stage_names.size()> asks;  // which stages the chain has for it
+  /// Of coordinates, for which a plan takes each of its arithmetics but the chain (certify/plan.hpp, in their order);
+  /// -1 where it has none.
+  std::array<int, 4> planned_bits;
   Program program;
   /// Bits that the exact value takes when the coordinates are integers of this many bits.
   int (*value_bits)(int coordinate_bits);

@@ -1,0 +1,40 @@
+#include "plan_command.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/surface/read_mesh.hpp"
+#include "progress.hpp"
+#include "sample_part.hpp"
+
+namespace plumb::tool {
+
+int run_plan(const PlanOptions& options) {
+  if (options.json && options.json == options.chart) throw Error("--json and --chart name the same output");
+  for (const auto& output : {options.json, options.chart}) {
+    if (output) require_writable(*output);
+  }
+  std::vector<NamedMesh> meshes;
+  for (const std::string& path : options.meshes) {
+    meshes.push_back({path, read_mesh(path)});
+    if (meshes.back().mesh.vertices.empty()) throw Error(path + ": the mesh has no vertices");
+  }
+  if (meshes.empty()) meshes.push_back({"embedded flange", sample_part()});
+  ScenePlan scene;
+  {
+    Progress progress("plan", steps_of(meshes));
+    scene = plan_scene(meshes, options, [&] { progress.advance(); });
+  }
+  if (options.json != "-" && options.chart != "-") say(plan_text(scene, options.all, Style(stdout)));
+  if (options.json) {
+    // A file's name may be any bytes; JSON is UTF-8.
+    const std::string text = plan_json(scene).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    write_text_file(*options.json, text + "\n");
+  }
+  if (options.chart) write_text_file(*options.chart, plan_chart(scene));
+  return 0;
+}
+
+}  // namespace plumb::tool

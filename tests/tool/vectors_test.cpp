@@ -1,0 +1,131 @@
+// The committed test vectors: what the generator writes, true, and hard for the float ways that they are meant to
+// catch.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "run_program.hpp"
+#include "tool/trial/task.hpp"
+#include "tool/vectors_command.hpp"
+
+namespace plumb::tool {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path folder = fs::path(PLUMB_SOURCE_DIR) / "docs/vectors";
+
+/// Read as docs/vectors.md tells other languages to.
+struct Vector {
+  std::vector<double> numbers;
+  std::vector<std::string> answer;
+  std::string input;
+  std::set<std::string> wrong;
+};
+
+std::vector<Vector> read(const std::string& text, const std::string& task) {
+  std::vector<Vector> all;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    Vector v;
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string word;
+    words >> word;
+    EXPECT_EQ(word, task);
+    while (words >> word && word != "=") v.numbers.push_back(std::strtod(word.c_str(), nullptr));
+    while (words >> word) v.answer.push_back(word);
+    std::istringstream remark(line.substr(line.find('#') + 1));
+    remark >> v.input;
+    if (v.input.ends_with(';')) v.input.pop_back();
+    while (remark >> word) {
+      if (word != "wrong:") v.wrong.insert(word);
+    }
+    all.push_back(std::move(v));
+  }
+  return all;
+}
+
+double number_of(const std::vector<std::string>& answer, const std::string& task) {
+  if (task.starts_with("hull")) {
+    double corners = 0;
+    for (const std::string& i : answer) corners += std::ldexp(1, std::stoi(i));
+    return corners;
+  }
+  const std::string& word = answer.at(0);
+  if (word == "+" || word == "yes") return 1;
+  if (word == "-") return -1;
+  return word == "0" || word == "no" ? 0 : std::strtod(word.c_str(), nullptr);
+}
+
+double said(const trial::Task& task, std::string_view method, const std::vector<double>& numbers) {
+  const auto found = std::ranges::find(task.methods, method, &trial::Method::name);
+  const auto round = found->prepare(numbers, trial::scene_of(numbers));
+  round->answer();
+  return round->given(0);
+}
+
+TEST(Vectors, AreWhatTheProgramWrites) {
+  const std::vector<NamedText> files = vector_files(2026);
+  EXPECT_GE(files.size(), 16);
+  std::set<std::string> names;
+  std::uintmax_t bytes = 0;
+  for (const NamedText& file : files) {
+    names.insert(file.name);
+    bytes += file.text.size();
+    EXPECT_TRUE(content(folder / file.name) == file.text) << file.name << ": run plumb vectors --out docs/vectors";
+  }
+  EXPECT_LT(bytes, 1'000'000);
+  for (const auto& entry : fs::directory_iterator(folder))
+    EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path();
+}
+
+TEST(Vectors, AreTrueAndCatchEveryUsualWay) {
+  for (const trial::Task& task : trial::all_tasks({})) {
+    const std::string text = content(folder / (task.name + ".txt"));
+    if (text.empty()) continue;
+    const std::vector<Vector> vectors = read(text, task.name);
+    std::map<std::string, int> caught;
+    std::set<std::string> inputs, answers;
+    for (const Vector& v : vectors) {
+      ASSERT_EQ(v.numbers.size(), task.numbers);
+      const double answer = number_of(v.answer, task.name);
+      EXPECT_EQ(task.judge(v.numbers), answer) << task.name;           // rationals
+      EXPECT_EQ(said(task, "exact", v.numbers), answer) << task.name;  // ours
+      if (task.kind == trial::AnswerKind::decision) {
+        for (const std::string_view method : marked_methods) {
+          EXPECT_EQ(v.wrong.contains(std::string(method)), said(task, method, v.numbers) != answer)
+              << task.name << ' ' << method;
+        }
+      }
+      inputs.insert(v.input);
+      answers.insert(v.answer.empty() ? "" : v.answer[0]);
+      for (const std::string& method : v.wrong) ++caught[method];
+    }
+    for (const trial::InputClass& input : task.classes)
+      EXPECT_TRUE(inputs.contains(input.name)) << task.name << ' ' << input.name;
+    EXPECT_GE(answers.size(), 2U) << task.name;
+    for (const std::string_view method : marked_methods) {
+      if (task.name == "box-box" && method == "double") continue;  // compares, and rounds nothing
+      EXPECT_GE(caught[std::string(method)], 4) << task.name << ' ' << method;
+    }
+    EXPECT_EQ(task.name == "box-box", caught["double"] == 0) << task.name;
+  }
+}
+
+TEST(Vectors, OthersComeFromOtherSeedsAndNothingIsHalfWritten) {
+  const auto other = vector_files(7, "orient2d");
+  ASSERT_EQ(other.size(), 1);
+  EXPECT_NE(other[0].text, content(folder / "orient2d.txt"));
+  EXPECT_EQ(run("$PLUMB vectors").code, 2);
+  const Outcome o = run("$PLUMB vectors --out /dev/null/x");
+  EXPECT_EQ(o.code, 2);
+  EXPECT_THAT(o.err, testing::HasSubstr("/dev/null/x"));
+}
+
+}  // namespace
+}  // namespace plumb::tool
