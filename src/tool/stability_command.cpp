@@ -17,13 +17,11 @@ namespace {
 using stability::Experiment;
 using stability::Scene;
 
-std::vector<Experiment> chosen(const std::vector<std::string>& names) {
-  std::vector<Experiment> experiments = stability::all_experiments();
+void keep_chosen(const std::vector<std::string>& names, std::vector<Experiment>& experiments) {
   std::vector<std::string> known;
   for (const Experiment& e : experiments) known.push_back(e.name);
   require_known("stability", "experiment", names, known);
   std::erase_if(experiments, [&](const Experiment& e) { return !is_chosen(names, e.name); });
-  return experiments;
 }
 
 void require_readable_folder(std::string_view option, const std::optional<std::string>& folder) {
@@ -52,8 +50,8 @@ std::vector<SceneReport> run_all(const std::vector<Experiment>& experiments, con
 
 }  // namespace
 
-int run_stability(const StabilityOptions& options) {
-  const std::vector<Experiment> experiments = chosen(options.experiments);
+int run_stability(const StabilityOptions& options, std::vector<Experiment> experiments) {
+  keep_chosen(options.experiments, experiments);
   require_readable_folder("--ccd", options.settings.ccd);
   require_readable_folder("--models", options.settings.models);
   if (options.out) require_folder(*options.out);  // before minutes of work, not after

@@ -3,7 +3,7 @@
 // Laws: (1) nothing is written that was not counted; text, JSON and HTML hold the same numbers; (2) without a folder
 // nothing but the tables is written; (3) an experiment that does not exist and a folder that cannot be used are refused
 // before anything runs.
-// Source: RTCD 11; cost: minutes, seconds when quick.
+// Source: RTCD 11.2, 11.3; cost: minutes, seconds when quick.
 #pragma once
 
 #include <optional>
@@ -21,6 +21,7 @@ struct StabilityOptions {
 };
 
 /// 1 where an exact method failed anything, else 0.
-int run_stability(const StabilityOptions& options);
+int run_stability(const StabilityOptions& options,
+                  std::vector<stability::Experiment> experiments = stability::all_experiments());
 
 }  // namespace plumb::tool

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "browser.hpp"
 #include "run_program.hpp"
 #include "tool/chart.hpp"
 
@@ -159,20 +160,8 @@ TEST_F(Report, IsAPageThatNeedsNothingElse) {
   EXPECT_EQ(json::parse(page.substr(from, page.find("</script>", from) - from)), *json_);
 }
 
-/// The page in a browser, with a script of ours at its end whose result it shows; what the console said is in `err`.
-Outcome in_browser(const std::string& page, const std::string& script) {
-  const Folder folder;
-  std::ofstream(folder / "page.html") << page << "<script>{\n" << script << "\n}</script>\n";
-  return run("HOME=" + (folder / "home") +
-             " timeout 120 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir=" +
-             (folder / "profile") + " --dump-dom file://" + (folder / "page.html"));
-}
-
 TEST_F(Report, IsAPageWhoseFilterWorksInABrowser) {
-  if (run("command -v chromium").code != 0) {
-    std::puts("No chromium here: what the page does in a browser is skipped.");
-    return;
-  }
+  if (!has_browser()) return;
   const std::string page = content(*folder_ / "report/chart.html");
   const Outcome o = in_browser(page, R"(
     const shown = selector => all(selector).filter(e => e.getClientRects().length > 0).length;

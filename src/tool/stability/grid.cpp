@@ -61,11 +61,11 @@ std::vector<GridCase> grid_cases() {
           {"insphere",
            "the sphere",
            trial::insphere_task,
-           {24.5, 0.5, 0.5, 0.5, 24.5, 0.5, 0.5, 0.5, 24.5, 24.5, 24.5, 24.5},
+           {0.5, 24.5, 0.5, 24.5, 0.5, 0.5, 0.5, 0.5, 24.5, 24.5, 24.5, 24.5},
            {0.5, 0.5, 0.5},
-           "on one side of the sphere",
+           "outside of the sphere",
            "on the sphere",
-           "on its other side"}};
+           "inside of the sphere"}};
 }
 
 /// The steps of the grid: an ulp below one half of the doubles, and of the floats.

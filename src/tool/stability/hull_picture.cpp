@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tool/chart.hpp"
+#include "tool/stability/picture_head.hpp"
 
 namespace plumb::tool::stability {
 namespace {
@@ -34,23 +34,18 @@ std::string dot(const Places& places, std::uint32_t p, double radius, std::strin
 std::string hull_picture(const HullPictureText& text, const HullJudge& judge,
                          const std::vector<std::uint32_t>& claimed) {
   const Places places = judge.stretched();
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\">\n"
-      "<title>{2}</title>\n",
-      kWidth, kHeight, escaped(text.title));
-  svg.append(chart_style);
-  svg += fmt::format(
-      "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n"
-      "<text x=\"24\" y=\"36\" font-size=\"19\" font-weight=\"600\">{}</text>\n"
-      "<text class=\"muted\" x=\"24\" y=\"58\" font-size=\"13\">{}</text>\n"
+  std::string svg = picture_head(kWidth, kHeight, text.title, text.subtitle);
+  svg +=
       "<rect class=\"s0\" x=\"24\" y=\"76\" width=\"22\" height=\"14\" fill-opacity=\"0.3\"/>"
       "<text x=\"54\" y=\"88\" font-size=\"13\">the hull that was computed</text>\n"
       "<line class=\"frontier\" x1=\"264\" y1=\"83\" x2=\"292\" y2=\"83\"/>"
       "<text x=\"300\" y=\"88\" font-size=\"13\">the true hull</text>\n"
       "<circle class=\"s1\" cx=\"434\" cy=\"83\" r=\"5.5\"/>"
-      "<text x=\"448\" y=\"88\" font-size=\"13\">a corner that was lost</text>\n",
-      kWidth, kHeight, escaped(text.title), escaped(text.subtitle));
-  svg += fmt::format("<path class=\"s0\" d=\"{0}\" fill-opacity=\"0.3\"/>\n", outline(places, claimed));
+      "<text x=\"448\" y=\"88\" font-size=\"13\">a corner that was lost</text>\n";
+  svg += fmt::format(
+      "<path class=\"s0\" d=\"{0}\" fill-opacity=\"0.3\" "
+      "stroke=\"#0072b2\" stroke-width=\"2\" stroke-opacity=\"0.8\"/>\n",
+      outline(places, claimed));
   svg += fmt::format("<path class=\"frontier\" d=\"{}\"/>\n", outline(places, judge.corners()));
   for (std::uint32_t p = 0; p < places.size(); ++p) svg += dot(places, p, 2.5, "class=\"s6\"");
   for (const std::uint32_t p : claimed) svg += dot(places, p, 4, "class=\"s0\"");

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -75,9 +76,9 @@ const std::vector<Group>& groups() {
   return all;
 }
 
-/// The failure that is easiest to see.
+/// The failure that is easiest to see: by double rather than with an epsilon, with an area, far off.
 struct Worst {
-  double outside = 0;
+  std::tuple<bool, bool, double> seen{false, false, 0};
   std::size_t sample = 0;
   std::string method;
   std::vector<std::uint32_t> corners;
@@ -109,10 +110,10 @@ Findings run_way(const HullWay& way, const Group& group, const std::vector<Sampl
       counts[1].failures += flaws.leaves_out;
       counts[2].failures += flaws.lost;
       counts[3].failures += flaws.no_corner;
-      const bool shown = hull_methods()[m].name == "double" || hull_methods()[m].name == "absolute";
-      if (shown && flaws.worst_outside > worst.outside) {
-        worst = {flaws.worst_outside, i, hull_methods()[m].name, *corners};
-      }
+      const std::string& method = hull_methods()[m].name;
+      const std::tuple seen{corners->size() > 2, method == "double", flaws.worst_outside};
+      const bool shown = method == "double" || method == "absolute";
+      if (shown && flaws.worst_outside > 0 && seen > worst.seen) worst = {seen, i, method, *corners};
     }
   }
   if (worst.corners.empty()) return findings;

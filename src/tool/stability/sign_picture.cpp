@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tool/chart.hpp"
+#include "tool/stability/picture_head.hpp"
 #include "tool/stability/png.hpp"
 
 namespace plumb::tool::stability {
@@ -43,16 +44,7 @@ std::string sign_picture(const SignPictureText& text, std::span<const SignPanel>
   const std::size_t rows = (panels.size() + kColumns - 1) / kColumns;
   const std::size_t width = 2 * kLeft + kColumns * kSide + (kColumns - 1) * kGap;
   const std::size_t height = kTop + rows * (kHead + kSide + 12) + 12;
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\">\n"
-      "<title>{2}</title>\n",
-      width, height, escaped(text.title));
-  svg.append(chart_style);
-  svg += fmt::format(
-      "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n"
-      "<text x=\"{}\" y=\"36\" font-size=\"19\" font-weight=\"600\">{}</text>\n"
-      "<text class=\"muted\" x=\"{}\" y=\"58\" font-size=\"13\">{}</text>\n",
-      width, height, kLeft, escaped(text.title), kLeft, escaped(text.subtitle));
+  std::string svg = picture_head(static_cast<double>(width), static_cast<double>(height), text.title, text.subtitle);
   svg += key(text);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const std::size_t x = kLeft + i % kColumns * (kSide + kGap), y = kTop + i / kColumns * (kHead + kSide + 12);

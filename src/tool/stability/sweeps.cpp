@@ -1,14 +1,18 @@
 // Sweeps over segments in floating point: which pairs do they lose, which do they invent, and do they end?  Judged pair
 // by pair in GMP's rationals.
+#include <fmt/format.h>
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "plumb/degenerate/points.hpp"
 #include "tool/stability/experiment.hpp"
 #include "tool/stability/segment_methods.hpp"
 #include "tool/stability/sweep.hpp"
+#include "tool/stability/sweep_picture.hpp"
 
 namespace plumb::tool::stability {
 namespace {
@@ -42,12 +46,12 @@ Segments on_small_grid(std::size_t n, Entropy& entropy) {
   return all;
 }
 
-/// Hardly turned against one another about hardly different middles, so that they cross at tiny angles.
+/// Between two places that hardly differ from one segment to the other, so that they cross at tiny angles.
 Segments nearly_parallel(std::size_t n, Entropy& entropy) {
   Segments all;
   for (std::size_t i = 0; i < n; ++i) {
-    const double up = unit(entropy) * 0x1p-45, down = unit(entropy) * 0x1p-45;
-    all.push_back({{0.1 + unit(entropy), 0.3 + up}, {2.1 + unit(entropy), 0.7 + down}});
+    const double x = unit(entropy), y = unit(entropy), u = unit(entropy), v = unit(entropy);
+    all.push_back({{0.1 + x * 0x1p-45, 0.3 + y * 0x1p-45}, {2.1 + u * 0x1p-45, 0.7 + v * 0x1p-45}});
   }
   return all;
 }
@@ -63,11 +67,17 @@ Segments bundle(std::size_t n, Entropy& entropy) {
   return all;
 }
 
-/// A closed chain, whose neighbors share ends, through hard points.
-Segments chain(std::size_t n, Entropy& entropy) {
-  std::vector<Point2> p = points2(Family::degenerate_long, Degeneracy::cocircular, n, entropy);
+/// Every second one ends exactly on the one before, or in its end: three points of a line, and the next.
+Segments ends_on_others(std::size_t n, Entropy& entropy) {
   Segments all;
-  for (std::size_t i = 0; i < n; ++i) all.push_back({p[i], p[(i + 1) % n]});
+  while (all.size() < n) {
+    std::vector<Point2> p = points2(Family::degenerate_long, Degeneracy::collinear, 3, entropy);
+    std::ranges::sort(p, [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    const Point2 away = points2(Family::degenerate_long, Degeneracy::collinear, 1, entropy)[0];
+    all.push_back({p[0], p[2]});
+    all.push_back({p[1], away});
+  }
+  all.resize(n);
   return all;
 }
 
@@ -86,7 +96,7 @@ const std::vector<Kind>& kinds() {
       {"small grid", "segments between integers below 8: many meet in ends, many overlap", on_small_grid},
       {"nearly parallel", "segments that cross at tiny angles", nearly_parallel},
       {"bundle", "segments through one point, as well as doubles can", bundle},
-      {"chain", "a closed chain through points that are exactly cocircular", chain},
+      {"ends on others", "every second segment ends exactly on the one before", ends_on_others},
       {"mixture", "segments between points of the mixture of all hard families", of_mixture}};
   return all;
 }
@@ -112,6 +122,13 @@ std::optional<Pairs> swept(std::string_view method, const Segments& segments) {
   });
 }
 
+/// Those of `a` that are not in `b`.
+Pairs without(const Pairs& a, const Pairs& b) {
+  Pairs rest;
+  std::ranges::set_difference(a, b, std::inserter(rest, rest.end()));
+  return rest;
+}
+
 Findings run_kind(const Kind& kind, std::size_t n, std::size_t rounds, std::uint64_t start) {
   const std::vector<Count> none{{"pairs that meet and were lost"},
                                 {"pairs that do not meet and were reported"},
@@ -120,6 +137,8 @@ Findings run_kind(const Kind& kind, std::size_t n, std::size_t rounds, std::uint
   Findings findings;
   for (const std::string_view m : float_method_names) findings.outcomes.push_back({std::string(m), none});
   findings.outcomes.push_back({"exact", none, true});
+  Segments worst;
+  Pairs worst_lost;
   for (std::size_t i = 0; i < rounds; ++i) {
     Entropy entropy(start, i);
     const Segments segments = kind.make(n, entropy);
@@ -129,16 +148,25 @@ Findings run_kind(const Kind& kind, std::size_t n, std::size_t rounds, std::uint
       ++o.counts[3].of;
       o.counts[3].failures += !said;
       if (!said) continue;
-      std::size_t right = 0;
-      for (const auto& pair : *said) right += truth.contains(pair);
+      const Pairs lost = without(truth, *said), invented = without(*said, truth);
       o.counts[0].of += truth.size();
-      o.counts[0].failures += truth.size() - right;
+      o.counts[0].failures += lost.size();
       o.counts[1].of += n * (n - 1) / 2 - truth.size();
-      o.counts[1].failures += said->size() - right;
+      o.counts[1].failures += invented.size();
       ++o.counts[2].of;
-      o.counts[2].failures += *said != truth;
+      o.counts[2].failures += !lost.empty() || !invented.empty();
+      if (o.method == "double" && lost.size() > worst_lost.size()) {
+        worst = segments;
+        worst_lost = lost;
+      }
     }
   }
+  if (worst.empty()) return findings;
+  std::string file = "sweep-" + kind.name;
+  std::ranges::replace(file, ' ', '-');
+  const std::string about = fmt::format("{} segments, {} pairs of which meet and were lost", n, worst_lost.size());
+  findings.pictures.push_back({std::move(file), fmt::format("The sweep that lost most: {}.", about),
+                               sweep_picture("A sweep in double: " + kind.name, about, worst, worst_lost)});
   return findings;
 }
 

@@ -1,0 +1,18 @@
+// What does a sweep lose?  The segments, and the crossings of pairs that were lost.
+//
+// Source: none; cost: a millisecond.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "plumb/figure/linear.hpp"
+#include "tool/stability/sweep.hpp"
+
+namespace plumb::tool::stability {
+
+/// Each lost pair is marked where its segments meet, or where they begin to.
+std::string sweep_picture(const std::string& title, const std::string& subtitle, std::span<const Segment2> segments,
+                          const Pairs& lost);
+
+}  // namespace plumb::tool::stability

@@ -1,0 +1,173 @@
+// `plumb stability` as a user meets it: what is written and refused, and that its page works.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tool/browser.hpp"
+#include "tool/stability_command.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// One quick run of everything, for all tests.
+class Laboratory : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new Folder;
+    outcome_ = new Outcome(run("$PLUMB stability --quick --out " + (*folder_ / "report")));
+    json_ = new json(json::parse(content(*folder_ / "report/stability.json"), nullptr, false));
+  }
+  static void TearDownTestSuite() {
+    delete json_;
+    delete outcome_;
+    delete folder_;
+  }
+  static std::size_t scenes_of(const std::string& experiment) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(json_->at("scenes"), [&](const json& s) { return s.at("experiment") == experiment; }));
+  }
+  static std::set<std::string> experiments() {
+    std::set<std::string> names;
+    for (const json& scene : json_->at("scenes")) names.insert(scene.at("experiment"));
+    return names;
+  }
+
+  static Folder* folder_;
+  static Outcome* outcome_;
+  static json* json_;
+};
+Folder* Laboratory::folder_ = nullptr;
+Outcome* Laboratory::outcome_ = nullptr;
+json* Laboratory::json_ = nullptr;
+
+TEST_F(Laboratory, WritesEveryTableAndPicture) {
+  EXPECT_EQ(outcome_->code, 0) << outcome_->err;
+  EXPECT_EQ(outcome_->err, "");
+  const std::string table = content(*folder_ / "report/stability.txt");
+  EXPECT_THAT(outcome_->out, StartsWith(table));
+  std::set<std::string> files{"stability.txt", "stability.json", "stability.html"};
+  for (const json& scene : json_->at("scenes")) {
+    EXPECT_THAT(table, HasSubstr(std::string(scene.at("experiment")) + ": " + std::string(scene.at("scene")) + ": "));
+    for (const json& picture : scene.at("pictures")) {
+      const std::string file = picture.at("file");
+      EXPECT_TRUE(files.insert(file).second) << file;
+      EXPECT_THAT(content(*folder_ / ("report/" + file)), StartsWith("<svg"));
+    }
+  }
+  std::set<std::string> written;
+  for (const auto& entry : std::filesystem::directory_iterator(*folder_ / "report")) {
+    written.insert(entry.path().filename());
+  }
+  EXPECT_EQ(written, files);
+  std::set<std::string> known;
+  for (const stability::Experiment& e : stability::all_experiments()) known.insert(e.name);
+  EXPECT_EQ(experiments(), known);
+}
+
+TEST_F(Laboratory, FindsThatExactMethodsFailNothingAndThatOthersDo) {
+  for (const std::string& experiment : experiments()) {
+    std::uint64_t others = 0;
+    for (const json& scene : json_->at("scenes")) {
+      bool has_exact = false;
+      for (const json& method : scene.at("methods")) {
+        has_exact = has_exact || method.at("exact");
+        for (const json& c : method.at("counts")) {
+          if (method.at("exact")) {
+            EXPECT_EQ(c.at("failures"), 0) << scene.at("scene") << c;
+          } else if (scene.at("experiment") == experiment) {
+            others += c.at("failures").get<std::uint64_t>();
+          }
+        }
+      }
+      EXPECT_TRUE(has_exact) << scene.at("scene");
+    }
+    EXPECT_GT(others, 0U) << experiment;
+  }
+}
+
+TEST_F(Laboratory, IsAPageWhoseFilterWorksInABrowser) {
+  const std::string page = content(*folder_ / "report/stability.html");
+  std::string rest = page;  // but for the name of the SVG language, which nothing is fetched from
+  for (std::size_t at = 0; (at = rest.find("http://www.w3.org/2000/svg")) != std::string::npos;) rest.erase(at, 26);
+  EXPECT_THAT(rest, AllOf(StartsWith("<!DOCTYPE html>"), Not(HasSubstr("http:")), Not(HasSubstr("https:")),
+                          Not(HasSubstr(" src="))));
+  if (!has_browser()) return;
+  const Outcome o = in_browser(page, R"(
+    const shown = selector => all(selector).filter(e => e.getClientRects().length > 0).length;
+    const counts = () => [shown('article'), shown('section'), shown('tr[data-key="double"]') > 0];
+    const click = (kind, value) => document.querySelector(`input[data-filter="${kind}"][value="${value}"]`).click();
+    const result = [counts()];
+    click('experiment', 'grid');
+    click('method', 'double');
+    result.push(counts());
+    document.querySelector('button[data-set="none"]').click();
+    result.push(shown('section'));
+    document.querySelector('button[data-set="all"]').click();
+    click('method', 'double');
+    result.push(counts(), all('image').every(i => i.getBBox().width > 0), all('figure svg').length);
+    document.body.replaceChildren(JSON.stringify(result));)");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, Not(HasSubstr("CONSOLE")));
+  const std::size_t scenes = json_->at("scenes").size(), sections = experiments().size();
+  std::size_t pictures = 0;
+  for (const json& scene : json_->at("scenes")) pictures += scene.at("pictures").size();
+  EXPECT_THAT(o.out, HasSubstr(json({{scenes, sections, true},
+                                     {scenes - scenes_of("grid"), sections - 1, false},
+                                     0,
+                                     {scenes, sections, true},
+                                     true,
+                                     pictures})
+                                   .dump()));
+}
+
+TEST(LaboratoryCommand, RefusesWhatDoesNotExistAndWhatCannotBeWritten) {
+  for (const auto& [arguments, words] :
+       std::vector<std::pair<std::string, std::string>>{{"--experiment gird", "no experiment gird; there are grid, "},
+                                                        {"--out /no/such/folder", "/no/such/folder"},
+                                                        {"--out /dev/null", "/dev/null"},
+                                                        {"--ccd /no/such/folder", "--ccd /no/such/folder"},
+                                                        {"--models /dev/null", "--models /dev/null"},
+                                                        {"--seed -1", "--seed"},
+                                                        {"MESH", "MESH"}}) {
+    const Outcome o = run("$PLUMB stability " + arguments);  // in full: it must not begin
+    EXPECT_EQ(o.code, 2) << arguments;
+    EXPECT_EQ(o.out, "");
+    EXPECT_THAT(o.err, AllOf(StartsWith("plumb: "), HasSubstr(words))) << arguments;
+    EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
+  }
+}
+
+TEST(LaboratoryCommand, RunsTheExperimentsThatAreNamedAlone) {
+  const Outcome one = run("$PLUMB stability --quick --experiment sweeps");
+  EXPECT_EQ(one.code, 0);
+  EXPECT_THAT(one.out, AllOf(StartsWith("sweeps: "), Not(HasSubstr("grid: "))));
+  EXPECT_EQ(run("$PLUMB stability --quick --experiment sweeps --seed 2026").out, one.out);
+  EXPECT_NE(run("$PLUMB stability --quick --experiment sweeps --seed 7").out, one.out);
+}
+
+TEST(LaboratoryCommand, ExitsWithOneWhereAnExactMethodFails) {
+  using namespace stability;
+  const auto experiment = [](std::uint64_t failures) {
+    const auto run_scene = [failures] {
+      return Findings{
+          {{"double", {{"things that broke", 5, 9}}}, {"exact", {{"things that broke", failures, 9}}, true}}, {}};
+    };
+    const auto scenes = [=](const Settings&) { return std::vector<Scene>{{"a scene", "made up", run_scene}}; };
+    return std::vector<Experiment>{{"made-up", "does it break?", "none", scenes}};
+  };
+  EXPECT_EQ(run_stability({}, experiment(0)), 0);
+  EXPECT_EQ(run_stability({}, experiment(1)), 1);
+}
+
+}  // namespace
+}  // namespace plumb::tool
