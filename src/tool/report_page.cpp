@@ -11,10 +11,9 @@ namespace {
 
 // The script only hides, shows and explains; without it the page is a plain report.
 constexpr std::string_view kStyle = R"(<style>
-  :root { color-scheme: light dark; --paper: #ffffff; --ink: #1f2328; --muted: #59636e; --line: #d1d9e0; --soft: #f6f8fa; }
+  :root { color-scheme: light dark; --paper: #ffffff; --ink: #1f2328; --muted: #59636e; --line: #d1d9e0; --soft: #f6f8fa; --fail: #c2410c; }
   @media (prefers-color-scheme: dark) {
-    :root { --paper: #0d1117; --ink: #e6edf3; --muted: #9ba4ae; --line: #3d444d; --soft: #161b22; }
-    .fails { color: #ff8340; }
+    :root { --paper: #0d1117; --ink: #e6edf3; --muted: #9ba4ae; --line: #3d444d; --soft: #161b22; --fail: #ff8340; }
   }
   body { margin: 0 auto; max-width: 1100px; padding: 16px 24px 64px; background: var(--paper); color: var(--ink);
     font: 15px/1.5 system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif; }
@@ -28,7 +27,7 @@ constexpr std::string_view kStyle = R"(<style>
   article svg { display: block; max-width: 100%; height: auto; margin: 0 auto; } article p, article h3 { margin: 8px 16px; }
   figure { margin: 8px 0; border-top: 1px solid var(--line); } figcaption { margin: 8px 16px; color: var(--muted); }
   .counts { padding: 0 16px 8px; overflow-x: auto; } .counts th { max-width: 180px; vertical-align: bottom; }
-  .fails { color: #c2410c; font-weight: 600; }
+  .fails { color: var(--fail); font-weight: 600; }
   [data-key] { cursor: default; } .marker:focus, .marker:hover { stroke: var(--ink); stroke-width: 2.5; outline: none; }
   input:focus-visible, button:focus-visible, summary:focus-visible { outline: 2px solid #0072b2; outline-offset: 2px; }
   [hidden], .gone { display: none; }

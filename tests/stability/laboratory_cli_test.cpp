@@ -150,7 +150,7 @@ TEST(LaboratoryCommand, RefusesWhatDoesNotExistAndWhatCannotBeWritten) {
 TEST(LaboratoryCommand, RunsTheExperimentsThatAreNamedAlone) {
   const Outcome one = run("$PLUMB stability --quick --experiment sweeps");
   EXPECT_EQ(one.code, 0);
-  EXPECT_THAT(one.out, AllOf(StartsWith("sweeps: "), Not(HasSubstr("grid: "))));
+  EXPECT_THAT(one.out, AllOf(StartsWith("sweeps: "), Not(HasSubstr("\ngrid: "))));
   EXPECT_EQ(run("$PLUMB stability --quick --experiment sweeps --seed 2026").out, one.out);
   EXPECT_NE(run("$PLUMB stability --quick --experiment sweeps --seed 7").out, one.out);
 }
