@@ -1,10 +1,10 @@
 // Is this the hull of these points?  Foreign triangles, judged by exact signs.
 //
 // Laws: right are no triangles for points of one plane, and otherwise triangles that close edge by edge, each of them
-// with area and no point outside of it, every extreme point a corner, that enclose the hull's volume once.  Of equal
-// points any may be named.
-// Source: RTCD 3.9; a closed surface all of whose triangles lie in the hull's faces covers these a whole number of
-// times.  Cost: n signs a triangle, and a hull.
+// with area and no point outside of it, that enclose the hull's volume once.  Then every extreme point is a corner: a
+// closed surface all of whose triangles lie in the hull's faces, facing outward, covers these a whole number of times.
+// Of equal points any may be named.
+// Source: RTCD 3.9.  Cost: n signs a triangle, and a hull.
 #pragma once
 
 #include "plumb/degenerate/kind.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "plumb/degenerate/paste.hpp"
@@ -128,6 +129,51 @@ TEST(Check, RefusesWhatItCannotAsk) {
   EXPECT_NE(refused({.generators = {"gird"}}).find("orient2d has no generator gird; it has grid"), std::string::npos);
   EXPECT_EQ(refused({.cases = 0}), "check: neither cases nor seconds; give either");
   EXPECT_EQ(refused({.corpus = {{1, 2, 3}}}), "check: corpus: orient2d: b lacks numbers");
+}
+
+TEST(Judge, TellsSigns) {
+  const Numbers left{0, 0, 1, 0, 0, 1}, flat{0, 0, 1, 0, 2, 0};
+  const auto sort = [](const Numbers& q, double given) { return std::string(judge(turns(), q, given, {}).sort); };
+  EXPECT_EQ(sort(left, 1e-300), "");
+  EXPECT_EQ(sort(left, 0), "0 for +");
+  EXPECT_EQ(sort(left, -HUGE_VAL), "- for +");
+  EXPECT_EQ(sort(flat, -0.0), "");
+  EXPECT_EQ(sort(flat, 5e-324), "+ for 0");
+  EXPECT_EQ(sort({left[4], left[5], 1, 0, 0, 0}, 2), "+ for -");
+  EXPECT_EQ(judge(turns(), left, std::numeric_limits<double>::quiet_NaN(), {}).verdict, Verdict::unsure);
+  EXPECT_EQ(judge(turns(), left, Answer(), {}).verdict, Verdict::failed);
+}
+
+TEST(Judge, AllowsWhatTheToleranceAllows) {
+  const Kind& kind = kind_named("convex-distance");
+  const Numbers apart{1, 0, 0, 0, 1, 3, 4, 0}, meeting{1, 0, 0, 0, 1, 0, 0, 0};
+  const auto sort = [&](const Numbers& q, double given, const Tolerance& tolerance) {
+    return std::string(judge(kind, q, given, tolerance).sort);
+  };
+  const double ulp = 0x1p-50;  // of 5
+  EXPECT_EQ(sort(apart, 5, {}), "");
+  EXPECT_EQ(sort(apart, 5 + ulp, {}), "too large");
+  EXPECT_EQ(sort(apart, 5 + 3 * ulp, {.ulps = 3}), "");
+  EXPECT_EQ(sort(apart, 5 + 4 * ulp, {.ulps = 3}), "too large");
+  EXPECT_EQ(sort(apart, 5 - 4 * ulp, {.ulps = 3}), "too small");
+  EXPECT_EQ(sort(apart, 5 + 0x1p-18, {.relative = 0x1p-20}), "");  // of 4, the largest coordinate
+  EXPECT_EQ(sort(apart, 5 + 0x1p-18 + ulp, {.relative = 0x1p-20}), "too large");
+  EXPECT_EQ(sort(meeting, 5e-324, {.relative = 0.5}), "too large");  // of points at the origin there is no size
+  EXPECT_EQ(sort(apart, HUGE_VAL, {.ulps = ~0ull}), "too large");
+
+  const Kind& hits = kind_named("ray-triangle");
+  const Numbers ray{0, 0, -1, 0, 0, 2, -1, -1, 0, 1, -1, 0, 0, 1, 0};
+  const auto at = [](double t) {
+    Answer answer = 1.0;
+    answer.numbers.push_back(t);
+    return answer;
+  };
+  EXPECT_EQ(judge(hits, ray, at(0.5), {}).sort, "");
+  EXPECT_EQ(judge(hits, ray, 1.0, {}).sort, "");
+  EXPECT_EQ(judge(hits, ray, 0.0, {}).sort, "no for yes");
+  EXPECT_EQ(judge(hits, ray, at(0.75), {}).sort, "parameter too large");
+  EXPECT_EQ(judge(hits, ray, at(-0.5), {}).sort, "parameter too small");
+  EXPECT_EQ(judge(hits, ray, at(std::numeric_limits<double>::quiet_NaN()), {}).sort, "hit without a parameter");
 }
 
 TEST(Case, SaysWhatIsWrongWithIt) {

@@ -31,6 +31,8 @@ ForeignFunction function(R (*f)(A...)) {
   return reinterpret_cast<ForeignFunction>(f);
 }
 
+using HullFunction = std::size_t(const double*, std::size_t, std::size_t*, std::size_t);
+
 ForeignFunction right_one(std::string_view kind) {
   if (kind == "orient2d") return function(foreign::orient2d);
   if (kind == "orient3d") return function(foreign::orient3d);
@@ -266,6 +268,48 @@ TEST(Kinds, TellWhatIsWrongWithAHull) {
   larger[0] = 10;
   larger.insert(larger.end(), {2, 2, 9});
   EXPECT_EQ(sort([](Numbers&) {}, larger), "a point outside of a triangle");
+}
+
+// A tetrahedron's faces whole, and once more in four triangles each: no directed edge comes twice.
+TEST(Kinds, TellAHullThatCoversItsFacesTwice) {
+  const Kind& kind = kind_named("hull");
+  const std::vector<std::array<double, 3>> corners{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  Numbers points{10};
+  for (const auto& c : corners) points.insert(points.end(), c.begin(), c.end());
+  std::map<std::pair<double, double>, double> middle;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      middle[{i, j}] = middle[{j, i}] = static_cast<double>(points.size() / 3);
+      for (std::size_t k = 0; k < 3; ++k) points.push_back((corners[i][k] + corners[j][k]) / 2);
+    }
+  }
+  Answer once = kind.exact(points), fine, twice = once;
+  ASSERT_EQ(once.numbers.size(), 12u);
+  for (std::size_t f = 0; f < 12; f += 3) {
+    const double a = once.numbers[f], b = once.numbers[f + 1], c = once.numbers[f + 2];
+    const double ab = middle[{a, b}], bc = middle[{b, c}], ca = middle[{c, a}];
+    for (const double v : {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca}) fine.numbers.push_back(v);
+  }
+  twice.numbers.insert(twice.numbers.end(), fine.numbers.begin(), fine.numbers.end());
+  EXPECT_EQ(judge(kind, points, once, {}).sort, "");
+  EXPECT_EQ(judge(kind, points, fine, {}).sort, "");  // corners need not be extreme
+  EXPECT_EQ(judge(kind, points, twice, {}).sort, "a face covered twice");
+}
+
+TEST(Kinds, WatchTheRoomThatAHullHas) {
+  const Kind& kind = kind_named("hull");
+  const Numbers points{4, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const auto sort = [&](HullFunction* f) {
+    return std::string(judge(kind, points, kind.call(function(f), points), {}).sort);
+  };
+  EXPECT_EQ(sort([](const double*, std::size_t n, std::size_t* t, std::size_t) -> std::size_t {
+              t[6 * n] = 0;
+              return 0;
+            }),
+            "crashed");
+  EXPECT_EQ(sort([](const double*, std::size_t, std::size_t*, std::size_t room) { return room + 1; }),
+            "more triangles than its capacity");
+  EXPECT_EQ(sort([](const double*, std::size_t, std::size_t*, std::size_t) { return std::size_t(-1); }), "NaN");
 }
 
 TEST(Kinds, CatchNaiveOrientation) {
