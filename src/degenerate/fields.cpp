@@ -58,6 +58,12 @@ std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers) 
   return fields;
 }
 
+std::vector<Field> lengths_of(const Kind& kind, std::span<const double> numbers) {
+  std::vector<Field> fields = fields_of(kind, numbers);
+  std::erase_if(fields, [](const Field& f) { return f.role == Role::frame; });
+  return fields;
+}
+
 std::string flaw_of(const Kind& kind, std::span<const double> numbers) {
   for (const double x : numbers) {
     if (!std::isfinite(x)) return std::string(kind.name).append(": a number is not finite");

@@ -19,6 +19,9 @@ struct Field {
 
 std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers);
 
+/// All but frames: those that a scaling multiplies.
+std::vector<Field> lengths_of(const Kind& kind, std::span<const double> numbers);
+
 /// What a figure spans, and what such figures span unless they are degenerate: triangles, directions, boxes, polygons.
 /// Single points and sets of any number of points are never degenerate.
 struct Span {

@@ -26,7 +26,7 @@ Judgment judged_yes_no(double given, double exact) {
 }
 
 // The distance of two doubles against what is allowed, in rational numbers.
-bool within(double given, double exact, std::span<const double> numbers, const Tolerance& tolerance) {
+bool within(double given, double exact, std::span<const double> lengths, const Tolerance& tolerance) {
   if (given == exact) return true;
   if (!std::isfinite(given) || !std::isfinite(exact)) return false;
   const auto apart = static_cast<std::uint64_t>(place_of(std::max(given, exact))) -
@@ -34,13 +34,13 @@ bool within(double given, double exact, std::span<const double> numbers, const T
   if (apart <= tolerance.ulps) return true;
   if (tolerance.relative == 0) return false;
   double largest = 0;
-  for (const double x : numbers) largest = std::max(largest, std::fabs(x));
+  for (const double x : lengths) largest = std::max(largest, std::fabs(x));
   const Rational off = Rational(std::max(given, exact)) - Rational(std::min(given, exact));
   return off <= Rational(tolerance.relative) * Rational(largest);
 }
 
-Judgment judged_number(double given, double exact, std::span<const double> numbers, const Tolerance& tolerance) {
-  if (within(given, exact, numbers, tolerance)) return {};
+Judgment judged_number(double given, double exact, std::span<const double> lengths, const Tolerance& tolerance) {
+  if (within(given, exact, lengths, tolerance)) return {};
   return {Verdict::wrong, given > exact ? "too large" : "too small"};
 }
 
@@ -67,7 +67,7 @@ Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& 
     case AnswerForm::yes_no:
       return judged_yes_no(given.numbers[0], exact.numbers[0]);
     case AnswerForm::number:
-      return judged_number(given.numbers[0], exact.numbers[0], numbers, tolerance);
+      return judged_number(given.numbers[0], exact.numbers[0], gathered(numbers, lengths_of(kind, numbers)), tolerance);
     case AnswerForm::hit:
       return judged_hit(given, exact, tolerance);
     case AnswerForm::triangles:

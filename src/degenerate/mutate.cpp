@@ -7,13 +7,6 @@ namespace plumb::degenerate {
 
 namespace {
 
-// All numbers but counts and frames: those that a scaling multiplies.
-std::vector<Field> lengths(const Kind& kind, std::span<const double> numbers) {
-  std::vector<Field> fields = fields_of(kind, numbers);
-  std::erase_if(fields, [](const Field& f) { return f.role == Role::frame; });
-  return fields;
-}
-
 // Two arguments of the same parts change places, if there are such.
 void swap_arguments(const Kind& kind, Numbers& numbers, Entropy& entropy) {
   std::vector<std::vector<Numbers>> parts(kind.arguments.size());
@@ -69,7 +62,7 @@ void mutate(const Kind& kind, Numbers& numbers, Entropy& entropy) {
       change_count(kind, numbers, entropy);
       continue;
     }
-    std::vector<Field> fields = lengths(kind, numbers);
+    std::vector<Field> fields = lengths_of(kind, numbers);
     if (which >= 3) std::erase_if(fields, [](const Field& f) { return f.role == Role::extents; });
     if (which == 3) fields = {fields[entropy.below(fields.size())]};
     Numbers moved = gathered(numbers, fields);

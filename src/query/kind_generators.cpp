@@ -134,6 +134,48 @@ void arrange_cloud(Numbers& numbers, Entropy& entropy, const Fill& fill) {
   append_counted(numbers, points, 3);
 }
 
+std::vector<Generator> position_generators(ShapeKind a, ShapeKind b, int dimension, Join join) {
+  std::vector<Generator> all;
+  for (const PositionInfo& info : positions) {
+    if (!has_position(a, b, dimension, info.position)) continue;
+    all.push_back({std::string(info.name), std::string(info.about),
+                   [=, position = info.position](Numbers& numbers, Entropy& entropy) {
+                     const Nearness nearness = entropy.coin() ? Nearness::nearly : Nearness::exactly;
+                     numbers.clear();
+                     join(numbers, shape_pair(a, b, dimension, position, nearness, entropy));
+                   }});
+  }
+  return all;
+}
+
+void join_plainly(Numbers& numbers, const ShapePair& pair) {
+  numbers = pair.a;
+  numbers.insert(numbers.end(), pair.b.begin(), pair.b.end());
+}
+
+void join_point_and_polygon(Numbers& numbers, const ShapePair& pair) {
+  numbers = pair.a;
+  append_counted(numbers, pair.b, 2);
+}
+
+void join_point_sets(Numbers& numbers, const ShapePair& pair) {
+  append_counted(numbers, pair.a, 3);
+  append_counted(numbers, pair.b, 3);
+}
+
+void join_oriented_boxes(Numbers& numbers, const ShapePair& pair) {
+  join_plainly(numbers, pair);
+  for (std::size_t box = 0; box < 2; ++box) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      double* const axis = &numbers[box * box_numbers + frame_at + 3 * i];
+      const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+      if (!(length > 0) || !std::isfinite(length)) continue;
+      for (std::size_t k = 0; k < 3; ++k) axis[k] /= length;
+      numbers[box * box_numbers + half_at + i] *= length;
+    }
+  }
+}
+
 Generator boundary_points() {
   return {"boundary", "even integers, the point on a vertex, in the middle of an edge, or at a vertex's height",
           [](Numbers& numbers, Entropy& entropy) {

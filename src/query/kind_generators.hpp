@@ -6,6 +6,7 @@
 
 #include "plumb/degenerate/family.hpp"
 #include "plumb/degenerate/kind.hpp"
+#include "plumb/degenerate/shape_pair.hpp"
 
 namespace plumb::degenerate {
 
@@ -33,11 +34,20 @@ void arrange_point_sets(Numbers& numbers, Entropy& entropy, const Fill& fill);
 /// 4 to 16 points.
 void arrange_cloud(Numbers& numbers, Entropy& entropy, const Fill& fill);
 
+/// Every position that the two can have, exactly or nearly so, each a generator.
+using Join = void (*)(Numbers& numbers, const ShapePair& pair);
+std::vector<Generator> position_generators(ShapeKind a, ShapeKind b, int dimension, Join join);
+void join_plainly(Numbers& numbers, const ShapePair& pair);
+void join_point_and_polygon(Numbers& numbers, const ShapePair& pair);
+void join_point_sets(Numbers& numbers, const ShapePair& pair);
+/// With axes of length one, for which they are rounded where they must be.
+void join_oriented_boxes(Numbers& numbers, const ShapePair& pair);
+
 /// A point on a vertex, on an edge, or beside a vertex at its height: exactly so.
 Generator boundary_points();
 /// Two boxes of the same axes, the second moved along one of them until it touches, but for rounding.
 Generator stacked_boxes();
-/// The clouds of degenerate/cloud.hpp, 4 to 24 points.
+/// The clouds of degenerate/cloud.hpp, 4 to 24 points, and the forms of degenerate/shape.hpp.
 std::vector<Generator> cloud_generators();
 
 }  // namespace plumb::degenerate

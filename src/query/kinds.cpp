@@ -125,6 +125,13 @@ std::vector<Generator> with(std::vector<Generator> first, std::vector<Generator>
   return first;
 }
 
+/// The families, aimed at what is flat, and the positions of a pair.
+template <ShapeKind a, ShapeKind b = a>
+std::vector<Generator> with_positions(int dimension, Arrange arrange, Join join = join_plainly) {
+  return with(family_generators(dimension == 2 ? Degeneracy::collinear : Degeneracy::coplanar, dimension, arrange),
+              position_generators(a, b, dimension, join));
+}
+
 template <class Call>
 Kind predicate(std::string_view name, std::string_view question, std::string_view signature,
                std::string_view convention, std::vector<Argument> arguments, Degeneracy aim, Arrange arrange,
@@ -193,29 +200,30 @@ Kind meeting(std::string_view name, std::string_view question, std::string_view 
 std::vector<Kind> meetings() {
   return {
       meeting<4>("segment-segment", "do two segments of the plane meet?", "int f(const double a[4], const double b[4])",
-                 {points("a", 2, 2), points("b", 2, 2)}, family_generators(Degeneracy::collinear, 2, arrange_points<8>),
+                 {points("a", 2, 2), points("b", 2, 2)}, with_positions<ShapeKind::segment>(2, arrange_points<8>),
                  [](Given q) {
                    return answer(relate(Segment2{point2(q, 0), point2(q, 2)}, Segment2{point2(q, 4), point2(q, 6)}) !=
                                  Relation::disjoint);
                  }),
       meeting<6>("segment-segment-3d", "do two segments in space meet?", "int f(const double a[6], const double b[6])",
-                 {points("a", 3, 2), points("b", 3, 2)}, family_generators(Degeneracy::coplanar, 3, arrange_points<12>),
+                 {points("a", 3, 2), points("b", 3, 2)}, with_positions<ShapeKind::segment>(3, arrange_points<12>),
                  [](Given q) {
                    return answer(relate(Segment3{point3(q, 0), point3(q, 3)}, Segment3{point3(q, 6), point3(q, 9)}) !=
                                  Relation::disjoint);
                  }),
       meeting<9>("triangle-triangle", "do two triangles in space meet?", "int f(const double a[9], const double b[9])",
-                 {points("a", 3, 3), points("b", 3, 3)}, family_generators(Degeneracy::coplanar, 3, arrange_points<18>),
+                 {points("a", 3, 3), points("b", 3, 3)}, with_positions<ShapeKind::triangle>(3, arrange_points<18>),
                  [](Given q) { return answer(relate(triangle(q, 0), triangle(q, 9)) != Relation::disjoint); }),
       meeting<6>("box-box", "do two boxes along the axes meet?", "int f(const double a[6], const double b[6])",
-                 {box("a"), box("b")}, family_generators(Degeneracy::coplanar, 3, arrange_boxes),
+                 {box("a"), box("b")}, with_positions<ShapeKind::aabb>(3, arrange_boxes),
                  [](Given q) {
                    return answer(intersects(Aabb3{point3(q, 0), point3(q, 3)}, Aabb3{point3(q, 6), point3(q, 9)}));
                  }),
-      meeting<15>("obb-obb", "do two oriented boxes meet?", "int f(const double a[15], const double b[15])",
-                  {oriented("a"), oriented("b")},
-                  with(family_generators(Degeneracy::coplanar, 3, arrange_oriented_boxes), {stacked_boxes()}),
-                  [](Given q) { return answer(intersects(oriented_box(q, 0), oriented_box(q, 15))); }),
+      meeting<15>(
+          "obb-obb", "do two oriented boxes meet?", "int f(const double a[15], const double b[15])",
+          {oriented("a"), oriented("b")},
+          with(with_positions<ShapeKind::obb>(3, arrange_oriented_boxes, join_oriented_boxes), {stacked_boxes()}),
+          [](Given q) { return answer(intersects(oriented_box(q, 0), oriented_box(q, 15))); }),
   };
 }
 
@@ -231,7 +239,7 @@ std::vector<Kind> others() {
        "direction; *t may be left alone",
        AnswerForm::hit,
        {{"ray", {{Role::points, 3}, {Role::vector, 3}}}, points("triangle", 3, 3)},
-       family_generators(Degeneracy::coplanar, 3, arrange_ray),
+       with_positions<ShapeKind::ray, ShapeKind::triangle>(3, arrange_ray),
        typeid(HitFunction),
        fine,
        call_hit,
@@ -242,7 +250,8 @@ std::vector<Kind> others() {
        "not 0: p is on an edge, or the chain winds around it an odd number of times",
        AnswerForm::yes_no,
        {points("p", 2, 1), any_points("vertices", 2, 3)},
-       with(family_generators(Degeneracy::collinear, 2, arrange_polygon), {boundary_points()}),
+       with(with_positions<ShapeKind::point, ShapeKind::polygon>(2, arrange_polygon, join_point_and_polygon),
+            {boundary_points()}),
        typeid(InPolygonFunction),
        {},
        call_in_polygon,
@@ -253,7 +262,7 @@ std::vector<Kind> others() {
        "the distance, 0 where the hulls meet",
        AnswerForm::number,
        {any_points("a", 3, 1), any_points("b", 3, 1)},
-       family_generators(Degeneracy::coplanar, 3, arrange_point_sets),
+       with_positions<ShapeKind::points>(3, arrange_point_sets, join_point_sets),
        typeid(DistanceFunction),
        coarse,
        call_distance,

@@ -76,11 +76,11 @@ TEST(Kinds, TakeFunctionsOfTheirSignatureOnly) {
 
 TEST(Kinds, FindNothingWrongWithTheLibrary) {
   for (const Kind& kind : kinds()) {
-    CheckOptions options{.seed = 11, .cases = asked_cases};
     const ForeignFunction right = right_one(kind.name);
+    const CheckOptions options{.seed = 11, .cases = right == nullptr ? asked_cases / 10 : asked_cases};
     const Findings findings = check(kind, right == nullptr ? Callable(kind.exact) : callable_of(kind, right), options);
     EXPECT_TRUE(findings.clean()) << text(kind, findings);
-    EXPECT_EQ(findings.asked(), asked_cases * (kind.generators.size() + 1)) << kind.name;
+    EXPECT_EQ(findings.asked(), options.cases * (kind.generators.size() + 1)) << kind.name;
     for (const Tally& t : findings.tallies) EXPECT_EQ(t.unsure, 0u) << kind.name << ' ' << t.generator;
   }
 }
