@@ -95,6 +95,10 @@ check [MESH]...
        Takes the decisions that mesh software takes on these meshes, in
        floating point and exactly, and says where floating point errs.
 
+fuzz
+       Finds inputs on which a function of another library is wrong, and
+       makes them small.
+
 plan [MESH]...
        Says what exact decisions on a scene of these meshes need, what a
        coarser lattice would save and do to them, and which bounding

@@ -13,6 +13,7 @@ Manual program_manual();
 Manual bounds_manual();
 Manual chart_manual();
 Manual check_manual();
+Manual fuzz_manual();
 Manual plan_manual();
 Manual sign_manual();
 Manual proof_manual();

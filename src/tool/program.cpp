@@ -14,6 +14,7 @@
 #include "chart_command.hpp"
 #include "check_command.hpp"
 #include "doctor_command.hpp"
+#include "fuzz_command.hpp"
 #include "help_text.hpp"
 #include "plan_command.hpp"
 #include "plumb/arith/error.hpp"
@@ -29,12 +30,13 @@ namespace {
 class Program {
  public:
   explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
-    for (CLI::App* page : {&app_, bounds_, chart_, check_, plan_, sign_, proof_, vectors_, stability_, doctor_})
+    for (CLI::App* page : {&app_, bounds_, chart_, check_, fuzz_, plan_, sign_, proof_, vectors_, stability_, doctor_})
       page->set_help_flag("-h,--help", "Show this page.");
     app_.add_flag("--version", version_, "Print the version.");
     add_bounds();
     add_chart();
     add_check();
+    add_fuzz();
     add_plan();
     add_proof();
     add_stability();
@@ -71,12 +73,14 @@ class Program {
     }
     if (!rest.empty()) throw CLI::ExtrasError(rest);
     if (*chart_) return run_chart(chart_options_, rivals_);
+    if (*fuzz_) return run_fuzz(fuzz_options_);
     if (*proof_) return run_proof(proof_options_);
     if (*stability_) return run_stability(stability_options_);
     if (*vectors_) return run_vectors(vectors_options_);
     if (*doctor_) return run_doctor();
     throw Error(
-        "a command is needed: bounds, chart, check, plan, sign, proof, vectors, stability or doctor; 'plumb --help' "
+        "a command is needed: bounds, chart, check, fuzz, plan, sign, proof, vectors, stability or doctor; 'plumb "
+        "--help' "
         "explains");
   }
 
@@ -86,6 +90,7 @@ class Program {
     if (*bounds_) return say(manual_page(bounds_manual(), *bounds_, style));
     if (*chart_) return say(manual_page(chart_manual(), *chart_, style));
     if (*check_) return say(manual_page(check_manual(), *check_, style));
+    if (*fuzz_) return say(manual_page(fuzz_manual(), *fuzz_, style));
     if (*plan_) return say(manual_page(plan_manual(), *plan_, style));
     if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
     if (*proof_) return say(manual_page(proof_manual(), *proof_, style));
@@ -96,7 +101,8 @@ class Program {
   }
 
   [[nodiscard]] std::string help_hint() const {
-    for (const CLI::App* command : {bounds_, chart_, check_, plan_, sign_, proof_, vectors_, stability_, doctor_}) {
+    for (const CLI::App* command :
+         {bounds_, chart_, check_, fuzz_, plan_, sign_, proof_, vectors_, stability_, doctor_}) {
       if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
     }
     return "'plumb --help' explains";
@@ -154,6 +160,42 @@ class Program {
             "--write-sample", o.write_sample,
             "Write the mesh that the program brings along, in the format of the extension; alone, it checks nothing.")
         ->type_name("FILE");
+  }
+
+  void add_fuzz() {
+    FuzzOptions& o = fuzz_options_;
+    const auto repeatable = [this](const char* name, std::vector<std::string>& values, const char* about) {
+      return fuzz_->add_option(name, values, about)->allow_extra_args(false)->type_name("NAME");
+    };
+    fuzz_->add_option("--kind", o.kind, "What the function is asked; --list tells the kinds.")->type_name("KIND");
+    fuzz_->add_option("--library", o.library, "The shared library that holds the function.")->type_name("FILE");
+    fuzz_->add_option("--symbol", o.symbol, "The function's name.")->type_name("NAME");
+    fuzz_->add_flag("--list", o.list, "List the kinds with their C signatures; with --kind, its generators.");
+    fuzz_->add_option("--cases", o.cases, "Ask so many of each generator; 1000 when no budget is given.")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
+    fuzz_->add_option("--time", o.seconds, "Ask for so long.")->type_name("SECONDS");
+    fuzz_->add_option("--seed", o.seed, "Other cases of the same generators; 2026 when not given.")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
+    repeatable("--generator", o.generators, "Only cases of this generator; repeatable.");
+    fuzz_->add_option("--case", o.case_line, "Ask only this case, as findings are printed.")->type_name("LINE");
+    fuzz_->add_option("--corpus", o.corpus, "Ask the cases in this folder first, and add to it what is found.")
+        ->type_name("DIR");
+    fuzz_->add_option("--out", o.out, "Write the report into this folder, which is made where it is missing.")
+        ->type_name("DIR");
+    repeatable("--format", o.formats, "Print each finding as cpp, python or obj as well; repeatable.")
+        ->check(CLI::IsMember({"cpp", "python", "obj"}));
+    fuzz_->add_option("--ulps", o.ulps, "Of numbers, allow so many doubles beside the nearest.")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
+    fuzz_->add_option("--relative", o.relative, "Of numbers, allow so much of the case's largest coordinate.")
+        ->type_name("X");
+    fuzz_->add_option("--timeout", o.timeout, "A call that takes longer hangs; 1 when not given.")
+        ->type_name("SECONDS");
+    fuzz_->add_option("--memory", o.memory_mib, "What the function may take; 1024 when not given.")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("MIB");
   }
 
   void add_plan() {
@@ -235,6 +277,8 @@ class Program {
   CLI::App* chart_ = app_.add_subcommand("chart", "Hold the ways of answering geometric questions against each other.");
   CheckOptions check_options_;
   CLI::App* check_ = app_.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
+  FuzzOptions fuzz_options_;
+  CLI::App* fuzz_ = app_.add_subcommand("fuzz", "Find inputs on which a function of another library is wrong.");
   PlanOptions plan_options_;
   CLI::App* plan_ = app_.add_subcommand("plan", "Say what exact decisions on a scene need, and no more.");
   CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");

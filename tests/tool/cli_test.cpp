@@ -27,7 +27,7 @@ void expect_refusal(const Outcome& o, const std::string& words) {
 
 TEST(Help, IsAManualPageOfEightyColumns) {
   for (const std::string command :
-       {"", "bounds", "chart", "check", "plan", "sign", "proof", "vectors", "stability", "doctor"}) {
+       {"", "bounds", "chart", "check", "fuzz", "plan", "sign", "proof", "vectors", "stability", "doctor"}) {
     const Outcome o = run("$PLUMB " + command + " --help");
     EXPECT_EQ(o.code, 0);
     EXPECT_EQ(o.err, "");

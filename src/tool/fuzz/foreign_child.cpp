@@ -1,0 +1,175 @@
+#include "foreign_child.hpp"
+
+#include <dlfcn.h>
+#include <elf.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <link.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace plumb::tool {
+namespace {
+
+constexpr int kOver = 0;  // how a child ends whose program is gone or has said enough
+
+void set_text(ForeignBoard& board, std::string_view text) {
+  const std::size_t length = std::min(text.size(), board.text.size() - 1);
+  std::memcpy(board.text.data(), text.data(), length);
+  board.text[length] = '\0';
+}
+
+void limit(int resource, rlim_t most) {
+  const rlimit both{most, most};
+  ::setrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &both);
+}
+
+/// Of the address space: what is taken already counts, sanitizers' shadows too.
+void limit_memory(std::uint64_t mib) {
+  std::ifstream sizes("/proc/self/statm");
+  std::uint64_t pages = 0;
+  if (sizes >> pages) limit(RLIMIT_AS, pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) + (mib << 20));
+}
+
+void shut_in(std::uint64_t memory_mib) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::setpgid(0, 0);  // so that its own children can be ended with it, and Ctrl-C is the program's to answer
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
+  for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, 0);
+  std::signal(SIGXFSZ, SIG_IGN);  // that nothing is written is no crash
+  limit_memory(memory_mib);
+}
+
+/// A name without a folder is looked for here first, and then where the system keeps libraries.
+std::string loadable(const std::string& library) {
+  std::error_code ignored;
+  return library.find('/') == std::string::npos && std::filesystem::exists(library, ignored)
+             ? std::string("./").append(library)
+             : library;
+}
+
+/// Nothing where it was found, else why not.
+std::string find_function(const ForeignCode& code, degenerate::ForeignFunction& function) {
+  void* const library = ::dlopen(loadable(code.library).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    const char* const why = ::dlerror();
+    return fmt::format("cannot load {}: {}", code.library, why == nullptr ? "no reason given" : why);
+  }
+  ::dlerror();
+  void* const address = ::dlsym(library, code.symbol.c_str());
+  if (address == nullptr) {
+    return fmt::format(
+        "{} has no symbol {}; a C function is wanted (in C++ declare it extern \"C\"), and `nm -D {}` "
+        "lists what there is",
+        code.library, code.symbol, code.library);
+  }
+  Dl_info info{};
+  void* entry = nullptr;
+  const int found = ::dladdr1(address, &info, &entry, RTLD_DL_SYMENT);
+  if (found != 0 && entry != nullptr && info.dli_saddr == address) {
+    const int type = ELF64_ST_TYPE(static_cast<const ElfW(Sym)*>(entry)->st_info);  // the same bits in 32-bit files
+    if (type == STT_OBJECT || type == STT_TLS || type == STT_COMMON)
+      return fmt::format("{} in {} is data; a function is wanted", code.symbol, code.library);
+  }
+  function = reinterpret_cast<degenerate::ForeignFunction>(address);
+  return {};
+}
+
+/// Room for numbers that end where readable memory ends.
+class Guarded {
+ public:
+  Guarded() {
+    const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    const std::size_t bytes = (ForeignBoard::most_numbers * sizeof(double) + page - 1) / page * page;
+    void* const place = ::mmap(nullptr, bytes + page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (place == MAP_FAILED || ::mprotect(place, bytes, PROT_READ | PROT_WRITE) != 0) return;
+    end_ = reinterpret_cast<double*>(static_cast<char*>(place) + bytes);
+  }
+  [[nodiscard]] bool made() const { return end_ != nullptr; }
+
+  [[nodiscard]] std::span<const double> copy(std::span<const double> numbers) const {
+    double* const begin = end_ - numbers.size();
+    if (!numbers.empty()) std::memcpy(begin, numbers.data(), numbers.size_bytes());
+    return {begin, numbers.size()};
+  }
+
+ private:
+  double* end_ = nullptr;
+};
+
+void answer_batch(const ForeignCode& code, degenerate::ForeignFunction function, ForeignBoard& board,
+                  const Guarded& guarded) {
+  using Ended = ForeignBoard::Ended;
+  std::uint32_t used = 0;
+  for (std::uint64_t i = 0; i < board.cases; ++i) {
+    const std::span<const double> numbers(board.numbers.data() + board.begin[i], board.begin[i + 1] - board.begin[i]);
+    degenerate::Numbers answer;
+    board.at.store(i, std::memory_order_release);
+    Ended ended = Ended::answered;
+    try {
+      answer = code.call(function, guarded.copy(numbers)).numbers;
+    } catch (const std::exception& e) {
+      ended = Ended::threw;
+      set_text(board, e.what());
+    } catch (...) {
+      ended = Ended::threw;
+      set_text(board, "what is no std::exception");
+    }
+    if (answer.size() > ForeignBoard::most_answers - used) break;  // the next batch has room
+    if (!answer.empty()) std::memcpy(board.answers.data() + used, answer.data(), answer.size() * sizeof(double));
+    used += static_cast<std::uint32_t>(answer.size());
+    board.answer_end[i] = used;
+    board.ended[i] = ended;
+    if (ended == Ended::threw) break;  // so that its text is read before the next is written
+  }
+  board.at.store(ForeignBoard::no_case, std::memory_order_release);
+}
+
+bool read_byte(int from) {
+  char byte = 0;
+  ssize_t n = 0;
+  do n = ::read(from, &byte, 1);
+  while (n < 0 && errno == EINTR);
+  return n == 1;
+}
+
+void write_byte(int to) {
+  const char byte = 0;
+  ssize_t n = 0;
+  do n = ::write(to, &byte, 1);
+  while (n < 0 && errno == EINTR);
+}
+
+}  // namespace
+
+void serve_foreign(const ForeignCode& code, ForeignBoard& board, int requests, int replies) {
+  shut_in(code.memory_mib);
+  degenerate::ForeignFunction function = nullptr;
+  std::string refusal = find_function(code, function);
+  const Guarded guarded;
+  if (refusal.empty() && !guarded.made()) refusal = "no memory for the foreign code";
+  set_text(board, refusal);
+  board.state.store(refusal.empty() ? ForeignBoard::State::serving : ForeignBoard::State::refused);
+  write_byte(replies);
+  while (refusal.empty() && read_byte(requests)) {
+    answer_batch(code, function, board, guarded);
+    write_byte(replies);
+  }
+  ::_exit(kOver);
+}
+
+}  // namespace plumb::tool

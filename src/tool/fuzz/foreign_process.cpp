@@ -1,0 +1,230 @@
+#include "foreign_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "plumb/arith/error.hpp"
+#include "tool/terminal.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+using degenerate::Answer;
+using degenerate::Numbers;
+using degenerate::Outcome;
+
+constexpr milliseconds kGlance(20);  // how often a silent child is looked at
+constexpr int kLoading = 10;         // times what a call may take
+
+std::array<int, 2> make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  return ends;
+}
+
+/// What the child wrote; it may be anything.
+std::string text_on(ForeignBoard& board) {
+  board.text.back() = '\0';
+  return printable(board.text.data());
+}
+
+std::string in_words(const Answer& end) { return fmt::format("{} ({})", name_of(end.outcome), end.note); }
+
+void close_end(int& end) {
+  if (end >= 0) ::close(end);
+  end = -1;
+}
+
+}  // namespace
+
+void ForeignProcess::Unmap::operator()(ForeignBoard* board) const { ::munmap(board, sizeof(ForeignBoard)); }
+
+ForeignProcess::ForeignProcess(ForeignCode code, ForeignLimits limits)
+    : code_(std::move(code)),
+      limits_(limits),
+      replacements_left_(limits.replacements),
+      hangs_left_(limits.hangs),
+      board_([] {
+        void* const place =
+            ::mmap(nullptr, sizeof(ForeignBoard), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (place == MAP_FAILED) throw std::bad_alloc();
+        return new (place) ForeignBoard;  // its pages are zero, and it has no constructor that would touch them
+      }()) {
+  start_child();
+}
+
+ForeignProcess::~ForeignProcess() { end_child(); }
+
+void ForeignProcess::allow(std::size_t replacements, std::size_t hangs) {
+  replacements_left_ = replacements;
+  hangs_left_ = hangs;
+}
+
+void ForeignProcess::start_child() {
+  std::array<int, 2> to = make_pipe(), from = make_pipe();
+  board_->state = ForeignBoard::State::loading;
+  board_->at = ForeignBoard::no_case;
+  flush_output();  // or a child that exits would write it once more
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::close(to[1]);
+    ::close(from[0]);
+    serve_foreign(code_, *board_, to[0], from[1]);
+  }
+  const int error = errno;
+  close_end(to[0]);
+  close_end(from[1]);
+  requests_ = to[1];
+  replies_ = from[0];
+  child_ = child;
+  if (child < 0) {
+    end_child();
+    throw Error(fmt::format("cannot start a process: {}", std::strerror(error)));
+  }
+  ::setpgid(child, child);  // whoever is first
+  const Reply reply = wait_for_reply(kLoading * limits_.call);
+  if (reply == Reply::done && board_->state == ForeignBoard::State::serving) return;
+  std::string why;
+  if (reply == Reply::done) {
+    why = text_on(*board_);
+  } else {
+    why = fmt::format("cannot load {}: while loading it {}", printable(code_.library), in_words(end_of_child(reply)));
+  }
+  end_child();
+  throw Error(why);
+}
+
+void ForeignProcess::end_child() {
+  if (child_ > 0) {
+    ::kill(-child_, SIGKILL);
+    ::kill(child_, SIGKILL);
+    while (::waitpid(child_, &status_, 0) < 0 && errno == EINTR) {
+    }
+  }
+  child_ = -1;
+  close_end(requests_);
+  close_end(replies_);
+}
+
+/// Takes leave of a child that is dead; where it surely dies, it is given a moment.
+bool ForeignProcess::child_is_dead(bool surely) {
+  const Clock::time_point until = Clock::now() + (surely ? limits_.call : milliseconds(0));
+  for (;;) {
+    const pid_t gone = ::waitpid(child_, &status_, WNOHANG);
+    if (gone == child_ || (gone < 0 && errno == ECHILD)) {
+      ::kill(-child_, SIGKILL);  // what it may have started
+      child_ = -1;
+      return true;
+    }
+    if (Clock::now() >= until) return false;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+}
+
+ForeignProcess::Reply ForeignProcess::wait_for_reply(milliseconds patience) {
+  std::uint64_t at = board_->at;
+  Clock::time_point since = Clock::now();
+  const int glance = static_cast<int>(std::clamp(patience / 4, milliseconds(1), kGlance).count());
+  for (;;) {
+    pollfd reply{replies_, POLLIN, 0};
+    const int ready = ::poll(&reply, 1, glance);
+    char byte = 0;
+    if (ready > 0) {
+      if (::read(replies_, &byte, 1) == 1) return Reply::done;
+      return child_is_dead(true) ? Reply::died : Reply::too_late;  // it closed the pipe, and may live on
+    }
+    if (child_is_dead(false)) return Reply::died;
+    const std::uint64_t now_at = board_->at;
+    if (now_at != at) {
+      at = now_at;
+      since = Clock::now();
+    } else if (Clock::now() - since >= patience) {
+      return Reply::too_late;
+    }
+  }
+}
+
+Answer ForeignProcess::end_of_child(Reply reply) const {
+  if (reply == Reply::too_late) return Answer(Outcome::hung, fmt::format("longer than {} ms", limits_.call.count()));
+  if (!WIFSIGNALED(status_)) return Answer(Outcome::exited, fmt::format("with code {}", WEXITSTATUS(status_)));
+  const char* const name = ::sigabbrev_np(WTERMSIG(status_));
+  return Answer(Outcome::crashed, fmt::format("SIG{}", name == nullptr ? "?" : name));
+}
+
+/// As many of the cases as there is room for.
+std::size_t ForeignProcess::put_batch(std::span<const Numbers> cases) {
+  std::size_t count = 0, used = 0;
+  for (; count < std::min(cases.size(), ForeignBoard::most_cases); ++count) {
+    const Numbers& numbers = cases[count];
+    if (numbers.size() > ForeignBoard::most_numbers - used) break;
+    std::ranges::copy(numbers, board_->numbers.begin() + static_cast<std::ptrdiff_t>(used));
+    board_->begin[count] = static_cast<std::uint32_t>(used);
+    used += numbers.size();
+    board_->ended[count] = ForeignBoard::Ended::pending;
+  }
+  if (count == 0) {
+    throw Error(fmt::format("a case of {} numbers is longer than the {} that a foreign function is given",
+                            cases[0].size(), ForeignBoard::most_numbers));
+  }
+  board_->begin[count] = static_cast<std::uint32_t>(used);
+  board_->cases = count;
+  board_->at = ForeignBoard::no_case;
+  return count;
+}
+
+/// How many have been answered.  Nothing on the board is believed that does not fit.
+std::size_t ForeignProcess::take_batch(std::span<Answer> answers) {
+  std::size_t taken = 0, from = 0;
+  for (; taken < answers.size(); ++taken) {
+    const ForeignBoard::Ended ended = board_->ended[taken];
+    const std::size_t end = board_->answer_end[taken];
+    if (ended == ForeignBoard::Ended::pending || end < from || end > ForeignBoard::most_answers) break;
+    if (ended == ForeignBoard::Ended::threw) {
+      answers[taken] = Answer(Outcome::threw, text_on(*board_));
+    } else {
+      answers[taken] = Answer();
+      const auto written = board_->answers.begin();
+      answers[taken].numbers.assign(written + static_cast<std::ptrdiff_t>(from),
+                                    written + static_cast<std::ptrdiff_t>(end));
+    }
+    from = end;
+  }
+  return taken;
+}
+
+std::size_t ForeignProcess::ask(std::span<const Numbers> cases, std::span<Answer> answers) {
+  std::size_t done = 0;
+  while (done < cases.size() && !exhausted()) {
+    if (child_ < 0) start_child();
+    const std::size_t asked = put_batch(cases.subspan(done));
+    const char byte = 0;
+    const bool told = ::write(requests_, &byte, 1) == 1;  // SIGPIPE is ignored by the program
+    const Reply reply = told ? wait_for_reply(limits_.call) : child_is_dead(true) ? Reply::died : Reply::too_late;
+    const bool calling = board_->at != ForeignBoard::no_case;
+    const std::size_t taken = take_batch(answers.subspan(done, asked));
+    done += taken;
+    if (reply == Reply::done && taken > 0) continue;
+    // Whoever died between two calls does so for something that nobody can tell any more: the batch is asked anew.
+    if (calling && taken < asked) answers[done++] = end_of_child(reply);
+    end_child();
+    (reply == Reply::too_late ? hangs_left_ : replacements_left_) -= 1;
+  }
+  return done;
+}
+
+}  // namespace plumb::tool

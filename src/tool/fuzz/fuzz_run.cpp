@@ -1,0 +1,174 @@
+#include "fuzz_run.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <csignal>
+#include <map>
+
+#include "plumb/degenerate/paste.hpp"
+#include "tool/progress.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using degenerate::Answer;
+using degenerate::Findings;
+using degenerate::Kind;
+using degenerate::Numbers;
+using degenerate::Outcome;
+
+constexpr std::size_t kReplacements = 250;            // for each finding that is shrunk
+constexpr std::size_t kHangs = 10, kHangsOfAll = 30;  // the same, of which the last findings get two at least
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// While it lives, Ctrl-C and a polite request to end are heard; the second time they do what they always do.
+class Hearing {
+ public:
+  Hearing() {
+    interrupted = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &action, &before_[i]);
+  }
+  Hearing(const Hearing&) = delete;
+  Hearing& operator=(const Hearing&) = delete;
+  ~Hearing() {
+    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
+  }
+
+ private:
+  static constexpr std::array signals = {SIGINT, SIGTERM};
+  std::array<struct sigaction, 2> before_{};
+};
+
+/// Bits, for -0.0 is another case than 0.0.
+std::vector<std::uint64_t> bits_of(const Numbers& numbers) {
+  std::vector<std::uint64_t> bits;
+  for (const double x : numbers) bits.push_back(std::bit_cast<std::uint64_t>(x));
+  return bits;
+}
+
+class Fuzz {
+ public:
+  Fuzz(const Kind& kind, ForeignProcess& process, degenerate::CheckOptions options)
+      : kind_(kind),
+        process_(process),
+        options_(std::move(options)),
+        by_time_(options_.cases == 0),
+        progress_("fuzz", by_time_ ? static_cast<std::uint64_t>(options_.seconds * 1000)
+                                   : options_.cases * (kind.generators.size() + 1)) {}
+
+  FuzzRun run() && {
+    options_.progress = [this](const Findings& so_far) { return seen(so_far); };
+    const degenerate::Batch batch = [this](std::span<const Numbers> cases, std::span<Answer> answers) {
+      shrinking(cases) ? shrink(cases[0], answers[0]) : search(cases, answers);
+    };
+    FuzzRun result;
+    result.findings = degenerate::check_in_batches(kind_, batch, options_);
+    for (degenerate::Tally& tally : result.findings.tallies) {
+      if (tally.generator == cut_short_) tally.asked -= unasked_;
+    }
+    result.end = unasked_ > 0 ? FuzzRun::End::exhausted : interrupted != 0 ? FuzzRun::End::interrupted : result.end;
+    return result;
+  }
+
+ private:
+  void search(std::span<const Numbers> cases, std::span<Answer> answers) {
+    const std::size_t asked = process_.ask(cases, answers);
+    unasked_ = cases.size() - asked;
+    for (std::size_t i = asked; i < cases.size(); ++i) answers[i] = kind_.exact(cases[i]);  // no finding
+  }
+
+  /// After every block: what was just asked, and whether to go on.
+  bool seen(const Findings& so_far) {
+    asked_.resize(so_far.tallies.size());
+    std::uint64_t steps = 0;
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const degenerate::Tally& tally = so_far.tallies[i];
+      if (tally.asked == asked_[i]) continue;
+      steps += tally.asked - asked_[i];
+      asked_[i] = tally.asked;
+      if (unasked_ > 0) cut_short_ = tally.generator;
+    }
+    if (by_time_) {
+      const auto taken = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start_).count();
+      steps = static_cast<std::uint64_t>(taken) - progress_.done();
+    }
+    progress_.advance(steps);
+    found_.clear();
+    for (const degenerate::Finding& f : so_far.findings) found_.push_back(bits_of(f.found));
+    return unasked_ == 0 && interrupted == 0;
+  }
+
+  /// Shrinking asks case by case, and begins with one that was found.
+  bool shrinking(std::span<const Numbers> cases) {
+    const bool found = cases.size() == 1 && std::ranges::find(found_, bits_of(cases[0])) != found_.end();
+    if (found) {
+      process_.allow(kReplacements, std::clamp(hangs_left_, std::size_t{2}, kHangs));
+      known_.clear();
+    }
+    shrinking_ = cases.size() == 1 && (found || shrinking_);
+    return shrinking_;
+  }
+
+  /// What was answered is remembered: asking again may take its time, and there may be no more asking.
+  void shrink(const Numbers& numbers, Answer& answer) {
+    const std::vector<std::uint64_t> bits = bits_of(numbers);
+    if (const auto known = known_.find(bits); known != known_.end()) {
+      answer = known->second;
+      return;
+    }
+    if (process_.ask(std::span(&numbers, 1), std::span(&answer, 1)) == 0) {
+      answer = kind_.exact(numbers);  // as if it did not fail: nothing simpler is found any more
+      return;
+    }
+    if (answer.outcome == Outcome::hung && hangs_left_ > 0) --hangs_left_;
+    known_.emplace(bits, answer);
+  }
+
+  using Clock = std::chrono::steady_clock;
+  const Kind& kind_;
+  ForeignProcess& process_;
+  degenerate::CheckOptions options_;
+  const bool by_time_;
+  const Clock::time_point start_ = Clock::now();
+  Progress progress_;
+  Hearing hearing_;
+  std::vector<std::uint64_t> asked_;
+  std::size_t unasked_ = 0;  // of the last block
+  std::string cut_short_;    // the generator that it was of
+  bool shrinking_ = false;
+  std::size_t hangs_left_ = kHangsOfAll;
+  std::vector<std::vector<std::uint64_t>> found_;
+  std::map<std::vector<std::uint64_t>, Answer> known_;  // of the finding that is shrunk
+};
+
+}  // namespace
+
+FuzzRun fuzz(const Kind& kind, ForeignProcess& process, degenerate::CheckOptions options) {
+  return Fuzz(kind, process, std::move(options)).run();
+}
+
+std::vector<SortOfFailure> sorts_of_failure(const Kind& kind, const Findings& findings) {
+  // A short line has few points and short numbers; what fails again goes before what does not.
+  const auto rank = [&](const degenerate::Finding& f) {
+    return std::pair(!f.repeated, case_line(kind, f.smallest).size());
+  };
+  std::vector<SortOfFailure> sorts;
+  for (const degenerate::Finding& f : findings.findings) {
+    const auto same = [&](const SortOfFailure& s) { return s.simplest->sort == f.sort; };
+    const auto at = std::ranges::find_if(sorts, same);
+    if (at == sorts.end()) {
+      sorts.push_back({&f, {f.generator}});
+      continue;
+    }
+    at->generators.push_back(f.generator);
+    if (rank(f) < rank(*at->simplest)) at->simplest = &f;
+  }
+  return sorts;
+}
+
+}  // namespace plumb::tool

@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fuzz_report.hpp"
+#include "plumb/degenerate/paste.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using degenerate::Finding;
+using degenerate::Kind;
+using degenerate::Numbers;
+using degenerate::Tally;
+
+/// A word as a shell takes it literally.
+std::string quoted(const std::string& word) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_./-+=:,").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
+  std::string text = "'";
+  for (const char c : word) c == '\'' ? text.append("'\\''") : text.append(1, c);
+  return text.append("'");
+}
+
+/// Shares between 0 and 100 % are never rounded to either.
+std::string percent(const Tally& t) {
+  const std::uint64_t bad = t.wrong + t.failed;
+  if (t.asked == 0) return "";
+  if (bad == 0) return "0 %";
+  if (bad == t.asked) return "100 %";
+  const double share = 100 * t.share_wrong();
+  if (share < 0.01) return "< 0.01 %";
+  return share > 99.9 ? "> 99.9 %" : share < 10 ? fmt::format("{:.2f} %", share) : fmt::format("{:.1f} %", share);
+}
+
+std::string table(const FuzzReport& r, const Style& style) {
+  std::size_t width = 9;
+  for (const Tally& t : r.run.findings.tallies) width = std::max(width, t.generator.size());
+  std::string text = style.dim(fmt::format("  {:{}} {:>10} {:>10} {:>10} {:>10} {:>10}", "generator", width, "asked",
+                                           "wrong", "failed", "unsure", "share")) +
+                     "\n";
+  for (const Tally& t : r.run.findings.tallies) {
+    const std::string share = fmt::format("{:>10}", percent(t));
+    text += fmt::format("  {:{}} {:>10} {:>10} {:>10} {:>10} {}\n", t.generator, width, t.asked, t.wrong, t.failed,
+                        t.unsure, t.wrong + t.failed == 0 ? share : style.red(share));
+  }
+  return text;
+}
+
+std::string one_finding(const FuzzReport& r, std::size_t number, const SortOfFailure& found, const Style& style) {
+  const Finding& f = *found.simplest;
+  std::string generators;
+  for (const std::string& g : found.generators) generators.append(generators.empty() ? "" : ", ").append(g);
+  std::string text =
+      fmt::format("\n{}  ({})\n", style.bold(fmt::format("{}. {}", number, printable(f.sort))), generators);
+  if (!f.repeated) text += "asked again by itself it did not fail: it depends on what was asked before, or on chance\n";
+  text += fmt::format("given {}, exact {}\n{}\n{}\n", style.red(printable(words(r.kind, f.given))),
+                      style.green(words(r.kind, f.exact)), decimal_text(r.kind, f.smallest),
+                      replay_line(r.options, r.kind, f.smallest));
+  for (const std::string& format : r.options.formats)
+    text += fmt::format("\n{}", pasteable(format, r.kind, f.smallest, r.options.symbol));
+  return text;
+}
+
+std::string summary(const FuzzReport& r, const Style& style) {
+  std::uint64_t bad = 0, unsure = 0;
+  for (const Tally& t : r.run.findings.tallies) bad += t.wrong + t.failed, unsure += t.unsure;
+  const std::uint64_t asked = r.run.findings.asked();
+  std::string text = bad == 0 ? style.green(fmt::format("nothing found in {} cases", asked))
+                              : style.red(fmt::format("{} of {} cases failed", bad, asked));
+  if (unsure > 0) text += fmt::format(", {} answered NaN, which is no finding", unsure);
+  switch (r.run.end) {
+    case FuzzRun::End::budget:
+      break;
+    case FuzzRun::End::interrupted:
+      text += "; interrupted before the budget was spent";
+      break;
+    case FuzzRun::End::exhausted:
+      text += "; ended early, because too many calls crashed or hung";
+      break;
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string replay_line(const FuzzOptions& o, const Kind& kind, const Numbers& numbers) {
+  std::string line = fmt::format("plumb fuzz --kind {} --library {} --symbol {}", kind.name,
+                                 quoted(printable(o.library)), quoted(printable(o.symbol)));
+  const FuzzOptions standard;
+  if (o.ulps) line += fmt::format(" --ulps {}", *o.ulps);
+  if (o.relative) line += fmt::format(" --relative {}", *o.relative);
+  if (o.timeout != standard.timeout) line += fmt::format(" --timeout {}", o.timeout);
+  if (o.memory_mib != standard.memory_mib) line += fmt::format(" --memory {}", o.memory_mib);
+  return line + fmt::format(" --case {}", quoted(case_line(kind, numbers)));
+}
+
+std::string pasteable(std::string_view format, const Kind& kind, const Numbers& numbers, const std::string& symbol) {
+  if (format == "cpp") return cpp_text(kind, numbers, symbol);
+  if (format == "python") return python_text(kind, numbers);
+  return obj_text(kind, numbers);
+}
+
+std::string fuzz_text(const FuzzReport& r, const Style& style) {
+  std::string text = fmt::format("{}: {}\n{} of {}, seed {}\n\n", style.bold(r.kind.name), r.kind.question,
+                                 printable(r.options.symbol), printable(r.options.library), r.options.seed);
+  text += table(r, style);
+  for (std::size_t i = 0; i < r.found.size(); ++i) text += one_finding(r, i + 1, r.found[i], style);
+  return text + "\n" + summary(r, style);
+}
+
+}  // namespace plumb::tool

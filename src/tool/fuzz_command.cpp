@@ -1,0 +1,168 @@
+#include "fuzz_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/degenerate/paste.hpp"
+#include "plumb/query/kinds.hpp"
+#include "terminal.hpp"
+#include "tool/fuzz/corpus.hpp"
+#include "tool/fuzz/fuzz_report.hpp"
+#include "write_folder.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using degenerate::Answer;
+using degenerate::Kind;
+using degenerate::Numbers;
+
+constexpr std::uint64_t kCases = 1000;  // of each generator, when no budget is given
+constexpr std::size_t kSorts = 12;      // of failure that are kept of a generator: more than there are of signs
+constexpr double kLongest = 1e9;        // seconds; thirty years
+constexpr std::uint64_t kMostCases = 1ull << 53;
+
+/// What there is: kinds with their signatures, or of one the generators.
+int list(const FuzzOptions& options) {
+  const Style style(stdout);
+  if (options.kind.empty()) {
+    for (const Kind& kind : degenerate::kinds()) {
+      say(fmt::format("{}: {}\n  {};\n  {}\n", style.bold(kind.name), kind.question, kind.signature, kind.convention));
+    }
+    return 0;
+  }
+  const Kind& kind = degenerate::kind_named(options.kind);
+  say(fmt::format("{}: {}\n  {};\n  {}\n\n", style.bold(kind.name), kind.question, kind.signature, kind.convention));
+  std::size_t width = degenerate::mutated_generator.size();
+  for (const degenerate::Generator& g : kind.generators) width = std::max(width, g.name.size());
+  for (const degenerate::Generator& g : kind.generators) say(fmt::format("  {:{}}  {}\n", g.name, width, g.about));
+  say(fmt::format("  {:{}}  cases of the others and of the corpus, changed a little\n", degenerate::mutated_generator,
+                  width));
+  return 0;
+}
+
+void require_between(double value, double least, double most, std::string_view option) {
+  if (!(value >= least && value <= most))  // nor NaN
+    throw Error(fmt::format("fuzz: {} takes a number from {} to {}, not {}", option, least, most, value));
+}
+
+void require_sense(const FuzzOptions& o) {
+  const auto require = [](bool given, std::string_view option, std::string_view what) {
+    if (!given) throw Error(fmt::format("fuzz: {} is wanted: {}; 'plumb fuzz --help' explains", option, what));
+  };
+  require(!o.kind.empty(), "--kind", "what the function is asked, of 'plumb fuzz --list'");
+  require(!o.library.empty(), "--library", "the shared library that holds the function");
+  require(!o.symbol.empty(), "--symbol", "the function's name");
+  if (o.cases) require_between(static_cast<double>(*o.cases), 1, static_cast<double>(kMostCases), "--cases");
+  if (o.seconds) require_between(*o.seconds, 1e-3, kLongest, "--time");
+  if (o.relative) require_between(*o.relative, 0, 1, "--relative");
+  require_between(o.timeout, 1e-3, 1e6, "--timeout");
+  require_between(static_cast<double>(o.memory_mib), 1, 1 << 20, "--memory");
+}
+
+std::optional<degenerate::Tolerance> tolerance_of(const FuzzOptions& o, const Kind& kind) {
+  if (!o.ulps && !o.relative) return std::nullopt;
+  degenerate::Tolerance tolerance = kind.tolerance;
+  tolerance.ulps = o.ulps.value_or(tolerance.ulps);
+  tolerance.relative = o.relative.value_or(tolerance.relative);
+  return tolerance;
+}
+
+/// The line's case; the kind's name before the numbers may be left out.
+Numbers given_case(const Kind& kind, const std::string& line) {
+  try {
+    if (std::optional<Numbers> numbers = parse_case(kind, line)) return *numbers;
+    if (std::optional<Numbers> numbers = parse_case(kind, fmt::format("{} {}", kind.name, line))) return *numbers;
+  } catch (const Error& e) {
+    throw Error(fmt::format("fuzz: --case: {}", printable(e.what())));
+  }
+  throw Error(fmt::format("fuzz: --case: this is no case of {}", kind.name));
+}
+
+int replay(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, const Numbers& numbers) {
+  Answer given;
+  if (process.ask(std::span(&numbers, 1), std::span(&given, 1)) == 0)
+    throw Error("fuzz: the foreign process could not be asked");
+  const degenerate::Judgment j = judge(kind, numbers, given, tolerance_of(o, kind).value_or(kind.tolerance));
+  const Style style(stdout);
+  const bool found = j.verdict == degenerate::Verdict::wrong || j.verdict == degenerate::Verdict::failed;
+  say(fmt::format("{}\ngiven {}, exact {}: {}\n", decimal_text(kind, numbers), printable(words(kind, given)),
+                  words(kind, kind.exact(numbers)),
+                  j.verdict == degenerate::Verdict::unsure ? style.yellow("unsure")
+                  : found                                  ? style.red(printable(j.sort))
+                                                           : style.green("right")));
+  for (const std::string& format : o.formats) say(fmt::format("\n{}", pasteable(format, kind, numbers, o.symbol)));
+  return found ? 1 : 0;
+}
+
+/// All files of a report.
+std::vector<NamedText> report_files(const FuzzReport& r) {
+  const nlohmann::json raw = fuzz_json(r);
+  std::vector<NamedText> files{{"fuzz.txt", fuzz_text(r, Style(false))},
+                               {"fuzz.json", raw.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"},
+                               {"fuzz.svg", fuzz_chart(r)},
+                               {"fuzz.html", fuzz_html(r, raw)}};
+  for (std::size_t i = 0; i < r.found.size(); ++i) {
+    const Numbers& numbers = r.found[i].simplest->smallest;
+    for (const PasteFormat& format : paste_formats) {
+      files.push_back({fmt::format("case-{}.{}", i + 1, format.extension),
+                       pasteable(format.name, r.kind, numbers, r.options.symbol)});
+    }
+  }
+  return files;
+}
+
+int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std::vector<Numbers> corpus) {
+  degenerate::CheckOptions check;
+  check.seed = o.seed;
+  check.cases = o.cases.value_or(o.seconds ? 0 : kCases);
+  check.seconds = o.seconds.value_or(0);
+  check.generators = o.generators;
+  check.corpus = std::move(corpus);
+  check.tolerance = tolerance_of(o, kind);
+  check.keep = kSorts;
+  FuzzReport report{kind, o, fuzz(kind, process, check), {}};
+  report.found = sorts_of_failure(kind, report.run.findings);
+  if (report.found.empty() && report.run.end == FuzzRun::End::exhausted) {
+    throw Error(
+        fmt::format("fuzz: the process that calls {} ended again and again between calls; a function must not "
+                    "close files or end threads that are not its own",
+                    printable(o.symbol)));
+  }
+  say(fuzz_text(report, Style(stdout)));
+  if (o.corpus) {
+    std::vector<Numbers> smallest;
+    for (const degenerate::Finding& f : report.run.findings.findings) smallest.push_back(f.smallest);
+    say(fmt::format("{} new in {}\n", grow_corpus(*o.corpus, kind, smallest), printable(*o.corpus)));
+  }
+  if (o.out) {
+    const std::vector<NamedText> files = report_files(report);
+    write_folder(*o.out, files);
+    say(fmt::format("{} files in {}\n", files.size(), printable(*o.out)));
+  }
+  return report.found.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int run_fuzz(const FuzzOptions& options) {
+  if (options.list) return list(options);
+  require_sense(options);
+  const Kind& kind = degenerate::kind_named(options.kind);
+  // What a report or a case needs is looked at before anything foreign runs.
+  std::optional<Numbers> numbers;
+  if (options.case_line) numbers = given_case(kind, *options.case_line);
+  std::vector<Numbers> corpus;
+  if (!numbers && options.corpus) corpus = read_corpus(*options.corpus, kind);
+  if (!numbers && options.out) require_folder(*options.out);
+  ForeignLimits limits;
+  limits.call = std::chrono::milliseconds(std::max<long>(1, std::lround(options.timeout * 1000)));
+  ForeignProcess process({options.library, options.symbol, kind.call, options.memory_mib}, limits);
+  return numbers ? replay(options, kind, process, *numbers) : search(options, kind, process, std::move(corpus));
+}
+
+}  // namespace plumb::tool

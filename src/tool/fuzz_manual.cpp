@@ -1,0 +1,68 @@
+#include "help_text.hpp"
+
+namespace plumb::tool {
+
+Manual fuzz_manual() {
+  return {"plumb fuzz",
+          "on which inputs is a geometric function wrong?",
+          {"plumb fuzz --kind KIND --library FILE --symbol NAME [OPTION]...", "plumb fuzz --list [--kind KIND]"},
+          {{"DESCRIPTION", R"(
+Loads a C function from a shared library and asks it what geometric
+programs ask: harmless cases, exactly degenerate ones, such that are so
+but for an ulp, huge and tiny ones, and changed ones. Each answer is
+held against the exact one. Of each sort of failure a case of every
+generator is made as simple as it can be while the failure stays. The
+simplest is printed with a line that asks it again.
+
+Without a budget each generator gives 1000 cases. --cases gives another
+number, --time asks until the time is up; of both, whichever ends first.
+
+The function runs in a process of its own. That it crashes, takes longer
+than --timeout, exits, or throws an exception, is a finding like a wrong
+answer: the process is replaced, and the run goes on. What the function
+prints goes nowhere, writing to files fails, and its arguments end where
+readable memory ends, so that reading too far is a crash. After 1000
+crashes or 10 hangs the run ends and reports.
+
+asked  How many cases the generator has given.
+wrong  Answers that are not the exact one; of numbers, more than --ulps
+       doubles and --relative away from it.
+failed Calls that did not end in an answer: crashed, hung, exited or
+       threw.
+unsure Answers that are no number (NaN). Those are no findings.
+share  Of wrong and failed among asked.
+
+Ctrl-C ends the asking; what was found so far is reported.
+
+With --corpus DIR the cases in that folder are asked first, also as
+starting points of changed ones, and the simplest case of each finding
+is added to it, in a file of its own.
+
+With --out DIR the report is written into that folder: fuzz.txt,
+fuzz.json, a picture, fuzz.svg, a page, fuzz.html, which needs no
+network, and each finding ready to paste: case-N.cpp (a GoogleTest),
+case-N.py, case-N.obj.)"}},
+          {{"EXIT STATUS", R"(
+0      Nothing was found. With --case: the answer is right.
+1      Something was found.
+2      Bad input: wrong usage, a library that cannot be loaded, a symbol
+       that is missing or no function, a folder that cannot be written
+       to, a corpus file that holds no cases. What was wrong stands on
+       standard error, and nothing is left half written.)"},
+           {"ENVIRONMENT", R"(
+NO_COLOR
+       When set to anything, no colors. Without it, colors are used only
+       where the output is a terminal.)"},
+           {"EXAMPLES", R"(
+plumb fuzz --list
+       Which kinds of functions there are, and their signatures in C.
+
+plumb fuzz --kind orient3d --library ./libmine.so --symbol my_orient3d
+       Where is it wrong?
+
+plumb fuzz --kind triangle-triangle --library ./libmine.so \
+           --symbol meet --time 60 --corpus cases --out report
+       For a minute, beginning with what failed before.)"}}};
+}
+
+}  // namespace plumb::tool

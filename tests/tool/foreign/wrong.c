@@ -1,0 +1,92 @@
+/* Functions as people write them, each with a fault that `plumb fuzz` is to find. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+int an_object = 7; /* no function at all */
+
+static double det3(const double *a, const double *b, const double *c, const double *d) {
+  const double ax = a[0] - d[0], ay = a[1] - d[1], az = a[2] - d[2];
+  const double bx = b[0] - d[0], by = b[1] - d[1], bz = b[2] - d[2];
+  const double cx = c[0] - d[0], cy = c[1] - d[1], cz = c[2] - d[2];
+  return ax * (by * cz - bz * cy) + bx * (cy * az - cz * ay) + cx * (ay * bz - az * by);
+}
+
+/* As the textbook has it: right but for rounding. */
+double naive_orient3d(const double *a, const double *b, const double *c, const double *d) { return det3(a, b, c, d); }
+
+/* Right, but it talks. */
+double talking_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  printf("my orient3d was asked\n");
+  fprintf(stderr, "and complains\n");
+  fflush(stdout);
+  return det3(a, b, c, d);
+}
+
+/* Dies where two points are equal. */
+double crashing_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  if (a[0] == b[0] && a[1] == b[1] && a[2] == b[2]) abort();
+  return det3(a, b, c, d);
+}
+
+/* Never ends where the volume is zero. */
+double hanging_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  volatile double det = det3(a, b, c, d);
+  while (det == 0) {
+  }
+  return det;
+}
+
+/* Leaves the program where the volume is zero. */
+double leaving_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  const double det = det3(a, b, c, d);
+  if (det == 0) exit(3);
+  return det;
+}
+
+/* Reads a fifth point that nobody gave it. */
+double greedy_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  return det3(a, b, c, d) + 0 * d[3];
+}
+
+/* Closes files that it has not opened. */
+double closing_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  for (int file = 3; file < 64; ++file) close(file);
+  return det3(a, b, c, d);
+}
+
+/* Separating axes with an epsilon: triangles that are nearly apart meet, and those of zero area meet everything. */
+static void cross(const double *u, const double *v, double *out) {
+  out[0] = u[1] * v[2] - u[2] * v[1], out[1] = u[2] * v[0] - u[0] * v[2], out[2] = u[0] * v[1] - u[1] * v[0];
+}
+
+static int apart_along(const double *axis, const double *s, const double *t) {
+  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+  for (int i = 0; i < 6; ++i) {
+    const double *p = i < 3 ? s + 3 * i : t + 3 * (i - 3);
+    const double at = axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2];
+    low[i / 3] = fmin(low[i / 3], at), high[i / 3] = fmax(high[i / 3], at);
+  }
+  return low[0] > high[1] + 1e-9 || low[1] > high[0] + 1e-9;
+}
+
+int epsilon_triangles(const double *s, const double *t) {
+  double edges[6][3], normals[2][3], axis[3];
+  for (int i = 0; i < 6; ++i) {
+    const double *of = i < 3 ? s : t, *p = of + 3 * (i % 3), *q = of + 3 * ((i + 1) % 3);
+    for (int k = 0; k < 3; ++k) edges[i][k] = q[k] - p[k];
+  }
+  cross(edges[0], edges[1], normals[0]);
+  cross(edges[3], edges[4], normals[1]);
+  for (int i = 0; i < 2; ++i) {
+    if (apart_along(normals[i], s, t)) return 0;
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 3; j < 6; ++j) {
+      cross(edges[i], edges[j], axis);
+      if (apart_along(axis, s, t)) return 0;
+    }
+  }
+  return 1;
+}
