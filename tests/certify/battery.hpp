@@ -12,20 +12,13 @@
 #include <vector>
 
 #include "certify/argument_cases.hpp"
+#include "certify/sanitized.hpp"
 #include "oracle/oracle.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/certify/catalog.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb::battery {
-
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool sanitized = true;
-#elif defined(__has_feature)
-inline constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-inline constexpr bool sanitized = false;
-#endif
 
 /// Cases for each predicate and family.
 #if defined(PLUMB_LONG_TESTS)

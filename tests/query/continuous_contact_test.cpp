@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "certify/sanitized.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/contains.hpp"
 #include "query/contact_oracle.hpp"
@@ -20,7 +21,7 @@ namespace {
 #ifdef PLUMB_LONG_TESTS
 constexpr std::uint64_t cases = 5000;
 #else
-constexpr std::uint64_t cases = 300;
+constexpr std::uint64_t cases = battery::sanitized ? 100 : 300;
 #endif
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -33,6 +33,13 @@ inline Part edge(std::uint32_t index, const Vector& a, const Vector& b) {
   return {{FeatureKind::edge, index}, a, {b - a}};
 }
 inline bool is_zero(const Vector& v) { return dot(v, v) == 0; }
+inline bool are_parallel(const Vector& u, const Vector& v) {
+  const mpq_class along = dot(u, v);
+  return dot(u, u) * dot(v, v) == along * along;
+}
+
+inline Vector way_of(const Ray3& r) { return exact(r.direction); }
+inline Vector way_of(const Segment3& s) { return exact(s.b) - exact(s.a); }
 
 template <class S>
 std::vector<Part> parts_of(const S& s) {
@@ -71,8 +78,7 @@ bool is_flat(const S& s) {
   if constexpr (requires { s.direction; }) {
     return is_zero(exact(s.direction));
   } else if constexpr (requires { s.c; }) {
-    const Vector u = exact(s.b) - exact(s.a), v = exact(s.c) - exact(s.a);
-    return dot(u, u) * dot(v, v) == dot(u, v) * dot(u, v);
+    return are_parallel(exact(s.b) - exact(s.a), exact(s.c) - exact(s.a));
   } else {
     return is_zero(exact(s.b) - exact(s.a));
   }

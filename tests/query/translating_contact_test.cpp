@@ -9,6 +9,7 @@
 #include <limits>
 #include <tuple>
 
+#include "certify/sanitized.hpp"
 #include "figure/thrown.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/certify/case_line.hpp"
@@ -101,7 +102,7 @@ void check_pair(std::uint64_t start, int cases, Counts& counts) {
 #if defined(PLUMB_LONG_TESTS)
 constexpr int cases = 20'000;
 #else
-constexpr int cases = 500;
+constexpr int cases = battery::sanitized ? 150 : 500;
 #endif
 
 template <class A, class... B>
@@ -203,7 +204,7 @@ void check_truth(const std::string& about, const Translating<A>& a, const Transl
 #if defined(PLUMB_LONG_TESTS)
 constexpr int true_cases = 1000;
 #else
-constexpr int true_cases = 50;
+constexpr int true_cases = battery::sanitized ? 15 : 50;
 #endif
 
 template <class A, class B>
