@@ -89,15 +89,16 @@ void Body::multiply(Int by) {
 
 Int3 extent_of(Form form, int bits, Entropy& entropy) {
   const auto length = [&] { return 1 + static_cast<Int>(entropy.below(std::uint64_t{1} << bits)); };
+  const auto long_length = [&] { return (Int{8} << bits) + length(); };
   switch (form) {
     case Form::plain:
       return {length(), length(), length()};
     case Form::needle:
-      return {1, 1, (Int{1} << bits) + length()};
+      return {1, 1, long_length()};
     case Form::cap:
-      return {(Int{1} << bits) + length(), 1, 1};
+      return {long_length(), 1, 1};
     case Form::sliver:
-      return {(Int{1} << bits) + length(), (Int{1} << bits) + length(), 1};
+      return {long_length(), long_length(), 1};
     case Form::flat:
       return {length(), length(), 0};
     case Form::straight:

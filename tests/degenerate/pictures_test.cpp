@@ -13,6 +13,7 @@
 #include <map>
 
 #include "degenerate/picture.hpp"
+#include "degenerate/shape_pictures.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -264,6 +265,8 @@ const std::map<std::string, std::function<Picture()>> pictures = {
     {"wide", [] { return exponents(Family::wide); }},
     {"extreme", [] { return exponents(Family::extreme); }},
     {"mixture", [] { return exponents(Family::mixture); }},
+    {"positions", plumb_test::all_positions},
+    {"forms", plumb_test::all_forms},
 };
 
 std::string read(const std::string& path) {
@@ -293,6 +296,13 @@ TEST(Pictures, AreAllInTheCatalogWithEveryFamily) {
     EXPECT_NE(catalog.find("- `" + std::string(info.name) + "`: " + std::string(info.about)), std::string::npos)
         << info.about;
   }
+  const auto listed = [&](std::string_view name, std::string_view about) {
+    const std::string line = std::string("- `").append(name).append("`: ").append(about);
+    EXPECT_NE(catalog.find(line), std::string::npos) << line;
+  };
+  for (const auto& info : plumb::degenerate::shape_kinds) listed(info.name, info.layout);
+  for (const auto& info : plumb::degenerate::forms) listed(info.name, info.about);
+  for (const auto& info : plumb::degenerate::positions) listed(info.name, info.about);
 }
 
 }  // namespace

@@ -127,6 +127,19 @@ using Shapes2 = Shapes<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Pol
 using Shapes3 = Shapes<Point3, Line3, Ray3, Segment3, Plane3, Halfspace3, Triangle3, Polygon3, Rectangle3, Tetrahedron3,
                        Aabb3, Obb3, Sphere3, Capsule3, Lozenge3, Cylinder3, Cone3, ConvexPolyhedron3>;
 
+/// The points that a shape is the hull of; of round shapes and boxes none.
+template <class Point>
+std::vector<Point> corners_of(ShapeKind kind, std::span<const double> x) {
+  const bool made_of_points = kind == ShapeKind::point || kind == ShapeKind::segment || kind == ShapeKind::triangle ||
+                              kind == ShapeKind::polygon || kind == ShapeKind::tetrahedron || kind == ShapeKind::points;
+  std::vector<Point> corners;
+  constexpr std::size_t stride = sizeof(Point) / sizeof(double);
+  for (std::size_t i = 0; made_of_points && i + stride <= x.size(); i += stride) {
+    corners.push_back(shape_from<Point>(x.subspan(i, stride)));
+  }
+  return corners;
+}
+
 /// Of relations by position.
 using Tally = std::map<Position, std::array<int, 3>>;
 
@@ -161,6 +174,12 @@ void related(Tally& tally) {
                             reach(b, dimension, pair.b, negated(normal), contact).leaves;
         if (leaves) {
           ASSERT_EQ(relation, Relation::touching);
+        }
+      }
+      using Point = std::conditional_t<dimension == 2, Point2, Point3>;
+      if (position == Position::contained) {
+        for (const Point& corner : corners_of<Point>(b, pair.b)) {
+          ASSERT_NE(relate(corner, shape_from<A>(pair.a)), Relation::disjoint);
         }
       }
       if (position == Position::parallel) {

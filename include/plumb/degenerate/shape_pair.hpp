@@ -6,8 +6,8 @@
 // (2) Of those that lie `exactly` so, in the positions up to shared_face both shapes hold the point `contact`, and the
 // plane through it with this normal has a on the side where normal . x is no more, b on the other: they meet, and only
 // touch where one of them leaves the plane.  Of parallel ones the plane has b strictly on its side; of coplanar ones
-// both on the same side.  Concentric shapes hold `contact` in their (relative) interiors; contained, equal and reversed
-// ones overlap.
+// both on the same side.  Concentric shapes hold `contact` in their (relative) interiors; of contained ones
+// the first holds the second, and equal and reversed ones are one set.
 // (3) Those that lie `nearly` so are moved from there by a few units in the last place, of one coordinate or two or of
 // the whole shape.
 // (4) The same choices give the same pair, bit for bit, everywhere.
