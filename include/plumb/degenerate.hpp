@@ -10,6 +10,7 @@
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/degenerate/family.hpp"
+#include "plumb/degenerate/fuzz_target.hpp"
 #include "plumb/degenerate/kind.hpp"
 #include "plumb/degenerate/moves.hpp"
 #include "plumb/degenerate/paste.hpp"

@@ -7,13 +7,13 @@
 
 namespace plumb::degenerate {
 
-namespace {
-
 std::size_t numbers_in(const Argument& argument) {
   std::size_t all = 0;
   for (const Part& part : argument.parts) all += static_cast<std::size_t>(part.dimension) * part.count;
   return all;
 }
+
+namespace {
 
 // Calls visit(field) for each, and returns what is wrong with the counts.
 template <class Visit>

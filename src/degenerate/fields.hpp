@@ -17,6 +17,9 @@ struct Field {
   [[nodiscard]] std::size_t size() const { return dimension * count; }
 };
 
+/// Numbers of an argument; of one that may have any number of points, of each.
+std::size_t numbers_in(const Argument& argument);
+
 std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers);
 
 /// All but frames: those that a scaling multiplies.

@@ -1,4 +1,4 @@
-// Laws 1 and 2 of degenerate/rapidcheck.hpp, in RapidCheck's own hands.
+// Laws 1 and 2 of degenerate/rapidcheck.hpp, in RapidCheck's own hands, and those of degenerate/fuzz_target.hpp.
 #include "plumb/degenerate/rapidcheck.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,10 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <sstream>
+
+#include "plumb/degenerate/fuzz_target.hpp"
+#include "plumb/query/kinds.hpp"
 
 namespace {
 
@@ -76,6 +80,76 @@ TEST(RapidCheckBridge, SameRandomSameCaseAndCasesVary) {
     seen.insert(std::bit_cast<std::uint64_t>(p[0].x) ^ std::bit_cast<std::uint64_t>(p[2].y) * 3);
   }
   EXPECT_GT(seen.size(), 180u);
+}
+
+TEST(RapidCheckBridge, CasesOfAKindAreCasesAndPairsVary) {
+  namespace hard = plumb::degenerate;
+  const auto& kind = hard::kind_named("triangle-triangle");
+  const auto cases = hard::any_case(kind);
+  const auto pairs = hard::any_pair(hard::ShapeKind::segment, hard::ShapeKind::aabb, 3);
+  std::set<double> seen;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    ASSERT_EQ(hard::flaw_of(kind, cases(rc::Random(i), 100).value()), "");
+    seen.insert(pairs(rc::Random(i), 100).value().a[0]);
+  }
+  EXPECT_GT(seen.size(), 60u);
+}
+
+double naive_orient2d(const double* a, const double* b, const double* c) {
+  return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
+}
+
+TEST(FuzzTarget, BytesStandForCasesAndBack) {
+  for (const auto& kind : plumb::degenerate::kinds()) {
+    const auto seeds = plumb::degenerate::fuzz_seeds(kind, 5);
+    ASSERT_EQ(seeds.size(), 5 * kind.generators.size());
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      const auto numbers = plumb::degenerate::numbers_from(kind, seeds[i]);
+      ASSERT_TRUE(numbers.has_value()) << kind.name;
+      ASSERT_EQ(*numbers, plumb::degenerate::case_of(kind, kind.generators[i / 5].name, 2026, i % 5)) << kind.name;
+      ASSERT_EQ(plumb::degenerate::bytes_of(kind, *numbers), seeds[i]);
+    }
+    // Any bytes are a case or none.
+    int made = 0;
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      plumb::Entropy entropy(64, i);
+      std::vector<std::uint8_t> bytes(entropy.below(300));
+      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(entropy.bits(8));
+      const auto numbers = plumb::degenerate::numbers_from(kind, bytes);
+      if (numbers) {
+        ASSERT_EQ(plumb::degenerate::flaw_of(kind, *numbers), "");
+      }
+      made += numbers.has_value();
+    }
+    EXPECT_GT(made, 60) << kind.name;
+  }
+}
+
+TEST(FuzzTarget, EndsWhereTheAnswerIsWrong) {
+  using namespace plumb::degenerate;
+  const Kind& kind = kind_named("orient2d");
+  const double x = 0.5 + 0x1p-53 * 2;
+  const Numbers right{0, 0, 1, 0, 0, 1}, wrong{x, 0.5, 12, 12, 24, 24};
+  ASSERT_EQ(judge(kind, wrong, callable_of(kind, naive_orient2d)(wrong), {}).verdict, Verdict::wrong);
+  EXPECT_EQ(fuzz_target(kind, naive_orient2d, bytes_of(kind, right)), 0);
+  EXPECT_DEATH(fuzz_target(kind, naive_orient2d, bytes_of(kind, wrong)), "orient2d answered 0, exactly it is");
+  EXPECT_THROW(fuzz_target(kind_named("orient3d"), naive_orient2d, bytes_of(kind, wrong)), plumb::Error);
+}
+
+TEST(FuzzTarget, DictionaryHoldsEachDoubleOnce) {
+  std::istringstream lines(plumb::degenerate::fuzz_dictionary());
+  std::set<std::string> bytes;
+  int entries = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.front() == '#') continue;
+    ++entries;
+    const std::size_t start = line.find('"');
+    ASSERT_EQ(line.size(), start + 2 + 8 * 4) << line;
+    bytes.insert(line.substr(start));
+  }
+  EXPECT_EQ(bytes.size(), static_cast<std::size_t>(entries));
+  EXPECT_GT(entries, 15);
+  EXPECT_TRUE(bytes.count("\"\\x00\\x00\\x00\\x00\\x00\\x00\\xF0\\x3F\""));
 }
 
 }  // namespace

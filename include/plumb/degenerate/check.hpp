@@ -83,12 +83,17 @@ Callable callable_of(const Kind& kind, ForeignFunction function);
 
 /// The same for a pointer to the function, whose type must be the kind's: throws Error naming the signature.
 template <class R, class... A>
-requires(!std::is_same_v<R, Answer>)  // that is a callable
-    Findings check(const Kind& kind, R (*function)(A...), const CheckOptions& options = {}) {
+Callable callable_of(const Kind& kind, R (*function)(A...)) {
   if (kind.type != typeid(R(A...))) {
     throw Error(std::string("check: ").append(kind.name).append(" asks a function such as ").append(kind.signature));
   }
-  return check(kind, callable_of(kind, reinterpret_cast<ForeignFunction>(function)), options);
+  return callable_of(kind, reinterpret_cast<ForeignFunction>(function));
+}
+
+template <class R, class... A>
+requires(!std::is_same_v<R, Answer>)  // that is a callable
+    Findings check(const Kind& kind, R (*function)(A...), const CheckOptions& options = {}) {
+  return check(kind, callable_of(kind, function), options);
 }
 
 /// The case that check asks as number `index` of a generator, or of "mutated" (which the corpus has a part in).

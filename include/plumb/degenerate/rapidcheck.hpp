@@ -14,7 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/degenerate/kind.hpp"
 #include "plumb/degenerate/points.hpp"
+#include "plumb/degenerate/shape_pair.hpp"
 #include "plumb/degenerate/shrink.hpp"
 
 namespace plumb {
@@ -71,5 +73,31 @@ inline rc::Gen<std::vector<Point3>> any_points3(Degeneracy degeneracy, std::size
     return points3(family, degeneracy, count, entropy);
   });
 }
+
+namespace degenerate {
+
+/// A case of a kind (query/kinds.hpp), of any of its generators.
+inline rc::Gen<Numbers> any_case(const Kind& kind) {
+  return generator_of([kind](Entropy& entropy) {
+    Numbers numbers;
+    kind.generators[entropy.below(kind.generators.size())].make(numbers, entropy);
+    return numbers;
+  });
+}
+
+inline void showValue(const ShapePair& pair, std::ostream& out) {
+  for (const auto* numbers : {&pair.a, &pair.b}) {
+    out << std::hexfloat << '(';
+    for (const double x : *numbers) out << ' ' << x;
+    out << " )";
+  }
+}
+
+/// Two shapes in any position.
+inline rc::Gen<ShapePair> any_pair(ShapeKind a, ShapeKind b, int dimension) {
+  return generator_of([=](Entropy& entropy) { return any_shape_pair(a, b, dimension, entropy); });
+}
+
+}  // namespace degenerate
 
 }  // namespace plumb
