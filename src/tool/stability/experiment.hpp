@@ -63,5 +63,12 @@ Experiment grid_experiment();
 Experiment hull_experiment();
 Experiment segment_experiment();
 Experiment sweep_experiment();
+Experiment location_experiment();
+Experiment leak_experiment();
+Experiment box_experiment();
+Experiment move_experiment();
+Experiment pose_experiment();
+Experiment distance_experiment();
+Experiment ball_experiment();
 
 }  // namespace plumb::tool::stability
