@@ -59,7 +59,8 @@ class Fuzz {
         options_(std::move(options)),
         by_time_(options_.cases == 0),
         progress_("fuzz", by_time_ ? static_cast<std::uint64_t>(options_.seconds * 1000)
-                                   : options_.cases * (kind.generators.size() + 1)) {}
+                                   : options_.cases * (options_.generators.empty() ? kind.generators.size() + 1
+                                                                                   : options_.generators.size())) {}
 
   FuzzRun run() && {
     options_.progress = [this](const Findings& so_far) { return seen(so_far); };
