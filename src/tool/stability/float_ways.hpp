@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "tool/stability/experiment.hpp"
-#include "tool/trial/formula_numbers.hpp"
+#include "tool/trial/formula_methods.hpp"
 
 namespace plumb::tool::stability {
 
