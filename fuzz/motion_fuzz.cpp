@@ -6,7 +6,7 @@
 #include <iostream>
 #include <span>
 
-#include "query/moving_cases.hpp"
+#include "tool/trial/moving_cases.hpp"
 
 namespace plumb::fuzz {
 namespace {

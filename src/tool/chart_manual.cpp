@@ -19,10 +19,12 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        box-box, obb-obb: do boxes meet, along the axes, turned?
        point-in-polygon, point-in-polyhedron: is it in, or on the border?
        segment-segment: do segments of the plane meet?
-       hull-2d: which of 16 points are corners of their hull?
+       hull-2d, hull-3d: which of 16, 12 points are corners of their hull?
        smallest-ball: how large is the smallest ball around 5 points?
        point-triangle-distance, segment-segment-distance,
        convex-distance: how far apart? (hulls of 4 points each)
+       vertex-face-motion, edge-edge-motion: do they meet while their
+       vertices move linearly?
 
 wrong  The share of wrong answers; of numbers, of those that are not the
        nearest double.
@@ -45,21 +47,26 @@ beats in both; and chart.html, a page with all of them, to be filtered,
 which needs no network.)"},
            {"METHODS", R"(
 float32        Single precision, of coordinates rounded to it.
-double         The formula as it is written.
+double         The formula, or the code, as it is commonly written.
 absolute       As double, with an epsilon: at most 1e-9 counts as zero.
 relative       As double, with an epsilon of 1e-9 of the terms' size or,
                where code branches, of the largest coordinate.
-long-double    The formula in the compiler's long double.
+long-double    The same in the compiler's long double.
 float128       Quadruple precision, in software.
 compensated    Pairs of doubles that keep each rounding's error.
 interval       Interval arithmetic alone.
 static-filter  Double against one bound for all inputs.
-adaptive       Adaptive expansions of doubles, as in the literature.
-integers       Integers of any length, always.
+adaptive       Adaptive expansions of doubles, as in the literature;
+               where code branches, intervals, then expansions.
+integers       Integers of any length, always; where code divides, their
+               fractions.
 rationals      GMP's rationals, always.
+advancement    Conservative advancement, of what moves.
 plan           Ours, in the arithmetic that the inputs' lattice needs.
 exact          Ours, one question at a time.
-batch          Ours, over spans, on one thread.)"}},
+batch          Ours, over spans, on one thread.
+
+Not every task has every method: docs/charts.md says why.)"}},
           {{"EXIT STATUS", R"(
 0      Done.
 2      Bad input: wrong usage, a task or class that does not exist, a

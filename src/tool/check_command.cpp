@@ -33,10 +33,8 @@ bool any_wrong(const std::vector<MeshCheck>& checks, const std::vector<std::stri
   return std::ranges::any_of(checks, [&](const MeshCheck& c) {
     const Comparison total = c.total();
     if (total.refuted != 0) return true;
-    return std::ranges::any_of(methods, [&](const std::string& name) {
-      const auto m = static_cast<std::size_t>(std::ranges::find(method_names, name) - method_names.begin());
-      return total.method[m].wrong() != 0;
-    });
+    return std::ranges::any_of(methods,
+                               [&](const std::string& name) { return total.method[method_number(name)].wrong() != 0; });
   });
 }
 

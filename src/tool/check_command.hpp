@@ -4,7 +4,9 @@
 // Source: RTCD 11.2 (what rounding does to geometric decisions); cost: as the meshes demand, on all cores.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,9 +14,14 @@
 
 namespace plumb::tool {
 
-/// The ways of taking a decision that are compared; --fail-on-wrong takes these names.
+/// The methods of `plumb chart` that are compared; --fail-on-wrong takes these names.
 inline constexpr std::array<std::string_view, 8> method_names{"float32",     "double",   "absolute", "relative",
                                                               "long-double", "interval", "plan",     "exact"};
+inline constexpr std::size_t method_count = method_names.size();
+constexpr std::size_t method_number(std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(method_names, name) - method_names.begin());
+}
+inline constexpr std::size_t exact_method = method_number("exact");
 
 struct CheckOptions {
   std::vector<std::string> meshes;         // none: the embedded part

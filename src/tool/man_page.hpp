@@ -5,12 +5,15 @@
 // Source: man-pages(7); cost: none worth a word.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "terminal.hpp"
+
+namespace CLI {
+class App;  // what it takes to read is not what every manual should cost
+}
 
 namespace plumb::tool {
 

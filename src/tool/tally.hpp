@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "check_command.hpp"
 #include "mesh_decisions.hpp"
-#include "methods.hpp"
 #include "plumb/certify/decision.hpp"
 
 namespace plumb::tool {
@@ -60,8 +60,7 @@ struct Comparison {
   StageCounts stages;
   std::uint64_t verified = 0, refuted = 0;
 
-  [[nodiscard]] const Tally& of(Method m) const { return method[static_cast<std::size_t>(m)]; }
-  [[nodiscard]] std::uint64_t taken() const { return of(Method::exact).taken; }
+  [[nodiscard]] std::uint64_t taken() const { return method[exact_method].taken; }
 
   Comparison& operator+=(const Comparison& other) {
     for (std::size_t m = 0; m < method_count; ++m) method[m] += other.method[m];

@@ -2,19 +2,35 @@
 #include <cmath>
 
 #include "plumb/figure/aabb_relation.hpp"
+#include "plumb/figure/box_batch.hpp"
 #include "plumb/figure/obb.hpp"
 #include "tool/trial/box_tests.hpp"
-#include "tool/trial/float_methods.hpp"
+#include "tool/trial/branching_methods.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
 namespace {
 
-struct Boxes {
-  Aabb3 a, b;
-};
-struct OrientedBoxes {
-  Obb3 a, b;
+constexpr auto meet_exactly = [](const auto& a, const auto& b) { return intersects(a, b); };
+
+class BoxPairs final : public Round {
+ public:
+  explicit BoxPairs(std::span<const double> questions)
+      : a_(boxes(questions, 0)), b_(boxes(questions, 6)), meet_(questions.size() / 12) {}
+  void answer() override { intersects(a_, b_, meet_); }
+  [[nodiscard]] double given(std::size_t i) const override { return meet_[i]; }
+
+ private:
+  static BoxBatch boxes(std::span<const double> questions, std::size_t first) {
+    std::vector<Aabb3> all;
+    for (std::size_t i = first; i < questions.size(); i += 12) {
+      const double* const x = &questions[i];
+      all.push_back({{x[0], x[1], x[2]}, {x[3], x[4], x[5]}});
+    }
+    return BoxBatch(all);
+  }
+  const BoxBatch a_, b_;
+  std::vector<std::uint8_t> meet_;
 };
 
 /// From two corners in any order.
@@ -94,10 +110,6 @@ Generated corners(std::span<const double> q, std::size_t first) {
   return box;
 }
 
-Obb3 box_at(const double* x) {
-  return {{x[0], x[1], x[2]}, {{{x[3], x[4], x[5]}, {x[6], x[7], x[8]}, {x[9], x[10], x[11]}}}, {x[12], x[13], x[14]}};
-}
-
 }  // namespace
 
 Task box_box_task() {
@@ -111,13 +123,12 @@ Task box_box_task() {
     }
     return as_answer(all);
   };
-  task.methods = float_methods<12>(BoxAgainstBox{});
-  task.methods.push_back(each_made<12>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 12>& q) {
-        return Boxes{{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}}, {{q[6], q[7], q[8]}, {q[9], q[10], q[11]}}};
-      },
-      [](const Boxes& q) { return intersects(q.a, q.b); }));
+  task.methods = branching_methods<AnswerKind::decision, 12>(BoxAgainstBox{});
+  task.methods.push_back(exact_method<Aabb3, Aabb3>(meet_exactly));
+  task.methods.push_back({"batch", "ours, over spans, one thread",
+                          [](std::span<const double> questions, const Scene&) -> std::unique_ptr<Round> {
+                            return std::make_unique<BoxPairs>(questions);
+                          }});
   return task;
 }
 
@@ -131,13 +142,8 @@ Task oriented_boxes_task() {
       {"nearly_parallel", "as aligned, one axis of the second off by ulps", fill_nearly_parallel},
   };
   task.judge = [](std::span<const double> q) { return as_answer(meet(corners(q, 0), corners(q, 5))); };
-  task.methods = float_methods<30>(OrientedAgainstOriented{});
-  task.methods.push_back(each_made<30>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 30>& q) {
-        return OrientedBoxes{box_at(q.data()), box_at(&q[15])};
-      },
-      [](const OrientedBoxes& q) { return intersects(q.a, q.b); }));
+  task.methods = branching_methods<AnswerKind::decision, 30>(OrientedAgainstOriented{});
+  task.methods.push_back(exact_method<Obb3, Obb3>(meet_exactly));
   return task;
 }
 

@@ -23,6 +23,9 @@
 
 namespace plumb::tool::trial {
 
+/// The epsilon that is on trial.
+inline constexpr double customary_epsilon = 1e-9;
+
 inline constexpr double unsure = std::numeric_limits<double>::quiet_NaN();
 
 inline double as_answer(Sign s) { return static_cast<int>(s); }
@@ -74,9 +77,12 @@ std::unique_ptr<Round> one_by_one(std::vector<Question> questions, Take take) {
   return std::make_unique<OneByOne<Question, Take>>(std::move(questions), std::move(take));
 }
 
+/// What prepares nothing is not asked of the class: a batch, where questions have nothing in common.
 struct Method {
   std::string name, about;
   std::function<std::unique_ptr<Round>(std::span<const double> questions, const Scene& scene)> prepare;
+  /// The number of which it takes the sign, where that is one in floating point; 0 within an epsilon.
+  std::function<long double(std::span<const double> question)> value = {};
 };
 
 }  // namespace plumb::tool::trial

@@ -1,13 +1,11 @@
 #include "plumb/query/closest.hpp"
 #include "plumb/query/closest_pairs.hpp"
+#include "tool/trial/branching_methods.hpp"
 #include "tool/trial/distance_tests.hpp"
-#include "tool/trial/float_methods.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
 namespace {
-
-Point3 point_at(const double* x) { return {x[0], x[1], x[2]}; }
 
 /// Without what the squares of which overflow or vanish: that is the predicates' affair.
 std::vector<InputClass> distance_classes() {
@@ -33,17 +31,8 @@ Task point_triangle_distance_task() {
             {reordered(3, {0, 2, 3, 1}), reordered(3, {0, 1, 3, 2})}, [](std::span<const double> q) {
               return square_distance(rational_vec(q, 0), rational_vec(q, 1), rational_vec(q, 2), rational_vec(q, 3));
             });
-  task.methods = float_methods<12>(PointTriangleDistance{});
-  struct Question {
-    Point3 p;
-    Triangle3 triangle;
-  };
-  task.methods.push_back(each_made<12>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 12>& q) {
-        return Question{point_at(&q[0]), {point_at(&q[3]), point_at(&q[6]), point_at(&q[9])}};
-      },
-      [](const Question& q) { return distance(q.p, q.triangle); }));
+  task.methods = branching_methods<AnswerKind::number, 12>(PointTriangleDistance{});
+  task.methods.push_back(exact_method<Point3, Triangle3>([](const auto& a, const auto& b) { return distance(a, b); }));
   return task;
 }
 
@@ -53,16 +42,8 @@ Task segment_segment_distance_task() {
                       return square_distance_of_segments(rational_vec(q, 0), rational_vec(q, 1), rational_vec(q, 2),
                                                          rational_vec(q, 3));
                     });
-  task.methods = float_methods<12>(SegmentSegmentDistance{});
-  struct Question {
-    Segment3 a, b;
-  };
-  task.methods.push_back(each_made<12>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 12>& q) {
-        return Question{{point_at(&q[0]), point_at(&q[3])}, {point_at(&q[6]), point_at(&q[9])}};
-      },
-      [](const Question& q) { return distance(q.a, q.b); }));
+  task.methods = branching_methods<AnswerKind::number, 12>(SegmentSegmentDistance{});
+  task.methods.push_back(exact_method<Segment3, Segment3>([](const auto& a, const auto& b) { return distance(a, b); }));
   return task;
 }
 

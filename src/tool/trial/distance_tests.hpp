@@ -15,7 +15,7 @@ struct PointTriangleDistance {
   template <class T>
   double operator()(const std::array<T, 12>& q, T epsilon) const {
     const Vec<T> p = vec(q, 0), d = p - nearest(p, vec(q, 1), vec(q, 2), vec(q, 3), epsilon);
-    return static_cast<double>(square_root(dot(d, d)));
+    return root_as_double(dot(d, d));
   }
 
  private:
@@ -65,7 +65,7 @@ struct SegmentSegmentDistance {
       t = clamped(T(f / ee));
     }
     const Vec<T> w = (a + d1 * s) - (c + d2 * t);
-    return static_cast<double>(square_root(dot(w, w)));
+    return root_as_double(dot(w, w));
   }
 };
 

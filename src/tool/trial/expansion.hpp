@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 
 #include "plumb/arith/error_free.hpp"
 #include "plumb/arith/sign.hpp"
@@ -50,12 +51,14 @@ class Expansion {
   }
 
  private:
-  static constexpr std::size_t capacity = 1 << 20;  // more than insphere takes at its worst
+  static constexpr std::size_t capacity = 1
+                                          << 20;  // more than insphere takes at its worst; branching code may ask more
   static std::size_t& used() {
     thread_local std::size_t n = 0;
     return n;
   }
   static double* take(std::size_t n) {
+    if (n > capacity - used()) throw std::length_error("an expansion grew beyond its arena");
     thread_local const std::unique_ptr<double[]> arena(new double[capacity]);
     double* const p = arena.get() + used();
     used() += n;

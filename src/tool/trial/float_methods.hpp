@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <string>
 #include <utility>
 
@@ -40,22 +41,38 @@ Method each_made(std::string name, std::string about, Make make, Take take) {
           }};
 }
 
+/// Ours, asked of two shapes, which are the numbers that they consist of.
+template <class A, class B, class Ask>
+Method exact_method(Ask ask) {
+  struct Question {
+    A a;
+    B b;
+  };
+  using Numbers = std::array<double, sizeof(Question) / sizeof(double)>;
+  return each_made<std::tuple_size_v<Numbers>>(
+      "exact", "ours, one at a time", [](const Numbers& q) { return std::bit_cast<Question>(q); },
+      [ask](const Question& q) { return ask(q.a, q.b); });
+}
+
+template <std::size_t N>
+double largest_of(const std::array<double, N>& q) {
+  double largest = 0;
+  for (const double x : q) largest = std::max(largest, magnitude(x));
+  return largest;
+}
+
 template <std::size_t N, class Algorithm>
 std::vector<Method> float_methods(Algorithm algorithm) {
-  constexpr double epsilon = 1e-9;  // the customary one, on trial
   std::vector<Method> all;
   all.push_back(each_of<float, N>("float32", "single precision, of coordinates rounded to it",
                                   [=](const std::array<float, N>& q) { return algorithm(q, 0.0F); }));
   all.push_back(each_of<double, N>("double", "as commonly written, no epsilon",
                                    [=](const std::array<double, N>& q) { return algorithm(q, 0.0); }));
   all.push_back(each_of<double, N>("absolute", "double, with an epsilon of 1e-9",
-                                   [=](const std::array<double, N>& q) { return algorithm(q, epsilon); }));
-  all.push_back(each_of<double, N>("relative", "double, with an epsilon of 1e-9 of the largest coordinate",
-                                   [=](const std::array<double, N>& q) {
-                                     double largest = 0;
-                                     for (const double x : q) largest = std::max(largest, magnitude(x));
-                                     return algorithm(q, epsilon * largest);
-                                   }));
+                                   [=](const std::array<double, N>& q) { return algorithm(q, customary_epsilon); }));
+  all.push_back(each_of<double, N>(
+      "relative", "double, with an epsilon of 1e-9 of the largest coordinate",
+      [=](const std::array<double, N>& q) { return algorithm(q, customary_epsilon * largest_of(q)); }));
   all.push_back(each_of<long double, N>("long-double", "the compiler's long double",
                                         [=](const std::array<long double, N>& q) { return algorithm(q, 0.0L); }));
 #ifdef __SIZEOF_FLOAT128__

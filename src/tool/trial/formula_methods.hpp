@@ -1,20 +1,62 @@
 // How does each method take the sign of a formula?  The formula, run over the numbers that software commonly uses.
 //
-// Laws: those of formula_numbers.hpp.  `plumb check` tries some of these methods on meshes, `plumb chart` all.
+// Laws: every method gets the same doubles; float32 gets them rounded to floats beforehand, as software that stores
+// floats does, and plan as the kernel of the scene's lattice keeps them.  An epsilon makes zeros of small values, as is
+// commonly written; no decision of ours uses one.  `plumb check` tries some of these methods on meshes, `plumb chart`
+// all.
 // Source: RTCD 11.2, 11.3.1 (tolerances); cost: what is measured.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <tuple>
 
 #include "plumb/arith/big.hpp"
 #include "plumb/certify/bounded_points.hpp"
+#include "plumb/certify/decide.hpp"
+#include "plumb/certify/kernel.hpp"
 #include "tool/trial/adaptive.hpp"
 #include "tool/trial/compensated.hpp"
 #include "tool/trial/contestant.hpp"
-#include "tool/trial/formula_numbers.hpp"
 
 namespace plumb::tool::trial {
+
+/// What counts as zero in the size of the formula's terms: the largest difference to the last point, to the degree.
+template <Formula F>
+double size_of_terms(const Coordinates<F>& p) {
+  constexpr auto dimension = static_cast<std::size_t>(F::dimension);
+  double largest = 0;
+  for (std::size_t i = 0; i + dimension < p.size(); ++i) {
+    largest = std::max(largest, std::fabs(p[i] - p[p.size() - dimension + i % dimension]));
+  }
+  return power<degree<F>()>(largest);
+}
+
+/// The formula over another kind of floating-point number, which takes every double's value or rounds it.
+template <Formula F, class Real>
+std::array<Real, arity<F>> converted(const Coordinates<F>& p) {
+  std::array<Real, arity<F>> r{};
+  std::ranges::transform(p, r.begin(), [](double x) { return static_cast<Real>(x); });
+  return r;
+}
+
+/// The points of a formula as a plan's kernel keeps them.
+template <Formula F>
+using PlannedPoints =
+    std::array<LatticePoint<static_cast<std::size_t>(F::dimension)>, static_cast<std::size_t>(F::points)>;
+
+/// Takes them in, checked.
+template <Formula F>
+PlannedPoints<F> taken_in(const Kernel& kernel, const Coordinates<F>& p) {
+  PlannedPoints<F> taken;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    std::array<double, static_cast<std::size_t>(F::dimension)> x{};
+    std::copy_n(p.begin() + static_cast<std::ptrdiff_t>(i * x.size()), x.size(), x.begin());
+    taken[i] = kernel.point(x);
+  }
+  return taken;
+}
 
 template <Formula F>
 std::vector<Coordinates<F>> sets_of(std::span<const double> questions) {
@@ -53,6 +95,14 @@ Method each(std::string name, std::string about, Take take) {
           [take](std::span<const double> questions, const Scene&) { return one_by_one(sets_of<F>(questions), take); }};
 }
 
+template <Formula F, class Value>
+Method valued(Method method, Value value) {
+  method.value = [value](std::span<const double> question) {
+    return static_cast<long double>(value(sets_of<F>(question).front()));
+  };
+  return method;
+}
+
 template <Formula F, class Real>
 Method each_in(std::string name, std::string about) {
   return {std::move(name), std::move(about), [](std::span<const double> questions, const Scene&) {
@@ -83,15 +133,21 @@ template <Formula F>
 std::vector<Method> formula_methods() {
   using P = Coordinates<F>;
   std::vector<Method> all;
-  all.push_back(each_in<F, float>("float32", "single precision, of coordinates rounded to it"));
-  all.push_back(each<F>("double", "the formula as it is written", [](const P& p) { return sign_of_number(F{}(p)); }));
-  all.push_back(each<F>("absolute", "double; at most 1e-9 is zero",
-                        [](const P& p) { return static_cast<Sign>(beyond(F{}(p), customary_epsilon)); }));
-  all.push_back(each<F>("relative", "double; at most 1e-9 of the terms' size is zero", [](const P& p) {
-    return static_cast<Sign>(beyond(F{}(p), customary_epsilon * size_of_terms<F>(p)));
-  }));
-  all.push_back(each<F>("long-double", "the compiler's long double",
-                        [](const P& p) { return sign_of_number(F{}(converted<F, long double>(p))); }));
+  const auto within = [](double value, double epsilon) { return std::fabs(value) <= epsilon ? 0 : value; };
+  all.push_back(valued<F>(each_in<F, float>("float32", "single precision, of coordinates rounded to it"),
+                          [](const P& p) { return F{}(converted<F, float>(p)); }));
+  all.push_back(valued<F>(
+      each<F>("double", "the formula as it is written", [](const P& p) { return sign_of_number(F{}(p)); }), F{}));
+  all.push_back(valued<F>(each<F>("absolute", "double; at most 1e-9 is zero",
+                                  [](const P& p) { return static_cast<Sign>(beyond(F{}(p), customary_epsilon)); }),
+                          [=](const P& p) { return within(F{}(p), customary_epsilon); }));
+  all.push_back(valued<F>(
+      each<F>("relative", "double; at most 1e-9 of the terms' size is zero",
+              [](const P& p) { return static_cast<Sign>(beyond(F{}(p), customary_epsilon * size_of_terms<F>(p))); }),
+      [=](const P& p) { return within(F{}(p), customary_epsilon * size_of_terms<F>(p)); }));
+  all.push_back(valued<F>(each<F>("long-double", "the compiler's long double",
+                                  [](const P& p) { return sign_of_number(F{}(converted<F, long double>(p))); }),
+                          [](const P& p) { return F{}(converted<F, long double>(p)); }));
 #ifdef __SIZEOF_FLOAT128__
   __extension__ using Float128 = __float128;
   all.push_back(each<F>("float128", "quadruple precision in software",

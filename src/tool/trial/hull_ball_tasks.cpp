@@ -1,66 +1,55 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#include <iterator>
 
 #include "plumb/figure/hull2.hpp"
+#include "plumb/figure/hull3.hpp"
 #include "plumb/figure/minimum_sphere.hpp"
-#include "tool/trial/float_methods.hpp"
+#include "tool/trial/branching_methods.hpp"
+#include "tool/trial/hull_tests.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
 namespace {
 
-constexpr std::size_t hull_points = 16, ball_points = 5;
+constexpr std::size_t ball_points = 5;
 
-/// Which points are corners, as a set of bits; of equal points the first.
-struct HullOfPoints {
-  template <class T>
-  double operator()(const std::array<T, 2 * hull_points>& q, T epsilon) const {
-    std::array<std::size_t, hull_points> order{};
-    for (std::size_t i = 0; i < hull_points; ++i) order[i] = i;
-    const auto x = [&](std::size_t i) { return q[2 * i]; };
-    const auto y = [&](std::size_t i) { return q[2 * i + 1]; };
-    std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
-      return x(i) != x(j) ? x(i) < x(j) : y(i) != y(j) ? y(i) < y(j) : i < j;
-    });
-    const auto same = [&](std::size_t i, std::size_t j) { return x(i) == x(j) && y(i) == y(j); };
-    const auto last = std::unique(order.begin(), order.end(), same);
-    std::uint32_t corners = 0;
-    std::vector<std::size_t> chain;
-    const auto add = [&](std::size_t i) {
-      const auto turns_left = [&] {
-        const std::size_t a = chain[chain.size() - 2], b = chain.back();
-        return T((x(b) - x(a)) * (y(i) - y(a)) - (y(b) - y(a)) * (x(i) - x(a))) > epsilon;
-      };
-      while (chain.size() >= 2 && !turns_left()) chain.pop_back();
-      chain.push_back(i);
-    };
-    const auto take = [&] {
-      for (const std::size_t i : chain) corners |= std::uint32_t{1} << i;
-      chain.clear();
-    };
-    std::for_each(order.begin(), last, add);
-    take();
-    std::for_each(std::make_reverse_iterator(last), order.rend(), add);
-    take();
-    return corners;
-  }
-};
+template <class Point, std::size_t N>
+std::vector<Point> points_of(const std::array<double, N>& q) {
+  std::vector<Point> points(N * sizeof(double) / sizeof(Point));
+  std::memcpy(points.data(), q.data(), sizeof(q));
+  return points;
+}
 
-std::uint32_t corners_of(std::span<const Point2> points) {
+template <class Point>
+double corners_of(const std::vector<Point>& points) {
   std::uint32_t corners = 0;
-  for (const std::uint32_t vertex : convex_hull(points).vertices) {
+  for (const std::uint32_t vertex : convex_hull(std::span(points)).vertices) {
     const auto first = std::ranges::find(points, points[vertex]) - points.begin();
     corners |= std::uint32_t{1} << first;
   }
   return corners;
 }
 
-/// The same chain, of which in rationals nothing is rounded.
-double corners_in_rationals(std::span<const double> q) {
-  std::array<mpq_class, 2 * hull_points> exact;
-  std::ranges::transform(q, exact.begin(), [](double x) { return mpq_class(x); });
-  return HullOfPoints{}(exact, mpq_class(0));
+template <std::size_t N, class Point>
+Method exact_hull() {
+  return each_made<N>("exact", "ours, one hull at a time", points_of<Point, N>, corners_of<Point>);
+}
+
+/// Each point is a corner that is not in the hull of the others.
+double corners_by_definition(const std::vector<RationalVec>& p) {
+  std::uint32_t corners = 0;
+  const auto same = [](const RationalVec& a, const RationalVec& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto is_same = [&](const RationalVec& other) { return same(p[i], other); };
+    if (std::any_of(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(i), is_same)) continue;
+    Generated others;
+    std::ranges::remove_copy_if(p, std::back_inserter(others.points), is_same);
+    if (others.points.empty() || !meet({{p[i]}, {}}, others)) corners |= std::uint32_t{1} << i;
+  }
+  return corners;
 }
 
 /// The ball through some points whose center lies in their hull's plane; false where they span less.
@@ -118,27 +107,42 @@ struct BallOfPoints {
   double operator()(const std::array<T, 3 * ball_points>& q, T epsilon) const {
     std::array<Vec<T>, ball_points> p{};
     for (std::size_t i = 0; i < ball_points; ++i) p[i] = vec(q, i);
-    return static_cast<double>(square_root(least_square(p, epsilon)));
+    return root_as_double(least_square(p, epsilon));
   }
 };
 
 }  // namespace
 
 Task hull2_task() {
-  Task task{
-      "hull-2d", "which of 16 points are the corners of their hull?", 2 * hull_points, AnswerKind::decision, {}, {}, {},
-      {}};
+  constexpr std::size_t numbers = 2 * hull_points;
+  Task task{"hull-2d", "which of 16 points are the corners of their hull?", numbers, AnswerKind::decision, {}, {}, {},
+            {}};
   task.classes = shape_classes(2);
-  task.judge = corners_in_rationals;
-  task.methods = float_methods<2 * hull_points>(HullOfPoints{});
-  task.methods.push_back(each_made<2 * hull_points>(
-      "exact", "ours, one hull at a time",
-      [](const std::array<double, 2 * hull_points>& q) {
-        std::vector<Point2> points;
-        for (std::size_t i = 0; i < q.size(); i += 2) points.push_back({q[i], q[i + 1]});
-        return points;
-      },
-      [](const std::vector<Point2>& points) { return static_cast<double>(corners_of(points)); }));
+  task.fewer = 8;
+  task.judge = [](std::span<const double> q) {
+    std::vector<RationalVec> points;
+    for (std::size_t i = 0; i < q.size(); i += 2)
+      points.push_back({mpq_class(q[i]), mpq_class(q[i + 1]), mpq_class(0)});
+    return corners_by_definition(points);
+  };
+  task.methods = branching_methods<AnswerKind::decision, numbers>(HullInPlane{});
+  task.methods.push_back(exact_hull<numbers, Point2>());
+  return task;
+}
+
+Task hull3_task() {
+  constexpr std::size_t numbers = 3 * hull3_points;
+  Task task{"hull-3d", "which of 12 points are the corners of their hull?", numbers, AnswerKind::decision, {}, {}, {},
+            {}};
+  task.classes = shape_classes(3);
+  task.fewer = 8;
+  task.judge = [](std::span<const double> q) {
+    std::vector<RationalVec> points;
+    for (std::size_t i = 0; i < hull3_points; ++i) points.push_back(rational_vec(q, i));
+    return corners_by_definition(points);
+  };
+  task.methods = branching_methods<AnswerKind::decision, numbers>(HullInSpace{});
+  task.methods.push_back(exact_hull<numbers, Point3>());
   return task;
 }
 
@@ -160,14 +164,9 @@ Task smallest_ball_task() {
     for (std::size_t i = 0; i < ball_points; ++i) p[i] = rational_vec(q, i);
     return nearest_root(least_square(p, mpq_class(0)));
   };
-  task.methods = float_methods<3 * ball_points>(BallOfPoints{});
+  task.methods = branching_methods<AnswerKind::number, 3 * ball_points>(BallOfPoints{});
   task.methods.push_back(each_made<3 * ball_points>(
-      "exact", "ours, one ball at a time",
-      [](const std::array<double, 3 * ball_points>& q) {
-        std::vector<Point3> points;
-        for (std::size_t i = 0; i < q.size(); i += 3) points.push_back({q[i], q[i + 1], q[i + 2]});
-        return points;
-      },
+      "exact", "ours, one ball at a time", points_of<Point3, 3 * ball_points>,
       [](const std::vector<Point3>& points) { return radius(Rounding::nearest, minimum_sphere(points).exact); }));
   return task;
 }

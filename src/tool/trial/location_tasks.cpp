@@ -2,7 +2,7 @@
 
 #include "plumb/figure/polygon_location.hpp"
 #include "plumb/query/ray_parity.hpp"
-#include "tool/trial/float_methods.hpp"
+#include "tool/trial/branching_methods.hpp"
 #include "tool/trial/location_tests.hpp"
 #include "tool/trial/rational_judge.hpp"
 
@@ -106,7 +106,7 @@ Task point_in_polygon_task() {
   task.symmetries = {reordered(2, {0, 2, 3, 4, 5, 6, 7, 8, 1}), reordered(2, {0, 8, 7, 6, 5, 4, 3, 2, 1})};
   task.classes = lattice_classes(fill_star);
   task.judge = [](std::span<const double> q) { return as_answer(in_polygon(q)); };
-  task.methods = float_methods<numbers>(PointInPolygon{});
+  task.methods = branching_methods<AnswerKind::decision, numbers>(PointInPolygon{});
   task.methods.push_back(each_made<numbers>(
       "exact", "ours, one at a time",
       [](const PolygonNumbers& q) {
@@ -123,7 +123,7 @@ Task point_in_polyhedron_task() {
   task.symmetries = {reordered(3, {0, 3, 4, 5, 6, 1, 2})};  // the axes in turn: the same solid
   task.classes = lattice_classes(fill_solid);
   task.judge = [](std::span<const double> q) { return as_answer(in_solid(q)); };
-  task.methods = float_methods<21>(PointInPolyhedron{});
+  task.methods = branching_methods<AnswerKind::decision, 21>(PointInPolyhedron{});
   task.methods.push_back(each_made<21>(
       "exact", "ours, one at a time",
       [](const std::array<double, 21>& q) {

@@ -49,8 +49,8 @@ std::vector<double> changed(std::span<const double> questions, std::size_t numbe
 class Inputs {
  public:
   Inputs(const Task& task, const InputClass& input, const Settings& settings)
-      : task_(task), all_(settings.cases * task.numbers), size_(settings.block * task.numbers) {
-    for (std::uint64_t i = 0; i < settings.cases; ++i) {
+      : task_(task), all_(settings.cases / task.fewer * task.numbers), size_(settings.block * task.numbers) {
+    for (std::uint64_t i = 0; i < settings.cases / task.fewer; ++i) {
       Entropy entropy(settings.seed, i);
       input.fill(std::span(all_).subspan(i * task.numbers, task.numbers), entropy);
     }
@@ -107,6 +107,7 @@ Score score_of(const Method& method, const Task& task, const Inputs& inputs, con
   for (std::size_t b = 0; b < inputs.blocks(); ++b) {
     const std::span<const double> truths = inputs.truths_of(b);
     const auto round = method.prepare(inputs.block(b), scene);
+    if (!round) return score;
     const std::uint64_t before = allocations();
     round->answer();  // also brings code and questions into the caches
     taken += allocations() - before;
@@ -150,7 +151,8 @@ Trial measure(const Task& task, const InputClass& input, const Settings& setting
     for (const double truth : inputs.truths()) ++trial.truths[truth < 0 ? 0 : truth == 0 ? 1 : 2];
   }
   for (const Method& method : task.methods) {
-    trial.scores.push_back(score_of(method, task, inputs, scene));
+    const Score score = score_of(method, task, inputs, scene);
+    if (score.asked != 0) trial.scores.push_back(score);
     tried();
   }
   return trial;

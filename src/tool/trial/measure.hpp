@@ -17,7 +17,7 @@ namespace plumb::tool::trial {
 
 struct Settings {
   std::uint64_t seed = 2026;
-  std::uint64_t cases = 8192;  // of a class
+  std::uint64_t cases = 8192;  // of a class; fewer where the task says so
   std::uint64_t block = 1024;  // asked at once: fits the second-level cache
 };
 

@@ -39,6 +39,7 @@ struct Task {
   std::vector<Symmetry> symmetries;
   std::vector<Method> methods;
   std::function<double(std::span<const double> question)> judge;
+  std::uint64_t fewer = 1;  // of the cases this part is asked, where the judge takes its time
 };
 
 /// Methods that need a rival's library: whoever links one names the task that it joins.
@@ -63,9 +64,12 @@ Task oriented_boxes_task();
 Task point_in_polygon_task();
 Task point_in_polyhedron_task();
 Task hull2_task();
+Task hull3_task();
 Task smallest_ball_task();
 Task point_triangle_distance_task();
 Task segment_segment_distance_task();
 Task convex_distance_task();
+Task vertex_face_motion_task();
+Task edge_edge_motion_task();
 
 }  // namespace plumb::tool::trial

@@ -42,10 +42,13 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               point_in_polygon_task,
                               point_in_polyhedron_task,
                               hull2_task,
+                              hull3_task,
                               smallest_ball_task,
                               point_triangle_distance_task,
                               segment_segment_distance_task,
-                              convex_distance_task};
+                              convex_distance_task,
+                              vertex_face_motion_task,
+                              edge_edge_motion_task};
   for (const auto make : makers) tasks.push_back(make());
   for (Task& task : tasks) {
     for (const Rival& rival : rivals) {

@@ -1,12 +1,14 @@
+#include <algorithm>
+#include <bit>
+
 #include "plumb/query/overlap.hpp"
-#include "tool/trial/float_methods.hpp"
+#include "plumb/query/ray_batch.hpp"
+#include "tool/trial/branching_methods.hpp"
 #include "tool/trial/rational_judge.hpp"
 #include "tool/trial/triangle_tests.hpp"
 
 namespace plumb::tool::trial {
 namespace {
-
-Triangle3 triangle_at(const double* x) { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}}; }
 
 Generated triangle_at(std::span<const double> q, std::size_t first) {
   return {{rational_vec(q, first), rational_vec(q, first + 1), rational_vec(q, first + 2)}, {}};
@@ -29,6 +31,46 @@ void toward(std::span<double> q) {
   }
 }
 
+constexpr auto meet_exactly = [](const auto& a, const auto& b) { return intersects(a, b); };
+
+/// One ray or segment against the triangles of all questions.
+template <class One>
+class OneAgainstMany final : public Round {
+ public:
+  OneAgainstMany(const One& one, std::span<const Triangle3> many) : one_(one), many_(many), hit_(many.size()) {}
+  void answer() override { hits(one_, many_, hit_); }
+  [[nodiscard]] double given(std::size_t i) const override { return hit_[i]; }
+
+ private:
+  const AnyRay one_;
+  const TriangleBatch many_;
+  std::vector<std::uint8_t> hit_;
+};
+
+/// The batch, and a class that it can be asked: the same ray or segment in all questions.
+template <class One>
+void add_batch(Task& task) {
+  task.classes.push_back({"one_for_all", "small integers, and in all questions the same ray or segment",
+                          [](std::span<double> q, Entropy& entropy) {
+                            constexpr std::array<double, 6> one{-3, 1, 0, 2, -1, 0};
+                            for (double& x : q) x = static_cast<double>(entropy.within(2));
+                            std::ranges::copy(one, q.begin());
+                          }});
+  task.methods.push_back({"batch", "ours, over spans, one thread",
+                          [](std::span<const double> questions, const Scene&) -> std::unique_ptr<Round> {
+                            std::vector<Triangle3> many;
+                            for (const auto& q : questions_in<double, 15>(questions)) {
+                              if (!std::ranges::equal(std::span(q).first(6), questions.first(6))) return nullptr;
+                              std::array<double, 9> triangle{};
+                              std::ranges::copy(std::span(q).last(9), triangle.begin());
+                              many.push_back(std::bit_cast<Triangle3>(triangle));
+                            }
+                            std::array<double, 6> one{};
+                            std::ranges::copy(questions.first(6), one.begin());
+                            return std::make_unique<OneAgainstMany<One>>(std::bit_cast<One>(one), many);
+                          }});
+}
+
 }  // namespace
 
 Task ray_triangle_task() {
@@ -37,17 +79,9 @@ Task ray_triangle_task() {
                       return meet({{rational_vec(q, 0)}, {rational_vec(q, 1)}}, triangle_at(q, 2));
                     });
   task.classes = refilled(shape_classes(3), toward);
-  task.methods = float_methods<15>(RayAgainstTriangle<false>{});
-  struct Question {
-    Ray3 ray;
-    Triangle3 triangle;
-  };
-  task.methods.push_back(each_made<15>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 15>& q) {
-        return Question{{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}}, triangle_at(&q[6])};
-      },
-      [](const Question& q) { return intersects(q.ray, q.triangle); }));
+  task.methods = branching_methods<AnswerKind::decision, 15>(RayAgainstTriangle<false>{});
+  task.methods.push_back(exact_method<Ray3, Triangle3>(meet_exactly));
+  add_batch<Ray3>(task);
   return task;
 }
 
@@ -57,17 +91,9 @@ Task segment_triangle_task() {
                       return meet({{rational_vec(q, 0), rational_vec(q, 1)}, {}}, triangle_at(q, 2));
                     });
   task.classes = shape_classes(3);
-  task.methods = float_methods<15>(RayAgainstTriangle<true>{});
-  struct Question {
-    Segment3 segment;
-    Triangle3 triangle;
-  };
-  task.methods.push_back(each_made<15>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 15>& q) {
-        return Question{{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}}, triangle_at(&q[6])};
-      },
-      [](const Question& q) { return intersects(q.segment, q.triangle); }));
+  task.methods = branching_methods<AnswerKind::decision, 15>(RayAgainstTriangle<true>{});
+  task.methods.push_back(exact_method<Segment3, Triangle3>(meet_exactly));
+  add_batch<Segment3>(task);
   return task;
 }
 
@@ -76,16 +102,8 @@ Task triangle_triangle_task() {
                     {reordered(3, {3, 4, 5, 0, 1, 2}), reordered(3, {1, 2, 0, 3, 5, 4})},
                     [](std::span<const double> q) { return meet(triangle_at(q, 0), triangle_at(q, 3)); });
   task.classes = shape_classes(3);
-  task.methods = float_methods<18>(TriangleAgainstTriangle{});
-  struct Question {
-    Triangle3 a, b;
-  };
-  task.methods.push_back(each_made<18>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 18>& q) {
-        return Question{triangle_at(q.data()), triangle_at(&q[9])};
-      },
-      [](const Question& q) { return intersects(q.a, q.b); }));
+  task.methods = branching_methods<AnswerKind::decision, 18>(TriangleAgainstTriangle{});
+  task.methods.push_back(exact_method<Triangle3, Triangle3>(meet_exactly));
   return task;
 }
 

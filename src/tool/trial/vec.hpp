@@ -49,4 +49,9 @@ T square_root(const T& x) {
   }
 }
 
+template <class T>
+double root_as_double(const T& square) {
+  return static_cast<double>(square_root(square));
+}
+
 }  // namespace plumb::tool::trial

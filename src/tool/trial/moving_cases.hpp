@@ -100,9 +100,9 @@ inline void flatten(Case& c, Entropy& entropy) {
   }
 }
 
-inline Case make(Kind kind, Entropy& entropy) {
+inline Case make(Kind kind, bool vertex_face, Entropy& entropy) {
   Case c;
-  c.vertex_face = entropy.coin();
+  c.vertex_face = vertex_face;
   const std::int64_t most = std::array{1, 2, 3, 8}[entropy.below(4)];
   for (auto* points : {&c.at_0, &c.at_1}) {
     for (Point3& p : *points) p = grid_point(entropy, most);
@@ -147,6 +147,10 @@ inline Case make(Kind kind, Entropy& entropy) {
     }
   }
   return c;
+}
+inline Case make(Kind kind, Entropy& entropy) {
+  const bool vertex_face = entropy.coin();
+  return make(kind, vertex_face, entropy);
 }
 
 }  // namespace plumb::moving_cases
