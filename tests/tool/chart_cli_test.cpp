@@ -1,26 +1,19 @@
 // `plumb chart` as a user meets it: what is measured, what is written and refused, and that a page of it works.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "browser.hpp"
+#include "matchers.hpp"
 #include "run_program.hpp"
 #include "tool/chart.hpp"
 
 namespace plumb::tool {
 namespace {
-
-using nlohmann::json;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 const std::set<std::string> kAlwaysRight{"integers", "rationals", "plan", "exact", "batch"};
 const std::set<std::string> kNeverWrong{"interval", "static-filter"};

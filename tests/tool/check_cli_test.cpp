@@ -1,25 +1,18 @@
 // `plumb check` as a user meets it: reports, files written and refused, exit codes, the sample, the replay of what it
 // found.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "matchers.hpp"
 #include "run_program.hpp"
 #include "tool/check_command.hpp"
 
 namespace plumb::tool {
 namespace {
-
-using nlohmann::json;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 json report_of(const std::string& arguments, int code = 0) {
   const Outcome o = run("$PLUMB check --json - " + arguments);

@@ -4,7 +4,7 @@
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/predicates.hpp"
 #include "tool/stability/hull_ways.hpp"
-#include "tool/trial/formula_numbers.hpp"
+#include "tool/trial/contestant.hpp"
 #include "tool/trial/vec.hpp"
 
 namespace plumb::tool::stability {

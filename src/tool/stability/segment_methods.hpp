@@ -11,7 +11,7 @@
 #include "plumb/arith/rational.hpp"
 #include "plumb/figure/linear.hpp"
 #include "tool/stability/segment_ways.hpp"
-#include "tool/trial/formula_numbers.hpp"
+#include "tool/trial/contestant.hpp"
 #include "tool/trial/vec.hpp"
 
 namespace plumb::tool::stability {
