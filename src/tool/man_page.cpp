@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 namespace plumb::tool {
 namespace {
 
@@ -37,17 +35,11 @@ std::string filled(std::string_view text, std::size_t columns) {
   return out;
 }
 
-std::string option_entry(const CLI::Option& option, const Style& style) {
+std::string option_entry(const ShownOption& option, const Style& style) {
   std::string names;
-  if (option.get_positional()) {
-    names = style.bold(option.get_name(true));
-  } else {
-    for (const std::string& s : option.get_snames()) names += (names.empty() ? "" : ", ") + style.bold("-" + s);
-    for (const std::string& l : option.get_lnames()) names += (names.empty() ? "" : ", ") + style.bold("--" + l);
-    const std::string type = option.get_type_name();  // "METHOD:{float32,...}": the checks follow the colon
-    if (option.get_items_expected_max() > 0) names += fmt::format(" {}", type.substr(0, type.find(':')));
-  }
-  return indented(names, 7) + filled(option.get_description(), 14);
+  for (const std::string& name : option.names) names += (names.empty() ? "" : ", ") + style.bold(name);
+  if (!option.value.empty()) names += " " + option.value;
+  return indented(names, 7) + filled(option.description, 14);
 }
 
 std::string section(const Section& s, const Style& style) {
@@ -58,13 +50,13 @@ std::string section(const Section& s, const Style& style) {
 
 }  // namespace
 
-std::string manual_page(const Manual& manual, const CLI::App& app, const Style& style) {
+std::string manual_page(const Manual& manual, std::span<const ShownOption> options, const Style& style) {
   std::string page = style.bold("NAME") + "\n" + indented(fmt::format("{} - {}", manual.name, manual.purpose), 7);
   page += "\n" + style.bold("SYNOPSIS") + "\n";
   for (const std::string_view s : manual.synopsis) page += indented(s, 7);
   for (const Section& s : manual.before_options) page += section(s, style);
   page += "\n" + style.bold("OPTIONS") + "\n";
-  for (const CLI::Option* option : app.get_options()) page += option_entry(*option, style);
+  for (const ShownOption& option : options) page += option_entry(option, style);
   for (const Section& s : manual.after_options) page += section(s, style);
   return page;
 }

@@ -1,19 +1,16 @@
 // How does --help look?  Like a manual page: name, synopsis, description, options, exit status, examples.
 //
-// Law: every option that the parser knows is on its command's page, taken from the parser itself, so that the page
-// cannot fall behind; the rest of the text stands in help_text.hpp.
+// Law: every option that the parser knows is on its command's page: program.cpp takes them from the parser itself, so
+// that the page cannot fall behind; the rest of the text stands in help_text.hpp.
 // Source: man-pages(7); cost: none worth a word.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "terminal.hpp"
-
-namespace CLI {
-class App;  // what it takes to read is not what every manual should cost
-}
 
 namespace plumb::tool {
 
@@ -28,6 +25,11 @@ struct Manual {
   std::vector<Section> before_options, after_options;
 };
 
-std::string manual_page(const Manual& manual, const CLI::App& app, const Style& style);
+struct ShownOption {
+  std::vector<std::string> names;  // "-h", "--help"; "MESH"
+  std::string value, description;  // "FILE", or nothing
+};
+
+std::string manual_page(const Manual& manual, std::span<const ShownOption> options, const Style& style);
 
 }  // namespace plumb::tool

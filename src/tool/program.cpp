@@ -28,6 +28,24 @@
 namespace plumb::tool {
 namespace {
 
+/// The page of a command, with the options that its parser knows.
+std::string manual_page(const Manual& manual, const CLI::App& app, const Style& style) {
+  std::vector<ShownOption> options;
+  for (const CLI::Option* const option : app.get_options()) {
+    ShownOption& shown = options.emplace_back();
+    shown.description = option->get_description();
+    if (option->get_positional()) {
+      shown.names.push_back(option->get_name(true));
+      continue;
+    }
+    for (const std::string& name : option->get_snames()) shown.names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) shown.names.push_back("--" + name);
+    const std::string type = option->get_type_name();  // "METHOD:{float32,...}": the checks follow the colon
+    if (option->get_items_expected_max() > 0) shown.value = type.substr(0, type.find(':'));
+  }
+  return tool::manual_page(manual, options, style);
+}
+
 class Program {
  public:
   explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
