@@ -11,8 +11,10 @@
 #include <span>
 #include <vector>
 
+#include "plumb/arith/filtered.hpp"
 #include "plumb/certify/case_line.hpp"
-#include "plumb/certify/decide.hpp"
+#include "plumb/certify/catalog.hpp"
+#include "plumb/predicates/manifest.hpp"
 #include "rational_sign.hpp"
 #include "tool/trial/task.hpp"
 
@@ -67,6 +69,7 @@ void judge(const Methods& methods, std::size_t m, Kind kind, std::uint64_t first
 /// What a block is taken from, and by.
 struct Source {
   const MeshDecisions& decisions;
+  const CatalogEntry& predicate;
   Kind kind;
   Methods methods;
   std::uint64_t verify_stride;
@@ -81,7 +84,7 @@ void compare_block(const Source& source, std::uint64_t first, std::uint64_t coun
     numbers.insert(numbers.end(), block[i].begin(), block[i].end());
   }
   Comparison& comparison = gathered.comparison;
-  for (const Coordinates<F>& p : block) decide<F>(p, comparison.stages);
+  for (const Coordinates<F>& p : block) comparison.stages.decided(source.predicate.decide(p).stage);
   const trial::Scene scene{source.decisions.lattice(), 0};
   std::array<std::unique_ptr<trial::Round>, method_count> rounds;
   for (std::size_t m = method_count; m-- > 0;) {
@@ -130,9 +133,9 @@ Comparison compare_kind(const MeshDecisions& decisions, Kind kind, const CheckSe
   const std::uint64_t count = decisions.count(kind);
   const std::uint64_t blocks = (count + block_size - 1) / block_size;
   const std::uint64_t stride = settings.verify ? count / (settings.verified_of_kind + 1) + 1 : 0;
-  const std::string_view predicate = kinds[static_cast<std::size_t>(kind)].predicate;
-  const CompareBlock compare = comparer_of(predicate);
-  const Source source{decisions, kind, methods_of(predicate), stride};
+  const CatalogEntry& predicate = *find_predicate(kinds[static_cast<std::size_t>(kind)].predicate);
+  const CompareBlock compare = comparer_of(predicate.name);
+  const Source source{decisions, predicate, kind, methods_of(predicate.name), stride};
   tbb::enumerable_thread_specific<Gathered> per_thread;
   tbb::parallel_for(std::uint64_t{0}, blocks, [&](std::uint64_t b) {
     const std::uint64_t first = b * block_size, size = std::min(block_size, count - first);

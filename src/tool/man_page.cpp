@@ -28,7 +28,7 @@ std::string filled(std::string_view text, std::size_t columns) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     if (!line.empty() && columns + line.size() + 1 + end > kWidth) end_line();
-    line += (line.empty() ? "" : " ") + std::string(text.substr(0, end));
+    line.append(line.empty() ? "" : " ").append(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   end_line();
@@ -37,25 +37,26 @@ std::string filled(std::string_view text, std::size_t columns) {
 
 std::string option_entry(const ShownOption& option, const Style& style) {
   std::string names;
-  for (const std::string& name : option.names) names += (names.empty() ? "" : ", ") + style.bold(name);
-  if (!option.value.empty()) names += " " + option.value;
+  for (const std::string& name : option.names) names.append(names.empty() ? "" : ", ").append(style.bold(name));
+  if (!option.value.empty()) names.append(" ").append(option.value);
   return indented(names, 7) + filled(option.description, 14);
 }
 
 std::string section(const Section& s, const Style& style) {
   std::string_view text = s.text;
   if (text.starts_with('\n')) text.remove_prefix(1);
-  return "\n" + style.bold(s.title) + "\n" + indented(text, 7);
+  return fmt::format("\n{}\n{}", style.bold(s.title), indented(text, 7));
 }
 
 }  // namespace
 
 std::string manual_page(const Manual& manual, std::span<const ShownOption> options, const Style& style) {
-  std::string page = style.bold("NAME") + "\n" + indented(fmt::format("{} - {}", manual.name, manual.purpose), 7);
-  page += "\n" + style.bold("SYNOPSIS") + "\n";
+  std::string page =
+      fmt::format("{}\n{}", style.bold("NAME"), indented(fmt::format("{} - {}", manual.name, manual.purpose), 7));
+  page += fmt::format("\n{}\n", style.bold("SYNOPSIS"));
   for (const std::string_view s : manual.synopsis) page += indented(s, 7);
   for (const Section& s : manual.before_options) page += section(s, style);
-  page += "\n" + style.bold("OPTIONS") + "\n";
+  page += fmt::format("\n{}\n", style.bold("OPTIONS"));
   for (const ShownOption& option : options) page += option_entry(option, style);
   for (const Section& s : manual.after_options) page += section(s, style);
   return page;
