@@ -162,7 +162,7 @@ TEST_F(Report, AsksTheMethodsOfCodeThatBranches) {
     }
   });
   for (const auto& [task, names] : methods) {
-    const bool moves = task.ends_with("-motion"), number = task.ends_with("-distance") || task == "smallest-ball";
+    const bool moves = task.ends_with("-motion"), number = task.ends_with("distance") || task == "smallest-ball";
     EXPECT_TRUE(names.contains("compensated")) << task;
     EXPECT_EQ(names.contains("interval"), !number) << task;
     EXPECT_EQ(names.contains("adaptive"), !number && !moves) << task;

@@ -3,8 +3,8 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/rational.hpp"
 #include "query/exact_gap.hpp"
+#include "tool/trial/branching_methods.hpp"
 #include "tool/trial/convex_tests.hpp"
-#include "tool/trial/float_methods.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
@@ -50,7 +50,7 @@ Task convex_distance_task() {
   task.classes = shape_classes(3);
   // Without what the squares of which overflow or vanish: that is the predicates' affair.
   std::erase_if(task.classes, [](const InputClass& c) { return c.name == "extreme"; });
-  task.methods = float_methods<numbers>(ConvexDistance{});
+  task.methods = branching_methods<AnswerKind::number, numbers>(ConvexDistance{});
   struct Question {
     query::FlatSet a, b;
   };

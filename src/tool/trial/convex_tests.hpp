@@ -33,7 +33,7 @@ struct ConvexDistance {
       if (!(dot(next, next) < square)) break;
       nearest = next;
     }
-    return static_cast<double>(square_root(dot(nearest, nearest)));
+    return root_as_double(dot(nearest, nearest));
   }
 
  private:

@@ -155,6 +155,7 @@ Task smallest_ball_task() {
             {},
             {},
             {}};
+  task.fewer = 4;
   task.symmetries = {reordered(3, {4, 3, 2, 1, 0})};
   task.classes = shape_classes(3);
   // Without those that may hold points farther apart than doubles reach.

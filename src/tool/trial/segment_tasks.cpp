@@ -1,6 +1,6 @@
 #include "plumb/query/overlap.hpp"
 #include "tool/stability/segment_ways.hpp"
-#include "tool/trial/float_methods.hpp"
+#include "tool/trial/branching_methods.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
@@ -25,16 +25,9 @@ Task segment_segment_task() {
     const auto point = [q](std::size_t i) { return RationalVec{mpq_class(q[2 * i]), mpq_class(q[2 * i + 1]), 0}; };
     return as_answer(meet({{point(0), point(1)}, {}}, {{point(2), point(3)}, {}}));
   };
-  task.methods = float_methods<8>(SegmentAgainstSegment{});
-  struct Question {
-    Segment2 a, b;
-  };
-  task.methods.push_back(each_made<8>(
-      "exact", "ours, one at a time",
-      [](const std::array<double, 8>& q) {
-        return Question{{{q[0], q[1]}, {q[2], q[3]}}, {{q[4], q[5]}, {q[6], q[7]}}};
-      },
-      [](const Question& q) { return intersects(q.a, q.b); }));
+  task.methods = branching_methods<AnswerKind::decision, 8>(SegmentAgainstSegment{});
+  task.methods.push_back(
+      exact_method<Segment2, Segment2>([](const auto& a, const auto& b) { return intersects(a, b); }));
   return task;
 }
 

@@ -39,7 +39,7 @@ struct Task {
   std::vector<Symmetry> symmetries;
   std::vector<Method> methods;
   std::function<double(std::span<const double> question)> judge;
-  std::uint64_t fewer = 1;  // of the cases this part is asked, where the judge takes its time
+  std::uint64_t fewer = 1;  // divides the cases that are asked, where the judge takes its time
 };
 
 /// Methods that need a rival's library: whoever links one names the task that it joins.
