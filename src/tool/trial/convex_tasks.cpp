@@ -45,6 +45,7 @@ Task convex_distance_task() {
   constexpr std::size_t numbers = 6 * set_points;
   Task task{
       "convex-distance", "how far apart are the hulls of 4 and 4 points?", numbers, AnswerKind::number, {}, {}, {}, {}};
+  task.fewer = 8;
   task.symmetries = {reordered(3, {4, 5, 6, 7, 0, 1, 2, 3}), reordered(3, {3, 2, 1, 0, 5, 4, 7, 6})};
   task.judge = [](std::span<const double> q) { return nearest_root(square_between_hulls(q)); };
   task.classes = shape_classes(3);
