@@ -7,6 +7,7 @@
 #include "plumb/figure/hull2.hpp"
 #include "plumb/figure/hull3.hpp"
 #include "plumb/figure/minimum_sphere.hpp"
+#include "tool/trial/ball_tests.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/hull_tests.hpp"
 #include "tool/trial/rational_judge.hpp"
@@ -50,28 +51,6 @@ double corners_by_definition(const std::vector<RationalVec>& p) {
     if (others.points.empty() || !meet({{p[i]}, {}}, others)) corners |= std::uint32_t{1} << i;
   }
   return corners;
-}
-
-/// The ball through some points whose center lies in their hull's plane; false where they span less.
-template <class T>
-bool through(std::span<const Vec<T>> p, Vec<T>& center, T& square) {
-  center = p[0];
-  if (p.size() == 2) {
-    center = (p[0] + p[1]) * T(T(1) / T(2));
-  } else if (p.size() == 3) {
-    const Vec<T> u = p[1] - p[0], v = p[2] - p[0], n = cross(u, v);
-    const T whole = 2 * dot(n, n);
-    if (whole == 0) return false;
-    center = p[0] + (cross(n, u) * dot(v, v) + cross(v, n) * dot(u, u)) * T(1 / whole);
-  } else if (p.size() == 4) {
-    const Vec<T> u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
-    const T whole = 2 * dot(u, cross(v, w));
-    if (whole == 0) return false;
-    center = p[0] + (cross(v, w) * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w)) * T(1 / whole);
-  }
-  const Vec<T> r = p[0] - center;
-  square = dot(r, r);
-  return true;
 }
 
 /// The least of the balls through two, three or four of the points, or one, that hold all.
