@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -120,7 +121,7 @@ std::vector<Point2> corners_of(const std::vector<std::uint32_t>& corners, const 
   std::vector<Point2> hull;
   for (const std::uint32_t c : corners) hull.push_back(points[c]);
   const auto before = [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
-  std::ranges::rotate(hull, std::ranges::min_element(hull, before));
+  std::rotate(hull.begin(), std::ranges::min_element(hull, before), hull.end());
   return hull;
 }
 
