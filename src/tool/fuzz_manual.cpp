@@ -29,8 +29,11 @@ wrong  Answers that are not the exact one; of numbers, more than --ulps
        doubles and --relative away from it.
 failed Calls that did not end in an answer: crashed, hung, exited or
        threw.
-unsure Answers that are no number (NaN). Those are no findings.
 share  Of wrong and failed among asked.
+degenerate
+       How many of wrong and failed had a degenerate figure: a triangle
+       without area, a segment without length.
+unsure Answers that are no number (NaN). Those are no findings.
 
 Ctrl-C ends the asking; what was found so far is reported.
 

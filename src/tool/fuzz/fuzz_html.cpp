@@ -15,9 +15,9 @@ std::string article(const FuzzReport& r, std::size_t number, const SortOfFailure
   std::string generators;
   for (const std::string& g : found.generators) generators.append(generators.empty() ? "" : ", ").append(g);
   std::string html = fmt::format(
-      "<article>\n<h3>{}. {}</h3>\n<p>{}{}</p>\n<p>given <span class=\"fails\">{}</span>, exact {}</p>\n"
+      "<article>\n<h3>{}. {}</h3>\n<p>{}{}{}</p>\n<p>given <span class=\"fails\">{}</span>, exact {}</p>\n"
       "<details><summary>The case</summary><div><pre>{}\n\n{}</pre></div></details>\n",
-      number, escaped(printable(f.sort)), escaped(generators),
+      number, escaped(printable(f.sort)), escaped(generators), f.degenerate ? "; found with a degenerate figure" : "",
       f.repeated ? "" : "; asked again by itself it did not fail", escaped(printable(words(r.kind, f.given))),
       escaped(words(r.kind, f.exact)), escaped(decimal_text(r.kind, f.smallest)),
       escaped(replay_line(r.options, r.kind, f.smallest)));
@@ -31,13 +31,14 @@ std::string article(const FuzzReport& r, std::size_t number, const SortOfFailure
 std::string table(const FuzzReport& r) {
   std::string html =
       "<div class=\"counts\"><table>\n<tr><th scope=\"col\">generator</th><th scope=\"col\">asked</th>"
-      "<th scope=\"col\">wrong</th><th scope=\"col\">failed</th><th scope=\"col\">unsure</th></tr>\n";
+      "<th scope=\"col\">wrong</th><th scope=\"col\">failed</th><th scope=\"col\">degenerate</th>"
+      "<th scope=\"col\">unsure</th></tr>\n";
   const auto cell = [](std::uint64_t count) {
     return fmt::format("<td{}>{}</td>", count == 0 ? "" : " class=\"fails\"", count);
   };
   for (const degenerate::Tally& t : r.run.findings.tallies) {
-    html += fmt::format("<tr><td>{}</td><td>{}</td>{}{}<td>{}</td></tr>\n", escaped(t.generator), t.asked,
-                        cell(t.wrong), cell(t.failed), t.unsure);
+    html += fmt::format("<tr><td>{}</td><td>{}</td>{}{}<td>{}</td><td>{}</td></tr>\n", escaped(t.generator), t.asked,
+                        cell(t.wrong), cell(t.failed), t.degenerate, t.unsure);
   }
   return html + "</table></div>\n";
 }

@@ -25,6 +25,7 @@ json json_of(const FuzzReport& r, const SortOfFailure& found) {
           {"generators", found.generators},
           {"generator", f.generator},
           {"index", f.index},
+          {"degenerate", f.degenerate},
           {"repeated", f.repeated},
           {"given", printable(words(r.kind, f.given))},
           {"exact", words(r.kind, f.exact)},
@@ -53,6 +54,7 @@ json fuzz_json(const FuzzReport& r) {
                                {"asked", t.asked},
                                {"wrong", t.wrong},
                                {"failed", t.failed},
+                               {"degenerate", t.degenerate},
                                {"unsure", t.unsure}});
   }
   j["findings"] = json::array();

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <map>
+#include <tuple>
 
 #include "plumb/degenerate/paste.hpp"
 #include "tool/progress.hpp"
@@ -154,9 +155,10 @@ FuzzRun fuzz(const Kind& kind, ForeignProcess& process, degenerate::CheckOptions
 }
 
 std::vector<SortOfFailure> sorts_of_failure(const Kind& kind, const Findings& findings) {
-  // A short line has few points and short numbers; what fails again goes before what does not.
+  // What fails again goes before what does not, proper figures before degenerate ones, and a short line has few points
+  // and short numbers.
   const auto rank = [&](const degenerate::Finding& f) {
-    return std::pair(!f.repeated, case_line(kind, f.smallest).size());
+    return std::tuple(!f.repeated, f.degenerate, case_line(kind, f.smallest).size());
   };
   std::vector<SortOfFailure> sorts;
   for (const degenerate::Finding& f : findings.findings) {

@@ -39,13 +39,13 @@ std::string percent(const Tally& t) {
 std::string table(const FuzzReport& r, const Style& style) {
   std::size_t width = 9;
   for (const Tally& t : r.run.findings.tallies) width = std::max(width, t.generator.size());
-  std::string text = style.dim(fmt::format("  {:{}} {:>10} {:>10} {:>10} {:>10} {:>10}", "generator", width, "asked",
-                                           "wrong", "failed", "unsure", "share")) +
+  std::string text = style.dim(fmt::format("  {:{}} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}", "generator", width,
+                                           "asked", "wrong", "failed", "share", "degenerate", "unsure")) +
                      "\n";
   for (const Tally& t : r.run.findings.tallies) {
     const std::string share = fmt::format("{:>10}", percent(t));
-    text += fmt::format("  {:{}} {:>10} {:>10} {:>10} {:>10} {}\n", t.generator, width, t.asked, t.wrong, t.failed,
-                        t.unsure, t.wrong + t.failed == 0 ? share : style.red(share));
+    text += fmt::format("  {:{}} {:>10} {:>10} {:>10} {} {:>10} {:>10}\n", t.generator, width, t.asked, t.wrong,
+                        t.failed, t.wrong + t.failed == 0 ? share : style.red(share), t.degenerate, t.unsure);
   }
   return text;
 }
