@@ -8,7 +8,7 @@
 #include <map>
 
 #include "bench/ccd_rival.hpp"
-#include "query/ccd_queries.hpp"
+#include "tool/stability/ccd_queries.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -92,7 +92,7 @@ void add(const std::string& name, const std::vector<Query>& queries) {
 
 const bool registered = [] {
   std::map<std::string, std::vector<Query>> scenes;
-  for (const Query& q : ccd::all_queries()) {
+  for (const Query& q : ccd::all_queries(PLUMB_SOURCE_DIR "/../shared/ccd")) {
     scenes[q.scene + (q.vertex_face ? "/vertex_face" : "/edge_edge")].push_back(q);
     scenes["all"].push_back(q);
   }

@@ -7,10 +7,12 @@
 #include <iostream>
 #include <map>
 
-#include "query/ccd_queries.hpp"
+#include "tool/stability/ccd_queries.hpp"
 
 namespace plumb::ccd {
 namespace {
+
+const std::string ccd_folder = PLUMB_SHARED_DIR "/ccd";
 
 std::string shown(const Query& q) {
   std::string text = q.scene + (q.vertex_face ? " vertex-face" : " edge-edge");
@@ -43,7 +45,7 @@ Query permuted(Query q) {
 }
 
 TEST(CcdModelsTest, EveryAnswerIsTrue) {
-  const std::vector<Query> queries = all_queries();
+  const std::vector<Query> queries = all_queries(ccd_folder);
   if (queries.empty()) {
     std::cout << "skipped: there are no queries in ../shared/ccd\n";
     return;
@@ -73,7 +75,7 @@ TEST(CcdModelsTest, EveryAnswerIsTrue) {
 }
 
 TEST(CcdModelsTest, OrdersOfVerticesAndOfTimeDoNotMatter) {
-  for (const Query& q : all_queries()) {
+  for (const Query& q : all_queries(ccd_folder)) {
     EXPECT_EQ(intersects(reversed(q)), q.meets) << shown(q);
     EXPECT_EQ(intersects(permuted(q)), q.meets) << shown(q);
   }
@@ -81,7 +83,7 @@ TEST(CcdModelsTest, OrdersOfVerticesAndOfTimeDoNotMatter) {
 
 TEST(CcdModelsTest, FirstContactsAreWhereTheAnswerIsYes) {
   int at_start = 0, later = 0;
-  for (const Query& q : all_queries()) {
+  for (const Query& q : all_queries(ccd_folder)) {
     const std::optional<Contact> contact = first_contact(q), other = first_contact(permuted(q));
     ASSERT_EQ(contact.has_value(), q.meets) << shown(q);
     ASSERT_EQ(other.has_value(), q.meets) << shown(q);

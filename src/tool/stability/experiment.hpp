@@ -70,5 +70,6 @@ Experiment move_experiment();
 Experiment pose_experiment();
 Experiment distance_experiment();
 Experiment ball_experiment();
+Experiment motion_experiment();
 
 }  // namespace plumb::tool::stability

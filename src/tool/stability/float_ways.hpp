@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "tool/stability/experiment.hpp"
-#include "tool/trial/formula_methods.hpp"
+#include "tool/trial/contestant.hpp"
 
 namespace plumb::tool::stability {
 
