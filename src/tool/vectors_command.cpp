@@ -9,6 +9,8 @@
 
 #include "meanings.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/query/kinds.hpp"
+#include "query/kind_generators.hpp"
 #include "terminal.hpp"
 #include "tool/trial/measure.hpp"
 
@@ -18,8 +20,8 @@ namespace {
 using trial::InputClass;
 using trial::Task;
 
-constexpr std::uint64_t looked_at = 256;  // cases of a class
-constexpr std::size_t first_cases = 8, of_answer = 2, of_method = 6;
+constexpr std::uint64_t most_looked_at = 96;  // cases of a class
+constexpr std::size_t first_cases = 4, of_answer = 2, of_method = 4;
 constexpr double lost_doubles = 0x1p33;  // between the answer and the nearest double: some 20 bits of 53 are right
 
 enum class Form : std::uint8_t { sign, yes_no, number, corners };
@@ -46,6 +48,10 @@ constexpr std::array layouts{
            "the point, then the 6 corners +x -x +y -y +z -z of an octahedron about the origin: x y z each",
            Form::yes_no},
     Layout{"hull-2d", "16 points: x y each", Form::corners},
+    Layout{"hull-3d", "12 points: x y z each", Form::corners},
+    Layout{"vertex-face-motion", "the vertex and the three corners at time 0, then at time 1: x y z each",
+           Form::yes_no},
+    Layout{"edge-edge-motion", "the ends of both edges at time 0, then at time 1: x y z each", Form::yes_no},
     Layout{"smallest-ball", "5 points: x y z each", Form::number},
     Layout{"point-triangle-distance", "the point, corners of the triangle: x y z each", Form::number},
     Layout{"segment-segment-distance", "ends of either segment: x y z each", Form::number},
@@ -90,12 +96,49 @@ bool wrong(Form form, double said, double truth) {
   return !std::isfinite(said) || trial::doubles_apart(said, truth) > lost_doubles;
 }
 
+/// Tasks of two shapes that are no kinds of plumb/query/kinds.hpp, or kinds of any number of points.
+struct ShapesOfTask {
+  std::string_view task;
+  degenerate::ShapeKind a, b;
+};
+constexpr std::array shapes_of_tasks{
+    ShapesOfTask{"segment-triangle", degenerate::ShapeKind::segment, degenerate::ShapeKind::triangle},
+    ShapesOfTask{"point-triangle-distance", degenerate::ShapeKind::point, degenerate::ShapeKind::triangle},
+    ShapesOfTask{"segment-segment-distance", degenerate::ShapeKind::segment, degenerate::ShapeKind::segment},
+    ShapesOfTask{"convex-distance", degenerate::ShapeKind::tetrahedron, degenerate::ShapeKind::tetrahedron},
+};
+
+std::vector<degenerate::Generator> generators_of(std::string_view task) {
+  const auto shapes = std::ranges::find(shapes_of_tasks, task, &ShapesOfTask::task);
+  if (shapes != shapes_of_tasks.end())
+    return degenerate::position_generators(shapes->a, shapes->b, 3, degenerate::join_plainly);
+  for (const degenerate::Kind& kind : degenerate::kinds()) {
+    if (kind.name == task && std::ranges::none_of(kind.arguments, &degenerate::Argument::any_number))
+      return kind.generators;
+  }
+  return {};
+}
+
+/// The task's classes, and the generators of its like among the kinds.
+std::vector<InputClass> classes_of(const Task& task) {
+  std::vector<InputClass> classes = task.classes;
+  for (const degenerate::Generator& g : generators_of(task.name)) {
+    if (std::ranges::find(classes, g.name, &InputClass::name) != classes.end()) continue;
+    classes.push_back({g.name, g.about, [make = g.make](std::span<double> question, Entropy& entropy) {
+                         degenerate::Numbers numbers;
+                         make(numbers, entropy);
+                         std::ranges::copy(numbers, question.begin());
+                       }});
+  }
+  return classes;
+}
+
 /// Cases of one class, with the true answers and who is wrong on which.
 class ClassCases {
  public:
   ClassCases(const Task& task, const InputClass& input, Form form, std::uint64_t seed)
-      : task_(task), form_(form), numbers_(looked_at * task.numbers) {
-    for (std::uint64_t i = 0; i < looked_at; ++i) {
+      : task_(task), form_(form), looked_at_(most_looked_at / task.fewer), numbers_(looked_at_ * task.numbers) {
+    for (std::uint64_t i = 0; i < looked_at_; ++i) {
       Entropy entropy(seed, i);
       const auto question = std::span(numbers_).subspan(i * task.numbers, task.numbers);
       input.fill(question, entropy);
@@ -106,7 +149,7 @@ class ClassCases {
       const auto method = std::ranges::find(task.methods, marked_methods[m], &trial::Method::name);
       const auto round = method->prepare(numbers_, scene);
       round->answer();
-      for (std::size_t i = 0; i < looked_at; ++i) wrong_[m].push_back(wrong(form, round->given(i), truths_[i]));
+      for (std::size_t i = 0; i < looked_at_; ++i) wrong_[m].push_back(wrong(form, round->given(i), truths_[i]));
     }
   }
 
@@ -139,8 +182,8 @@ class ClassCases {
 
  private:
   template <class Wanted>
-  static void add_first(std::set<std::size_t>& cases, std::size_t count, Wanted wanted) {
-    for (std::size_t i = 0, found = 0; i < looked_at && found < count; ++i) {
+  void add_first(std::set<std::size_t>& cases, std::size_t count, Wanted wanted) const {
+    for (std::size_t i = 0, found = 0; i < looked_at_ && found < count; ++i) {
       if (!wanted(i)) continue;
       cases.insert(i);
       ++found;
@@ -149,6 +192,7 @@ class ClassCases {
 
   const Task& task_;
   const Form form_;
+  const std::uint64_t looked_at_;
   std::vector<double> numbers_, truths_;
   std::array<std::vector<bool>, marked_methods.size()> wrong_;
 };
@@ -157,7 +201,7 @@ std::string file_of(const Task& task, const Layout& layout, std::uint64_t seed) 
   std::string lines;
   std::size_t count = 0;
   std::array<std::size_t, marked_methods.size()> caught{};
-  for (const InputClass& input : task.classes) {
+  for (const InputClass& input : classes_of(task)) {
     lines += fmt::format("#\n# {}: {}\n", input.name, input.about);
     const ClassCases cases(task, input, layout.form, seed);
     for (const std::size_t i : cases.chosen()) {

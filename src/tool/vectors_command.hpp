@@ -1,8 +1,9 @@
 // `plumb vectors`: which cases should everybody's geometry be tried on?  Inputs, exact answers, and who gets them
 // wrong.
 //
-// One text file a task of tool/trial, in it some cases of each input class: one line a case, in the form of
-// certify/case_line.hpp,
+// One text file a task of tool/trial, in it some cases of each input class, of its shapes in each special position
+// (degenerate/shape_pair.hpp), and of each generator of the kind of the same name (query/kinds.hpp) that has as many
+// numbers: one line a case, in the form of certify/case_line.hpp,
 //
 //   ray-triangle 0x1p+0 0x0p+0 ... = yes # touching; wrong: float32 absolute
 //

@@ -110,7 +110,8 @@ TEST(Snap, GoesToTheNearestMultiple) {
     SCOPED_TRACE(testing::Message() << "start 11, case " << i << ": " << x << " to multiples of 2^" << exponent);
     ASSERT_TRUE(std::isfinite(to));
     mpq_class step = 1;
-    (exponent >= 0 ? mpq_mul_2exp : mpq_div_2exp)(step.get_mpq_t(), step.get_mpq_t(), std::abs(exponent));
+    (exponent >= 0 ? mpq_mul_2exp : mpq_div_2exp)(step.get_mpq_t(), step.get_mpq_t(),
+                                                  static_cast<mp_bitcnt_t>(std::abs(exponent)));
     const mpq_class multiple = mpq_class(to) / step, off = abs(mpq_class(mpq_class(x) - mpq_class(to)));
     EXPECT_EQ(multiple.get_den(), 1);
     EXPECT_LE(mpq_class(2 * off), step);

@@ -2,6 +2,7 @@
 // catch.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "plumb/query/kinds.hpp"
 #include "run_program.hpp"
 #include "tool/trial/task.hpp"
 #include "tool/vectors_command.hpp"
@@ -69,6 +71,37 @@ double said(const trial::Task& task, std::string_view method, const std::vector<
   return round->given(0);
 }
 
+/// The same case for the kind of that name, which says how many points follow where there may be any number.
+degenerate::Numbers as_asked_of_kinds(const std::string& task, degenerate::Numbers numbers) {
+  if (task == "point-in-polygon") numbers.insert(numbers.begin() + 2, 8);
+  if (task == "convex-distance") {
+    numbers.insert(numbers.begin() + 12, 4);
+    numbers.insert(numbers.begin(), 4);
+  }
+  return numbers;
+}
+
+TEST(Vectors, AreThoseOfTheKinds) {
+  int shared = 0;
+  for (const degenerate::Kind& kind : degenerate::kinds()) {
+    const std::string name(kind.name);
+    const std::vector<Vector> vectors = read(content(folder / (name + ".txt")), name);
+    if (vectors.empty()) continue;
+    ++shared;
+    std::set<std::string> inputs;
+    for (const Vector& v : vectors) {
+      const degenerate::Numbers numbers = as_asked_of_kinds(name, v.numbers);
+      EXPECT_EQ(flaw_of(kind, numbers), "") << name;
+      EXPECT_EQ(kind.exact(numbers).numbers.at(0), number_of(v.answer, name)) << name;
+      inputs.insert(v.input);
+    }
+    if (std::ranges::any_of(kind.arguments, &degenerate::Argument::any_number)) continue;
+    for (const degenerate::Generator& g : kind.generators)
+      EXPECT_TRUE(inputs.contains(g.name)) << name << ' ' << g.name;
+  }
+  EXPECT_GE(shared, 10);
+}
+
 TEST(Vectors, AreWhatTheProgramWrites) {
   const std::vector<NamedText> files = vector_files(2026);
   EXPECT_GE(files.size(), 16);
@@ -111,7 +144,7 @@ TEST(Vectors, AreTrueAndCatchEveryUsualWay) {
     EXPECT_GE(answers.size(), 2U) << task.name;
     for (const std::string_view method : marked_methods) {
       if (task.name == "box-box" && method == "double") continue;  // compares, and rounds nothing
-      EXPECT_GE(caught[std::string(method)], 4) << task.name << ' ' << method;
+      EXPECT_GE(caught[std::string(method)], 2) << task.name << ' ' << method;
     }
     EXPECT_EQ(task.name == "box-box", caught["double"] == 0) << task.name;
   }
