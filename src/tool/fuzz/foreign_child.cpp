@@ -64,10 +64,14 @@ std::string loadable(const std::string& library) {
 
 /// Nothing where it was found, else why not.
 std::string find_function(const ForeignCode& code, degenerate::ForeignFunction& function) {
-  void* const library = ::dlopen(loadable(code.library).c_str(), RTLD_NOW | RTLD_LOCAL);
+  const std::string path = loadable(code.library);
+  void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    const char* const why = ::dlerror();
-    return fmt::format("cannot load {}: {}", code.library, why == nullptr ? "no reason given" : why);
+    const char* const reason = ::dlerror();
+    std::string_view why = reason == nullptr ? "no reason given" : reason;
+    if (why.starts_with(path)) why.remove_prefix(path.size());
+    return fmt::format("cannot load {}{}{}; a shared library for this machine is wanted", code.library,
+                       why.starts_with(':') ? "" : ": ", why);
   }
   ::dlerror();
   void* const address = ::dlsym(library, code.symbol.c_str());

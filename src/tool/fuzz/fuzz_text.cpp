@@ -13,6 +13,8 @@ using degenerate::Kind;
 using degenerate::Numbers;
 using degenerate::Tally;
 
+constexpr std::size_t kNamed = 6;  // generators of a finding
+
 /// A word as a shell takes it literally.
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {
@@ -53,7 +55,9 @@ std::string table(const FuzzReport& r, const Style& style) {
 std::string one_finding(const FuzzReport& r, std::size_t number, const SortOfFailure& found, const Style& style) {
   const Finding& f = *found.simplest;
   std::string generators;
-  for (const std::string& g : found.generators) generators.append(generators.empty() ? "" : ", ").append(g);
+  for (std::size_t i = 0; i < std::min(found.generators.size(), kNamed); ++i)
+    generators.append(i == 0 ? "" : ", ").append(found.generators[i]);
+  if (found.generators.size() > kNamed) generators += fmt::format(" and {} more", found.generators.size() - kNamed);
   std::string text =
       fmt::format("\n{}  ({})\n", style.bold(fmt::format("{}. {}", number, printable(f.sort))), generators);
   if (!f.repeated) text += "asked again by itself it did not fail: it depends on what was asked before, or on chance\n";
