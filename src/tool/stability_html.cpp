@@ -51,7 +51,7 @@ std::string scenes_html(std::span<const SceneReport> reports, const nlohmann::js
       "Where methods fail",
       fmt::format("{}seed {}", raw.at("quick").get<bool>() ? "quick, " : "", raw.at("seed").get<std::uint64_t>()),
       "Each table counts how often a method failed, in the terms of who uses it, out of how many trials in "
-      "which it could have. The exact method fails nothing anywhere: that is tested.",
+      "which it could have. What is told exactly from the points as they are fails nothing anywhere: that is tested.",
       {},
       ""};
   std::vector<std::string> experiments, methods;

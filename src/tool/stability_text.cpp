@@ -10,8 +10,8 @@ namespace {
 using stability::Count;
 using stability::MethodOutcome;
 
-std::string row(const MethodOutcome& outcome, const Style& style) {
-  std::string line = fmt::format("  {:<16}", outcome.method);
+std::string row(const MethodOutcome& outcome, std::size_t width, const Style& style) {
+  std::string line = fmt::format("  {:<{}}", outcome.method, width);
   bool failed = false;
   for (const Count& c : outcome.counts) {
     line += fmt::format("{:>18}", fmt::format("{} of {}", c.failures, c.of));
@@ -26,14 +26,16 @@ std::string row(const MethodOutcome& outcome, const Style& style) {
 std::string scene_text(const SceneReport& r, const Style& style) {
   std::string text = style.bold(fmt::format("{}: {}", r.experiment, r.scene)) + fmt::format(": {}\n", r.about);
   if (r.findings.outcomes.empty()) return text;
-  std::string head = fmt::format("  {:<16}", "method");
+  std::size_t width = 16;
+  for (const MethodOutcome& o : r.findings.outcomes) width = std::max(width, o.method.size() + 1);
+  std::string head = fmt::format("  {:<{}}", "method", width);
   char letter = 'A';
   for (const Count& c : r.findings.outcomes.front().counts) {
     text += fmt::format("  {}: {}\n", letter, c.failure);
     head += fmt::format("{:>18}", letter++);
   }
   text += style.bold(head) + "\n";
-  for (const MethodOutcome& o : r.findings.outcomes) text += row(o, style);
+  for (const MethodOutcome& o : r.findings.outcomes) text += row(o, width, style);
   return text;
 }
 
