@@ -78,8 +78,6 @@ class Builder {
     if (axis == 1 && order_.dimension == 2) return 0;
     return entropy_.within(order_.extent[axis]);
   }
-  Int depth() { return order_.dimension == 2 ? 0 : length(1); }
-  Int signed_length(std::size_t axis) { return entropy_.coin() ? -length(axis) : length(axis); }
 
   using Flat = std::array<Int, 2>;
   /// The second to the left of the first, about the origin.

@@ -1,5 +1,6 @@
-// Law 2 of degenerate/points.hpp: the same bits with every compiler and optimization level.  The numbers change only
-// when a generator is changed on purpose; recorded failures by case number change their meaning with them.
+// Law 2 of degenerate/points.hpp, law 4 of degenerate/shape_pair.hpp: the same bits with every compiler and
+// optimization level.  The numbers change only when a generator is changed on purpose; recorded failures by case number
+// change their meaning with them.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "plumb/degenerate/points.hpp"
+#include "plumb/degenerate/shape_pair.hpp"
 
 namespace {
 
@@ -47,6 +49,27 @@ TEST(Golden, FirstCasesOfEveryFamily) {
   for (const auto& info : plumb::families) {
     EXPECT_EQ(hash_of(info.family), golden.at(std::string(info.name))) << info.name;
   }
+}
+
+TEST(Golden, FirstPairsOfAllShapes) {
+  using namespace plumb::degenerate;
+  std::uint64_t hash = 0xcbf29ce484222325, index = 0;
+  for (const int dimension : {2, 3}) {
+    for (const auto& a : shape_kinds) {
+      for (const auto& b : shape_kinds) {
+        for (const auto& position : positions) {
+          if (!has_position(a.kind, b.kind, dimension, position.position)) continue;
+          for (const Nearness nearness : {Nearness::exactly, Nearness::nearly}) {
+            plumb::Entropy entropy(2, index++);
+            const ShapePair pair = shape_pair(a.kind, b.kind, dimension, position.position, nearness, entropy);
+            for (const double x : pair.a) hash = mixed(hash, x);
+            for (const double x : pair.b) hash = mixed(hash, x);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(hash, 0xd19cb1d7f84d444fu);
 }
 
 }  // namespace
