@@ -49,8 +49,8 @@ std::string file_lines(const MeshCheck& c) {
 }
 
 std::string lattice_line(const Lattice& lattice) {
-  return fmt::format("  lattice     multiples of 2^{} of {} bits; `plumb plan` says what that saves\n", lattice.exponent,
-                     lattice.bits);
+  return fmt::format("  lattice     multiples of 2^{} of {} bits; `plumb plan` says what that saves\n",
+                     lattice.exponent, lattice.bits);
 }
 
 std::string defect_lines(const MeshStatistics& m) {
