@@ -26,23 +26,20 @@ std::optional<bool> meets(const AnyRay& ray, const Shape& shape) {
 
 }  // namespace
 
-std::optional<bool> is_hit(const AnyRay& ray, const Triangle3& t) {
-  return meets(ray, Kernel::Triangle_3(of(t.a), of(t.b), of(t.c)));
-}
-std::optional<bool> is_hit(const AnyRay& ray, const Tetrahedron3& t) {
-  return meets(ray, Kernel::Tetrahedron_3(of(t.a), of(t.b), of(t.c), of(t.d)));
-}
+std::optional<bool> is_hit(const AnyRay& ray, const Triangle3& t) { return meets(ray, of(t)); }
+std::optional<bool> is_hit(const AnyRay& ray, const Tetrahedron3& t) { return meets(ray, of(t)); }
 std::optional<bool> is_hit(const AnyRay& ray, const Aabb3& b) {
   if (!(b.min.x < b.max.x && b.min.y < b.max.y && b.min.z < b.max.z)) return {};
-  return meets(ray, Kernel::Iso_cuboid_3(of(b.min), of(b.max)));
+  // CGAL 5.5 holds a line within the plane x = min.x or max.x for one that meets the box, wherever else it runs.
+  const bool in_face = ray.direction.x == 0 && (ray.origin.x == b.min.x || ray.origin.x == b.max.x);
+  if (ray.kind == AnyRay::Kind::line && in_face) return {};
+  return meets(ray, of(b));
 }
 std::optional<bool> is_hit(const AnyRay& ray, const Sphere3& s) {
   return with(ray, [&](const auto& straight) {
     return CGAL::squared_distance(of(s.center), straight) <= Number(s.radius) * Number(s.radius);
   });
 }
-std::optional<bool> is_hit(const AnyRay& ray, const Plane3& p) {
-  return meets(ray, Kernel::Plane_3(Number(p.normal.x), Number(p.normal.y), Number(p.normal.z), -Number(p.offset)));
-}
+std::optional<bool> is_hit(const AnyRay& ray, const Plane3& p) { return meets(ray, of(p)); }
 
 }  // namespace plumb::oracle
