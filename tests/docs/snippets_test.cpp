@@ -82,7 +82,6 @@ std::string missing_tool(const std::string& line) {
 class Documents : public testing::TestWithParam<fs::path> {
  protected:
   static void SetUpTestSuite() { ::unsetenv("GTEST_BRIEF"); }  // a reader's tests tell of themselves
-  static void SetUpTestSuite() { ::unsetenv("GTEST_BRIEF"); }  // readers see the programs of the pages without it
   void SetUp() override {
     fs::create_directory(folder_ / "bin");
     fs::create_symlink(PLUMB_PROGRAM, folder_ / "bin/plumb");
