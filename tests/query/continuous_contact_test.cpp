@@ -9,7 +9,6 @@
 #include <map>
 #include <string>
 
-#include "certify/sanitized.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/contains.hpp"
 #include "tool/trial/contact_judge.hpp"
@@ -21,7 +20,7 @@ namespace {
 #ifdef PLUMB_LONG_TESTS
 constexpr std::uint64_t cases = 5000;
 #else
-constexpr std::uint64_t cases = battery::sanitized ? 100 : 300;
+constexpr std::uint64_t cases = 300;
 #endif
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

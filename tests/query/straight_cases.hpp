@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "certify/sanitized.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/degenerate/moves.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -22,7 +21,7 @@ namespace plumb {
 #ifdef PLUMB_LONG_TESTS
 inline constexpr std::uint64_t straight_case_count = 20'000;
 #else
-inline constexpr std::uint64_t straight_case_count = battery::sanitized ? 60 : 300;
+inline constexpr std::uint64_t straight_case_count = 300;
 #endif
 
 /// How often each answer was seen.
