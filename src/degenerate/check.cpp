@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "degenerate/fields.hpp"
+#include "degenerate/kept_environment.hpp"
 #include "plumb/degenerate/shrink_case.hpp"
 
 namespace plumb::degenerate {
@@ -48,6 +49,7 @@ Numbers make(const Kind& kind, std::string_view generator, Entropy& entropy, std
 }
 
 Answer asked(const Callable& function, std::span<const double> numbers) {
+  const KeptEnvironment kept;
   try {
     return function(numbers);
   } catch (const std::exception& e) {
@@ -62,6 +64,7 @@ class Run {
   Run(const Kind& kind, const Batch& function, const CheckOptions& options)
       : kind_(kind), function_(function), options_(options), tolerance_(options.tolerance.value_or(kind.tolerance)) {
     if (options.cases == 0 && !(options.seconds > 0)) throw Error("check: neither cases nor seconds; give either");
+    if (options.block == 0) throw Error("check: a block of 0 cases; ask at least one at once");
     for (const Numbers& numbers : options.corpus) {
       if (const std::string flaw = flaw_of(kind, numbers); !flaw.empty()) throw Error("check: corpus: " + flaw);
     }
@@ -131,35 +134,31 @@ class Run {
       if (j.verdict == Verdict::right) continue;
       (j.verdict == Verdict::unsure ? tally.unsure : j.verdict == Verdict::wrong ? tally.wrong : tally.failed) += 1;
       if (j.verdict == Verdict::unsure) continue;
-      tally.degenerate += is_degenerate(kind_, cases[i]) ? 1 : 0;
-      keep(tally.generator, first + i, j.sort, cases[i], answers[i]);
+      const bool degenerate = is_degenerate(kind_, cases[i]);
+      tally.degenerate += degenerate ? 1 : 0;
+      keep({tally.generator, first + i, std::string(j.sort), degenerate, cases[i], cases[i], answers[i], {}});
     }
   }
 
-  void keep(const std::string& generator, std::uint64_t index, std::string_view sort, const Numbers& numbers,
-            const Answer& given) {
-    const bool degenerate = is_degenerate(kind_, numbers);
+  void keep(Finding found) {
     Finding* worst = nullptr;  // of the same generator: one of the same sort, or the first that is degenerate
     std::size_t kept = 0;
     for (Finding& f : found_.findings) {
-      if (f.generator != generator) continue;
+      if (f.generator != found.generator) continue;
       ++kept;
-      if (f.sort == sort) {
-        if (degenerate || !f.degenerate) return;
+      if (f.sort == found.sort) {
+        if (found.degenerate || !f.degenerate) return;
         worst = &f;
         break;
       }
       if (worst == nullptr && f.degenerate) worst = &f;
     }
-    const bool replaces = worst != nullptr && !degenerate && (worst->sort == sort || kept >= options_.keep);
-    if (!replaces && kept >= options_.keep) return;
-    Finding& f = replaces ? *worst : found_.findings.emplace_back();
-    f.generator = generator;
-    f.index = index;
-    f.sort = sort;
-    f.degenerate = degenerate;
-    f.found = f.smallest = numbers;
-    f.given = given;
+    const bool replaces = worst != nullptr && !found.degenerate && (worst->sort == found.sort || kept >= options_.keep);
+    if (replaces) {
+      *worst = std::move(found);
+    } else if (kept < options_.keep) {
+      found_.findings.push_back(std::move(found));
+    }
   }
 
   Answer ask_one(std::span<const double> numbers) {
@@ -170,6 +169,7 @@ class Run {
   }
 
   void shrink(Finding& f) {
+    if (options_.shrinks) options_.shrinks(f);
     const bool process = f.given.outcome != Outcome::answered && f.given.outcome != Outcome::threw;
     const std::size_t calls = process ? options_.shrink_calls / 100 : options_.shrink_calls;
     const auto fails = [&](std::span<const double> numbers) {
@@ -186,6 +186,7 @@ class Run {
         }
       }
       f.given = ask_one(f.smallest);
+      f.repeated = judge(kind_, f.smallest, f.given, tolerance_).sort == f.sort;
     }
     f.exact = kind_.exact(f.smallest);
   }
@@ -222,6 +223,10 @@ std::uint64_t Findings::asked() const {
   std::uint64_t all = 0;
   for (const Tally& t : tallies) all += t.asked;
   return all;
+}
+
+bool Findings::clean() const {
+  return std::ranges::all_of(tallies, [](const Tally& t) { return t.wrong + t.failed == 0; });
 }
 
 Numbers case_of(const Kind& kind, std::string_view generator, std::uint64_t seed, std::uint64_t index,

@@ -1,6 +1,7 @@
 #include "degenerate/fields.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "plumb/certify/case_line.hpp"
@@ -64,6 +65,20 @@ std::vector<Field> lengths_of(const Kind& kind, std::span<const double> numbers)
   return fields;
 }
 
+std::vector<Given> given(const Kind& kind, std::span<const double> numbers) {
+  std::vector<Given> all;
+  for (const Field& f : fields_of(kind, numbers)) {
+    const Argument& argument = kind.arguments[f.argument];
+    if (!all.empty() && &all.back().argument == &argument) {
+      const auto first = static_cast<std::size_t>(all.back().numbers.data() - numbers.data());
+      all.back().numbers = numbers.subspan(first, all.back().numbers.size() + f.size());
+    } else {
+      all.push_back({argument, numbers.subspan(f.first, f.size()), f.count});
+    }
+  }
+  return all;
+}
+
 std::string flaw_of(const Kind& kind, std::span<const double> numbers) {
   for (const double x : numbers) {
     if (!std::isfinite(x)) return std::string(kind.name).append(": a number is not finite");
@@ -96,6 +111,12 @@ void put_in_order(const Kind& kind, std::span<double> numbers) {
       for (double& x : part) x = std::fabs(x);
     }
   }
+}
+
+std::uint64_t fingerprint(std::span<const double> numbers) {
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, by words
+  for (const double x : numbers) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
+  return hash;
 }
 
 Numbers gathered(std::span<const double> numbers, std::span<const Field> fields) {

@@ -25,6 +25,15 @@ std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers);
 /// All but frames: those that a scaling multiplies.
 std::vector<Field> lengths_of(const Kind& kind, std::span<const double> numbers);
 
+/// All numbers of one argument, without the count.
+struct Given {
+  const Argument& argument;
+  std::span<const double> numbers;
+  std::size_t points;  // where there may be any number
+};
+
+std::vector<Given> given(const Kind& kind, std::span<const double> numbers);
+
 /// What a figure spans, and what such figures span unless they are degenerate: triangles, directions, boxes, polygons.
 /// Single points and sets of any number of points are never degenerate.
 struct Span {
@@ -38,6 +47,9 @@ void put_in_order(const Kind& kind, std::span<double> numbers);
 /// One to three small moves, some of which keep what is exactly so: a case that may have any number of points may have
 /// one more or less.
 void mutate(const Kind& kind, Numbers& numbers, Entropy& entropy);
+
+/// Names a case: the same numbers have the same.
+std::uint64_t fingerprint(std::span<const double> numbers);
 
 /// The coordinates of all points one after the other, and back.
 Numbers gathered(std::span<const double> numbers, std::span<const Field> fields);

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "degenerate/fields.hpp"
+#include "degenerate/kept_environment.hpp"
 #include "plumb/degenerate/paste.hpp"
 
 namespace plumb::degenerate {
@@ -93,7 +94,10 @@ std::vector<std::uint8_t> bytes_of(const Kind& kind, std::span<const double> num
 int fuzz_target(const Kind& kind, const Callable& function, Bytes bytes, std::optional<Tolerance> tolerance) {
   const std::optional<Numbers> numbers = numbers_from(kind, bytes);
   if (!numbers) return 0;
-  const Answer given = function(*numbers);
+  const Answer given = [&] {
+    const KeptEnvironment kept;
+    return function(*numbers);
+  }();
   const Judgment judgment = judge(kind, *numbers, given, tolerance.value_or(kind.tolerance));
   if (judgment.verdict == Verdict::right || judgment.verdict == Verdict::unsure) return 0;
   std::cerr << kind.name << " answered " << words(kind, given) << ", exactly it is "

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -86,6 +87,33 @@ TEST(Check, KeepsWhatFailsOnlyOnce) {
   EXPECT_EQ(findings.findings[0].given.note, "SIGSEGV");
 }
 
+TEST(Check, SaysWhatFailsByChance) {
+  std::uint64_t calls = 0;
+  const auto function = [&calls](std::span<const double> q) {
+    return ++calls % 3 == 0 ? Answer(std::numeric_limits<double>::infinity()) : turns().exact(q);
+  };
+  const Findings findings = check(turns(), function, {.cases = 40, .keep = 9});
+  EXPECT_GT(findings.findings.size(), 10u);
+  for (const Finding& f : findings.findings)
+    EXPECT_LE(f.repeated, judge(turns(), f.smallest, f.given, {}).sort == f.sort) << text(turns(), findings);
+}
+
+TEST(Check, JudgesInTheCallersRoundingMode) {
+  const auto function = [](std::span<const double> q) {
+    const Answer answer = turns().exact(q);
+    std::fesetround(FE_UPWARD);
+    return answer;
+  };
+  EXPECT_TRUE(check(turns(), function, {.cases = 100}).clean());
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST(Check, IsCleanOnlyWhereNothingFails) {
+  const Findings findings = check(turns(), naive_orient2d, {.cases = 300, .keep = 0});
+  EXPECT_TRUE(findings.findings.empty());
+  EXPECT_FALSE(findings.clean());
+}
+
 TEST(Check, AsksTheCorpusFirstAndMutatesIt) {
   const Numbers known{1, 2, 3, 4, 5, 7};
   std::vector<Numbers> asked;
@@ -128,6 +156,7 @@ TEST(Check, RefusesWhatItCannotAsk) {
   };
   EXPECT_NE(refused({.generators = {"gird"}}).find("orient2d has no generator gird; it has grid"), std::string::npos);
   EXPECT_EQ(refused({.cases = 0}), "check: neither cases nor seconds; give either");
+  EXPECT_EQ(refused({.block = 0}), "check: a block of 0 cases; ask at least one at once");
   EXPECT_EQ(refused({.corpus = {{1, 2, 3}}}), "check: corpus: orient2d: b lacks numbers");
 }
 
@@ -236,6 +265,13 @@ TEST(Case, IsReadyToPaste) {
   const std::string ray =
       cpp_text(kind_named("ray-triangle"), Numbers{0, 0, -1, 0, 0, 2, -1, -1, 0, 1, -1, 0, 0, 1, 0}, "mine");
   EXPECT_NE(ray.find("EXPECT_NE(mine(ray, triangle, &t), 0);\n  EXPECT_DOUBLE_EQ(t, 0x1p-1);"), std::string::npos);
+  // What is beyond all doubles no reader takes.
+  Numbers huge(30, 0x1p1023);
+  for (const Numbers& far : {huge, Numbers(huge.begin(), huge.begin() + 15)}) {
+    const std::string obj = obj_text(kind_named(far.size() == 30 ? "obb-obb" : "ray-triangle"), far);
+    EXPECT_EQ(obj.find("inf"), std::string::npos) << obj;
+    EXPECT_EQ(obj.find("nan"), std::string::npos) << obj;
+  }
 }
 
 // A failure that needs three vertices in a triangle of at least some size, far from the origin.

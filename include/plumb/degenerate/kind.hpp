@@ -73,7 +73,7 @@ struct Answer {
 /// What the user allows of numbers; of decisions nothing is allowed.
 struct Tolerance {
   std::uint64_t ulps = 0;  // as many doubles away from the nearest one
-  double relative = 0;     // of the largest magnitude among the case's coordinates and lengths
+  double relative = 0;  // of the largest magnitude among the case's coordinates and lengths; of a hit, of its parameter
 };
 
 enum class Verdict : unsigned char { right, unsure, wrong, failed };

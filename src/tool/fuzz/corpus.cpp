@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
+#include "degenerate/fields.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate/paste.hpp"
 #include "plumb/query/kinds.hpp"
@@ -23,13 +23,13 @@ namespace fs = std::filesystem;
 using degenerate::Kind;
 using degenerate::Numbers;
 
-constexpr std::size_t kLongestLine = 1 << 20;
+constexpr std::size_t kLongestLine = 1 << 20, kLongestReason = 200;
 
 [[noreturn]] void refuse(const fs::path& file, std::size_t line, std::string_view why) {
   throw Error(
       fmt::format("{}:{}: {}; a case file holds lines such as 'orient2d 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 "
                   "0x1p+0', and comments (#)",
-                  printable(file.string()), line, printable(why)));
+                  printable(file.string()), line, printable(why.substr(0, kLongestReason))));
 }
 
 /// A case, a comment, or a case of another kind; else it throws.
@@ -58,9 +58,7 @@ void read_file(const Kind& kind, const fs::path& path, std::vector<Numbers>& cas
 }
 
 std::string file_name(const Kind& kind, const Numbers& numbers) {
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, by words
-  for (const double x : numbers) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
-  return fmt::format("{}-{:016x}.case", kind.name, hash);
+  return fmt::format("{}-{:016x}.case", kind.name, degenerate::fingerprint(numbers));
 }
 
 }  // namespace
@@ -71,7 +69,7 @@ std::vector<Numbers> read_corpus(const std::string& folder, const Kind& kind) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with('.') && !entry.is_directory()) files.push_back(entry.path());
+    if (!name.starts_with('.') && entry.is_regular_file()) files.push_back(entry.path());
   }
   if (error) throw Error(fmt::format("cannot read {}: {}", printable(folder), error.message()));
   std::ranges::sort(files);
