@@ -1,8 +1,10 @@
 #include "query/kind_hull.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "plumb/arith/big.hpp"
 #include "plumb/figure/hull3.hpp"
 #include "plumb/figure/measures.hpp"
 #include "plumb/predicates.hpp"
@@ -41,6 +43,26 @@ TriangleMesh mesh_of(const Hull3& hull, const std::vector<Point3>& points) {
     mesh.triangles.push_back({face[0], face[1], face[2]});
   }
   return mesh;
+}
+
+BigDyadic six_volumes(const TriangleMesh& mesh) {
+  BigDyadic sum;
+  for (const Triangle& t : mesh.triangles) {
+    const auto [a, b, c] = std::array{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    const auto minor = [](double p, double q, double r, double s) {
+      return BigDyadic(p) * BigDyadic(q) - BigDyadic(r) * BigDyadic(s);
+    };
+    sum = sum + BigDyadic(a.x) * minor(b.y, c.z, b.z, c.y) + BigDyadic(a.y) * minor(b.z, c.x, b.x, c.z) +
+          BigDyadic(a.z) * minor(b.x, c.y, b.y, c.x);
+  }
+  return sum;
+}
+
+/// Whether they enclose the same volume, of which one is a multiple of the other.
+bool enclose_the_same(const TriangleMesh& a, const TriangleMesh& b) {
+  const double volume = signed_volume(a);
+  if (volume != signed_volume(b)) return false;
+  return std::isnormal(volume) || (six_volumes(a) - six_volumes(b)).sign() == Sign::zero;
 }
 
 }  // namespace
@@ -82,7 +104,8 @@ Judgment judge_hull(std::span<const double> numbers, const Answer& given) {
     Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
       const double index = given.numbers[i + k];
-      if (!(index < static_cast<double>(points.size()))) return wrong("an index beyond the points");
+      if (!(index >= 0 && index < static_cast<double>(points.size())) || index != std::trunc(index))
+        return wrong("an index beyond the points");
       const Point3& corner = points[static_cast<std::size_t>(index)];
       t[k] = static_cast<std::uint32_t>(std::ranges::find(points, corner) - points.begin());
     }
@@ -98,8 +121,7 @@ Judgment judge_hull(std::span<const double> numbers, const Answer& given) {
     if (!any_below) return wrong("a triangle without area");
   }
   if (!closes(mesh.triangles)) return wrong("triangles that do not close");
-  // Twice the volume is another double.
-  if (signed_volume(mesh) != signed_volume(mesh_of(hull, points))) return wrong("a face covered twice");
+  if (!enclose_the_same(mesh, mesh_of(hull, points))) return wrong("a face covered twice");
   return {};
 }
 

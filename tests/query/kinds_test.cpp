@@ -259,7 +259,8 @@ TEST(Kinds, TellWhatIsWrongWithAHull) {
   EXPECT_EQ(sort([](Numbers& t) { std::ranges::replace(t, 7, 8); }, cube), "");  // by its other number
   EXPECT_EQ(sort([](Numbers& t) { t.clear(); }, cube), "no triangles");
   EXPECT_EQ(sort([](Numbers& t) { t.pop_back(); }, cube), "more triangles than its capacity");
-  EXPECT_EQ(sort([](Numbers& t) { t[4] = 9; }, cube), "an index beyond the points");
+  for (const double index : {9.0, -1.0, 0.5, HUGE_VAL, std::nan("")})
+    EXPECT_EQ(sort([=](Numbers& t) { t[4] = index; }, cube), "an index beyond the points") << index;
   EXPECT_EQ(sort([](Numbers& t) { std::swap(t[0], t[1]); }, cube), "a point outside of a triangle");
   EXPECT_EQ(sort([](Numbers& t) { t[0] = t[1]; }, cube), "a triangle without area");
   EXPECT_EQ(sort([](Numbers& t) { t.resize(33); }, cube), "triangles that do not close");
@@ -293,7 +294,13 @@ TEST(Kinds, TellAHullThatCoversItsFacesTwice) {
   twice.numbers.insert(twice.numbers.end(), fine.numbers.begin(), fine.numbers.end());
   EXPECT_EQ(judge(kind, points, once, {}).sort, "");
   EXPECT_EQ(judge(kind, points, fine, {}).sort, "");  // corners need not be extreme
-  EXPECT_EQ(judge(kind, points, twice, {}).sort, "a face covered twice");
+  // Of volumes that are no doubles as well.
+  for (const double scale : {1.0, 0x1p-400, 0x1p400}) {
+    Numbers scaled = points;
+    for (double& x : std::span(scaled).subspan(1)) x *= scale;
+    EXPECT_EQ(judge(kind, scaled, fine, {}).sort, "");
+    EXPECT_EQ(judge(kind, scaled, twice, {}).sort, "a face covered twice") << scale;
+  }
 }
 
 TEST(Kinds, WatchTheRoomThatAHullHas) {
