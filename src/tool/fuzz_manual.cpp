@@ -35,7 +35,10 @@ degenerate
        without area, a segment without length.
 unsure Answers that are no number (NaN). Those are no findings.
 
-Ctrl-C ends the asking; what was found so far is reported.
+Ctrl-C ends the asking; what was found so far is made simple and
+reported. The second time it ends the simplifying, the third time the
+program. With --time simplifying takes as long again at the most, or
+ten seconds.
 
 With --corpus DIR the cases in that folder are asked first, also as
 starting points of changed ones, and the simplest case of each finding

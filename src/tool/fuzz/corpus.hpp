@@ -1,7 +1,7 @@
 // Which cases have failed before?  A folder of case files, read before a run, grown after it.
 //
 // A case file holds case lines, comments (#) and blank lines.  Lines of other kinds are passed over, so one folder may
-// serve many functions.
+// serve many functions, and several runs at once.  What is no file, or begins with a dot, is passed over as well.
 // Laws: (1) a file that holds anything else is refused, by name and line, before anything is asked; (2) a case is added
 // once, in a file of its own that is named by its numbers; (3) all new files arrive or none does.
 // Source: none; cost: reading the folder.

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -41,7 +42,7 @@ void limit_memory(std::uint64_t mib) {
 
 void shut_in(std::uint64_t memory_mib) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ::setpgid(0, 0);  // so that its own children can be ended with it, and Ctrl-C is the program's to answer
+  ::setsid();  // so that its own children can be ended with it, Ctrl-C is the program's to answer, and /dev/tty nothing
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
   for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
@@ -52,6 +53,7 @@ void shut_in(std::uint64_t memory_mib) {
   limit(RLIMIT_FSIZE, 0);
   std::signal(SIGXFSZ, SIG_IGN);  // that nothing is written is no crash
   limit_memory(memory_mib);
+  std::fesetenv(FE_DFL_ENV);  // the program's own exceptions are none of the code that traps them
 }
 
 /// A name without a folder is looked for here first, and then where the system keeps libraries.
@@ -162,6 +164,7 @@ void write_byte(int to) {
 
 void serve_foreign(const ForeignCode& code, ForeignBoard& board, int requests, int replies) {
   shut_in(code.memory_mib);
+  ::madvise(&board, sizeof board, MADV_DONTFORK);  // a copy of this process that comes back from the call ends here
   degenerate::ForeignFunction function = nullptr;
   std::string refusal = find_function(code, function);
   const Guarded guarded;

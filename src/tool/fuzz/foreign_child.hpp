@@ -2,7 +2,8 @@
 //
 // Laws: (1) what the code prints goes nowhere; (2) it has so much memory and no more, lets no file grow and leaves no
 // core; (3) the numbers of a case end where readable memory ends, so reading beyond them is a crash and no luck; (4) an
-// exception ends a call, not the child; (5) the child dies with the program.
+// exception ends a call, not the child; (5) the child dies with the program; (6) a process that the code forks cannot
+// answer for it.
 // Source: none; cost: copying a case and storing two numbers, about a millisecond to begin.
 #pragma once
 

@@ -96,7 +96,6 @@ void ForeignProcess::start_child() {
     end_child();
     throw Error(fmt::format("cannot start a process: {}", std::strerror(error)));
   }
-  ::setpgid(child, child);  // whoever is first
   const Reply reply = wait_for_reply(kLoading * limits_.call);
   if (reply == Reply::done && board_->state == ForeignBoard::State::serving) return;
   std::string why;
@@ -121,34 +120,29 @@ void ForeignProcess::end_child() {
   close_end(replies_);
 }
 
-/// Takes leave of a child that is dead; where it surely dies, it is given a moment.
-bool ForeignProcess::child_is_dead(bool surely) {
-  const Clock::time_point until = Clock::now() + (surely ? limits_.call : milliseconds(0));
-  for (;;) {
-    const pid_t gone = ::waitpid(child_, &status_, WNOHANG);
-    if (gone == child_ || (gone < 0 && errno == ECHILD)) {
-      ::kill(-child_, SIGKILL);  // what it may have started
-      child_ = -1;
-      return true;
-    }
-    if (Clock::now() >= until) return false;
-    std::this_thread::sleep_for(milliseconds(1));
-  }
+/// Takes leave of a child that is dead.
+bool ForeignProcess::child_is_dead() {
+  const pid_t gone = ::waitpid(child_, &status_, WNOHANG);
+  if (gone != child_ && (gone >= 0 || errno != ECHILD)) return false;
+  ::kill(-child_, SIGKILL);  // what it may have started
+  child_ = -1;
+  return true;
 }
 
 ForeignProcess::Reply ForeignProcess::wait_for_reply(milliseconds patience) {
   std::uint64_t at = board_->at;
   Clock::time_point since = Clock::now();
-  const int glance = static_cast<int>(std::clamp(patience / 4, milliseconds(1), kGlance).count());
+  milliseconds glance = std::clamp(patience / 4, milliseconds(1), kGlance);
+  pollfd reply{replies_, POLLIN, 0};
   for (;;) {
-    pollfd reply{replies_, POLLIN, 0};
-    const int ready = ::poll(&reply, 1, glance);
-    char byte = 0;
-    if (ready > 0) {
+    if (::poll(&reply, 1, static_cast<int>(glance.count())) > 0) {
+      char byte = 0;
       if (::read(replies_, &byte, 1) == 1) return Reply::done;
-      return child_is_dead(true) ? Reply::died : Reply::too_late;  // it closed the pipe, and may live on
+      reply.fd = -1;  // closed: the child is about to end, or it has closed what is not its own and goes on
+      glance = milliseconds(1);
+      since = Clock::now();
     }
-    if (child_is_dead(false)) return Reply::died;
+    if (child_is_dead()) return Reply::died;
     const std::uint64_t now_at = board_->at;
     if (now_at != at) {
       at = now_at;
@@ -210,11 +204,17 @@ std::size_t ForeignProcess::take_batch(std::span<Answer> answers) {
 std::size_t ForeignProcess::ask(std::span<const Numbers> cases, std::span<Answer> answers) {
   std::size_t done = 0;
   while (done < cases.size() && !exhausted()) {
-    if (child_ < 0) start_child();
+    try {
+      if (child_ < 0) start_child();
+    } catch (const Error&) {
+      hangs_left_ -= 1;
+      continue;
+    }
     const std::size_t asked = put_batch(cases.subspan(done));
     const char byte = 0;
-    const bool told = ::write(requests_, &byte, 1) == 1;  // SIGPIPE is ignored by the program
-    const Reply reply = told ? wait_for_reply(limits_.call) : child_is_dead(true) ? Reply::died : Reply::too_late;
+    // Where it has closed its end it ends, which is seen below; SIGPIPE is ignored by the program.
+    [[maybe_unused]] const ssize_t told = ::write(requests_, &byte, 1);
+    const Reply reply = wait_for_reply(limits_.call);
     const bool calling = board_->at != ForeignBoard::no_case;
     const std::size_t taken = take_batch(answers.subspan(done, asked));
     done += taken;

@@ -2,8 +2,8 @@
 //
 // Laws: (1) a crash, a call that takes too long, an exit and an exception are outcomes of the case that caused them,
 // and the other cases are asked all the same; (2) a child is replaced at most so often, after which cases are not asked
-// any more instead of asked for ever; (3) what cannot be loaded, or crashes or hangs in loading, is an Error; (4) no
-// child outlives this object.
+// any more instead of asked for ever; (3) what cannot be loaded, or crashes or hangs in loading, is an Error, and later,
+// when it is loaded anew, counts as a hang; (4) no child outlives this object.
 // Source: none; cost: 100 to 500 ns a case in batches of a thousand, about a millisecond a replaced child.
 #pragma once
 
@@ -27,7 +27,7 @@ struct ForeignLimits {
 
 class ForeignProcess {
  public:
-  /// Loads the function once to see that it can be; throws Error.
+  /// Loads the function; throws Error.
   ForeignProcess(ForeignCode code, ForeignLimits limits);
   ForeignProcess(const ForeignProcess&) = delete;
   ForeignProcess& operator=(const ForeignProcess&) = delete;
@@ -50,7 +50,7 @@ class ForeignProcess {
   void start_child();
   void end_child();
   Reply wait_for_reply(std::chrono::milliseconds patience);
-  bool child_is_dead(bool surely);
+  bool child_is_dead();
   [[nodiscard]] degenerate::Answer end_of_child(Reply reply) const;
   std::size_t put_batch(std::span<const degenerate::Numbers> cases);
   std::size_t take_batch(std::span<degenerate::Answer> answers);

@@ -22,16 +22,21 @@ using degenerate::Outcome;
 constexpr std::size_t kReplacements = 250;            // for each finding that is shrunk
 constexpr std::size_t kHangs = 10, kHangsOfAll = 30;  // the same, of which the last findings get two at least
 
+constexpr std::chrono::milliseconds kGlance(25);  // how often the clock and the user are heard, if the function lets us
+constexpr double kLeastShrinking = 10;            // seconds
+
 volatile std::sig_atomic_t interrupted = 0;
 
-/// While it lives, Ctrl-C and a polite request to end are heard; the second time they do what they always do.
+/// While it lives, Ctrl-C and a polite request to end are heard; after the second time they do what they always do.
 class Hearing {
  public:
   Hearing() {
     interrupted = 0;
     struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    action.sa_handler = [](int signal) {
+      interrupted = interrupted + 1;
+      if (interrupted == 2) std::signal(signal, SIG_DFL);
+    };
     for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &action, &before_[i]);
   }
   Hearing(const Hearing&) = delete;
@@ -65,21 +70,36 @@ class Fuzz {
 
   FuzzRun run() && {
     options_.progress = [this](const Findings& so_far) { return seen(so_far); };
+    options_.shrinks = [this](const degenerate::Finding& found) { begin_shrinking(found); };
     const degenerate::Batch batch = [this](std::span<const Numbers> cases, std::span<Answer> answers) {
-      shrinking(cases) ? shrink(cases[0], answers[0]) : search(cases, answers);
+      shrinking_since_ ? shrink(cases[0], answers[0]) : search(cases, answers);
     };
     FuzzRun result;
     result.findings = degenerate::check_in_batches(kind_, batch, options_);
     for (degenerate::Tally& tally : result.findings.tallies) {
       if (tally.generator == cut_short_) tally.asked -= unasked_;
     }
-    result.end = unasked_ > 0 ? FuzzRun::End::exhausted : interrupted != 0 ? FuzzRun::End::interrupted : result.end;
+    result.end = end_;
     return result;
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  [[nodiscard]] bool time_is_up() const {
+    return options_.seconds > 0 && Seconds(Clock::now() - start_).count() >= options_.seconds;
+  }
+
+  /// A few at once while the function is slow, many where it is not.
   void search(std::span<const Numbers> cases, std::span<Answer> answers) {
-    const std::size_t asked = process_.ask(cases, answers);
+    std::size_t asked = 0;
+    do {
+      const Clock::time_point begin = Clock::now();
+      const std::size_t count = std::min(at_once_, cases.size() - asked);
+      asked += process_.ask(cases.subspan(asked, count), answers.subspan(asked, count));
+      at_once_ = Clock::now() - begin < kGlance ? std::min(2 * at_once_, options_.block) : (at_once_ + 1) / 2;
+    } while (asked < cases.size() && !process_.exhausted() && interrupted == 0 && !time_is_up());
     unasked_ = cases.size() - asked;
     for (std::size_t i = asked; i < cases.size(); ++i) answers[i] = kind_.exact(cases[i]);  // no finding
   }
@@ -100,20 +120,26 @@ class Fuzz {
       steps = static_cast<std::uint64_t>(taken) - progress_.done();
     }
     progress_.advance(steps);
-    found_.clear();
-    for (const degenerate::Finding& f : so_far.findings) found_.push_back(bits_of(f.found));
-    return unasked_ == 0 && interrupted == 0;
+    if (unasked_ == 0 && interrupted == 0) return true;
+    end_ = process_.exhausted() ? FuzzRun::End::exhausted
+           : interrupted != 0   ? FuzzRun::End::interrupted
+                                : FuzzRun::End::budget;
+    return false;
   }
 
-  /// Shrinking asks case by case, and begins with one that was found.
-  bool shrinking(std::span<const Numbers> cases) {
-    const bool found = cases.size() == 1 && std::ranges::find(found_, bits_of(cases[0])) != found_.end();
-    if (found) {
-      process_.allow(kReplacements, std::clamp(hangs_left_, std::size_t{2}, kHangs));
-      known_.clear();
+  void begin_shrinking(const degenerate::Finding& found) {
+    if (!shrinking_since_) {
+      shrinking_since_ = Clock::now();
+      heard_ = interrupted;
     }
-    shrinking_ = cases.size() == 1 && (found || shrinking_);
-    return shrinking_;
+    process_.allow(kReplacements, std::clamp(hangs_left_, std::size_t{2}, kHangs));
+    known_.clear();
+    if (given_up()) known_.emplace(bits_of(found.found), found.given);
+  }
+
+  [[nodiscard]] bool given_up() const {
+    const double taken = Seconds(Clock::now() - *shrinking_since_).count();
+    return interrupted != heard_ || (options_.seconds > 0 && taken > std::max(options_.seconds, kLeastShrinking));
   }
 
   /// What was answered is remembered: asking again may take its time, and there may be no more asking.
@@ -123,7 +149,7 @@ class Fuzz {
       answer = known->second;
       return;
     }
-    if (process_.ask(std::span(&numbers, 1), std::span(&answer, 1)) == 0) {
+    if (given_up() || process_.ask(std::span(&numbers, 1), std::span(&answer, 1)) == 0) {
       answer = kind_.exact(numbers);  // as if it did not fail: nothing simpler is found any more
       return;
     }
@@ -131,7 +157,6 @@ class Fuzz {
     known_.emplace(bits, answer);
   }
 
-  using Clock = std::chrono::steady_clock;
   const Kind& kind_;
   ForeignProcess& process_;
   degenerate::CheckOptions options_;
@@ -140,11 +165,13 @@ class Fuzz {
   Progress progress_;
   Hearing hearing_;
   std::vector<std::uint64_t> asked_;
+  std::size_t at_once_ = 1;
   std::size_t unasked_ = 0;  // of the last block
   std::string cut_short_;    // the generator that it was of
-  bool shrinking_ = false;
+  FuzzRun::End end_ = FuzzRun::End::budget;
+  std::optional<Clock::time_point> shrinking_since_;
+  int heard_ = 0;  // how often Ctrl-C had been, when shrinking began
   std::size_t hangs_left_ = kHangsOfAll;
-  std::vector<std::vector<std::uint64_t>> found_;
   std::map<std::vector<std::uint64_t>, Answer> known_;  // of the finding that is shrunk
 };
 
