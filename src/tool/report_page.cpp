@@ -129,7 +129,8 @@ std::string report_page(const ReportPage& page, const nlohmann::json& raw) {
                   text_of("date"), escaped(page.settings), escaped(page.introduction));
   for (const PageFilter& filter : page.filters) html += fieldset(filter);
   html += page.body;
-  std::string data = raw.dump();  // within a script nothing may look like its end
+  std::string data = raw.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  // within a script nothing may look like its end
   for (std::size_t at = 0; (at = data.find("</", at)) != std::string::npos; at += 3) data.replace(at, 2, "<\\/");
   html.append("<div id=\"hint\" role=\"status\" hidden></div>\n<script type=\"application/json\" id=\"raw\">");
   html.append(data).append("</script>\n").append(kScript);

@@ -1,6 +1,7 @@
 // `plumb fuzz` as a user meets it: faulty functions are found, right ones are not, and no foreign code spoils the run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -126,6 +127,12 @@ TEST(Fuzz, GoesOnWhereItsOwnFilesAreClosed) {
   EXPECT_THAT(o.out, HasSubstr("nothing found in 600 cases"));
 }
 
+TEST(Fuzz, HearsNoAnswersOfProcessesThatTheFunctionForked) {
+  const Outcome o = run(command("wrong", "forking_orient3d") + "--generator uniform --cases 600");
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("nothing found in 600 cases"));
+}
+
 TEST(Fuzz, ReportsTheSameForTheSameSeed) {
   const std::string line = command("wrong", "naive_orient3d") + "--cases 60" + kFewGenerators;
   const std::string first = run(line).out;
@@ -135,6 +142,11 @@ TEST(Fuzz, ReportsTheSameForTheSameSeed) {
 
 TEST(Fuzz, StopsWhenTimeIsUpOrTheUserSaysSo) {
   EXPECT_THAT(run(command("right", "right_orient3d") + "--time 0.2").out, HasSubstr("nothing found"));
+  // Also in the middle of a block, where each call takes a fiftieth of a second.
+  const std::string slow = run(command("wrong", "slow_orient3d") + "--time 0.2 --generator uniform").out;
+  const std::size_t at = slow.find("nothing found in ");
+  ASSERT_NE(at, std::string::npos) << slow;
+  EXPECT_LE(std::stoi(slow.substr(at + 17)), 12);
   const Outcome o =
       run("timeout --preserve-status -s INT 0.4 " + command("wrong", "naive_orient3d") + "--time 1e9" + kFewGenerators);
   EXPECT_EQ(o.code, 1) << o.err;
@@ -158,6 +170,15 @@ TEST(FuzzCorpus, GrowsAndIsAskedFirst) {
       run(command("wrong", "naive_orient3d") + "--cases 1 --generator uniform --corpus " + (folder / "c"));
   EXPECT_EQ(third.code, 1);
   EXPECT_THAT(line_of(third.out, "  corpus "), HasSubstr("100 %"));
+}
+
+TEST(FuzzCorpus, PassesOverWhatIsNoFileAndWhatOthersAreWriting) {
+  const Folder folder;
+  fs::create_directories(folder / "c/deeper");
+  ASSERT_EQ(::mkfifo((folder / "c/pipe").c_str(), 0600), 0);
+  std::ofstream(folder / "c/.orient3d-0.case.1.part") << "orient3d 0x";
+  const Outcome o = run(command("right", "right_orient3d") + "--cases 1 --corpus " + (folder / "c"));
+  EXPECT_EQ(o.code, 0) << o.err;
 }
 
 TEST(FuzzCorpus, IsRefusedWhereItHoldsNoCases) {
@@ -192,6 +213,24 @@ TEST(FuzzReport, HoldsTheSameAsTextJsonPictureAndPage) {
   for (std::size_t at = 0; (at = page.find("http://www.w3.org/2000/svg")) != std::string::npos;) page.erase(at, 26);
   EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("<svg"), Not(HasSubstr("http:"))));
   for (const auto& entry : fs::directory_iterator(folder / "r")) EXPECT_NE(entry.path().extension(), ".part");
+}
+
+TEST(FuzzReport, TakesTextInAnyEncoding) {
+  const Folder folder;
+  const Outcome o = run(command("throws", "latin_orient3d") + "--cases 1 --generator grid --out " + (folder / "r"));
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_THAT(content(folder / "r/fuzz.html"), HasSubstr("nicht m\xEF\xBF\xBDglich"));
+}
+
+TEST(FuzzReport, LeavesAnOlderOneWholeWhereItCannotBeWritten) {
+  const Folder folder;
+  fs::create_directories(folder / "r/fuzz.svg");
+  std::ofstream(folder / "r/fuzz.txt") << "old\n";
+  const Outcome o = run(command("right", "right_orient3d") + "--cases 1 --out " + (folder / "r"));
+  EXPECT_EQ(o.code, 2);
+  EXPECT_THAT(o.err, HasSubstr("fuzz.svg: Is a directory"));
+  EXPECT_EQ(content(folder / "r/fuzz.txt"), "old\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "r"), {}), 2);
 }
 
 TEST(FuzzCommand, ListsKindsAndGenerators) {

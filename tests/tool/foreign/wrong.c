@@ -56,6 +56,19 @@ double closing_orient3d(const double *a, const double *b, const double *c, const
   return det3(a, b, c, d);
 }
 
+/* Comes back twice, the first time. */
+double forking_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  static int forked = 0;
+  if (!forked++) fork();
+  return det3(a, b, c, d);
+}
+
+/* Takes its time. */
+double slow_orient3d(const double *a, const double *b, const double *c, const double *d) {
+  usleep(20000);
+  return det3(a, b, c, d);
+}
+
 /* Separating axes with an epsilon: triangles that are nearly apart meet, and those of zero area meet everything. */
 static void cross(const double *u, const double *v, double *out) {
   out[0] = u[1] * v[2] - u[2] * v[1], out[1] = u[2] * v[0] - u[0] * v[2], out[2] = u[0] * v[1] - u[1] * v[0];
