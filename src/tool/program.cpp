@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <iostream>
 #include <new>
 
@@ -49,8 +50,9 @@ std::string manual_page(const Manual& manual, const CLI::App& app, const Style& 
 class Program {
  public:
   explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
-    for (CLI::App* page : {&app_, bounds_, chart_, check_, fuzz_, plan_, sign_, proof_, vectors_, stability_, doctor_})
-      page->set_help_flag("-h,--help", "Show this page.");
+    constexpr const char* page = "Show this page.";
+    app_.set_help_flag("-h,--help", page);
+    for (const Command& c : commands_) c.parser->set_help_flag("-h,--help", page);
     app_.add_flag("--version", version_, "Print the version.");
     add_bounds();
     add_chart();
@@ -73,74 +75,65 @@ class Program {
       say(fmt::format("plumb {}\n", check_environment().version));
       return 0;
     }
-    if (*bounds_) {
-      bounds_options_.meshes.insert(bounds_options_.meshes.end(), rest.begin(), rest.end());
-      return run_bounds(bounds_options_);
+    const Command* const c = named();
+    if (c != nullptr && c->takes_rest != nullptr) {
+      c->takes_rest->insert(c->takes_rest->end(), rest.begin(), rest.end());
+    } else if (!rest.empty()) {
+      throw CLI::ExtrasError(rest);
     }
-    if (*check_) {
-      check_options_.meshes.insert(check_options_.meshes.end(), rest.begin(), rest.end());
-      return run_check(check_options_);
-    }
-    if (*plan_) {
-      plan_options_.meshes.insert(plan_options_.meshes.end(), rest.begin(), rest.end());
-      return run_plan(plan_options_);
-    }
-    if (*sign_) {
-      std::vector<std::string> words = sign_->remaining();
-      words.insert(words.end(), rest.begin(), rest.end());
-      return run_case(words);
-    }
-    if (!rest.empty()) throw CLI::ExtrasError(rest);
-    if (*chart_) return run_chart(chart_options_, rivals_);
-    if (*fuzz_) return run_fuzz(fuzz_options_);
-    if (*proof_) return run_proof(proof_options_);
-    if (*stability_) return run_stability(stability_options_);
-    if (*vectors_) return run_vectors(vectors_options_);
-    if (*doctor_) return run_doctor();
-    throw Error(
-        "a command is needed: bounds, chart, check, fuzz, plan, sign, proof, vectors, stability or doctor; 'plumb "
-        "--help' "
-        "explains");
+    if (c != nullptr) return c->run();
+    std::string names;
+    for (const Command& known : commands_) names.append(names.empty() ? "" : ", ").append(known.parser->get_name());
+    throw Error(fmt::format("a command is needed, one of {}; 'plumb --help' explains", names));
   }
 
   /// The page of the command that was named, or of the program.
   void help() const {
     const Style style(stdout);
-    if (*bounds_) return say(manual_page(bounds_manual(), *bounds_, style));
-    if (*chart_) return say(manual_page(chart_manual(), *chart_, style));
-    if (*check_) return say(manual_page(check_manual(), *check_, style));
-    if (*fuzz_) return say(manual_page(fuzz_manual(), *fuzz_, style));
-    if (*plan_) return say(manual_page(plan_manual(), *plan_, style));
-    if (*sign_) return say(manual_page(sign_manual(), *sign_, style));
-    if (*proof_) return say(manual_page(proof_manual(), *proof_, style));
-    if (*stability_) return say(manual_page(stability_manual(), *stability_, style));
-    if (*vectors_) return say(manual_page(vectors_manual(), *vectors_, style));
-    if (*doctor_) return say(manual_page(doctor_manual(), *doctor_, style));
-    say(manual_page(program_manual(), app_, style));
+    const Command* const c = named();
+    say(c != nullptr ? manual_page(c->manual(), *c->parser, style) : manual_page(program_manual(), app_, style));
   }
 
   [[nodiscard]] std::string help_hint() const {
-    for (const CLI::App* command :
-         {bounds_, chart_, check_, fuzz_, plan_, sign_, proof_, vectors_, stability_, doctor_}) {
-      if (*command) return fmt::format("'plumb {} --help' explains", command->get_name());
-    }
-    return "'plumb --help' explains";
+    const Command* const c = named();
+    return c != nullptr ? fmt::format("'plumb {} --help' explains", c->parser->get_name()) : "'plumb --help' explains";
   }
 
  private:
+  struct Command {
+    CLI::App* parser;
+    Manual (*manual)();
+    std::function<int()> run;
+    std::vector<std::string>* takes_rest = nullptr;  // what stands after "--"
+  };
+
+  [[nodiscard]] const Command* named() const {
+    const auto at = std::ranges::find_if(commands_, [](const Command& c) { return bool(*c.parser); });
+    return at == commands_.end() ? nullptr : &*at;
+  }
+
+  /// What plans of scenes and ratings of bounds are made from.
+  template <class Options>
+  static void add_placements(CLI::App* command, Options& o) {
+    command
+        ->add_option("--placements", o.placements,
+                     fmt::format("How many placements of two copies; {} when not given.", o.placements))
+        ->check(CLI::Range(1U, 1'000'000U))
+        ->type_name("N");
+    command
+        ->add_option(
+            "--refined", o.refined_ns,
+            fmt::format("What the test behind the bounds costs, in nanoseconds; {} when not given.", o.refined_ns))
+        ->check(CLI::Range(0.0, 1e12))
+        ->type_name("NS");
+  }
+
   void add_bounds() {
     BoundsOptions& o = bounds_options_;
     bounds_->add_option("MESH", o.meshes, "Mesh files, each rated in turn.");
     bounds_->add_option("--json", o.json, "Write the numbers as JSON; '-' is standard output.")->type_name("FILE");
     bounds_->add_option("--chart", o.chart, "Draw the spectrum over all meshes, as SVG.")->type_name("FILE");
-    bounds_->add_option("--placements", o.placements, "How many placements of two copies; 400 when not given.")
-        ->check(CLI::Range(1U, 1'000'000U))
-        ->type_name("N");
-    bounds_
-        ->add_option("--refined", o.refined_ns,
-                     "What the test behind the bounds costs, in nanoseconds; 1000 when not given.")
-        ->check(CLI::Range(0.0, 1e12))
-        ->type_name("NS");
+    add_placements(bounds_, o);
   }
 
   void add_chart() {
@@ -224,14 +217,7 @@ class Program {
     plan_->add_option("--chart", o.chart, "Draw the times on each lattice and of each volume, as SVG.")
         ->type_name("FILE");
     plan_->add_flag("--all", o.all, "List the plan of every predicate.");
-    plan_->add_option("--placements", o.placements, "How many placements of two copies; 200 when not given.")
-        ->check(CLI::Range(1U, 1'000'000U))
-        ->type_name("N");
-    plan_
-        ->add_option("--refined", o.refined_ns,
-                     "What the test behind the bounds costs, in nanoseconds; 1000 when not given.")
-        ->check(CLI::Range(0.0, 1e12))
-        ->type_name("NS");
+    add_placements(plan_, o);
   }
 
   void add_proof() {
@@ -274,7 +260,9 @@ class Program {
         ->type_name("N");
   }
 
-  int run_case(const std::vector<std::string>& words) {
+  int run_case() {
+    std::vector<std::string> words = sign_->remaining();
+    words.insert(words.end(), after_dashes_.begin(), after_dashes_.end());
     if (std::ranges::any_of(words, [](const std::string& w) { return w == "--help" || w == "-h"; })) {
       help();
       return 0;
@@ -300,6 +288,7 @@ class Program {
   CLI::App* fuzz_ = app_.add_subcommand("fuzz", "Find inputs on which a function of another library is wrong.");
   PlanOptions plan_options_;
   CLI::App* plan_ = app_.add_subcommand("plan", "Say what exact decisions on a scene need, and no more.");
+  std::vector<std::string> after_dashes_;  // of a case
   CLI::App* sign_ = app_.add_subcommand("sign", "Decide one sign exactly.");
   ProofOptions proof_options_;
   CLI::App* proof_ = app_.add_subcommand("proof", "Write the claim of a filter's bound for a prover.");
@@ -308,6 +297,17 @@ class Program {
   VectorsOptions vectors_options_;
   CLI::App* vectors_ = app_.add_subcommand("vectors", "Write test vectors: inputs with exact answers.");
   CLI::App* doctor_ = app_.add_subcommand("doctor", "Look whether this machine is as the proofs assume.");
+  const std::vector<Command> commands_ = {
+      {bounds_, bounds_manual, [this] { return run_bounds(bounds_options_); }, &bounds_options_.meshes},
+      {chart_, chart_manual, [this] { return run_chart(chart_options_, rivals_); }},
+      {check_, check_manual, [this] { return run_check(check_options_); }, &check_options_.meshes},
+      {fuzz_, fuzz_manual, [this] { return run_fuzz(fuzz_options_); }},
+      {plan_, plan_manual, [this] { return run_plan(plan_options_); }, &plan_options_.meshes},
+      {sign_, sign_manual, [this] { return run_case(); }, &after_dashes_},
+      {proof_, proof_manual, [this] { return run_proof(proof_options_); }},
+      {stability_, stability_manual, [this] { return run_stability(stability_options_); }},
+      {vectors_, vectors_manual, [this] { return run_vectors(vectors_options_); }},
+      {doctor_, doctor_manual, run_doctor}};
 };
 
 int refuse(std::string_view text) {
