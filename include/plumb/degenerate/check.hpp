@@ -12,8 +12,8 @@
 // is a finding, no error, and a rounding mode that it leaves behind is put back before it is judged; what it changes in
 // memory that is not its own is its own affair: `plumb fuzz` runs it in a process of its own.
 // Unknown generators and corpus cases that are none throw Error, by name.
-// Source: RTCD 11; cost: beside the function that of the exact answer, 1 to 15 us a case of most kinds, up to milliseconds
-// of distances, and milliseconds for a finding.
+// Source: RTCD 11; cost: beside the function that of the exact answer, 1 to 15 us a case of most kinds, up to
+// milliseconds of distances, and milliseconds for a finding.
 #pragma once
 
 #include <functional>

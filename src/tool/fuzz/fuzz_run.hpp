@@ -1,9 +1,9 @@
 // How does a run of `plumb fuzz` go?  The kind's cases, asked of the foreign process, until the budget is spent.
 //
 // Laws: (1) a case that was not asked counts as none; (2) the end of the time and Ctrl-C are heeded within a twentieth
-// of a second, or when the call returns that is being made; (3) what was found is then shrunk, for as long again at most
-// (ten seconds if that is more) where there is a time, and until the next Ctrl-C; a third one ends the program; (4) when
-// the function has crashed or hung too often the run ends, and says so.
+// of a second, or when the call returns that is being made; (3) what was found is then shrunk, for as long again at
+// most (ten seconds if that is more) where there is a time, and until the next Ctrl-C; a third one ends the program;
+// (4) when the function has crashed or hung too often the run ends, and says so.
 // Source: none; cost: that of degenerate::check_in_batches.
 #pragma once
 
