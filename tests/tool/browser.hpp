@@ -9,10 +9,17 @@
 
 namespace plumb::tool {
 
-/// Whether there is one; says so where there is none.
+/// The command of a Chromium without a window that opens `url` and prints what the page is in the end.
+inline std::string browser(const Folder& folder, const std::string& url) {
+  return "HOME=" + (folder / "home") +
+         " timeout 120 \"$(command -v chromium-headless-shell || command -v chromium)\" --headless --no-sandbox" +
+         " --disable-gpu --enable-logging=stderr --user-data-dir=" + (folder / "profile") + " --dump-dom " + url;
+}
+
+/// Whether there is one that starts here; says so where there is none (it does not start without /proc).
 inline bool has_browser() {
-  if (run("command -v chromium").code == 0) return true;
-  std::puts("No chromium here: what the page does in a browser is skipped.");
+  if (run(browser(Folder(), "about:blank")).code == 0) return true;
+  std::puts("No Chromium starts here: what the page does in a browser is skipped.");
   return false;
 }
 
@@ -20,9 +27,7 @@ inline bool has_browser() {
 inline Outcome in_browser(const std::string& page, const std::string& script) {
   const Folder folder;
   std::ofstream(folder / "page.html") << page << "<script>{\n" << script << "\n}</script>\n";
-  return run("HOME=" + (folder / "home") +
-             " timeout 120 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir=" +
-             (folder / "profile") + " --dump-dom file://" + (folder / "page.html"));
+  return run(browser(folder, "file://" + (folder / "page.html")));
 }
 
 }  // namespace plumb::tool
