@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -48,6 +49,10 @@ TEST(Snippets, DotsStandForAnything) {
   EXPECT_FALSE(reads_as("ab\n", "ab...b\n"));
 }
 
+constexpr auto faces =
+    "#include <plumb/degenerate.hpp>\n#include <plumb/figure.hpp>\n#include <plumb/predicates.hpp>\n"
+    "#include <plumb/query.hpp>\n#include <plumb/surface.hpp>\n";
+
 /// Preset names of CMakePresets.json.
 bool is_preset(const std::string& name) {
   return text_of(tree / "CMakePresets.json").find("\"name\": \"" + name + "\"") != std::string::npos;
@@ -81,7 +86,16 @@ std::string missing_tool(const std::string& line) {
 
 class Documents : public testing::TestWithParam<fs::path> {
  protected:
-  static void SetUpTestSuite() { ::unsetenv("GTEST_BRIEF"); }  // a reader's tests tell of themselves
+  static void SetUpTestSuite() {
+    ::unsetenv("GTEST_BRIEF");  // a reader's tests tell of themselves
+    faces_ = std::make_unique<Folder>();
+    write(header(), faces);
+    const Outcome read = tool::run(PLUMB_COMPILE " " PLUMB_INCLUDES " -x c++-header '" + header() + "'");
+    ASSERT_EQ(read.code, 0) << read.err;
+  }
+  static void TearDownTestSuite() { faces_.reset(); }
+  static std::string header() { return *faces_ / "faces.hpp"; }
+
   void SetUp() override {
     fs::create_directory(folder_ / "bin");
     fs::create_symlink(PLUMB_PROGRAM, folder_ / "bin/plumb");
@@ -109,19 +123,16 @@ class Documents : public testing::TestWithParam<fs::path> {
     return run_here(lines);
   }
 
-  // A whole program as it is; statements as the body of one.
+  // A whole program as it is; statements as the body of one, after the faces, which the compiler reads once for all
+  // pages.
   Outcome run_program(const Block& block) {
     const std::string source = folder_ / ("block" + std::to_string(block.line) + ".cpp");
     const bool whole = block.text.find("int main(") != std::string::npos;
-    main_ = whole ? block.text
-                  : "#include <plumb/degenerate.hpp>\n#include <plumb/figure.hpp>\n#include <plumb/predicates.hpp>\n"
-                    "#include <plumb/query.hpp>\n"
-                    "#include <plumb/surface.hpp>\n"
-                    "int main() {\n" +
-                        block.text + "}\n";
+    main_ = whole ? block.text : faces + ("int main() {\n" + block.text + "}\n");
     write(source, main_);
     const Outcome built =
-        run_here(PLUMB_COMPILE " -I. " PLUMB_INCLUDES " '" + source + "' -o program " PLUMB_LIBRARIES);
+        run_here(PLUMB_COMPILE " -I. " PLUMB_INCLUDES + (whole ? "" : " -include '" + header() + "'") + " '" + source +
+                 "' -o program " PLUMB_LIBRARIES);
     return built.code == 0 ? run_here("./program") : built;
   }
 
@@ -140,6 +151,7 @@ class Documents : public testing::TestWithParam<fs::path> {
                     "cmake --build project/build");
   }
 
+  inline static std::unique_ptr<Folder> faces_;
   Folder folder_;
   std::string main_;
   std::vector<std::string> files_;

@@ -78,7 +78,8 @@ elseif(WAY STREQUAL "add_subdirectory")
   if(LINKAGE STREQUAL "shared")
     set(build_shared ON)
   endif()
-  build_consumer(-DPLUMB_BESIDE=${SOURCE} -DBUILD_SHARED_LIBS=${build_shared} -DPLUMB_INSTALL=ON)
+  build_consumer(-DPLUMB_BESIDE=${SOURCE} -DBUILD_SHARED_LIBS=${build_shared} -DPLUMB_INSTALL=ON
+    -DCMAKE_BUILD_TYPE=${CONFIG} -DPLUMB_BUILD_INCLUDE=${BUILD}/include)
   file(REMOVE_RECURSE ${prefix})
   run(${CMAKE_COMMAND} --install ${place}/build --prefix ${prefix})
 
