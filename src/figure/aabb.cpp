@@ -79,9 +79,6 @@ Range swept(std::size_t axis, double corner, double e, double f, double radius) 
 Aabb2 box_of(Range x, Range y) { return {{x.min, y.min}, {x.max, y.max}}; }
 Aabb3 box_of(Range x, Range y, Range z) { return {{x.min, y.min, z.min}, {x.max, y.max, z.max}}; }
 
-bool is_empty(const Aabb2& b) { return b.min.x > b.max.x || b.min.y > b.max.y; }
-bool is_empty(const Aabb3& b) { return b.min.x > b.max.x || b.min.y > b.max.y || b.min.z > b.max.z; }
-
 [[noreturn]] void throw_no_points() { throw InvalidShape("fit_aabb: no points; give at least one"); }
 
 }  // namespace

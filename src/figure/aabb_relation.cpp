@@ -100,14 +100,14 @@ bool intersects(const AabbCenter3& a, const AabbCenter3& b) {
 
 bool contains(const Aabb2& outer, const Aabb2& inner) {
   require_finite_parts("contains", corners, outer.min, outer.max, inner.min, inner.max);
-  if (inner.min.x > inner.max.x || inner.min.y > inner.max.y) return true;
+  if (is_empty(inner)) return true;
   return outer.min.x <= inner.min.x && inner.max.x <= outer.max.x &&  //
          outer.min.y <= inner.min.y && inner.max.y <= outer.max.y;
 }
 
 bool contains(const Aabb3& outer, const Aabb3& inner) {
   require_finite_parts("contains", corners, outer.min, outer.max, inner.min, inner.max);
-  if (inner.min.x > inner.max.x || inner.min.y > inner.max.y || inner.min.z > inner.max.z) return true;
+  if (is_empty(inner)) return true;
   return outer.min.x <= inner.min.x && inner.max.x <= outer.max.x &&  //
          outer.min.y <= inner.min.y && inner.max.y <= outer.max.y &&  //
          outer.min.z <= inner.min.z && inner.max.z <= outer.max.z;

@@ -75,8 +75,6 @@ auto widths(const AabbCenter3& box) {
   };
 }
 
-bool is_empty(const Aabb3& b) { return b.min.x > b.max.x || b.min.y > b.max.y || b.min.z > b.max.z; }
-
 template <class Widths>
 double box_volume(const Widths& of) {
   return nearest([&](const auto& number) {
@@ -168,7 +166,7 @@ double area(const Capsule2& c) {
 
 double area(const Aabb2& b) {
   require_finite_parts("area", Names2{"box.min", "box.max"}, b.min, b.max);
-  if (b.min.x > b.max.x || b.min.y > b.max.y) return 0;
+  if (is_empty(b)) return 0;
   return nearest(
       [&](const auto& number) { return (number(b.max.x) - number(b.min.x)) * (number(b.max.y) - number(b.min.y)); });
 }

@@ -160,8 +160,7 @@ Obb2 fit_obb(const std::array<Vector2, 2>& axes, std::span<const Point2> points)
 
 Obb3 oriented_box(const Aabb3& box) {
   require_finite_parts("oriented_box", {"box.min", "box.max"}, box.min, box.max);
-  if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z)
-    throw InvalidShape("oriented_box: the box is empty; give one with min <= max in every axis");
+  if (is_empty(box)) throw InvalidShape("oriented_box: the box is empty; give one with min <= max in every axis");
   return fit_obb({Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, std::array{box.min, box.max});
 }
 

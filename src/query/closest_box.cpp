@@ -12,7 +12,7 @@ double nearest_between(double x, double min, double max) { return x < min ? min 
 Aabb3 in_space(const Aabb2& box) { return {query::in_space(box.min), query::in_space(box.max)}; }
 
 void require_not_empty(std::string_view function, const Aabb3& box) {
-  if (box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z) return;
+  if (!is_empty(box)) return;
   throw InvalidShape(std::string(function).append(": the box is empty, and nothing is nearest; give min at most max"));
 }
 

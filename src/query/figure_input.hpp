@@ -57,6 +57,16 @@ bool is_sound(const Shape& s) {
   }
 }
 
+/// Of what is sound: is there no point in it?  Only axis-aligned boxes can say so at a glance.
+template <class Shape>
+constexpr bool is_nothing(const Shape& s) {
+  if constexpr (requires { s.min.x, s.max.x; }) {
+    return is_empty(s);
+  } else {
+    return false;
+  }
+}
+
 /// By another name than that of its kind.
 void require_figure(std::string_view function, std::string_view name, const FigureView& figure);
 template <Figure Shape>

@@ -15,15 +15,7 @@ namespace plumb::query {
 namespace {
 
 bool is_empty_box(const FlatView& v) {
-  return v.kind == FigureKind::aabb && with_shape(v, [](const auto& s) {
-           if constexpr (requires { s.min.z; }) {
-             return s.min.x > s.max.x || s.min.y > s.max.y || s.min.z > s.max.z;
-           } else if constexpr (requires { s.min.x; }) {
-             return s.min.x > s.max.x || s.min.y > s.max.y;
-           } else {
-             return false;
-           }
-         });
+  return with_shape(v, [](const auto& s) { return is_nothing(s); });
 }
 
 bool is_many_planes(const FlatView& v) {

@@ -119,12 +119,10 @@ bool check_body(std::string_view function, std::string_view name, const BodyShap
   return std::visit(
       [&](const auto* s) {
         require_figure(function, name, *s);
-        if constexpr (requires { s->min; }) {
-          return s->min.x <= s->max.x && s->min.y <= s->max.y && s->min.z <= s->max.z;
-        } else if constexpr (requires { s->normal; }) {
+        if constexpr (requires { s->normal; }) {
           return s->normal != Vector3{0, 0, 0} || s->offset == 0;
         } else {
-          return true;
+          return !is_nothing(*s);
         }
       },
       shape);

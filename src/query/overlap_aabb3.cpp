@@ -35,7 +35,7 @@ bool any_vertex(const Triangle3& t, const auto& is_so) { return is_so(t.a) || is
 template <class A>
 [[gnu::noinline]] Relation exactly(const A& a, const Aabb3& b, Asked asked) {
   query::require_figures(asked, a, b);
-  if (query::is_empty(b)) return Relation::disjoint;
+  if (is_empty(b)) return Relation::disjoint;
   // What lies next to a vertex is inside as well.
   if (any_vertex(a, [&b](const Point3& p) { return is_strictly_inside(p, b); })) return Relation::overlapping;
   if (asked == Asked::intersects && any_vertex(a, [&b](const Point3& p) { return is_inside(p, b); }))

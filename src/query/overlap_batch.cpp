@@ -249,7 +249,7 @@ void in_chunks(const One& one, const Batch& many, std::span<std::uint8_t> out, A
 void intersects(const Aabb3& one, const TriangleBatch& many, std::span<std::uint8_t> out) {
   overlap_batch::require_length(many.size(), out.size());
   query::require_figure("intersects", "one", one);
-  if (query::is_empty(one)) {
+  if (is_empty(one)) {
     std::memset(out.data(), 0, out.size());
     return;
   }

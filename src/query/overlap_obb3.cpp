@@ -323,10 +323,10 @@ Relation relate(const Triangle3& a, const Obb3& b, Asked asked) { return relate_
 
 Relation relate(const Aabb3& a, const Obb3& b, Asked asked) {
   assert_sound_thread();
-  if (const auto r = quick_relation(a, b); r && !query::is_empty(a)) [[likely]]
+  if (const auto r = quick_relation(a, b); r && !is_empty(a)) [[likely]]
     return *r;
   query::require_figures(asked, a, b);
-  if (query::is_empty(a)) return Relation::disjoint;
+  if (is_empty(a)) return Relation::disjoint;
   if (query::is_solid(a)) {
     if (const auto r = query::by_pair(query::BoxPair<Approximate>(a, b))) return *r;
     if (const auto r = query::by_pair(query::BoxPair<Ball>(a, b))) return *r;

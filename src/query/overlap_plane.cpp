@@ -127,15 +127,6 @@ Sides sides(const Plane& plane, const Tetrahedron3& t, bool both) {
 }
 
 template <class Shape>
-bool is_nothing(const Shape& s) {
-  if constexpr (std::is_same_v<Shape, Aabb3>) {
-    return is_empty(s);
-  } else {
-    return false;
-  }
-}
-
-template <class Shape>
 Relation relate_plane(const Plane3& plane, const Shape& s) {
   return is_nothing(s) ? Relation::disjoint : of_plane(sides(plane, s, true));
 }
@@ -185,7 +176,7 @@ Relation relate(const Plane3& a, const Aabb3& b, Asked asked) {
   const auto& [min, max] = b;
   const int high = query::quick_side(a, {x ? max.x : min.x, y ? max.y : min.y, z ? max.z : min.z});
   const int low = query::quick_side(a, {x ? min.x : max.x, y ? min.y : max.y, z ? min.z : max.z});
-  if (low * high == 0 || query::is_empty(b)) return related(a, b, asked);
+  if (low * high == 0 || is_empty(b)) return related(a, b, asked);
   return low == high ? Relation::disjoint : Relation::overlapping;
 }
 Relation relate(const Plane3& a, const Obb3& b, Asked asked) { return related(a, b, asked); }

@@ -11,22 +11,19 @@ namespace {
 
 using near_points::quick_gap, query::quick_gap;
 
-bool may_be_empty(const Aabb3& box) { return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z; }
-bool may_be_empty(const auto&) { return false; }
-
 std::optional<Sign> near_or_far(const Triangle3& t, const Sphere3& b) { return quick_gap(t, b.center, b.radius); }
 std::optional<Sign> near_or_far(const Obb3& box, const Sphere3& b) { return quick_gap(box, b.center, b.radius); }
 std::optional<Sign> near_or_far(const Segment3& s, const Capsule3& c) {
   return quick_gap(s, Segment3{c.a, c.b}, 0, c.radius);
 }
 std::optional<Sign> near_or_far(const Aabb3& box, const Capsule3& c) {
-  if (!is_sound(box) || !is_sound(c) || may_be_empty(box)) return {};
+  if (!is_sound(box) || !is_sound(c) || is_empty(box)) return {};
   return quick_gap(box, Segment3{c.a, c.b}, c.radius);
 }
 
 template <class Flat, class Round>
 [[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round, Asked asked) {
-  if (is_sound(flat) && is_sound(round) && !may_be_empty(flat)) {
+  if (is_sound(flat) && is_sound(round) && !is_nothing(flat)) {
     if (const auto gap = quick_gap(vertices(flat), vertices(round), 0, round.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }

@@ -18,7 +18,6 @@ Linear2 flattened(const Triangle2& t) {
 
 Linear2 flattened(const Aabb2& box) { return Linear2::through(Reach::segment, box.min, box.max); }
 
-bool is_empty(const Aabb2& box) { return box.min.x > box.max.x || box.min.y > box.max.y; }
 bool is_flat(const Aabb2& box) { return box.min.x == box.max.x || box.min.y == box.max.y; }
 
 // Counterclockwise.

@@ -11,9 +11,6 @@
 
 namespace plumb::query {
 
-constexpr bool is_empty(const Aabb3& box) {
-  return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z;
-}
 constexpr bool is_flat(const Aabb3& box) {
   return box.min.x == box.max.x || box.min.y == box.max.y || box.min.z == box.max.z;
 }

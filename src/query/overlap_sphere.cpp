@@ -117,13 +117,10 @@ std::optional<Sign> quick(const Segment3& a, const Sphere3& b) {
 }
 std::optional<Sign> quick(const auto&, const Sphere3&) { return {}; }
 
-bool is_empty(const Aabb3& box) { return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z; }
-bool is_empty(const auto&) { return false; }
-
 template <class Flat>
 Relation relate_nearest(const Flat& flat, const Sphere3& ball, Asked asked) {
   require_figures(asked, flat, ball);
-  if (is_empty(flat)) return Relation::disjoint;
+  if (is_nothing(flat)) return Relation::disjoint;
   if (const auto g = quick(flat, ball)) return static_cast<Relation>(-*g);
   const Sign s = gap(flat, ball);
   if (s == Sign::zero && ball.radius == 0) return relate_swept(core_set(ball), 0, flat_set(flat));

@@ -184,6 +184,14 @@ struct ThreeCorners {
   static Feature face(std::size_t, unsigned) { return {FeatureKind::face, 0}; }
 };
 
+inline double reach_of(const auto& shape) {
+  if constexpr (requires { shape.radius; }) {
+    return shape.radius;
+  } else {
+    return 0;
+  }
+}
+
 /// Goes along way number i to where the difference of points becomes least; the hull's point counts with this sign.
 template <class Hull>
 void come_nearer(const Hull& hull, Parts& parts, std::size_t i, double sign, Vec3<double>& difference) {

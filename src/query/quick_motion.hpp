@@ -2,7 +2,8 @@
 //
 // Laws: (1) yes and no are those of real arithmetic; unsure says nothing.  (2) Asked when, the contact is that of
 // query/translating_contact.hpp: its time is rounded down, and its features are the only ones that meet then, or the
-// first of those of boxes.  (3) Nothing is allocated.  Numbers are to be finite, and radii not negative.
+// first of those of boxes.  (3) Nothing is allocated.  Numbers are to be finite, radii not
+// negative, and boxes not empty.
 // Source: RTCD 5.5.2, 5.5.3, 5.5.4, 5.5.5, 5.5.6, 5.5.8; magnitudes bound the errors (arith/approximate.hpp).
 // Cost: about that of the plain test; some 0.1 to 0.5 us where there is a time to round.
 #pragma once
@@ -51,7 +52,6 @@ template <class T>
   return {coordinate_difference<T>(a.x, b.x), coordinate_difference<T>(a.y, b.y), coordinate_difference<T>(a.z, b.z)};
 }
 
-// All finite, radii not negative.
 template <Asked asked>
 Answer contact(const Translating<Sphere3>& a, const Translating<Sphere3>& b);
 template <Asked asked>
@@ -64,10 +64,11 @@ inline constexpr int rank_of = std::same_as<Shape, Point3>      ? 0
                                : std::same_as<Shape, Segment3>  ? 1
                                : std::same_as<Shape, Triangle3> ? 2
                                : std::same_as<Shape, Aabb3>     ? 3
-                                                                : 4;
+                               : std::same_as<Shape, Obb3>      ? 4
+                                                                : -1;
 template <class Shape>
-concept Flat = std::same_as<Shape, Point3> || std::same_as<Shape, Segment3> || std::same_as<Shape, Triangle3> ||
-    std::same_as<Shape, Aabb3> || std::same_as<Shape, Obb3>;
+concept Flat = rank_of<Shape>
+>= 0;
 
 /// In the order of Flat, two boxes Aabb3 apart.
 template <Asked asked, Flat A, Flat B>
@@ -82,12 +83,18 @@ template <Asked asked, Small Shape>
 Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b);
 
 template <class Shape>
-concept Round = std::same_as<Shape, Sphere3> || std::same_as<Shape, Capsule3>;
+inline constexpr bool is_ball = std::same_as<Shape, Sphere3>;
+template <class Shape>
+concept Round = is_ball<Shape> || std::same_as<Shape, Capsule3>;
 /// One quadratic, or in the other order.
 template <class A, class B>
-concept IsBalls = (std::same_as<A, Sphere3> && (std::same_as<B, Sphere3> || std::same_as<B, Point3>)) ||
-                  (std::same_as<A, Capsule3> && std::same_as<B, Sphere3>);
+concept IsBalls = (is_ball<A> && (is_ball<B> || std::same_as<B, Point3>)) || (std::same_as<A, Capsule3> && is_ball<B>);
 template <Asked asked, Round A, Small B>
 requires(!IsBalls<A, B>) Answer contact(const Translating<A>& a, const Translating<B>& b);
+
+// Of a pair, both.
+#define PLUMB_QUICK_PAIR(A, B)                                                           \
+  template Answer contact<Asked::whether>(const Translating<A>&, const Translating<B>&); \
+  template Answer contact<Asked::when>(const Translating<A>&, const Translating<B>&);
 
 }  // namespace plumb::query::quick

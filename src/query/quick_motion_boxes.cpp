@@ -106,7 +106,6 @@ template <Asked asked>
 Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   const auto& [p, q] = a.shape;
   const auto& [r, s] = b.shape;
-  if (!(p.x <= q.x && p.y <= q.y && p.z <= q.z && r.x <= s.x && r.y <= s.y && r.z <= s.z)) return no;
   double from = 0, second = 0, to = 1, all_speeds = 0;
   std::size_t first = 3;
   bool together = true, within = true;  // at the start
@@ -149,7 +148,6 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   const std::optional<Contact> meeting = features(axes, first, from);
   return meeting ? entering(axes[first], *meeting) : unsure;
 }
-template Answer contact<Asked::whether>(const Translating<Aabb3>&, const Translating<Aabb3>&);
-template Answer contact<Asked::when>(const Translating<Aabb3>&, const Translating<Aabb3>&);
+PLUMB_QUICK_PAIR(Aabb3, Aabb3)
 
 }  // namespace plumb::query::quick

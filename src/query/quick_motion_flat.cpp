@@ -210,19 +210,11 @@ Answer along_facet(const Translating<A>& a, const Translating<B>& b, const auto&
   return answer.told == Told::yes ? answer : time(Ball(0.0));
 }
 
-bool is_empty(const Aabb3& b) { return !(b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z); }
-
 }  // namespace
 
 template <Asked asked, Flat A, Flat B>
 requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B, Aabb3>)) Answer
     contact(const Translating<A>& a, const Translating<B>& b) {
-  if constexpr (std::same_as<A, Aabb3>) {
-    if (is_empty(a.shape)) return no;
-  }
-  if constexpr (std::same_as<B, Aabb3>) {
-    if (is_empty(b.shape)) return no;
-  }
   using Pair = Moved<T, A, B>;
   constexpr std::size_t dimension = Pair::HullA::dimension + Pair::HullB::dimension;
   if constexpr (dimension == 0) {
@@ -239,7 +231,7 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
     // Most that never meet are far from it.
     constexpr int sweeps = 2;
     for (int i = 0; i < sweeps; ++i) {
-      if (search.apart_along(0)) return no;
+      if (search.apart_along()) return no;
       search.sweep(true);
     }
     Window window;
@@ -250,9 +242,6 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
     return along_facet<asked>(a, b, Pair(a, b), window.first());
   }
 }
-#define PLUMB_QUICK_PAIR(A, B)                                                               \
-  template Answer contact<Asked::whether>(const Translating<A>& a, const Translating<B>& b); \
-  template Answer contact<Asked::when>(const Translating<A>& a, const Translating<B>& b);
 PLUMB_QUICK_PAIR(Point3, Point3)
 PLUMB_QUICK_PAIR(Point3, Segment3)
 PLUMB_QUICK_PAIR(Point3, Triangle3)
@@ -267,6 +256,5 @@ PLUMB_QUICK_PAIR(Triangle3, Aabb3)
 PLUMB_QUICK_PAIR(Triangle3, Obb3)
 PLUMB_QUICK_PAIR(Aabb3, Obb3)
 PLUMB_QUICK_PAIR(Obb3, Obb3)
-#undef PLUMB_QUICK_PAIR
 
 }  // namespace plumb::query::quick

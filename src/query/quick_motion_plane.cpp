@@ -39,26 +39,12 @@ struct Heights {
   }
 };
 
-double reach_of(const auto& shape) {
-  if constexpr (requires { shape.radius; }) {
-    return shape.radius;
-  } else {
-    return 0;
-  }
-}
-template <class Shape>
-constexpr bool is_ball = std::is_same_v<Shape, Sphere3>;
-
 }  // namespace
 
 template <Asked asked, Small Shape>
 Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b) {
   using T = Approximate;
-  if constexpr (std::is_same_v<Shape, Aabb3>) {
-    const auto& [p, q] = a.shape;
-    if (!(p.x <= q.x && p.y <= q.y && p.z <= q.z)) return no;
-  }
-  constexpr bool swept = requires { a.shape.radius; };
+  constexpr bool swept = Round<Shape>;
   const double reach = reach_of(a.shape);
   const Heights<T> height{vector_of<T>(b.shape.normal), T(b.shape.offset)};
   const auto heights = height.of(a.shape);
@@ -101,16 +87,12 @@ Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b) {
   const Feature of_a{is_ball<Shape> ? FeatureKind::face : FeatureKind::vertex, static_cast<std::uint32_t>(first)};
   return at(quotient(gap, closing), of_a, {FeatureKind::face, 0});
 }
-#define PLUMB_AGAINST_PLANE(Shape)                                                                \
-  template Answer contact<Asked::whether>(const Translating<Shape>&, const Translating<Plane3>&); \
-  template Answer contact<Asked::when>(const Translating<Shape>&, const Translating<Plane3>&);
-PLUMB_AGAINST_PLANE(Point3)
-PLUMB_AGAINST_PLANE(Segment3)
-PLUMB_AGAINST_PLANE(Triangle3)
-PLUMB_AGAINST_PLANE(Aabb3)
-PLUMB_AGAINST_PLANE(Obb3)
-PLUMB_AGAINST_PLANE(Sphere3)
-PLUMB_AGAINST_PLANE(Capsule3)
-#undef PLUMB_AGAINST_PLANE
+PLUMB_QUICK_PAIR(Point3, Plane3)
+PLUMB_QUICK_PAIR(Segment3, Plane3)
+PLUMB_QUICK_PAIR(Triangle3, Plane3)
+PLUMB_QUICK_PAIR(Aabb3, Plane3)
+PLUMB_QUICK_PAIR(Obb3, Plane3)
+PLUMB_QUICK_PAIR(Sphere3, Plane3)
+PLUMB_QUICK_PAIR(Capsule3, Plane3)
 
 }  // namespace plumb::query::quick

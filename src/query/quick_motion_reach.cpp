@@ -14,25 +14,17 @@ bool within_reach(const auto& m, const Parts& of_a, const Parts& of_b, double ti
   return certain(m.reach * m.reach - dot(d, d)) > 0;
 }
 
-template <class Shape>
-constexpr bool is_ball = std::same_as<Shape, Sphere3>;
-
-template <class N>
-int way_of(const N& x) {
-  return x.high < 0 ? -1 : 1;
-}
 /// The time at which the point, line or plane of the corner comes within reach.
-template <class N>
-N time_of(const Corner<N>& c, const Vec3<N>& by, const N& reach) {
+Pairs time_of(const Corner<Pairs>& c, const Vec3<Pairs>& by, const Pairs& reach) {
   if (c.inside_count == 2) {
-    const Vec3<N> n = cross(c.inside[0], c.inside[1]);
-    const N gap = dot(c.at, n), way(static_cast<double>(way_of(gap)));
+    const Vec3<Pairs> n = cross(c.inside[0], c.inside[1]);
+    const Pairs gap = dot(c.at, n), way(gap.high < 0 ? -1 : 1);
     return quotient(gap * way - reach * root(dot(n, n)), dot(by, n) * way);
   }
   const bool line = c.inside_count == 1;
-  const Vec3<N> d = line ? cross(c.at, c.inside[0]) : c.at, v = line ? cross(by, c.inside[0]) : by;
-  const N square = line ? reach * reach * dot(c.inside[0], c.inside[0]) : reach * reach;
-  const N from = dot(d, d) - square, half_change = dot(d, v);
+  const Vec3<Pairs> d = line ? cross(c.at, c.inside[0]) : c.at, v = line ? cross(by, c.inside[0]) : by;
+  const Pairs square = line ? reach * reach * dot(c.inside[0], c.inside[0]) : reach * reach;
+  const Pairs from = dot(d, d) - square, half_change = dot(d, v);
   return quotient(from, root(half_change * half_change - dot(v, v) * from) + half_change);
 }
 
@@ -63,32 +55,23 @@ Answer first_contact(const Translating<A>& a, const Translating<B>& b, const Mov
 
 template <Asked asked, Round A, Small B>
 requires(!IsBalls<A, B>) Answer contact(const Translating<A>& a, const Translating<B>& b) {
-  if constexpr (std::same_as<B, Aabb3>) {
-    const auto& [p, q] = b.shape;
-    if (!(p.x <= q.x && p.y <= q.y && p.z <= q.z)) return no;
-  }
-  const double reach = reach_of(a.shape) + reach_of(b.shape);
-  if (!(reach > 0)) return unsure;
   Search<A, B> search(a, b);
+  const double reach = search.reach;
+  if (!(reach > 0)) return unsure;
   constexpr int most_sweeps = 10;
   for (int i = 0;; ++i) {
     const Vec3<double>& d = search.between_them;
-    if (dot(d, d) < reach * reach) {
-      break;
-    }
-    if (search.apart_along(reach)) return no;
+    if (dot(d, d) < reach * reach) break;
+    if (search.apart_along()) return no;
     if (i == most_sweeps) return unsure;
     search.sweep(true);
   }
   const Moved<T, A, B> m(a, b);
   if (!within_reach(m, search.of_a, search.of_b, search.time)) return unsure;
   if constexpr (asked == Asked::whether) return {Told::yes};
-  if (!search.find_first(reach)) return {Told::starts};
+  if (!search.find_first()) return {Told::starts};
   return first_contact(a, b, m, search);
 }
-#define PLUMB_QUICK_PAIR(A, B)                                                               \
-  template Answer contact<Asked::whether>(const Translating<A>& a, const Translating<B>& b); \
-  template Answer contact<Asked::when>(const Translating<A>& a, const Translating<B>& b);
 PLUMB_QUICK_PAIR(Sphere3, Segment3)
 PLUMB_QUICK_PAIR(Sphere3, Triangle3)
 PLUMB_QUICK_PAIR(Sphere3, Aabb3)
@@ -100,6 +83,5 @@ PLUMB_QUICK_PAIR(Capsule3, Triangle3)
 PLUMB_QUICK_PAIR(Capsule3, Aabb3)
 PLUMB_QUICK_PAIR(Capsule3, Obb3)
 PLUMB_QUICK_PAIR(Capsule3, Capsule3)
-#undef PLUMB_QUICK_PAIR
 
 }  // namespace plumb::query::quick

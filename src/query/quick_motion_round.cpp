@@ -4,19 +4,7 @@
 namespace plumb::query::quick {
 namespace {
 
-/// When is |from + velocity t|^2 <= reach^2?  Where c + 2 h t + e t^2 <= 0.
-template <class T>
-struct Closing {
-  T c, h, e;
-
-  [[gnu::always_inline]] Closing(const Point3& a, const Point3& b, const T& reach, const Vec3<T>& velocity)
-      : c(T(0.0)), h(T(0.0)), e(dot(velocity, velocity)) {
-    const Vec3<T> d = between<T>(b, a);
-    c = dot(d, d) - reach * reach;
-    h = dot(d, velocity);
-  }
-};
-
+/// When is |d + v t|^2 <= reach^2?  Where c + 2 h t + e t^2 <= 0.
 template <Asked asked>
 [[gnu::always_inline]] inline Answer balls(const Point3& a, const Point3& b, double of_a, double of_b,
                                            const Vector3& by_a, const Vector3& by_b, Feature feature_b) {
@@ -35,12 +23,14 @@ template <Asked asked>
   if (!meets || asked == Asked::when) {
     const double rest = h * h - e * c, off = 4 * unit * (e * all + least * (all + e + 1));
     if (rest < -off) return no;
-    meets = meets || (rest > off && h < -doubt && way_at_end > 2 * doubt);
+    // Of h * h alone rest may be infinite where e * all is not.
+    meets = meets || (rest > off && rest < Ball::infinity && h < -doubt && way_at_end > 2 * doubt);
   }
   if (!meets) return v.x == 0 && v.y == 0 && v.z == 0 ? no : unsure;
   if constexpr (asked == Asked::whether) return {Told::yes};
-  const Closing<Pairs> p(a, b, Pairs(of_a) + Pairs(of_b), velocity<Pairs>(by_a, by_b));
-  return at(quotient(p.c, root(p.h * p.h - p.e * p.c) - p.h), {FeatureKind::face, 0}, feature_b);
+  const Vec3<Pairs> from = between<Pairs>(b, a), way = velocity<Pairs>(by_a, by_b);
+  const Pairs radii = Pairs(of_a) + Pairs(of_b), left = dot(from, from) - radii * radii, half = dot(from, way);
+  return at(quotient(left, root(half * half - dot(way, way) * left) - half), {FeatureKind::face, 0}, feature_b);
 }
 
 }  // namespace
@@ -54,9 +44,7 @@ template <Asked asked>
 Answer contact(const Translating<Sphere3>& a, const Translating<Point3>& b) {
   return balls<asked>(a.shape.center, b.shape, a.shape.radius, 0, a.by, b.by, {FeatureKind::vertex, 0});
 }
-template Answer contact<Asked::whether>(const Translating<Sphere3>&, const Translating<Sphere3>&);
-template Answer contact<Asked::when>(const Translating<Sphere3>&, const Translating<Sphere3>&);
-template Answer contact<Asked::whether>(const Translating<Sphere3>&, const Translating<Point3>&);
-template Answer contact<Asked::when>(const Translating<Sphere3>&, const Translating<Point3>&);
+PLUMB_QUICK_PAIR(Sphere3, Sphere3)
+PLUMB_QUICK_PAIR(Sphere3, Point3)
 
 }  // namespace plumb::query::quick

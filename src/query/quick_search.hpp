@@ -12,14 +12,6 @@
 
 namespace plumb::query::quick {
 
-inline double reach_of(const auto& shape) {
-  if constexpr (requires { shape.radius; }) {
-    return shape.radius;
-  } else {
-    return 0;
-  }
-}
-
 /// Sums of sizes: of products with a direction, and so of their errors.
 inline double size_of(const Vec3<double>& v) { return magnitude_of(v.x) + magnitude_of(v.y) + magnitude_of(v.z); }
 inline double largest_of(const Vec3<double>& v) {
@@ -27,19 +19,35 @@ inline double largest_of(const Vec3<double>& v) {
   return x > y ? (x > z ? x : z) : (y > z ? y : z);
 }
 
-/// Two shapes in plain doubles: points of both and a time, which are guesses, and directions, which are proofs.
-template <class A, class B>
-class Search {
- public:
-  using HullA = decltype(hull_of<double>(std::declval<A>()));
-  using HullB = decltype(hull_of<double>(std::declval<B>()));
+/// Two shapes and how far they reach together, over any number type.
+template <class N, class A, class B>
+struct Moved {
+  using HullA = decltype(hull_of<N>(std::declval<A>()));
+  using HullB = decltype(hull_of<N>(std::declval<B>()));
 
-  Search(const Translating<A>& first, const Translating<B>& second)
-      : a(hull_of<double>(first.shape)),
-        b(hull_of<double>(second.shape)),
-        by(velocity<double>(first.by, second.by)),
-        apart(between<double>(a.place, b.place)),
-        speed_(dot(by, by)) {
+  Moved(const Translating<A>& of_a, const Translating<B>& of_b)
+      : a(hull_of<N>(of_a.shape)),
+        b(hull_of<N>(of_b.shape)),
+        by(velocity<N>(of_a.by, of_b.by)),
+        apart(between<N>(a.place, b.place)),
+        reach(N(reach_of(of_a.shape)) + N(reach_of(of_b.shape))) {}
+
+  HullA a;
+  HullB b;
+  Vec3<N> by, apart;  // the motion of a, seen from b; from the place of a to that of b
+  N reach;
+};
+
+/// In plain doubles: points of both and a time, which are guesses, and directions, which are proofs.
+template <class A, class B>
+class Search : public Moved<double, A, B> {
+  using Both = Moved<double, A, B>;
+
+ public:
+  using Both::a, Both::b, Both::apart, Both::by, Both::reach;
+  using typename Both::HullA, typename Both::HullB;
+
+  Search(const Translating<A>& first, const Translating<B>& second) : Both(first, second), speed_(dot(by, by)) {
     size = size_of(apart) + size_of(by);
     for (std::size_t i = 0; i < HullA::way_count; ++i) size += size_of(a.way(i));
     for (std::size_t i = 0; i < HullB::way_count; ++i) size += size_of(b.way(i));
@@ -48,7 +56,7 @@ class Search {
   }
 
   /// Do they surely stay beyond reach along the direction between the points?
-  [[nodiscard]] bool apart_along(double reach) const {
+  [[nodiscard]] bool apart_along() const {
     const Vec3<double>& n = between_them;
     const double square = dot(n, n);
     if (!(square > 0x1p-900 && square < 0x1p900)) return false;
@@ -66,7 +74,7 @@ class Search {
     if (in_time) move_in_time();
   }
   /// The first time at which the distance is the reach, by Newton's method: it is convex in time.
-  bool find_first(double reach) {
+  bool find_first() {
     time = 0;
     see();
     constexpr int most_steps = 20, most_sweeps = 12;
@@ -88,11 +96,7 @@ class Search {
     return false;
   }
 
-  HullA a;
-  HullB b;
-  Vec3<double> by, apart;  // the motion of a, seen from b; from the place of a to that of b
-  double size = 0;         // of all coordinates together
-
+  double size = 0;  // of all coordinates together
   double time = 0;
   Parts of_a = HullA::middle(), of_b = HullB::middle();
   Vec3<double> between_them{};  // from the point of a to that of b, then
@@ -108,25 +112,6 @@ class Search {
   }
 
   double speed_;
-};
-
-/// Both, in numbers that know their errors.
-template <class N, class A, class B>
-struct Moved {
-  using HullA = decltype(hull_of<N>(std::declval<A>()));
-  using HullB = decltype(hull_of<N>(std::declval<B>()));
-
-  Moved(const Translating<A>& of_a, const Translating<B>& of_b)
-      : a(hull_of<N>(of_a.shape)),
-        b(hull_of<N>(of_b.shape)),
-        by(velocity<N>(of_a.by, of_b.by)),
-        apart(between<N>(a.place, b.place)),
-        reach(N(reach_of(of_a.shape)) + N(reach_of(of_b.shape))) {}
-
-  HullA a;
-  HullB b;
-  Vec3<N> by, apart;
-  N reach;
 };
 
 }  // namespace plumb::query::quick

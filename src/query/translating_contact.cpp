@@ -175,8 +175,8 @@ concept IsQuick = requires(const Translating<A>& a, const Translating<B>& b) {
 template <quick::Asked asked, class A, class B>
 quick::Answer quick_answer(const Translating<A>& a, const Translating<B>& b) {
   if constexpr (IsQuick<asked, A, B>) {
-    return is_sound(a.shape) && is_sound(b.shape) && is_real(sum_of(a.by) + sum_of(b.by)) ? quick::contact<asked>(a, b)
-                                                                                          : quick::unsure;
+    if (!(is_sound(a.shape) && is_sound(b.shape) && is_real(sum_of(a.by) + sum_of(b.by)))) return quick::unsure;
+    return is_nothing(a.shape) || is_nothing(b.shape) ? quick::no : quick::contact<asked>(a, b);
   } else if constexpr (IsQuick<asked, B, A>) {
     const quick::Answer answer = quick_answer<asked>(b, a);
     return {answer.told, swapped(answer.contact)};

@@ -365,6 +365,10 @@ TEST(TranslatingContact, WhatIsNoShape) {
               intersects(ball, Point3{0, 0, 0});
             }),
             "intersects: a.shape.radius is negative; give zero or more");
+  EXPECT_EQ(text_of<InvalidShape>([&] {
+              intersects(Point3{0, 0, 0}, Translating<ConvexPolyhedron3>{{}, {1, 0, 0}});
+            }),
+            "intersects: b.shape has no faces; make it by convex_polyhedron");
   const double nan = std::nan("");
   EXPECT_THAT(text_of<NonFinite>([&] {
                 first_contact(Translating<Point3>{{0, nan, 0}, {1, 0, 0}}, Point3{0, 0, 0});
@@ -390,6 +394,9 @@ TEST(TranslatingContact, ProductsThatOverflowTellNothing) {
       first_contact(Translating<Sphere3>{{{0, 0, 0}, 0.25e78}, {0.55e78, 0, 0}}, Sphere3{{1e78, 0, 0}, 0.25e78});
   ASSERT_TRUE(balls);
   EXPECT_NEAR(balls->time, 0.5 / 0.55, 1e-15);
+  const double far = 0x1.9a7f381c2ccc2p+250;  // the square of far times fast is beyond doubles, that of neither is
+  const Translating<Sphere3> past{{{0, 0, 0}, far * 0x1p-31}, {0x1.3f4d0082593ep+261, 0, 0}};
+  EXPECT_FALSE(intersects(past, Sphere3{{far, far * 0x1p-30, 0}, 0}));
   const double l = 1e103;
   EXPECT_TRUE(intersects(Translating<Triangle3>{{{0, 0, 0}, {l, l, 0}, {0, 0, l}}, {0, 0, 0}},
                          Segment3{{2e100, 1e100, 1e102}, {5e102, 6e102, 3e102}}));

@@ -21,6 +21,10 @@ struct Aabb3 {
   friend bool operator==(const Aabb3&, const Aabb3&) = default;
 };
 
+/// Is there no point in it?  What is NaN makes none empty.
+constexpr bool is_empty(const Aabb2& b) { return b.min.x > b.max.x || b.min.y > b.max.y; }
+constexpr bool is_empty(const Aabb3& b) { return b.min.x > b.max.x || b.min.y > b.max.y || b.min.z > b.max.z; }
+
 /// From min to min + widths, in real arithmetic.
 struct AabbWidths3 {
   Point3 min;
