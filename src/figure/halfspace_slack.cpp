@@ -1,7 +1,9 @@
 #include "halfspace_slack.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace plumb::figure {
 namespace {
@@ -9,19 +11,24 @@ namespace {
 constexpr int most_pivots = 60;
 
 double certain_part(const Running& x) { return std::fabs(x.value) > x.error ? x.value : 0; }
+/// The power of two in a number that is not negative; infinite or zero beyond and below those of normal size.
+double power_below(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & std::bit_cast<std::uint64_t>(HUGE_VAL));
+}
 
 }  // namespace
 
+void HalfspaceSlack::reserve(std::size_t rows) {
+  rows_.reserve(rows);
+  guess_.reserve(rows);
+}
+
 void HalfspaceSlack::add(const Near& row, double unit) {
-  const double by = std::ldexp(1.0, std::clamp(std::ilogb(unit), -1000, 1000));
-  near_.push_back(row);
-  unit_.push_back(by);
-  Guess g{};
-  for (std::size_t k = 0; k < 3; ++k) g.column[k] = certain_part(row.normal[k]) / by;
-  g.column[3] = 1;
-  g.limit = certain_part(row.limit) / by;
-  scale_ = std::max(scale_, std::fabs(g.limit));
-  guess_.push_back(g);
+  const double by = std::clamp(power_below(unit), 0x1p-1000, 0x1p1000), times = 1 / by;
+  rows_.push_back({row, by});
+  const auto part = [times](const Running& x) { return certain_part(x) * times; };
+  guess_.push_back({{part(row.normal[0]), part(row.normal[1]), part(row.normal[2])}, part(row.limit)});
+  scale_ = std::max(scale_, std::fabs(guess_.back().limit));
 }
 
 std::optional<int> HalfspaceSlack::sign() {
@@ -40,7 +47,7 @@ std::optional<int> HalfspaceSlack::sign_by_doubles() {
 std::vector<std::size_t> HalfspaceSlack::deciding() const {
   std::vector<std::size_t> order, rows;
   for (std::size_t k = 0; k < most; ++k) {
-    if (guessed_ && basis_[k] < near_.size() && weight_[k] > 0x1p-30) order.push_back(k);
+    if (guessed_ && basis_[k] < rows_.size() && weight_[k] > 0x1p-30) order.push_back(k);
   }
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return weight_[a] > weight_[b]; });
   for (const std::size_t k : order) rows.push_back(basis_[k]);
@@ -61,7 +68,8 @@ bool HalfspaceSlack::guess() {
     if (in == held) return true;
     Column step{};
     for (std::size_t k = 0; k < most; ++k) {
-      for (std::size_t i = 0; i < most; ++i) step[k] += inverse_[k][i] * guess_[in].column[i];
+      step[k] = inverse_[k][3];
+      for (std::size_t i = 0; i < 3; ++i) step[k] += inverse_[k][i] * guess_[in].normal[i];
     }
     const std::size_t out = leaving(step);
     if (out == most) return false;
@@ -83,8 +91,8 @@ std::size_t HalfspaceSlack::entering() const {
   std::size_t best = held;
   double largest = scale_ * 0x1p-40;
   for (std::size_t j = 0; j < guess_.size(); ++j) {
-    const Column& c = guess_[j].column;
-    const double above = ((c[0] * at_[0] + c[1] * at_[1]) + (c[2] * at_[2] + c[3] * at_[3])) - guess_[j].limit;
+    const auto& n = guess_[j].normal;
+    const double above = ((n[0] * at_[0] + n[1] * at_[1]) + (n[2] * at_[2] + at_[3])) - guess_[j].limit;
     if (above > largest) best = j, largest = above;
   }
   return best;
@@ -112,7 +120,8 @@ void HalfspaceSlack::pivot(std::size_t out, std::size_t in, const Column& step) 
 }
 
 bool HalfspaceSlack::has_slack_everywhere() const {
-  return std::ranges::all_of(near_, [&](const Near& row) {
+  return std::ranges::all_of(rows_, [&](const Given& given) {
+    const Near& row = given.near;
     Running sum = Running(0.0) - row.limit;
     for (std::size_t k = 0; k < 3; ++k) sum = sum + row.normal[k] * Running(at_[k]);
     return sum.upper() < 0;

@@ -35,6 +35,7 @@ class HalfspaceSlack {
   /// `exactly(i)` is row i once more.
   explicit HalfspaceSlack(std::function<Exact(std::size_t)> exactly) : exactly_(std::move(exactly)) {}
 
+  void reserve(std::size_t rows);
   /// One more halfspace; its slack is measured in about `unit`, which is positive, as large as its normal.
   void add(const Near& row, double unit);
 
@@ -71,14 +72,13 @@ class HalfspaceSlack {
   [[nodiscard]] Sign weight_sign(const std::array<ExactRow, most>& rows, std::size_t k) const;
   [[nodiscard]] bool hold_all(const ExactRow& place) const;
 
-  struct Guess {
-    Column column;
-    double limit;
+  struct Given {
+    Near near;
+    double unit;
   };
   std::function<Exact(std::size_t)> exactly_;
-  std::vector<Near> near_;
-  std::vector<double> unit_;
-  std::vector<Guess> guess_;  // in units, without what is lost in errors
+  std::vector<Given> rows_;
+  std::vector<SlackRow<double>> guess_;  // in units, without what is lost in errors
   double scale_ = 0;
   bool guessed_ = false;
   std::array<Column, most> inverse_{};

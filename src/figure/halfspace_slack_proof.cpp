@@ -82,7 +82,7 @@ HalfspaceSlack::ExactRow HalfspaceSlack::exact_row(std::size_t j, std::size_t nu
   } else {
     Exact exact = exactly_(j);
     for (std::size_t k = 0; k < 3; ++k) row[k] = std::move(exact.normal[k]);
-    row[3] = BigDyadic(unit_[j]);
+    row[3] = BigDyadic(rows_[j].unit);
     row[4] = BigDyadic() - exact.limit;
   }
   return row;
@@ -95,7 +95,7 @@ Running HalfspaceSlack::weight(std::size_t k) const {
     if (i == k) continue;
     const std::size_t j = basis_[i];
     const auto number = [&](std::size_t n) {
-      return j < near_.size() ? near_[j].normal[n] : Running(j == held && n == i ? 1.0 : 0.0);
+      return j < rows_.size() ? rows_[j].near.normal[n] : Running(j == held && n == i ? 1.0 : 0.0);
     };
     others[to++] = {number(0), number(1), number(2)};
   }
@@ -127,7 +127,7 @@ bool HalfspaceSlack::has_no_point() const {
     }
     if (all != Sign::zero && sign.value() != all) return false;
     all = sign.value();
-    sum = sum + w * near_[basis_[k]].limit;
+    sum = sum + w * rows_[basis_[k]].near.limit;
   }
   const Unsure<Sign> sign = sum.sign();
   return all != Sign::zero && sign.certain() && sign.value() == -all;
@@ -135,10 +135,10 @@ bool HalfspaceSlack::has_no_point() const {
 
 bool HalfspaceSlack::hold_all(const ExactRow& place) const {
   const auto p = near(place);
-  for (std::size_t j = 0; j < near_.size(); ++j) {
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
     if (std::ranges::find(basis_, j) != basis_.end()) continue;
-    Running above = Running(unit_[j]) * p[3] - near_[j].limit * p[4];
-    for (std::size_t k = 0; k < 3; ++k) above = above + near_[j].normal[k] * p[k];
+    Running above = Running(rows_[j].unit) * p[3] - rows_[j].near.limit * p[4];
+    for (std::size_t k = 0; k < 3; ++k) above = above + rows_[j].near.normal[k] * p[k];
     const Unsure<Sign> sign = above.sign();
     if (sign.certain() && sign.value() == Sign::negative) continue;
     if (sign.certain() && sign.value() == Sign::positive) return false;

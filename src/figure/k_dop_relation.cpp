@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "halfspace_slack.hpp"
-#include "k_dop_proof.hpp"
 #include "k_dop_sets.hpp"
 
 namespace plumb {
@@ -61,6 +60,7 @@ std::optional<int> sign_of_slack(const KDop<Vector>& k_dop) {
     return r;
   };
   HalfspaceSlack slack([&](std::size_t i) { return row(i, BigDyadic()); });
+  slack.reserve(2 * k_dop.min.size());
   for (std::size_t i = 0; i < 2 * k_dop.min.size(); ++i) {
     double size = 0;
     for (const double x : coordinates(k_dop.directions.all()[i / 2])) size += magnitude_of(x);
@@ -83,7 +83,6 @@ template <class Vector>
 Relation relation(std::string_view function, const KDop<Vector>& a, const KDop<Vector>& b) {
   if (!overlap(function, a, b)) return Relation::disjoint;
   const KDop<Vector> both = common_part(a, b);
-  if (const auto proof = has_inner_point(both)) return *proof ? Relation::overlapping : Relation::disjoint;
   const auto sign = sign_of_slack(both);
   if (sign && (*sign != 0 || (sign_of_slack(a) == 1 && sign_of_slack(b) == 1))) return static_cast<Relation>(*sign);
   const Constraints common = halfspaces(both);
@@ -104,7 +103,6 @@ template <class Vector>
 bool meet(const KDop<Vector>& a, const KDop<Vector>& b) {
   if (!overlap("intersects", a, b)) return false;
   const KDop<Vector> both = common_part(a, b);
-  if (const auto proof = has_inner_point(both)) return *proof;
   if (const auto sign = sign_of_slack(both)) return *sign >= 0;
   return !is_empty(halfspaces(both));
 }
@@ -113,7 +111,6 @@ template <class Vector>
 bool is_empty_set(const KDop<Vector>& k_dop) {
   check("is_empty", "k_dop", k_dop);
   if (has_empty_interval(k_dop)) return true;
-  if (const auto proof = has_inner_point(k_dop)) return !*proof;
   if (const auto sign = sign_of_slack(k_dop)) return *sign < 0;
   return is_empty(halfspaces(k_dop));
 }

@@ -52,11 +52,9 @@ struct Hull {
   }
 };
 
-Vertices used_vertices(const ConvexPolyhedron3& s) {
+Vertices vertices_of(const ConvexPolyhedron3& s) {
   Vertices all;
-  for (std::size_t i = 0; i < s.mesh.vertices.size(); ++i) {
-    if (!s.neighbors_of(i).empty()) all.push_back(core::vec<Running>(s.mesh.vertices[i]));
-  }
+  for (const Point3& p : s.mesh.vertices) all.push_back(core::vec<Running>(p));
   return all;
 }
 
@@ -72,7 +70,7 @@ std::optional<Hull> hull_of(const FlatView& v, const ConvexPolyhedron3& other) {
       const auto body = axis_body_of<Running>(s, {0, 0, 0});
       if (body.edge_count > 0 && body.ends[0] != EdgeEnd::none) {
         if (body.edge_count > 1) return {};
-        auto part = cut_to(used_vertices(other), body);
+        auto part = cut_to(vertices_of(other), body);
         return part ? std::optional(Hull{nullptr, std::move(*part)}) : std::nullopt;
       }
       return Hull{nullptr, {body.points.begin(), body.points.begin() + static_cast<std::ptrdiff_t>(body.point_count)}};

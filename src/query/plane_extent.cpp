@@ -1,10 +1,9 @@
 #include "plane_extent.hpp"
 
-#include "arith/plane_value.hpp"
 #include "arith/running_error.hpp"
 #include "axis_body.hpp"
+#include "bounding_side.hpp"
 #include "plumb/certify/direction.hpp"
-#include "plumb/certify/side_of_plane.hpp"
 
 namespace plumb::query {
 namespace {
@@ -57,15 +56,10 @@ std::optional<Extent> extent_of(const Shape& s, const Vector3& normal, double of
 
 std::optional<Extent> extent_of(const ConvexPolyhedron3& polyhedron, const Vector3& normal, double offset) {
   Extent extent;
-  const auto n = core::vec<Running>(normal);
-  for (const std::uint32_t v : polyhedron.mesh.corners) {
-    const Point3& p = polyhedron.mesh.vertices[v];
-    Sign sign{};
-    if (!sign_of(core::dot(n, core::vec<Running>(p)) - Running(offset), sign)) {
-      const auto exact = sign_of_plane_value(normal, offset, p);
-      sign = exact ? *exact : side_of_plane(normal, offset, p);
-    }
-    extent.add(sign);
+  const Side side{normal, offset};
+  const Beyond beyond(side);
+  for (const Point3& p : polyhedron.mesh.vertices) {
+    extent.add(beyond.sign(p));
     if (extent.least == Sign::negative && extent.greatest == Sign::positive) break;
   }
   return extent;

@@ -8,8 +8,6 @@ namespace {
 
 using namespace axes;
 
-Sign sign_of(const BigDyadic& x) { return x.sign(); }
-
 /// What lies along an axis: between which numbers its ends are, infinite where the body goes on.
 struct Reached {
   double low_least, low_most, high_least, high_most;
@@ -71,12 +69,12 @@ ExactReached reached(const AxisBody<BigDyadic>& body, const core::Vec<BigDyadic>
   ExactReached r;
   for (std::size_t i = 0; i < body.point_count; ++i) {
     const BigDyadic at = dot(body.points[i], axis);
-    if (!r.low || sign_of(at - *r.low) == Sign::negative) r.low = at;
-    if (!r.high || sign_of(at - *r.high) == Sign::positive) r.high = at;
+    if (!r.low || (at - *r.low).sign() == Sign::negative) r.low = at;
+    if (!r.high || (at - *r.high).sign() == Sign::positive) r.high = at;
   }
   for (std::size_t i = 0; i < body.edge_count; ++i) {
     if (body.ends[i] == EdgeEnd::none) continue;
-    const Sign along = sign_of(dot(body.edges[i], axis));
+    const Sign along = dot(body.edges[i], axis).sign();
     if (along == Sign::zero) continue;
     if (along == Sign::positive || body.ends[i] == EdgeEnd::both) r.high.reset();
     if (along == Sign::negative || body.ends[i] == EdgeEnd::both) r.low.reset();
@@ -85,11 +83,11 @@ ExactReached reached(const AxisBody<BigDyadic>& body, const core::Vec<BigDyadic>
 }
 
 Verdict exactly(const AxisBody<BigDyadic>& a, const AxisBody<BigDyadic>& b, const core::Vec<BigDyadic>& axis) {
-  if (sign_of(axis.x) == Sign::zero && sign_of(axis.y) == Sign::zero && sign_of(axis.z) == Sign::zero)
+  if (axis.x.sign() == Sign::zero && axis.y.sign() == Sign::zero && axis.z.sign() == Sign::zero)
     return Verdict::no_axis;
   const ExactReached p = reached(a, axis), q = reached(b, axis);
   const auto gap = [](const std::optional<BigDyadic>& low, const std::optional<BigDyadic>& high) {
-    return low && high ? sign_of(*low - *high) : Sign::negative;
+    return low && high ? (*low - *high).sign() : Sign::negative;
   };
   const Sign above = gap(q.low, p.high), below = gap(p.low, q.high);
   if (above == Sign::positive || below == Sign::positive) return Verdict::apart;

@@ -21,6 +21,7 @@ class Program {
   Program(const FlatView& figure, const Numbers& numbers, std::span<const Side> sides, const Point3& origin)
       : figure_(figure), own_(rows_of(numbers)), sides_(sides), origin_(origin) {
     const Image<Running> image = this->image<Running>();
+    slack_.reserve(own_.size() + sides_.size());
     for (const OwnRow& row : own_) slack_.add(row_of<Running>(row), 1);
     double longest = image.moves_only ? 1 : 0;
     for (const auto& column : image.columns) longest = std::max(longest, size(column));
@@ -124,11 +125,7 @@ std::vector<Point3> vertices_of(const FlatView& v) {
       return {a, {b.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}, {a.x, a.y, b.z}, {b.x, a.y, b.z}, {a.x, b.y, b.z},
               b};
     } else if constexpr (kind == FigureKind::convex_polyhedron) {
-      std::vector<Point3> used;
-      for (std::size_t i = 0; i < s.mesh.vertices.size(); ++i) {
-        if (!s.neighbors_of(i).empty()) used.push_back(s.mesh.vertices[i]);
-      }
-      return used;
+      return s.mesh.vertices;
     } else {
       return {};
     }

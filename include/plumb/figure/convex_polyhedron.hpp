@@ -1,8 +1,8 @@
 // What is a convex polyhedron?  Its faces, and who is beyond which edge.
 //
 // Laws: made by convex_polyhedron or by a hull, which prove it convex; faces are counterclockwise seen from outside.
-// Faces in one plane may stand beside one another.  across[i] is the face beyond the edge that leaves corner i of its
-// face; the neighbors of a vertex are listed ascending.
+// Every vertex is a corner of some face; faces in one plane may stand beside one another.  across[i] is the face beyond
+// the edge that leaves corner i of its face; the neighbors of a vertex are listed ascending.
 // Source: RTCD 3.8, 3.8.1, 4.2.5; cost: none.
 #pragma once
 
