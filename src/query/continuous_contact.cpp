@@ -5,6 +5,7 @@
 #include "figure/finite_parts.hpp"
 #include "query/contact_filter.hpp"
 #include "query/exact_contact.hpp"
+#include "query/figure_input.hpp"
 #include "query/separation_filter.hpp"
 
 namespace plumb {
@@ -16,27 +17,16 @@ using Motion = query::moving::ContactQuestion;
 Motion motion_of(const Moving<Point3>& a, const Moving<Triangle3>& b) {
   return {MovingKind::vertex_triangle, {a.from, b.from.a, b.from.b, b.from.c}, {a.to, b.to.a, b.to.b, b.to.c}};
 }
+Motion motion_of(const Moving<Triangle3>& a, const Moving<Point3>& b) { return motion_of(b, a); }
 Motion motion_of(const Moving<Segment3>& a, const Moving<Segment3>& b) {
   return {MovingKind::edge_edge, {a.from.a, a.from.b, b.from.a, b.from.b}, {a.to.a, a.to.b, b.to.a, b.to.b}};
 }
 
-constexpr std::array<std::string_view, 9> vertex_triangle_parts{
-    "a.from", "a.to", "b.from.a", "b.from.b", "b.from.c", "b.to.a", "b.to.b", "b.to.c", "options.separation"};
-constexpr std::array<std::string_view, 9> edge_edge_parts{
-    "a.from.a", "a.from.b", "a.to.a", "a.to.b", "b.from.a", "b.from.b", "b.to.a", "b.to.b", "options.separation"};
-
-void require_valid(std::string_view function, const Moving<Point3>& a, const Moving<Triangle3>& b, double separation) {
-  require_finite_parts(function, vertex_triangle_parts, a.from, a.to, b.from.a, b.from.b, b.from.c, b.to.a, b.to.b,
-                       b.to.c, separation);
-}
-void require_valid(std::string_view function, const Moving<Segment3>& a, const Moving<Segment3>& b, double separation) {
-  require_finite_parts(function, edge_edge_parts, a.from.a, a.from.b, a.to.a, a.to.b, b.from.a, b.from.b, b.to.a,
-                       b.to.b, separation);
-}
-
 template <class A, class B>
-void require_valid(std::string_view function, const A& a, const B& b, const ContactOptions& options) {
-  require_valid(function, a, b, options.separation);
+void require_valid(std::string_view function, const Moving<A>& a, const Moving<B>& b, const ContactOptions& options) {
+  query::require_figure(function, "a.from", a.from), query::require_figure(function, "a.to", a.to);
+  query::require_figure(function, "b.from", b.from), query::require_figure(function, "b.to", b.to);
+  require_finite_parts(function, {"options.separation"}, options.separation);
   if (options.separation < 0)
     throw InvalidShape(std::string(function).append(
         ": options.separation is negative; give a distance, zero for figures that are to touch"));
@@ -117,7 +107,7 @@ bool intersects(const Moving<Point3>& a, const Moving<Triangle3>& b, const Conta
   return meet(a, b, options);
 }
 bool intersects(const Moving<Triangle3>& a, const Moving<Point3>& b, const ContactOptions& options) {
-  return meet(b, a, options);
+  return meet(a, b, options);
 }
 bool intersects(const Moving<Segment3>& a, const Moving<Segment3>& b, const ContactOptions& options) {
   return meet(a, b, options);
@@ -129,7 +119,7 @@ std::optional<Contact> first_contact(const Moving<Point3>& a, const Moving<Trian
 }
 std::optional<Contact> first_contact(const Moving<Triangle3>& a, const Moving<Point3>& b,
                                      const ContactOptions& options) {
-  const std::optional<Contact> c = contact(b, a, options);
+  const std::optional<Contact> c = contact(a, b, options);
   return c ? std::optional(swapped(*c)) : c;
 }
 std::optional<Contact> first_contact(const Moving<Segment3>& a, const Moving<Segment3>& b,
@@ -143,7 +133,7 @@ std::optional<Root> first_contact_time(const Moving<Point3>& a, const Moving<Tri
 }
 std::optional<Root> first_contact_time(const Moving<Triangle3>& a, const Moving<Point3>& b,
                                        const ContactOptions& options) {
-  return contact_time(b, a, options);
+  return contact_time(a, b, options);
 }
 std::optional<Root> first_contact_time(const Moving<Segment3>& a, const Moving<Segment3>& b,
                                        const ContactOptions& options) {

@@ -160,6 +160,7 @@ TEST(ContinuousContactTest, RefusesWhatIsNoNumber) {
     return std::string("nothing");
   };
   EXPECT_EQ(text([&] { intersects(p, t); }).find("intersects: b.to.c.y is inf"), 0u);
+  EXPECT_EQ(text([&] { intersects(t, p); }).find("intersects: a.to.c.y is inf"), 0u);
   EXPECT_EQ(text([&] { static_cast<void>(first_contact(q, t)); }).find("first_contact: a.from.y is nan"), 0u);
   const Moving<Segment3> s{{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, nan}}};
   EXPECT_EQ(text([&] { static_cast<void>(first_contact_time(s, s)); }).find("first_contact_time: a.to.b.z is nan"), 0u);

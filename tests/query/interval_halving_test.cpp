@@ -231,6 +231,11 @@ TEST(IntervalHalving, NamesWhatIsNoNumber) {
                 first_contact_span(Translating<Point3>{{0, 0, 0}, {}}, Translating<Point3>{{1, 0, 0}, {0, 0, nan}});
               }),
               testing::HasSubstr("first_contact_span: b.by.z is nan"));
+  EXPECT_THAT(
+      text([&] {
+        first_contact_span(Translating<Capsule3>{{{0, 0, 0}, {1, 0, 0}, 1}, {nan, 0, 0}}, Translating<Point3>{});
+      }),
+      testing::HasSubstr("first_contact_span: a.by.x is nan"));
   const Triangle3 t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, bad{{0, 0, 0}, {1, 0, 0}, {0, INFINITY, 0}};
   EXPECT_THAT(text([&] {
                 first_contact_span(Moving<Triangle3>{t, bad}, Moving<Triangle3>{t, t});

@@ -67,20 +67,29 @@ Shape with_places(const Shape& s, F f) {
 
 /// Only the difference of the motions counts: b rests.
 template <OfPlaces A, class B>
-struct RelativeMotion {
-  const A& a;
-  const B& b;
-  Interval x, y, z;  // the way of a
+class RelativeMotion {
+ public:
+  RelativeMotion(const Translating<A>& a, const Translating<B>& b)
+      : a_(a.shape),
+        b_(b.shape),
+        x_(Interval(a.by.x) - Interval(b.by.x)),
+        y_(Interval(a.by.y) - Interval(b.by.y)),
+        z_(Interval(a.by.z) - Interval(b.by.z)) {}
 
   [[nodiscard]] double distance_at(double t) const {
     NearbyPlaces near;
     const Interval time(t);
-    const A moved = with_places(a, [&](const Point3& p) {
-      return near(Interval(p.x) + time * x, Interval(p.y) + time * y, Interval(p.z) + time * z);
+    const A moved = with_places(a_, [&](const Point3& p) {
+      return near(Interval(p.x) + time * x_, Interval(p.y) + time * y_, Interval(p.z) + time * z_);
     });
-    return surely_apart(distance(moved, b), near.off(), 0);
+    return surely_apart(distance(moved, b_), near.off(), 0);
   }
-  [[nodiscard]] double speed_between(double, double) const { return length_at_most(x, y, z); }
+  [[nodiscard]] double speed_between(double, double) const { return length_at_most(x_, y_, z_); }
+
+ private:
+  const A& a_;
+  const B& b_;
+  Interval x_, y_, z_;  // the way of a
 };
 
 template <OfCorners A, OfCorners B>
@@ -140,15 +149,12 @@ template <Figure A, Figure B>
 requires(HasDistance<A, B> && (query::OfPlaces<A> || query::OfPlaces<B>))  //
     std::optional<TimeSpan> first_contact_span(const Translating<A>& a, const Translating<B>& b,
                                                const HalvingOptions& options = {}) {
+  query::require_moving("a.shape", query::view_of(a.shape)), query::require_way("a.by", a.by);
+  query::require_moving("b.shape", query::view_of(b.shape)), query::require_way("b.by", b.by);
   if constexpr (query::OfPlaces<A>) {
-    query::require_moving("a.shape", query::view_of(a.shape)), query::require_way("a.by", a.by);
-    query::require_moving("b.shape", query::view_of(b.shape)), query::require_way("b.by", b.by);
-    const auto way = [](double of_a, double of_b) { return Interval(of_a) - Interval(of_b); };
-    return first_contact_span(
-        query::RelativeMotion<A, B>{a.shape, b.shape, way(a.by.x, b.by.x), way(a.by.y, b.by.y), way(a.by.z, b.by.z)},
-        options);
+    return first_contact_span(query::RelativeMotion<A, B>(a, b), options);
   } else {
-    return first_contact_span(b, a, options);
+    return first_contact_span(query::RelativeMotion<B, A>(b, a), options);
   }
 }
 template <query::OfCorners A, query::OfCorners B>
