@@ -10,17 +10,14 @@ class Axes {
 
   /// Narrows the window; is there any left?  `length` is no less than that of the axis.
   bool meet(const Vec3<Running>& axis, double length) {
-    const auto [low_a, high_a] = ends(a_, axis);
-    const auto [low_b, high_b] = ends(b_, axis);
-    return meet(FeatureEnds{low_a, high_a}, FeatureEnds{low_b, high_b}, dot(velocity_, axis), length);
+    return meet(ends(a_, axis), ends(b_, axis), dot(velocity_, axis), length);
   }
   /// A plane has an extent along its normal alone.
-  bool meet_plane(const MovingBody<Running>& plane, bool plane_is_a) {
-    const auto& face = plane.faces[0];
-    const FeatureEnds at{face.offset.lower(), face.offset.upper()};
-    const auto [low, high] = ends(plane_is_a ? b_ : a_, face.normal);
-    const FeatureEnds other{low, high};
-    return meet(plane_is_a ? at : other, plane_is_a ? other : at, dot(velocity_, face.normal), length_of(face.normal));
+  void meet_plane() {
+    const bool plane_is_a = a_.vertices.empty();
+    const auto& face = (plane_is_a ? a_ : b_).faces[0];
+    const FeatureEnds at{face.offset.lower(), face.offset.upper()}, other = ends(plane_is_a ? b_ : a_, face.normal);
+    meet(plane_is_a ? at : other, plane_is_a ? other : at, dot(velocity_, face.normal), length_of(face.normal));
   }
   static double length_of(const Vec3<Running>& axis) { return root_above(dot(axis, axis).upper()); }
 
@@ -58,41 +55,41 @@ Vec3<Running> along(const MovingBody<Running>& body, const MovingBody<Running>::
   return body.vertices[e.ends[1]] - body.vertices[e.ends[0]];
 }
 
-bool narrowed_to_nothing(Axes& axes, const MovingBody<Running>& a, const MovingBody<Running>& b) {
-  if (a.vertices.empty()) return !axes.meet_plane(a, true);
-  if (b.vertices.empty()) return !axes.meet_plane(b, false);
+void narrow(Axes& axes, const MovingBody<Running>& a, const MovingBody<Running>& b) {
+  if (a.vertices.empty() || b.vertices.empty()) {
+    axes.meet_plane();
+    return;
+  }
   const Running one(1.0), zero(0.0);
-  if (!axes.meet({one, zero, zero}, 1) || !axes.meet({zero, one, zero}, 1) || !axes.meet({zero, zero, one}, 1))
-    return true;
+  if (!axes.meet({one, zero, zero}, 1) || !axes.meet({zero, one, zero}, 1) || !axes.meet({zero, zero, one}, 1)) return;
   for (const auto* body : {&a, &b}) {
     for (const auto& f : body->faces) {
-      if (!axes.meet(f.normal, Axes::length_of(f.normal))) return true;
+      if (!axes.meet(f.normal, Axes::length_of(f.normal))) return;
     }
   }
   constexpr std::size_t few = 12;  // edges: of more the faces tell enough
-  if (a.edges.size() > few || b.edges.size() > few) return false;
+  if (a.edges.size() > few || b.edges.size() > few) return;
   for (const auto& e : a.edges) {
     for (const auto& f : b.edges) {
       const Vec3<Running> axis = cross(along(a, e), along(b, f));
-      if (!axes.meet(axis, Axes::length_of(axis))) return true;
+      if (!axes.meet(axis, Axes::length_of(axis))) return;
     }
   }
   // Of what is round: the ways from vertex to vertex.
   constexpr std::size_t few_ways = 16;
-  if (!(a.swept || b.swept) || a.vertices.size() * b.vertices.size() > few_ways) return false;
+  if (!(a.swept || b.swept) || a.vertices.size() * b.vertices.size() > few_ways) return;
   for (const auto& v : a.vertices) {
     for (const auto& w : b.vertices) {
-      if (!axes.meet(w - v, Axes::length_of(w - v))) return true;
+      if (!axes.meet(w - v, Axes::length_of(w - v))) return;
     }
   }
-  return false;
 }
 
 }  // namespace
 
 TimeWindow time_window(const MovingBody<Running>& a, const MovingBody<Running>& b, const Vec3<Running>& velocity) {
   Axes axes(a, b, velocity);
-  narrowed_to_nothing(axes, a, b);
+  narrow(axes, a, b);
   return axes.window();
 }
 

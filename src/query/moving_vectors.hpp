@@ -18,35 +18,28 @@ inline Polynomial trimmed(Polynomial p) {
   while (!p.empty() && sgn(p.back()) == 0) p.pop_back();
   return p;
 }
-inline Polynomial sum(const Polynomial& a, const Polynomial& b) {
+/// By mpz_add or mpz_sub.
+template <auto combine>
+Polynomial combined(const Polynomial& a, const Polynomial& b) {
   Polynomial r = a;
   if (r.size() < b.size()) r.resize(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i) r[i] += b[i];
+  for (std::size_t i = 0; i < b.size(); ++i) combine(r[i].get_mpz_t(), r[i].get_mpz_t(), b[i].get_mpz_t());
   return trimmed(std::move(r));
 }
-inline Polynomial difference(const Polynomial& a, const Polynomial& b) {
-  Polynomial r = a;
-  if (r.size() < b.size()) r.resize(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i) r[i] -= b[i];
-  return trimmed(std::move(r));
-}
-inline void add_product(Polynomial& r, const Polynomial& a, const Polynomial& b) {
+inline Polynomial sum(const Polynomial& a, const Polynomial& b) { return combined<mpz_add>(a, b); }
+inline Polynomial difference(const Polynomial& a, const Polynomial& b) { return combined<mpz_sub>(a, b); }
+/// By mpz_addmul or mpz_submul.
+template <auto multiply>
+void take_product(Polynomial& r, const Polynomial& a, const Polynomial& b) {
   if (a.empty() || b.empty()) return;
   if (r.size() < a.size() + b.size() - 1) r.resize(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      mpz_addmul(r[i + j].get_mpz_t(), a[i].get_mpz_t(), b[j].get_mpz_t());
-    }
+    for (std::size_t j = 0; j < b.size(); ++j) multiply(r[i + j].get_mpz_t(), a[i].get_mpz_t(), b[j].get_mpz_t());
   }
 }
+inline void add_product(Polynomial& r, const Polynomial& a, const Polynomial& b) { take_product<mpz_addmul>(r, a, b); }
 inline void subtract_product(Polynomial& r, const Polynomial& a, const Polynomial& b) {
-  if (a.empty() || b.empty()) return;
-  if (r.size() < a.size() + b.size() - 1) r.resize(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      mpz_submul(r[i + j].get_mpz_t(), a[i].get_mpz_t(), b[j].get_mpz_t());
-    }
-  }
+  take_product<mpz_submul>(r, a, b);
 }
 inline Polynomial product(const Polynomial& a, const Polynomial& b) {
   Polynomial r;

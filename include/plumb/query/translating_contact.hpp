@@ -10,8 +10,9 @@
 // those of the lowest dimensions taken together, then those of the lowest numbers of the first figure, then of the
 // second; {interior, 0} for both where they overlap from the start.  A ball as a whole is {face, 0}, a capsule's ends
 // are vertices and the rest edge 0.  (4) Only the difference of the motions counts; swapping the figures swaps the
-// features, but where several meet at once.  (5) Degenerate figures are the sets that they are, empty ones meet
-// nothing. NaN and infinity throw NonFinite, a negative radius throws InvalidShape, both by name.
+// features, but where several meet at once.  (5) Degenerate figures are the sets that they are; an empty box
+// meets nothing, nor does a plane of the normal zero that holds no point.  NaN and infinity throw NonFinite, a negative
+// radius and a polyhedron without faces throw InvalidShape, all by name.
 // Source: RTCD 5.5.2, 5.5.3, 5.5.4, 5.5.5, 5.5.6, 5.5.7 and 5.5.8.  Cost: 10 to 150 ns for what misses, without
 // allocation, up to a microsecond where there is a time; some microseconds for polyhedra and where doubles do not tell.
 #pragma once
