@@ -83,9 +83,11 @@ template <class... S>
 struct Shapes {
   static constexpr std::size_t count = sizeof...(S);
 };
-using Shapes2 = Shapes<Point2, Line2, Ray2, Segment2, Triangle2, Polygon2, Aabb2, Obb2, Circle2, Capsule2>;
-using Shapes3 = Shapes<Point3, Line3, Ray3, Segment3, Plane3, Triangle3, Polygon3, Rectangle3, Tetrahedron3, Aabb3,
-                       Obb3, Sphere3, Capsule3, Lozenge3, Cylinder3, KDop3, ConvexPolyhedron3>;
+using Shapes2 = Shapes<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Quadrilateral2, Polygon2, HoledPolygon2,
+                       Aabb2, Obb2, Circle2, Capsule2, KDop2, HalfspaceIntersection2>;
+using Shapes3 = Shapes<Point3, Line3, Ray3, Segment3, Plane3, ThreePointPlane3, Halfspace3, Triangle3, Quadrilateral3,
+                       Polygon3, HoledPolygon3, Rectangle3, Tetrahedron3, Aabb3, Obb3, Sphere3, Capsule3, Lozenge3,
+                       Cylinder3, Cone3, KDop3, HalfspaceIntersection3, ConvexPolyhedron3>;
 
 /// Calls visit(shape type) for the one of that number.
 template <class... S, class Visit>
@@ -102,8 +104,6 @@ void run(All all, std::span<const std::uint8_t> bytes) {
         Promise promise;
         ShapePair pair =
             pair_of(generated_kind<A>, generated_kind<B>, generated_dimension<A>, bytes.subspan(2), promise);
-        // A k-DOP is more than the points it is made of.
-        if constexpr (std::is_same_v<A, KDop3> || std::is_same_v<B, KDop3>) promise.apart = false;
         try {
           ask<A, B>(pair, promise);
         } catch (const InvalidShape&) {

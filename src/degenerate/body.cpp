@@ -82,7 +82,8 @@ void Body::move(const Int3& by) {
 }
 
 void Body::multiply(Int by) {
-  for (Int3& p : points) p = by * p;
+  const Int3 moved = points.empty() ? Int3{} : (by - 1) * points[0];
+  for (Int3& p : points) p = half.empty() ? by * p : p + moved;
   for (Int& h : half) h *= by;
   radius *= by;
 }
@@ -104,6 +105,7 @@ Int3 extent_of(Form form, int bits, Entropy& entropy) {
     case Form::straight:
       return {length(), 0, 0};
     case Form::speck:
+    case Form::empty:
       break;
   }
   return {};
@@ -119,10 +121,16 @@ void put_middle_at_origin(Body& body) {
   switch (body.kind) {
     case ShapeKind::line:
     case ShapeKind::plane:
+    case ShapeKind::three_point_plane:
     case ShapeKind::rectangle:
     case ShapeKind::aabb:
     case ShapeKind::obb:
+    case ShapeKind::ellipsoid:
       add(body.points[0], 1);
+      break;
+    case ShapeKind::slab:
+      add(body.points[0], 1);
+      add(body.points[3], 1);
       break;
     case ShapeKind::halfspace:
       add(body.points[3], 1);
@@ -141,11 +149,13 @@ void put_middle_at_origin(Body& body) {
 int bits_of(const Body& body) {
   Int most = body.radius;
   for (const Int h : body.half) most = std::max(most, h);
-  // A box reaches further than its center and the middles of its faces.
-  for (const Int3& p : body.points) {
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    const Int3 p = i > 0 && has_axes(body.kind) ? body.points[0] + body.arm(i - 1) : body.points[i];
     for (const Int x : p) most = std::max(most, std::abs(x));
   }
-  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most))) + (is_box(body.kind) ? 3 : 0);
+  // A box reaches further than its center and the middles of its faces; of a k-DOP sums of coordinates count.
+  const bool further = has_axes(body.kind) || body.kind == ShapeKind::k_dop;
+  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most))) + (further ? 3 : 0);
 }
 
 Placement any_placement(int bits, bool longest, Entropy& entropy) {

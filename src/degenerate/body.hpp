@@ -42,13 +42,18 @@ IntMap any_turn(Entropy& entropy);
 IntMap after(const IntMap& second, const IntMap& first);
 
 /// In the order of the layout.  Lines and rays: a point and one further along; planes: three points; halfspaces one
-/// more, within; boxes and rectangles: the center and the middles of faces, `half` being the half extents, by which
-/// axes are divided; lozenges: the corner and its neighbors.
+/// more, within, and of several halfspaces four each; slabs: three and one of the other plane; boxes, rectangles and
+/// ellipsoids: the center and the points that its axes lead to, `half` being the half extents; lozenges: the corner and
+/// its neighbors; k-DOPs: of each direction a point of the plane below and one of the plane above.
 struct Body {
   ShapeKind kind;
   std::vector<Int3> points;
   Int radius = 0;
-  std::vector<Int> half;
+  std::vector<Int> half{};
+  std::vector<std::size_t> parts{};  // points of each chain of a holed polygon; corners of a mesh's triangles
+
+  /// From the center to the middle of a face, or the tip.
+  [[nodiscard]] Int3 arm(std::size_t i) const { return half[i] * (points[i + 1] - points[0]); }
 
   void map(const IntMap& by);
   void move(const Int3& by);
@@ -63,17 +68,28 @@ struct BodyOrder {
   Int shared = 0;              // the feature has this size, if not 0, and no turn
   bool upright = false;        // it stands at a right angle
   bool across = false;         // an edge that boxes have to choose leads along y instead of x
-  std::array<Int3, 3> axes{};  // of an aabb
+  bool around = false;         // of what planes bound and of meshes: the origin is inside instead
+  bool bounded = false;        // halfspaces leave no direction open
+  std::array<Int3, 3> axes{};  // of an aligned shape: those of space
 };
 
 /// The features that a kind can stand on: bit f for feature f.
 unsigned features_of(ShapeKind kind, int dimension);
 /// Whether edges and faces have corners, which shapes can have in common.
 bool has_corners(ShapeKind kind);
+/// Center, axes and half extents; whether it is a box or an ellipsoid.
+bool has_axes(ShapeKind kind);
 bool is_box(ShapeKind kind);
 bool is_round(ShapeKind kind);
+/// One chain or several in one plane.
+bool is_chain(ShapeKind kind);
+/// Its faces have directions of space's own: aabb, k_dop.
+bool is_aligned(ShapeKind kind);
 /// Whether only similarities keep it a shape of its kind, and one with perpendicular axes.
 bool is_rigid(ShapeKind kind);
+
+/// The normals of a k-DOP where the axes of space are these.
+std::vector<Int3> k_dop_normals(int dimension, const std::array<Int3, 3>& axes);
 
 Body body_of(const BodyOrder& order, Entropy& entropy);
 

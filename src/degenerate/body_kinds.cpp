@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "degenerate/body.hpp"
+#include "degenerate/body_drawing.hpp"
 
 namespace plumb::degenerate {
 
@@ -40,11 +40,22 @@ class Builder {
         break;
       case ShapeKind::plane:
       case ShapeKind::halfspace:
+      case ShapeKind::three_point_plane:
+      case ShapeKind::slab:
         ground();
         break;
       case ShapeKind::polygon:
-        polygon();
-        break;
+      case ShapeKind::quadrilateral:
+      case ShapeKind::holed_polygon:
+        return chain_body(draw_);
+      case ShapeKind::halfspaces:
+        return halfspaces_body(draw_);
+      case ShapeKind::k_dop:
+        return k_dop_body(draw_);
+      case ShapeKind::mesh:
+        return mesh_body(draw_);
+      case ShapeKind::ellipsoid:
+        return ellipsoid_body(draw_);
       case ShapeKind::rectangle:
       case ShapeKind::aabb:
       case ShapeKind::obb:
@@ -68,59 +79,17 @@ class Builder {
   }
 
  private:
-  static constexpr Int fraction = 8;  // sizes are multiples, so that points between are integers
+  static constexpr Int fraction = Drawing::fraction;
 
-  Int length(std::size_t axis) {  // in [1, extent]; 0 where there is none
-    const Int most = order_.extent[axis];
-    return most == 0 ? 0 : 1 + static_cast<Int>(entropy_.below(static_cast<std::uint64_t>(most)));
-  }
-  Int somewhere(std::size_t axis) {
-    if (axis == 1 && order_.dimension == 2) return 0;
-    return entropy_.within(order_.extent[axis]);
-  }
-
-  using Flat = std::array<Int, 2>;
-  /// The second to the left of the first, about the origin.
-  std::pair<Flat, Flat> corners(std::size_t second) {
-    const Flat right{length(0), somewhere(second)};
-    const Int x = somewhere(0);
-    return {right, {(x > 0) == (right[1] > 0) ? -x : x, length(second)}};
-  }
+  [[nodiscard]] Int length(std::size_t axis) const { return draw_.length(axis); }
+  [[nodiscard]] Int somewhere(std::size_t axis) const { return draw_.somewhere(axis); }
 
   void lift() {
     body_.radius = length(0);
     body_.move({0, 0, body_.radius});
   }
 
-  void vertices(std::size_t count) {
-    auto& p = body_.points;
-    const Int size = fraction * order_.shared;
-    switch (std::min<int>(order_.feature, static_cast<int>(count) - 1)) {
-      case 0:
-        p = {{0, 0, 0}};
-        break;
-      case 1:
-        p = order_.shared != 0 ? std::vector<Int3>{{-size, 0, 0}, {size, 0, 0}}
-                               : std::vector<Int3>{{-length(0), 0, 0}, {length(0), 0, 0}};
-        break;
-      default:
-        if (order_.shared != 0) {
-          p = {{-size, -size, 0}, {size, -size, 0}, {0, size, 0}};
-        } else {
-          const auto [right, over] = corners(1);
-          p = {{right[0], right[1], 0}, {over[0], over[1], 0}};
-          const Int first = 1 + static_cast<Int>(entropy_.below(2)), second = 1 + static_cast<Int>(entropy_.below(2));
-          p.push_back(-1 * (first * p[0] + second * p[1]));
-        }
-    }
-    const std::size_t below = p.size();
-    while (p.size() < count) {
-      const Int3 over = p[entropy_.below(below)];
-      const Int x = order_.upright ? over[0] : somewhere(0), y = order_.upright ? over[1] : somewhere(1);
-      p.push_back({x, y, length(2)});
-    }
-    for (std::size_t i = count - 1; i > 0; --i) std::swap(p[i], p[i - entropy_.below(i + 1)]);
-  }
+  void vertices(std::size_t count) { body_.points = vertices_of(draw_, count, 1); }
 
   void straight() {
     if (order_.feature == 0) {
@@ -137,47 +106,11 @@ class Builder {
     const Int x = std::max<Int>(length(0), 1), y = std::max<Int>(length(1), 1);
     body_.points = {{0, 0, 0}, {x, 0, 0}, {somewhere(0), order_.dimension == 2 ? 0 : y, 0}};
     if (order_.kind == ShapeKind::halfspace) body_.points.push_back({0, 0, 1});
-  }
-
-  // Simple, as it is a star about the origin: in a plane whose second axis may lie or lean.
-  void polygon() {
-    const std::size_t count = 3 + entropy_.below(6);
-    const std::size_t second = order_.feature == 2 && order_.dimension == 3 ? 1 : 2;
-    std::vector<Flat> star;
-    if (order_.feature == 2) {
-      const auto [right, over] = corners(second);
-      star = {right, over};
-      star.push_back({-star[0][0] - star[1][0], -star[0][1] - star[1][1]});
-    } else if (order_.feature == 1) {
-      const Int size = fraction * order_.shared;
-      star = {{order_.shared != 0 ? size : length(0), 0}, {order_.shared != 0 ? -size : -length(0), 0}};
-    } else {
-      star = {{0, 0}};
+    if (order_.kind == ShapeKind::slab) body_.points.push_back({somewhere(0), 0, length(2)});
+    // Three points may as well be those of a line, or one.
+    if (order_.kind == ShapeKind::three_point_plane && order_.extent[1] == 0) {
+      body_.points = {{0, 0, 0}, {length(0), 0, 0}, {somewhere(0), 0, 0}};
     }
-    while (star.size() < count) {
-      const Flat next{somewhere(0), order_.feature == 2 ? somewhere(second) : length(second)};
-      star.push_back(order_.feature == 2 && next == Flat{} ? star[0] : next);
-    }
-    const auto part = [](const Flat& v) { return v == Flat{} ? 0 : v[1] > 0 || (v[1] == 0 && v[0] > 0) ? 1 : 2; };
-    // On one ray nearer points come first, on the last one last: a chain that runs back would cross nothing either.
-    std::stable_sort(star.begin(), star.end(), [&](const Flat& a, const Flat& b) {
-      if (part(a) != part(b)) return part(a) < part(b);
-      return a[0] * b[1] - a[1] * b[0] > 0;
-    });
-    const Int lean = order_.upright ? 0 : entropy_.within(3),
-              rise = order_.upright ? 1 : 1 + static_cast<Int>(entropy_.below(3));
-    for (const auto& [x, y] : star) {
-      if (second == 1) {
-        body_.points.push_back({x, y, 0});
-      } else if (order_.dimension == 2) {
-        body_.points.push_back({x, 0, y});
-      } else {
-        body_.points.push_back({x, lean * y, rise * y});
-      }
-    }
-    std::rotate(body_.points.begin(), body_.points.begin() + static_cast<std::ptrdiff_t>(entropy_.below(count)),
-                body_.points.end());
-    if (entropy_.coin()) std::reverse(body_.points.begin(), body_.points.end());
   }
 
   /// The axes of a box, the first `feature` of which lie.
@@ -222,15 +155,15 @@ class Builder {
       center = center + part * sizes[i] * directions[used[i]];
     }
     body_.points = {center};
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      const Int by = order_.kind != ShapeKind::aabb && entropy_.coin() ? -body_.half[i] : body_.half[i];
-      body_.points.push_back(center + by * directions[used[i]]);
+    for (const std::size_t i : used) {
+      const bool backward = order_.kind != ShapeKind::aabb && entropy_.coin();
+      body_.points.push_back(center + (backward ? -1 : 1) * directions[i]);
     }
   }
 
   void lozenge() {
     box();
-    const Int3 c = body_.points[0], u = body_.points[1] - c, v = body_.points[2] - c;
+    const Int3 c = body_.points[0], u = body_.arm(0), v = body_.arm(1);
     body_.points = {c - u - v, c + u - v, c - u + v};
     body_.half.clear();
     lift();
@@ -288,109 +221,47 @@ class Builder {
 
   const BodyOrder& order_;
   Entropy& entropy_;
+  Drawing draw_{order_, entropy_};
   Body body_{};
 };
 
 }  // namespace
 
-unsigned features_of(ShapeKind kind, int dimension) {
-  const unsigned ground = dimension == 2 ? 2 : 4, all = dimension == 2 ? 3 : 7;
-  switch (kind) {
-    case ShapeKind::point:
-    case ShapeKind::ball:
-      return 1;
-    case ShapeKind::line:
-      return 2;
-    case ShapeKind::ray:
-    case ShapeKind::segment:
-    case ShapeKind::capsule:
-      return 3;
-    case ShapeKind::plane:
-    case ShapeKind::halfspace:
-      return ground;
+std::vector<Int3> vertices_of(const Drawing& draw, std::size_t count, Int unit) {
+  const BodyOrder& order = draw.order;
+  Entropy& entropy = draw.entropy;
+  const auto length = [&](std::size_t axis) { return unit * draw.length(axis); };
+  const auto somewhere = [&](std::size_t axis) { return unit * draw.somewhere(axis); };
+  std::vector<Int3> p;
+  const Int size = Drawing::fraction * order.shared;
+  switch (std::min<int>(order.feature, static_cast<int>(count) - 1)) {
+    case 0:
+      p = {{0, 0, 0}};
+      break;
+    case 1:
+      p = order.shared != 0 ? std::vector<Int3>{{-size, 0, 0}, {size, 0, 0}}
+                            : std::vector<Int3>{{-length(0), 0, 0}, {length(0), 0, 0}};
+      break;
     default:
-      return all;
+      if (order.shared != 0) {
+        p = {{-size, -size, 0}, {size, -size, 0}, {0, size, 0}};
+      } else {
+        const auto [right, over] = draw.corners(1);
+        p = {{unit * right[0], unit * right[1], 0}, {unit * over[0], unit * over[1], 0}};
+        const Int first = 1 + static_cast<Int>(entropy.below(2)), second = 1 + static_cast<Int>(entropy.below(2));
+        p.push_back(-1 * (first * p[0] + second * p[1]));
+      }
   }
-}
-
-bool is_box(ShapeKind kind) {
-  return kind == ShapeKind::rectangle || kind == ShapeKind::aabb || kind == ShapeKind::obb;
-}
-
-bool is_round(ShapeKind kind) {
-  return kind == ShapeKind::ball || kind == ShapeKind::capsule || kind == ShapeKind::lozenge ||
-         kind == ShapeKind::cylinder || kind == ShapeKind::cone;
-}
-
-bool is_rigid(ShapeKind kind) { return is_box(kind) || is_round(kind); }
-
-bool has_corners(ShapeKind kind) {
-  return is_box(kind) || kind == ShapeKind::segment || kind == ShapeKind::triangle || kind == ShapeKind::polygon ||
-         kind == ShapeKind::tetrahedron || kind == ShapeKind::points;
+  const std::size_t below = p.size();
+  while (p.size() < count) {
+    const Int3 over = p[entropy.below(below)];
+    const Int x = order.upright ? over[0] : somewhere(0), y = order.upright ? over[1] : somewhere(1);
+    p.push_back({x, y, length(2)});
+  }
+  for (std::size_t i = count - 1; i > 0; --i) std::swap(p[i], p[i - entropy.below(i + 1)]);
+  return p;
 }
 
 Body body_of(const BodyOrder& order, Entropy& entropy) { return Builder(order, entropy).made(); }
-
-Body body_around(const BodyOrder& order, Int m, bool loose) {
-  Body body{order.kind, {}, 0, {}};
-  auto& p = body.points;
-  switch (order.kind) {
-    case ShapeKind::halfspace:
-      p = {{0, 0, -m}, {1, 0, -m}, {0, order.dimension == 2 ? 0 : 1, -m}, {0, 0, 0}};
-      break;
-    case ShapeKind::triangle:
-      p = {{-m, 0, -m}, {3 * m, 0, -m}, {-m, 0, 3 * m}};
-      break;
-    case ShapeKind::polygon:
-      p = {{-m, 0, -m}, {m, 0, -m}, {m, 0, m}, {-m, 0, m}};
-      break;
-    case ShapeKind::tetrahedron:
-      p = {{-2 * m, -2 * m, -2 * m}, {8 * m, -2 * m, -2 * m}, {-2 * m, 8 * m, -2 * m}, {-2 * m, -2 * m, 8 * m}};
-      break;
-    case ShapeKind::points:
-      for (const Int x : {-m, m}) {
-        for (const Int z : {-m, m}) {
-          if (order.dimension == 2) {
-            p.push_back({x, 0, z});
-          } else {
-            p.insert(p.end(), {{x, -m, z}, {x, m, z}});
-          }
-        }
-      }
-      break;
-    case ShapeKind::aabb:
-    case ShapeKind::obb: {
-      const bool aligned = order.kind == ShapeKind::aabb;
-      const std::array<Int3, 3> axes = aligned ? order.axes : IntMap{}.columns;
-      const Int half = aligned && loose ? 2 * m : m;
-      p = {{0, 0, 0}};
-      for (std::size_t i = 0; i < 3; i += order.dimension == 2 ? 2 : 1) {
-        body.half.push_back(half);
-        p.push_back(half * axes[i]);
-      }
-      break;
-    }
-    case ShapeKind::ball:
-      body.radius = 2 * m;
-      p = {{0, 0, 0}};
-      break;
-    case ShapeKind::capsule:
-      body.radius = 2 * m;
-      p = {{-m, 0, 0}, {m, 0, 0}};
-      break;
-    case ShapeKind::lozenge:
-      body.radius = 2 * m;
-      p = {{-m, -m, 0}, {m, -m, 0}, {-m, m, 0}};
-      break;
-    case ShapeKind::cylinder:
-      body.radius = 2 * m;
-      p = {{0, 0, -m}, {0, 0, m}};
-      break;
-    default:  // a cone, half as wide at the cube's top as at its bottom
-      body.radius = 4 * m;
-      p = {{0, 0, 3 * m}, {0, 0, -m}};
-  }
-  return body;
-}
 
 }  // namespace plumb::degenerate

@@ -67,19 +67,20 @@ int common_feature(ShapeKind a, ShapeKind b, int dimension) {
 }
 
 bool is_unbounded(ShapeKind kind) {
-  return kind == ShapeKind::line || kind == ShapeKind::ray || kind == ShapeKind::plane || kind == ShapeKind::halfspace;
+  return kind == ShapeKind::line || kind == ShapeKind::ray || kind == ShapeKind::plane ||
+         kind == ShapeKind::halfspace || kind == ShapeKind::three_point_plane || kind == ShapeKind::slab;
 }
 
 bool can_contain(ShapeKind kind, int dimension) {
-  if (kind == ShapeKind::triangle || kind == ShapeKind::polygon) return dimension == 2;
-  return kind == ShapeKind::halfspace || kind == ShapeKind::tetrahedron || kind == ShapeKind::points ||
-         kind == ShapeKind::aabb || kind == ShapeKind::obb || is_round(kind);
+  if (kind == ShapeKind::triangle || is_chain(kind)) return dimension == 2;
+  return kind == ShapeKind::halfspace || kind == ShapeKind::slab || kind == ShapeKind::halfspaces ||
+         kind == ShapeKind::tetrahedron || kind == ShapeKind::points || kind == ShapeKind::mesh || is_aligned(kind) ||
+         kind == ShapeKind::obb || kind == ShapeKind::ellipsoid || is_round(kind);
 }
 
 bool can_stand_upright(ShapeKind kind, int dimension) {
   const bool thin = kind == ShapeKind::segment || kind == ShapeKind::ray;
-  return thin || (dimension == 3 &&
-                  (kind == ShapeKind::triangle || kind == ShapeKind::polygon || kind == ShapeKind::rectangle));
+  return thin || (dimension == 3 && (kind == ShapeKind::triangle || is_chain(kind) || kind == ShapeKind::rectangle));
 }
 
 bool stands_on(ShapeKind ground, ShapeKind upright, int dimension) {
@@ -87,8 +88,8 @@ bool stands_on(ShapeKind ground, ShapeKind upright, int dimension) {
 }
 
 bool can_be_reversed(ShapeKind kind) {
-  return kind != ShapeKind::point && kind != ShapeKind::ray && kind != ShapeKind::halfspace &&
-         kind != ShapeKind::aabb && kind != ShapeKind::ball && kind != ShapeKind::cone;
+  return kind != ShapeKind::point && kind != ShapeKind::ray && kind != ShapeKind::halfspace && !is_aligned(kind) &&
+         kind != ShapeKind::ball && kind != ShapeKind::cone;
 }
 
 /// The same set of points.
@@ -97,6 +98,7 @@ Body reversed(Body body) {
   switch (body.kind) {
     case ShapeKind::rectangle:
     case ShapeKind::obb:
+    case ShapeKind::ellipsoid:
       for (std::size_t i = 1; i < p.size(); ++i) p[i] = 2 * p[0] - p[i];
       break;
     case ShapeKind::lozenge:
@@ -104,6 +106,26 @@ Body reversed(Body body) {
       break;
     case ShapeKind::plane:
       std::swap(p[1], p[2]);
+      break;
+    case ShapeKind::slab:
+      p = {p[3], p[3] + p[1] - p[0], p[3] + p[2] - p[0], p[0]};
+      break;
+    case ShapeKind::halfspaces:  // the last one first
+      std::reverse(p.begin(), p.end());
+      for (std::size_t i = 0; i < p.size(); i += 4) std::reverse(&p[i], &p[i] + 4);
+      break;
+    case ShapeKind::holed_polygon: {
+      auto chain = p.begin();
+      for (const std::size_t size : body.parts) {
+        const auto end = chain + static_cast<std::ptrdiff_t>(size);
+        std::reverse(chain, end);
+        chain = end;
+      }
+      break;
+    }
+    case ShapeKind::mesh:
+      std::reverse(p.begin(), p.end());
+      for (std::size_t& corner : body.parts) corner = p.size() - 1 - corner;
       break;
     default:
       std::reverse(p.begin(), p.end());
@@ -118,10 +140,12 @@ Int reach(const Body& body) {
     Int along = 0;
     for (std::size_t i = 0; i < body.points.size(); ++i) {
       const Int x = std::abs(body.points[i][axis]);
-      if (!is_box(body.kind)) {
+      if (body.kind == ShapeKind::halfspaces) {  // a box about the origin, by a point of each face
+        along += i % 4 == 0 ? x : 0;
+      } else if (!has_axes(body.kind)) {
         along = std::max(along, x);
       } else {
-        along += i == 0 ? x : std::abs(body.points[i][axis] - body.points[0][axis]);
+        along += i == 0 ? x : std::abs(body.arm(i - 1)[axis]);
       }
     }
     if (body.kind == ShapeKind::lozenge) {
@@ -168,17 +192,21 @@ class Pairing {
   }
 
  private:
-  bool is_aabb() const { return a_ == ShapeKind::aabb || b_ == ShapeKind::aabb; }
+  bool is_either(ShapeKind kind) const { return a_ == kind || b_ == kind; }
 
-  void choose_frame(int aabb_feature) {
-    frame_ = frame_of({dimension_, is_rigid(a_) || is_rigid(b_), is_aabb(),
-                       a_ == ShapeKind::points || b_ == ShapeKind::points, aabb_feature},
+  void choose_frame(int aligned_feature, bool rigid = false) {
+    frame_ = frame_of({.dimension = dimension_,
+                       .rigid = rigid || is_rigid(a_) || is_rigid(b_),
+                       .aabb = is_either(ShapeKind::aabb),
+                       .k_dop = is_either(ShapeKind::k_dop),
+                       .slabs = is_either(ShapeKind::points),
+                       .aligned_feature = aligned_feature},
                       entropy_);
     normal_ = normal_of(frame_, dimension_);
   }
   BodyOrder order(ShapeKind kind, int feature, bool below) {
     BodyOrder made{.kind = kind, .dimension = space_, .feature = feature, .extent = extent()};
-    made.axes = aabb_axes(frame_, below);
+    made.axes = axes_of_space(frame_, below);
     return made;
   }
   Int3 extent() {
@@ -187,7 +215,7 @@ class Pairing {
   }
   /// Turned about the contact, and of another size.
   void vary(Body& body, bool turn) {
-    if (turn && space_ == 3 && body.kind != ShapeKind::aabb) body.map(turned_about_z(entropy_));
+    if (turn && space_ == 3 && !is_aligned(body.kind)) body.map(turned_about_z(entropy_));
     if (has_feature(body.kind, 3, 0) && entropy_.below(4) == 3) body.multiply(Int{1} << entropy_.below(12));
   }
 
@@ -197,9 +225,10 @@ class Pairing {
     const bool shared = is_shared(position), across = position == Position::edge_across_edge;
     const bool flat = dimension_ == 3 && !shared && !across && chosen.a < 2 && chosen.b < 2 && lies_in_plane(a_) &&
                       lies_in_plane(b_) && entropy_.below(4) == 3;
-    int aabb_feature = std::max(a_ == ShapeKind::aabb ? chosen.a : 0, b_ == ShapeKind::aabb ? chosen.b : 0);
-    if (shared || (across && a_ == b_)) aabb_feature = dimension_ - 1;
-    choose_frame(aabb_feature);
+    const bool both_aligned = is_aligned(a_) && is_aligned(b_);
+    int aligned_feature = std::max(is_aligned(a_) ? chosen.a : 0, is_aligned(b_) ? chosen.b : 0);
+    if (shared || (across && both_aligned)) aligned_feature = dimension_ - 1;
+    choose_frame(aligned_feature);
     if (flat) {  // both in one plane: as in the plane, carried into space
       space_ = 2;
       frame_ = after(frame_, {{{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}, frame_.stretch == 0 ? 0 : 1});
@@ -207,7 +236,7 @@ class Pairing {
     }
     BodyOrder of_a = order(a_, chosen.a, true), of_b = order(b_, chosen.b, false);
     if (shared) of_a.shared = of_b.shared = 1 + static_cast<Int>(entropy_.below(100));
-    of_b.across = across && a_ == ShapeKind::aabb && b_ == ShapeKind::aabb;
+    of_b.across = across && both_aligned;
     first_ = body_of(of_a, entropy_);
     second_ = body_of(of_b, entropy_);
     if (!shared) {
@@ -216,7 +245,7 @@ class Pairing {
       vary(second_, free);
     }
     if (across && !of_b.across) {
-      Body& turned = b_ == ShapeKind::aabb ? first_ : second_;
+      Body& turned = is_aligned(b_) ? first_ : second_;
       constexpr IntMap quarter{{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}}, 1},
           slanted{{{{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}}, 5};
       turned.map(entropy_.coin() ? slanted : quarter);
@@ -225,7 +254,7 @@ class Pairing {
   }
   static bool lies_in_plane(ShapeKind kind) {
     return kind == ShapeKind::point || kind == ShapeKind::line || kind == ShapeKind::ray ||
-           kind == ShapeKind::segment || kind == ShapeKind::triangle || kind == ShapeKind::polygon;
+           kind == ShapeKind::segment || kind == ShapeKind::triangle || is_chain(kind);
   }
 
   void parallel() {
@@ -262,13 +291,17 @@ class Pairing {
     first_.map(mirror);
   }
 
-  Body about_origin(ShapeKind kind) {
+  Body about_origin(ShapeKind kind, bool bounded = false) {
     const unsigned features = features_of(kind, dimension_);
-    int feature = kind == ShapeKind::polygon ? 2 : static_cast<int>(entropy_.below(3));
-    while (kind != ShapeKind::polygon && ((features >> feature) & 1) == 0) feature = (feature + 1) % 3;
-    Body body = body_of(order(kind, feature, false), entropy_);
-    if (kind != ShapeKind::polygon) put_middle_at_origin(body);
-    if (dimension_ == 3 && kind != ShapeKind::aabb) body.map(any_turn(entropy_));
+    int feature = is_chain(kind) ? 2 : static_cast<int>(entropy_.below(3));
+    while (!is_chain(kind) && ((features >> feature) & 1) == 0) feature = (feature + 1) % 3;
+    BodyOrder wanted = order(kind, feature, false);
+    wanted.around = true;
+    wanted.bounded = bounded;
+    Body body = body_of(wanted, entropy_);
+    const bool by_planes = kind == ShapeKind::halfspaces || kind == ShapeKind::k_dop;
+    if (!is_chain(kind) && !by_planes) put_middle_at_origin(body);
+    if (dimension_ == 3 && !is_aligned(kind)) body.map(any_turn(entropy_));
     return body;
   }
 
@@ -280,9 +313,9 @@ class Pairing {
   }
 
   void contained() {
-    const bool aligned = entropy_.coin();
-    choose_frame(aligned ? dimension_ - 1 : 0);
-    second_ = about_origin(b_);
+    const bool aligned = entropy_.coin() || is_either(ShapeKind::k_dop);
+    choose_frame(aligned ? dimension_ - 1 : 0, aligned && is_either(ShapeKind::k_dop));
+    second_ = about_origin(b_, true);
     const Int size = std::max<Int>(reach(second_), 1);
     const Int margin = entropy_.coin() ? 0 : 1 + static_cast<Int>(entropy_.below(static_cast<std::uint64_t>(size)));
     first_ = body_around(order(a_, 0, false), size + margin, !aligned);
@@ -296,8 +329,8 @@ class Pairing {
     Placement placement = any_placement(std::max(bits_of(first_), bits_of(second_)), nearly, entropy_);
     std::optional<std::vector<double>> a = written(first_, dimension_, placement);
     std::optional<std::vector<double>> b = written(second_, dimension_, placement);
-    if (!a || !b) {
-      placement = {};
+    for (int bits = nearly ? 24 : 0; !a || !b; bits -= 4) {  // as long as it can be, about the origin
+      placement = {.scale = Int{1} << bits};
       a = written(first_, dimension_, placement);
       b = written(second_, dimension_, placement);
     }
@@ -311,42 +344,47 @@ class Pairing {
     return pair;
   }
 
-  /// Points at the front of the layout whose coordinates may move on their own; 0 where the shape would not stay one.
-  std::size_t movable(ShapeKind kind, std::size_t numbers) const {
-    const auto stride = static_cast<std::size_t>(dimension_);
-    switch (kind) {
+  /// The numbers that may move on their own; none where the shape would not stay one.
+  std::span<double> movable(const Body& body, std::vector<double>& numbers) const {
+    const std::span all(numbers);
+    switch (body.kind) {
       case ShapeKind::plane:
       case ShapeKind::halfspace:
+      case ShapeKind::slab:
+      case ShapeKind::halfspaces:
       case ShapeKind::rectangle:
       case ShapeKind::obb:
       case ShapeKind::lozenge:
-        return 0;
+      case ShapeKind::holed_polygon:
+        return {};
       case ShapeKind::polygon:
-        return dimension_ == 2 ? numbers : 0;
+      case ShapeKind::quadrilateral:
+        return dimension_ == 2 ? all : std::span<double>{};
+      case ShapeKind::mesh:
+        return all.subspan(1, 3 * body.points.size());
+      case ShapeKind::ellipsoid:
+        return all.first(all.size() - body.half.size());
       default:
-        return is_round(kind) ? numbers / stride * stride : numbers;
+        return all.first(all.size() - (is_round(body.kind) ? 1 : 0));
     }
   }
 
   void loosen(ShapePair& pair, Placement placement) {
     const bool second = entropy_.coin();
     std::vector<double>& moved = second ? pair.b : pair.a;
-    const ShapeKind kind = second ? b_ : a_;
-    const std::size_t alone = movable(kind, moved.size());
-    if (alone != 0 && entropy_.coin()) {
-      move_by_ulps(std::span(moved).first(alone), 2, 4, entropy_);
-      if (kind == ShapeKind::aabb) {
-        const auto stride = static_cast<std::size_t>(dimension_);
-        for (std::size_t i = 0; i < stride; ++i) {
-          if (moved[i] > moved[stride + i]) std::swap(moved[i], moved[stride + i]);
-        }
+    const Body& body = second ? second_ : first_;
+    const std::span<double> alone = movable(body, moved);
+    if (!alone.empty() && entropy_.coin()) {
+      move_by_ulps(alone, 2, 4, entropy_);
+      for (std::size_t i = 0, half = moved.size() / 2; is_aligned(body.kind) && i < half; ++i) {
+        if (moved[i] > moved[half + i]) std::swap(moved[i], moved[half + i]);
       }
       return;
     }
     const std::size_t axis = dimension_ == 2 ? 2 * entropy_.below(2) : entropy_.below(3);
     const Int steps = 1 + static_cast<Int>(entropy_.below(4));
     placement.base[axis] += entropy_.coin() ? -steps : steps;
-    if (auto shifted = written(second ? second_ : first_, dimension_, placement)) moved = std::move(*shifted);
+    if (auto shifted = written(body, dimension_, placement)) moved = std::move(*shifted);
   }
 
   ShapeKind a_, b_;
@@ -365,8 +403,8 @@ bool has_position(ShapeKind a, ShapeKind b, int dimension, Position position) {
     if (is_shared(position)) {
       if (!has_corners(a) || !has_corners(b)) return false;
       if (position == Position::shared_face) {
-        const auto four = [](ShapeKind kind) { return is_box(kind); };
-        const auto three = [](ShapeKind kind) { return !is_box(kind) && kind != ShapeKind::polygon; };
+        const auto four = [](ShapeKind kind) { return is_box(kind) || kind == ShapeKind::quadrilateral; };
+        const auto three = [](ShapeKind kind) { return !is_box(kind) && !is_chain(kind); };
         if (!(four(a) && four(b)) && !(three(a) && three(b))) return false;
       }
     }

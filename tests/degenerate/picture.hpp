@@ -33,6 +33,17 @@ class Picture {
   void line(Dot from, Dot to, std::string_view stroke = "#c0c0c0") {
     element("line", {{"x1", from.x}, {"y1", from.y}, {"x2", to.x}, {"y2", to.y}}, "stroke", stroke);
   }
+  void chain(const std::vector<Dot>& dots, std::string_view stroke) {
+    add({"<polyline points=\""});
+    for (std::size_t i = 0; i < dots.size(); ++i) add({i == 0 ? "" : " ", tenths(dots[i].x), ",", tenths(dots[i].y)});
+    add({"\" fill=\"none\" stroke=\"", stroke, "\"/>\n"});
+  }
+  /// All of one size.
+  void scatter(const std::vector<Dot>& dots, double radius) {
+    add({"<path stroke-linecap=\"round\" stroke=\"#1f5fa8\" stroke-width=\"", tenths(2 * radius), "\" d=\""});
+    for (const Dot& d : dots) add({"M", tenths(d.x), " ", tenths(d.y), "h0"});
+    add({"\"/>\n"});
+  }
   void words(Dot at, std::string_view what, std::string_view anchor = "start") {
     add({"<text x=\"", tenths(at.x), "\" y=\"", tenths(at.y), "\" text-anchor=\"", anchor, "\">", what, "</text>\n"});
   }

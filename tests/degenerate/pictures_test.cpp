@@ -231,26 +231,37 @@ Picture grid() {
   return picture;
 }
 
-// Every cloud of space from above, four in a row.
-Picture all_clouds() {
-  constexpr int across = 4;
-  const auto rows = static_cast<int>(plumb::clouds.size() + across - 1) / across;
-  Picture picture(across * width, rows * height);
-  for (std::size_t k = 0; k < plumb::clouds.size(); ++k) {
-    Entropy entropy(61, k);
-    std::vector<Dot> dots;
-    for (const Point3& p : cloud3(plumb::clouds[k].cloud, 125, entropy)) dots.push_back({p.x, p.y});
-    const double left = margin + width * static_cast<double>(k % across);
-    const double top = margin + height * static_cast<double>(k / across);
-    const Panel panel = Panel::around(dots, left, top, size);
-    for (const Dot& d : dots) picture.dot(panel.at(d), 1.5);
-    picture.words({left, top + size + words_height}, plumb::clouds[k].name);
-  }
+// A cloud of space from above.
+Picture cloud_picture(std::size_t which) {
+  Entropy entropy(61, which);
+  std::vector<Dot> dots;
+  for (const Point3& p : cloud3(plumb::clouds[which].cloud, 125, entropy)) dots.push_back({p.x, p.y});
+  Picture picture(width, width);
+  const Panel panel = Panel::around(dots, margin, margin, size);
+  for (Dot& d : dots) d = panel.at(d);
+  picture.scatter(dots, 1.5);
   return picture;
 }
 
-const std::map<std::string, std::function<Picture()>> pictures = {
-    {"clouds", all_clouds},
+using Draw = std::function<Picture()>;
+
+std::map<std::string, Draw> with_all(std::map<std::string, Draw> made) {
+  using namespace plumb::degenerate;
+  const auto add = [&](std::string_view of, std::string_view name, const Draw& draw) {
+    made.emplace(std::string(of).append("_").append(name), draw);
+  };
+  for (std::size_t i = 0; i < plumb::clouds.size(); ++i) {
+    add("cloud", plumb::clouds[i].name, [i] { return cloud_picture(i); });
+  }
+  for (const auto& info : shape_kinds) add("shape", info.name, [&info] { return plumb_test::kind_picture(info.kind); });
+  for (const auto& info : forms) add("form", info.name, [&info] { return plumb_test::form_picture(info.form); });
+  for (const auto& info : positions) {
+    add("position", info.name, [&info] { return plumb_test::position_picture(info.position); });
+  }
+  return made;
+}
+
+const std::map<std::string, Draw> pictures = with_all({
     {"grid", grid},
     {"uniform", [] { return scatter(dots_of(points_of(Family::uniform, Degeneracy::collinear, 60, 0)), "uniform"); }},
     {"float32", [] { return scatter(dots_of(points_of(Family::float32, Degeneracy::collinear, 60, 0)), "float32"); }},
@@ -265,9 +276,7 @@ const std::map<std::string, std::function<Picture()>> pictures = {
     {"wide", [] { return exponents(Family::wide); }},
     {"extreme", [] { return exponents(Family::extreme); }},
     {"mixture", [] { return exponents(Family::mixture); }},
-    {"positions", plumb_test::all_positions},
-    {"forms", plumb_test::all_forms},
-};
+});
 
 std::string read(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

@@ -1,14 +1,21 @@
-// Are generated pairs of shapes what their positions say?  In rationals for every kind, and by relate for the structs.
+// Are generated shapes and pairs what their forms and positions say?  In rationals for every kind, and by locate and
+// relate for the structs.
 #include "plumb/figure/generated.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "figure/generated_extent.hpp"
+#include "plumb/figure/contains.hpp"
+#include "plumb/figure/convexity.hpp"
+#include "plumb/figure/polygon_location.hpp"
+#include "plumb/figure/polyhedron.hpp"
 #include "plumb/query/overlap.hpp"
+#include "plumb/query/ray_parity.hpp"
 
 namespace {
 
@@ -21,7 +28,7 @@ using plumb_test::Reaching;
 #ifdef PLUMB_LONG_TESTS
 constexpr std::uint64_t cases = 400;
 #else
-constexpr std::uint64_t cases = 12;
+constexpr std::uint64_t cases = 4;
 #endif
 constexpr std::uint64_t run = 7101;
 
@@ -63,6 +70,69 @@ void for_each_pair(const Visit& visit) {
   }
 }
 
+template <class... S>
+struct Shapes {};
+using Shapes2 = Shapes<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Quadrilateral2, Polygon2, HoledPolygon2,
+                       Circle2, Aabb2, Obb2, Capsule2, KDop2, HalfspaceIntersection2>;
+using Shapes3 = Shapes<Point3, Line3, Ray3, Segment3, Plane3, ThreePointPlane3, Halfspace3, Triangle3, Quadrilateral3,
+                       Polygon3, HoledPolygon3, Rectangle3, Tetrahedron3, Sphere3, Aabb3, Obb3, Capsule3, Lozenge3,
+                       Cylinder3, Cone3, KDop3, HalfspaceIntersection3, ConvexPolyhedron3>;
+/// That relate does not take.
+using Others = Shapes<Slab2, Slab3, TriangleMesh, Ellipsoid3>;
+
+using Numbers = std::vector<double>;
+template <class Shape>
+using PointOf = std::conditional_t<generated_dimension<Shape> == 2, Point2, Point3>;
+
+/// Whether the shape of these numbers has the point; a hull without volume is taken at its word.
+template <class S>
+bool holds(const Numbers& numbers, std::span<const double> p) {
+  using Point = PointOf<S>;
+  const auto point = shape_from<Point>(p.first(sizeof(Point) / sizeof(double)));
+  if constexpr (std::is_same_v<S, Point>) {
+    return shape_from<S>(numbers) == point;
+  } else if constexpr (std::is_same_v<S, ConvexPolyhedron3>) {
+    try {
+      return locate(shape_from<S>(numbers), point) != Location::outside;
+    } catch (const InvalidShape&) {
+      return true;
+    }
+  } else {
+    return locate(shape_from<S>(numbers), point) != Location::outside;
+  }
+}
+using Holds = bool (*)(const Numbers&, std::span<const double>);
+/// Of points of the plane, which no struct has, nothing is asked.
+Holds holder(ShapeKind kind, int dimension) {
+  using KindAndDimension = std::pair<ShapeKind, int>;
+  static const auto all = [] {
+    std::map<KindAndDimension, Holds> made;
+    const auto add = [&]<class... S>(Shapes<S...>) {
+      (made.emplace(KindAndDimension(generated_kind<S>, generated_dimension<S>), holds<S>), ...);
+    };
+    add(Shapes2{});
+    add(Shapes3{});
+    add(Others{});
+    made.emplace(KindAndDimension(ShapeKind::points, 2), [](const Numbers&, std::span<const double>) { return true; });
+    return made;
+  }();
+  return all.at({kind, dimension});
+}
+
+/// Axes of boxes and rectangles are not zero, and they and the edges of lozenges perpendicular, to the last bit.
+void expect_perpendicular(ShapeKind kind, int dimension, const Numbers& numbers) {
+  std::size_t axes = 0;
+  if (kind == ShapeKind::obb) axes = static_cast<std::size_t>(dimension);
+  if (kind == ShapeKind::rectangle || kind == ShapeKind::lozenge) axes = 2;
+  const Reaching shape(kind, dimension, numbers, {}, 0);
+  for (std::size_t i = 1; i <= axes; ++i) {
+    for (std::size_t j = 1; j < i; ++j) ASSERT_EQ(plumb_test::dot(shape.at(i), shape.at(j)), 0) << name_of(kind);
+    if (kind != ShapeKind::lozenge) {
+      ASSERT_NE(plumb_test::dot(shape.at(i), shape.at(i)), 0) << name_of(kind);
+    }
+  }
+}
+
 TEST(GeneratedPairs, LieOnTheirSidesOfThePlane) {
   std::map<Position, int> seen;
   std::uint64_t index = 0;
@@ -71,6 +141,12 @@ TEST(GeneratedPairs, LieOnTheirSidesOfThePlane) {
       Entropy entropy(run, index);
       const ShapePair pair = shape_pair(a, b, dimension, position, Nearness::exactly, entropy);
       SCOPED_TRACE(replay(a, b, dimension, position, index));
+      expect_perpendicular(a, dimension, pair.a);
+      expect_perpendicular(b, dimension, pair.b);
+      if (touches(position) || position == Position::concentric) {
+        ASSERT_TRUE(holder(a, dimension)(pair.a, pair.contact));
+        ASSERT_TRUE(holder(b, dimension)(pair.b, pair.contact));
+      }
       const bool has_plane = touches(position) || position == Position::parallel || position == Position::coplanar ||
                              position == Position::perpendicular;
       if (!has_plane) continue;
@@ -121,51 +197,33 @@ TEST(GeneratedPairs, AreRepeatedByTheirChoicesAndFinite) {
   });
 }
 
-template <class... S>
-struct Shapes {};
-using Shapes2 = Shapes<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Polygon2, Aabb2, Obb2, Circle2, Capsule2>;
-using Shapes3 = Shapes<Point3, Line3, Ray3, Segment3, Plane3, Halfspace3, Triangle3, Polygon3, Rectangle3, Tetrahedron3,
-                       Aabb3, Obb3, Sphere3, Capsule3, Lozenge3, Cylinder3, Cone3, ConvexPolyhedron3>;
-
-/// The points that a shape is the hull of; of round shapes and boxes none.
-template <class Point>
-std::vector<Point> corners_of(ShapeKind kind, std::span<const double> x) {
-  const bool made_of_points = kind == ShapeKind::point || kind == ShapeKind::segment || kind == ShapeKind::triangle ||
-                              kind == ShapeKind::polygon || kind == ShapeKind::tetrahedron || kind == ShapeKind::points;
-  std::vector<Point> corners;
-  constexpr std::size_t stride = sizeof(Point) / sizeof(double);
-  for (std::size_t i = 0; made_of_points && i + stride <= x.size(); i += stride) {
-    corners.push_back(shape_from<Point>(x.subspan(i, stride)));
-  }
-  return corners;
-}
-
 /// Of relations by position.
 using Tally = std::map<Position, std::array<int, 3>>;
 
+/// Nothing for points of one plane, which are no polyhedron.
+using Relating = std::optional<Relation> (*)(const ShapePair&);
 template <class A, class B>
-void related(Tally& tally) {
-  constexpr ShapeKind a = generated_kind<A>, b = generated_kind<B>;
-  constexpr int dimension = generated_dimension<A>;
+std::optional<Relation> relation_of(const ShapePair& pair) {
+  try {
+    const auto [a, b] = pair_from<A, B>(pair);
+    return relate(a, b);
+  } catch (const InvalidShape&) {
+    if (generated_kind<A> == ShapeKind::points || generated_kind<B> == ShapeKind::points) return {};
+    throw;
+  }
+}
+
+void related(ShapeKind a, ShapeKind b, int dimension, Relating relation_of_pair, Tally& tally) {
   for (const PositionInfo& info : positions) {
     const Position position = info.position;
-    if (!has_position<A, B>(position)) continue;
+    if (!has_position(a, b, dimension, position)) continue;
     for (std::uint64_t index = 0; index < cases; ++index) {
       SCOPED_TRACE(replay(a, b, dimension, position, index));
       Entropy entropy(run + 2, index);
       const ShapePair pair = shape_pair(a, b, dimension, position, Nearness::exactly, entropy);
-      Relation relation{};
-      if constexpr (std::is_same_v<A, ConvexPolyhedron3> || std::is_same_v<B, ConvexPolyhedron3>) {
-        try {
-          const auto [first, second] = pair_from<A, B>(pair);
-          relation = relate(first, second);
-        } catch (const InvalidShape&) {
-          continue;  // points of one plane
-        }
-      } else {
-        const auto [first, second] = pair_from<A, B>(pair);
-        relation = relate(first, second);
-      }
+      const std::optional<Relation> told = relation_of_pair(pair);
+      if (!told) continue;
+      const Relation relation = *told;
       ++tally[position][static_cast<std::size_t>(static_cast<int>(relation) + 1)];
       const Rational3 normal = rational(pair.normal), contact = rational(pair.contact);
       if (touches(position)) {
@@ -176,10 +234,9 @@ void related(Tally& tally) {
           ASSERT_EQ(relation, Relation::touching);
         }
       }
-      using Point = std::conditional_t<dimension == 2, Point2, Point3>;
       if (position == Position::contained) {
-        for (const Point& corner : corners_of<Point>(b, pair.b)) {
-          ASSERT_NE(relate(corner, shape_from<A>(pair.a)), Relation::disjoint);
+        for (const auto corner : plumb_test::points_of(b, static_cast<std::size_t>(dimension), pair.b)) {
+          ASSERT_TRUE(holder(a, dimension)(pair.a, corner));
         }
       }
       if (position == Position::parallel) {
@@ -193,18 +250,19 @@ void related(Tally& tally) {
   }
 }
 
-template <class A, class... B>
-void related_to_each(Tally& tally, Shapes<B...>) {
-  const auto one = [&]<class Other>(const Other*) {
-    if constexpr (RelatedPair<A, Other>) related<A, Other>(tally);
-  };
-  (one(static_cast<const B*>(nullptr)), ...);
-}
-
 template <class... A>
-void all_related(Shapes<A...> all) {
+void all_related(Shapes<A...>) {
   Tally tally;
-  (related_to_each<A>(tally, all), ...);
+  const auto with_each = [&]<class First>(const First*) {
+    const auto one = [&]<class Other>(const Other*) {
+      if constexpr (RelatedPair<First, Other>) {
+        related(generated_kind<First>, generated_kind<Other>, generated_dimension<First>, relation_of<First, Other>,
+                tally);
+      }
+    };
+    (one(static_cast<const A*>(nullptr)), ...);
+  };
+  (with_each(static_cast<const A*>(nullptr)), ...);
   const int dimension = std::max({generated_dimension<A>...});
   EXPECT_EQ(tally.size(), dimension == 2 ? 11u : positions.size());
   int touching = 0, overlapping = 0;
@@ -220,5 +278,106 @@ void all_related(Shapes<A...> all) {
 
 TEST(GeneratedPairs, OfThePlaneAreRelatedAsTheyAreCalled) { all_related(Shapes2{}); }
 TEST(GeneratedPairs, OfSpaceAreRelatedAsTheyAreCalled) { all_related(Shapes3{}); }
+
+/// How many dimensions these points span.
+int spanned(const Reaching& shape, std::size_t count) {
+  const auto from_first = [&](std::size_t i) {
+    Rational3 d = shape.at(i);
+    for (std::size_t axis = 0; axis < 3; ++axis) d[axis] -= shape.at(0)[axis];
+    return d;
+  };
+  const auto cross = [](const Rational3& a, const Rational3& b) {
+    return Rational3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  int most = 0;
+  for (std::size_t i = 1; i < count; ++i) {
+    const Rational3 u = from_first(i);
+    if (plumb_test::dot(u, u) != 0) most = std::max(most, 1);
+    for (std::size_t j = 1; j < i; ++j) {
+      const Rational3 n = cross(u, from_first(j));
+      if (plumb_test::dot(n, n) != 0) most = std::max(most, 2);
+      for (std::size_t k = 1; k < j; ++k) {
+        if (plumb_test::dot(n, from_first(k)) != 0) return 3;
+      }
+    }
+  }
+  return most;
+}
+
+void expect_kind(ShapeKind kind, int dimension, Form form, const Numbers& x) {
+  if (kind == ShapeKind::mesh) {
+    const auto mesh = shape_from<TriangleMesh>(x);
+    EXPECT_TRUE(is_oriented_closed(mesh));
+  }
+  if (dimension == 3 && kind == ShapeKind::polygon) {
+    EXPECT_TRUE(is_planar(shape_from<Polygon3>(x)));
+  }
+  if (dimension == 3 && kind == ShapeKind::quadrilateral) {
+    EXPECT_TRUE(is_planar(shape_from<Quadrilateral3>(x)));
+  }
+  if (form == Form::empty) {
+    const auto bounds = [&]<class Set>(const Set& set) { EXPECT_EQ(relate(set, set), Relation::disjoint); };
+    if (kind == ShapeKind::halfspaces) {
+      dimension == 2 ? bounds(shape_from<HalfspaceIntersection2>(x)) : bounds(shape_from<HalfspaceIntersection3>(x));
+    }
+    if (kind == ShapeKind::k_dop) {
+      EXPECT_TRUE(dimension == 2 ? is_empty(shape_from<KDop2>(x)) : is_empty(shape_from<KDop3>(x)));
+    }
+    if (kind == ShapeKind::slab) {
+      EXPECT_LT(x.back(), x[x.size() - 2]);
+    }
+    if (kind == ShapeKind::aabb) {
+      EXPECT_GT(x[0], x[static_cast<std::size_t>(dimension)]);
+    }
+    return;
+  }
+  // Of points alone the form is what they span.
+  const int most = form == Form::speck      ? 0
+                   : form == Form::straight ? 1
+                   : form == Form::flat     ? dimension - 1
+                                            : dimension;
+  if (kind == ShapeKind::segment || kind == ShapeKind::triangle || kind == ShapeKind::quadrilateral ||
+      kind == ShapeKind::polygon || kind == ShapeKind::tetrahedron || kind == ShapeKind::points) {
+    EXPECT_LE(spanned(Reaching(kind, dimension, x, {}, 0), x.size() / static_cast<std::size_t>(dimension)), most);
+  }
+}
+
+TEST(GeneratedShapes, AreOfTheirKindAndForm) {
+  std::uint64_t index = 0;
+  int many = 0;
+  for (const ShapeKindInfo& info : shape_kinds) {
+    for (const int dimension : {2, 3}) {
+      for (const FormInfo& form : forms) {
+        for (std::uint64_t i = 0; i < 2 * cases; ++i) {
+          Entropy entropy(run + 3, ++index);
+          const Numbers x = shape(info.kind, dimension, form.form, entropy);
+          SCOPED_TRACE(std::string(info.name).append(" ").append(form.name).append(" ").append(std::to_string(index)));
+          const bool is_there =
+              is_kind_of(info.kind, dimension) && (form.form != Form::empty || can_be_empty(info.kind));
+          ASSERT_EQ(x.empty(), !is_there);
+          if (!is_there) continue;
+          for (const double each : x) ASSERT_TRUE(std::isfinite(each));
+          expect_perpendicular(info.kind, dimension, x);
+          expect_kind(info.kind, dimension, form.form, x);
+          // The row is one of the kind: no exception.
+          many += holder(info.kind, dimension)(x, std::array<double, 3>{}) ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(many, 100);
+}
+
+TEST(GeneratedShapes, RefuseRowsOfOtherKinds) {
+  EXPECT_THROW(shape_from<Obb3>(Numbers(14)), InvalidShape);
+  EXPECT_THROW(shape_from<Polygon3>(Numbers(4)), InvalidShape);
+  EXPECT_THROW(shape_from<HoledPolygon2>(Numbers{2, 3, 0, 0, 1, 0, 0, 1}), InvalidShape);
+  EXPECT_THROW(shape_from<HoledPolygon2>(Numbers{1, 1e300, 0, 0}), InvalidShape);
+  EXPECT_THROW(shape_from<HoledPolygon2>(Numbers{1, 0.5, 0, 0}), InvalidShape);
+  EXPECT_THROW(shape_from<HalfspaceIntersection3>(Numbers(5)), InvalidShape);
+  EXPECT_THROW(shape_from<TriangleMesh>(Numbers{1, 0, 0, 0, 0, 0, 1}), InvalidShape);
+  EXPECT_THROW(shape_from<TriangleMesh>(Numbers{-1, 0, 0, 0}), InvalidShape);
+  EXPECT_NO_THROW(shape_from<TriangleMesh>(Numbers{1, 0, 0, 0, 0, 0, 0}));
+}
 
 }  // namespace

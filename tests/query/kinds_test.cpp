@@ -218,6 +218,20 @@ struct Judges {
   }
 };
 
+/// Axes of oriented boxes are perpendicular and of length one, but for a few roundings.
+void expect_frames(const Kind& kind, Given q) {
+  if (kind.name != "obb-obb") return;
+  for (const std::size_t box : {0u, 15u}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        const RationalPoint a = at(q, box + 3 + 3 * i), b = at(q, box + 3 + 3 * j);
+        const mpq_class off = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - (i == j ? 1 : 0);
+        EXPECT_LT(abs(off), 0x1p-48) << case_line(kind, q);
+      }
+    }
+  }
+}
+
 TEST(Kinds, AgreeWithRationals) {
   Judges judges;
   for (const Kind& kind : kinds()) {
@@ -227,6 +241,7 @@ TEST(Kinds, AgreeWithRationals) {
       for (std::uint64_t i = 0; i < judged_cases; ++i) {
         const Numbers numbers = case_of(kind, generator, 5, i);
         ASSERT_EQ(flaw_of(kind, numbers), "") << kind.name << ' ' << generator << ' ' << i;
+        expect_frames(kind, numbers);
         judges.judge(kind, numbers);
       }
     }

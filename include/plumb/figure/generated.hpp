@@ -3,13 +3,15 @@
 //   Entropy entropy(1, 42);
 //   const auto [a, b] = generated_pair<Triangle3, Obb3>(degenerate::Position::edge_along_edge, entropy);
 //
-// Laws: the numbers are the members, in order, unchanged; points become their convex hull or the k-DOP of 14 directions
-// around them, whose intervals are exact where the sums of the coordinates are doubles, as those of pairs that are
-// `exactly` so.  A row of the wrong length, and points in one plane of which a polyhedron is asked, throw InvalidShape.
+// Laws: the numbers are the members, in order, unchanged; points become their convex hull, k-DOPs have 8 directions in
+// the plane and 14 in space.  A row that is none of the kind, and points in one plane of which a polyhedron is asked,
+// throw InvalidShape.
 // Source: RTCD 11.  Cost: that of copying, or of the hull.
 #pragma once
 
+#include <cstring>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "plumb/degenerate/shape_pair.hpp"
@@ -17,6 +19,7 @@
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/k_dop.hpp"
 #include "plumb/figure/linear.hpp"
+#include "plumb/figure/mesh.hpp"
 #include "plumb/figure/plane.hpp"
 #include "plumb/figure/polygon.hpp"
 #include "plumb/figure/round.hpp"
@@ -62,17 +65,48 @@ PLUMB_GENERATED(Capsule3, capsule, 3)
 PLUMB_GENERATED(Lozenge3, lozenge, 3)
 PLUMB_GENERATED(Cylinder3, cylinder, 3)
 PLUMB_GENERATED(Cone3, cone, 3)
-PLUMB_GENERATED(KDop2, points, 2)
-PLUMB_GENERATED(KDop3, points, 3)
 PLUMB_GENERATED(ConvexPolyhedron3, points, 3)
+PLUMB_GENERATED(ThreePointPlane3, three_point_plane, 3)
+PLUMB_GENERATED(Slab2, slab, 2)
+PLUMB_GENERATED(Slab3, slab, 3)
+PLUMB_GENERATED(Quadrilateral2, quadrilateral, 2)
+PLUMB_GENERATED(Quadrilateral3, quadrilateral, 3)
+PLUMB_GENERATED(HoledPolygon2, holed_polygon, 2)
+PLUMB_GENERATED(HoledPolygon3, holed_polygon, 3)
+PLUMB_GENERATED(KDop2, k_dop, 2)
+PLUMB_GENERATED(KDop3, k_dop, 3)
+PLUMB_GENERATED(HalfspaceIntersection2, halfspaces, 2)
+PLUMB_GENERATED(HalfspaceIntersection3, halfspaces, 3)
+PLUMB_GENERATED(TriangleMesh, mesh, 3)
+PLUMB_GENERATED(Ellipsoid3, ellipsoid, 3)
 #undef PLUMB_GENERATED
 
-Polygon2 polygon2(std::span<const double> numbers);
-Polygon3 polygon3(std::span<const double> numbers);
-KDop2 k_dop2(std::span<const double> numbers);
-KDop3 k_dop3(std::span<const double> numbers);
-ConvexPolyhedron3 polyhedron(std::span<const double> numbers);
+/// A row of numbers that is none of the kind throws InvalidShape.
 void demand(std::span<const double> numbers, degenerate::ShapeKind kind, int dimension);
+
+/// Shapes of as many numbers as the row has.
+template <class Shape>
+Shape made(std::span<const double> numbers);
+template <>
+Polygon2 made(std::span<const double> numbers);
+template <>
+Polygon3 made(std::span<const double> numbers);
+template <>
+HoledPolygon2 made(std::span<const double> numbers);
+template <>
+HoledPolygon3 made(std::span<const double> numbers);
+template <>
+KDop2 made(std::span<const double> numbers);
+template <>
+KDop3 made(std::span<const double> numbers);
+template <>
+HalfspaceIntersection2 made(std::span<const double> numbers);
+template <>
+HalfspaceIntersection3 made(std::span<const double> numbers);
+template <>
+ConvexPolyhedron3 made(std::span<const double> numbers);
+template <>
+TriangleMesh made(std::span<const double> numbers);
 
 }  // namespace generated
 
@@ -88,51 +122,13 @@ inline constexpr int generated_dimension = generated::Traits<Shape>::dimension;
 
 template <GeneratedShape Shape>
 Shape shape_from(std::span<const double> x) {
-  using degenerate::ShapeKind;
-  constexpr ShapeKind kind = generated_kind<Shape>;
-  constexpr int dimension = generated_dimension<Shape>;
-  generated::demand(x, kind, dimension);
-  if constexpr (std::is_same_v<Shape, Polygon2>) {
-    return generated::polygon2(x);
-  } else if constexpr (std::is_same_v<Shape, Polygon3>) {
-    return generated::polygon3(x);
-  } else if constexpr (std::is_same_v<Shape, KDop2>) {
-    return generated::k_dop2(x);
-  } else if constexpr (std::is_same_v<Shape, KDop3>) {
-    return generated::k_dop3(x);
-  } else if constexpr (std::is_same_v<Shape, ConvexPolyhedron3>) {
-    return generated::polyhedron(x);
-  } else if constexpr (kind == ShapeKind::obb && dimension == 2) {
-    return {{x[0], x[1]}, {{{x[2], x[3]}, {x[4], x[5]}}}, {x[6], x[7]}};
-  } else if constexpr (kind == ShapeKind::obb) {
-    return {
-        {x[0], x[1], x[2]}, {{{x[3], x[4], x[5]}, {x[6], x[7], x[8]}, {x[9], x[10], x[11]}}}, {x[12], x[13], x[14]}};
-  } else if constexpr (kind == ShapeKind::rectangle) {
-    return {{x[0], x[1], x[2]}, {{{x[3], x[4], x[5]}, {x[6], x[7], x[8]}}}, {x[9], x[10]}};
-  } else if constexpr (kind == ShapeKind::lozenge) {
-    return {{x[0], x[1], x[2]}, {{{x[3], x[4], x[5]}, {x[6], x[7], x[8]}}}, x[9]};
-  } else if constexpr (sizeof(Shape) == sizeof(double) * 2) {
-    return {x[0], x[1]};
-  } else if constexpr (std::is_same_v<Shape, Point3>) {
-    return {x[0], x[1], x[2]};
-  } else if constexpr (kind == ShapeKind::triangle && dimension == 2) {
-    return {{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}};
-  } else if constexpr (kind == ShapeKind::triangle) {
-    return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
-  } else if constexpr (kind == ShapeKind::tetrahedron) {
-    return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}, {x[9], x[10], x[11]}};
-  } else if constexpr (sizeof(Shape) == sizeof(double) * 3) {
-    return {{x[0], x[1]}, x[2]};
-  } else if constexpr (dimension == 3 && sizeof(Shape) == sizeof(double) * 4) {
-    return {{x[0], x[1], x[2]}, x[3]};
-  } else if constexpr (sizeof(Shape) == sizeof(double) * 4) {
-    return {{x[0], x[1]}, {x[2], x[3]}};
-  } else if constexpr (sizeof(Shape) == sizeof(double) * 5) {
-    return {{x[0], x[1]}, {x[2], x[3]}, x[4]};
-  } else if constexpr (sizeof(Shape) == sizeof(double) * 6) {
-    return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  generated::demand(x, generated_kind<Shape>, generated_dimension<Shape>);
+  if constexpr (std::is_trivially_copyable_v<Shape>) {
+    Shape shape{};
+    std::memcpy(&shape, x.data(), sizeof shape);
+    return shape;
   } else {
-    return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6]};
+    return generated::made<Shape>(x);
   }
 }
 
