@@ -4,17 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <string>
 
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/figure/hull2.hpp"
-#include "tool/stability/experiment.hpp"
+#include "plumb/figure/hull3.hpp"
+#include "stability/found.hpp"
 #include "tool/stability/hull_judge.hpp"
 #include "tool/stability/png.hpp"
 #include "tool/stability/segment_methods.hpp"
+#include "tool/stability/space_hull_judge.hpp"
 #include "tool/stability/sweep.hpp"
 
 namespace plumb::tool::stability {
@@ -22,53 +22,11 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-using Sums = std::map<std::string, std::uint64_t>;  // of failures, by method and the failure's name
-
-struct Found {
-  Sums failures;
-  std::set<std::string> pictures;
-};
-
-/// Runs an experiment quickly, and expects what holds for all.
-Found found_by(const Experiment& experiment, std::uint64_t start = 2026) {
-  Settings settings;
-  settings.quick = true;
-  settings.seed = start;
-  Found found;
-  std::set<std::string> scenes;
-  for (const Scene& scene : experiment.scenes(settings)) {
-    EXPECT_TRUE(scenes.insert(scene.name).second) << scene.name;
-    const Findings findings = scene.run();
-    EXPECT_FALSE(findings.outcomes.empty());
-    std::uint64_t tried_exactly = 0;
-    for (const MethodOutcome& o : findings.outcomes) {
-      EXPECT_EQ(o.counts.size(), findings.outcomes[0].counts.size());
-      for (std::size_t i = 0; i < o.counts.size(); ++i) {
-        const Count& c = o.counts[i];
-        EXPECT_EQ(c.failure, findings.outcomes[0].counts[i].failure);
-        EXPECT_LE(c.failures, c.of) << scene.name << ' ' << o.method;
-        if (o.exact) {
-          EXPECT_EQ(c.failures, 0U) << scene.name << ' ' << o.method << ": " << c.failure << ", start " << start;
-          tried_exactly += c.of;
-        }
-        found.failures[o.method + ": " + c.failure] += c.failures;
-      }
-    }
-    EXPECT_GT(tried_exactly, 0U) << scene.name;
-    for (const Picture& p : findings.pictures) {
-      EXPECT_TRUE(found.pictures.insert(p.name).second) << p.name;
-      EXPECT_THAT(p.svg, StartsWith("<svg"));
-      EXPECT_THAT(p.svg, HasSubstr("</svg>"));
-      EXPECT_NE(p.caption, "");
-    }
-  }
-  return found;
-}
 
 TEST(Grid, ShowsFloatsOnTheWrongSideAndOffTheLine) {
   const Found found = found_by(grid_experiment());
   EXPECT_EQ(found.pictures.size(), 10U);
-  const Sums& f = found.failures;
+  const auto& f = found.failures;
   EXPECT_GT(f.at("double: points put on the wrong side of the line"), 0U);
   EXPECT_GT(f.at("double: points off the line put on it"), 0U);
   EXPECT_GT(f.at("double: points on the plane put off it"), 0U);
@@ -91,9 +49,21 @@ TEST(Hulls, LoseCornersBendInwardsAndDoNotEndInFloatingPoint) {
   EXPECT_GT(found.failures.at("float32: runs that did not end"), 0U);
 }
 
+TEST(SpaceHulls, LoseCornersAndTearInFloatingPoint) {
+  const Found found = found_by(space_hull_experiment());
+  EXPECT_GE(found.pictures.size(), 6U);
+  for (const char* method : {"float32", "double", "absolute", "relative"}) {
+    const std::string m = method;
+    EXPECT_GT(found.failures.at(m + ": hulls that lost an extreme point"), 0U) << m;
+    EXPECT_GT(found.failures.at(m + ": hulls with a face that has points on its outer side"), 0U) << m;
+  }
+  EXPECT_GT(found.failures.at("double: hulls with an edge that has not two faces"), 0U);
+  EXPECT_GT(found.failures.at("double: runs that did not end"), 0U);
+}
+
 TEST(Segments, AreMissedInFloatingPointAndCrossOnNeither) {
   const Found found = found_by(segment_experiment());
-  const Sums& f = found.failures;
+  const auto& f = found.failures;
   EXPECT_GT(f.at("double: pairs that meet and are said not to"), 0U);
   EXPECT_GT(f.at("double: pairs answered otherwise when swapped or reversed"), 0U);
   EXPECT_GT(f.at("double: crossing points that lie on neither segment"), 0U);
@@ -109,8 +79,8 @@ TEST(Sweeps, LoseAndInventPairsInFloatingPoint) {
 }
 
 TEST(Experiments, AreExactForOtherInputsAsWellAndRepeatable) {
-  for (const Experiment& e : {hull_experiment(), segment_experiment(), sweep_experiment()}) {
-    const Sums other = found_by(e, 7).failures;
+  for (const Experiment& e : {hull_experiment(), space_hull_experiment(), segment_experiment(), sweep_experiment()}) {
+    const auto other = found_by(e, 7).failures;
     EXPECT_EQ(other, found_by(e, 7).failures);
     EXPECT_NE(other, found_by(e).failures);
   }
@@ -126,7 +96,7 @@ std::vector<Point2> corners_of(const std::vector<std::uint32_t>& corners, const 
 }
 
 TEST(HullWays, FindWhatTheLibraryFindsWhenSignsAreExact) {
-  const HullMethod& exact = hull_methods().back();
+  const HullMethod<2>& exact = hull_methods<2>().back();
   ASSERT_TRUE(exact.exact);
   for (std::size_t i = 0; i < families.size() + clouds.size(); ++i) {
     for (std::size_t count : {1U, 2U, 3U, 20U}) {
@@ -143,6 +113,55 @@ TEST(HullWays, FindWhatTheLibraryFindsWhenSignsAreExact) {
       }
     }
   }
+}
+
+TEST(SpaceHullWays, FindWhatTheLibraryFindsWhenSignsAreExact) {
+  for (std::size_t i = 0; i < clouds.size() + families.size(); ++i) {
+    for (const std::size_t count : {1U, 2U, 3U, 4U, 5U, 20U}) {
+      Entropy entropy(1, i);
+      const std::vector<Point3> points =
+          i < clouds.size() ? cloud3(clouds[i].cloud, count, entropy)
+                            : points3(families[i - clouds.size()].family, Degeneracy::coplanar, count, entropy);
+      const Hull3 truth = convex_hull(points);
+      const SpaceHullJudge judge(points);
+      for (const SpaceHullWay& way : space_hull_ways()) {
+        const std::string where = way.name + ", start 1, index " + std::to_string(i);
+        const auto faces = way.run(*hull_methods<3>().back().signs(points));
+        ASSERT_TRUE(faces) << where;
+        EXPECT_EQ(faces->empty(), truth.dimension < 3) << where;
+        EXPECT_TRUE(judge.flaws(*faces) == SpaceHullFlaws{}) << where;
+        if (way.name != "gift wrapping") continue;
+        EXPECT_EQ(faces->size(), truth.dimension < 3 ? 0 : truth.face_count()) << where;
+      }
+    }
+  }
+}
+
+TEST(SpaceHullJudge, TellsEveryFlaw) {
+  // A cube, the middle of its lower side, a corner once more, and a point inside.
+  const std::vector<Point3> points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2},
+                                   {2, 2, 2}, {0, 2, 2}, {1, 1, 0}, {2, 2, 2}, {1, 1, 1}};
+  const SpaceHullJudge judge(points);
+  const Faces cube{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 9, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  const auto told = [&](Faces faces, std::size_t without = 9, const Faces& and_these = {}) {
+    if (without < faces.size()) faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(without));
+    faces.insert(faces.end(), and_these.begin(), and_these.end());
+    const SpaceHullFlaws f = judge.flaws(faces);
+    return std::string(f.wrong_dimension ? "dimension " : "") + (f.lost.empty() ? "" : "lost ") +
+           (f.seen.empty() ? "" : "seen ") + (f.flat.empty() ? "" : "flat ") + (f.torn.empty() ? "" : "torn ");
+  };
+  EXPECT_EQ(told(cube), "");
+  EXPECT_EQ(told(cube, 0, {{0, 8, 1}, {1, 8, 2}, {2, 8, 3}, {3, 8, 0}}), "");  // side by side in one plane
+  EXPECT_EQ(told(cube, 0), "torn ");
+  EXPECT_EQ(told(cube, 9, {cube[0]}), "torn ");
+  EXPECT_EQ(told(cube, 0, {{0, 1, 2, 3}}), "seen torn ");  // the other way round
+  EXPECT_EQ(told(cube, 0, {{0, 8, 2, 1}, {0, 3, 2, 8}}), "flat ");
+  EXPECT_EQ(told(cube, 0, {{0, 10, 1}, {1, 10, 2}, {2, 10, 3}, {3, 10, 0}}), "seen ");
+  EXPECT_EQ(told({{0, 2, 1}, {0, 1, 5}, {1, 2, 5}, {0, 5, 2}}), "lost seen ");
+  EXPECT_EQ(told({}), "dimension ");
+  const SpaceHullJudge flat(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  EXPECT_FALSE(flat.flaws({}).wrong_dimension);
+  EXPECT_TRUE(flat.flaws({{0, 1, 2}}).wrong_dimension);
 }
 
 TEST(HullJudge, TellsEveryFlaw) {

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "browser.hpp"
-#include "matchers.hpp"
-#include "run_program.hpp"
+#include "quick_report.hpp"
 #include "tool/chart.hpp"
 
 namespace plumb::tool {
@@ -25,84 +24,67 @@ const std::set<std::string> kIncomplete{
 const std::set<std::string> kOfTheCode{"interval", "adaptive", "integers", "rationals"};     // where code branches
 const std::set<std::string> kUnderflowing{"extreme", "mixture", "off_by_ulps", "repeated"};  // or overflowing
 
-/// One quick run of everything, for all tests.
-class Report : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = new Folder;
-    outcome_ = new Outcome(run("$PLUMB chart --quick --out " + (*folder_ / "report")));
-    json_ = new json(json::parse(content(*folder_ / "report/chart.json"), nullptr, false));
-  }
-  static void TearDownTestSuite() {
-    delete json_;
-    delete outcome_;
-    delete folder_;
-  }
+const QuickReport& report() {
+  static const QuickReport once("chart");
+  return once;
+}
 
-  /// Calls see(task, class, method's entry) for all.
-  template <class See>
-  static void each(See see) {
-    for (const json& trial : json_->at("trials")) {
-      for (const json& m : trial.at("methods")) see(std::string(trial.at("task")), std::string(trial.at("class")), m);
-    }
+/// Calls see(task, class, method's entry) for all.
+template <class See>
+void each(See see) {
+  for (const json& trial : report().raw.at("trials")) {
+    for (const json& m : trial.at("methods")) see(std::string(trial.at("task")), std::string(trial.at("class")), m);
   }
+}
 
-  /// How many trials have this value under the key.
-  static std::size_t trials_with(const std::string& key, const std::string& value) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(json_->at("trials"), [&](const json& trial) { return trial.at(key) == value; }));
-  }
-  /// How many trials have the method `double`.
-  static std::size_t doubles() {
-    std::size_t count = 0;
-    each([&](const std::string&, const std::string&, const json& m) { count += m.at("method") == "double"; });
-    return count;
-  }
-  static std::size_t tasks() {
-    std::set<std::string> names;
-    for (const json& trial : json_->at("trials")) names.insert(trial.at("task"));
-    return names.size();
-  }
+/// How many trials have this value under the key.
+std::size_t trials_with(const std::string& key, const std::string& value) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(report().raw.at("trials"), [&](const json& trial) { return trial.at(key) == value; }));
+}
+/// How many trials have the method `double`.
+std::size_t doubles() {
+  std::size_t count = 0;
+  each([&](const std::string&, const std::string&, const json& m) { count += m.at("method") == "double"; });
+  return count;
+}
+std::size_t tasks() {
+  std::set<std::string> names;
+  for (const json& trial : report().raw.at("trials")) names.insert(trial.at("task"));
+  return names.size();
+}
 
-  static Folder* folder_;
-  static Outcome* outcome_;
-  static json* json_;
-};
-Folder* Report::folder_ = nullptr;
-Outcome* Report::outcome_ = nullptr;
-json* Report::json_ = nullptr;
-
-TEST_F(Report, HasATableAPictureAndAnEntryForEveryTaskAndClass) {
-  EXPECT_EQ(outcome_->code, 0);
-  EXPECT_EQ(outcome_->err, "");  // no progress bar where nobody looks
-  EXPECT_THAT(outcome_->out, Not(HasSubstr("\033")));
-  const std::string table = content(*folder_ / "report/chart.txt");
-  EXPECT_THAT(outcome_->out, StartsWith(table));
+TEST(Report, HasATableAPictureAndAnEntryForEveryTaskAndClass) {
+  EXPECT_EQ(report().outcome.code, 0);
+  EXPECT_EQ(report().outcome.err, "");  // no progress bar where nobody looks
+  EXPECT_THAT(report().outcome.out, Not(HasSubstr("\033")));
+  EXPECT_THAT(report().outcome.out, StartsWith(report().table));
   std::map<std::string, int> classes;
-  for (const json& trial : json_->at("trials")) {
+  for (const json& trial : report().raw.at("trials")) {
     const std::string task = trial.at("task"), input = trial.at("class");
     ++classes[task];
-    EXPECT_THAT(table, HasSubstr(task + ", " + input + ": "));
-    const std::string svg = content(*folder_ / ("report/" + task + "-" + input + ".svg"));
+    EXPECT_THAT(report().table, HasSubstr(task + ", " + input + ": "));
+    const std::string svg = report().file(task + "-" + input + ".svg");
     EXPECT_THAT(svg, AllOf(StartsWith("<svg"), HasSubstr(">" + task + ", " + input + "</text>"),
                            HasSubstr("class=\"frontier\"")));
     for (const json& m : trial.at("methods")) EXPECT_THAT(svg, HasSubstr("data-key=\"" + std::string(m.at("method"))));
   }
   for (const char* task : {"orient2d", "orient3d", "incircle", "insphere"}) EXPECT_EQ(classes[task], 12) << task;
-  for (const auto& entry : std::filesystem::directory_iterator(*folder_ / "report")) {
+  for (const auto& entry : std::filesystem::directory_iterator(report().folder())) {
     EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
   }
 }
 
-TEST_F(Report, SaysWhereAndWhenItWasMade) {
+TEST(Report, SaysWhereAndWhenItWasMade) {
   for (const char* key : {"version", "compiler", "flags", "machine", "date"}) {
-    EXPECT_THAT(std::string(json_->at(key)), Not(testing::IsEmpty())) << key;
+    EXPECT_THAT(std::string(report().raw.at(key)), Not(testing::IsEmpty())) << key;
   }
-  EXPECT_THAT(std::string(json_->at("date")), testing::MatchesRegex("[0-9]+-[0-9]+-[0-9]+T[0-9]+:[0-9]+:[0-9]+Z"));
-  EXPECT_EQ(json_->at("seed"), 2026);
+  EXPECT_THAT(std::string(report().raw.at("date")),
+              testing::MatchesRegex("[0-9]+-[0-9]+-[0-9]+T[0-9]+:[0-9]+:[0-9]+Z"));
+  EXPECT_EQ(report().raw.at("seed"), 2026);
 }
 
-TEST_F(Report, FindsExactMethodsRightAndConsistentOnEverything) {
+TEST(Report, FindsExactMethodsRightAndConsistentOnEverything) {
   std::set<std::string> seen;
   each([&](const std::string& task, const std::string& input, const json& m) {
     const std::string name = m.at("method");
@@ -121,7 +103,7 @@ TEST_F(Report, FindsExactMethodsRightAndConsistentOnEverything) {
   EXPECT_THAT(seen, testing::IsSupersetOf(kNeverWrong));
 }
 
-TEST_F(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
+TEST(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
   each([&](const std::string& task, const std::string& input, const json& m) {
     const std::string name = m.at("method");
     if (name == "double" && input == "degenerate_long" &&
@@ -149,7 +131,7 @@ TEST_F(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
   });
 }
 
-TEST_F(Report, AsksTheMethodsOfCodeThatBranches) {
+TEST(Report, AsksTheMethodsOfCodeThatBranches) {
   std::map<std::string, std::set<std::string>> methods, at_fault;
   std::map<std::string, int> batches;
   each([&](const std::string& task, const std::string& input, const json& m) {
@@ -175,20 +157,17 @@ TEST_F(Report, AsksTheMethodsOfCodeThatBranches) {
   for (const char* exact : {"exact", "batch"}) EXPECT_THAT(at_fault[exact], testing::IsEmpty()) << exact;
 }
 
-TEST_F(Report, IsAPageThatNeedsNothingElse) {
-  const std::string page = content(*folder_ / "report/chart.html");
-  EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("prefers-color-scheme: dark")));
-  std::string rest = page;  // but for the name of the SVG language, which nothing is fetched from
-  for (std::size_t at = 0; (at = rest.find("http://www.w3.org/2000/svg")) != std::string::npos;) rest.erase(at, 26);
-  EXPECT_THAT(rest, AllOf(Not(HasSubstr("http:")), Not(HasSubstr("https:")), Not(HasSubstr(" src="))));
+TEST(Report, IsAPageThatNeedsNothingElse) {
+  const std::string& page = report().page;
+  EXPECT_THAT(page, AllOf(needs_no_network(), HasSubstr("prefers-color-scheme: dark")));
   const std::string begin = "id=\"raw\">";
   const std::size_t from = page.find(begin) + begin.size();
-  EXPECT_EQ(json::parse(page.substr(from, page.find("</script>", from) - from)), *json_);
+  EXPECT_EQ(json::parse(page.substr(from, page.find("</script>", from) - from)), report().raw);
 }
 
-TEST_F(Report, IsAPageWhoseFilterWorksInABrowser) {
+TEST(Report, IsAPageWhoseFilterWorksInABrowser) {
   if (!has_browser()) return;
-  const std::string page = content(*folder_ / "report/chart.html");
+  const std::string& page = report().page;
   const Outcome o = in_browser(page, R"(
     const shown = selector => all(selector).filter(e => e.getClientRects().length > 0).length;
     const counts = () => [shown('.marker[data-key="double"]'), shown('article'), shown('section'), shown('.marker.gone')];
@@ -217,7 +196,7 @@ TEST_F(Report, IsAPageWhoseFilterWorksInABrowser) {
     document.body.replaceChildren(JSON.stringify(result));)");
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, Not(HasSubstr("CONSOLE")));
-  const std::size_t charts = json_->at("trials").size();
+  const std::size_t charts = report().raw.at("trials").size();
   const std::size_t fewer = charts - trials_with("class", "uniform") - trials_with("task", "orient2d") + 1;
   const std::string expected = json{{doubles(), charts, tasks(), 0},
                                     {0, fewer, tasks() - 1, 0},
@@ -232,7 +211,7 @@ TEST_F(Report, IsAPageWhoseFilterWorksInABrowser) {
   EXPECT_THAT(in_browser(page, "missing();").err, HasSubstr("CONSOLE"));  // which the first would have shown as well
 }
 
-TEST_F(Report, HasTheSameAnswersForTheSameSeed) {
+TEST(Report, HasTheSameAnswersForTheSameSeed) {
   const auto counts = [](const std::string& arguments) {
     const Folder folder;
     run("$PLUMB chart --quick --task orient3d --class mixture --class near_half --out " + (folder / "r") + arguments);

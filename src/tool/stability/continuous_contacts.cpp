@@ -1,10 +1,10 @@
 // Vertices against triangles and edges against edges, in motion: contacts missed and contacts invented.
-#include <algorithm>
+#include <cmath>
 
 #include "tool/stability/ccd_queries.hpp"
 #include "tool/stability/float_ways.hpp"
+#include "tool/stability/judged.hpp"
 #include "tool/trial/motion_tests.hpp"
-#include "tool/trial/task.hpp"
 
 namespace plumb::tool::stability {
 namespace {
@@ -12,10 +12,7 @@ namespace {
 using Numbers = std::array<double, trial::motion_numbers>;
 using MotionWay = Way<trial::motion_numbers, double>;
 
-struct Case {
-  Numbers numbers;
-  bool meets;
-};
+using Case = Judged<trial::motion_numbers>;
 
 ccd::Query query_of(bool vertex_face, const Numbers& q) {
   ccd::Query query;
@@ -58,43 +55,35 @@ Findings tried(const std::vector<Case>& cases) {
                         Count missed{"contacts that were missed"}, invented{"contacts that were invented"};
                         Count untold{"motions of which nothing was told"};
                         for (const Case& c : cases) {
-                          const double told = way.ask(c.numbers);
+                          const double told = way.ask(c.question);
                           ++untold.of;
-                          ++(c.meets ? missed : invented).of;
+                          ++(c.truth == 1 ? missed : invented).of;
                           if (std::isnan(told)) ++untold.failures;
-                          if (c.meets && told == 0) ++missed.failures;
-                          if (!c.meets && told == 1) ++invented.failures;
+                          if (c.truth == 1 && told == 0) ++missed.failures;
+                          if (c.truth == 0 && told == 1) ++invented.failures;
                         }
                         return std::vector{missed, invented, untold};
                       }),
           {}};
 }
 
-std::vector<Case> generated(const trial::Task& task, std::string_view input, const Settings& settings) {
-  const auto found = std::ranges::find(task.classes, input, &trial::InputClass::name);
-  std::vector<Case> cases(settings.quick ? 150 : 4'000);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    Entropy entropy(settings.seed, i);
-    found->fill(cases[i].numbers, entropy);
-    cases[i].meets = task.judge(cases[i].numbers) == 1;
-  }
-  return cases;
-}
-
-std::vector<Case> recorded(const std::string& folder, bool vertex_face) {
+std::vector<Case> recorded(const std::vector<ccd::Query>& queries, bool vertex_face) {
   std::vector<Case> cases;
-  for (const ccd::Query& q : ccd::all_queries(folder)) {
-    if (q.vertex_face == vertex_face) cases.push_back({numbers_of(q), q.meets});
+  for (const ccd::Query& q : queries) {
+    if (q.vertex_face == vertex_face) cases.push_back({numbers_of(q), q.meets ? 1.0 : 0.0});
   }
   return cases;
 }
 
 template <bool VertexFace>
-void add_scenes(std::vector<Scene>& scenes, const Settings& settings) {
+void add_scenes(std::vector<Scene>& scenes, const Settings& settings, const std::vector<ccd::Query>& queries) {
   const std::string kind = VertexFace ? "vertex-face" : "edge-edge";
   const auto task = [] { return VertexFace ? trial::vertex_face_motion_task() : trial::edge_edge_motion_task(); };
   const auto add = [&](const std::string& name, const std::string& about, std::string_view input) {
-    scenes.push_back({kind + "-" + name, about, [=] { return tried<VertexFace>(generated(task(), input, settings)); }});
+    scenes.push_back({kind + "-" + name, about, [=] {
+                        return tried<VertexFace>(judged<trial::motion_numbers>(task(), settings.quick ? 150 : 4'000,
+                                                                               settings.seed, filled(task(), input)));
+                      }});
   };
   add("meeting", "planted to touch at some time, on coordinates of few bits", "meeting");
   add("double-root", "four points in one plane at half the time, which they do not cross", "double_root");
@@ -102,7 +91,7 @@ void add_scenes(std::vector<Scene>& scenes, const Settings& settings) {
   add("at-rest", "small integers, of which one point or two do not move", "at_rest");
   if (settings.ccd) {
     scenes.push_back({kind + "-recorded", "the queries of " + *settings.ccd + " with their known answers",
-                      [=] { return tried<VertexFace>(recorded(*settings.ccd, VertexFace)); }});
+                      [cases = recorded(queries, VertexFace)] { return tried<VertexFace>(cases); }});
   }
 }
 
@@ -112,8 +101,12 @@ Experiment motion_experiment() {
   return {"continuous-contacts", "do a moving vertex and triangle, or two moving edges, meet?", "RTCD 5.5",
           [](const Settings& settings) {
             std::vector<Scene> scenes;
-            add_scenes<true>(scenes, settings);
-            add_scenes<false>(scenes, settings);
+            std::vector<ccd::Query> queries;
+            if (settings.ccd) queries = ccd::all_queries(*settings.ccd);
+            if (settings.ccd && queries.empty())
+              throw Error(*settings.ccd + ": no queries, files .csv, in this folder");
+            add_scenes<true>(scenes, settings, queries);
+            add_scenes<false>(scenes, settings, queries);
             return scenes;
           }};
 }

@@ -50,7 +50,8 @@ struct Settings {
   std::optional<std::string> ccd, models;  // folders of real queries and meshes, which are tried as well where given
 };
 
-/// `scenes` does no work worth waiting for: that is left to the scenes' `run`.
+/// `scenes` reads the folders that settings name, so that a bad file is told of at once, and leaves all other work to
+/// the scenes' `run`.
 struct Experiment {
   std::string name, question, source;
   std::function<std::vector<Scene>(const Settings&)> scenes;
@@ -61,6 +62,7 @@ std::vector<Experiment> all_experiments();
 
 Experiment grid_experiment();
 Experiment hull_experiment();
+Experiment space_hull_experiment();
 Experiment segment_experiment();
 Experiment sweep_experiment();
 Experiment location_experiment();

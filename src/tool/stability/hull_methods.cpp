@@ -1,9 +1,7 @@
-#include <algorithm>
-
 #include "plumb/certify/direction.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/predicates.hpp"
-#include "tool/stability/hull_ways.hpp"
+#include "tool/stability/hull_signs.hpp"
 #include "tool/trial/contestant.hpp"
 #include "tool/trial/vec.hpp"
 
@@ -11,73 +9,124 @@ namespace plumb::tool::stability {
 namespace {
 
 using Index = std::uint32_t;
+template <std::size_t D>
+using Points = std::span<const typename HullSigns<D>::Point>;
 
 /// Points as numbers of type T; what is at most epsilon counts as zero.
-template <class T>
-class FloatSigns final : public HullSigns {
+template <class T, std::size_t D>
+class FloatSigns final : public HullSigns<D> {
  public:
-  FloatSigns(std::span<const Point2> points, T epsilon) : epsilon_(epsilon) {
-    for (const Point2& p : points) points_.push_back({static_cast<T>(p.x), static_cast<T>(p.y)});
+  using typename HullSigns<D>::Facet;
+
+  FloatSigns(Points<D> points, T epsilon) : epsilon_(epsilon) {
+    for (const auto& p : points) {
+      std::array<T, D>& q = points_.emplace_back();
+      std::ranges::transform(coordinates(p), q.begin(), [](double x) { return static_cast<T>(x); });
+    }
   }
   [[nodiscard]] std::size_t size() const override { return points_.size(); }
   [[nodiscard]] bool before(Index a, Index b) const override { return points_[a] < points_[b]; }
-  [[nodiscard]] int turn(Index a, Index b, Index c) const override { return beyond(area(a, b, c)); }
-  [[nodiscard]] int farther(Index a, Index b, Index c, Index d) const override {
-    return beyond(area(a, b, c) - area(a, b, d));
+  [[nodiscard]] int side(const Facet& facet, Index p) const override { return beyond(content(facet, p)); }
+  [[nodiscard]] int farther(const Facet& facet, Index p, Index q) const override {
+    return beyond(content(facet, p) - content(facet, q));
   }
 
  private:
-  [[nodiscard]] T area(Index a, Index b, Index c) const {
-    const auto &p = points_[a], &q = points_[b], &r = points_[c];
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  /// Twice the area with the point, or six times the volume.
+  [[nodiscard]] T content(const Facet& facet, Index p) const {
+    if constexpr (D == 2) {
+      const auto &a = points_[facet[0]], &b = points_[facet[1]], &c = points_[p];
+      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    } else {
+      const auto a = at(facet[0]);
+      return dot(cross(at(facet[1]) - a, at(facet[2]) - a), at(p) - a);
+    }
   }
+  [[nodiscard]] trial::Vec<T> at(Index i) const { return {points_[i][0], points_[i][1], points_[i][2]}; }
   [[nodiscard]] int beyond(T x) const { return (x > epsilon_) - (x < -epsilon_); }
 
-  std::vector<std::array<T, 2>> points_;
+  std::vector<std::array<T, D>> points_;
   T epsilon_;
 };
 
-class ExactSigns final : public HullSigns {
+template <std::size_t D>
+class ExactSigns final : public HullSigns<D> {
  public:
-  explicit ExactSigns(std::span<const Point2> points) : points_(points) {}
+  using typename HullSigns<D>::Facet;
+
+  explicit ExactSigns(Points<D> points) : points_(points) {}
   [[nodiscard]] std::size_t size() const override { return points_.size(); }
   [[nodiscard]] bool before(Index a, Index b) const override {
     return compare_lexicographically(points_[a], points_[b]) == Sign::negative;
   }
-  [[nodiscard]] int turn(Index a, Index b, Index c) const override {
-    return static_cast<int>(orient2d(points_[a], points_[b], points_[c]));
+  [[nodiscard]] int side(const Facet& f, Index p) const override {
+    if constexpr (D == 2) {
+      return static_cast<int>(orient2d(points_[f[0]], points_[f[1]], points_[p]));
+    } else {
+      return -static_cast<int>(orient3d(points_[f[0]], points_[f[1]], points_[f[2]], points_[p]));
+    }
   }
-  [[nodiscard]] int farther(Index a, Index b, Index c, Index d) const override {
-    const auto formula = [](auto ax, auto ay, auto bx, auto by, auto cx, auto cy, auto dx, auto dy) {
-      return (bx - ax) * (cy - dy) - (by - ay) * (cx - dx);
-    };
-    return static_cast<int>(sign_of(formula, points_[a], points_[b], points_[c], points_[d]));
+  [[nodiscard]] int farther(const Facet& f, Index p, Index q) const override {
+    if constexpr (D == 2) {
+      const auto formula = [](auto ax, auto ay, auto bx, auto by, auto px, auto py, auto qx, auto qy) {
+        return (bx - ax) * (py - qy) - (by - ay) * (px - qx);
+      };
+      return static_cast<int>(sign_of(formula, points_[f[0]], points_[f[1]], points_[p], points_[q]));
+    } else {
+      const auto formula = [](auto ax, auto ay, auto az, auto bx, auto by, auto bz, auto cx, auto cy, auto cz, auto px,
+                              auto py, auto pz, auto qx, auto qy, auto qz) {
+        const auto ux = bx - ax, uy = by - ay, uz = bz - az, vx = cx - ax, vy = cy - ay, vz = cz - az;
+        return (uy * vz - uz * vy) * (px - qx) + (uz * vx - ux * vz) * (py - qy) + (ux * vy - uy * vx) * (pz - qz);
+      };
+      return static_cast<int>(sign_of(formula, points_[f[0]], points_[f[1]], points_[f[2]], points_[p], points_[q]));
+    }
   }
 
  private:
-  std::span<const Point2> points_;
+  Points<D> points_;
 };
 
-template <class T>
-std::unique_ptr<HullSigns> plain(std::span<const Point2> points) {
-  return std::make_unique<FloatSigns<T>>(points, T(0));
+template <class T, std::size_t D>
+std::unique_ptr<HullSigns<D>> plain(Points<D> points) {
+  return std::make_unique<FloatSigns<T, D>>(points, T(0));
 }
-std::unique_ptr<HullSigns> absolute(std::span<const Point2> points) {
-  return std::make_unique<FloatSigns<double>>(points, trial::customary_epsilon);
+template <std::size_t D>
+std::unique_ptr<HullSigns<D>> absolute(Points<D> points) {
+  return std::make_unique<FloatSigns<double, D>>(points, trial::customary_epsilon);
 }
-std::unique_ptr<HullSigns> relative(std::span<const Point2> points) {
+template <std::size_t D>
+std::unique_ptr<HullSigns<D>> relative(Points<D> points) {
   double largest = 0;
-  for (const Point2& p : points) largest = std::max({largest, trial::magnitude(p.x), trial::magnitude(p.y)});
-  return std::make_unique<FloatSigns<double>>(points, trial::customary_epsilon * largest);
+  for (const auto& p : points) {
+    for (const double x : coordinates(p)) largest = std::max(largest, trial::magnitude(x));
+  }
+  return std::make_unique<FloatSigns<double, D>>(points, trial::customary_epsilon * largest);
 }
-std::unique_ptr<HullSigns> exact(std::span<const Point2> points) { return std::make_unique<ExactSigns>(points); }
+template <std::size_t D>
+std::unique_ptr<HullSigns<D>> exact(Points<D> points) {
+  return std::make_unique<ExactSigns<D>>(points);
+}
+
+template <std::size_t D>
+std::vector<HullMethod<D>> methods() {
+  return {{"float32", false, plain<float, D>},
+          {"double", false, plain<double, D>},
+          {"absolute", false, absolute<D>},
+          {"relative", false, relative<D>},
+          {"long-double", false, plain<long double, D>},
+          {"exact", true, exact<D>}};
+}
 
 }  // namespace
 
-const std::vector<HullMethod>& hull_methods() {
-  static const std::vector<HullMethod> all{
-      {"float32", false, plain<float>}, {"double", false, plain<double>},           {"absolute", false, absolute},
-      {"relative", false, relative},    {"long-double", false, plain<long double>}, {"exact", true, exact}};
+template <>
+const std::vector<HullMethod<2>>& hull_methods<2>() {
+  static const std::vector<HullMethod<2>> all = methods<2>();
+  return all;
+}
+template <>
+const std::vector<HullMethod<3>>& hull_methods<3>() {
+  static const std::vector<HullMethod<3>> all = methods<3>();
   return all;
 }
 

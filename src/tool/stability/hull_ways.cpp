@@ -1,6 +1,7 @@
 #include "tool/stability/hull_ways.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace plumb::tool::stability {
@@ -8,22 +9,14 @@ namespace {
 
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
+using Signs = HullSigns<2>;
 
-/// In order, of equal points one.
-Indices sorted(const HullSigns& s) {
-  Indices order(s.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::stable_sort(order, [&s](Index a, Index b) { return s.before(a, b); });
-  order.erase(std::unique(order.begin(), order.end(), [&s](Index a, Index b) { return s.same(a, b); }), order.end());
-  return order;
-}
-
-Corners andrew(const HullSigns& s) {
-  const Indices order = sorted(s);
+Corners andrew(const Signs& s) {
+  const Indices order = s.in_order();
   if (order.size() < 3) return order;
   Indices corners, chain;
   const auto add = [&](Index i) {
-    while (chain.size() >= 2 && s.turn(chain[chain.size() - 2], chain.back(), i) <= 0) chain.pop_back();
+    while (chain.size() >= 2 && s.side({chain[chain.size() - 2], chain.back()}, i) <= 0) chain.pop_back();
     chain.push_back(i);
   };
   const auto take = [&] {  // but for the last, with which the other chain begins
@@ -38,15 +31,15 @@ Corners andrew(const HullSigns& s) {
 }
 
 /// Appends the corners strictly left of the line from a to b, from b's side to a's; false where it ran too long.
-bool left_of(const HullSigns& s, Index a, Index b, const Indices& points, Indices& corners, std::size_t& calls_left) {
+bool left_of(const Signs& s, Index a, Index b, const Indices& points, Indices& corners, std::size_t& calls_left) {
   if (calls_left == 0) return false;
   --calls_left;
   Indices left;
-  std::ranges::copy_if(points, std::back_inserter(left), [&](Index p) { return s.turn(a, b, p) > 0; });
+  std::ranges::copy_if(points, std::back_inserter(left), [&](Index p) { return s.side({a, b}, p) > 0; });
   if (left.empty()) return true;
   Index far = left.front();
   for (const Index p : left) {
-    const int farther = s.farther(a, b, p, far);
+    const int farther = s.farther({a, b}, p, far);
     if (farther > 0 || (farther == 0 && s.before(far, p))) far = p;  // of equally far ones an end
   }
   if (!left_of(s, far, b, left, corners, calls_left)) return false;
@@ -54,8 +47,8 @@ bool left_of(const HullSigns& s, Index a, Index b, const Indices& points, Indice
   return left_of(s, a, far, left, corners, calls_left);
 }
 
-Corners quickhull(const HullSigns& s) {
-  const Indices order = sorted(s);
+Corners quickhull(const Signs& s) {
+  const Indices order = s.in_order();
   if (order.size() < 3) return order;
   const Index a = order.front(), b = order.back();
   std::size_t calls_left = 2 * order.size();  // two for each corner that is found
@@ -66,40 +59,27 @@ Corners quickhull(const HullSigns& s) {
   return corners;
 }
 
-Corners gift_wrapping(const HullSigns& s) {
-  const Indices order = sorted(s);
+Corners gift_wrapping(const Signs& s) {
+  const Indices order = s.in_order();
   if (order.size() < 3) return order;
-  Indices corners;
-  Index at = order.front();
-  do {
-    if (corners.size() == order.size()) return std::nullopt;
-    corners.push_back(at);
-    Index next = at;
-    for (const Index p : order) {
-      if (p == at) continue;
-      const int turn = next == at ? -1 : s.turn(at, next, p);
-      const bool beyond = turn == 0 && (s.before(at, next) ? s.before(next, p) : s.before(p, next));
-      if (turn < 0 || beyond) next = p;
-    }
-    at = next;
-  } while (at != order.front());
-  return corners;
+  return wrapped(s, order, [&s](Index a, Index b, Index c) { return s.side({a, b}, c); });
 }
 
 /// Inserts point after point: takes away the edges that see it, which lie next to one another.
-Corners incremental(const HullSigns& s) {
-  Indices order = sorted(s);
+Corners incremental(const Signs& s) {
+  const Indices order = s.in_order();
   if (order.size() < 3) return order;
-  const auto apex = std::find_if(order.begin() + 1, order.end() - 1,
-                                 [&](Index p) { return s.turn(order.front(), order.back(), p) != 0; });
+  const auto apex = std::find_if(order.begin() + 1, order.end() - 1, [&](Index p) {
+    return s.side({order.front(), order.back()}, p) != 0;
+  });
   if (apex == order.end() - 1) return Indices{order.front(), order.back()};
   Indices hull{order.front(), order.back(), *apex};
-  if (s.turn(hull[0], hull[1], hull[2]) < 0) std::swap(hull[1], hull[2]);
+  if (s.side({hull[0], hull[1]}, hull[2]) < 0) std::swap(hull[1], hull[2]);
   Indices rest(s.size());
   std::iota(rest.begin(), rest.end(), Index{0});  // in the order in which they are given
   for (const Index p : rest) {
     const std::size_t n = hull.size();
-    const auto side = [&](std::size_t edge) { return s.turn(hull[edge % n], hull[(edge + 1) % n], p); };
+    const auto side = [&](std::size_t edge) { return s.side({hull[edge % n], hull[(edge + 1) % n]}, p); };
     std::size_t first = 0;
     while (first < n && side(first) >= 0) ++first;
     if (first == n) continue;

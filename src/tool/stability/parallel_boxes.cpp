@@ -1,12 +1,12 @@
 // The separating axes of oriented boxes whose edges are parallel, or all but parallel.
-#include <algorithm>
+#include <cmath>
 
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/figure/obb.hpp"
 #include "tool/stability/float_ways.hpp"
+#include "tool/stability/judged.hpp"
 #include "tool/stability/share_curves.hpp"
 #include "tool/trial/box_tests.hpp"
-#include "tool/trial/task.hpp"
 
 namespace plumb::tool::stability {
 namespace {
@@ -18,48 +18,27 @@ Obb3 box_at(const double* x) {
   return {{x[0], x[1], x[2]}, {{{x[3], x[4], x[5]}, {x[6], x[7], x[8]}, {x[9], x[10], x[11]}}}, {x[12], x[13], x[14]}};
 }
 
-struct Case {
-  Question question;
-  bool meets;
-};
-
-std::vector<Case> cases_of(std::string_view input, const Settings& settings) {
-  const trial::Task task = trial::oriented_boxes_task();
-  const auto found = std::ranges::find(task.classes, input, &trial::InputClass::name);
-  std::vector<Case> cases(settings.quick ? 300 : 5'000);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    Entropy entropy(settings.seed, i);
-    found->fill(cases[i].question, entropy);
-    cases[i].meets = task.judge(cases[i].question) == 1;
-  }
-  return cases;
-}
+using Case = Judged<numbers>;
 
 /// Boxes of one orientation, one standing beside the other: a gap between them of a 2^-8th to a 2^-44th, or an overlap.
-std::vector<Case> beside_one_another(const Settings& settings) {
-  const trial::Task task = trial::oriented_boxes_task();
-  const auto stacked = std::ranges::find(task.classes, "stacked", &trial::InputClass::name);
-  std::vector<Case> cases(settings.quick ? 300 : 5'000);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    Entropy entropy(settings.seed, i);
-    Question& q = cases[i].question;
-    stacked->fill(q, entropy);
+std::vector<Case> beside_one_another(const trial::Task& task, std::size_t count, std::uint64_t seed) {
+  return judged<numbers>(task, count, seed, [stacked = filled(task, "stacked")](Question& q, Entropy& entropy) {
+    stacked(q, entropy);
     const double size = q[12 + entropy.below(3)];
     const double gap = std::ldexp(size, -static_cast<int>(8 + entropy.below(37))) * (entropy.coin() ? 1 : -1);
     // Along the line of their centers, which the class chose to be an axis.
     const double x = q[15] - q[0], y = q[16] - q[1], z = q[17] - q[2], length = std::sqrt(x * x + y * y + z * z);
     if (length > 0) q[15] += gap * (x / length), q[16] += gap * (y / length), q[17] += gap * (z / length);
-    cases[i].meets = task.judge(q) == 1;
-  }
-  return cases;
+  });
 }
 
 std::array<Count, 2> verdicts(const Ask<numbers>& ask, const std::vector<Case>& cases) {
   std::array<Count, 2> counts{{{"boxes that meet and are told apart"}, {"boxes that are apart and are told to meet"}}};
   for (const Case& c : cases) {
-    Count& count = counts[c.meets ? 0 : 1];
+    const bool meet = c.truth == 1;
+    Count& count = counts[meet ? 0 : 1];
     ++count.of;
-    if (ask(c.question) != c.meets) ++count.failures;
+    if (ask(c.question) != meet) ++count.failures;
   }
   return counts;
 }
@@ -102,11 +81,16 @@ Experiment box_experiment() {
   return {"parallel-boxes", "do two oriented boxes meet whose edges are parallel?", "RTCD 4.4.1, 4.4.2",
           [](const Settings& settings) {
             std::vector<Scene> scenes;
-            const auto add = [&](const std::string& name, const std::string& about, auto make) {
-              scenes.push_back({name, about, [=] { return tried(name, about, make(settings)); }});
+            const std::size_t count = settings.quick ? 300 : 5'000;
+            const auto add = [&](const std::string& name, const std::string& about, auto cases) {
+              scenes.push_back({name, about, [=, seed = settings.seed] {
+                                  return tried(name, about, cases(trial::oriented_boxes_task(), count, seed));
+                                }});
             };
             const auto of_class = [](std::string_view input) {
-              return [input](const Settings& s) { return cases_of(input, s); };
+              return [input](const trial::Task& task, std::size_t n, std::uint64_t seed) {
+                return judged<numbers>(task, n, seed, filled(task, input));
+              };
             };
             add("stacked", "boxes of the same axes, one on the other, touching but for rounding", of_class("stacked"));
             add("beside", "boxes of the same axes, a small gap or a small overlap between them", beside_one_another);

@@ -1,14 +1,12 @@
 // Points in polygons and in solids, at corners, on edges, and beside them.
-#include <algorithm>
-
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/ulps.hpp"
 #include "plumb/figure/polygon_location.hpp"
 #include "plumb/query/ray_parity.hpp"
 #include "tool/stability/float_ways.hpp"
+#include "tool/stability/judged.hpp"
 #include "tool/stability/sample_meshes.hpp"
 #include "tool/trial/location_tests.hpp"
-#include "tool/trial/task.hpp"
 #include "tool/trial/triangle_tests.hpp"
 
 namespace plumb::tool::stability {
@@ -91,7 +89,6 @@ Findings cut_squares(const Settings& settings) {
 /// Octahedra with a corner on either side of each axis; the ray from the point goes along the first.
 Findings solids(const Settings& settings, std::string_view input) {
   const trial::Task task = trial::point_in_polyhedron_task();
-  const auto found = std::ranges::find(task.classes, input, &trial::InputClass::name);
   auto ways = float_ways<21>(trial::PointInPolyhedron{});
   ways.push_back(exact_way<21>([](const InSolid& q) {
     TriangleMesh mesh;
@@ -102,22 +99,16 @@ Findings solids(const Settings& settings, std::string_view input) {
     }
     return contains(mesh, Point3{q[0], q[1], q[2]});
   }));
-  std::vector<InSolid> questions(settings.quick ? 1'000 : 20'000);
-  std::vector<bool> held;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    Entropy entropy(settings.seed, i);
-    found->fill(questions[i], entropy);
-    held.push_back(task.judge(questions[i]) == 1);
-  }
+  const auto cases = judged<21>(task, settings.quick ? 1'000 : 20'000, settings.seed, filled(task, input));
   return {outcomes_of(ways,
                       [&](const Way<21>& way) {
                         Count missed{"points of the solid, its surface included, that it does not hold"};
                         Count invented{"points outside that it holds"};
-                        for (std::size_t i = 0; i < questions.size(); ++i) {
-                          const bool holds = way.ask(questions[i]);
-                          Count& count = held[i] ? missed : invented;
+                        for (const Judged<21>& c : cases) {
+                          const bool held = c.truth == 1;
+                          Count& count = held ? missed : invented;
                           ++count.of;
-                          if (holds != held[i]) ++count.failures;
+                          if (way.ask(c.question) != held) ++count.failures;
                         }
                         return std::vector{missed, invented};
                       }),
@@ -194,9 +185,7 @@ Experiment location_experiment() {
                 {"moved-octahedron", "the same, scaled and moved, so that every coordinate rounds",
                  [settings] { return solids(settings, "off_by_ulps"); }},
             };
-            Settings generated = settings;
-            generated.models.reset();
-            for (const NamedMesh& mesh : sample_meshes(generated)) {
+            for (const NamedMesh& mesh : generated_meshes(settings.quick)) {
               scenes.push_back({"in-" + mesh.name, "points level with the vertices of " + mesh.about,
                                 [mesh, settings] { return three_rays(mesh, settings); }});
             }

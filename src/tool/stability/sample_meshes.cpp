@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "plumb/arith/error.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "tool/flange.hpp"
 #include "tool/trial/location_tests.hpp"
@@ -47,24 +48,29 @@ TriangleMesh ball_mesh(int times) {
   return mesh;
 }
 
-std::vector<NamedMesh> sample_meshes(const Settings& settings) {
-  const int times = settings.quick ? 3 : 5;
-  std::vector<NamedMesh> meshes{
-      {"ball", "a ball of triangles", [times] { return ball_mesh(times); }},
+std::vector<NamedMesh> generated_meshes(bool quick) {
+  return {
+      {"ball", "a ball of triangles", [quick] { return ball_mesh(quick ? 3 : 5); }},
       {"flange", "a machined part with flats and bores, every coordinate rounded",
        [] { return moved(build_flange().mesh, 0.1, 1.3); }},
       {"far-flange", "the same part a million units from the origin",
        [] { return moved(build_flange().mesh, 0.1, 1e6 + 1.3); }},
   };
-  if (!settings.models) return meshes;
+}
+
+std::vector<NamedMesh> real_meshes(const std::string& folder) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(*settings.models)) {
-    const std::string kind = entry.path().extension().string();
-    if (kind == ".obj" || kind == ".off" || kind == ".stl" || kind == ".ply") files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (format_by_extension(entry.path())) files.push_back(entry.path());
   }
+  if (files.empty()) throw Error(folder + ": no mesh in this folder; there should be files .obj, .off, .ply or .stl");
   std::ranges::sort(files);
+  std::vector<NamedMesh> meshes;
   for (const std::filesystem::path& file : files) {
-    meshes.push_back({file.stem().string(), file.filename().string(), [file] { return read_mesh(file); }});
+    const std::string name = file.filename().string();
+    const TriangleMesh mesh = read_mesh(file);
+    if (mesh.triangles.empty()) throw Error(file.string() + ": a mesh without faces; take it out of the folder");
+    meshes.push_back({name, "the mesh of " + name, [mesh] { return mesh; }});
   }
   return meshes;
 }

@@ -9,6 +9,7 @@
 
 #include "tool/chart.hpp"
 #include "tool/log_axis.hpp"
+#include "tool/stability/picture_head.hpp"
 
 namespace plumb::tool::stability {
 namespace {
@@ -30,14 +31,7 @@ class Curves {
   }
 
   std::string draw(const std::string& title, const std::string& subtitle) {
-    const double height = top + plot_height + bottom;
-    put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-        "height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n",
-        width, height, escaped(title));
-    out_ += chart_style;
-    put("<rect class=\"paper\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width, height);
-    put("<text x=\"24\" y=\"34\" font-size=\"19\" font-weight=\"600\">{}</text>\n", escaped(title));
-    put("<text class=\"muted\" x=\"24\" y=\"56\" font-size=\"13\">{}</text>\n", escaped(subtitle));
+    out_ = picture_head(width, top + plot_height + bottom, title, subtitle);
     legend();
     for (std::size_t i = 0; i < panels_.size(); ++i) panel(i);
     return out_ + "</svg>\n";

@@ -102,7 +102,7 @@ Findings balls(const Settings& settings, int bits, bool tenths) {
   const mpq_class more = mpq_class(1'000'001, 1'000'000) * mpq_class(1'000'001, 1'000'000);  // a millionth, squared
   return {outcomes_of(ways,
                       [&](const BallWay& way) {
-                        Count circles{"searches that went round in a circle"};
+                        Count circles{"searches that came to no ball"};
                         Count out{"balls that leave a corner out"};
                         Count far_out{"balls that leave a corner out by more than a millionth"};
                         Count large{"balls larger than they need be by more than a millionth"};
