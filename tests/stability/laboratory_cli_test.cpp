@@ -121,6 +121,29 @@ TEST(LaboratoryCommand, RefusesWhatDoesNotExistAndWhatCannotBeWritten) {
   }
 }
 
+TEST(LaboratoryCommand, RefusesFoldersThatHoldNoQueriesAndNoMeshes) {
+  struct Bad {
+    std::string file, text, option, words;
+  };
+  for (const Bad& bad : std::vector<Bad>{{"q.txt", "", "--ccd", "no queries"},
+                                         {"q.csv", "1,2,3\n", "--ccd", "q.csv:1: expected integers"},
+                                         {"q.csv", "1,1,9007199254740993,1,1,1,0\n", "--ccd", "q.csv:1: expected"},
+                                         {"q.csv", "1,1,2,3,1,1,0\n", "--ccd", "q.csv:1: a denominator is no power"},
+                                         {"q.csv", "1,1,1,1,1,1,1\n1,1,1,1,1,1,2\n", "--ccd", "q.csv:2: expected 0"},
+                                         {"q.csv", "1,1,1,1,1,1,1\n", "--ccd", "its last query is cut off"},
+                                         {"m.txt", "", "--models", "no mesh in this folder"},
+                                         {"m.obj", "v 0 0 0\n", "--models", "m.obj: "},
+                                         {"m.OFF", "OFF 1 1\n", "--models", "m.OFF:1: "}}) {
+    const Folder folder;
+    std::ofstream(folder / bad.file) << bad.text;
+    const Outcome o = run("$PLUMB stability " + bad.option + " " + (folder / ""));  // in full: it must not begin
+    EXPECT_EQ(o.code, 2) << bad.words;
+    EXPECT_EQ(o.out, "");
+    EXPECT_THAT(o.err, AllOf(StartsWith("plumb: "), HasSubstr(bad.words))) << bad.words;
+    EXPECT_EQ(std::ranges::count(o.err, '\n'), 1) << o.err;
+  }
+}
+
 TEST(LaboratoryCommand, RunsTheExperimentsThatAreNamedAlone) {
   const Outcome one = run("$PLUMB stability --quick --experiment sweeps");
   EXPECT_EQ(one.code, 0);

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/points.hpp"
+#include "plumb/figure/hull2.hpp"
+#include "plumb/figure/hull3.hpp"
 #include "tool/stability/experiment.hpp"
 #include "tool/stability/hull_judge.hpp"
 #include "tool/stability/hull_picture.hpp"
@@ -142,6 +145,7 @@ struct InPlane {
         {"rounded grids", "square grids written in tenths, turned, and moved away", rounded_grids<2>}};
     return all;
   }
+  static Answer of_library(const Points<2>& points) { return convex_hull(points).vertices; }
   static Told<4> told(const Judge& judge, const Answer& corners) {
     const HullFlaws f = judge.flaws(corners);
     return {{f.not_convex, f.leaves_out, f.lost, f.no_corner}, corners.size() > 2, f.worst_outside};
@@ -174,6 +178,12 @@ struct InSpace {
         {"integer boxes", "27 points of skewed boxes of small and of large integers", integer_boxes}};
     return all;
   }
+  static Answer of_library(const Points<3>& points) {
+    const Hull3 hull = convex_hull(points);
+    Answer faces;
+    for (std::size_t f = 0; f < hull.face_count(); ++f) faces.emplace_back(hull.face(f).begin(), hull.face(f).end());
+    return hull.dimension < 3 ? Answer{} : faces;
+  }
   static Told<5> told(const Judge& judge, const Answer& faces) {
     const SpaceHullFlaws f = judge.flaws(faces);
     Told<5> told;
@@ -192,6 +202,22 @@ struct InSpace {
   }
 };
 
+/// The algorithm over each kind of numbers, and the library's own hull.
+template <class Kind>
+struct Asked {
+  std::string name;
+  bool exact;
+  std::function<std::optional<typename Kind::Answer>(const Points<Kind::dimension>&)> ask;
+};
+template <class Kind>
+std::vector<Asked<Kind>> asked(const typename Kind::Way& way) {
+  std::vector<Asked<Kind>> all;
+  for (const auto& m : hull_methods<Kind::dimension>())
+    all.push_back({m.name, m.exact, [&](const auto& points) { return way.run(*m.signs(points)); }});
+  all.push_back({"convex_hull", true, Kind::of_library});
+  return all;
+}
+
 /// The failure that is easiest to see: a clear hull, by double rather than with an epsilon, far off.
 template <class Kind>
 struct Worst {
@@ -204,18 +230,18 @@ struct Worst {
 template <class Kind>
 Findings run_way(const typename Kind::Way& way, const Group<Kind::dimension>& group,
                  const std::vector<Sample<Kind::dimension>>& samples) {
-  const auto& methods = hull_methods<Kind::dimension>();
+  const std::vector<Asked<Kind>> methods = asked<Kind>(way);
   std::vector<Count> none;
   for (const std::string_view f : Kind::failures) none.push_back({std::string(f)});
   none.push_back({"runs that did not end"});
   Findings findings;
-  for (const auto& m : methods) findings.outcomes.push_back({m.name, none, m.exact});
+  for (const Asked<Kind>& m : methods) findings.outcomes.push_back({m.name, none, m.exact});
   Worst<Kind> worst;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const typename Kind::Judge judge(samples[i].points);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       std::vector<Count>& counts = findings.outcomes[m].counts;
-      const auto answer = way.run(*methods[m].signs(samples[i].points));
+      const auto answer = methods[m].ask(samples[i].points);
       ++counts.back().of;
       counts.back().failures += !answer;
       if (!answer) continue;

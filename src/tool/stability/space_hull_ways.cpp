@@ -65,9 +65,10 @@ std::optional<Faces> incremental(const Signs& s) {
   std::vector<Corners3> faces = first_simplex(s, order);
   if (faces.empty()) return Faces{};
   for (const Index p : others(order, faces)) {
-    const auto seeing = std::ranges::partition(faces, [&](const Corners3& f) { return s.side(f, p) <= 0; });
-    const std::vector<Edge> rim = rim_of({seeing.begin(), seeing.end()});
-    faces.erase(seeing.begin(), seeing.end());
+    const auto seeing =
+        std::partition(faces.begin(), faces.end(), [&](const Corners3& f) { return s.side(f, p) <= 0; });
+    const std::vector<Edge> rim = rim_of({seeing, faces.end()});
+    faces.erase(seeing, faces.end());
     for (const auto& [a, b] : rim) faces.push_back({a, b, p});
     if (faces.size() > order.size() * order.size()) return std::nullopt;  // a torn surface may grow without end
   }
