@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
@@ -99,6 +100,20 @@ int replay(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, cons
   return found ? 1 : 0;
 }
 
+std::string case_file(std::size_t number, const PasteFormat& format) {
+  return fmt::format("case-{}.{}", number, format.extension);
+}
+
+/// Cases that an older report in the folder has beyond the last of this one.
+void remove_cases_from(std::size_t number, const std::filesystem::path& folder) {
+  for (bool any = true; any; ++number) {
+    any = false;
+    std::error_code ignored;
+    for (const PasteFormat& format : paste_formats)
+      any |= std::filesystem::remove(folder / case_file(number, format), ignored);
+  }
+}
+
 /// All files of a report.
 std::vector<NamedText> report_files(const FuzzReport& r) {
   const nlohmann::json raw = fuzz_json(r);
@@ -109,8 +124,7 @@ std::vector<NamedText> report_files(const FuzzReport& r) {
   for (std::size_t i = 0; i < r.found.size(); ++i) {
     const Numbers& numbers = r.found[i].simplest->smallest;
     for (const PasteFormat& format : paste_formats) {
-      files.push_back({fmt::format("case-{}.{}", i + 1, format.extension),
-                       pasteable(format.name, r.kind, numbers, r.options.symbol)});
+      files.push_back({case_file(i + 1, format), pasteable(format.name, r.kind, numbers, r.options.symbol)});
     }
   }
   return files;
@@ -142,6 +156,7 @@ int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std:
   if (o.out) {
     const std::vector<NamedText> files = report_files(report);
     write_folder(*o.out, files);
+    remove_cases_from(report.found.size() + 1, *o.out);
     say(fmt::format("{} files in {}\n", files.size(), printable(*o.out)));
   }
   return report.found.empty() ? 0 : 1;

@@ -47,7 +47,7 @@ is added to it, in a file of its own.
 With --out DIR the report is written into that folder: fuzz.txt,
 fuzz.json, a picture, fuzz.svg, a page, fuzz.html, which needs no
 network, and each finding ready to paste: case-N.cpp (a GoogleTest),
-case-N.py, case-N.obj.)"}},
+case-N.py, case-N.obj. An older report there is replaced.)"}},
           {{"EXIT STATUS", R"(
 0      Nothing was found. With --case: the answer is right.
 1      Something was found.

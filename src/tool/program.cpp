@@ -191,7 +191,8 @@ class Program {
         ->check(CLI::NonNegativeNumber)
         ->type_name("N");
     repeatable("--generator", o.generators, "Only cases of this generator; repeatable.");
-    fuzz_->add_option("--case", o.case_line, "Ask only this case, as findings are printed.")->type_name("LINE");
+    CLI::Option* const one_case =
+        fuzz_->add_option("--case", o.case_line, "Ask only this case, as findings are printed.")->type_name("LINE");
     fuzz_->add_option("--corpus", o.corpus, "Ask the cases in this folder first, and add to it what is found.")
         ->type_name("DIR");
     fuzz_->add_option("--out", o.out, "Write the report into this folder, which is made where it is missing.")
@@ -208,6 +209,8 @@ class Program {
     fuzz_->add_option("--memory", o.memory_mib, "What the function may take; 1024 when not given.")
         ->check(CLI::NonNegativeNumber)
         ->type_name("MIB");
+    for (const char* const of_many : {"--cases", "--time", "--generator", "--corpus", "--out"})
+      one_case->excludes(fuzz_->get_option(of_many));
   }
 
   void add_plan() {

@@ -213,6 +213,9 @@ TEST(FuzzReport, HoldsTheSameAsTextJsonPictureAndPage) {
   for (std::size_t at = 0; (at = page.find("http://www.w3.org/2000/svg")) != std::string::npos;) page.erase(at, 26);
   EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("<svg"), Not(HasSubstr("http:"))));
   for (const auto& entry : fs::directory_iterator(folder / "r")) EXPECT_NE(entry.path().extension(), ".part");
+  // The cases of an older report do not stay beside a newer one.
+  run(command("right", "right_orient3d") + "--cases 1 --out " + (folder / "r"));
+  EXPECT_FALSE(fs::exists(folder / "r/case-1.cpp"));
 }
 
 TEST(FuzzReport, TakesTextInAnyEncoding) {
@@ -262,10 +265,11 @@ TEST(FuzzCommand, RefusesWhatMakesNoSense) {
   expect_refusal(run("$PLUMB fuzz"), "--kind");
   expect_refusal(run("$PLUMB fuzz --kind orient3d --symbol f"), "--library");
   expect_refusal(run(command("wrong", "naive_orient3d", "orient4d")), "orient3d");
-  for (const char* words : {"--cases 0", "--cases -1", "--time 0", "--time nan", "--time 1e300", "--timeout 0",
-                            "--memory 0", "--relative -1", "--seed -1", "--generator odd", "--format odd", "--odd",
-                            "--case 'orient3d 1 2'", "--case 'orient2d 0 0 1 0 0 1'", "--case ''",
-                            "--out /no/such/folder", "--out /dev/null", "--corpus /proc/folder"})
+  for (const char* words :
+       {"--cases 0", "--cases -1", "--time 0", "--time nan", "--time 1e300", "--timeout 0", "--memory 0",
+        "--relative -1", "--seed -1", "--generator odd", "--format odd", "--odd", "--case 'orient3d 1 2'",
+        "--case 'orient2d 0 0 1 0 0 1'", "--case ''", "--case '0 0 0 0 0 0 0 0 0 0 0 0' --out r",
+        "--out /no/such/folder", "--out /dev/null", "--corpus /proc/folder"})
     expect_refusal(run(naive + words), "");
   EXPECT_EQ(run(naive + "--cases 10 >/dev/full").code, 2);
 }
