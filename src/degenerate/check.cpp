@@ -247,7 +247,7 @@ Findings check(const Kind& kind, const Callable& function, const CheckOptions& o
 }
 
 Callable callable_of(const Kind& kind, ForeignFunction function) {
-  return [call = kind.call, function](std::span<const double> numbers) { return call(function, numbers); };
+  return [kind, function](std::span<const double> numbers) { return ask(kind, function, numbers); };
 }
 
 }  // namespace plumb::degenerate

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "degenerate/mesh_case.hpp"
 #include "plumb/certify/case_line.hpp"
 
 namespace plumb::degenerate {
@@ -26,15 +27,16 @@ std::string walk(const Kind& kind, std::span<const double> numbers, const Visit&
   for (std::size_t i = 0; i < kind.arguments.size(); ++i) {
     const Argument& argument = kind.arguments[i];
     const std::size_t each = numbers_in(argument);
+    const std::string items = names_points(argument.parts[0].role) ? "triangles" : "points";
     std::size_t times = 1;
     if (argument.any_number()) {
-      if (at == numbers.size()) return named(argument, "lacks its count of points");
+      if (at == numbers.size()) return named(argument, "lacks its count of " + items);
       const double count = numbers[at++];
       if (!(count >= 0 && count == std::trunc(count))) {
-        return named(argument, "begins with " + hexadecimal(count) + ", which is no count of points");
+        return named(argument, "begins with " + hexadecimal(count) + ", which is no count of " + items);
       }
       if (count < static_cast<double>(argument.least)) {
-        return named(argument, "takes at least " + std::to_string(argument.least) + " points");
+        return named(argument, "takes at least " + std::to_string(argument.least) + " " + items);
       }
       // Not cast before: any double may stand here.
       if (count > static_cast<double>((numbers.size() - at) / each)) return named(argument, "lacks numbers");
@@ -61,7 +63,7 @@ std::vector<Field> fields_of(const Kind& kind, std::span<const double> numbers) 
 
 std::vector<Field> lengths_of(const Kind& kind, std::span<const double> numbers) {
   std::vector<Field> fields = fields_of(kind, numbers);
-  std::erase_if(fields, [](const Field& f) { return f.role == Role::frame; });
+  std::erase_if(fields, [](const Field& f) { return f.role == Role::frame || names_points(f.role); });
   return fields;
 }
 
@@ -84,6 +86,7 @@ std::string flaw_of(const Kind& kind, std::span<const double> numbers) {
     if (!std::isfinite(x)) return std::string(kind.name).append(": a number is not finite");
   }
   std::string flaw;
+  Field before{};
   std::string counts = walk(kind, numbers, [&](const Field& f) {
     const std::span<const double> part = numbers.subspan(f.first, f.size());
     const auto say = [&](std::string_view what) {
@@ -95,12 +98,23 @@ std::string flaw_of(const Kind& kind, std::span<const double> numbers) {
       }
     } else if (f.role == Role::extents) {
       if (std::ranges::any_of(part, [](double x) { return x < 0; })) say("has a negative length");
+    } else if (names_points(f.role)) {
+      const auto known = [&](double x) {
+        return x >= 0 && x < static_cast<double>(before.count) && x == std::trunc(x);
+      };
+      if (!std::ranges::all_of(part, known)) {
+        say("name a point that is not there");
+      } else if (f.role == Role::surface && !is_closed(mesh_of(before, f, numbers))) {
+        say("do not close");
+      }
     }
+    before = f;
   });
   return counts.empty() ? flaw : counts;
 }
 
 void put_in_order(const Kind& kind, std::span<double> numbers) {
+  std::size_t points = 0;  // of the field before
   for (const Field& f : fields_of(kind, numbers)) {
     const std::span<double> part = numbers.subspan(f.first, f.size());
     if (f.role == Role::corners) {
@@ -109,7 +123,10 @@ void put_in_order(const Kind& kind, std::span<double> numbers) {
       }
     } else if (f.role == Role::extents) {
       for (double& x : part) x = std::fabs(x);
+    } else if (names_points(f.role)) {
+      for (double& x : part) x = std::fmod(std::trunc(std::fabs(x)), static_cast<double>(points));
     }
+    points = f.count;
   }
 }
 

@@ -31,6 +31,11 @@ class Reader {
     bytes_ = bytes_.subspan(1);
     return value;
   }
+  /// Of up to 65535 points.
+  std::size_t index() {
+    const std::size_t low = byte();
+    return low + 256 * byte();
+  }
   double number() {
     double value = 0;
     const std::size_t taken = std::min(bytes_.size(), sizeof value);
@@ -52,7 +57,10 @@ Numbers stored(const Kind& kind, Bytes bytes) {
       points = argument.least + reader.byte();
       numbers.push_back(static_cast<double>(points));
     }
-    for (std::size_t left = points * numbers_in(argument); left > 0; --left) numbers.push_back(reader.number());
+    const bool named = names_points(argument.parts[0].role);
+    for (std::size_t left = points * numbers_in(argument); left > 0; --left) {
+      numbers.push_back(named ? static_cast<double>(reader.index()) : reader.number());
+    }
   }
   put_in_order(kind, numbers);
   return numbers;
@@ -83,6 +91,11 @@ std::vector<std::uint8_t> bytes_of(const Kind& kind, std::span<const double> num
       bytes.push_back(static_cast<std::uint8_t>(points - argument.least));
     }
     for (std::size_t left = points * numbers_in(argument); left > 0; --left, ++at) {
+      if (names_points(argument.parts[0].role)) {
+        const auto index = static_cast<std::size_t>(numbers[at]);
+        bytes.insert(bytes.end(), {static_cast<std::uint8_t>(index % 256), static_cast<std::uint8_t>(index / 256)});
+        continue;
+      }
       std::array<std::uint8_t, sizeof(double)> stored_number{};
       std::memcpy(stored_number.data(), &numbers[at], sizeof(double));
       bytes.insert(bytes.end(), stored_number.begin(), stored_number.end());

@@ -82,9 +82,9 @@ std::string cpp_judged(const Kind& kind, std::span<const double> numbers, std::s
       .append(joined(numbers, ", ", hexadecimal))
       .append("};\n  const auto& kind = plumb::degenerate::kind_named(\"")
       .append(kind.name)
-      .append("\");\n  const auto given = kind.call(reinterpret_cast<plumb::degenerate::ForeignFunction>(")
+      .append("\");\n  const auto given = plumb::degenerate::callable_of(kind, ")
       .append(function)
-      .append("), numbers);\n  EXPECT_EQ(plumb::degenerate::judge(kind, numbers, given, {}).sort, \"\");\n");
+      .append(")(numbers);\n  EXPECT_EQ(plumb::degenerate::judge(kind, numbers, given, {}).sort, \"\");\n");
 }
 
 std::string python_number(double x) {
@@ -144,7 +144,8 @@ std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::str
   std::string declaration(kind.signature);
   declaration.replace(declaration.find(" f(") + 1, 1, function);
   std::string text = "#include <gtest/gtest.h>\n#include <math.h>\n#include <stddef.h>\n";
-  if (kind.judge != nullptr) text.append("\n#include \"plumb/query/kinds.hpp\"\n");
+  if (kind.judge != nullptr)
+    text.append("\n#include \"plumb/degenerate/check.hpp\"\n#include \"plumb/query/kinds.hpp\"\n");
   text.append("\nextern \"C\" ").append(declaration).append(";\n\n// Exact: ");
   const Answer exact = kind.exact(numbers);
   text.append(words(kind, exact)).append("\nTEST(").append(pascal(kind.name)).append(", ");
@@ -152,11 +153,16 @@ std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::str
   if (kind.judge != nullptr) return text.append(cpp_judged(kind, numbers, function)).append("}\n");
   std::string call = std::string(function).append("(");
   for (const Given& g : given(kind, numbers)) {
-    text.append("  const double ").append(g.argument.name).append("[] = {");
-    text.append(joined(g.numbers, ", ", hexadecimal)).append("};  // ");
-    text.append(joined(g.numbers, ", ", decimal)).append("\n");
+    if (names_points(g.argument.parts[0].role)) {
+      text.append("  const size_t ").append(g.argument.name).append("[] = {");
+      text.append(joined(g.numbers, ", ", decimal)).append("};\n");
+    } else {
+      text.append("  const double ").append(g.argument.name).append("[] = {");
+      text.append(joined(g.numbers, ", ", hexadecimal)).append("};  // ");
+      text.append(joined(g.numbers, ", ", decimal)).append("\n");
+    }
     call.append(call.back() == '(' ? "" : ", ").append(g.argument.name);
-    if (g.argument.any_number()) call.append(", ").append(std::to_string(g.points));
+    if (g.argument.any_number()) call.append(", ").append(std::to_string(g.count));
   }
   call.append(kind.form == AnswerForm::hit ? ", &t)" : ")");
   return text.append(cpp_expectation(kind, call, exact)).append("}\n");
@@ -165,6 +171,10 @@ std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::str
 std::string python_text(const Kind& kind, std::span<const double> numbers) {
   std::string text = std::string("# ").append(kind.name).append(": ").append(kind.question).append("\n");
   for (const Given& g : given(kind, numbers)) {
+    if (names_points(g.argument.parts[0].role)) {
+      text.append(g.argument.name).append(" = [").append(joined(g.numbers, ", ", decimal)).append("]\n");
+      continue;
+    }
     text.append(g.argument.name).append(" = [float.fromhex(x) for x in \"");
     text.append(joined(g.numbers, " ", hexadecimal)).append("\".split()]  # ");
     text.append(joined(g.numbers, ", ", decimal)).append("\n");

@@ -43,6 +43,7 @@ class Obj {
   }
   void begin(std::string_view name) { text_.append("o ").append(name).append("\n"); }
   void end() { text_.append(std::exchange(elements_, {})); }
+  [[nodiscard]] std::size_t vertices() const { return vertices_; }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
@@ -59,6 +60,15 @@ void add_points(Obj& obj, const Given& g) {
   if (chain || (!g.argument.any_number() && at.size() == 3)) return obj.element("f", at);
   if (!g.argument.any_number() && at.size() == 2) return obj.element("l", at);
   for (const std::size_t v : at) obj.element("p", std::array{v});
+}
+
+// Three corners each; `first` is the number of the first point.
+void add_triangles(Obj& obj, std::span<const double> corners, std::size_t first) {
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    std::array<std::size_t, 3> face{};
+    for (std::size_t k = 0; k < 3; ++k) face[k] = first + static_cast<std::size_t>(corners[i + k]);
+    obj.element("f", face);
+  }
 }
 
 void add_figure(Obj& obj, const Given& g) {
@@ -89,18 +99,21 @@ void add_figure(Obj& obj, const Given& g) {
 
 std::string obj_text(const Kind& kind, std::span<const double> numbers) {
   Obj obj;
-  for (const Given& g : given(kind, numbers)) {
-    obj.begin(g.argument.name);
-    add_figure(obj, g);
+  const std::vector<Given> arguments = given(kind, numbers);
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    obj.begin(arguments[i].argument.name);
+    // Points that triangles name are shown by these alone.
+    if (i + 1 < arguments.size() && names_points(arguments[i + 1].argument.parts[0].role)) {
+      const std::size_t first = obj.vertices() + 1;
+      for (std::size_t v = 0; v < arguments[i].numbers.size(); v += 3) obj.vertex(arguments[i].numbers.subspan(v, 3));
+      add_triangles(obj, arguments[++i].numbers, first);
+    } else {
+      add_figure(obj, arguments[i]);
+    }
     obj.end();
   }
   if (kind.form == AnswerForm::triangles) {
-    const Numbers corners = kind.exact(numbers).numbers;
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-      std::array<std::size_t, 3> face{};
-      for (std::size_t k = 0; k < 3; ++k) face[k] = static_cast<std::size_t>(corners[i + k]) + 1;
-      obj.element("f", face);
-    }
+    add_triangles(obj, kind.exact(numbers).numbers, 1);
     obj.end();
   }
   return std::string("# ").append(case_line(kind, numbers)).append("\n").append(obj.text());

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "degenerate/fields.hpp"
+#include "degenerate/shrink_mesh.hpp"
 
 namespace plumb::degenerate {
 
@@ -54,6 +54,7 @@ class CaseShrinker {
     for (Numbers before; calls_left_ > 0 && !same_bits(before, current_);) {
       before = current_;
       drop_points();
+      shrink_meshes();
       turn_frames();
       const auto where = [&](const auto& wanted) {
         std::vector<Field> fields = fields_of(kind_, current_);
@@ -62,7 +63,7 @@ class CaseShrinker {
       };
       // Points alone first: a translation moves points, and leaves directions and lengths as they are.
       coordinates(where([](Role role) { return role == Role::points || role == Role::corners; }));
-      coordinates(where([](Role role) { return role != Role::frame; }));
+      coordinates(lengths_of(kind_, current_));
     }
     return std::move(current_);
   }
@@ -81,9 +82,16 @@ class CaseShrinker {
     return true;
   }
 
+  [[nodiscard]] bool is_of_mesh(std::size_t argument) const {
+    const auto named = [&](std::size_t a) {
+      return a < kind_.arguments.size() && names_points(kind_.arguments[a].parts[0].role);
+    };
+    return named(argument) || named(argument + 1);
+  }
+
   void drop_points() {
     for (std::size_t a = 0; a < kind_.arguments.size(); ++a) {
-      if (!kind_.arguments[a].any_number()) continue;
+      if (!kind_.arguments[a].any_number() || is_of_mesh(a)) continue;
       const auto field = [&] {
         const std::vector<Field> fields = fields_of(kind_, current_);
         return *std::ranges::find(fields, a, &Field::argument);
@@ -99,6 +107,22 @@ class CaseShrinker {
           attempt(std::move(fewer));
         }
       }
+    }
+  }
+
+  void shrink_meshes() {
+    for (std::size_t a = 1; a < kind_.arguments.size(); ++a) {
+      if (!names_points(kind_.arguments[a].parts[0].role)) continue;
+      const auto fields = [&] {
+        std::vector<Field> both = fields_of(kind_, current_);
+        const auto at = std::ranges::find(both, a, &Field::argument);
+        return std::array{*(at - 1), *at};
+      };
+      const auto [points, triangles] = fields();
+      shrink_mesh(mesh_of(points, triangles, current_), triangles.role == Role::surface, [&](const MeshCase& mesh) {
+        const auto [p, t] = fields();
+        return attempt(with_mesh(current_, p, t, mesh));
+      });
     }
   }
 

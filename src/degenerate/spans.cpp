@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "degenerate/fields.hpp"
+#include "degenerate/mesh_case.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb::degenerate {
@@ -38,10 +38,19 @@ int spanned(std::span<const double> x) {
   return 2;
 }
 
+int spanned(const MeshCase& mesh, std::span<const std::array<std::size_t, 3>> triangles) {
+  std::vector<double> corners;
+  for (const auto& t : triangles) {
+    for (const std::size_t i : t) corners.insert(corners.end(), mesh.points[i].begin(), mesh.points[i].end());
+  }
+  return corners.empty() ? 0 : spanned<3>(corners);
+}
+
 }  // namespace
 
 std::vector<Span> spans_of(const Kind& kind, std::span<const double> numbers) {
   std::vector<Span> all;
+  Field before{};
   for (const Field& f : fields_of(kind, numbers)) {
     const std::span<const double> x = numbers.subspan(f.first, f.size());
     const std::size_t least = kind.arguments[f.argument].least;
@@ -65,7 +74,20 @@ std::vector<Span> spans_of(const Kind& kind, std::span<const double> numbers) {
         break;
       case Role::frame:
         break;
+      case Role::soup: {
+        const MeshCase mesh = mesh_of(before, f, numbers);
+        Span thinnest{2, 2};
+        for (const auto& t : mesh.triangles) thinnest.dimension = std::min(thinnest.dimension, spanned(mesh, {&t, 1}));
+        all.push_back(thinnest);
+        break;
+      }
+      case Role::surface: {
+        const MeshCase mesh = mesh_of(before, f, numbers);
+        all.push_back({spanned(mesh, odd_triangles(mesh)), 3});
+        break;
+      }
     }
+    before = f;
   }
   return all;
 }

@@ -55,12 +55,19 @@ void fill_frames(std::span<double> boxes, Entropy& entropy) {
   }
 }
 
+}  // namespace
+
 void append_counted(Numbers& numbers, std::span<const double> coordinates, std::size_t dimension) {
   numbers.push_back(static_cast<double>(coordinates.size() / dimension));
   numbers.insert(numbers.end(), coordinates.begin(), coordinates.end());
 }
 
-}  // namespace
+void aim_at_second(std::span<double> ray) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double way = ray[3 + axis] - ray[axis];
+    if (std::isfinite(way)) ray[3 + axis] = way;
+  }
+}
 
 std::vector<Generator> family_generators(Degeneracy aim, int dimension, Arrange arrange) {
   std::vector<Generator> all;
@@ -92,10 +99,7 @@ void arrange_boxes(Numbers& numbers, Entropy& entropy, const Fill& fill) {
 void arrange_ray(Numbers& numbers, Entropy& entropy, const Fill& fill) {
   numbers.resize(15);
   fill(numbers, entropy);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double way = numbers[3 + axis] - numbers[axis];
-    if (std::isfinite(way)) numbers[3 + axis] = way;
-  }
+  aim_at_second(numbers);
 }
 
 void arrange_oriented_boxes(Numbers& numbers, Entropy& entropy, const Fill& fill) {

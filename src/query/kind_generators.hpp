@@ -16,6 +16,11 @@ using Arrange = void (*)(Numbers& numbers, Entropy& entropy, const Fill& fill);
 /// Every family, aimed at the degeneracy, and "touching": integers from -2 to 2.
 std::vector<Generator> family_generators(Degeneracy aim, int dimension, Arrange arrange);
 
+/// The count of points, and their coordinates.
+void append_counted(Numbers& numbers, std::span<const double> coordinates, std::size_t dimension);
+/// Makes a direction of the second point, rounded, where that is finite.
+void aim_at_second(std::span<double> ray);
+
 template <std::size_t count>
 void arrange_points(Numbers& numbers, Entropy& entropy, const Fill& fill) {
   numbers.resize(count);

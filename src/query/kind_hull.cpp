@@ -67,11 +67,11 @@ bool enclose_the_same(const TriangleMesh& a, const TriangleMesh& b) {
 
 }  // namespace
 
-Answer call_hull(ForeignFunction function, std::span<const double> numbers) {
+Answer call_hull(ForeignFunction function, std::span<const Passed> passed) {
   constexpr std::size_t guards = 64, unused = 0xA5A5A5A5A5A5A5A5;
-  const std::size_t n = (numbers.size() - 1) / 3, capacity = 2 * n;
+  const std::size_t n = passed[0].count, capacity = 2 * n;
   std::vector<std::size_t> triangles(3 * capacity + guards, unused);
-  const std::size_t count = reinterpret_cast<HullFunction>(function)(numbers.data() + 1, n, triangles.data(), capacity);
+  const std::size_t count = reinterpret_cast<HullFunction>(function)(passed[0].numbers, n, triangles.data(), capacity);
   if (std::ranges::any_of(std::span(triangles).subspan(3 * capacity), [](std::size_t x) { return x != unused; })) {
     return Answer(Outcome::crashed, "wrote beyond its capacity");
   }

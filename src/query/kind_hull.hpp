@@ -11,7 +11,7 @@
 
 namespace plumb::degenerate {
 
-Answer call_hull(ForeignFunction function, std::span<const double> numbers);
+Answer call_hull(ForeignFunction function, std::span<const Passed> passed);
 Answer exact_hull(std::span<const double> numbers);
 Judgment judge_hull(std::span<const double> numbers, const Answer& given);
 

@@ -18,6 +18,8 @@
 #include "query/exact_gap.hpp"
 #include "query/kind_generators.hpp"
 #include "query/kind_hull.hpp"
+#include "query/kind_mesh.hpp"
+#include "query/mesh_generators.hpp"
 
 namespace plumb::degenerate {
 
@@ -42,44 +44,69 @@ query::FlatSet point_set(Given q, std::size_t at) {
 Answer answer(Sign sign) { return static_cast<double>(sign); }
 Answer answer(bool yes) { return yes ? 1.0 : 0.0; }
 
-// A function of pointers to doubles: where in the numbers each argument begins.
+// A function of so many pointers to doubles.
 template <std::size_t>
 using Pointer = const double*;
-template <class R, std::size_t... at>
-struct Fixed {
-  using Function = R(Pointer<at>...);
-  static Answer call(ForeignFunction function, Given q) {
-    const auto given = reinterpret_cast<Function*>(function)((q.data() + at)...);
+template <class R, class Places>
+struct FixedOf;
+template <class R, std::size_t... i>
+struct FixedOf<R, std::index_sequence<i...>> {
+  using Function = R(Pointer<i>...);
+  static Answer call(ForeignFunction function, std::span<const Passed> passed) {
+    const auto given = reinterpret_cast<Function*>(function)(passed[i].numbers...);
     if constexpr (std::is_same_v<R, double>)
       return given;
     else
       return answer(given != 0);
   }
 };
+template <class R, std::size_t arguments>
+using Fixed = FixedOf<R, std::make_index_sequence<arguments>>;
 
 using InPolygonFunction = int(const double*, const double*, std::size_t);
+using InMeshFunction = int(const double*, const double*, std::size_t, const std::size_t*, std::size_t);
 using HitFunction = int(const double*, const double*, double*);
+using HitMeshFunction = int(const double*, const double*, std::size_t, const std::size_t*, std::size_t, double*);
 using DistanceFunction = double(const double*, std::size_t, const double*, std::size_t);
 
-Answer call_in_polygon(ForeignFunction function, Given q) {
-  const auto n = static_cast<std::size_t>(q[2]);
-  return answer(reinterpret_cast<InPolygonFunction*>(function)(q.data(), q.data() + 3, n) != 0);
+Answer call_in_polygon(ForeignFunction function, std::span<const Passed> passed) {
+  const auto f = reinterpret_cast<InPolygonFunction*>(function);
+  return answer(f(passed[0].numbers, passed[1].numbers, passed[1].count) != 0);
 }
 
-Answer call_hit(ForeignFunction function, Given q) {
+Answer call_in_mesh(ForeignFunction function, std::span<const Passed> passed) {
+  const auto f = reinterpret_cast<InMeshFunction*>(function);
+  const Passed &p = passed[0], &vertices = passed[1], &triangles = passed[2];
+  return answer(f(p.numbers, vertices.numbers, vertices.count, triangles.indices, triangles.count) != 0);
+}
+
+template <class Ask>
+Answer hit_by(const Ask& f) {
   // A NaN that no arithmetic makes: still there, the function does not tell parameters.
   const auto untold = std::bit_cast<double>(0x7ff8'dead'beef'0001);
   double t = untold;
-  if (reinterpret_cast<HitFunction*>(function)(q.data(), q.data() + 6, &t) == 0) return 0.0;
+  if (f(&t) == 0) return 0.0;
   Answer hit = 1.0;
   if (std::bit_cast<std::uint64_t>(t) != std::bit_cast<std::uint64_t>(untold)) hit.numbers.push_back(t);
   return hit;
 }
 
-Answer call_distance(ForeignFunction function, Given q) {
-  const auto n = static_cast<std::size_t>(q[0]), second = 1 + 3 * n;
-  const auto m = static_cast<std::size_t>(q[second]);
-  return reinterpret_cast<DistanceFunction*>(function)(q.data() + 1, n, q.data() + second + 1, m);
+Answer call_hit(ForeignFunction function, std::span<const Passed> passed) {
+  const auto f = reinterpret_cast<HitFunction*>(function);
+  return hit_by([&](double* t) { return f(passed[0].numbers, passed[1].numbers, t); });
+}
+
+Answer call_hit_mesh(ForeignFunction function, std::span<const Passed> passed) {
+  const auto f = reinterpret_cast<HitMeshFunction*>(function);
+  const Passed &ray = passed[0], &vertices = passed[1], &triangles = passed[2];
+  return hit_by([&](double* t) {
+    return f(ray.numbers, vertices.numbers, vertices.count, triangles.indices, triangles.count, t);
+  });
+}
+
+Answer call_distance(ForeignFunction function, std::span<const Passed> passed) {
+  const auto f = reinterpret_cast<DistanceFunction*>(function);
+  return f(passed[0].numbers, passed[0].count, passed[1].numbers, passed[1].count);
 }
 
 Answer exact_hit(Given q) {
@@ -109,6 +136,7 @@ Argument points(std::string_view name, int dimension, std::size_t count) {
 Argument any_points(std::string_view name, int dimension, std::size_t least) {
   return {name, {{Role::points, dimension}}, least};
 }
+Argument triangles(Role role) { return {"triangles", {{role, 3}}, 1}; }
 Argument oriented(std::string_view name) {
   return {name, {{Role::points, 3}, {Role::frame, 3, 3}, {Role::extents, 3}}};
 }
@@ -152,24 +180,24 @@ Kind predicate(std::string_view name, std::string_view question, std::string_vie
 
 std::vector<Kind> classics() {
   return {
-      predicate<Fixed<double, 0, 2, 4>>(
-          "orient2d", "which way do three points turn?",
-          "double f(const double a[2], const double b[2], const double c[2])",
-          "positive: counterclockwise; only the sign counts", single_points("abc", 2), Degeneracy::collinear,
-          arrange_points<6>, [](Given q) { return answer(orient2d(point2(q, 0), point2(q, 2), point2(q, 4))); }),
-      predicate<Fixed<double, 0, 3, 6, 9>>(
+      predicate<Fixed<double, 3>>("orient2d", "which way do three points turn?",
+                                  "double f(const double a[2], const double b[2], const double c[2])",
+                                  "positive: counterclockwise; only the sign counts", single_points("abc", 2),
+                                  Degeneracy::collinear, arrange_points<6>,
+                                  [](Given q) { return answer(orient2d(point2(q, 0), point2(q, 2), point2(q, 4))); }),
+      predicate<Fixed<double, 4>>(
           "orient3d", "on which side of a plane is a point?",
           "double f(const double a[3], const double b[3], const double c[3], const double d[3])",
           "positive: d is below the plane that sees a, b, c counterclockwise from above; only the sign counts",
           single_points("abcd", 3), Degeneracy::coplanar, arrange_points<12>,
           [](Given q) { return answer(orient3d(point3(q, 0), point3(q, 3), point3(q, 6), point3(q, 9))); }),
-      predicate<Fixed<double, 0, 2, 4, 6>>(
+      predicate<Fixed<double, 4>>(
           "incircle", "is a point inside of a circle?",
           "double f(const double a[2], const double b[2], const double c[2], const double d[2])",
           "positive: d is inside the circle of a, b, c in counterclockwise order; only the sign counts",
           single_points("abcd", 2), Degeneracy::cocircular, arrange_points<8>,
           [](Given q) { return answer(incircle(point2(q, 0), point2(q, 2), point2(q, 4), point2(q, 6))); }),
-      predicate<Fixed<double, 0, 3, 6, 9, 12>>(
+      predicate<Fixed<double, 5>>(
           "insphere", "is a point inside of a sphere?",
           "double f(const double a[3], const double b[3], const double c[3], const double d[3], const double e[3])",
           "positive: e is inside the sphere of a, b, c, d, where orient3d(a, b, c, d) > 0; only the sign counts",
@@ -180,10 +208,9 @@ std::vector<Kind> classics() {
   };
 }
 
-template <std::size_t second>
 Kind meeting(std::string_view name, std::string_view question, std::string_view signature,
              std::vector<Argument> arguments, std::vector<Generator> generators, Answer (*exact)(Given)) {
-  using Call = Fixed<int, 0, second>;
+  using Call = Fixed<int, 2>;
   return {name,
           question,
           signature,
@@ -199,31 +226,30 @@ Kind meeting(std::string_view name, std::string_view question, std::string_view 
 
 std::vector<Kind> meetings() {
   return {
-      meeting<4>("segment-segment", "do two segments of the plane meet?", "int f(const double a[4], const double b[4])",
-                 {points("a", 2, 2), points("b", 2, 2)}, with_positions<ShapeKind::segment>(2, arrange_points<8>),
-                 [](Given q) {
-                   return answer(relate(Segment2{point2(q, 0), point2(q, 2)}, Segment2{point2(q, 4), point2(q, 6)}) !=
-                                 Relation::disjoint);
-                 }),
-      meeting<6>("segment-segment-3d", "do two segments in space meet?", "int f(const double a[6], const double b[6])",
-                 {points("a", 3, 2), points("b", 3, 2)}, with_positions<ShapeKind::segment>(3, arrange_points<12>),
-                 [](Given q) {
-                   return answer(relate(Segment3{point3(q, 0), point3(q, 3)}, Segment3{point3(q, 6), point3(q, 9)}) !=
-                                 Relation::disjoint);
-                 }),
-      meeting<9>("triangle-triangle", "do two triangles in space meet?", "int f(const double a[9], const double b[9])",
-                 {points("a", 3, 3), points("b", 3, 3)}, with_positions<ShapeKind::triangle>(3, arrange_points<18>),
-                 [](Given q) { return answer(relate(triangle(q, 0), triangle(q, 9)) != Relation::disjoint); }),
-      meeting<6>("box-box", "do two boxes along the axes meet?", "int f(const double a[6], const double b[6])",
-                 {box("a"), box("b")}, with_positions<ShapeKind::aabb>(3, arrange_boxes),
-                 [](Given q) {
-                   return answer(intersects(Aabb3{point3(q, 0), point3(q, 3)}, Aabb3{point3(q, 6), point3(q, 9)}));
-                 }),
-      meeting<15>(
-          "obb-obb", "do two oriented boxes meet?", "int f(const double a[15], const double b[15])",
-          {oriented("a"), oriented("b")},
-          with(with_positions<ShapeKind::obb>(3, arrange_oriented_boxes, join_oriented_boxes), {stacked_boxes()}),
-          [](Given q) { return answer(intersects(oriented_box(q, 0), oriented_box(q, 15))); }),
+      meeting("segment-segment", "do two segments of the plane meet?", "int f(const double a[4], const double b[4])",
+              {points("a", 2, 2), points("b", 2, 2)}, with_positions<ShapeKind::segment>(2, arrange_points<8>),
+              [](Given q) {
+                return answer(relate(Segment2{point2(q, 0), point2(q, 2)}, Segment2{point2(q, 4), point2(q, 6)}) !=
+                              Relation::disjoint);
+              }),
+      meeting("segment-segment-3d", "do two segments in space meet?", "int f(const double a[6], const double b[6])",
+              {points("a", 3, 2), points("b", 3, 2)}, with_positions<ShapeKind::segment>(3, arrange_points<12>),
+              [](Given q) {
+                return answer(relate(Segment3{point3(q, 0), point3(q, 3)}, Segment3{point3(q, 6), point3(q, 9)}) !=
+                              Relation::disjoint);
+              }),
+      meeting("triangle-triangle", "do two triangles in space meet?", "int f(const double a[9], const double b[9])",
+              {points("a", 3, 3), points("b", 3, 3)}, with_positions<ShapeKind::triangle>(3, arrange_points<18>),
+              [](Given q) { return answer(relate(triangle(q, 0), triangle(q, 9)) != Relation::disjoint); }),
+      meeting("box-box", "do two boxes along the axes meet?", "int f(const double a[6], const double b[6])",
+              {box("a"), box("b")}, with_positions<ShapeKind::aabb>(3, arrange_boxes),
+              [](Given q) {
+                return answer(intersects(Aabb3{point3(q, 0), point3(q, 3)}, Aabb3{point3(q, 6), point3(q, 9)}));
+              }),
+      meeting("obb-obb", "do two oriented boxes meet?", "int f(const double a[15], const double b[15])",
+              {oriented("a"), oriented("b")},
+              with(with_positions<ShapeKind::obb>(3, arrange_oriented_boxes, join_oriented_boxes), {stacked_boxes()}),
+              [](Given q) { return answer(intersects(oriented_box(q, 0), oriented_box(q, 15))); }),
   };
 }
 
@@ -256,6 +282,31 @@ std::vector<Kind> others() {
        {},
        call_in_polygon,
        exact_in_polygon},
+      {"ray-mesh",
+       "where does a ray first hit a soup of triangles?",
+       "int f(const double ray[6], const double* vertices, size_t n, const size_t* triangles, size_t m, double* t)",
+       "not 0: the ray from the first three numbers along the last three meets one of the closed triangles, first at t "
+       "times its direction; *t may be left alone; three indices of vertices a triangle, in any order, any of them "
+       "equal",
+       AnswerForm::hit,
+       {{"ray", {{Role::points, 3}, {Role::vector, 3}}}, any_points("vertices", 3, 1), triangles(Role::soup)},
+       with(ray_mesh_generators(), family_generators(Degeneracy::coplanar, 3, arrange_ray_and_soup)),
+       typeid(HitMeshFunction),
+       fine,
+       call_hit_mesh,
+       exact_mesh_hit},
+      {"point-in-polyhedron",
+       "is a point in the solid that a closed mesh bounds?",
+       "int f(const double p[3], const double* vertices, size_t n, const size_t* triangles, size_t m)",
+       "not 0: p is on a triangle, or the mesh winds around it an odd number of times; each edge, by the places of its "
+       "ends, is passed as often in either direction, which is all that a mesh promises",
+       AnswerForm::yes_no,
+       {points("p", 3, 1), any_points("vertices", 3, 1), triangles(Role::surface)},
+       with(polyhedron_generators(), family_generators(Degeneracy::coplanar, 3, arrange_point_and_solid)),
+       typeid(InMeshFunction),
+       {},
+       call_in_mesh,
+       exact_in_mesh},
       {"convex-distance",
        "how far apart are the convex hulls of two sets of points?",
        "double f(const double* a, size_t n, const double* b, size_t m)",

@@ -176,7 +176,7 @@ int run_fuzz(const FuzzOptions& options) {
   if (!numbers && options.out) require_folder(*options.out);
   ForeignLimits limits;
   limits.call = std::chrono::milliseconds(std::max<long>(1, std::lround(options.timeout * 1000)));
-  ForeignProcess process({options.library, options.symbol, kind.call, options.memory_mib}, limits);
+  ForeignProcess process({options.library, options.symbol, kind, options.memory_mib}, limits);
   return numbers ? replay(options, kind, process, *numbers) : search(options, kind, process, std::move(corpus));
 }
 

@@ -20,9 +20,9 @@ number, --time asks until the time is up; of both, whichever ends first.
 The function runs in a process of its own. That it crashes, takes longer
 than --timeout, exits, or throws an exception, is a finding like a wrong
 answer: the process is replaced, and the run goes on. What the function
-prints goes nowhere, writing to files fails, and its arguments end where
-readable memory ends, so that reading too far is a crash. After 1000
-crashes or 10 hangs the run ends and reports.
+prints goes nowhere, writing to files fails, and each argument ends
+where readable memory ends, so that reading too far is a crash. After
+1000 crashes or 10 hangs the run ends and reports.
 
 asked  How many cases the generator has given.
 wrong  Answers that are not the exact one; of numbers, more than --ulps

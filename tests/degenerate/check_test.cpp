@@ -222,6 +222,54 @@ TEST(Case, SaysWhatIsWrongWithIt) {
   EXPECT_EQ(flaw("obb-obb", boxes), "obb-obb: b has a negative length");
 }
 
+/// A tetrahedron about the point, and one of its corners by another number.
+const Numbers in_tetrahedron{1, 1,    1, 5, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4,
+                             0, -0.0, 4, 4, 0, 2, 1, 0, 1, 3, 1, 2, 4, 2, 0, 4};
+
+TEST(Case, OfAMeshNamesItsPointsAndCloses) {
+  const Kind &solid = kind_named("point-in-polyhedron"), &soup = kind_named("ray-mesh");
+  const auto flaw = [&](std::size_t at, double x) {
+    Numbers numbers = in_tetrahedron;
+    numbers[at] = x;
+    return flaw_of(solid, numbers);
+  };
+  EXPECT_EQ(flaw_of(solid, in_tetrahedron), "");
+  EXPECT_EQ(solid.exact(in_tetrahedron).numbers[0], 1);
+  EXPECT_EQ(flaw(20, 5), "point-in-polyhedron: triangles name a point that is not there");
+  EXPECT_EQ(flaw(20, -1), "point-in-polyhedron: triangles name a point that is not there");
+  EXPECT_EQ(flaw(20, 0.5), "point-in-polyhedron: triangles name a point that is not there");
+  EXPECT_EQ(flaw(20, 1), "point-in-polyhedron: triangles do not close");
+  EXPECT_EQ(flaw(17, 1), "point-in-polyhedron: triangles do not close");  // places count, not indices
+  EXPECT_EQ(flaw(19, 5), "point-in-polyhedron: triangles lacks numbers");
+  EXPECT_EQ(flaw(19, 0), "point-in-polyhedron: triangles takes at least 1 triangles");
+  Numbers open{0, 0, 1, 0, 0, -1, 3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 1, 2};
+  EXPECT_EQ(flaw_of(soup, open), "");
+  EXPECT_FALSE(is_degenerate(soup, open));
+  open[18] = 0;
+  EXPECT_EQ(flaw_of(soup, open), "");
+  EXPECT_TRUE(is_degenerate(soup, open));
+  EXPECT_FALSE(is_degenerate(solid, in_tetrahedron));
+  Numbers flat = in_tetrahedron;
+  flat[15] = flat[18] = 0;
+  EXPECT_EQ(flaw_of(solid, flat), "");
+  EXPECT_TRUE(is_degenerate(solid, flat));
+}
+
+TEST(Case, OfAMeshIsReadyToPaste) {
+  const Kind& soup = kind_named("ray-mesh");
+  const Numbers numbers{0, 0, 1, 0, 0, -2, 3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 1, 2};
+  EXPECT_EQ(decimal_text(soup, numbers),
+            "ray = (0, 0, 1) (0, 0, -2)\nvertices = (0, 0, 0) (1, 0, 0) (0, 1, 0)\ntriangles = (0, 1, 2)");
+  const std::string cpp = cpp_text(soup, numbers, "mine");
+  for (const char* part : {"const size_t triangles[] = {0, 1, 2};", "mine(ray, vertices, 3, triangles, 1, &t), 0);",
+                           "EXPECT_DOUBLE_EQ(t, 0x1p-1);"})
+    EXPECT_NE(cpp.find(part), std::string::npos) << cpp;
+  EXPECT_NE(python_text(soup, numbers).find("\ntriangles = [0, 1, 2]\nexact = float.fromhex"), std::string::npos);
+  const std::string obj = obj_text(soup, numbers);
+  EXPECT_EQ(obj.substr(obj.find('\n') + 1),
+            "o ray\nv 0 0 1\nv 0 0 -1\nl 1 2\no vertices\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 4 5\n");
+}
+
 TEST(Case, IsReadAndWrittenForEveryKind) {
   for (const Kind& kind : kinds()) {
     for (const Generator& g : kind.generators) {
@@ -300,6 +348,36 @@ TEST(ShrinkCase, DropsAndMergesPointsAndTurnsAxes) {
   EXPECT_EQ(std::vector(simple.begin() + 18, simple.begin() + 27), (std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}));
   EXPECT_GT(simple[27], 1);
   EXPECT_LE(simple[27], 4);
+}
+
+// What fails wherever a mesh is as wide as this: of any mesh a tetrahedron is left, of triangles one.
+TEST(ShrinkCase, LosesTrianglesAndKeepsSurfacesClosed) {
+  const auto wide = [](std::span<const double> q, std::size_t at) {
+    double low = 0, high = 0;
+    for (std::size_t i = at + 1; i < at + 1 + 3 * static_cast<std::size_t>(q[at]); i += 3) {
+      low = std::min(low, q[i]);
+      high = std::max(high, q[i]);
+    }
+    return high - low > 5;
+  };
+  for (const Kind* kind : {&kind_named("point-in-polyhedron"), &kind_named("ray-mesh")}) {
+    const bool solid = kind->name == "point-in-polyhedron";
+    const std::size_t at = solid ? 3 : 6;
+    const auto fails = [&](std::span<const double> q) {
+      EXPECT_EQ(flaw_of(*kind, q), "");
+      return wide(q, at);
+    };
+    int shrunk = 0;
+    for (const Generator& g : kind->generators) {
+      const Numbers numbers = case_of(*kind, g.name, 4, 2);
+      if (!wide(numbers, at) || is_degenerate(*kind, numbers)) continue;
+      ++shrunk;
+      const Numbers least = shrink_case(*kind, numbers, fails);
+      EXPECT_EQ(least[at], solid ? 4 : 3) << g.name << '\n' << decimal_text(*kind, least);
+      EXPECT_EQ(least[at + 1 + 3 * static_cast<std::size_t>(least[at])], solid ? 4 : 1) << g.name;
+    }
+    EXPECT_GE(shrunk, 8);
+  }
 }
 
 TEST(Mutated, CasesAreCases) {

@@ -2,6 +2,7 @@
 // wrong ones as software has them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -54,6 +55,27 @@ inline int point_in_polygon(const double* p, const double* vertices, std::size_t
   plumb::Polygon2 polygon;  // from the last vertex to the first
   for (std::size_t i = n; i > 0; --i) polygon.vertices.push_back(point2(vertices + 2 * (i - 1)));
   return locate(polygon, point2(p)) == plumb::Location::outside ? 0 : 1;
+}
+inline plumb::TriangleMesh mesh(const double* vertices, std::size_t n, const std::size_t* triangles, std::size_t m) {
+  plumb::TriangleMesh made;
+  for (std::size_t i = 0; i < n; ++i) made.vertices.push_back(point3(vertices + 3 * i));
+  const auto index = [&](std::size_t i) { return static_cast<std::uint32_t>(triangles[i]); };
+  for (std::size_t i = 0; i < 3 * m; i += 3) made.triangles.push_back({index(i), index(i + 1), index(i + 2)});
+  return made;
+}
+inline int ray_mesh(const double* ray, const double* vertices, std::size_t n, const std::size_t* triangles,
+                    std::size_t m, double* t) {
+  const auto hit = first_hit(plumb::Ray3{point3(ray), vector3(ray + 3)}, mesh(vertices, n, triangles, m));
+  if (hit) *t = hit->hit.t;
+  return hit ? 1 : 0;
+}
+// Along another axis, the last triangle first.
+inline int point_in_polyhedron(const double* p, const double* vertices, std::size_t n, const std::size_t* triangles,
+                               std::size_t m) {
+  plumb::TriangleMesh made = mesh(vertices, n, triangles, m);
+  for (plumb::Point3& v : made.vertices) v = {v.z, v.x, v.y};
+  std::reverse(made.triangles.begin(), made.triangles.end());
+  return locate(made, {p[2], p[0], p[1]}) == plumb::Location::outside ? 0 : 1;
 }
 inline int box_box(const double* a, const double* b) {
   for (int k = 0; k < 3; ++k) {
@@ -115,6 +137,52 @@ inline int crossing_number(const double* p, const double* v, std::size_t n) {
     }
   }
   return inside ? 1 : 0;
+}
+struct Crossing {
+  double u, v, t;
+};
+// Moeller and Trumbore's test, whatever the crossing's place: nothing where the determinant is zero.
+inline bool crosses(const double* ray, const double* a, const double* b, const double* c, Crossing& at) {
+  const auto minus = [](const double* p, const double* q) {
+    return plumb::Vector3{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  };
+  const auto cross = [](const plumb::Vector3& p, const plumb::Vector3& q) {
+    return plumb::Vector3{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+  };
+  const auto dot = [](const plumb::Vector3& p, const plumb::Vector3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; };
+  const plumb::Vector3 e = minus(b, a), f = minus(c, a), s = minus(ray, a), d = vector3(ray + 3), p = cross(d, f);
+  const double det = dot(e, p);
+  if (det == 0) return false;
+  const plumb::Vector3 r = cross(s, e);
+  at = {dot(s, p) / det, dot(d, r) / det, dot(f, r) / det};
+  return true;
+}
+// Triangles without their edges: rays leak where two meet.
+inline int leaking_ray_mesh(const double* ray, const double* vertices, std::size_t, const std::size_t* triangles,
+                            std::size_t m, double* t) {
+  int hit = 0;
+  Crossing at{};
+  for (const std::size_t* i = triangles; i < triangles + 3 * m; i += 3) {
+    if (!crosses(ray, vertices + 3 * i[0], vertices + 3 * i[1], vertices + 3 * i[2], at)) continue;
+    if (at.u <= 0 || at.v <= 0 || at.u + at.v >= 1 || at.t < 0 || (hit != 0 && at.t >= *t)) continue;
+    hit = 1;
+    *t = at.t;
+  }
+  return hit;
+}
+// Triangles with their edges, counted along x: edges and vertices count more than once.
+inline int counting_in_polyhedron(const double* p, const double* vertices, std::size_t, const std::size_t* triangles,
+                                  std::size_t m) {
+  const double ray[] = {p[0], p[1], p[2], 1, 0, 0};
+  std::size_t count = 0;
+  Crossing at{};
+  for (const std::size_t* i = triangles; i < triangles + 3 * m; i += 3) {
+    if (!crosses(ray, vertices + 3 * i[0], vertices + 3 * i[1], vertices + 3 * i[2], at)) continue;
+    if (at.u < 0 || at.v < 0 || at.u + at.v > 1 || at.t < 0) continue;
+    if (at.t == 0) return 1;
+    ++count;
+  }
+  return count % 2 == 1 ? 1 : 0;
 }
 // The nearest pair of vertices, which is not the nearest pair of points.
 inline double vertex_distance(const double* a, std::size_t n, const double* b, std::size_t m) {

@@ -12,8 +12,8 @@
 #include "plumb/degenerate.hpp"
 #include "query/closest_oracle.hpp"
 #include "query/foreign_functions.hpp"
+#include "query/mesh_oracle.hpp"
 #include "query/rational_relation.hpp"
-#include "query/ray_oracle.hpp"
 
 namespace plumb::degenerate {
 namespace {
@@ -42,7 +42,9 @@ ForeignFunction right_one(std::string_view kind) {
   if (kind == "segment-segment-3d") return function(foreign::segment_segment_3d);
   if (kind == "triangle-triangle") return function(foreign::triangle_triangle);
   if (kind == "ray-triangle") return function(foreign::ray_triangle);
+  if (kind == "ray-mesh") return function(foreign::ray_mesh);
   if (kind == "point-in-polygon") return function(foreign::point_in_polygon);
+  if (kind == "point-in-polyhedron") return function(foreign::point_in_polyhedron);
   if (kind == "box-box") return function(foreign::box_box);
   if (kind == "obb-obb") return function(foreign::obb_obb);
   if (kind == "hull") return function(foreign::hull);
@@ -59,7 +61,7 @@ TEST(Kinds, AreKnownByName) {
     for (const Generator& g : kind.generators) generators.insert(g.name);
     EXPECT_EQ(generators.size(), kind.generators.size()) << kind.name;
   }
-  EXPECT_EQ(names.size(), 13u);
+  EXPECT_EQ(names.size(), 15u);
   try {
     kind_named("orient4d");
     FAIL();
@@ -131,6 +133,16 @@ bool in_polygon_by_winding(Given q) {
   return plumb_test::location(std::span(&one, 1), {q[0], q[1]}) != Location::outside;
 }
 
+bool yes_by_rationals(const Kind& kind, Given q) {
+  if (kind.name == "point-in-polygon") return in_polygon_by_winding(q);
+  return kind.name == "point-in-polyhedron" ? mesh_oracle::is_in(q) : meet_by_program(kind, q);
+}
+
+std::optional<mpq_class> first_hit_by_program(Given q) {
+  const Ray3 ray{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
+  return ray_oracle::first(ray_oracle::Path(ray), ray_oracle::corners_of(foreign::triangle(&q[6])));
+}
+
 /// Nothing for more pairs of points than brute force takes.
 std::optional<mpq_class> square_by_simplices(Given q) {
   const auto n = static_cast<std::size_t>(q[0]), second = 1 + 3 * n, m = static_cast<std::size_t>(q[second]);
@@ -177,13 +189,10 @@ struct Judges {
         EXPECT_EQ(exact.numbers[0], sign_by_determinant(kind, q)) << case_line(kind, q);
         break;
       case AnswerForm::yes_no:
-        EXPECT_EQ(exact.numbers[0] != 0,
-                  kind.name == "point-in-polygon" ? in_polygon_by_winding(q) : meet_by_program(kind, q))
-            << case_line(kind, q);
+        EXPECT_EQ(exact.numbers[0] != 0, yes_by_rationals(kind, q)) << case_line(kind, q);
         break;
       case AnswerForm::hit: {
-        const Ray3 ray{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
-        const auto t = ray_oracle::first(ray_oracle::Path(ray), ray_oracle::corners_of(foreign::triangle(&q[6])));
+        const auto t = kind.name == "ray-mesh" ? mesh_oracle::first_hit(q) : first_hit_by_program(q);
         ASSERT_EQ(exact.numbers.size(), t ? 2u : 1u) << case_line(kind, q);
         if (t) {
           EXPECT_TRUE(ray_oracle::is_nearest(exact.numbers[1], *t)) << case_line(kind, q);
@@ -322,7 +331,7 @@ TEST(Kinds, WatchTheRoomThatAHullHas) {
   const Kind& kind = kind_named("hull");
   const Numbers points{4, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const auto sort = [&](HullFunction* f) {
-    return std::string(judge(kind, points, kind.call(function(f), points), {}).sort);
+    return std::string(judge(kind, points, ask(kind, function(f), points), {}).sort);
   };
   EXPECT_EQ(sort([](const double*, std::size_t n, std::size_t* t, std::size_t) -> std::size_t {
               t[6 * n] = 0;
@@ -380,6 +389,58 @@ TEST(Kinds, CatchWhatIsWrongOnBoundaries) {
   const Findings vertices = check(distances, foreign::vertex_distance, {.cases = 50, .generators = {"grid"}});
   ASSERT_EQ(vertices.findings.size(), 1u);
   EXPECT_EQ(vertices.findings[0].smallest.size(), 2 + 3 * 3u) << text(distances, vertices);  // a point and a segment
+}
+
+/// Of a case's mesh.
+std::size_t triangles_in(const Kind& kind, const Numbers& numbers) {
+  const std::size_t at = kind.name == "ray-mesh" ? 6 : 3;
+  return static_cast<std::size_t>(numbers[at + 1 + 3 * static_cast<std::size_t>(numbers[at])]);
+}
+
+TEST(Kinds, ShrinkMeshesToAFewTriangles) {
+  const Kind& rays = kind_named("ray-mesh");
+  const Findings leaks =
+      check(rays, foreign::leaking_ray_mesh, {.cases = 40, .generators = {"box", "sphere", "unwelded"}});
+  ASSERT_EQ(leaks.findings.size(), 3u);
+  for (const Finding& f : leaks.findings) EXPECT_LE(triangles_in(rays, f.smallest), 2u) << text(rays, leaks);
+
+  const Kind& points = kind_named("point-in-polyhedron");
+  const Findings counts = check(points, foreign::counting_in_polyhedron,
+                                {.cases = 40, .generators = {"box", "torus", "cut", "unwelded", "slits"}});
+  ASSERT_EQ(counts.findings.size(), 5u);
+  for (const Finding& f : counts.findings) {
+    EXPECT_EQ(triangles_in(points, f.smallest), 4u) << text(points, counts);  // a tetrahedron
+    EXPECT_EQ(f.smallest[3], 4) << text(points, counts);
+    EXPECT_FALSE(is_degenerate(points, f.smallest));
+  }
+}
+
+// Leaks are told by rays from within; and points are on, inside and outside of every solid.
+TEST(Kinds, AskMeshesFromWithinAndWithout) {
+  const Kind &rays = kind_named("ray-mesh"), &points = kind_named("point-in-polyhedron");
+  int within = 0;
+  for (const Generator& g : points.generators) {
+    std::map<Location, int> told;
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      const Numbers p = case_of(points, g.name, 9, i);
+      const auto mesh_at = [](const Numbers& q, std::size_t at) {
+        const auto n = static_cast<std::size_t>(q[at]), m = static_cast<std::size_t>(q[at + 1 + 3 * n]);
+        const std::vector<std::size_t> indices(q.end() - static_cast<std::ptrdiff_t>(3 * m), q.end());
+        return foreign::mesh(&q[at + 1], n, indices.data(), m);
+      };
+      ++told[locate(mesh_at(p, 3), {p[0], p[1], p[2]})];
+      const Numbers r = case_of(rays, g.name, 9, i);
+      const TriangleMesh mesh = mesh_at(r, 6);
+      if (!is_oriented_closed(mesh) || locate(mesh, {r[0], r[1], r[2]}) != Location::inside) continue;
+      if (r[3] == 0 && r[4] == 0 && r[5] == 0) continue;
+      ++within;
+      EXPECT_EQ(rays.exact(r).numbers[0], 1) << case_line(rays, r);
+    }
+    if (&g - points.generators.data() >= 13) continue;  // of the families a few are enough
+    for (const Location l : {Location::inside, Location::boundary, Location::outside})
+      EXPECT_GE(told[l], 3) << g.name << ' ' << static_cast<int>(l);
+  }
+  EXPECT_GE(within, 40);
 }
 
 }  // namespace

@@ -79,6 +79,19 @@ TEST(Fuzz, FindsAnEpsilonBetweenTriangles) {
   EXPECT_THAT(o.out, AllOf(HasSubstr("given yes, exact no"), HasSubstr("TEST("), HasSubstr("epsilon_triangles(")));
 }
 
+TEST(Fuzz, AsksFunctionsOfMeshesAndShrinksThese) {
+  const Outcome o = run(command("wrong", "leaking_ray_mesh", "ray-mesh") + "--cases 20 --format obj --generator box");
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(line_of(o.out, "triangles = "), "triangles = (0, 1, 2)");
+  EXPECT_THAT(o.out, AllOf(HasSubstr("no for yes"), HasSubstr("\no vertices\nv "), HasSubstr("\nf 3 ")));
+  ASSERT_FALSE(replay_lines(o.out).empty());
+  EXPECT_EQ(run(replay_lines(o.out)[0]).code, 1);
+  // Every argument ends where readable memory ends, not the last alone.
+  const Outcome greedy = run(command("wrong", "greedy_ray_mesh", "ray-mesh") + "--cases 2 --generator box");
+  EXPECT_EQ(greedy.code, 1) << greedy.err;
+  EXPECT_THAT(greedy.out, HasSubstr("given crashed (SIGSEGV), exact "));
+}
+
 TEST(Fuzz, FindsNothingWhereNothingIsWrong) {
   const Outcome o = run(command("right", "right_orient3d") + "--cases 500");
   EXPECT_EQ(o.code, 0) << o.out << o.err;

@@ -12,6 +12,7 @@
 
 #include "plumb/query/kinds.hpp"
 #include "run_program.hpp"
+#include "tool/trial/location_tests.hpp"
 #include "tool/trial/task.hpp"
 #include "tool/vectors_command.hpp"
 
@@ -74,6 +75,11 @@ double said(const trial::Task& task, std::string_view method, const std::vector<
 /// The same case for the kind of that name, which says how many points follow where there may be any number.
 degenerate::Numbers as_asked_of_kinds(const std::string& task, degenerate::Numbers numbers) {
   if (task == "point-in-polygon") numbers.insert(numbers.begin() + 2, 8);
+  if (task == "point-in-polyhedron") {
+    numbers.insert(numbers.begin() + 3, 6);
+    numbers.push_back(static_cast<double>(trial::octahedron_faces.size()));
+    for (const auto& face : trial::octahedron_faces) numbers.insert(numbers.end(), face.begin(), face.end());
+  }
   if (task == "convex-distance") {
     numbers.insert(numbers.begin() + 12, 4);
     numbers.insert(numbers.begin(), 4);

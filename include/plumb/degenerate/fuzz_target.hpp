@@ -5,11 +5,12 @@
 //     return plumb::degenerate::fuzz_target(kind, my_orient3d, {data, size});
 //   }
 //
-// Bytes: the first is even, and the rest are the numbers as they lie in memory, a count as one byte before them; or it
-// is odd, the next names a generator of the kind, and the rest are its choices.  What is missing is 0.
+// Bytes: the first is even, and the rest are the numbers as they lie in memory, a count as one byte before them, an
+// index as two, the lower first; or it is odd, the next names a generator of the kind, and the rest are its choices.
+// What is missing is 0.
 // Laws: (1) the same bytes are the same case on every machine of the same byte order; (2) numbers_from(kind,
-// bytes_of(kind, numbers)) are the numbers, if they are a case with at most 255 points more than the least; (3) a wrong
-// answer is told with the case as a line, in decimals and as a C++ test, and the program aborts.
+// bytes_of(kind, numbers)) are the numbers, if they are a case with at most 255 points or triangles more than the
+// least; (3) a wrong answer is told with the case as a line, in decimals and as a C++ test, and the program aborts.
 // What a function throws passes through.
 // Source: RTCD 11; cost: that of the exact answer.
 #pragma once

@@ -1,11 +1,10 @@
 // What may a foreign function be asked, and when is its answer right?  A kind of question, as data.
 //
 // A case is one list of numbers: argument after argument, a count before each argument that may have any number of
-// points.  An answer is a short list of numbers: the sign, 1 or 0 for yes or no, the number, the corners of triangles.
-// The kinds there are: plumb/query/kinds.hpp.
-// Laws: (1) exact answers are those of real arithmetic for all finite doubles, numbers the nearest double; (2) every
-// generator's cases are valid, and the same choices make the same case; (3) judge rounds nothing: how
-// far a number is from the nearest double of the exact one is asked exactly.
+// points or triangles.  An answer is a short list of numbers: the sign, 1 or 0 for yes or no, the number, the corners
+// of triangles. The kinds there are: plumb/query/kinds.hpp. Laws: (1) exact answers are those of real arithmetic for
+// all finite doubles, numbers the nearest double; (2) every generator's cases are valid, and the same choices make the
+// same case; (3) judge rounds nothing: how far a number is from the nearest double of the exact one is asked exactly.
 // Source: RTCD 11 (what goes wrong); cost: an indirect call more than the question itself.
 #pragma once
 
@@ -32,7 +31,10 @@ enum class Role : unsigned char {
   corners,  // the least and the largest corner of a box, in order
   frame,    // three perpendicular axes of length one, as well as doubles can
   extents,  // lengths, not negative
+  soup,     // triangles, three indices each: of the points of the argument before
+  surface,  // triangles that close: each edge, as a pair of places, is passed as often in either direction
 };
+constexpr bool names_points(Role role) { return role == Role::soup || role == Role::surface; }
 
 struct Part {
   Role role;
@@ -40,11 +42,11 @@ struct Part {
   std::size_t count = 1;  // of points, vectors, corners, axes; 1 for extents
 };
 
-/// One argument of the C function, in its order: its parts one after the other, or any number of points.
+/// One argument of the C function, in its order: its parts one after the other, or any number of points or triangles.
 struct Argument {
   std::string_view name;
   std::vector<Part> parts;
-  std::size_t least = 0;  // points, where there may be any number; the case then holds their count before them
+  std::size_t least = 0;  // where there may be any number; the case then holds their count before them
 
   [[nodiscard]] bool any_number() const { return least > 0; }
 };
@@ -85,6 +87,16 @@ struct Judgment {
 
 using ForeignFunction = void (*)();
 
+/// An argument as a C function takes it: its numbers, or indices, and how many points or triangles they are.
+struct Passed {
+  const double* numbers = nullptr;
+  const std::size_t* indices = nullptr;
+  std::size_t count = 0;
+};
+
+/// Where the bytes of an argument shall lie; nullptr: anywhere.
+using Room = std::function<void*(std::size_t argument, std::size_t bytes)>;
+
 /// What an answer's numbers are.
 enum class AnswerForm : unsigned char {
   sign,       // of one number
@@ -104,12 +116,15 @@ struct Kind {
   std::type_index type;  // of the signature: typeid(double(const double*, ...))
   Tolerance tolerance;   // the customary one
 
-  /// Asks a function of that signature.  What it throws passes through.
-  Answer (*call)(ForeignFunction function, std::span<const double> numbers);
+  /// Calls a function of that signature (`ask` below).
+  Answer (*call)(ForeignFunction function, std::span<const Passed> arguments);
   Answer (*exact)(std::span<const double> numbers);
   /// For kinds with several right answers; nullptr where the exact one alone is right.
   Judgment (*judge)(std::span<const double> numbers, const Answer& given) = nullptr;
 };
+
+/// Asks a function of the kind's signature, each argument where `room` says.  What it throws passes through.
+Answer ask(const Kind& kind, ForeignFunction function, std::span<const double> numbers, const Room& room = {});
 
 /// Is the answer right?
 Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& given, const Tolerance& tolerance);
@@ -117,12 +132,12 @@ Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& 
 /// An answer in words: "+", "yes", "0.5", "12 triangles", "crashed (SIGSEGV)".
 std::string words(const Kind& kind, const Answer& answer);
 
-/// Whether the numbers are a case of the kind: as many as the arguments take, finite, boxes and lengths in order.  What
-/// is wrong otherwise, in words; empty for a case.
+/// Whether the numbers are a case of the kind: as many as the arguments take, finite, boxes and lengths in order,
+/// triangles of points that there are, surfaces closed.  What is wrong otherwise, in words; empty for a case.
 std::string flaw_of(const Kind& kind, std::span<const double> numbers);
 
 /// Whether one of a case's figures is less than figures of its sort are: a triangle on a line, a ray without direction,
-/// a flat box.
+/// a flat box, a surface of triangles that cancel or lie in one plane.
 bool is_degenerate(const Kind& kind, std::span<const double> numbers);
 
 }  // namespace plumb::degenerate

@@ -95,30 +95,28 @@ std::string find_function(const ForeignCode& code, degenerate::ForeignFunction& 
   return {};
 }
 
-/// Room for numbers that end where readable memory ends.
+/// Room for arguments, each of which ends where readable memory ends.
 class Guarded {
  public:
-  Guarded() {
+  explicit Guarded(std::size_t arguments) {
+    static_assert(sizeof(std::size_t) <= sizeof(double));
     const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
     const std::size_t bytes = (ForeignBoard::most_numbers * sizeof(double) + page - 1) / page * page;
-    void* const place = ::mmap(nullptr, bytes + page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (place == MAP_FAILED || ::mprotect(place, bytes, PROT_READ | PROT_WRITE) != 0) return;
-    end_ = reinterpret_cast<double*>(static_cast<char*>(place) + bytes);
+    for (std::size_t i = 0; i < arguments; ++i) {
+      void* const place = ::mmap(nullptr, bytes + page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      if (place == MAP_FAILED || ::mprotect(place, bytes, PROT_READ | PROT_WRITE) != 0) return;
+      ends_.push_back(static_cast<char*>(place) + bytes);
+    }
   }
-  [[nodiscard]] bool made() const { return end_ != nullptr; }
-
-  [[nodiscard]] std::span<const double> copy(std::span<const double> numbers) const {
-    double* const begin = end_ - numbers.size();
-    if (!numbers.empty()) std::memcpy(begin, numbers.data(), numbers.size_bytes());
-    return {begin, numbers.size()};
-  }
+  [[nodiscard]] bool made(std::size_t arguments) const { return ends_.size() == arguments; }
+  [[nodiscard]] void* room(std::size_t argument, std::size_t bytes) const { return ends_[argument] - bytes; }
 
  private:
-  double* end_ = nullptr;
+  std::vector<char*> ends_;
 };
 
 void answer_batch(const ForeignCode& code, degenerate::ForeignFunction function, ForeignBoard& board,
-                  const Guarded& guarded) {
+                  const degenerate::Room& room) {
   using Ended = ForeignBoard::Ended;
   std::uint32_t used = 0;
   for (std::uint64_t i = 0; i < board.cases; ++i) {
@@ -127,7 +125,7 @@ void answer_batch(const ForeignCode& code, degenerate::ForeignFunction function,
     board.at.store(i, std::memory_order_release);
     Ended ended = Ended::answered;
     try {
-      answer = code.call(function, guarded.copy(numbers)).numbers;
+      answer = ask(code.kind, function, numbers, room).numbers;
     } catch (const std::exception& e) {
       ended = Ended::threw;
       set_text(board, e.what());
@@ -163,17 +161,18 @@ void write_byte(int to) {
 }  // namespace
 
 void serve_foreign(const ForeignCode& code, ForeignBoard& board, int requests, int replies) {
+  const Guarded guarded(code.kind.arguments.size());
   shut_in(code.memory_mib);
   ::madvise(&board, sizeof board, MADV_DONTFORK);  // a copy of this process that comes back from the call ends here
   degenerate::ForeignFunction function = nullptr;
   std::string refusal = find_function(code, function);
-  const Guarded guarded;
-  if (refusal.empty() && !guarded.made()) refusal = "no memory for the foreign code";
+  if (refusal.empty() && !guarded.made(code.kind.arguments.size())) refusal = "no memory for the foreign code";
+  const auto room = [&](std::size_t argument, std::size_t bytes) { return guarded.room(argument, bytes); };
   set_text(board, refusal);
   board.state.store(refusal.empty() ? ForeignBoard::State::serving : ForeignBoard::State::refused);
   write_byte(replies);
   while (refusal.empty() && read_byte(requests)) {
-    answer_batch(code, function, board, guarded);
+    answer_batch(code, function, board, room);
     write_byte(replies);
   }
   ::_exit(kOver);

@@ -1,7 +1,7 @@
 // How is foreign code called so that it can do no harm?  The child's side: load, find, call case by case.
 //
 // Laws: (1) what the code prints goes nowhere; (2) it has so much memory and no more, lets no file grow and leaves no
-// core; (3) the numbers of a case end where readable memory ends, so reading beyond them is a crash and no luck; (4) an
+// core; (3) each argument ends where readable memory ends, so reading beyond it is a crash and no luck; (4) an
 // exception ends a call, not the child; (5) the child dies with the program; (6) a process that the code forks cannot
 // answer for it.
 // Source: none; cost: copying a case and storing two numbers, about a millisecond to begin.
@@ -17,8 +17,8 @@ namespace plumb::tool {
 
 struct ForeignCode {
   std::string library, symbol;
-  decltype(degenerate::Kind::call) call;  // how a function of the kind is called
-  std::uint64_t memory_mib = 1024;        // beyond what the program itself has
+  const degenerate::Kind& kind;
+  std::uint64_t memory_mib = 1024;  // beyond what the program itself has
 };
 
 /// Never returns.  Reads a byte from `requests` for each batch on the board, writes one to `replies` when it is done,

@@ -50,6 +50,38 @@ double greedy_orient3d(const double *a, const double *b, const double *c, const 
   return det3(a, b, c, d) + 0 * d[3];
 }
 
+/* Triangles without their edges: rays leak where two meet. */
+static void minus(const double *p, const double *q, double *out) {
+  for (int k = 0; k < 3; ++k) out[k] = p[k] - q[k];
+}
+static double triple(const double *p, const double *q, const double *r) {
+  return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+}
+int leaking_ray_mesh(const double *ray, const double *vertices, size_t n, const size_t *triangles, size_t m,
+                     double *t) {
+  int hit = 0;
+  (void)n;
+  for (size_t i = 0; i < m; ++i) {
+    const double *a = vertices + 3 * triangles[3 * i], *d = ray + 3;
+    double e[3], f[3], s[3];
+    minus(vertices + 3 * triangles[3 * i + 1], a, e);
+    minus(vertices + 3 * triangles[3 * i + 2], a, f);
+    minus(ray, a, s);
+    const double det = triple(d, f, e), u = triple(d, f, s) / det, v = triple(d, s, e) / det, at = triple(s, e, f) / det;
+    if (!(u > 0 && v > 0 && u + v < 1 && at >= 0) || (hit && at >= *t)) continue;
+    hit = 1;
+    *t = at;
+  }
+  return hit;
+}
+
+/* Looks at one vertex more than there are. */
+int greedy_ray_mesh(const double *ray, const double *vertices, size_t n, const size_t *triangles, size_t m, double *t) {
+  volatile double beyond = vertices[3 * n];
+  (void)beyond;
+  return leaking_ray_mesh(ray, vertices, n, triangles, m, t);
+}
+
 /* Closes files that it has not opened. */
 double closing_orient3d(const double *a, const double *b, const double *c, const double *d) {
   for (int file = 3; file < 64; ++file) close(file);
