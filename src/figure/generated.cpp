@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "plumb/figure/box_forms.hpp"
 #include "plumb/figure/hull3.hpp"
 
 namespace plumb::generated {
@@ -116,6 +117,14 @@ void demand(std::span<const double> numbers, ShapeKind kind, int dimension) {
   throw InvalidShape(text);
 }
 
+template <>
+AabbWidths3 made(std::span<const double> numbers) {
+  return to_aabb_widths(shape_from<Aabb3>(numbers));
+}
+template <>
+AabbCenter3 made(std::span<const double> numbers) {
+  return to_aabb_center(shape_from<Aabb3>(numbers));
+}
 template <>
 Polygon2 made(std::span<const double> numbers) {
   return {points2(numbers)};

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "figure/generated_extent.hpp"
+#include "plumb/figure/box_forms.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/figure/convexity.hpp"
 #include "plumb/figure/polygon_location.hpp"
@@ -57,6 +58,13 @@ Reach reach(ShapeKind kind, int dimension, const std::vector<double>& numbers, c
   return Reaching(kind, dimension, numbers, normal, plumb_test::dot(normal, through)).found();
 }
 
+/// A box in each of its forms is the same set.
+void expect_forms(const std::vector<double>& numbers) {
+  const auto box = shape_from<Aabb3>(numbers);
+  ASSERT_EQ(to_aabb(shape_from<AabbWidths3>(numbers)), box);
+  ASSERT_EQ(to_aabb(shape_from<AabbCenter3>(numbers)), box);
+}
+
 template <class Visit>
 void for_each_pair(const Visit& visit) {
   for (const int dimension : {2, 3}) {
@@ -76,9 +84,9 @@ using Shapes2 = Shapes<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Qua
                        Circle2, Aabb2, Obb2, Capsule2, KDop2, HalfspaceIntersection2>;
 using Shapes3 = Shapes<Point3, Line3, Ray3, Segment3, Plane3, ThreePointPlane3, Halfspace3, Triangle3, Quadrilateral3,
                        Polygon3, HoledPolygon3, Rectangle3, Tetrahedron3, Sphere3, Aabb3, Obb3, Capsule3, Lozenge3,
-                       Cylinder3, Cone3, KDop3, HalfspaceIntersection3, ConvexPolyhedron3>;
+                       Cylinder3, Cone3, KDop3, HalfspaceIntersection3, ConvexPolyhedron3, TriangleMesh>;
 /// That relate does not take.
-using Others = Shapes<Slab2, Slab3, TriangleMesh, Ellipsoid3>;
+using Others = Shapes<Slab2, Slab3, Ellipsoid3>;
 
 using Numbers = std::vector<double>;
 template <class Shape>
@@ -143,6 +151,7 @@ TEST(GeneratedPairs, LieOnTheirSidesOfThePlane) {
       SCOPED_TRACE(replay(a, b, dimension, position, index));
       expect_perpendicular(a, dimension, pair.a);
       expect_perpendicular(b, dimension, pair.b);
+      if (dimension == 3 && a == ShapeKind::aabb) expect_forms(pair.a);
       if (touches(position) || position == Position::concentric) {
         ASSERT_TRUE(holder(a, dimension)(pair.a, pair.contact));
         ASSERT_TRUE(holder(b, dimension)(pair.b, pair.contact));
@@ -171,7 +180,6 @@ TEST(GeneratedPairs, LieOnTheirSidesOfThePlane) {
 
 TEST(GeneratedPairs, AreRepeatedByTheirChoicesAndFinite) {
   std::uint64_t index = 0;
-  std::map<Nearness, int> zero_contacts;
   for_each_pair([&](ShapeKind a, ShapeKind b, int dimension, Position position) {
     for (const Nearness nearness : {Nearness::exactly, Nearness::nearly}) {
       ++index;
@@ -200,13 +208,30 @@ TEST(GeneratedPairs, AreRepeatedByTheirChoicesAndFinite) {
 /// Of relations by position.
 using Tally = std::map<Position, std::array<int, 3>>;
 
-/// Nothing for points of one plane, which are no polyhedron.
+/// Whether the mesh bounds a convex solid, after its triangles were turned to the outside.
+bool turn_convex(TriangleMesh& mesh) {
+  if (is_convex(mesh)) return true;
+  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  return is_convex(mesh);
+}
+
+/// What of a shape is related: of a mesh the polyhedron, with faces in one plane.
+template <class Shape>
+using AsRelated = std::conditional_t<std::is_same_v<Shape, TriangleMesh>, ConvexPolyhedron3, Shape>;
+
+/// Nothing for points of one plane, which are no polyhedron, and meshes that are not convex.
 using Relating = std::optional<Relation> (*)(const ShapePair&);
 template <class A, class B>
 std::optional<Relation> relation_of(const ShapePair& pair) {
   try {
-    const auto [a, b] = pair_from<A, B>(pair);
-    return relate(a, b);
+    if constexpr (std::is_same_v<A, TriangleMesh>) {
+      auto mesh = shape_from<TriangleMesh>(pair.a);
+      if (!turn_convex(mesh)) return {};
+      return relate(convex_polyhedron(mesh), shape_from<B>(pair.b));
+    } else {
+      const auto [a, b] = pair_from<A, B>(pair);
+      return relate(a, b);
+    }
   } catch (const InvalidShape&) {
     if (generated_kind<A> == ShapeKind::points || generated_kind<B> == ShapeKind::points) return {};
     throw;
@@ -255,7 +280,7 @@ void all_related(Shapes<A...>) {
   Tally tally;
   const auto with_each = [&]<class First>(const First*) {
     const auto one = [&]<class Other>(const Other*) {
-      if constexpr (RelatedPair<First, Other>) {
+      if constexpr (RelatedPair<AsRelated<First>, Other>) {
         related(generated_kind<First>, generated_kind<Other>, generated_dimension<First>, relation_of<First, Other>,
                 tally);
       }
@@ -306,8 +331,7 @@ int spanned(const Reaching& shape, std::size_t count) {
 
 void expect_kind(ShapeKind kind, int dimension, Form form, const Numbers& x) {
   if (kind == ShapeKind::mesh) {
-    const auto mesh = shape_from<TriangleMesh>(x);
-    EXPECT_TRUE(is_oriented_closed(mesh));
+    EXPECT_TRUE(is_oriented_closed(shape_from<TriangleMesh>(x)));
   }
   if (dimension == 3 && kind == ShapeKind::polygon) {
     EXPECT_TRUE(is_planar(shape_from<Polygon3>(x)));
@@ -344,7 +368,7 @@ void expect_kind(ShapeKind kind, int dimension, Form form, const Numbers& x) {
 
 TEST(GeneratedShapes, AreOfTheirKindAndForm) {
   std::uint64_t index = 0;
-  int many = 0;
+  int many = 0, convex = 0, dented = 0;
   for (const ShapeKindInfo& info : shape_kinds) {
     for (const int dimension : {2, 3}) {
       for (const FormInfo& form : forms) {
@@ -359,6 +383,10 @@ TEST(GeneratedShapes, AreOfTheirKindAndForm) {
           for (const double each : x) ASSERT_TRUE(std::isfinite(each));
           expect_perpendicular(info.kind, dimension, x);
           expect_kind(info.kind, dimension, form.form, x);
+          if (info.kind == ShapeKind::mesh && form.form < Form::flat) {
+            auto mesh = shape_from<TriangleMesh>(x);
+            ++(turn_convex(mesh) ? convex : dented);
+          }
           // The row is one of the kind: no exception.
           many += holder(info.kind, dimension)(x, std::array<double, 3>{}) ? 1 : 0;
         }
@@ -366,6 +394,8 @@ TEST(GeneratedShapes, AreOfTheirKindAndForm) {
     }
   }
   EXPECT_GT(many, 100);
+  EXPECT_GT(convex, 5);
+  EXPECT_GT(dented, 5);
 }
 
 TEST(GeneratedShapes, RefuseRowsOfOtherKinds) {

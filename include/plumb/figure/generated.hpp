@@ -4,8 +4,9 @@
 //   const auto [a, b] = generated_pair<Triangle3, Obb3>(degenerate::Position::edge_along_edge, entropy);
 //
 // Laws: the numbers are the members, in order, unchanged; points become their convex hull, k-DOPs have 8 directions in
-// the plane and 14 in space.  A row that is none of the kind, and points in one plane of which a polyhedron is asked,
-// throw InvalidShape.
+// the plane and 14 in space, and an aabb in another form is what box_forms.hpp makes of it: the same set, of pairs that
+// are `exactly` so.  A row that is none of the kind, and points in one plane of which a polyhedron is asked, throw
+// InvalidShape.
 // Source: RTCD 11.  Cost: that of copying, or of the hull.
 #pragma once
 
@@ -56,6 +57,8 @@ PLUMB_GENERATED(Rectangle3, rectangle, 3)
 PLUMB_GENERATED(Tetrahedron3, tetrahedron, 3)
 PLUMB_GENERATED(Aabb2, aabb, 2)
 PLUMB_GENERATED(Aabb3, aabb, 3)
+PLUMB_GENERATED(AabbWidths3, aabb, 3)
+PLUMB_GENERATED(AabbCenter3, aabb, 3)
 PLUMB_GENERATED(Obb2, obb, 2)
 PLUMB_GENERATED(Obb3, obb, 3)
 PLUMB_GENERATED(Circle2, ball, 2)
@@ -84,9 +87,18 @@ PLUMB_GENERATED(Ellipsoid3, ellipsoid, 3)
 /// A row of numbers that is none of the kind throws InvalidShape.
 void demand(std::span<const double> numbers, degenerate::ShapeKind kind, int dimension);
 
-/// Shapes of as many numbers as the row has.
+/// Whether the numbers are those of the struct, one by one.
+template <class Shape>
+inline constexpr bool is_copied =
+    std::is_trivially_copyable_v<Shape> && !std::is_same_v<Shape, AabbWidths3> && !std::is_same_v<Shape, AabbCenter3>;
+
+/// The others.
 template <class Shape>
 Shape made(std::span<const double> numbers);
+template <>
+AabbWidths3 made(std::span<const double> numbers);
+template <>
+AabbCenter3 made(std::span<const double> numbers);
 template <>
 Polygon2 made(std::span<const double> numbers);
 template <>
@@ -123,7 +135,7 @@ inline constexpr int generated_dimension = generated::Traits<Shape>::dimension;
 template <GeneratedShape Shape>
 Shape shape_from(std::span<const double> x) {
   generated::demand(x, generated_kind<Shape>, generated_dimension<Shape>);
-  if constexpr (std::is_trivially_copyable_v<Shape>) {
+  if constexpr (generated::is_copied<Shape>) {
     Shape shape{};
     std::memcpy(&shape, x.data(), sizeof shape);
     return shape;
