@@ -1,122 +1,120 @@
 #include "exact_gap.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "difference_search.hpp"
+
 namespace plumb::query {
 namespace {
 
-// A point of the difference of the sets, or a direction.
-struct Corner {
-  Exact3 at;
-  mpq_class weight;
-  bool is_point;
-};
-using Corners = std::vector<Corner>;
+using Integers = Triplet<mpz_class>;
 
-Exact3 nearest(const Corners& corners) {
-  Exact3 x{};
-  for (const Corner& c : corners) x = x + c.weight * c.at;
-  return x;
-}
-
-// The weights, of any sign, of the point nearest to the origin in the affine hull of independent corners: with d_i from
-// the first point f to the other points, and the directions, the sum of c_j d_i . d_j is -d_i . f.
-std::vector<mpq_class> affine_weights(const Corners& corners) {
-  std::size_t first = 0;
-  while (!corners[first].is_point) ++first;
-  const Exact3& f = corners[first].at;
-  std::vector<Exact3> d;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (i != first) d.push_back(corners[i].is_point ? corners[i].at - f : corners[i].at);
-  }
-  const std::size_t n = d.size();
-  std::vector<std::vector<mpq_class>> rows(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) rows[i].push_back(dot(d[i], d[j]));
-    rows[i].push_back(-dot(d[i], f));
-  }
-  for (std::size_t k = 0; k < n; ++k) {  // a Gram matrix of independent vectors needs no other pivots
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || sgn(rows[i][k]) == 0) continue;
-      const mpq_class times = rows[i][k] / rows[k][k];
-      for (std::size_t j = k; j <= n; ++j) rows[i][j] -= times * rows[k][j];
+// What multiplies all of them into integers.
+mpz_class common_denominator(const std::vector<Exact3>& all) {
+  mpz_class common = 1;
+  for (const Exact3& v : all) {
+    for (const mpq_class& x : v) {
+      if (!mpz_divisible_p(common.get_mpz_t(), x.get_den_mpz_t())) common = lcm(common, x.get_den());
     }
   }
-  std::vector<mpq_class> weights(corners.size());
-  weights[first] = 1;
-  for (std::size_t i = 0, k = 0; i < corners.size(); ++i) {
-    if (i == first) continue;
-    weights[i] = rows[k][n] / rows[k][k];
-    if (corners[i].is_point) weights[first] -= weights[i];
-    ++k;
-  }
-  return weights;
+  return common;
 }
 
-// Moves the weights to the nearest point of the corners' hull, and drops the corners that it does without.
-void approach(Corners& corners) {
-  while (true) {
-    const std::vector<mpq_class> goal = affine_weights(corners);
-    mpq_class part = 1;  // of the way to the goal
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (sgn(goal[i]) >= 0) continue;
-      mpq_class limit = corners[i].weight / (corners[i].weight - goal[i]);
-      if (limit < part) part = std::move(limit);
-    }
-    Corners kept;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      mpq_class weight = corners[i].weight + part * (goal[i] - corners[i].weight);
-      if (sgn(weight) > 0) kept.push_back({std::move(corners[i].at), std::move(weight), corners[i].is_point});
-    }
-    corners = std::move(kept);
-    if (part == 1) return;
+Integers times(const Exact3& v, const mpz_class& factor) {
+  Integers r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    mpz_divexact(r[k].get_mpz_t(), factor.get_mpz_t(), v[k].get_den_mpz_t());
+    r[k] *= v[k].get_num();
   }
+  return r;
 }
 
-const Exact3& least_along(const std::vector<Exact3>& points, const Exact3& direction, int sign) {
-  const Exact3* best = nullptr;
-  mpq_class least;
-  for (const Exact3& p : points) {
-    mpq_class along = sign * dot(direction, p);
-    if (best != nullptr && along >= least) continue;
-    best = &p;
-    least = std::move(along);
-  }
-  return *best;
-}
+bool is_zero(const Integers& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
-// Looks along the lines: distances are those of what is seen.
+// Looks along the lines: distances are those of what is seen, times the size of all lines.
 class Look {
  public:
-  void along(Exact3 line) {
+  void along(Integers line) {
     see(line);
-    if (!is_zero(line)) lines_.push_back(std::move(line));
+    if (is_zero(line)) return;
+    sizes_.push_back(dot(line, line));
+    lines_.push_back(std::move(line));
   }
-  void see(Exact3& v) const {
-    for (const Exact3& line : lines_) {
-      const mpq_class times = -dot(v, line) / dot(line, line);
-      v = v + times * line;
+  void see(Integers& v) const {
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const mpz_class part = dot(v, lines_[i]);
+      for (std::size_t k = 0; k < 3; ++k) v[k] = v[k] * sizes_[i] - part * lines_[i][k];
     }
   }
-  void see(FlatSet& set) const {
-    if (lines_.empty()) return;
-    for (Exact3& p : set.points) see(p);
-    for (Exact3& d : set.directions) see(d);
+  [[nodiscard]] mpz_class size() const {
+    mpz_class all = 1;
+    for (const mpz_class& s : sizes_) all *= s;
+    return all;
   }
 
  private:
-  std::vector<Exact3> lines_;  // perpendicular to one another
+  std::vector<Integers> lines_;  // perpendicular to one another
+  std::vector<mpz_class> sizes_;
 };
 
-// The corner by which the set is nearer than its point x, if it is: a direction or a point that is least along x.
-std::optional<Corner> nearer(const FlatSet& a, const FlatSet& b, const Exact3& x, const mpq_class& square) {
-  for (const Exact3& d : a.directions) {
-    if (sgn(dot(x, d)) < 0) return Corner{d, 0, false};
+// The difference of the sets in integers, as seen along their lines, and by what its points are multiplied.
+Difference<mpz_class> in_integers(const FlatSet& a, const FlatSet& b, mpz_class& scale) {
+  Look look;
+  Difference<mpz_class> sets;
+  scale = lcm(common_denominator(a.points), common_denominator(b.points));
+  for (const FlatSet* set : {&a, &b}) {
+    for (const Exact3& line : set->lines) look.along(times(line, common_denominator({line})));
   }
-  for (const Exact3& d : b.directions) {
-    if (sgn(dot(x, d)) > 0) return Corner{mpq_class(-1) * d, 0, false};
+  const Integers origin = times(a.points[0], scale);  // near to them, for the sake of shorter numbers
+  for (std::size_t s = 0; s < 2; ++s) {
+    const FlatSet& set = s == 0 ? a : b;
+    for (const Exact3& p : set.points) look.see(sets.points[s].emplace_back(minus(times(p, scale), origin)));
+    for (const Exact3& d : set.directions) {
+      const mpz_class factor = common_denominator({d});
+      look.see(sets.directions.emplace_back(times(d, s == 0 ? factor : mpz_class(-factor))));
+    }
   }
-  Exact3 next = least_along(a.points, x, 1) - least_along(b.points, x, -1);
-  if (dot(x, next) >= square) return {};
-  return Corner{std::move(next), 0, true};
+  scale *= look.size();
+  return sets;
+}
+
+// As many powers of two as the longest of the numbers has.
+std::size_t longest(const std::vector<Integers>& all) {
+  std::size_t bits = 0;
+  for (const Integers& v : all) {
+    for (const mpz_class& x : v) bits = std::max(bits, mpz_sizeinbase(x.get_mpz_t(), 2));
+  }
+  return bits;
+}
+
+Triplet<double> in_doubles(const Integers& v, std::size_t bits) {
+  Triplet<double> r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    long exponent = 0;
+    const double part = mpz_get_d_2exp(&exponent, v[k].get_mpz_t());
+    r[k] = std::ldexp(part, static_cast<int>(std::max(exponent - static_cast<long>(bits), -2000L)));
+  }
+  return r;
+}
+
+Difference<double> in_doubles(const Difference<mpz_class>& sets) {
+  Difference<double> r;
+  const std::size_t bits = std::max(longest(sets.points[0]), longest(sets.points[1]));
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (const Integers& p : sets.points[s]) r.points[s].push_back(in_doubles(p, bits));
+  }
+  for (const Integers& d : sets.directions) r.directions.push_back(in_doubles(d, longest({d})));
+  return r;
+}
+
+// Corners that are likely those of the nearest point.
+std::vector<DifferenceCorner> guess(const Difference<double>& sets) {
+  constexpr int most_steps = 32;
+  DifferenceSearch<double> search(sets, {{true, 0, 0}});
+  std::vector<DifferenceCorner> last = search.corners();
+  for (int i = 0; i < most_steps && search.step(); ++i) last = search.corners();
+  return last;
 }
 
 Relation relation_within(const FlatSet& a, const FlatSet& b, const mpq_class& reach) {
@@ -128,23 +126,17 @@ Relation relation_within(const FlatSet& a, const FlatSet& b, const mpq_class& re
 
 }  // namespace
 
-std::optional<mpq_class> squared_distance(const FlatSet& p, const FlatSet& q) {
-  if (p.points.empty() || q.points.empty()) return {};
-  Look look;
-  for (const Exact3& line : p.lines) look.along(line);
-  for (const Exact3& line : q.lines) look.along(line);
-  FlatSet a = p, b = q;
-  look.see(a), look.see(b);
-  Corners corners{{a.points[0] - b.points[0], 1, true}};
-  while (true) {
-    const Exact3 x = nearest(corners);
-    mpq_class square = dot(x, x);
-    if (sgn(square) == 0) return square;
-    auto next = nearer(a, b, x, square);
-    if (!next) return square;
-    corners.push_back(std::move(*next));
-    approach(corners);
+std::optional<mpq_class> squared_distance(const FlatSet& a, const FlatSet& b) {
+  if (a.points.empty() || b.points.empty()) return {};
+  mpz_class scale;
+  const Difference<mpz_class> sets = in_integers(a, b, scale);
+  DifferenceSearch<mpz_class> search(sets, guess(in_doubles(sets)));
+  while (search.step()) {
   }
+  const mpz_class root = search.whole() * scale;
+  mpq_class square(search.square(), root * root);
+  square.canonicalize();
+  return square;
 }
 
 Relation relate_swept(const FlatSet& core, double radius, const FlatSet& other) {
