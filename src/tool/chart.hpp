@@ -42,10 +42,10 @@ struct ChartLayout {
   std::vector<LabelPlace> labels;
 };
 
-/// Throws plumb::Error where a point has no place (x not positive, y negative, not finite).
 /// The complete points that no other complete one beats: none is both as far left and as far down.  From left to right.
 std::vector<std::size_t> frontier_of(std::span<const ChartPoint> points);
 
+/// Both throw plumb::Error where a point has no place (x not positive, y negative, not finite).
 ChartLayout lay_out_chart(std::span<const ChartPoint> points);
 std::string scatter_chart(const ChartText& text, std::span<const ChartPoint> points);
 

@@ -54,7 +54,7 @@ int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals)
   if (options.out) require_folder(*options.out);  // before minutes of work, not after
   trial::Settings settings;
   settings.seed = options.seed;
-  if (options.quick) settings.cases = settings.block = 128;
+  if (options.quick) settings.cases = 128;
   std::uint64_t steps = 0;
   for (const Task& task : tasks) steps += task.methods.size() * task.classes.size();
 

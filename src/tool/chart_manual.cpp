@@ -35,7 +35,7 @@ inconsistent
        the arguments are given in another order.
 ulps   Of numbers, how many doubles lie between the answer and the
        nearest one: in the mean, and at most.
-ns     Nanoseconds a question, on one thread: the median over blocks.
+ns     Nanoseconds a question, on one thread: the least of a few rounds.
 allocations
        How often memory is asked for, a question.
 

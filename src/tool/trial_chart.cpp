@@ -17,18 +17,18 @@ std::string hint_of(const trial::Score& s, trial::AnswerKind kind) {
 }  // namespace
 
 std::string trial_chart(const trial::Trial& t) {
-  const bool decision = t.kind == trial::AnswerKind::decision;
+  const bool number = t.kind == trial::AnswerKind::number;
   std::vector<ChartPoint> points;
   for (const trial::Score& s : t.scores) {
     const double part = 100 * s.share(s.unsure);
     const std::string label =
         s.unsure == 0 ? s.method : fmt::format("{} ({:.{}f}% unsure)", s.method, part, part < 1 ? 1 : 0);
     points.push_back(
-        {label, s.ns, decision ? s.share(s.wrong) : s.mean_ulps, s.unsure == 0, s.method, hint_of(s, t.kind)});
+        {label, s.ns, number ? s.mean_ulps : s.share(s.wrong), s.unsure == 0, s.method, hint_of(s, t.kind)});
   }
   const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
   return scatter_chart({fmt::format("{}, {}", t.task, t.input), fmt::format("{}: {} cases, one thread", t.about, cases),
-                        "nanoseconds per question", decision ? "share of wrong answers" : "mean error in ulps", true},
+                        "nanoseconds per question", number ? "mean error in ulps" : "share of wrong answers", true},
                        points);
 }
 

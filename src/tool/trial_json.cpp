@@ -1,4 +1,6 @@
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "origin.hpp"
 #include "trial_report.hpp"
@@ -26,6 +28,7 @@ json json_of(const trial::Score& s, trial::AnswerKind kind) {
 }  // namespace
 
 json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings) {
+  constexpr std::array<std::string_view, 3> kinds{"decision", "set", "number"};
   json j = origin_json("plumb chart");
   j["seed"] = settings.seed;
   j["cases"] = settings.cases;
@@ -35,7 +38,7 @@ json trials_json(std::span<const trial::Trial> trials, const trial::Settings& se
              {"question", t.question},
              {"class", t.input},
              {"about", t.about},
-             {"answer", t.kind == trial::AnswerKind::decision ? "decision" : "number"},
+             {"answer", kinds[static_cast<std::size_t>(t.kind)]},
              {"methods", json::array()}};
     if (t.kind == trial::AnswerKind::decision)
       one["truths"] = {{"negative", t.truths[0]}, {"zero", t.truths[1]}, {"positive", t.truths[2]}};

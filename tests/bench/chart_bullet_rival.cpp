@@ -49,13 +49,19 @@ void add_bullet(Rivals& all) {
         return made;
       },
       [](const std::pair<Cloud, btTriangleShape>& q) { return gap(q.first.shape(), q.second); });
-  using Segments = std::pair<Cloud, Cloud>;
+  using Clouds = std::pair<Cloud, Cloud>;
   join<12>(
       all, "segment-segment-distance", "bullet", "Bullet's btGjkPairDetector, clouds of two points, no margin",
       [](const std::array<double, 12>& q) {
-        return Segments{Cloud(&q[0], 2), Cloud(&q[6], 2)};
+        return Clouds{Cloud(&q[0], 2), Cloud(&q[6], 2)};
       },
-      [](const Segments& q) { return gap(q.first.shape(), q.second.shape()); });
+      [](const Clouds& q) { return gap(q.first.shape(), q.second.shape()); });
+  join<24>(
+      all, "convex-distance", "bullet", "Bullet's btGjkPairDetector, clouds of four points, no margin",
+      [](const std::array<double, 24>& q) {
+        return Clouds{Cloud(&q[0], 4), Cloud(&q[12], 4)};
+      },
+      [](const Clouds& q) { return gap(q.first.shape(), q.second.shape()); });
   join<36>(all, "hull-3d", "bullet", "Bullet's btConvexHullComputer", [](const std::array<double, 36>& q) {
     btConvexHullComputer hull;
     hull.compute(q.data(), 3 * sizeof(double), 12, 0, 0);

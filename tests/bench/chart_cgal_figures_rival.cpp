@@ -101,6 +101,13 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
         return std::pair{typename M::Ray(M::point(&q[0]), typename K::Vector_3(q[3], q[4], q[5])), M::triangle(&q[6])};
       },
       meet);
+  join<8>(
+      all, "segment-segment", name, call("CGAL's do_intersect"),
+      [](const std::array<double, 8>& q) {
+        const auto p = M::points2(q, 0);
+        return std::pair{typename K::Segment_2(p[0], p[1]), typename K::Segment_2(p[2], p[3])};
+      },
+      meet);
   join<15>(
       all, "segment-triangle", name, call("CGAL's do_intersect"),
       [](const std::array<double, 15>& q) {

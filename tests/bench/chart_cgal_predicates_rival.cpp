@@ -1,5 +1,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include "bench/chart_rival.hpp"
 
@@ -20,7 +22,19 @@ auto points_of(const std::array<double, N>& q) {
   return points;
 }
 
-template <class K>
+template <class Sign>
+double answer(const Sign& sign) {
+  return static_cast<double>(sign);
+}
+template <class Sign>
+double answer(const CGAL::Uncertain<Sign>& sign) {
+  return sign.is_certain() ? answer(sign.make_certain()) : tool::trial::unsure;
+}
+
+struct Nothing {};
+
+/// A Guard lives while a question is answered.
+template <class K, class Guard = Nothing>
 void add_kernel(Rivals& all, const std::string& name, const std::string& about) {
   using P2 = typename K::Point_2;
   using P3 = typename K::Point_3;
@@ -30,17 +44,21 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
     join<numbers>(all, task, name, about, points_of<Point, Dimension, numbers>, take);
   };
   add.template operator()<2, 3>("orient2d", [](const std::array<P2, 3>& p) {
-    return static_cast<double>(typename K::Orientation_2()(p[0], p[1], p[2]));
+    [[maybe_unused]] const Guard guard;
+    return answer(typename K::Orientation_2()(p[0], p[1], p[2]));
   });
   // In space CGAL's signs are the opposite of the classic ones.
   add.template operator()<3, 4>("orient3d", [](const std::array<P3, 4>& p) {
-    return -static_cast<double>(typename K::Orientation_3()(p[0], p[1], p[2], p[3]));
+    [[maybe_unused]] const Guard guard;
+    return -answer(typename K::Orientation_3()(p[0], p[1], p[2], p[3]));
   });
   add.template operator()<2, 4>("incircle", [](const std::array<P2, 4>& p) {
-    return static_cast<double>(typename K::Side_of_oriented_circle_2()(p[0], p[1], p[2], p[3]));
+    [[maybe_unused]] const Guard guard;
+    return answer(typename K::Side_of_oriented_circle_2()(p[0], p[1], p[2], p[3]));
   });
   add.template operator()<3, 5>("insphere", [](const std::array<P3, 5>& p) {
-    return -static_cast<double>(typename K::Side_of_oriented_sphere_3()(p[0], p[1], p[2], p[3], p[4]));
+    [[maybe_unused]] const Guard guard;
+    return -answer(typename K::Side_of_oriented_sphere_3()(p[0], p[1], p[2], p[3], p[4]));
   });
 }
 
@@ -49,6 +67,9 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
 void add_cgal_predicates(Rivals& all) {
   add_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(all, "epick", "CGAL, exact predicates");
   add_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(all, "epeck", "CGAL, exact constructions as well");
+  using Interval = CGAL::Interval_nt_advanced;
+  add_kernel<CGAL::Simple_cartesian<Interval>, Interval::Protector>(
+      all, "cgal-interval", "CGAL's intervals alone, the rounding mode switched for each question");
 }
 
 }  // namespace plumb::bench

@@ -17,7 +17,7 @@ auto points_of(const std::array<double, N>& q) {
   return points;
 }
 
-double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x == 0 ? 0 : tool::trial::unsure; }
+double sign(double x) { return tool::trial::as_answer(sign_of_number(x)); }
 
 /// Of the differences from the last point, each with its square at the end where `Lifted`.
 template <int Dimension, bool Lifted, std::size_t Points>
@@ -46,11 +46,11 @@ void add_eigen(Rivals& all) {
   join<15>(all, "insphere", "eigen", by_determinant, points_of<3, 15>, determinant<3, true, 5>);
   join<6>(all, "orient2d", "eigen-plane", "Eigen's Hyperplane through two points, its signed distance", points_of<2, 6>,
           [](const std::array<P2, 3>& p) {
-            return -sign(Eigen::Hyperplane<double, 2>::Through(p[0], p[1]).signedDistance(p[2]));
+            return sign(Eigen::Hyperplane<double, 2>::Through(p[0], p[1]).signedDistance(p[2]));
           });
   join<12>(all, "orient3d", "eigen-plane", "Eigen's Hyperplane through three points, its signed distance",
            points_of<3, 12>, [](const std::array<P3, 4>& p) {
-             return -sign(Eigen::Hyperplane<double, 3>::Through(p[0], p[1], p[2]).signedDistance(p[3]));
+             return sign(Eigen::Hyperplane<double, 3>::Through(p[0], p[1], p[2]).signedDistance(p[3]));
            });
   using Box = Eigen::AlignedBox3d;
   join<12>(

@@ -45,19 +45,33 @@ void add_fcl(Rivals& all) {
         return std::pair{Box(&q[0]), Box(&q[15])};
       },
       [](const std::pair<Box, Box>& q) { return meet(q.first, q.second); });
-  join<12>(all, "point-triangle-distance", "fcl", "FCL's sphereTriangleDistance, a sphere of radius 0", points_of<12>,
-           [](const std::array<Vec, 4>& p) {
-             double far = 0;
-             const bool apart = fcl::detail::sphereTriangleDistance(
-                 fcl::Sphered(0), fcl::Transform3d(fcl::Translation3d(p[0])), p[1], p[2], p[3], &far);
-             return apart ? far : 0;
-           });
-  join<12>(all, "segment-segment-distance", "fcl", "FCL's TriangleDistance::segPoints", points_of<12>,
-           [](const std::array<Vec, 4>& p) {
-             Vec between, x, y;
-             fcl::detail::TriangleDistance<double>::segPoints(p[0], p[1] - p[0], p[2], p[3] - p[2], between, x, y);
-             return (x - y).norm();
-           });
+  struct PointAndTriangle {
+    fcl::Sphered point;
+    fcl::Transform3d place;
+    std::array<Vec, 3> corners;
+  };
+  join<12>(
+      all, "point-triangle-distance", "fcl", "FCL's sphereTriangleDistance, a sphere of radius 0",
+      [](const std::array<double, 12>& q) {
+        return PointAndTriangle{
+            fcl::Sphered(0), fcl::Transform3d(fcl::Translation3d(Vec(q.data()))), {Vec(&q[3]), Vec(&q[6]), Vec(&q[9])}};
+      },
+      [](const PointAndTriangle& q) {
+        double far = 0;
+        const auto& [a, b, c] = q.corners;
+        return fcl::detail::sphereTriangleDistance(q.point, q.place, a, b, c, &far) ? far : 0;
+      });
+  join<12>(
+      all, "segment-segment-distance", "fcl", "FCL's TriangleDistance::segPoints",
+      [](const std::array<double, 12>& q) {
+        const Vec a(&q[0]), b(&q[3]), c(&q[6]), d(&q[9]);
+        return std::array<Vec, 4>{a, b - a, c, d - c};
+      },
+      [](const std::array<Vec, 4>& p) {
+        Vec between, x, y;
+        fcl::detail::TriangleDistance<double>::segPoints(p[0], p[1], p[2], p[3], between, x, y);
+        return (x - y).norm();
+      });
   join<24>(all, "vertex-face-motion", "fcl", "FCL's Intersect::intersect_VF", points_of<24>,
            [](const std::array<Vec, 8>& moving) {
              return within_range(moving, [](const std::array<Vec, 8>& p) {

@@ -21,7 +21,7 @@ const std::set<std::string> kIncomplete{
     "ray-triangle",           "segment-triangle",    "triangle-triangle",  "obb-obb",
     "point-in-polygon",       "point-in-polyhedron", "vertex-face-motion", "edge-edge-motion",
     "point-triangle-distance"};
-const std::set<std::string> kOfTheCode{"interval", "adaptive", "integers", "rationals"};     // where code branches
+const std::set<std::string> kOfTheCode{"interval", "static-filter", "adaptive", "integers", "rationals"};  // branching
 const std::set<std::string> kUnderflowing{"extreme", "mixture", "off_by_ulps", "repeated"};  // or overflowing
 
 const QuickReport& report() {
@@ -147,7 +147,10 @@ TEST(Report, AsksTheMethodsOfCodeThatBranches) {
     const bool moves = task.ends_with("-motion"), number = task.ends_with("distance") || task == "smallest-ball";
     EXPECT_TRUE(names.contains("compensated")) << task;
     EXPECT_EQ(names.contains("interval"), !number) << task;
+    EXPECT_EQ(names.contains("static-filter"), !number && !moves) << task;
     EXPECT_EQ(names.contains("adaptive"), !number && !moves) << task;
+    const bool of_signs = !number && !moves && !kIncomplete.contains(task);
+    EXPECT_EQ(names.contains("plan"), of_signs) << task;
     EXPECT_EQ(names.contains("integers") && names.contains("rationals"), !moves) << task;
     EXPECT_EQ(names.contains("advancement"), moves) << task;
   }

@@ -6,6 +6,7 @@
 #include "plumb/figure/obb.hpp"
 #include "tool/trial/box_tests.hpp"
 #include "tool/trial/branching_methods.hpp"
+#include "tool/trial/lattice_method.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
@@ -124,6 +125,7 @@ Task box_box_task() {
     return as_answer(all);
   };
   task.methods = branching_methods<AnswerKind::decision, 12>(BoxAgainstBox{});
+  task.methods.push_back(lattice_method<12>(BoxAgainstBox{}));
   task.methods.push_back(exact_method<Aabb3, Aabb3>(meet_exactly));
   task.methods.push_back({"batch", "ours, over spans, one thread",
                           [](std::span<const double> questions, const Scene&) -> std::unique_ptr<Round> {

@@ -22,6 +22,8 @@ struct BoxAgainstBox {
 
 /// Center, three axes and half sizes of either box.
 struct OrientedAgainstOriented {
+  static constexpr bool axes_are_no_lengths = true;
+
   template <class T>
   bool operator()(const std::array<T, 30>& q, T epsilon) const {
     const Vec<T> d = vec(q, 5) - vec(q, 0);

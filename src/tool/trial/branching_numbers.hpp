@@ -9,17 +9,16 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <compare>
 #include <utility>
 
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/interval.hpp"
+#include "tool/trial/in_doubt.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
-
-/// Has a number of this thread's question been asked what it does not know?
-inline constinit thread_local bool in_doubt = false;
 
 /// A number that lies in an interval.
 class Enclosed {
@@ -32,6 +31,11 @@ class Enclosed {
   friend Enclosed operator*(const Enclosed& a, const Enclosed& b) { return Enclosed(a.of_ * b.of_); }
   friend Enclosed operator/(const Enclosed& a, const Enclosed& b) { return Enclosed(quotient(a.of_, b.of_)); }
   friend Enclosed operator-(const Enclosed& a) { return Enclosed(Interval(-a.of_.upper, -a.of_.lower)); }
+  friend Enclosed magnitude(const Enclosed& a) {
+    if (a.of_.lower >= 0) return a;
+    if (a.of_.upper <= 0) return -a;
+    return Enclosed(Interval(0, std::max(-a.of_.lower, a.of_.upper)));
+  }
 
   friend bool operator<(const Enclosed& a, const Enclosed& b) {
     return told(a.of_.upper < b.of_.lower, a.of_.lower >= b.of_.upper);
@@ -47,10 +51,6 @@ class Enclosed {
   }
 
  private:
-  static bool told(bool yes, bool no) {
-    in_doubt = in_doubt || !(yes || no);
-    return yes;
-  }
   Interval of_;
 };
 

@@ -1,10 +1,10 @@
-// Who answers, and how is an answer written?  A method made ready for a block of questions.
+// Who answers, and how is an answer written?  A method made ready for many questions.
 //
 // A question is an array of doubles, an answer one double: a sign, 1 or 0 for yes or no, a number; NaN where the method
 // knows that it does not know.
 // Laws: (1) preparing turns the questions into the method's own numbers, and is not measured, as software keeps its
 // points in the numbers it computes with; answering is. (2) Answering twice gives the same answers.
-// Cost: one virtual call a block.
+// Cost: one virtual call for all questions.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,7 @@ class Round {
   Round(const Round&) = delete;
   Round& operator=(const Round&) = delete;
   virtual ~Round() = default;
-  virtual void answer() = 0;  // all questions of the block; this is what is measured
+  virtual void answer() = 0;  // all questions; this is what is measured
   [[nodiscard]] virtual double given(std::size_t question) const = 0;
 };
 

@@ -1,10 +1,9 @@
 // How does each method take the sign of a formula?  The formula, run over the numbers that software commonly uses.
 //
-// Laws: every method gets the same doubles; float32 gets them rounded to floats beforehand, as software that stores
-// floats does, and plan as the kernel of the scene's lattice keeps them.  An epsilon makes zeros of small values, as is
-// commonly written; no decision of ours uses one.  `plumb check` tries some of these methods on meshes, `plumb chart`
-// all.
-// Source: RTCD 11.2, 11.3.1 (tolerances); cost: what is measured.
+// Laws: every method gets the same doubles, turned beforehand into the numbers that software keeps which computes so:
+// floats, long doubles, quadruples, rationals, and those of the kernel of the scene's lattice.  An epsilon makes zeros
+// of small values, as is commonly written; no decision of ours uses one.  `plumb check` tries some of these methods on
+// meshes, `plumb chart` all. Source: RTCD 11.2, 11.3.1 (tolerances); cost: what is measured.
 #pragma once
 
 #include <algorithm>
@@ -103,14 +102,19 @@ Method valued(Method method, Value value) {
   return method;
 }
 
+/// A method that takes the sign in numbers made of the doubles beforehand.
+template <Formula F, class Make, class Take>
+Method each_kept(std::string name, std::string about, Make make, Take take) {
+  return {std::move(name), std::move(about), [=](std::span<const double> questions, const Scene&) {
+            std::vector<std::invoke_result_t<Make, const Coordinates<F>&>> sets;
+            for (const Coordinates<F>& p : sets_of<F>(questions)) sets.push_back(make(p));
+            return one_by_one(std::move(sets), take);
+          }};
+}
 template <Formula F, class Real>
 Method each_in(std::string name, std::string about) {
-  return {std::move(name), std::move(about), [](std::span<const double> questions, const Scene&) {
-            using Numbers = std::array<Real, arity<F>>;
-            std::vector<Numbers> sets;
-            for (const Coordinates<F>& p : sets_of<F>(questions)) sets.push_back(converted<F, Real>(p));
-            return one_by_one(std::move(sets), [](const Numbers& p) { return sign_of_number(F{}(p)); });
-          }};
+  return each_kept<F>(std::move(name), std::move(about), converted<F, Real>,
+                      [](const std::array<Real, arity<F>>& p) { return sign_of_number(F{}(p)); });
 }
 
 template <Formula F>
@@ -145,13 +149,11 @@ std::vector<Method> formula_methods() {
       each<F>("relative", "double; at most 1e-9 of the terms' size is zero",
               [](const P& p) { return static_cast<Sign>(beyond(F{}(p), customary_epsilon * size_of_terms<F>(p))); }),
       [=](const P& p) { return within(F{}(p), customary_epsilon * size_of_terms<F>(p)); }));
-  all.push_back(valued<F>(each<F>("long-double", "the compiler's long double",
-                                  [](const P& p) { return sign_of_number(F{}(converted<F, long double>(p))); }),
+  all.push_back(valued<F>(each_in<F, long double>("long-double", "the compiler's long double"),
                           [](const P& p) { return F{}(converted<F, long double>(p)); }));
 #ifdef __SIZEOF_FLOAT128__
   __extension__ using Float128 = __float128;
-  all.push_back(each<F>("float128", "quadruple precision in software",
-                        [](const P& p) { return sign_of_number(F{}(converted<F, Float128>(p))); }));
+  all.push_back(each_in<F, Float128>("float128", "quadruple precision in software"));
 #endif
   all.push_back(each<F>("compensated", "pairs of doubles that keep each rounding's error", [](const P& p) {
     return sign_of_number(evaluate<F>([&](std::size_t i) { return Compensated(p[i]); }).rounded());
@@ -161,9 +163,15 @@ std::vector<Method> formula_methods() {
   all.push_back(each<F>("adaptive", "adaptive expansions of doubles, as in the literature", adaptive_sign<F>));
   all.push_back(each<F>("integers", "integers of any length, always",
                         [](const P& p) { return big_integer_sign(program<F>(), p); }));
-  all.push_back(each<F>("rationals", "GMP's rationals, always", [](const P& p) {
-    return evaluate<F>([&](std::size_t i) { return big_rational(p[i]); }).sign();
-  }));
+  using Rationals = std::array<BigRational, arity<F>>;
+  all.push_back(each_kept<F>(
+      "rationals", "GMP's rationals, always",
+      [](const P& p) {
+        Rationals r;
+        std::ranges::transform(p, r.begin(), big_rational);
+        return r;
+      },
+      [](const Rationals& p) { return F{}(p).sign(); }));
   all.push_back({"plan", "ours, in the arithmetic that the lattice of all inputs needs",
                  [](std::span<const double> questions, const Scene& scene) -> std::unique_ptr<Round> {
                    return std::make_unique<PlannedRound<F>>(questions, scene);

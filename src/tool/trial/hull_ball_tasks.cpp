@@ -10,6 +10,7 @@
 #include "tool/trial/ball_tests.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/hull_tests.hpp"
+#include "tool/trial/lattice_method.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
@@ -37,6 +38,14 @@ double corners_of(const std::vector<Point>& points) {
 template <std::size_t N, class Point>
 Method exact_hull() {
   return each_made<N>("exact", "ours, one hull at a time", points_of<Point, N>, corners_of<Point>);
+}
+
+/// Each point's coordinates change places: the same points are corners.
+Symmetry axes_in_turn(std::size_t dimension, std::size_t points) {
+  Symmetry s{{}, 1};
+  for (std::size_t i = 0; i < points * dimension; ++i)
+    s.from.push_back(static_cast<std::uint8_t>(i - i % dimension + (i + 1) % dimension));
+  return s;
 }
 
 /// Each point is a corner that is not in the hull of the others.
@@ -94,8 +103,8 @@ struct BallOfPoints {
 
 Task hull2_task() {
   constexpr std::size_t numbers = 2 * hull_points;
-  Task task{"hull-2d", "which of 16 points are the corners of their hull?", numbers, AnswerKind::decision, {}, {}, {},
-            {}};
+  Task task{"hull-2d", "which of 16 points are the corners of their hull?", numbers, AnswerKind::set, {}, {}, {}, {}};
+  task.symmetries = {axes_in_turn(2, hull_points)};
   task.classes = shape_classes(2);
   task.fewer = 8;
   task.judge = [](std::span<const double> q) {
@@ -104,15 +113,16 @@ Task hull2_task() {
       points.push_back({mpq_class(q[i]), mpq_class(q[i + 1]), mpq_class(0)});
     return corners_by_definition(points);
   };
-  task.methods = branching_methods<AnswerKind::decision, numbers>(HullInPlane{});
+  task.methods = branching_methods<AnswerKind::set, numbers>(HullInPlane{});
+  task.methods.push_back(lattice_method<numbers>(HullInPlane{}));
   task.methods.push_back(exact_hull<numbers, Point2>());
   return task;
 }
 
 Task hull3_task() {
   constexpr std::size_t numbers = 3 * hull3_points;
-  Task task{"hull-3d", "which of 12 points are the corners of their hull?", numbers, AnswerKind::decision, {}, {}, {},
-            {}};
+  Task task{"hull-3d", "which of 12 points are the corners of their hull?", numbers, AnswerKind::set, {}, {}, {}, {}};
+  task.symmetries = {axes_in_turn(3, hull3_points)};
   task.classes = shape_classes(3);
   task.fewer = 8;
   task.judge = [](std::span<const double> q) {
@@ -120,7 +130,8 @@ Task hull3_task() {
     for (std::size_t i = 0; i < hull3_points; ++i) points.push_back(rational_vec(q, i));
     return corners_by_definition(points);
   };
-  task.methods = branching_methods<AnswerKind::decision, numbers>(HullInSpace{});
+  task.methods = branching_methods<AnswerKind::set, numbers>(HullInSpace{});
+  task.methods.push_back(lattice_method<numbers>(HullInSpace{}));
   task.methods.push_back(exact_hull<numbers, Point3>());
   return task;
 }

@@ -17,14 +17,13 @@ namespace plumb::tool::trial {
 
 struct Settings {
   std::uint64_t seed = 2026;
-  std::uint64_t cases = 8192;  // of a class; fewer where the task says so
-  std::uint64_t block = 1024;  // asked at once: fits the second-level cache
+  std::uint64_t cases = 8192;  // of a class; fewer where the task says so; too many for branch predictors to learn
 };
 
 struct Score {
   std::string method;
   std::uint64_t asked = 0, wrong = 0, unsure = 0, inconsistent = 0;
-  double ns = 0;           // a question; the median over the blocks
+  double ns = 0;           // a question; the least of some repetitions
   double allocations = 0;  // a question
   // Of numbers: how many doubles lie between the answer and the nearest one.
   double largest_ulps = 0, mean_ulps = 0;

@@ -1,6 +1,7 @@
 #include "plumb/query/overlap.hpp"
 #include "tool/stability/segment_ways.hpp"
 #include "tool/trial/branching_methods.hpp"
+#include "tool/trial/lattice_method.hpp"
 #include "tool/trial/rational_judge.hpp"
 
 namespace plumb::tool::trial {
@@ -26,6 +27,7 @@ Task segment_segment_task() {
     return as_answer(meet({{point(0), point(1)}, {}}, {{point(2), point(3)}, {}}));
   };
   task.methods = branching_methods<AnswerKind::decision, 8>(SegmentAgainstSegment{});
+  task.methods.push_back(lattice_method<8>(SegmentAgainstSegment{}));
   task.methods.push_back(
       exact_method<Segment2, Segment2>([](const auto& a, const auto& b) { return intersects(a, b); }));
   return task;

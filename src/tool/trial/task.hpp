@@ -28,8 +28,8 @@ struct Symmetry {
   double factor;
 };
 
-/// Is the answer right or wrong, or a number that is more or less far off?
-enum class AnswerKind : std::uint8_t { decision, number };
+/// A sign, or yes or no; which ones of several, as bits; or a number, which may be more or less far off.
+enum class AnswerKind : std::uint8_t { decision, set, number };
 
 struct Task {
   std::string name, question;
