@@ -1,4 +1,4 @@
-// Is it hit, where doubles do not tell?
+// Is it hit, where doubles do not tell?  Of finite numbers: who calls has asked.
 #pragma once
 
 #include "plumb/query/ray.hpp"

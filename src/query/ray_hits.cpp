@@ -2,7 +2,6 @@
 
 #include <plumb/predicates/distance.hpp>
 
-#include "plumb/certify/line_triangle.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/predicates.hpp"
 #include "query/ray_exact_hits.hpp"
@@ -189,26 +188,8 @@ bool told_or(Ask told, const Exactly& exactly) {
 
 Numbers numbers(const Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// By exact signs; nothing for a ray in the plane of the triangle, or parallel to that of one without area.
-std::optional<bool> by_signs(const AnyRay& ray, const Triangle3& t) {
-  const auto& [a, b, c] = t;
-  const bool segment = ray.kind == AnyRay::Kind::segment;
-  const EdgeSigns s =
-      segment ? edge_signs(ray.origin, ray.end, a, b, c) : edge_signs(ray.origin, ray.direction, a, b, c);
-  if (!s.agree()) return false;
-  const Sign left = s.ab != Sign::zero ? s.ab : s.bc != Sign::zero ? s.bc : s.ca;
-  if (left == Sign::zero) return {};
-  if (ray.kind == AnyRay::Kind::line) return true;
-  // The plane is met at N / D, where D has the opposite sign of the edges'; N and N - D tell the sides of the ends.
-  if (orient3d(a, b, c, ray.origin) == left) return false;
-  return !segment || orient3d(a, b, c, ray.end) != -left;
-}
-
 [[gnu::noinline]] bool exactly(const AnyRay& ray, const Triangle3& t, HitRule rule) {
   require_ray("hits", ray, t);
-  if (rule == HitRule::closed) {
-    if (const auto told = by_signs(ray, t)) return *told;
-  }
   return is_hit(ray, t, rule);
 }
 [[gnu::noinline]] bool exactly(const AnyRay& ray, const Sphere3& s) {
