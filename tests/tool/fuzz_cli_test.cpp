@@ -140,6 +140,14 @@ TEST(Fuzz, GoesOnWhereItsOwnFilesAreClosed) {
   EXPECT_THAT(o.out, HasSubstr("nothing found in 600 cases"));
 }
 
+TEST(Fuzz, GoesOnWhereStandardStreamsAreClosed) {
+  for (const char* closed : {" <&-", " 2>&-", " <&- 2>&-"}) {
+    const Outcome o = run(command("right", "right_orient3d") + "--generator uniform --cases 600" + closed);
+    EXPECT_EQ(o.code, 0) << o.out << o.err;
+    EXPECT_THAT(o.out, HasSubstr("nothing found in 600 cases"));
+  }
+}
+
 TEST(Fuzz, HearsNoAnswersOfProcessesThatTheFunctionForked) {
   const Outcome o = run(command("wrong", "forking_orient3d") + "--generator uniform --cases 600");
   EXPECT_EQ(o.code, 0) << o.out << o.err;

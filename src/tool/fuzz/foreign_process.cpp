@@ -31,10 +31,15 @@ using degenerate::Outcome;
 constexpr milliseconds kGlance(20);  // how often a silent child is looked at
 constexpr int kLoading = 10;         // times what a call may take
 
+/// Not among the standard streams, of which some may be closed: the child turns those to nowhere.
 std::array<int, 2> make_pipe() {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-  return ends;
+  std::array<int, 2> ends{}, high{-1, -1};
+  if (::pipe2(ends.data(), O_CLOEXEC) == 0) {
+    for (std::size_t i = 0; i < 2; ++i) high[i] = ::fcntl(ends[i], F_DUPFD_CLOEXEC, 3);
+    for (const int end : ends) ::close(end);
+  }
+  if (high[0] < 0 || high[1] < 0) throw Error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  return high;
 }
 
 /// What the child wrote; it may be anything.
