@@ -6,8 +6,8 @@
 // names are lost.
 // Laws: (1) every mesh tried has fewer triangles than the last one taken, or as many and fewer points in use, or fewer
 // points; so it ends.  (2) Of a closed mesh every mesh tried is closed.
-// Source: Zeller and Hildebrandt, "Simplifying and isolating failure-inducing input" (delta debugging); edge collapse
-// is RTCD 12.6 (simplification); cost: n log n calls for n triangles, times as many edges as can be collapsed.
+// Source: Zeller and Hildebrandt, "Simplifying and isolating failure-inducing input" (delta debugging); edges collapse
+// as in Hoppe et al., "Mesh optimization".  Cost: n log n calls for n triangles, as many again as edges collapse.
 #pragma once
 
 #include <functional>

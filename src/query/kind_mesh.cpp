@@ -25,15 +25,13 @@ TriangleMesh mesh_from(std::span<const double> q) {
 Answer exact_mesh_hit(std::span<const double> q) {
   const Ray3 ray{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
   const TriangleMesh mesh = mesh_from(q.subspan(6));
-  std::optional<RayParameter> first;
+  // Rounding keeps the order: the least of the rounded parameters is the least one, rounded.
+  Answer first = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
-    auto at = first_hit_parameter(ray, Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-    if (at && (!first || *at < *first)) first = std::move(at);
+    const auto hit = first_hit(ray, Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    if (hit && (first.numbers[0] == 0 || hit->t < first.numbers[1])) first.numbers = {1.0, hit->t};
   }
-  if (!first) return 0.0;
-  Answer yes = 1.0;
-  yes.numbers.push_back(first->rounded());
-  return yes;
+  return first;
 }
 
 Answer exact_in_mesh(std::span<const double> q) {

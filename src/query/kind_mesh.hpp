@@ -1,7 +1,6 @@
 // What do a ray and a point have to do with the triangles of a case?  The exact answers about meshes.
 //
-// Laws: those of query/ray.hpp, triangle by triangle, the least of the exact parameters rounded once; and those of
-// query/ray_parity.hpp.
+// Laws: those of query/ray.hpp, triangle by triangle, and those of query/ray_parity.hpp.
 // Source: RTCD 5.3.6, 5.4.3.  Cost: that of each triangle.
 #pragma once
 
