@@ -1,11 +1,9 @@
 // The fifteen gaps of oriented boxes, an axis a lane; figure/obb_gaps.hpp has them as formulas.
 #include "obb_quick.hpp"
 
+#include "fused_lanes.hpp"
 #include "obb_gaps.hpp"
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "figure/obb_quick.cpp"
 #include <hwy/foreach_target.h>
@@ -87,7 +85,7 @@ HWY_INLINE std::optional<Relation> told(const Pair& p, const Errors& error) {
   return {};
 }
 
-[[maybe_unused]] std::optional<Relation> of_obb(const Obb3& a, const Obb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Obb3& a, const Obb3& b) {
   const std::array of_a{loaded(a.axes[0]), loaded(a.axes[1]), loaded(a.axes[2])};
   const std::array of_b{loaded(b.axes[0]), loaded(b.axes[1]), loaded(b.axes[2])};
   const std::array size_a{size(of_a[0]), size(of_a[1]), size(of_a[2])};
@@ -115,7 +113,7 @@ HWY_INLINE std::optional<Relation> told(const Pair& p, const Errors& error) {
                error<EdgePair> * a4 * largest_b * all});
 }
 
-[[maybe_unused]] std::optional<Relation> of_aabb(const Aabb3& a, const Obb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Aabb3& a, const Obb3& b) {
   const Three min = loaded(a.min), max = loaded(a.max), center = loaded(b.center), half = size(loaded(b.half));
   const std::array of_b{loaded(b.axes[0]), loaded(b.axes[1]), loaded(b.axes[2])};
   const Three from_min = center - min, from_max = center - max, widths = max - min, k = half + half;
@@ -135,16 +133,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace plumb {
 
-// Not by Highway's dispatch, whose inline index counts the targets of all files: this one is compiled for fewer.
-#if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_TARGET != HWY_AVX2
-static const bool has_lanes = (hwy::SupportedTargets() & HWY_AVX2) != 0;
-#define PLUMB_BY_LANES(ask) return has_lanes ? obb_quick::N_AVX2::ask(a, b) : obb_quick::HWY_NAMESPACE::ask(a, b)
-#else
-#define PLUMB_BY_LANES(ask) return obb_quick::HWY_NAMESPACE::ask(a, b)
-#endif
-std::optional<Relation> quick_relation(const Obb3& a, const Obb3& b) { PLUMB_BY_LANES(of_obb); }
-std::optional<Relation> quick_relation(const Aabb3& a, const Obb3& b) { PLUMB_BY_LANES(of_aabb); }
-#undef PLUMB_BY_LANES
+std::optional<Relation> quick_relation(const Obb3& a, const Obb3& b) {
+  return PLUMB_BY_LANES(obb_quick, relation(a, b));
+}
+std::optional<Relation> quick_relation(const Aabb3& a, const Obb3& b) {
+  return PLUMB_BY_LANES(obb_quick, relation(a, b));
+}
 
 }  // namespace plumb
 #endif

@@ -1,7 +1,7 @@
 // Three numbers at once: a vector of space, or one number of each of three axes.
 //
-// One text for two machines: four lanes of 256 bits with fused multiply-adds, of which the last is idle (0, and never
-// looked at), or three doubles.  Included once for each target by files that Highway compiles for several.
+// One text for two machines: four lanes of 256 bits with fused multiply-adds, of which the last is never looked at, or
+// three doubles.  Included once for each target by files that Highway compiles for several.
 // Laws: each operation is that of doubles in every lane, except that plus_product rounds once or twice; comparisons
 // with NaN are false.  No bound of an error counts on the product being rounded, or on it not being.
 // Source: RTCD 13.7; cost: none.

@@ -6,12 +6,10 @@
 #include <concepts>
 #include <limits>
 
+#include "figure/fused_lanes.hpp"
 #include "plumb/certify/formula.hpp"
 #include "plumb/predicates.hpp"
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/closest_quick.cpp"
 #include <hwy/foreach_target.h>
@@ -319,23 +317,11 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace plumb::query {
-namespace {
 
-// Not by Highway's dispatch, whose inline index counts the targets of all files: this one is compiled for fewer.
-const bool has_lanes = (hwy::SupportedTargets() & HWY_AVX2) != 0;
-
-}  // namespace
-
-#if HWY_TARGETS & HWY_AVX2
-#define PLUMB_LANES N_AVX2
-#else
-#define PLUMB_LANES HWY_NAMESPACE
-#endif
 template <class Shape, class To>
 bool quickly(const Shape& s, const Point3& p, To& to) {
-  return has_lanes && quick::PLUMB_LANES::nearest_of(s, p, to);
+  return PLUMB_BY_LANES(quick, nearest_of(s, p, to));
 }
-#undef PLUMB_LANES
 
 #define PLUMB_QUICKLY(Shape)                                      \
   template bool quickly(const Shape&, const Point3&, Point3& to); \

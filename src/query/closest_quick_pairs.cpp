@@ -5,9 +5,8 @@
 // terms, and a correction by the same two equations.  Of it the determinant is off by 25 u of e1.e1 e2.e2 at most.
 #include "query/closest_quick_pairs.hpp"
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "figure/fused_lanes.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/closest_quick_pairs.cpp"
 #include <hwy/foreach_target.h>
@@ -183,30 +182,19 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace plumb::query {
-namespace {
 
-const bool has_lanes = (hwy::SupportedTargets() & HWY_AVX2) != 0;
-
-}  // namespace
-
-#if HWY_TARGETS & HWY_AVX2
-#define PLUMB_LANES N_AVX2
-#else
-#define PLUMB_LANES HWY_NAMESPACE
-#endif
 template <class To>
 bool quickly(const LineAt& p, const LineAt& q, Places places, To& to) {
-  return has_lanes && quick::PLUMB_LANES::numbers_of(p, q, places, to);
+  return PLUMB_BY_LANES(quick, numbers_of(p, q, places, to));
 }
 template <class To>
 bool quickly(const Point3& vertex, const Triangle3& face, To& to) {
-  return has_lanes && quick::PLUMB_LANES::numbers_of(vertex, face, to);
+  return PLUMB_BY_LANES(quick, numbers_of(vertex, face, to));
 }
 template <class To>
 bool quickly(const Segment3& p, const Segment3& q, To& to) {
-  return has_lanes && quick::PLUMB_LANES::numbers_of(p, q, to);
+  return PLUMB_BY_LANES(quick, numbers_of(p, q, to));
 }
-#undef PLUMB_LANES
 
 template bool quickly(const LineAt&, const LineAt&, Places, Closest&);
 template bool quickly(const LineAt&, const LineAt&, Places, double&);

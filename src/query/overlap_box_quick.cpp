@@ -1,11 +1,9 @@
 // The gaps of boxes, an axis a lane; overlap_box_gaps.hpp has them as formulas.
 #include "query/overlap_box_quick.hpp"
 
+#include "figure/fused_lanes.hpp"
 #include "query/overlap_box_gaps.hpp"
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/overlap_box_quick.cpp"
 #include <hwy/foreach_target.h>
@@ -75,7 +73,7 @@ HWY_INLINE Told across(const Three& point, const Three& way, const Three& half, 
   return {above(gap, bound), above(of_all(0) - bound, gap) | is_zero(size_way + size_turned)};
 }
 
-[[maybe_unused]] std::optional<Relation> segment_aabb(const Segment3& s, const Aabb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Segment3& s, const Aabb3& b) {
   const Box box(b);
   const Three p = loaded(s.a), q = loaded(s.b), way = q - p, from_min = p - box.min, from_max = p - box.max;
   const Three most_of = size(from_min) + size(from_max);  // as large as their sum, and as the width
@@ -96,10 +94,10 @@ HWY_INLINE std::optional<Relation> unbounded_aabb(const Point3& from, const Vect
       larger(chosen(above(zero, way), none, from_max), chosen(above(way, zero), none, zero - from_min));
   return answer(face_gap, box.half, told);
 }
-[[maybe_unused]] std::optional<Relation> ray_aabb(const Ray3& r, const Aabb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Ray3& r, const Aabb3& b) {
   return unbounded_aabb<Reach::ray>(r.origin, r.direction, b);
 }
-[[maybe_unused]] std::optional<Relation> line_aabb(const Line3& l, const Aabb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Line3& l, const Aabb3& b) {
   return unbounded_aabb<Reach::line>(l.point, l.direction, b);
 }
 
@@ -125,7 +123,7 @@ HWY_INLINE double normal_gap(const Three& normal, const Three& corner, const Thr
   return magnitude_of(total(n * corner)) - total(size(n) * half);
 }
 
-[[maybe_unused]] std::optional<Relation> triangle_aabb(const Triangle3& t, const Aabb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Triangle3& t, const Aabb3& b) {
   const Box box(b);
   const Three p = loaded(t.a), q = loaded(t.b), r = loaded(t.c);
   const Three face_gap = larger(smaller(smaller(p, q), r) - box.max, box.min - larger(larger(p, q), r));
@@ -212,18 +210,18 @@ HWY_INLINE std::optional<Relation> straight_obb(const Three& p, const Three& way
     return static_cast<Relation>(is_inside - is_apart);
   return {};
 }
-[[maybe_unused]] std::optional<Relation> segment_obb(const Segment3& s, const Obb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Segment3& s, const Obb3& b) {
   const Three p = loaded(s.a);
   return straight_obb<Reach::segment>(p, loaded(s.b) - p, b);
 }
-[[maybe_unused]] std::optional<Relation> ray_obb(const Ray3& r, const Obb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Ray3& r, const Obb3& b) {
   return straight_obb<Reach::ray>(loaded(r.origin), loaded(r.direction), b);
 }
-[[maybe_unused]] std::optional<Relation> line_obb(const Line3& l, const Obb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Line3& l, const Obb3& b) {
   return straight_obb<Reach::line>(loaded(l.point), loaded(l.direction), b);
 }
 
-[[maybe_unused]] std::optional<Relation> triangle_obb(const Triangle3& t, const Obb3& b) {
+[[maybe_unused]] std::optional<Relation> relation(const Triangle3& t, const Obb3& b) {
   const Oriented box(b);
   const Three p = loaded(t.a) - box.center, q = loaded(t.b) - box.center, r = loaded(t.c) - box.center;
   const Sizes sizes(box, larger(larger(size(p), size(q)), size(r)));
@@ -252,22 +250,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace plumb::query {
 
-// Not by Highway's dispatch, whose inline index counts the targets of all files: this one is compiled for fewer.
-#if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_TARGET != HWY_AVX2
-static const bool has_lanes = (hwy::SupportedTargets() & HWY_AVX2) != 0;
-#define PLUMB_BY_LANES(ask) return has_lanes ? box_quick::N_AVX2::ask(a, b) : box_quick::HWY_NAMESPACE::ask(a, b)
-#else
-#define PLUMB_BY_LANES(ask) return box_quick::HWY_NAMESPACE::ask(a, b)
-#endif
-std::optional<Relation> quick_relation(const Segment3& a, const Aabb3& b) { PLUMB_BY_LANES(segment_aabb); }
-std::optional<Relation> quick_relation(const Ray3& a, const Aabb3& b) { PLUMB_BY_LANES(ray_aabb); }
-std::optional<Relation> quick_relation(const Line3& a, const Aabb3& b) { PLUMB_BY_LANES(line_aabb); }
-std::optional<Relation> quick_relation(const Triangle3& a, const Aabb3& b) { PLUMB_BY_LANES(triangle_aabb); }
-std::optional<Relation> quick_relation(const Segment3& a, const Obb3& b) { PLUMB_BY_LANES(segment_obb); }
-std::optional<Relation> quick_relation(const Ray3& a, const Obb3& b) { PLUMB_BY_LANES(ray_obb); }
-std::optional<Relation> quick_relation(const Line3& a, const Obb3& b) { PLUMB_BY_LANES(line_obb); }
-std::optional<Relation> quick_relation(const Triangle3& a, const Obb3& b) { PLUMB_BY_LANES(triangle_obb); }
-#undef PLUMB_BY_LANES
+#define PLUMB_QUICK_RELATION(A, B) \
+  std::optional<Relation> quick_relation(const A& a, const B& b) { return PLUMB_BY_LANES(box_quick, relation(a, b)); }
+PLUMB_QUICK_RELATION(Segment3, Aabb3)
+PLUMB_QUICK_RELATION(Ray3, Aabb3)
+PLUMB_QUICK_RELATION(Line3, Aabb3)
+PLUMB_QUICK_RELATION(Triangle3, Aabb3)
+PLUMB_QUICK_RELATION(Segment3, Obb3)
+PLUMB_QUICK_RELATION(Ray3, Obb3)
+PLUMB_QUICK_RELATION(Line3, Obb3)
+PLUMB_QUICK_RELATION(Triangle3, Obb3)
+#undef PLUMB_QUICK_RELATION
 
 }  // namespace plumb::query
 #endif
