@@ -17,32 +17,9 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/figure/round.hpp"
+#include "vec.hpp"
 
 namespace plumb::core {
-
-template <class T>
-struct Vec {
-  T x, y, z;
-  friend Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Vec operator*(const Vec& a, const T& t) { return {a.x * t, a.y * t, a.z * t}; }
-};
-template <class T>
-T dot(const Vec<T>& a, const Vec<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class T>
-Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-template <class T>
-Vec<T> vec(const Point3& p) {
-  return {T(p.x), T(p.y), T(p.z)};
-}
-template <class T>
-Vec<T> vec(const Vector3& p) {
-  return {T(p.x), T(p.y), T(p.z)};
-}
 
 template <class T>
 struct Edge {

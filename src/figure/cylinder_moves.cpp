@@ -5,13 +5,13 @@
 #include <limits>
 #include <optional>
 
-#include "core_distance.hpp"
 #include "finite_parts.hpp"
 #include "frame.hpp"
 #include "plumb/figure/minimum_sphere.hpp"
 #include "plumb/figure/sphere.hpp"
 #include "plumb/figure/swept_sphere.hpp"
 #include "swept_input.hpp"
+#include "vec.hpp"
 
 namespace plumb {
 namespace {

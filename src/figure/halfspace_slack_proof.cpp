@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core_distance.hpp"
 #include "halfspace_slack.hpp"
+#include "vec.hpp"
 
 namespace plumb::figure {
 namespace {

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdint>
 
-#include "figure/core_distance.hpp"
+#include "figure/vec.hpp"
 #include "plumb/query/pairs.hpp"
 
 namespace plumb::query::axes {

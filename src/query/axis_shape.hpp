@@ -5,7 +5,7 @@
 // Source: RTCD 5.3.7.  Cost: none.
 #pragma once
 
-#include "figure/core_distance.hpp"
+#include "figure/vec.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/plane.hpp"
 #include "plumb/figure/relation.hpp"

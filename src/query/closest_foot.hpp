@@ -4,28 +4,11 @@
 // Source: RTCD 5.1.1, 5.1.2.  Cost: a line 6 products, a plane 6; square() of a line 9 more.
 #pragma once
 
-#include "figure/core_distance.hpp"
+#include "figure/vec.hpp"
 
 namespace plumb::query {
 
-using core::cross, core::dot, core::Vec;
-
-template <class T>
-Vec<T> vec(const Point3& p) {
-  return {T(p.x), T(p.y), T(p.z)};
-}
-template <class T>
-Vec<T> vec(const Vector3& p) {
-  return {T(p.x), T(p.y), T(p.z)};
-}
-template <class T>
-Vec<T> vec(const Point2& p) {
-  return {T(p.x), T(p.y), T(0.0)};
-}
-template <class T>
-Vec<T> vec(const Vector2& p) {
-  return {T(p.x), T(p.y), T(0.0)};
-}
+using core::cross, core::dot, core::vec, core::Vec;
 
 /// What p is nearest to: itself where it is in the shape.
 enum class Carrier : unsigned char { itself, point, line, plane };

@@ -2,6 +2,7 @@
 //
 // The far corners need not be doubles: the parts of the core are asked over intervals first, over integers for certain.
 #include "closest_answers.hpp"
+#include "figure/core_distance.hpp"
 #include "plumb/figure/contains.hpp"
 
 namespace plumb {

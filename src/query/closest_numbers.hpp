@@ -7,6 +7,7 @@
 
 #include "closest_foot.hpp"
 #include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/query/exact_distance.hpp"
 
 namespace plumb::query {

@@ -5,6 +5,7 @@
 
 #include "closest_answers.hpp"
 #include "figure/plane_of_points.hpp"
+#include "plumb/arith/interval.hpp"
 #include "plumb/figure/polygon_location.hpp"
 
 namespace plumb {
@@ -32,9 +33,8 @@ struct Chains {
     return i + 1 == first[c + 1] ? first[c] : i + 1;
   }
   [[nodiscard]] std::size_t next(std::size_t i) const {
-    std::size_t c = 0;
-    while (first[c + 1] <= i) ++c;
-    return next(c, i);
+    const auto c = std::ranges::upper_bound(first, i) - first.begin() - 1;
+    return next(static_cast<std::size_t>(c), i);
   }
 };
 

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <vector>
 
-#include "arith/running_error.hpp"
 #include "axis_body.hpp"
+#include "figure/gjk_simplex.hpp"
+#include "round_vertices.hpp"
 
 namespace plumb::query {
 namespace {
 
 using namespace axes;
-using Vertex = core::Vec<Running>;
-using Triple = core::Vec<double>;
+using core::Plain;
 using Vertices = std::vector<Vertex>;
 
 constexpr int most_steps = 48;
-
-Triple value(const Vertex& v) { return {v.x.value, v.y.value, v.z.value}; }
 
 /// Of a line or ray, a part that goes beyond all others along an axis: it meets their hull where the whole does.
 /// Nothing where doubles do not tell.
@@ -48,15 +46,9 @@ struct Hull {
   std::uint32_t at = 0;  // the one that was found last
 
   [[nodiscard]] Vertex vertex(std::size_t i) const {
-    return solid != nullptr ? core::vec<Running>(solid->mesh.vertices[i]) : vertices[i];
+    return solid != nullptr ? query::vertex(solid->mesh.vertices[i]) : vertices[i];
   }
 };
-
-Vertices vertices_of(const ConvexPolyhedron3& s) {
-  Vertices all;
-  for (const Point3& p : s.mesh.vertices) all.push_back(core::vec<Running>(p));
-  return all;
-}
 
 Hull hull_of(const ConvexPolyhedron3& solid) { return {&solid, {}, solid.mesh.corners[0]}; }
 
@@ -70,7 +62,7 @@ std::optional<Hull> hull_of(const FlatView& v, const ConvexPolyhedron3& other) {
       const auto body = axis_body_of<Running>(s, {0, 0, 0});
       if (body.edge_count > 0 && body.ends[0] != EdgeEnd::none) {
         if (body.edge_count > 1) return {};
-        auto part = cut_to(vertices_of(other), body);
+        auto part = cut_to(query::vertices(other), body);
         return part ? std::optional(Hull{nullptr, std::move(*part)}) : std::nullopt;
       }
       return Hull{nullptr, {body.points.begin(), body.points.begin() + static_cast<std::ptrdiff_t>(body.point_count)}};
@@ -81,11 +73,11 @@ std::optional<Hull> hull_of(const FlatView& v, const ConvexPolyhedron3& other) {
 }
 
 /// A vertex that no other one is seen beyond, along way times the direction.
-Vertex farthest(Hull& hull, const Triple& along, double way) {
-  const Triple n = along * way;
+Vertex farthest(Hull& hull, const Plain& along, double way) {
+  const Plain n = along * way;
   if (hull.solid == nullptr) {
     for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) {
-      if (core::dot(value(hull.vertices[i]), n) > core::dot(value(hull.vertices[hull.at]), n)) hull.at = i;
+      if (core::dot(plain(hull.vertices[i]), n) > core::dot(plain(hull.vertices[hull.at]), n)) hull.at = i;
     }
     return hull.vertices[hull.at];
   }
@@ -99,7 +91,7 @@ Vertex farthest(Hull& hull, const Triple& along, double way) {
       if (r > most) most = r, hull.at = i, better = true;
     }
   }
-  return core::vec<Running>(points[hull.at]);
+  return vertex(points[hull.at]);
 }
 
 /// Nothing of the polyhedron is below these: some vertices that doubles do not tell from one another along n, all of
@@ -110,7 +102,7 @@ struct Level {
   std::size_t count = 0;
 };
 std::optional<Level> lowest_of(const ConvexPolyhedron3& solid, std::uint32_t from, const Vertex& n) {
-  const auto vertex = [&](std::uint32_t i) { return core::vec<Running>(solid.mesh.vertices[i]); };
+  const auto vertex = [&](std::uint32_t i) { return query::vertex(solid.mesh.vertices[i]); };
   const Vertex lowest = vertex(from);
   Level level{{from}, 1};
   for (std::size_t k = 0; k < level.count; ++k) {
@@ -138,111 +130,51 @@ double least_along(const Hull& hull, const Vertex& n) {
   } else if (const auto level = lowest_of(*hull.solid, hull.at, n)) {
     for (std::size_t k = 0; k < level->count; ++k) look(hull.vertex(level->vertices[k]));
   } else {
-    for (const std::uint32_t i : hull.solid->mesh.corners) look(hull.vertex(i));
+    for (const Point3& p : hull.solid->mesh.vertices) look(vertex(p));
   }
   return least + (widths - widths);
 }
 
 /// Are all of a strictly farther along than all of b?  Both have been asked for their farthest vertices that way.
-bool proves_apart(const Hull& a, const Hull& b, const Triple& along) {
-  const Vertex n{Running(along.x), Running(along.y), Running(along.z)};
-  const Vertex back{Running(-along.x), Running(-along.y), Running(-along.z)};
+bool proves_apart(const Hull& a, const Hull& b, const Plain& along) {
+  const Vertex n = core::vec<Running>(along);
+  const Vertex back = core::vec<Running>(along * -1);
   const Running gap = Running(least_along(a, n)) + Running(least_along(b, back));
   return gap.lower() > 0 && gap.value < std::numeric_limits<double>::infinity();
 }
 
-/// Up to four differences.
-struct Simplex {
-  std::array<Vertex, 4> at;
-  std::size_t size = 0;
-
-  void add(const Vertex& v) { at[size++] = v; }
-};
+/// Of differences of vertices.
+using Simplex = gjk::Simplex<Vertex>;
 
 /// Is the origin strictly inside of the tetrahedron?
-bool proves_overlap(const Simplex& simplex) {
-  if (simplex.size != 4) return false;
-  const auto& s = simplex.at;
-  Sign all{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto sign = core::dot(s[(i + 1) % 4], core::cross(s[(i + 2) % 4], s[(i + 3) % 4])).sign();
-    if (!sign.certain() || sign.value() == Sign::zero) return false;
-    const Sign outward = i % 2 == 0 ? sign.value() : -sign.value();
-    if (i > 0 && outward != all) return false;
-    all = outward;
-  }
-  return true;
+bool proves_overlap(const std::array<Vertex, 4>& s) {
+  return gjk::is_around_origin([&](std::size_t i, std::size_t j, std::size_t k) {
+    const auto sign = core::dot(s[i], core::cross(s[j], s[k])).sign();
+    return sign.certain() ? sign.value() : Sign::zero;
+  });
 }
 
-/// The part of the simplex that is nearest to the origin, and its nearest point: of all its parts.
-struct Nearest {
-  Simplex part;
-  Triple at{0, 0, 0};
-  double square = std::numeric_limits<double>::infinity();
-};
-Nearest nearest(const Simplex& simplex) {
-  Nearest best;
-  for (unsigned chosen = 1; chosen < 1u << simplex.size; ++chosen) {
-    Simplex part;
-    for (std::size_t i = 0; i < simplex.size; ++i) {
-      if ((chosen >> i & 1u) != 0) part.add(simplex.at[i]);
-    }
-    // Weights of the edges from the first corner, by elimination of their normal equations.
-    const Triple base = value(part.at[0]);
-    const std::size_t n = part.size - 1;
-    std::array<Triple, 3> edge{};
-    std::array<std::array<double, 4>, 3> row{};
-    for (std::size_t i = 0; i < n; ++i) edge[i] = value(part.at[i + 1]) - base;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) row[i][j] = core::dot(edge[i], edge[j]);
-      row[i][3] = -core::dot(edge[i], base);
-    }
-    bool inside = true;
-    for (std::size_t k = 0; k < n && inside; ++k) {
-      inside = row[k][k] > 0;
-      for (std::size_t i = 0; i < n && inside; ++i) {
-        if (i == k) continue;
-        const double by = row[i][k] / row[k][k];
-        for (std::size_t j = 0; j < 4; ++j) row[i][j] -= by * row[k][j];
-      }
-    }
-    double rest = 1;
-    Triple at = base;
-    for (std::size_t i = 0; i < n && inside; ++i) {
-      const double weight = row[i][3] / row[i][i];
-      inside = weight > 0;
-      rest -= weight;
-      at = at + edge[i] * weight;
-    }
-    if (inside && rest > 0 && core::dot(at, at) < best.square) best = {part, at, core::dot(at, at)};
-  }
-  return best;
-}
-
-bool same(const Triple& a, const Triple& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+bool same(const Plain& a, const Plain& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 std::optional<Relation> relate_hulls(Hull& a, Hull& b) {
   constexpr double nothing = 0x1p-90;  // of the square of a length that is lost in the differences' roundings
-  Simplex simplex;
-  simplex.add(a.vertex(a.at) - b.vertex(b.at));
-  Triple at = value(simplex.at[0]);
+  const Vertex first = a.vertex(a.at) - b.vertex(b.at);
+  Simplex simplex({first, plain(first)});
+  Plain at = plain(first);
   double largest = core::dot(at, at), square = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
     const Vertex next = farthest(a, at, -1) - farthest(b, at, 1);
-    const Triple reached = value(next);
+    const Plain reached = plain(next);
     if (core::dot(reached, at) > 0 && proves_apart(a, b, at)) return Relation::disjoint;
     largest = std::max(largest, core::dot(reached, reached));
-    for (std::size_t i = 0; i < simplex.size; ++i) {
-      if (same(value(simplex.at[i]), reached)) return {};
-    }
-    simplex.add(next);
-    if (proves_overlap(simplex)) return Relation::overlapping;
-    const Nearest found = nearest(simplex);
-    if (found.part.size == 0 || found.part.size == 4) return {};
-    if (!(found.square < square) || found.square < largest * nothing) return {};
-    simplex = found.part;
-    at = found.at;
-    square = found.square;
+    const auto& c = simplex.corners();
+    if (std::ranges::any_of(c, [&](const Simplex::Corner& corner) { return same(corner.at, reached); })) return {};
+    if (c.size() == 3 && proves_overlap({c[0].ends, c[1].ends, c[2].ends, next})) return Relation::overlapping;
+    simplex.add({next, reached});
+    if (simplex.is_full()) return {};
+    at = simplex.nearest();
+    const double last = std::exchange(square, core::dot(at, at));
+    if (!(square < last) || square < largest * nothing) return {};
   }
   return {};
 }

@@ -10,9 +10,7 @@ namespace plumb {
 namespace query {
 namespace {
 
-using Plain = core::Vec<double>;
-
-Plain plain(const Vertex& v) { return {v.x.value, v.y.value, v.z.value}; }
+using core::Plain;
 
 /// normal . x <= offset.
 struct Side {
@@ -86,8 +84,6 @@ Plain nearest_of_core(std::span<const Vertex> core, const Plain& q) {
   return at;
 }
 
-Vertex exactly(const Plain& v) { return {Running(v.x), Running(v.y), Running(v.z)}; }
-
 class Search {
  public:
   Search(std::span<const Side> sides, std::span<const Vertex> core, double radius)
@@ -98,7 +94,8 @@ class Search {
     const double radius = radius_.value, margin = radius * 0x1p-24;
     for (const Side& side : sides_) {
       if (!(side.length > 0)) return {};
-      if (proved_beyond([&](const Vertex& v) { return height(side, v); }, exactly(side.normal))) return Sign::positive;
+      if (proved_beyond([&](const Vertex& v) { return height(side, v); }, core::vec<Running>(side.normal)))
+        return Sign::positive;
     }
     for (const Vertex& v : core_) {
       if (radius > 0 && holds(v)) return Sign::negative;
@@ -119,7 +116,7 @@ class Search {
 
  private:
   static Running height(const Side& side, const Vertex& v) {
-    return core::dot(exactly(side.normal), v) - Running(side.offset);
+    return core::dot(core::vec<Running>(side.normal), v) - Running(side.offset);
   }
   [[nodiscard]] bool holds(const Vertex& v) const {
     for (const Side& side : sides_) {
@@ -128,7 +125,7 @@ class Search {
     return true;
   }
   [[nodiscard]] bool proved_near(const Plain& at) const {
-    const Vertex q = exactly(at);
+    const Vertex q = core::vec<Running>(at);
     if (!holds(q)) return false;
     const std::array<Vertex, 1> point{q};
     return quick_gap(core_, point, radius_.value, 0) == Sign::negative;
@@ -149,7 +146,7 @@ class Search {
   [[nodiscard]] bool proved_far(const Foot& f) const {
     Vertex normal;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      if (f.back[i] > 0) normal = normal + exactly(sides_[i].normal) * Running(f.back[i]);
+      if (f.back[i] > 0) normal = normal + core::vec<Running>(sides_[i].normal) * Running(f.back[i]);
     }
     return proved_beyond(
         [&](const Vertex& v) {

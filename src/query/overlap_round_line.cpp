@@ -1,4 +1,5 @@
 // Capsules and lozenges against lines and rays.
+#include <algorithm>
 #include <cmath>
 
 #include "exact_gap.hpp"
@@ -10,11 +11,7 @@ namespace plumb {
 namespace query {
 namespace {
 
-using Plain = core::Vec<double>;
-
-Plain plain(const Point3& p) { return {p.x, p.y, p.z}; }
-Plain plain(const Vector3& v) { return {v.x, v.y, v.z}; }
-Vertex exactly(const Plain& v) { return {Running(v.x), Running(v.y), Running(v.z)}; }
+using core::Plain;
 
 /// corner + s[k] edges[k], and origin + t direction with t >= 0 for a ray.
 template <std::size_t N>
@@ -22,8 +19,6 @@ struct Guess {
   std::array<double, N> s{};
   double t = 0;
 };
-
-double clamped(double x) { return x < 0 ? 0 : x > 1 ? 1 : x; }
 
 /// Nearly nearest points: each number in turn, the others held; t is always the best for s.
 template <std::size_t N>
@@ -49,10 +44,10 @@ Guess<N> guess(const Plain& corner, const std::array<Plain, N>& edges, const Pla
       const Plain rest = at() - edges[k] * g.s[k];
       const Plain e = off_line(edges[k]), w = off_line(rest);
       const double length = core::dot(e, e);
-      double next = length > 0 ? clamped(-core::dot(e, w) / length) : 0;
+      double next = length > 0 ? std::clamp(-core::dot(e, w) / length, 0.0, 1.0) : 0;
       if (is_ray && foot(rest + edges[k] * next) == 0) {  // nearest to the origin, then
         const double whole = core::dot(edges[k], edges[k]);
-        next = whole > 0 ? clamped(-core::dot(edges[k], rest) / whole) : 0;
+        next = whole > 0 ? std::clamp(-core::dot(edges[k], rest) / whole, 0.0, 1.0) : 0;
       }
       change = std::fmax(change, std::fabs(next - g.s[k]));
       g.s[k] = next;
@@ -79,8 +74,9 @@ template <std::size_t N>
 std::optional<Sign> line_gap(const Point3& corner, const std::array<Vertex, N>& edges, double radius,
                              const Point3& origin, const Vector3& direction, bool is_ray) {
   std::array<Plain, N> e;
-  for (std::size_t k = 0; k < N; ++k) e[k] = {edges[k].x.value, edges[k].y.value, edges[k].z.value};
-  const Guess<N> g = guess(plain(corner), e, plain(origin), plain(direction), is_ray);
+  for (std::size_t k = 0; k < N; ++k) e[k] = plain(edges[k]);
+  const Guess<N> g =
+      guess(core::vec<double>(corner), e, core::vec<double>(origin), core::vec<double>(direction), is_ray);
   const Vertex d = vertex(direction), o = vertex(origin), c = vertex(corner);
   Vertex way = c - o - d * Running(g.t);
   for (std::size_t k = 0; k < N; ++k) way = way + edges[k] * Running(g.s[k]);
@@ -89,12 +85,13 @@ std::optional<Sign> line_gap(const Point3& corner, const std::array<Vertex, N>& 
   if (!near.certain() || near.value() == Sign::zero) return {};
   if (near.value() == Sign::negative) return near.value();
   const auto vertices = query::vertices(c, edges);
-  const Plain w{way.x.value, way.y.value, way.z.value};
+  const Plain w = plain(way);
   if (is_ray && g.t == 0) {
-    const Vertex n = exactly(w);
+    const Vertex n = core::vec<Running>(w);
     return core::dot(n, d).upper() <= 0 && all_beyond(vertices, o, n, r) ? std::optional(Sign::positive) : std::nullopt;
   }
-  const Vertex n = core::cross(d, exactly(core::cross(w, plain(direction))));  // at right angles to the line
+  const Vertex n =
+      core::cross(d, core::vec<Running>(core::cross(w, core::vec<double>(direction))));  // at right angles to the line
   return all_beyond(vertices, o, n, r) ? std::optional(Sign::positive) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include "arith/running_error.hpp"
 #include "axis_body.hpp"
 #include "bounding_side.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/certify/direction.hpp"
 
 namespace plumb::query {

@@ -2,6 +2,7 @@
 
 #include "arith/running_error.hpp"
 #include "axis_body.hpp"
+#include "plumb/arith/big.hpp"
 
 namespace plumb::query {
 namespace {

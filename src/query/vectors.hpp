@@ -6,7 +6,7 @@
 // Source: RTCD 3.3; cost: none.
 #pragma once
 
-#include "plumb/arith/point.hpp"
+#include "figure/vec.hpp"
 #include "query/certain.hpp"
 
 namespace plumb::query {
@@ -15,17 +15,10 @@ namespace plumb::query {
 inline Point2 told(const Point2& p) { return {p.x + 0.0, p.y + 0.0}; }
 inline Point3 told(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
+using core::cross, core::dot;
+
 template <class T>
-struct Vec3 {
-  T x, y, z;
-  [[gnu::always_inline]] friend inline Vec3 operator+(const Vec3& a, const Vec3& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-  }
-  [[gnu::always_inline]] friend inline Vec3 operator-(const Vec3& a, const Vec3& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-  }
-  [[gnu::always_inline]] friend inline Vec3 operator*(const Vec3& a, const T& t) { return {a.x * t, a.y * t, a.z * t}; }
-};
+using Vec3 = core::Vec<T>;
 template <class T>
 struct Vec2 {
   T x, y;
@@ -39,10 +32,6 @@ struct Normal2 {  // of the plane
 };
 
 template <class T>
-[[gnu::always_inline]] inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class T>
 [[gnu::always_inline]] inline T dot(const Vec2<T>& a, const Vec2<T>& b) {
   return a.x * b.x + a.y * b.y;
 }
@@ -53,10 +42,6 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline T dot(const Vec2<T>&, const Normal2<T>&) {
   return T(0.0);
-}
-template <class T>
-[[gnu::always_inline]] inline Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class T>
 [[gnu::always_inline]] inline Normal2<T> cross(const Vec2<T>& a, const Vec2<T>& b) {
