@@ -7,34 +7,22 @@
 // Cost: some 10 to 30 ns.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
-#include "core_distance.hpp"
-#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/filtered.hpp"
+#include "plumb/arith/sign.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/simplex.hpp"
+#include "vec.hpp"
 
 namespace plumb::near_points {
 
-using Way = core::Vec<Approximate>;
-using PlainVec = core::Vec<double>;
+using core::Plain;
 
-inline PlainVec plain(const Point3& p) { return {p.x, p.y, p.z}; }
-inline PlainVec plain(const Vector3& v) { return {v.x, v.y, v.z}; }
-inline Way way(const Point3& from, const Point3& to) {
-  return {Approximate::difference(to.x, from.x), Approximate::difference(to.y, from.y),
-          Approximate::difference(to.z, from.z)};
-}
-
-/// The sign, where it is certain, else zero.
-inline int certain_sign(const Approximate& x) {
-  const double most = (x.error + Approximate::slack) * 0x1p-53 * x.magnitude;
-  return static_cast<int>(x.value > most) - static_cast<int>(x.value < -most);
-}
-
-inline double sum_of_sizes(const PlainVec& v) { return magnitude_of(v.x) + magnitude_of(v.y) + magnitude_of(v.z); }
+inline double sum_of_sizes(const Plain& v) { return magnitude_of(v.x) + magnitude_of(v.y) + magnitude_of(v.z); }
 
 /// What two near points show, `off` apart, the one sought less the other; `low` is the least height along `off` of what
 /// lies on the one's side over what lies on the other's.
@@ -46,7 +34,7 @@ inline double sum_of_sizes(const PlainVec& v) { return magnitude_of(v.x) + magni
 /// that add up to 1 + 4 u.  The guards pay for underflow, of squares and of products of two; up to `most` nothing
 /// overflows, and a NaN or infinity is never below it.
 struct NearPoints {
-  PlainVec off;
+  Plain off;
   double low, sizes;
 
   [[nodiscard]] std::optional<Sign> proof(double reach) const {
@@ -61,15 +49,13 @@ struct NearPoints {
   }
 };
 
-inline double least_of(double a, double b) { return a < b ? a : b; }
-inline double clamped(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
-
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Triangle3& t, const Point3& center, double radius) {
-  const PlainVec a = plain(t.a), ab = plain(t.b) - a, ac = plain(t.c) - a, p = plain(center), ap = p - a;
+  const Plain a = core::vec<double>(t.a), ab = core::vec<double>(t.b) - a, ac = core::vec<double>(t.c) - a,
+              p = core::vec<double>(center), ap = p - a;
   // Weights of the corners at the nearest point, times their sum.
   double u = 0, v = 0, w = 0;
   const double d1 = core::dot(ab, ap), d2 = core::dot(ac, ap);
-  const PlainVec bp = ap - ab, cp = ap - ac;
+  const Plain bp = ap - ab, cp = ap - ac;
   const double d3 = core::dot(ab, bp), d4 = core::dot(ac, bp), d5 = core::dot(ab, cp), d6 = core::dot(ac, cp);
   const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
   if (d1 <= 0 && d2 <= 0) {
@@ -90,21 +76,21 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
   const double share = 1 / (u + v + w);
   v *= share, w *= share;
   if (!(v >= 0 && w >= 0 && v + w <= 1 + 0x1p-51)) return {};
-  const PlainVec off = ap - ab * v - ac * w;
+  const Plain off = ap - ab * v - ac * w;
   const double back = core::dot(off, ab), other = core::dot(off, ac);
   const double low = core::dot(off, ap) - (back > other ? (back > 0 ? back : 0) : (other > 0 ? other : 0));
   return NearPoints{off, low, sum_of_sizes(ap) + (sum_of_sizes(ab) + sum_of_sizes(ac))}.proof(radius);
 }
 
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Obb3& box, const Point3& center, double radius) {
-  const PlainVec d = plain(center) - plain(box.center);
+  const Plain d = core::vec<double>(center) - core::vec<double>(box.center);
   const std::array half{magnitude_of(box.half.x), magnitude_of(box.half.y), magnitude_of(box.half.z)};
-  const std::array axis{plain(box.axes[0]), plain(box.axes[1]), plain(box.axes[2])};
-  PlainVec off = d;
+  const std::array axis{core::vec<double>(box.axes[0]), core::vec<double>(box.axes[1]), core::vec<double>(box.axes[2])};
+  Plain off = d;
   double sizes = sum_of_sizes(d);
   for (std::size_t i = 0; i < 3; ++i) {
     const double square = core::dot(axis[i], axis[i]);
-    const double t = square > 0 ? clamped(core::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
+    const double t = square > 0 ? std::clamp(core::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
     off = off - axis[i] * t;
     sizes += half[i] * sum_of_sizes(axis[i]);
   }
@@ -117,52 +103,53 @@ inline double clamped(double x, double low, double high) { return x < low ? low 
 /// Of two segments pq and xy.
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Segment3& pq, const Segment3& xy, double radius_pq,
                                                       double radius_xy) {
-  const PlainVec p = plain(pq.a), x = plain(xy.a), d = plain(pq.b) - p, e = plain(xy.b) - x, r = p - x;
+  const Plain p = core::vec<double>(pq.a), x = core::vec<double>(xy.a), d = core::vec<double>(pq.b) - p,
+              e = core::vec<double>(xy.b) - x, r = p - x;
   const double a = core::dot(d, d), c = core::dot(e, e), f = core::dot(e, r), g = core::dot(d, r), b = core::dot(d, e);
   const double area = a * c - b * b;
-  double s = area > 0 ? clamped((b * f - g * c) / area, 0, 1) : 0;
+  double s = area > 0 ? std::clamp((b * f - g * c) / area, 0.0, 1.0) : 0;
   double t = c > 0 ? (b * s + f) / c : 0;
   if (!(t > 0)) {
     t = 0;
-    s = a > 0 ? clamped(-g / a, 0, 1) : 0;
+    s = a > 0 ? std::clamp(-g / a, 0.0, 1.0) : 0;
   } else if (!(t < 1)) {
     t = 1;
-    s = a > 0 ? clamped((b - g) / a, 0, 1) : 0;
+    s = a > 0 ? std::clamp((b - g) / a, 0.0, 1.0) : 0;
   }
-  const PlainVec off = r + d * s - e * t;
+  const Plain off = r + d * s - e * t;
   const double up = core::dot(off, d), down = -core::dot(off, e);
-  const double low = core::dot(off, r) + (least_of(up, 0) + least_of(down, 0));
+  const double low = core::dot(off, r) + (std::min(up, 0.0) + std::min(down, 0.0));
   if (!(radius_pq >= 0 && radius_xy >= 0)) return {};
   return NearPoints{off, low, sum_of_sizes(r) + (sum_of_sizes(d) + sum_of_sizes(e))}.proof(radius_pq + radius_xy);
 }
 
 /// Of a box that is not empty.
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Aabb3& box, const Segment3& pq, double radius) {
+  // Rounding keeps order: a difference that is rounded above the radius is above it.
   const auto past = [&](double low, double high, double from, double to) {
-    const double first = from < to ? from : to, last = from < to ? to : from;
-    const double limit = radius * (1 + 0x1p-40);  // a difference of two doubles is rounded once
-    return (low - last > limit) | (first - high > limit);
+    const double below = low - std::max(from, to), above = std::min(from, to) - high;
+    return (below > radius) | (above > radius);
   };
   if (past(box.min.x, box.max.x, pq.a.x, pq.b.x) || past(box.min.y, box.max.y, pq.a.y, pq.b.y) ||
       past(box.min.z, box.max.z, pq.a.z, pq.b.z))
     return Sign::positive;
   constexpr int most_rounds = 12;
-  const PlainVec p = plain(pq.a), d = plain(pq.b) - p;
+  const Plain p = core::vec<double>(pq.a), d = core::vec<double>(pq.b) - p;
   const double square = core::dot(d, d);
   double s = 0.5;
   for (int round = 0; round < most_rounds; ++round) {
-    const PlainVec at = p + d * s;
-    const PlainVec q{clamped(at.x, box.min.x, box.max.x), clamped(at.y, box.min.y, box.max.y),
-                     clamped(at.z, box.min.z, box.max.z)};
+    const Plain at = p + d * s;
+    const Plain q{std::clamp(at.x, box.min.x, box.max.x), std::clamp(at.y, box.min.y, box.max.y),
+                  std::clamp(at.z, box.min.z, box.max.z)};
     const auto corner = [](double n, double low, double high) { return n > 0 ? high : low; };
-    const PlainVec from_q = p - q, off = from_q + d * s;
-    const PlainVec near{corner(off.x, box.min.x, box.max.x), corner(off.y, box.min.y, box.max.y),
-                        corner(off.z, box.min.z, box.max.z)};
-    const PlainVec from_near = p - near;
-    const double along = core::dot(off, d), low = core::dot(off, from_near) + least_of(along, 0);
+    const Plain from_q = p - q, off = from_q + d * s;
+    const Plain near{corner(off.x, box.min.x, box.max.x), corner(off.y, box.min.y, box.max.y),
+                     corner(off.z, box.min.z, box.max.z)};
+    const Plain from_near = p - near;
+    const double along = core::dot(off, d), low = core::dot(off, from_near) + std::min(along, 0.0);
     const double sizes = sum_of_sizes(from_q) + (sum_of_sizes(from_near) + sum_of_sizes(d));
     if (const auto sign = NearPoints{off, low, sizes}.proof(radius)) return sign;
-    const double next = square > 0 ? clamped(s - along / square, 0, 1) : 0;
+    const double next = square > 0 ? std::clamp(s - along / square, 0.0, 1.0) : 0;
     if (next == s) break;
     s = next;
   }

@@ -43,8 +43,7 @@ struct BeyondLozenge {
 };
 
 double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double clamped(double x) { return x < 0 ? 0 : x > 1 ? 1 : x; }
-double part(double x, double of) { return of > 0 ? clamped(x / of) : 0; }
+double part(double x, double of) { return of > 0 ? std::clamp(x / of, 0.0, 1.0) : 0; }
 
 bool is_certainly_within(const Capsule3& c, const Point3& p) {
   const Vector3 d{c.b.x - c.a.x, c.b.y - c.a.y, c.b.z - c.a.z}, w{p.x - c.a.x, p.y - c.a.y, p.z - c.a.z};

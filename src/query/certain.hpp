@@ -26,9 +26,7 @@ constexpr T coordinate_difference(double a, double b) {
 class Signs {
  public:
   Sign operator()(const Approximate& x) {
-    // Without a branch on the sign, which cannot be predicted.
-    const double most = (x.error + Approximate::slack) * 0x1p-53 * x.magnitude;
-    const int s = static_cast<int>(x.value > most) - static_cast<int>(x.value < -most);
+    const int s = x.certain_sign();
     certain_ = certain_ && s != 0;
     return static_cast<Sign>(s);
   }

@@ -1,13 +1,12 @@
 // Axis-aligned boxes: each coordinate is that of p or of a side.
+#include <algorithm>
+
 #include "closest_answers.hpp"
 #include "closest_flat_box.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
-
-// The nearest point is a point of doubles, and as a foot a point of its own.
-double nearest_between(double x, double min, double max) { return x < min ? min : x > max ? max : x; }
 
 Aabb3 in_space(const Aabb2& box) { return {query::in_space(box.min), query::in_space(box.max)}; }
 
@@ -19,8 +18,9 @@ void require_not_empty(std::string_view function, const Aabb3& box) {
 template <class T>
 Foot<T> foot_in(const Aabb3& s, const Point3& p, bool itself) {
   if (itself) return foot_of_itself(vec<T>(p));
-  const Point3 q{nearest_between(p.x, s.min.x, s.max.x), nearest_between(p.y, s.min.y, s.max.y),
-                 nearest_between(p.z, s.min.z, s.max.z)};
+  // The nearest point is a point of doubles, and as a foot a point of its own.
+  const Point3 q{std::clamp(p.x, s.min.x, s.max.x), std::clamp(p.y, s.min.y, s.max.y),
+                 std::clamp(p.z, s.min.z, s.max.z)};
   return foot_on_point(vec<T>(q), vec<T>(p));
 }
 

@@ -8,16 +8,14 @@
 #include "certain.hpp"
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
-#include "figure/near_points.hpp"
 #include "figure_input.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/query/overlap_round.hpp"
+#include "vectors.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
-
-using near_points::certain_sign, near_points::way;
 
 template <class T>
 using Vec = core::Vec<T>;
@@ -154,12 +152,13 @@ Point3 start_of(const Line& line) {
 template <class Line>
 [[gnu::flatten]] bool passes_by(const Line& line, const Axis& axis) {
   const Straight<Approximate> s = straight<Approximate>(line);
-  const Vec<Approximate> h = way(axis.from, axis.to), w = way(axis.from, start_of(line));
+  const Vec<Approximate> h = between<Approximate>(axis.from, axis.to),
+                         w = between<Approximate>(axis.from, start_of(line));
   const Approximate height = core::dot(w, h), rise = core::dot(s.along, h), top = core::dot(h, h);
   if (s.has_start) {
     const Approximate last = s.has_end ? height + rise : rise;  // of a ray the way that it goes
-    if (certain_sign(height) < 0 && certain_sign(last) < 0) return true;
-    if (certain_sign(height - top) > 0 && certain_sign(s.has_end ? last - top : last) > 0) return true;
+    if (height.certain_sign() < 0 && last.certain_sign() < 0) return true;
+    if ((height - top).certain_sign() > 0 && (s.has_end ? last - top : last).certain_sign() > 0) return true;
   }
   const Vec<Approximate> off = core::cross(w, h), change = core::cross(s.along, h);
   const Approximate r(axis.radius), reach = r * r;
@@ -169,10 +168,10 @@ template <class Line>
   } else {
     c = c - reach * top;
   }
-  if (certain_sign(a) <= 0) return false;
-  if (s.has_start && certain_sign(b) > 0) return certain_sign(c) > 0;
-  if (s.has_end && certain_sign(a + b) < 0) return certain_sign(a + b + b + c) > 0;
-  return certain_sign(a * c - b * b) > 0;
+  if (a.certain_sign() <= 0) return false;
+  if (s.has_start && b.certain_sign() > 0) return c.certain_sign() > 0;
+  if (s.has_end && (a + b).certain_sign() < 0) return (a + b + b + c).certain_sign() > 0;
+  return (a * c - b * b).certain_sign() > 0;
 }
 
 /// Of a shape with an interior, which a point overlaps where it is inside.

@@ -5,8 +5,8 @@
 #include "axis_shape.hpp"
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
-#include "figure/near_points.hpp"
 #include "figure_input.hpp"
+#include "plumb/arith/approximate.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/query/overlap_cylinder_cone.hpp"
 #include "plumb/query/overlap_round.hpp"
@@ -14,8 +14,6 @@
 namespace plumb {
 namespace query {
 namespace {
-
-using near_points::certain_sign;
 
 template <class T>
 using Vec = core::Vec<T>;
@@ -135,7 +133,7 @@ template <class Plane, class Round>
   (std::make_index_sequence<n>{});
   bool all_above = true, all_below = true, some_above = false, some_below = false;
   for (const Approximate& h : heights) {
-    const int side = certain_sign(h);
+    const int side = h.certain_sign();
     all_above = all_above & (side > 0), some_above = some_above | (side > 0);
     all_below = all_below & (side < 0), some_below = some_below | (side < 0);
   }
@@ -143,7 +141,7 @@ template <class Plane, class Round>
   const Reach<Approximate> reach = reach_along<Approximate>(round, p.normal);
   bool all_far = all_above || all_below;
   for (std::size_t i = of_cone ? 1 : 0; i < n; ++i) {  // the apex of a cone is a point
-    const int gap = certain_sign(squared(heights[i]) * reach.square - reach.reach);
+    const int gap = (squared(heights[i]) * reach.square - reach.reach).certain_sign();
     if (gap < 0) return Relation::overlapping;
     all_far = all_far & (gap > 0);
   }

@@ -1,9 +1,10 @@
 // A ball against what its nearest point is soon found on: lines, rays, segments, axis-aligned boxes.
+#include <algorithm>
 #include <plumb/predicates/distance.hpp>
 #include <plumb/predicates/line_distance.hpp>
 
 #include "exact_gap.hpp"
-#include "figure/near_points.hpp"
+#include "figure/vec.hpp"
 #include "figure_input.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/query/overlap_round.hpp"
@@ -11,8 +12,6 @@
 namespace plumb {
 namespace query {
 namespace {
-
-using near_points::clamped;
 
 /// (point, direction, center, radius): the square of the distance of a line, minus that of the radius, times that of
 /// the direction.
@@ -53,7 +52,8 @@ Sign gap(const Segment3& a, const Sphere3& b) { return compare_distance_to_segme
 /// Of a box that is not empty.
 Sign gap(const Aabb3& a, const Sphere3& b) {
   const auto& [x, y, z] = b.center;
-  return gap(Point3{clamped(x, a.min.x, a.max.x), clamped(y, a.min.y, a.max.y), clamped(z, a.min.z, a.max.z)}, b);
+  return gap(Point3{std::clamp(x, a.min.x, a.max.x), std::clamp(y, a.min.y, a.max.y), std::clamp(z, a.min.z, a.max.z)},
+             b);
 }
 
 /// (a, b, center): how far along the segment the center lies.
@@ -78,7 +78,7 @@ inline constexpr double along_constant = filter_constant<AlongSegment>() / 2 * m
 static_assert(filter_constant<Along>() <= filter_constant<AlongSegment>() &&
               filter_constant<LineGap>() <= filter_constant<predicates::LineDistanceAgainst3d>());
 
-using Plain = core::Vec<double>;
+using core::Plain;
 
 /// Of the points from + t d, t from 0 up to 1 where they have an end, of which w leads from the first to the center.
 template <bool has_end>

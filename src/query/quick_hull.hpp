@@ -20,10 +20,7 @@
 namespace plumb::query::quick {
 
 /// The sign, where it is certain; else 0.
-[[gnu::always_inline]] inline int certain(const Approximate& x) {
-  const double most = (x.error + Approximate::slack) * 0x1p-53 * x.magnitude;
-  return static_cast<int>(x.value > most) - static_cast<int>(x.value < -most);
-}
+[[gnu::always_inline]] inline int certain(const Approximate& x) { return x.certain_sign(); }
 /// At the rounding of sums and products of these numbers.
 inline int certain(const Running& x) {
   const Unsure<Sign> s = x.sign();

@@ -32,15 +32,21 @@ struct Approximate {
     return {a.value * b.value, a.magnitude * b.magnitude + underflow_guard, a.error + b.error + (1 + slack)};
   }
 
+  /// | |v| - |V| | <= |v - V|, so the error stays.
+  friend constexpr Approximate magnitude(const Approximate& a) { return {magnitude_of(a.value), a.magnitude, a.error}; }
+
   /// a - b of two coordinates as given: rounded once, its magnitude is its own.
   static constexpr Approximate difference(double a, double b) { return {a - b, magnitude_of(a - b), 1}; }
 
-  /// Never certain of zero.
-  [[nodiscard]] constexpr Unsure<Sign> sign() const {
+  /// The sign where it is certain, which it never is of zero, else 0.  Without a branch on the sign, which cannot be
+  /// predicted.
+  [[nodiscard]] constexpr int certain_sign() const {
     const double most = (error + slack) * 0x1p-53 * magnitude;
-    if (value > most) return Unsure{Sign::positive};
-    if (value < -most) return Unsure{Sign::negative};
-    return {};
+    return static_cast<int>(value > most) - static_cast<int>(value < -most);
+  }
+  [[nodiscard]] constexpr Unsure<Sign> sign() const {
+    const int s = certain_sign();
+    return s == 0 ? Unsure<Sign>{} : Unsure{static_cast<Sign>(s)};
   }
 };
 
