@@ -10,31 +10,23 @@
 #include "plumb/arith/big_rounding.hpp"
 #include "plumb/certify/determinant_sign.hpp"
 #include "plumb/certify/filter_stage.hpp"
+#include "vec.hpp"
 
 namespace plumb::enclosing {
 namespace {
 
-using predicates::cross;
-using predicates::dot;
+using core::cross, core::dot, core::Plain, core::vec, core::Vec;
 using predicates::OrderAlongCross;
-using predicates::Triple;
-
-template <class N, class V>
-Triple<N> as(const V& v) {
-  return {N(v.x), N(v.y), N(v.z)};
-}
-
-Ball size(const Ball& x) { return x.high < 0 ? Ball{-x.high, -x.low, x.radius} : x; }
-BigDyadic size(const BigDyadic& x) { return x.sign() == Sign::negative ? BigDyadic(0) - x : x; }
 
 // What the faces through one axis are measured with.
 template <class N>
 struct Measure {
-  Triple<N> normal;
+  Vec<N> normal;
   N volume;
 
   Measure(const std::array<Vector3, 3>& axes, std::size_t i)
-      : normal(cross(as<N>(axes[(i + 1) % 3]), as<N>(axes[(i + 2) % 3]))), volume(size(dot(normal, as<N>(axes[i])))) {}
+      : normal(cross(vec<N>(axes[(i + 1) % 3]), vec<N>(axes[(i + 2) % 3]))),
+        volume(magnitude(dot(normal, vec<N>(axes[i])))) {}
 };
 
 std::optional<double> quotient_up(const Ball& n, const Ball& d) { return quotient(n, d).rounded(Rounding::up); }
@@ -44,25 +36,24 @@ std::optional<double> quotient_up(const BigDyadic& n, const BigDyadic& d) {
 
 template <class N>
 std::optional<double> reach(const Measure<N>& m, const Point3& center, const Point3& p) {
-  return quotient_up(size(dot(m.normal, as<N>(p) - as<N>(center))), m.volume);
+  return quotient_up(magnitude(dot(m.normal, vec<N>(p) - vec<N>(center))), m.volume);
 }
 
 template <class N>
-Triple<N> image(const Triple<N>& v, const Pose& pose) {
-  return scaled(as<N>(pose.columns[0]), v.x) + scaled(as<N>(pose.columns[1]), v.y) +
-         scaled(as<N>(pose.columns[2]), v.z);
+Vec<N> image(const Vec<N>& v, const Pose& pose) {
+  return vec<N>(pose.columns[0]) * v.x + vec<N>(pose.columns[1]) * v.y + vec<N>(pose.columns[2]) * v.z;
 }
 
 template <class N>
 std::optional<double> reach(const Measure<N>& m, const Point3& center, const Body& body) {
-  Triple<N> middle = as<N>(body.box.center);
-  if (body.pose != nullptr) middle = image(middle, *body.pose) + as<N>(body.pose->translation);
-  N sum = size(dot(m.normal, middle - as<N>(center)));
+  Vec<N> middle = vec<N>(body.box.center);
+  if (body.pose != nullptr) middle = image(middle, *body.pose) + vec<N>(body.pose->translation);
+  N sum = magnitude(dot(m.normal, middle - vec<N>(center)));
   const std::array half{body.box.half.x, body.box.half.y, body.box.half.z};
   for (std::size_t j = 0; j < 3; ++j) {
-    Triple<N> axis = as<N>(body.box.axes[j]);
+    Vec<N> axis = vec<N>(body.box.axes[j]);
     if (body.pose != nullptr) axis = image(axis, *body.pose);
-    sum = sum + size(N(half[j]) * dot(m.normal, axis));
+    sum = sum + magnitude(N(half[j]) * dot(m.normal, axis));
   }
   return quotient_up(sum, m.volume);
 }
@@ -102,12 +93,10 @@ constexpr double terms = [] {
 
 // |(u x v) . (p - c)| in doubles.
 struct Rough {
-  Triple<double> normal;
+  Plain normal;
   const Point3& center;
 
-  double operator()(const Point3& p) const {
-    return magnitude_of(dot(normal, Triple{p.x - center.x, p.y - center.y, p.z - center.z}));
-  }
+  double operator()(const Point3& p) const { return magnitude_of(dot(normal, vec<double>(p) - vec<double>(center))); }
 };
 
 }  // namespace
@@ -126,7 +115,7 @@ Vector3 half(const std::array<Vector3, 3>& axes, const Point3& center, std::span
   std::array<double, 3> reach{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 &u = axes[(i + 1) % 3], &v = axes[(i + 2) % 3];
-    const Rough rough{cross(as<double>(u), as<double>(v)), center};
+    const Rough rough{cross(vec<double>(u), vec<double>(v)), center};
     // No rough distance is off by more: the magnitude of filter B, and its roundings.
     const double error = filter_constant<OrderAlongCross>() * terms * (1 + 0x1p-40) *
                          std::max(frame::largest(u), least) * std::max(frame::largest(v), least) * apart;

@@ -1,35 +1,28 @@
 // Volume and surface area of an oriented box, rounded once.
 #include <cmath>
-#include <plumb/predicates/cross.hpp>
 
 #include "finite_parts.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big_rounding.hpp"
 #include "plumb/figure/obb.hpp"
+#include "vec.hpp"
 
 namespace plumb {
 namespace {
 
-using predicates::cross;
-using predicates::dot;
-using predicates::Triple;
-
-template <class N>
-Triple<N> as(const Vector3& v) {
-  return {N(v.x), N(v.y), N(v.z)};
-}
+using core::cross, core::dot, core::vec;
 
 template <class N>
 N signed_volume_of(const Obb3& box) {
   return N(8) * (N(box.half.x) * N(box.half.y) * N(box.half.z)) *
-         dot(as<N>(box.axes[0]), cross(as<N>(box.axes[1]), as<N>(box.axes[2])));
+         dot(vec<N>(box.axes[0]), cross(vec<N>(box.axes[1]), vec<N>(box.axes[2])));
 }
 
 // The square of the area of both faces through axis i.
 template <class N>
 N squared_area(const Obb3& box, std::size_t i) {
   const std::array half{box.half.x, box.half.y, box.half.z};
-  const auto normal = cross(as<N>(box.axes[(i + 1) % 3]), as<N>(box.axes[(i + 2) % 3]));
+  const auto normal = cross(vec<N>(box.axes[(i + 1) % 3]), vec<N>(box.axes[(i + 2) % 3]));
   const N size = N(8) * (N(half[(i + 1) % 3]) * N(half[(i + 2) % 3]));
   return size * size * dot(normal, normal);
 }
@@ -39,7 +32,7 @@ void require_finite(std::string_view function, const Obb3& box) {
                                box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
 }
 
-// floor(2^bits root(x)) and whether that is all, for bits of the parity of the exponent.
+// floor(2^bits root(x)), and whether that is all.
 mpz_class floor_root(const BigDyadic& x, long bits, bool& exact) {
   mpz_class shifted = x.mantissa();
   const long shift = x.exponent() + 2 * bits;
@@ -56,21 +49,9 @@ mpz_class floor_root(const BigDyadic& x, long bits, bool& exact) {
 }
 
 double nearest(const mpz_class& n, long bits) {
-  const auto power = [](long e) {
-    BigDyadic p(1);
-    for (BigDyadic factor(2); e > 0; e /= 2, factor = factor * factor) {
-      if (e % 2 != 0) p = p * factor;
-    }
-    return p;
-  };
-  BigDyadic whole(0);
-  const std::size_t limbs = mpz_size(n.get_mpz_t());
-  for (std::size_t k = limbs; k-- > 0;) {  // limb by limb, in halves that doubles hold
-    const mp_limb_t limb = mpz_getlimbn(n.get_mpz_t(), static_cast<mp_size_t>(k));
-    whole = whole * BigDyadic(0x1p64) + BigDyadic(static_cast<double>(limb >> 32)) * BigDyadic(0x1p32) +
-            BigDyadic(static_cast<double>(limb & 0xffffffffu));
-  }
-  return rounded_quotient(Rounding::nearest, whole, power(bits));
+  mpq_class x(n);
+  mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(bits));
+  return rounded(Rounding::nearest, x);
 }
 
 // A sum of roots is rational only where each root is: then enough bits are exact, and otherwise no tie is met.

@@ -14,8 +14,6 @@ struct Quick {
   Ball distance;  // of p from there
 };
 
-Ball size(const Ball& x) { return x.high < 0 ? Ball{-x.high, -x.low, x.radius} : x; }
-
 Quick quick_numbers(const Foot<Ball>& f, bool distance) {
   Quick q{f.from, Ball{0.0}};
   if (f.carrier == Carrier::itself) return q;
@@ -28,7 +26,7 @@ Quick quick_numbers(const Foot<Ball>& f, bool distance) {
   q.at = f.from + way;
   if (!distance) return q;
   if (f.carrier == Carrier::plane) {
-    q.distance = size(t) * root(f.whole);
+    q.distance = magnitude(t) * root(f.whole);
   } else {
     const Vec<Ball> rest = f.off - way;
     q.distance = root(dot(rest, rest));
@@ -94,23 +92,8 @@ Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double r
   return {at ? *at : point_by_integers(e, p, radius), d ? *d : distance_by_integers(e, radius)};
 }
 
-namespace {
-
-mpq_class rational(const BigDyadic& x) {
-  mpq_class r(x.mantissa());
-  const long e = x.exponent();
-  if (e >= 0) {
-    mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(e));
-  } else {
-    mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-e));
-  }
-  return r;
-}
-
-}  // namespace
-
 Rational rational_square(const Foot<BigDyadic>& foot) {
-  return Rational(BigRational{mpq_class(rational(foot.square()) / rational(foot.over()))});
+  return Rational(big_rational(foot.square())) / Rational(big_rational(foot.over()));
 }
 
 double rounded_part(const Foot<Ball>& foot, const ExactFoot& exactly) {

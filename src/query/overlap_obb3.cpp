@@ -35,11 +35,7 @@ std::optional<Sign> sign(const Ball& x) {
 }
 std::optional<Sign> sign(const BigDyadic& x) { return x.sign(); }
 
-// | |x| - |y| | <= |x - y|, and likewise of maxima: the errors stay.
-Approximate size(const Approximate& x) { return {magnitude_of(x.value), x.magnitude, x.error}; }
-Ball size(const Ball& x) { return x.high < 0 ? Ball{-x.high, -x.low, x.radius} : x; }
-BigDyadic size(const BigDyadic& x) { return x.sign() == Sign::negative ? BigDyadic(0) - x : x; }
-
+// The errors stay.
 Approximate larger(const Approximate& a, const Approximate& b) {
   return {std::max(a.value, b.value), a.magnitude + b.magnitude, std::max(a.error, b.error)};  // a sum keeps a NaN
 }
@@ -115,7 +111,9 @@ struct Across {
   Across(const Vec3<T>& e, std::size_t axis)
       : j(part(e, (axis + 1) % 3)), k(part(e, (axis + 2) % 3)), at_j((axis + 1) % 3), at_k((axis + 2) % 3) {}
   [[nodiscard]] T of(const Vec3<T>& p) const { return j * part(p, at_k) - k * part(p, at_j); }
-  [[nodiscard]] T reach(const Frame<T>& box) const { return size(j) * box.half_of(at_k) + size(k) * box.half_of(at_j); }
+  [[nodiscard]] T reach(const Frame<T>& box) const {
+    return magnitude(j) * box.half_of(at_k) + magnitude(k) * box.half_of(at_j);
+  }
 };
 
 template <class T>
@@ -131,7 +129,7 @@ void along_axes(Gaps<T>& gaps, const Frame<T>& box, const Straight<T>& s) {
   for (std::size_t k = 0; k < 3; ++k) {
     const T &p = part(s.p, k), &d = part(s.d, k), &h = box.half_of(k);
     if (s.is_point) {
-      gaps.add(size(p) - h);
+      gaps.add(magnitude(p) - h);
     } else if (s.reach == Reach::segment) {
       const T q = p + d;
       gaps.add(negated(larger(p, q)) - h);
@@ -157,7 +155,7 @@ std::optional<Relation> relate_in_frame(const Frame<T>& box, const Straight<T>& 
   along_axes(gaps, box, s);
   for (std::size_t k = 0; k < 3 && !s.is_point && !gaps.apart(); ++k) {
     const Across<T> axis(s.d, k);
-    gaps.add(size(axis.of(s.p)) - axis.reach(box), axis.j, axis.k);
+    gaps.add(magnitude(axis.of(s.p)) - axis.reach(box), axis.j, axis.k);
   }
   return gaps.relation();
 }
@@ -176,8 +174,9 @@ std::optional<Relation> relate_in_frame(const Frame<T>& box, const Triple<T>& p,
   }
   if (gaps.apart()) return Relation::disjoint;
   const Vec3<T> n = cross(edges[0], edges[1]);
-  gaps.add(size(dot(n, p[0])) - (size(n.x) * box.half.x + size(n.y) * box.half.y + size(n.z) * box.half.z), n.x, n.y,
-           n.z);
+  gaps.add(magnitude(dot(n, p[0])) -
+               (magnitude(n.x) * box.half.x + magnitude(n.y) * box.half.y + magnitude(n.z) * box.half.z),
+           n.x, n.y, n.z);
   for (std::size_t i = 0; i < 3 && !gaps.apart(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Across<T> axis(edges[i], k);
@@ -196,7 +195,7 @@ class ToFrame {
   explicit ToFrame(const Obb3& box) : center_(box.center) {
     const auto a0 = vector_of<T>(box.axes[0]), a1 = vector_of<T>(box.axes[1]), a2 = vector_of<T>(box.axes[2]);
     normals_ = {cross(a1, a2), cross(a2, a0), cross(a0, a1)};
-    volume_ = size(dot(a0, normals_[0]));
+    volume_ = magnitude(dot(a0, normals_[0]));
     const auto half = [&](double h) { return volume_ * T(magnitude_of(h)); };
     frame_ = {{half(box.half.x), half(box.half.y), half(box.half.z)}};
   }
@@ -283,18 +282,20 @@ std::optional<Relation> by_pair(const BoxPair<T>& pair) {
   const auto& [d, box, g] = pair;
   Gaps<T> gaps;
   for (std::size_t k = 0; k < 3; ++k) {
-    gaps.add(size(part(d, k)) - (box.half_of(k) + (size(part(g[0], k)) + size(part(g[1], k)) + size(part(g[2], k)))));
+    gaps.add(magnitude(part(d, k)) -
+             (box.half_of(k) + (magnitude(part(g[0], k)) + magnitude(part(g[1], k)) + magnitude(part(g[2], k)))));
   }
   const std::array n{cross(g[1], g[2]), cross(g[2], g[0]), cross(g[0], g[1])};
-  const T volume = size(dot(g[0], n[0]));
+  const T volume = magnitude(dot(g[0], n[0]));
   for (std::size_t i = 0; i < 3 && !gaps.apart(); ++i) {
-    const T along = size(n[i].x) * box.half.x + size(n[i].y) * box.half.y + size(n[i].z) * box.half.z;
-    gaps.add(size(dot(d, n[i])) - (along + volume), n[i].x, n[i].y, n[i].z);
+    const T along = magnitude(n[i].x) * box.half.x + magnitude(n[i].y) * box.half.y + magnitude(n[i].z) * box.half.z;
+    gaps.add(magnitude(dot(d, n[i])) - (along + volume), n[i].x, n[i].y, n[i].z);
   }
   for (std::size_t i = 0; i < 3 && !gaps.apart(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Across<T> axis(g[i], k);
-      gaps.add(size(axis.of(d)) - (axis.reach(box) + (size(part(n[(i + 1) % 3], k)) + size(part(n[(i + 2) % 3], k)))),
+      gaps.add(magnitude(axis.of(d)) -
+                   (axis.reach(box) + (magnitude(part(n[(i + 1) % 3], k)) + magnitude(part(n[(i + 2) % 3], k)))),
                axis.j, axis.k);
     }
   }

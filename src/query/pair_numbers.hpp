@@ -77,17 +77,7 @@ double nearest_distance(const ClosePair<BigDyadic, Point>& pair) {
 
 template <class Point>
 Rational square_of(const ClosePair<BigDyadic, Point>& pair) {
-  const auto rational = [](const BigDyadic& x) {
-    mpq_class q(x.mantissa());
-    const auto shift = static_cast<mp_bitcnt_t>(x.exponent() < 0 ? -x.exponent() : x.exponent());
-    if (x.exponent() < 0) {
-      q /= mpq_class(mpz_class(1) << shift);
-    } else {
-      q *= mpq_class(mpz_class(1) << shift);
-    }
-    return Rational(BigRational{q});
-  };
-  return rational(pair.square) / rational(pair.square_whole);
+  return Rational(big_rational(pair.square)) / Rational(big_rational(pair.square_whole));
 }
 
 }  // namespace plumb::query

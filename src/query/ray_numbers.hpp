@@ -185,28 +185,18 @@ Hit numbers_of(const AnyRay& ray, const Model& model, const Decided& decided) {
           {sure_or(normal[0], 4), sure_or(normal[1], 5), sure_or(normal[2], 6)}};
 }
 
-inline Rational rational(const BigDyadic& x) {
-  mpq_class q(x.mantissa());
-  if (x.exponent() >= 0) {
-    q <<= static_cast<mp_bitcnt_t>(x.exponent());
-  } else {
-    q >>= static_cast<mp_bitcnt_t>(-x.exponent());
-  }
-  return Rational(BigRational{q});
-}
-
 template <class Model>
 RayParameter parameter_of(const AnyRay& ray, const Model& model, const Decided& decided) {
   if (decided.when.at == When::At::zero) return {};
   const ShotLine<BigDyadic> line(ray);
   if (decided.when.at == When::At::root) {
     const Quadratic<BigDyadic> q = quadratic_of<BigDyadic>(line, model, decided.when);
-    const Rational square = rational(q.square);
-    return {-rational(q.half) / square, rational(q.discriminant) / (square * square)};
+    const Rational square = Rational(big_rational(q.square));
+    return {-Rational(big_rational(q.half)) / square, Rational(big_rational(q.discriminant)) / (square * square)};
   }
   RaySigns ask;
   const Time<BigDyadic> t = time_of<BigDyadic>(line, model, decided.when, ask);
-  return {rational(t.numerator) / rational(t.denominator)};
+  return {Rational(big_rational(t.numerator)) / Rational(big_rational(t.denominator))};
 }
 
 /// A Hit, a RayParameter, or what is decided as it is.

@@ -61,26 +61,12 @@ void PreciseTime::not_positive(const Ball& from, const Ball& half_change, const 
   time_ = quotient(from, root(half_change * half_change - square * from) - half_change);
 }
 
-namespace {
-
-mpq_class rational(const BigDyadic& x) {
-  mpq_class r = x.mantissa();
-  if (x.exponent() < 0) {
-    mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-x.exponent()));
-  } else {
-    mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(x.exponent()));
-  }
-  return r;
-}
-
-}  // namespace
-
 void ExactTime::not_negative(const BigDyadic& from, const BigDyadic& change) {
   if (change.sign() == Sign::zero) {
     if (from.sign() == Sign::negative) high_ = -1;
     return;
   }
-  const mpq_class at = -rational(from) / rational(change);
+  const mpq_class at = -big_rational(from).value / big_rational(change).value;
   if (change.sign() == Sign::positive) {
     low_ = std::max(low_, at);
   } else {
@@ -90,7 +76,8 @@ void ExactTime::not_negative(const BigDyadic& from, const BigDyadic& change) {
 
 void ExactTime::not_positive(const BigDyadic& from, const BigDyadic& half_change, const BigDyadic& square) {
   if (low_ > high_) return;
-  const std::array<mpq_class, 3> c{rational(from), 2 * rational(half_change), rational(square)};
+  const std::array<mpq_class, 3> c{big_rational(from).value, 2 * big_rational(half_change).value,
+                                   big_rational(square).value};
   const auto exact = [](const mpq_class& x) { return Rational(BigRational{x}); };
   if (c[0] + (c[1] + c[2] * low_) * low_ <= 0) {
     first_ = Root(exact(low_));

@@ -45,6 +45,7 @@ struct Ball {
     return {r.value, r.error, widened(a.radius + b.radius + size(c.error) + size(w.error))};
   }
   friend constexpr Ball operator-(const Ball& a, const Ball& b) { return a + Ball{-b.high, -b.low, b.radius}; }
+  friend constexpr Ball magnitude(const Ball& x) { return x.high < 0 ? Ball{-x.high, -x.low, x.radius} : x; }
 
   friend constexpr Ball operator*(const Ball& a, const Ball& b) {
     const Rounded p = two_product(a.high, b.high);

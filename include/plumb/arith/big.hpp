@@ -87,4 +87,17 @@ class BigDyadic {
   long exponent_ = 0;
 };
 
+inline BigDyadic magnitude(const BigDyadic& x) { return x.sign() == Sign::negative ? BigDyadic() - x : x; }
+
+/// The same number.
+inline BigRational big_rational(const BigDyadic& x) {
+  mpq_class r(x.mantissa());
+  if (x.exponent() >= 0) {
+    mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(x.exponent()));
+  } else {
+    mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-x.exponent()));
+  }
+  return {std::move(r)};
+}
+
 }  // namespace plumb
