@@ -10,6 +10,7 @@
 #include "plumb/certify/coplanar.hpp"
 #include "plumb/certify/determinant_sign.hpp"
 #include "plumb/certify/direction.hpp"
+#include "plumb/certify/gap_filter.hpp"
 
 namespace plumb {
 namespace figure_contains {
@@ -113,19 +114,6 @@ bool in_flat(const Point3& center, const Point3& p, const Axes3& axes, const Num
          Sign::positive;
 }
 
-using FaceInput = Coordinates<BeyondFace>;
-
-/// Takes the absolute value of a computed product: | |v| - |V| | <= |v - V|, so the magnitude still bounds the error.
-int face_filter(const FaceInput& x) {
-  const Filtered r = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return BeyondFace::gap(std::array{Filtered::Input{x[I]}...}, [](const Filtered& product) {
-      return Filtered{magnitude_of(product.value), product.magnitude};
-    });
-  }
-  (std::make_index_sequence<arity<BeyondFace>>{});
-  return beyond(r.value, filter_constant<BeyondFace>() * r.magnitude);
-}
-
 /// Exactly, for axes whose determinant has this sign, which is not zero.
 Sign beyond_face(const Point3& center, const Point3& p, const Vector3& u, const Vector3& v, const Vector3& w,
                  double half, Sign determinant) {
@@ -209,7 +197,7 @@ Location locate(const Obb3& box, const Point3& p) {
   const Numbers half{magnitude_of(box.half.x), magnitude_of(box.half.y), magnitude_of(box.half.z)};
   // What is certain here needs no axes to be independent: a face whose normal is zero has a gap of zero.
   const auto face = [&](const Vector3& a, const Vector3& b, const Vector3& c, double h) {
-    return face_filter(coordinates_of<BeyondFace>(box.center, p, a, b, c, h, 1.0));
+    return gap_filter<BeyondFace>(coordinates_of<BeyondFace>(box.center, p, a, b, c, h, 1.0));
   };
   const int x = face(v, w, u, half[0]), y = face(w, u, v, half[1]), z = face(u, v, w, half[2]);
   if (x > 0 || y > 0 || z > 0) return Location::outside;

@@ -3,6 +3,7 @@
 
 #include "obb_gaps.hpp"
 #include "obb_quick.hpp"
+#include "plumb/certify/gap_filter.hpp"
 #include "plumb/certify/separating_axis.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/obb.hpp"
@@ -84,16 +85,6 @@ struct PlaneGap {
   }
 };
 
-int plane_filter(const Coordinates<PlaneGap>& p) {
-  const Filtered r = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return PlaneGap::gap(std::array{Filtered::Input{p[I]}...}, [](const Filtered& product) {
-      return Filtered{magnitude_of(product.value), product.magnitude};
-    });
-  }
-  (std::make_index_sequence<15>{});
-  return beyond(r.value, filter_constant<PlaneGap>() * r.magnitude);
-}
-
 // Centers are swapped and axes reversed until no product with u's normal is negative.
 std::optional<Sign> plane_gap_exactly(Coordinates<PlaneGap> p) {
   if (p[4] == 0 && p[5] == 0) return {};
@@ -129,7 +120,7 @@ std::optional<Sign> plane_gap(const Obb2& a, const Obb2& b, std::size_t i) {
                                 magnitude_of(i == 0 ? a.half.y : a.half.x),
                                 magnitude_of(b.half.x),
                                 magnitude_of(b.half.y)};
-  if (const int s = plane_filter(p); s != 0) [[likely]]
+  if (const int s = gap_filter<PlaneGap>(p); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return plane_gap_exactly(p);
 }

@@ -1,10 +1,12 @@
 #include "quick_gap.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <plumb/predicates/cross.hpp>
 
 #include "near_points.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/certify/gap_filter.hpp"
 #include "plumb/certify/sign_of.hpp"
 
 namespace plumb::swept {
@@ -50,17 +52,6 @@ struct PlaneBetween {
   }
 };
 
-/// | |v| - |V| | <= |v - V|, so the magnitude still bounds the error.
-int plane_filter(const Coordinates<PlaneBetween>& p) {
-  const Filtered r = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return PlaneBetween::gap(std::array{Filtered::Input{p[I]}...}, [](const Filtered& product) {
-      return Filtered{magnitude_of(product.value), product.magnitude};
-    });
-  }
-  (std::make_index_sequence<23>{});
-  return beyond(r.value, filter_constant<PlaneBetween>() * r.magnitude);
-}
-
 // (n): 1 - n^2.
 struct Shorter {
   static constexpr std::string_view name = "relate";
@@ -70,8 +61,6 @@ struct Shorter {
     return p[3] * p[3] - (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
   }
 };
-
-double clamped(double x) { return x < 0 ? 0 : x > 1 ? 1 : x; }
 
 double product(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 
@@ -90,7 +79,7 @@ std::array<double, 4> near_parts(const Vector3& d, const std::array<Vector3, 4>&
       if (!(gram[i][i] > 0)) continue;
       double slope = along[i];
       for (std::size_t j = 0; j < 4; ++j) slope += gram[i][j] * part[j];
-      const double next = clamped(part[i] - slope / gram[i][i]);
+      const double next = std::clamp(part[i] - slope / gram[i][i], 0.0, 1.0);
       change = std::fmax(change, std::fabs(next - part[i]));
       part[i] = next;
     }
@@ -109,8 +98,6 @@ std::optional<Vector3> shortened(const Vector3& n) {
 }  // namespace
 
 std::optional<Sign> quick_gap(const Capsule3& a, const Capsule3& b) {
-  const double sum = a.radius + b.radius;
-  if (!(a.radius >= 0 && b.radius >= 0 && sum - sum == 0)) return {};
   assert_sound_thread();
   return near_points::quick_gap(Segment3{a.a, a.b}, Segment3{b.a, b.b}, a.radius, b.radius);
 }
@@ -129,8 +116,8 @@ std::optional<Sign> quick_gap(const Lozenge3& a, const Lozenge3& b) {
   for (std::size_t i = 0; i < 4; ++i) n = {n.x + part[i] * w[i].x, n.y + part[i] * w[i].y, n.z + part[i] * w[i].z};
   const std::optional<Vector3> shorter = shortened(n);
   if (!shorter) return {};
-  if (plane_filter(coordinates_of<PlaneBetween>(a.corner, a.edges[0], a.edges[1], b.corner, b.edges[0], b.edges[1],
-                                                *shorter, a.radius, b.radius)) <= 0)
+  if (gap_filter<PlaneBetween>(coordinates_of<PlaneBetween>(a.corner, a.edges[0], a.edges[1], b.corner, b.edges[0],
+                                                            b.edges[1], *shorter, a.radius, b.radius)) <= 0)
     return {};
   return Sign::positive;
 }

@@ -17,23 +17,13 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/certify/gap_filter.hpp"
 
 namespace plumb {
 
 namespace separating_axis {
 
 using Input = Coordinates<predicates::BoxGap>;
-
-/// Takes the absolute value of a computed product: | |v| - |V| | <= |v - V|, so the magnitude still bounds the error.
-constexpr int filter(const Input& p) {
-  const Filtered r = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return predicates::BoxGap::gap(std::array{Filtered::Input{p[I]}...}, [](const Filtered& product) {
-      return Filtered{magnitude_of(product.value), product.magnitude};
-    });
-  }
-  (std::make_index_sequence<std::tuple_size_v<Input>>{});
-  return beyond(r.value, filter_constant<predicates::BoxGap>() * r.magnitude);
-}
 
 /// For what the filter leaves undecided.
 std::optional<Sign> decide_exactly(Input p);
@@ -73,7 +63,7 @@ inline std::optional<Sign> axis_gap(const Point3& ca, const Point3& cb, const Ve
                                  magnitude_of(half[1]),
                                  magnitude_of(half[2]),
                                  magnitude_of(half[3])};
-  if (const int s = separating_axis::filter(p); s != 0) [[likely]]
+  if (const int s = gap_filter<predicates::BoxGap>(p); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return separating_axis::decide_exactly(p);
 }
