@@ -71,13 +71,13 @@ std::string space_hull_picture(const std::string& title, const std::string& subt
   std::string svg = picture_head(kWidth, kHeight, title, subtitle);
   svg +=
       "<rect class=\"s0\" x=\"24\" y=\"76\" width=\"22\" height=\"14\" fill-opacity=\"0.3\"/>"
-      "<text x=\"54\" y=\"88\" font-size=\"13\">the hull that was computed</text>\n"
-      "<rect class=\"s4\" x=\"230\" y=\"76\" width=\"22\" height=\"14\" fill-opacity=\"0.6\"/>"
-      "<text x=\"260\" y=\"88\" font-size=\"13\">a face with points outside</text>\n"
-      "<line x1=\"430\" y1=\"83\" x2=\"458\" y2=\"83\" stroke=\"#d55e00\" stroke-width=\"3.5\"/>"
-      "<text x=\"466\" y=\"88\" font-size=\"13\">an edge not of two faces</text>\n"
-      "<circle class=\"s1\" cx=\"640\" cy=\"83\" r=\"5.5\"/>"
-      "<text x=\"652\" y=\"88\" font-size=\"13\">an extreme point, lost</text>\n";
+      "<text x=\"54\" y=\"88\" font-size=\"13\">the computed hull</text>\n"
+      "<rect class=\"s4\" x=\"196\" y=\"76\" width=\"22\" height=\"14\" fill-opacity=\"0.6\"/>"
+      "<text x=\"226\" y=\"88\" font-size=\"13\">a face with points outside</text>\n"
+      "<line x1=\"424\" y1=\"83\" x2=\"452\" y2=\"83\" stroke=\"#d55e00\" stroke-width=\"3.5\"/>"
+      "<text x=\"460\" y=\"88\" font-size=\"13\">an edge not of two faces</text>\n"
+      "<circle class=\"s1\" cx=\"648\" cy=\"83\" r=\"5.5\"/>"
+      "<text x=\"660\" y=\"88\" font-size=\"13\">an extreme point, lost</text>\n";
   for (const bool front : {false, true}) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if ((area(places, faces[f]) < 0) != front) continue;
