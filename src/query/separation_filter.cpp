@@ -14,7 +14,7 @@ using T = Approximate;
 using V = Vec3<double>;
 using quick::certain, quick::come_nearer;
 
-template <template <class> class Figures, std::size_t First>
+template <template <class> class Figures>
 class Filter {
   using HullA = typename Figures<double>::HullA;
   using HullB = typename Figures<double>::HullB;
@@ -95,11 +95,11 @@ class Filter {
     std::array<std::pair<double, double>, 40> all_;  // one for each size
     std::size_t count_ = 0;
   };
-  static constexpr std::size_t count = First == 2 ? 4 : 3;
+  static constexpr std::size_t of_a = HullA::way_count + 1, of_b = 4 - of_a, count = of_a * of_b;  // vertices, pairs
 
   /// Of all vertices of one and the other.
   static std::array<Linear<T>, count> differences(const ContactQuestion& q) {
-    if constexpr (First == 2) {
+    if constexpr (of_a == 2) {
       return {linear<T>(q, 0, 2), linear<T>(q, 0, 3), linear<T>(q, 1, 2), linear<T>(q, 1, 3)};
     } else {
       return {linear<T>(q, 0, 1), linear<T>(q, 0, 2), linear<T>(q, 0, 3)};
@@ -153,13 +153,13 @@ class Filter {
 }  // namespace
 
 Verdict separation_filter(const ContactQuestion& question, double separation) {
-  return question.kind == MovingKind::edge_edge ? Filter<Edges, 2>(question, separation).answer()
-                                                : Filter<VertexAndTriangle, 1>(question, separation).answer();
+  return question.kind == MovingKind::edge_edge ? Filter<Edges>(question, separation).answer()
+                                                : Filter<VertexAndTriangle>(question, separation).answer();
 }
 
 NearContact first_near_contact(const ContactQuestion& question, double separation) {
-  return question.kind == MovingKind::edge_edge ? Filter<Edges, 2>(question, separation).first()
-                                                : Filter<VertexAndTriangle, 1>(question, separation).first();
+  return question.kind == MovingKind::edge_edge ? Filter<Edges>(question, separation).first()
+                                                : Filter<VertexAndTriangle>(question, separation).first();
 }
 
 }  // namespace plumb::query::moving
