@@ -42,7 +42,7 @@ std::vector<Edge2> edges_of(const Shape& s) {
     add_chain(edges, s.vertices);
   } else if constexpr (requires { s.min; }) {
     const auto& [p, q] = s;
-    if (p.x > q.x || p.y > q.y) return edges;
+    if (is_empty(s)) return edges;
     const std::array<Point2, 4> at{p, {q.x, p.y}, {p.x, q.y}, q};
     edges = {{at[0], at[1], 0, 1, 0}, {at[2], at[3], 2, 3, 1}, {at[0], at[2], 0, 2, 2}, {at[1], at[3], 1, 3, 3}};
   } else if constexpr (requires { s.d; }) {
@@ -195,7 +195,8 @@ bool begins_inside(const AnyRay2& ray, const Shape& s) {
   if constexpr (std::is_same_v<Shape, Segment2>) {
     return false;
   } else {
-    return ray.kind != AnyRay::Kind::line && locate(s, ray.origin) == Location::inside;
+    const AnyRay lifted = in_space(ray);
+    return (begins(lifted) || has_no_direction(lifted)) && locate(s, ray.origin) == Location::inside;
   }
 }
 
@@ -208,8 +209,14 @@ FirstEdge first_edge(const AnyRay2& ray, const Shape& s) {
 
 template <class Shape>
 void require(std::string_view function, const AnyRay2& ray, const Shape& s) {
-  require_ray(function, in_space(ray));
-  require_figure(function, std::is_same_v<Shape, Segment2> ? "the other segment" : spoken(view_of(s)), s);
+  switch (ray.kind) {
+    case AnyRay::Kind::ray:
+      return require_figures(function, Ray2{ray.origin, ray.direction}, s);
+    case AnyRay::Kind::segment:
+      return require_figures(function, Segment2{ray.origin, ray.end}, s);
+    default:
+      return require_figures(function, Line2{ray.origin, ray.direction}, s);
+  }
 }
 
 template <class Shape>

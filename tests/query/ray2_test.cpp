@@ -132,7 +132,7 @@ AnyRay2 ray_of(Material& m) {
   const std::size_t kind = m.below(3);
   if (kind == 0) return Ray2{origin, d};
   if (kind == 1) return Segment2{origin, m.below(10) == 0 ? origin : target};
-  return Line2{origin, d};
+  return Line2{origin, m.below(10) == 0 ? Vector2{0, 0} : d};
 }
 std::string text_of_ray(const AnyRay2& r) {
   std::string text = std::to_string(static_cast<int>(r.kind));
@@ -158,7 +158,8 @@ void check_straight(std::uint64_t start, std::uint64_t cases) {
     for (const NumberedEdge& e : edges) {
       if (const auto at = first_of(shot, e); at && (!t || *at < *t)) t = at;
     }
-    const bool inside = !std::is_same_v<Shape, Segment2> && shot.begins && is_inside(shape, ray.origin);
+    const bool begins = shot.begins || dot(shot.way, shot.way) == 0;
+    const bool inside = !std::is_same_v<Shape, Segment2> && begins && is_inside(shape, ray.origin);
     if (inside) t = 0;
     const auto hit = first_hit(ray, shape);
     const auto parameter = first_hit_parameter(ray, shape);
@@ -263,6 +264,8 @@ TEST(FirstHit2, ByHand) {
   EXPECT_EQ(*first_hit(Ray2{{1, 1}, {1, 0}}, box), (Hit2{0, {1, 1}, face0, {0, 0}}));
   EXPECT_FALSE(first_hit(Ray2{{5, 1}, {1, 0}}, box));
   EXPECT_EQ(first_hit(Line2{{5, 1}, {1, 0}}, box)->t, -5);
+  EXPECT_EQ(first_hit(Line2{{1, 1}, {0, 0}}, box), (Hit2{0, {1, 1}, face0, {0, 0}}));  // a point
+  EXPECT_TRUE(first_hit_parameter(Line2{{1, 1}, {0, 0}}, box));
   const Polygon2 notched{{{0, 0}, {6, 0}, {6, 6}, {3, 3}, {0, 6}}};
   EXPECT_EQ(*first_hit(Ray2{{3, 9}, {0, -1}}, notched), (Hit2{6, {3, 3}, vertex(3), {-3, 3}}));
   const Capsule2 pill{{0, 0}, {9, 0}, 2};
@@ -279,6 +282,10 @@ TEST(FirstHit2, BadInputIsNamed) {
   EXPECT_EQ(text_of<NonFinite>([&] {
               (void)first_hit(Ray2{{0, 0}, {1, 0}}, Circle2{{0, 0}, nan});
             }).find("first_hit: circle.radius is nan"),
+            0u);
+  EXPECT_EQ(text_of<NonFinite>([&] {
+              (void)first_hit(Segment2{{0, 0}, {1, 0}}, Segment2{{0, nan}, {1, 0}});
+            }).find("first_hit: b.a.y is nan"),
             0u);
   EXPECT_EQ(text_of<InvalidShape>([&] {
               (void)first_hit(Ray2{{0, 0}, {1, 0}}, Capsule2{{0, 0}, {1, 0}, -1});
