@@ -2,9 +2,8 @@
 //
 // Laws: NonFinite for a number that is none, InvalidShape for a negative radius, a chain of fewer than three vertices,
 // a polyhedron without faces and a k-DOP whose ends are not as many as its directions.  The text names the function,
-// then the part by what its figure is, which tells in whichever order the two were given: "distance: triangle.c.y is
-// nan,
-// ..."; of two figures of one kind the first is a, the second b.
+// then the part by what its figure is, which tells in whichever order the two were given ("distance: triangle.c.y is
+// nan, ..."); of two figures of one kind the first is a, the second b.
 // Cost: an addition a number, in a tree; lists are looked through.
 #pragma once
 

@@ -212,7 +212,6 @@ std::optional<Answer> answer(const AnyRay& ray, const Model& model, const std::o
   }
 }
 
-/// Throws NonFinite for a ray that is none.
 /// Throws as query/figure_input.hpp says; the ray is a segment or a line where it was given as one.
 void require_ray(std::string_view function, const AnyRay& ray, const FigureView& shape);
 void require_ray(std::string_view function, const AnyRay& ray);

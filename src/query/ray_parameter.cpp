@@ -44,21 +44,21 @@ template <class F>
 void as_given(const AnyRay& ray, F f) {
   switch (ray.kind) {
     case AnyRay::Kind::ray:
-      return f(Ray3{ray.origin, ray.direction}, "ray");
+      return f(Ray3{ray.origin, ray.direction});
     case AnyRay::Kind::segment:
-      return f(Segment3{ray.origin, ray.end}, "segment");
+      return f(Segment3{ray.origin, ray.end});
     default:
-      return f(Line3{ray.origin, ray.direction}, "line");
+      return f(Line3{ray.origin, ray.direction});
   }
 }
 
 }  // namespace
 
 void require_ray(std::string_view function, const AnyRay& ray, const FigureView& shape) {
-  as_given(ray, [&](const auto& given, std::string_view) { require_figures(function, view_of(given), shape); });
+  as_given(ray, [&](const auto& given) { require_figures(function, view_of(given), shape); });
 }
 void require_ray(std::string_view function, const AnyRay& ray) {
-  as_given(ray, [&](const auto& given, std::string_view name) { require_figure(function, name, given); });
+  as_given(ray, [&](const auto& given) { require_figure(function, spoken(view_of(given)), given); });
 }
 
 }  // namespace query

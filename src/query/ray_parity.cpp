@@ -56,8 +56,8 @@ std::optional<Crossings> crossings(std::string_view function, const TriangleMesh
 }
 
 /// The edges of all triangles, each as (lower end, upper end, passed upward).
-std::vector<std::array<std::uint32_t, 3>> sorted_edges(const TriangleMesh& mesh) {
-  require_mesh("is_closed", mesh);
+std::vector<std::array<std::uint32_t, 3>> sorted_edges(std::string_view function, const TriangleMesh& mesh) {
+  require_mesh(function, mesh);
   std::vector<std::array<std::uint32_t, 3>> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
@@ -73,8 +73,8 @@ std::vector<std::array<std::uint32_t, 3>> sorted_edges(const TriangleMesh& mesh)
 
 /// Of each edge how often it is passed downward and upward.
 template <class Allows>
-bool all_edges(const TriangleMesh& mesh, Allows allows) {
-  const auto edges = sorted_edges(mesh);
+bool all_edges(std::string_view function, const TriangleMesh& mesh, Allows allows) {
+  const auto edges = sorted_edges(function, mesh);
   for (std::size_t i = 0; i < edges.size();) {
     std::array<std::size_t, 2> uses{};
     const std::size_t first = i;
@@ -102,10 +102,10 @@ std::optional<std::int64_t> winding_number(const TriangleMesh& mesh, const Point
 }
 
 bool is_closed(const TriangleMesh& mesh) {
-  return all_edges(mesh, [](std::size_t down, std::size_t up) { return (down + up) % 2 == 0; });
+  return all_edges("is_closed", mesh, [](std::size_t down, std::size_t up) { return (down + up) % 2 == 0; });
 }
 bool is_oriented_closed(const TriangleMesh& mesh) {
-  return all_edges(mesh, [](std::size_t down, std::size_t up) { return down == up; });
+  return all_edges("is_oriented_closed", mesh, [](std::size_t down, std::size_t up) { return down == up; });
 }
 
 }  // namespace plumb

@@ -6,7 +6,6 @@
 //   discriminant = |e|^2 (r^2 |d x e|^2 - (w . (d x e))^2).
 // A capsule is a ball before the first end of its axis, a cylinder between the ends, a ball beyond the second: the
 // parameters at which the ray passes from one zone to the next are quotients, and both quadratics agree there.
-#include <cstdio>
 #include <span>
 
 #include "query/ray_exact_hits.hpp"
