@@ -12,14 +12,12 @@
 namespace plumb::meeting {
 namespace {
 
-Intersection2 at(const LineLinePoint2& p) {
-  Intersection2 common;
-  common.kind = IntersectionKind::point;
-  common.vertices.emplace_back(p);
-  return common;
-}
-Intersection3 at(const LinePlanePoint3& p) {
-  Intersection3 common;
+bool strictly_same(Sign a, Sign b) { return a * b == Sign::positive; }
+bool opposite(Sign a, Sign b) { return a * b == Sign::negative; }
+
+template <class Common, class P>
+Common at(const P& p) {
+  Common common;
   common.kind = IntersectionKind::point;
   common.vertices.emplace_back(p);
   return common;
@@ -128,6 +126,16 @@ Intersection3 shared_corners(const Triangle3& t, const Triangle3& u) {
   return common;
 }
 
+/// Of segments of one line, points among them.
+Intersection2 on_one_line(const Segment2& s, const Segment2& t) {
+  const auto least = [](const Point2& p, const Point2& q) { return precedes(q, p) ? q : p; };
+  const auto most = [](const Point2& p, const Point2& q) { return precedes(q, p) ? p : q; };
+  const Point2 from = most(least(s.a, s.b), least(t.a, t.b)), to = least(most(s.a, s.b), most(t.a, t.b));
+  if (precedes(to, from)) return {};
+  if (from == to) return at<Intersection2>(from);
+  return {IntersectionKind::segment, {from, to}};
+}
+
 bool is_coplanar(const Triangle3& t, const Triangle3& u) {
   const auto on = [&](const Point3& p) { return query::orient3d(t.a, t.b, t.c, p) == Sign::zero; };
   return on(u.a) && on(u.b) && on(u.c);
@@ -138,7 +146,7 @@ bool is_coplanar(const Triangle3& t, const Triangle3& u) {
 std::optional<Intersection2> quick(const Segment2& s, const Segment2& t) {
   const auto told = query::by_doubles(s, t);
   if (!told) return {};
-  return *told == Relation::disjoint ? Intersection2{} : at(LineLinePoint2{s.a, s.b, t.a, t.b});
+  return *told == Relation::disjoint ? Intersection2{} : at<Intersection2>(LineLinePoint2{s.a, s.b, t.a, t.b});
 }
 
 std::optional<Intersection2> quick(const Triangle2& t, const Triangle2& u) {
@@ -154,7 +162,7 @@ std::optional<Intersection2> quick(const Triangle2& t, const Triangle2& u) {
 std::optional<Intersection3> quick(const Segment3& s, const Triangle3& t) {
   const auto told = query::by_doubles(s, t);
   if (!told) return {};
-  return *told == Relation::disjoint ? Intersection3{} : at(LinePlanePoint3{s.a, s.b, t.a, t.b, t.c});
+  return *told == Relation::disjoint ? Intersection3{} : at<Intersection3>(LinePlanePoint3{s.a, s.b, t.a, t.b, t.c});
 }
 
 std::optional<Intersection3> quick(const Triangle3& t, const Triangle3& u) {
@@ -162,6 +170,17 @@ std::optional<Intersection3> quick(const Triangle3& t, const Triangle3& u) {
   if (!told) return {};
   if (*told == Relation::touching) return shared_corners(t, u);
   return *told == Relation::disjoint ? Intersection3{} : crossing_segment(t, u);
+}
+
+std::optional<Intersection2> by_signs(const Segment2& s, const Segment2& t) {
+  const Sign a = query::orient2d(s.a, s.b, t.a), b = query::orient2d(s.a, s.b, t.b);
+  if (strictly_same(a, b)) return Intersection2{};
+  const Sign c = query::orient2d(t.a, t.b, s.a), d = query::orient2d(t.a, t.b, s.b);
+  if (strictly_same(c, d)) return Intersection2{};
+  if (opposite(a, b) && opposite(c, d)) return at<Intersection2>(LineLinePoint2{s.a, s.b, t.a, t.b});
+  if (a == Sign::zero && b == Sign::zero && c == Sign::zero && d == Sign::zero) return on_one_line(s, t);
+  // The lines cross in one point, where one segment ends.
+  return at<Intersection2>(a == Sign::zero ? t.a : b == Sign::zero ? t.b : c == Sign::zero ? s.a : s.b);
 }
 
 std::optional<Intersection2> by_signs(const Triangle2& t, const Triangle2& u) {
@@ -172,12 +191,9 @@ std::optional<Intersection2> by_signs(const Triangle2& t, const Triangle2& u) {
 std::optional<Intersection3> by_signs(const Segment3& s, const Triangle3& t) {
   if (relate(s, t) == Relation::disjoint) return Intersection3{};
   const Sign a = query::orient3d(t.a, t.b, t.c, s.a), b = query::orient3d(t.a, t.b, t.c, s.b);
-  if (opposite(a, b)) return at(LinePlanePoint3{s.a, s.b, t.a, t.b, t.c});
+  if (opposite(a, b)) return at<Intersection3>(LinePlanePoint3{s.a, s.b, t.a, t.b, t.c});
   if (a == b) return {};  // in the plane
-  Intersection3 common;
-  common.kind = IntersectionKind::point;
-  common.vertices.emplace_back(a == Sign::zero ? s.a : s.b);
-  return common;
+  return at<Intersection3>(a == Sign::zero ? s.a : s.b);
 }
 
 std::optional<Intersection3> by_signs(const Triangle3& t, const Triangle3& u) {
@@ -196,6 +212,16 @@ std::optional<Intersection3> by_signs(const Triangle3& t, const Triangle3& u) {
                                 [&](const Point3& p, const Point3& q, const Point3& v, const Point3& w) {
                                   return LinePlanePoint3{p, q, v, w, moved<3>(v, axis)};
                                 });
+}
+
+std::optional<Intersection3> by_signs(const Triangle3& t, const Aabb3& b) {
+  const auto outside = [](double x, double y, double z, double min, double max) {
+    return (x < min && y < min && z < min) || (x > max && y > max && z > max);
+  };
+  if (outside(t.a.x, t.b.x, t.c.x, b.min.x, b.max.x) || outside(t.a.y, t.b.y, t.c.y, b.min.y, b.max.y) ||
+      outside(t.a.z, t.b.z, t.c.z, b.min.z, b.max.z))
+    return Intersection3{};
+  return {};
 }
 
 }  // namespace plumb::meeting
