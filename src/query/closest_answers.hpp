@@ -105,15 +105,15 @@ PointOf<Shape> closest_point_of(const Shape& shape, const PointOf<Shape>& p) {
 }
 
 template <class Shape>
-double distance_of(const PointOf<Shape>& p, const Shape& shape) {
+double distance_of(const PointOf<Shape>& p, const Shape& shape, Asked asked) {
   double to;
-  if (!told_quickly(shape, p, to)) to = answer("distance", Wanted::distance, shape, p).numbers.distance;
+  if (!told_quickly(shape, p, to)) to = answer(name_of(asked), Wanted::distance, shape, p).numbers.distance;
   return to;
 }
 
 template <class Shape>
-ExactDistance exact_distance_of(std::string_view function, const PointOf<Shape>& p, const Shape& shape) {
-  require(function, shape, p);
+ExactDistance exact_distance_of(const PointOf<Shape>& p, const Shape& shape, Asked asked) {
+  require(name_of(asked), shape, p);
   const Feature feature = Nearest<Shape>::feature(shape, p);
   const Foot<BigDyadic> foot = Nearest<Shape>::template foot<BigDyadic>(shape, p, feature);
   return {rational_square(foot), foot.carrier == Carrier::itself ? Rational(0.0) : Rational(radius_of(shape))};
@@ -138,36 +138,36 @@ Point3 closest_point(const Shape& shape, const Point3& p) {
   return query::closest_point_of(shape, p);
 }
 template <NearPoint2 Shape>
-double distance(const Point2& p, const Shape& shape) {
-  return query::distance_of(p, shape);
+double distance(const Point2& p, const Shape& shape, Asked asked) {
+  return query::distance_of(p, shape, asked);
 }
 template <NearPoint3 Shape>
-double distance(const Point3& p, const Shape& shape) {
-  return query::distance_of(p, shape);
+double distance(const Point3& p, const Shape& shape, Asked asked) {
+  return query::distance_of(p, shape, asked);
 }
 template <FlatNearPoint2 Shape>
 Rational squared_distance_exact(const Point2& p, const Shape& shape) {
-  return query::exact_distance_of("squared_distance_exact", p, shape).square;
+  return query::exact_distance_of(p, shape, Asked::squared_distance_exact).square;
 }
 template <FlatNearPoint3 Shape>
 Rational squared_distance_exact(const Point3& p, const Shape& shape) {
-  return query::exact_distance_of("squared_distance_exact", p, shape).square;
+  return query::exact_distance_of(p, shape, Asked::squared_distance_exact).square;
 }
 template <NearPoint2 Shape>
-ExactDistance exact_distance(const Point2& p, const Shape& shape) {
-  return query::exact_distance_of("exact_distance", p, shape);
+ExactDistance exact_distance(const Point2& p, const Shape& shape, Asked asked) {
+  return query::exact_distance_of(p, shape, asked);
 }
 template <NearPoint3 Shape>
-ExactDistance exact_distance(const Point3& p, const Shape& shape) {
-  return query::exact_distance_of("exact_distance", p, shape);
+ExactDistance exact_distance(const Point3& p, const Shape& shape, Asked asked) {
+  return query::exact_distance_of(p, shape, asked);
 }
 
 // In the .cpp file of a shape, for each dimension: everything that is asked.
-#define PLUMB_CLOSEST_ROUND(Answer, Point, Shape)                     \
-  template Answer closest_points(const Point& p, const Shape& shape); \
-  template Point closest_point(const Shape& shape, const Point& p);   \
-  template double distance(const Point& p, const Shape& shape);       \
-  template ExactDistance exact_distance(const Point& p, const Shape& shape);
+#define PLUMB_CLOSEST_ROUND(Answer, Point, Shape)                            \
+  template Answer closest_points(const Point& p, const Shape& shape);        \
+  template Point closest_point(const Shape& shape, const Point& p);          \
+  template double distance(const Point& p, const Shape& shape, Asked asked); \
+  template ExactDistance exact_distance(const Point& p, const Shape& shape, Asked asked);
 #define PLUMB_CLOSEST_FLAT(Answer, Point, Shape) \
   PLUMB_CLOSEST_ROUND(Answer, Point, Shape)      \
   template Rational squared_distance_exact(const Point& p, const Shape& shape);

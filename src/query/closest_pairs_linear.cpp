@@ -107,28 +107,27 @@ requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b) { re
 
 template <class A, class B>
 requires query::StraightPair<A, B>
-double distance(const A& a, const B& b) {
+double distance(const A& a, const B& b, Asked asked) {
   [[maybe_unused]] double quick;
   if constexpr (std::is_same_v<A, Segment3> && std::is_same_v<B, Segment3>) {
     if (quickly(a, b, quick)) [[likely]]
       return quick;
   }
-  const Places places = places_of(a, b, "distance");
+  const Places places = places_of(a, b, name_of(asked));
   if constexpr (is_in_space<A>) {
     if (quickly(LineAt(a), LineAt(b), places, quick)) [[likely]]
       return quick;
   }
   if (const auto d = quick_distance(straight(a), straight(b), places)) [[likely]]
     return *d;
-  require_figures("distance", a, b);
+  require_figures(asked, a, b);
   return distance_exactly(straight(a), straight(b), places);
 }
 
 template <class A, class B>
-requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b) {
-  constexpr std::string_view name = "squared_distance_exact";
-  require_figures(name, a, b);
-  return square_of(pair_over<BigDyadic>(straight(a), straight(b), places_of(a, b, name)));
+requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b, Asked asked) {
+  require_figures(asked, a, b);
+  return square_of(pair_over<BigDyadic>(straight(a), straight(b), places_of(a, b, name_of(asked))));
 }
 
 template <class A, class B>
@@ -166,8 +165,8 @@ requires StraightPair<A, B>
 
 #define PLUMB_LINEAR_PAIR(Result, A, B)                                  \
   template Result closest_points(const A&, const B&);                    \
-  template double distance(const A&, const B&);                          \
-  template Rational squared_distance_exact(const A&, const B&);          \
+  template double distance(const A&, const B&, Asked);                   \
+  template Rational squared_distance_exact(const A&, const B&, Asked);   \
   template std::array<double, 2> closest_parameters(const A&, const B&); \
   template std::optional<Sign> query::quick_comparison(const A&, const B&, double);
 PLUMB_LINEAR_PAIR(Closest2, Line2, Line2)

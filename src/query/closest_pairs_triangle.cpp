@@ -175,7 +175,7 @@ template <class A, class B>
 }
 
 template <class A, class B>
-double distance_of(const A& a, const B& b) {
+double distance_of(const A& a, const B& b, Asked asked) {
   const auto& p = in_one_form(a);
   const auto& q = in_one_form(b);
   if (const auto features = certain_features(p, q)) {
@@ -184,13 +184,13 @@ double distance_of(const A& a, const B& b) {
       return to;
     if (const auto d = distance_between(p, q, *features)) return *d;
   }
-  require_figures("distance", a, b);
+  require_figures(asked, a, b);
   return distance_of_all(p, q);
 }
 
 template <class A, class B>
-Rational square_exactly(const A& a, const B& b) {
-  require_figures("squared_distance_exact", a, b);
+Rational square_exactly(const A& a, const B& b, Asked asked) {
+  require_figures(asked, a, b);
   const auto& p = in_one_form(a);
   const auto& q = in_one_form(b);
   return square_of(found_over<BigDyadic>(p, q, shortlist(p, q))->pair);
@@ -216,20 +216,20 @@ requires StraightPair2<A, B> Closest2 closest_points(const A& a, const B& b) {
 
 template <class A, class B>
 requires query::StraightPair<A, B>
-double distance(const A& a, const B& b) {
+double distance(const A& a, const B& b, Asked asked) {
   if constexpr (is_in_space<A>) {
-    return distance_of(a, b);
+    return distance_of(a, b, asked);
   } else {
-    return distance_of(lifted(a), lifted(b));
+    return distance_of(lifted(a), lifted(b), asked);
   }
 }
 
 template <class A, class B>
-requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b) {
+requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b, Asked asked) {
   if constexpr (is_in_space<A>) {
-    return square_exactly(a, b);
+    return square_exactly(a, b, asked);
   } else {
-    return square_exactly(lifted(a), lifted(b));
+    return square_exactly(lifted(a), lifted(b), asked);
   }
 }
 
@@ -246,10 +246,10 @@ requires StraightPair<A, B> std::optional<Sign> quick_comparison(const A& a, con
 
 }  // namespace query
 
-#define PLUMB_TRIANGLE_PAIR(Result, A, B)                       \
-  template Result closest_points(const A&, const B&);           \
-  template double distance(const A&, const B&);                 \
-  template Rational squared_distance_exact(const A&, const B&); \
+#define PLUMB_TRIANGLE_PAIR(Result, A, B)                              \
+  template Result closest_points(const A&, const B&);                  \
+  template double distance(const A&, const B&, Asked);                 \
+  template Rational squared_distance_exact(const A&, const B&, Asked); \
   template std::optional<Sign> query::quick_comparison(const A&, const B&, double);
 PLUMB_TRIANGLE_PAIR(Closest2, Line2, Triangle2)
 PLUMB_TRIANGLE_PAIR(Closest2, Ray2, Triangle2)

@@ -160,20 +160,6 @@ Relation relate_edges(std::span<const Chain3> chains, const Round& round, std::s
   return all;
 }
 
-/// With radius zero.
-template <class Polygon>
-Relation relate_core(const Polygon& a, const Sphere3& b) {
-  return relate(Segment3{b.center, b.center}, a);
-}
-template <class Polygon>
-Relation relate_core(const Polygon& a, const Capsule3& b) {
-  return relate(Segment3{b.a, b.b}, a);
-}
-template <class Polygon>
-Relation relate_core(const Polygon& a, const Lozenge3& b) {
-  return relate_convex("relate", view_of(a), core_set(b));
-}
-
 std::vector<Chain3> chains_of(const Polygon3& a) { return {a.vertices}; }
 std::vector<Chain3> chains_of(const HoledPolygon3& a) {
   std::vector<Chain3> chains{a.outer.vertices};
@@ -184,7 +170,7 @@ std::vector<Chain3> chains_of(const HoledPolygon3& a) {
 template <class Polygon, class Round>
 Relation relate_round(const Polygon& a, const Round& b, Asked asked) {
   require_figures(asked, a, b);
-  if (b.radius == 0) return relate_core(a, b);
+  if (b.radius == 0) return relate_convex(name_of(asked), view_of(a), core_set(b));
   if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
     const std::array corners{a.a, a.b, a.c, a.d};
     return relate_edges(std::array<Chain3, 1>{corners}, b, name_of(asked), spoken(view_of(a)));

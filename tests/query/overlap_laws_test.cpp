@@ -1,6 +1,7 @@
 // The laws of relate and intersects, for every pair of the table: swapped, renamed, mapped, and bad numbers refused.
 #include <cstring>
 
+#include "figure/thrown.hpp"
 #include "plumb/query/closest.hpp"
 #include "plumb/query/intersection.hpp"
 #include "plumb/query/intersection2.hpp"
@@ -144,7 +145,8 @@ void expect_refused(const A& a, const B& b, std::string_view name, bool first) {
   if constexpr (HasDistance<A, B>) {
     expect("distance", [&] { (void)distance(a, b); });
     expect("closest_points", [&] { (void)closest_points(a, b); });
-    expect("distance", [&] { (void)compare_distance(a, b, 1); });  // of which it is the sign
+    expect("exact_distance", [&] { (void)exact_distance(a, b); });
+    expect("compare_distance", [&] { (void)compare_distance(a, b, 1); });
   }
   if constexpr (requires { squared_distance_exact(a, b); })
     expect("squared_distance_exact", [&] { (void)squared_distance_exact(a, b); });
@@ -172,6 +174,25 @@ TEST(OverlapLaws, RefuseBadNumbersInAllPairs) {
   const auto check = [&]<class A, class B>(const A*, const B*) { expect_bad_numbers_refused<A, B>(start++); };
   on_pairs(Plane{}, check);
   on_pairs(Space{}, check);
+}
+
+TEST(OverlapLaws, NameWhatWasAskedOfTwoPairs) {
+  const Point3 good{0, 0, 0}, bad{0, std::nan(""), 0};
+  const Sphere3 inverted{{0, 0, 0}, -1};
+  expect_refusal("compare_distance", "b", [&] { (void)compare_distance(good, bad, good, good); });
+  expect_refusal("compare_distance, second pair", "a", [&] { (void)compare_distance(good, good, bad, good); });
+  EXPECT_TRUE(text_of<InvalidShape>([&] {
+                (void)compare_distance(good, good, good, inverted);
+              }).starts_with("compare_distance, second pair: sphere.radius is negative"));
+  const Polygon3 bent{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}}};
+  const auto asked_of_bent = [&](const auto& round) {
+    EXPECT_TRUE(text_of<InvalidShape>([&] { (void)intersects(bent, round); }).starts_with("intersects: the polygon"));
+    EXPECT_TRUE(text_of<InvalidShape>([&] { (void)relate(bent, round); }).starts_with("relate: the polygon"));
+  };
+  asked_of_bent(Sphere3{{0, 0, 0}, 0});
+  asked_of_bent(Sphere3{{0, 0, 0}, 1});
+  asked_of_bent(Capsule3{{0, 0, 0}, {1, 0, 0}, 0});
+  asked_of_bent(Lozenge3{{0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}}}, 0});
 }
 
 template <class A, class B>

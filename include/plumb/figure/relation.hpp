@@ -7,16 +7,12 @@
 // Source: RTCD 4.2.1, 5.2; cost: none.
 #pragma once
 
-#include <string_view>
+#include "plumb/figure/asked.hpp"
 
 namespace plumb {
 
 enum class Location : signed char { outside = -1, boundary = 0, inside = 1 };
 
 enum class Relation : signed char { disjoint = -1, touching = 0, overlapping = 1 };
-
-/// The function that was called, which is what the text of an exception begins with.
-enum class Asked : unsigned char { relate, intersects };
-constexpr std::string_view name_of(Asked asked) { return asked == Asked::relate ? "relate" : "intersects"; }
 
 }  // namespace plumb

@@ -18,7 +18,7 @@
 // as a rectangle's, faces 1 to 4 and 5 to 8. In the plane the inside is face 0, the boundary of a disk edge 0, those of
 // a capsule edges 0 to 2.
 // An empty box or plane, a negative radius and a polygon in space that is not planar throw InvalidShape; NaN and
-// infinity throw NonFinite, naming the part (and distance as the function where compare_distance asks it).
+// infinity throw NonFinite, naming the part.
 // Source: RTCD 5.1.1, 5.1.2, 5.1.2.1, 5.1.3, 5.1.3.1, 5.1.4, 5.1.4.1, 5.1.4.2, 5.1.5, 5.1.6, 5.1.7 (figures 5.1 to
 // 5.6).  Cost: docs/closest.md.
 #pragma once
@@ -27,6 +27,7 @@
 #include <concepts>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/asked.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/convex_polyhedron.hpp"
 #include "plumb/figure/linear.hpp"
@@ -73,9 +74,9 @@ template <NearPoint3 Shape>
 Point3 closest_point(const Shape& shape, const Point3& p);
 
 template <NearPoint2 Shape>
-double distance(const Point2& p, const Shape& shape);
+double distance(const Point2& p, const Shape& shape, Asked asked = Asked::distance);
 template <NearPoint3 Shape>
-double distance(const Point3& p, const Shape& shape);
+double distance(const Point3& p, const Shape& shape, Asked asked = Asked::distance);
 
 template <FlatNearPoint2 Shape>
 Rational squared_distance_exact(const Point2& p, const Shape& shape);
@@ -83,9 +84,9 @@ template <FlatNearPoint3 Shape>
 Rational squared_distance_exact(const Point3& p, const Shape& shape);
 
 template <NearPoint2 Shape>
-ExactDistance exact_distance(const Point2& p, const Shape& shape);
+ExactDistance exact_distance(const Point2& p, const Shape& shape, Asked asked = Asked::exact_distance);
 template <NearPoint3 Shape>
-ExactDistance exact_distance(const Point3& p, const Shape& shape);
+ExactDistance exact_distance(const Point3& p, const Shape& shape, Asked asked = Asked::exact_distance);
 
 /// Where along it the nearest point is: point + t direction, a + t (b - a).  Rounded once.
 double closest_parameter(const Line2& line, const Point2& p);
@@ -107,8 +108,8 @@ requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { closest_points
 }
 template <class A, class B>
 requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { distance(b, a); })  //
-    double distance(const A& a, const B& b) {
-  return distance(b, a);
+    double distance(const A& a, const B& b, Asked asked = Asked::distance) {
+  return distance(b, a, asked);
 }
 template <class A, class B>
 requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { squared_distance_exact(b, a); })  //
@@ -117,16 +118,16 @@ requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { squared_distan
 }
 template <class A, class B>
 requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { exact_distance(b, a); })  //
-    ExactDistance exact_distance(const A& a, const B& b) {
-  return exact_distance(b, a);
+    ExactDistance exact_distance(const A& a, const B& b, Asked asked = Asked::exact_distance) {
+  return exact_distance(b, a, asked);
 }
 
 /// Of two figures neither of which is a point.
 template <class A, class B>
 requires(!query::AnyOf<A, Point2, Point3> && !OtherWayRound<A, B> &&
          requires(const A& a, const B& b) { squared_distance_exact(a, b); })  //
-    ExactDistance exact_distance(const A& a, const B& b) {
-  return {squared_distance_exact(a, b)};
+    ExactDistance exact_distance(const A& a, const B& b, Asked asked = Asked::exact_distance) {
+  return {squared_distance_exact(a, b, asked)};
 }
 
 /// What distance and exact_distance answer for.
@@ -139,7 +140,7 @@ concept HasDistance = requires(const A& a, const B& b) {
 /// |ab| against |cd|.  Rounding keeps order, so that doubles that differ tell.
 template <class A, class B, class C, class D>
 requires(HasDistance<A, B>&& HasDistance<C, D>) Sign compare_distance(const A& a, const B& b, const C& c, const D& d) {
-  const double first = distance(a, b), second = distance(c, d);
+  const double first = distance(a, b, Asked::compare_distance), second = distance(c, d, Asked::compare_second_distance);
   if (first != second) return first < second ? Sign::negative : Sign::positive;
   return compare(exact_distance(a, b), exact_distance(c, d));
 }
@@ -151,7 +152,7 @@ requires HasDistance<A, B> Sign compare_distance(const A& a, const B& b, double 
   if constexpr (query::StraightPair<A, B>) {
     if (const auto quick = query::quick_comparison(a, b, than)) return *quick;
   }
-  const double first = distance(a, b);
+  const double first = distance(a, b, Asked::compare_distance);
   if (first != than) return first < than ? Sign::negative : Sign::positive;
   return compare(exact_distance(a, b), than);
 }

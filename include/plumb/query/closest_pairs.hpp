@@ -23,6 +23,7 @@
 
 #include "plumb/arith/rational.hpp"
 #include "plumb/arith/sign.hpp"
+#include "plumb/figure/asked.hpp"
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/simplex.hpp"
 #include "plumb/query/closest_result.hpp"
@@ -59,10 +60,11 @@ requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b);
 
 template <class A, class B>
 requires query::StraightPair<A, B>
-double distance(const A& a, const B& b);
+double distance(const A& a, const B& b, Asked asked = Asked::distance);
 
 template <class A, class B>
-requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b);
+requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b,
+                                                                   Asked asked = Asked::squared_distance_exact);
 
 /// s and t of the closest points a.point + s a.direction and b.point + t b.direction; of segments a + s (b - a). Zero
 /// where the direction is.

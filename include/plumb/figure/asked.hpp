@@ -1,0 +1,32 @@
+// Which function was called?  The text of an exception begins with its name, whichever function found the fault.
+//
+// Cost: none.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace plumb {
+
+enum class Asked : unsigned char {
+  relate,
+  intersects,
+  distance,
+  exact_distance,
+  squared_distance_exact,
+  compare_distance,
+  compare_second_distance
+};
+constexpr std::string_view name_of(Asked asked) {
+  constexpr std::array<std::string_view, 7> names{"relate",
+                                                  "intersects",
+                                                  "distance",
+                                                  "exact_distance",
+                                                  "squared_distance_exact",
+                                                  "compare_distance",
+                                                  "compare_distance, second pair"};
+  return names[static_cast<std::size_t>(asked)];
+}
+
+}  // namespace plumb
