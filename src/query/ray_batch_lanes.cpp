@@ -40,8 +40,7 @@ void ask(const BatchRay& ray, const double* const* at, std::size_t n, const Batc
   const Lanes3 d{all(ray.direction[0]), all(ray.direction[1]), all(ray.direction[2])};
   const Lanes3 size{hn::Abs(d.x), hn::Abs(d.y), hn::Abs(d.z)};
   const V inside = all(guard_inside), outside = all(guard), slack = all(magnitude_slack), zero = hn::Zero(tag);
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes) {
+  for (std::size_t i = 0; i < n; i += lanes) {
     const auto corner = [&](std::size_t k) {
       return Lanes3{hn::Sub(hn::LoadU(tag, at[k] + i), o.x), hn::Sub(hn::LoadU(tag, at[k + 1] + i), o.y),
                     hn::Sub(hn::LoadU(tag, at[k + 2] + i), o.z)};
@@ -102,11 +101,6 @@ void ask(const BatchRay& ray, const double* const* at, std::size_t n, const Batc
       const unsigned is_no = bits_no[0] >> k & 1u, is_yes = bits_yes[0] >> k & 1u;
       out.told[i + k] = static_cast<std::uint8_t>(is_no != 0 ? 0 : is_yes != 0 ? 1 : 2);
     }
-  }
-  for (; i < n; ++i) {
-    out.told[i] = 2;
-    out.least[i] = -std::numeric_limits<double>::infinity();
-    out.most[i] = std::numeric_limits<double>::infinity();
   }
 }
 

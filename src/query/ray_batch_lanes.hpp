@@ -1,6 +1,6 @@
 // What do lanes of doubles say of one ray against many triangles?
 //
-// The tests are those of ray_hits.cpp, term by term; see ray_filters.hpp for what they prove.
+// What the tests prove is said in ray_filters.hpp.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,8 @@ struct BatchTold {
   double *least, *most;
 };
 
-/// Of n triangles, whose numbers are at[0][i] to at[8][i]; of a segment with its rounded direction.
+/// Of n triangles, whose numbers are at[0][i] to at[8][i]; of a segment with its rounded direction.  Whole lanes are
+/// read and told: there is room up to the next multiple of eight.
 void ask_lanes(const BatchRay& ray, const double* const* at, std::size_t n, const BatchTold& out);
 
 }  // namespace plumb::query
