@@ -31,14 +31,14 @@ bool any_vertex(const Ray3& r, const auto& is_so) { return is_so(r.origin); }
 bool any_vertex(const Segment3& s, const auto& is_so) { return is_so(s.a) || is_so(s.b); }
 bool any_vertex(const Triangle3& t, const auto& is_so) { return is_so(t.a) || is_so(t.b) || is_so(t.c); }
 
-/// Where it is asked whether they intersect, any relation but disjoint is an answer.
+/// Where it is asked whether they meet, any relation but disjoint is an answer.
 template <class A>
 [[gnu::noinline]] Relation exactly(const A& a, const Aabb3& b, Asked asked) {
   query::require_figures(asked, a, b);
   if (is_empty(b)) return Relation::disjoint;
   // What lies next to a vertex is inside as well.
   if (any_vertex(a, [&b](const Point3& p) { return is_strictly_inside(p, b); })) return Relation::overlapping;
-  if (asked == Asked::intersects && any_vertex(a, [&b](const Point3& p) { return is_inside(p, b); }))
+  if (asked != Asked::relate && any_vertex(a, [&b](const Point3& p) { return is_inside(p, b); }))
     return Relation::touching;
   return exact_relation(a, b);
 }

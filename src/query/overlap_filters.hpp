@@ -100,6 +100,16 @@ inline std::optional<Relation> by_doubles(const Segment3& s, const Triangle3& t)
                     {of_axis(s.a.x, s.b.x, t.a.x), of_axis(s.a.y, s.b.y, t.a.y), of_axis(s.a.z, s.b.z, t.a.z)}, t);
 }
 
+inline std::optional<Relation> by_doubles(Reach reach, const Point3& p, const Vector3& d, const Triangle3& t) {
+  return by_doubles(reach, {Pair{d.x, p.x - t.a.x}, Pair{d.y, p.y - t.a.y}, Pair{d.z, p.z - t.a.z}}, t);
+}
+inline std::optional<Relation> by_doubles(const Ray3& r, const Triangle3& t) {
+  return by_doubles(Reach::ray, r.origin, r.direction, t);
+}
+inline std::optional<Relation> by_doubles(const Line3& l, const Triangle3& t) {
+  return by_doubles(Reach::line, l.point, l.direction, t);
+}
+
 /// Which corner is alone on its side, by the bits of those below; and the two others in turn.
 inline constexpr std::array<unsigned char, 8> corner_alone{0, 0, 1, 2, 2, 1, 0, 0};
 

@@ -5,10 +5,6 @@
 namespace plumb::query {
 namespace {
 
-constexpr auto cross_from = [](auto dx, auto dy, auto px, auto py, auto rx, auto ry) {
-  return dx * (ry - py) - dy * (rx - px);
-};
-
 // Of collinear ones along the axis in which the line runs.
 Range range(const Linear2& a, bool along_x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -29,10 +25,6 @@ Sign crossing(const Linear2& a, const Linear2& b, Sign turn_from_a) {
 
 }  // namespace
 
-Sign Linear2::side(const Point2& r) const {
-  return by_points ? orient2d(p, q, r) : sign_of(cross_from, Vector2{q.x, q.y}, p, r);
-}
-
 Sign turn(const Linear2& a, const Linear2& b) {
   if (a.by_points && b.by_points)
     return sign_of([](auto ax, auto ay, auto bx, auto by, auto cx, auto cy, auto dx,
@@ -40,7 +32,7 @@ Sign turn(const Linear2& a, const Linear2& b) {
                    a.p, a.q, b.p, b.q);
   if (a.by_points) return -turn(b, a);
   const Vector2 d{a.q.x, a.q.y};
-  if (b.by_points) return sign_of(cross_from, d, b.p, b.q);
+  if (b.by_points) return sign_of(CrossFrom{}, d, b.p, b.q);
   return sign_of(predicates::Cross2d{}, d, Vector2{b.q.x, b.q.y});
 }
 

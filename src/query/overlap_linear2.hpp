@@ -13,6 +13,16 @@ namespace plumb::query {
 
 enum class Reach : unsigned char { line, ray, segment };
 
+/// (vector d, point p, point r): the side of the line from p along d on which r lies.
+struct CrossFrom {
+  static constexpr std::string_view name = "relate";
+  static constexpr std::array arguments{2, 2, 2};
+  template <class T>
+  constexpr auto operator()(const std::array<T, 6>& p) const {
+    return p[0] * (p[5] - p[3]) - p[1] * (p[4] - p[2]);
+  }
+};
+
 struct Linear2 {
   Reach reach;
   bool by_points;  // the direction is that from p to q; otherwise q holds its coordinates
@@ -25,8 +35,10 @@ struct Linear2 {
   /// The sign of the direction along each axis.
   [[nodiscard]] Sign heads_x() const { return by_points ? order(q.x, p.x) : order(q.x, 0); }
   [[nodiscard]] Sign heads_y() const { return by_points ? order(q.y, p.y) : order(q.y, 0); }
-  /// Positive where r lies to the left.
-  [[nodiscard]] Sign side(const Point2& r) const;
+  /// Positive where r lies to the left.  Inline, so that what was made a moment ago is not read back from memory.
+  [[nodiscard]] Sign side(const Point2& r) const {
+    return by_points ? query::orient2d(p, q, r) : sign_of(CrossFrom{}, Vector2{q.x, q.y}, p, r);
+  }
 };
 
 inline Linear2 linear(const Line2& l) { return Linear2::along(Reach::line, l.point, l.direction); }

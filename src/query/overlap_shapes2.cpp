@@ -76,15 +76,6 @@ Sign within(const Linear2& a, const Aabb2& box) {
 
 }  // namespace
 
-Sign across(const Linear2& a, const Aabb2& box) {
-  if (a.is_point()) return Sign::positive;
-  const bool up = a.heads_x() != Sign::negative, left = a.heads_y() != Sign::negative;
-  const auto& [min, max] = box;
-  const Sign high = a.side({left ? min.x : max.x, up ? max.y : min.y});
-  if (high != Sign::positive) return high;
-  return -a.side({left ? max.x : min.x, up ? min.y : max.y});
-}
-
 Sign across(const Triangle2& a, Sign turns, const Aabb2& box) {
   if (turns == Sign::zero) return across(flattened(a), box);
   const Corners c = corners(a, turns);

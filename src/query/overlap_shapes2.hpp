@@ -17,7 +17,14 @@ Relation relate(const Triangle2& a, const Triangle2& b);
 Relation relate(const Triangle2& a, const Aabb2& b);
 
 /// The same along the normal of the line alone, or of the triangle's edges; positive where that is zero.
-Sign across(const Linear2& a, const Aabb2& box);
+inline Sign across(const Linear2& a, const Aabb2& box) {
+  if (a.is_point()) return Sign::positive;
+  const bool up = a.heads_x() != Sign::negative, left = a.heads_y() != Sign::negative;
+  const auto& [min, max] = box;
+  const Sign high = a.side({left ? min.x : max.x, up ? max.y : min.y});
+  if (high != Sign::positive) return high;
+  return -a.side({left ? max.x : min.x, up ? min.y : max.y});
+}
 Sign across(const Triangle2& a, Sign turns, const Aabb2& box);
 
 /// Along an axis of a box: of the range that the other set has there.

@@ -66,62 +66,90 @@ struct AlongSegment {
   }
 };
 
-/// The filters of how far along the center is, and of its distance from the line and from an end, with bounds of their
-/// magnitudes that cost less: with W and D the squares of w and d, |w_i d_i| <= (w_i^2 + d_i^2) / 2, so that w . d has
-/// no more than (W + D) / 2, and (w x d)^2 no more than 2 W D.  The guards of a product of two squares add up to less
-/// than `tiny` times both and `guard`, those of a square to less than `guard`; what the bounds round is less than
-/// `more`.
-inline constexpr double more = 1 + 0x1p-40, guard = 0x1p-900, tiny = 0x1p-1000;
-inline constexpr double along_constant = filter_constant<AlongSegment>() / 2 * more,
-                        line_constant = filter_constant<predicates::LineDistanceAgainst3d>() * more,
+/// (p, q, center, radius): the discriminant of the line from p to q and the ball.
+struct MeetsBall {
+  static constexpr std::string_view name = "relate";
+  static constexpr std::array arguments{3, 3, 3, 1};
+  template <class T>
+  constexpr auto operator()(const std::array<T, 10>& p) const {
+    const auto w = predicates::difference(p, 2, 0), d = predicates::difference(p, 0, 1);
+    const auto b = predicates::dot(w, d);
+    return b * b - predicates::squared(d) * (predicates::squared(w) - predicates::squared(p[9]));
+  }
+};
+
+/// The filters with bounds of their magnitudes that cost less: of u . v it is the sum of the products' sizes, and that
+/// squared is no more than the product of the squares.  `more` is for the roundings of the magnitude itself, the guard
+/// more than all that products lose by underflow.  A direction may be a rounded difference: the constants are those of
+/// differences, which are no less than those of directions as given.
+inline constexpr double more = 2.125, guard = 0x1p-960;
+inline constexpr double along_constant = filter_constant<AlongSegment>() * more,
+                        line_constant = filter_constant<MeetsBall>() * more,
                         point_constant = filter_constant<predicates::DistanceAgainst3d>() * more;
-static_assert(filter_constant<Along>() <= filter_constant<AlongSegment>() &&
-              filter_constant<LineGap>() <= filter_constant<predicates::LineDistanceAgainst3d>());
+static_assert(filter_constant<Along>() <= filter_constant<AlongSegment>());
 
 using core::Plain;
 
-/// Of the points from + t d, t from 0 up to 1 where they have an end, of which w leads from the first to the center.
-template <bool has_end>
-std::optional<Sign> quick_line(const Plain& w, const Plain& d, const Point3& end, const Sphere3& b) {
-  const double along = core::dot(w, d), size = core::dot(d, d), square = core::dot(w, w), reach = b.radius * b.radius;
-  const double doubt = along_constant * (square + size) + guard;
-  const auto answer = [](int gap, bool nearest) {
-    return gap != 0 && nearest ? std::optional(static_cast<Sign>(gap)) : std::nullopt;
-  };
-  if (!(along > 0)) {
-    const int gap = beyond(square - reach, point_constant * (square + reach) + guard);
-    return answer(gap, gap < 0 || along < -doubt);
-  }
-  if (has_end && !(along < size)) {
-    const Plain v{b.center.x - end.x, b.center.y - end.y, b.center.z - end.z};
-    const double rest = core::dot(v, v);
-    const int gap = beyond(rest - reach, point_constant * (rest + reach) + guard);
-    return answer(gap, gap < 0 || core::dot(v, d) > along_constant * (rest + size) + guard);
-  }
-  const Plain off = core::cross(w, d);
-  const double off_line = core::dot(off, off), limit = reach * size;
-  const int gap =
-      beyond(off_line - limit, line_constant * (2 * square * size + limit) + tiny * (square + size + reach) + guard);
-  // The size is off by no more than twice the doubt.
-  return answer(gap, gap > 0 || (along > doubt && (!has_end || size - along > 3 * doubt)));
+Plain plain(const Point3& from, const Point3& to) { return {to.x - from.x, to.y - from.y, to.z - from.z}; }
+double size_of_products(const Plain& u, const Plain& v) {
+  return magnitude_of(u.x * v.x) + magnitude_of(u.y * v.y) + magnitude_of(u.z * v.z);
+}
+/// How far a point lies beyond the ball, from the square of its distance from the center.
+int beyond_ball(double square, double reach) {
+  return beyond(square - reach, point_constant * (square + reach + guard));
+}
+/// Does the way u from the center lead away, along d?
+int leads_away(const Plain& u, const Plain& d) {
+  return beyond(core::dot(u, d), along_constant * (size_of_products(u, d) + guard));
 }
 
-/// What doubles prove, if anything.
-Plain plain(const Point3& from, const Point3& to) { return {to.x - from.x, to.y - from.y, to.z - from.z}; }
-std::optional<Sign> quick(const Ray3& a, const Sphere3& b) {
+/// Of the points o + t d, t from 0 where they begin, and up to 1, at `end`, where they end.
+template <bool begins, bool ends>
+std::optional<Relation> by_doubles(const Point3& o, const Plain& d, const Point3& end, const Sphere3& ball) {
+  const Plain w = plain(ball.center, o);
+  const double square = core::dot(w, w), reach = ball.radius * ball.radius, length = core::dot(d, d);
+  const double along = core::dot(w, d), value = along * along - length * (square - reach);
+  const double most = (length + guard) * (2 * square + reach + guard) + guard;
+  const double doubt = line_constant * most + (value - value);
+  if (!(doubt >= 0) || ball.radius < 0) return {};  // a number is none, or too large
+  if (value < -doubt) return Relation::disjoint;
+  const int from = beyond_ball(square, reach);
+  if (begins && from < 0) return Relation::overlapping;
+  if (!(value > doubt)) return {};
+  if constexpr (begins) {
+    const int away = leads_away(w, d);
+    if (away >= 0) return away > 0 && from > 0 ? std::optional(Relation::disjoint) : std::nullopt;
+    if constexpr (ends) {
+      const Plain v = plain(ball.center, end);
+      const int to = beyond_ball(core::dot(v, v), reach);
+      if (to < 0) return Relation::overlapping;
+      const int past = leads_away(v, d);
+      if (past <= 0) return past < 0 && to > 0 ? std::optional(Relation::disjoint) : std::nullopt;
+    }
+  }
+  return Relation::overlapping;
+}
+
+std::optional<Relation> by_doubles(const Line3& a, const Sphere3& b) {
   const auto& [x, y, z] = a.direction;
-  return quick_line<false>(plain(a.origin, b.center), {x, y, z}, a.origin, b);
+  return by_doubles<false, false>(a.point, {x, y, z}, a.point, b);
 }
-std::optional<Sign> quick(const Segment3& a, const Sphere3& b) {
-  return quick_line<true>(plain(a.a, b.center), plain(a.a, a.b), a.b, b);
+std::optional<Relation> by_doubles(const Ray3& a, const Sphere3& b) {
+  const auto& [x, y, z] = a.direction;
+  return by_doubles<true, false>(a.origin, {x, y, z}, a.origin, b);
 }
-std::optional<Sign> quick(const auto&, const Sphere3&) { return {}; }
+std::optional<Relation> by_doubles(const Segment3& a, const Sphere3& b) {
+  return by_doubles<true, true>(a.a, plain(a.a, a.b), a.b, b);
+}
+std::optional<Relation> by_doubles(const auto&, const Sphere3&) { return {}; }
 
 template <class Flat>
 Relation relate_nearest(const Flat& flat, const Sphere3& ball, Asked asked) {
+  assert_sound_thread();
+  if (const auto told = by_doubles(flat, ball)) [[likely]]
+    return *told;
   require_figures(asked, flat, ball);
   if (is_nothing(flat)) return Relation::disjoint;
-  if (const auto g = quick(flat, ball)) return static_cast<Relation>(-*g);
   const Sign s = gap(flat, ball);
   if (s == Sign::zero && ball.radius == 0) return relate_swept(core_set(ball), 0, flat_set(flat));
   return static_cast<Relation>(-s);

@@ -6,21 +6,6 @@
 #include "plumb/query/overlap_triangle.hpp"
 
 namespace plumb {
-namespace query {
-namespace {
-
-std::optional<Relation> quick(const Segment3& s, const Triangle3& t) { return by_doubles(s, t); }
-std::optional<Relation> quick(Reach reach, const Point3& p, const Vector3& d, const Triangle3& t) {
-  return by_doubles(reach, {Pair{d.x, p.x - t.a.x}, Pair{d.y, p.y - t.a.y}, Pair{d.z, p.z - t.a.z}}, t);
-}
-std::optional<Relation> quick(const Ray3& r, const Triangle3& t) { return quick(Reach::ray, r.origin, r.direction, t); }
-std::optional<Relation> quick(const Line3& l, const Triangle3& t) {
-  return quick(Reach::line, l.point, l.direction, t);
-}
-
-}  // namespace
-}  // namespace query
-
 namespace {
 
 template <class A>
@@ -35,7 +20,7 @@ template <class A>
 template <class A>
 Relation related(const A& a, const Triangle3& b, Asked asked) {
   assert_sound_thread();
-  if (const auto answer = query::quick(a, b)) return *answer;
+  if (const auto answer = query::by_doubles(a, b)) return *answer;
   return exactly(a, b, asked);
 }
 template <class A, class B>

@@ -6,9 +6,9 @@
 
 #include "figure/mesh_input.hpp"
 #include "plumb/certify/ray_order.hpp"
+#include "plumb/query/ray_hits.hpp"
 #include "query/ray_batch_lanes.hpp"
 #include "query/ray_box_lanes.hpp"
-#include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
 
 namespace plumb {
@@ -27,6 +27,11 @@ BatchRay batch_ray(const AnyRay& ray) {
   const auto& d = ray.direction;
   if (ends(ray)) return {{x, y, z}, {ray.end.x - x, ray.end.y - y, ray.end.z - z}, true, true};
   return {{x, y, z}, {d.x, d.y, d.z}, begins(ray), false};
+}
+
+template <class Shape, class... Rule>
+bool is_hit(const AnyRay& ray, const Shape& shape, Rule... rule) {
+  return as_given(ray, [&](const auto& given) { return hits(given, shape, rule...); });
 }
 
 /// Calls visit(i, told, least, most) for every triangle that is hit, in turn; what lanes do not tell is asked exactly.

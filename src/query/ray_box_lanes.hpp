@@ -1,6 +1,8 @@
 // What do lanes of doubles say of one ray against many axis-aligned boxes?
 //
-// The tests are those of ray_hits.cpp, term by term.
+// The box is apart along an axis of its own where numbers as given say so, and along one across the direction and an
+// axis of the box where the corner of its rectangle at which u y - v x is least, or most, is on that side of the line
+// (PassesCorner of ray_filters.hpp).  Where none of these is apart they meet.
 #pragma once
 
 #include <cstddef>

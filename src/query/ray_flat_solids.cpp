@@ -3,7 +3,6 @@
 
 #include "plumb/predicates.hpp"
 #include "query/ray_box_feature.hpp"
-#include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
 
 namespace plumb {
@@ -180,8 +179,6 @@ std::optional<Answer> of(const AnyRay& ray, const KDop3& k_dop) {
 }
 
 }  // namespace
-
-bool is_hit(const AnyRay& ray, const Aabb3& box) { return of<Decided>(ray, box).has_value(); }
 
 }  // namespace query
 

@@ -38,22 +38,6 @@ std::strong_ordering operator<=>(const RayParameter& a, const RayParameter& b) {
 
 namespace query {
 
-namespace {
-
-template <class F>
-void as_given(const AnyRay& ray, F f) {
-  switch (ray.kind) {
-    case AnyRay::Kind::ray:
-      return f(Ray3{ray.origin, ray.direction});
-    case AnyRay::Kind::segment:
-      return f(Segment3{ray.origin, ray.end});
-    default:
-      return f(Line3{ray.origin, ray.direction});
-  }
-}
-
-}  // namespace
-
 void require_ray(std::string_view function, const AnyRay& ray, const FigureView& shape) {
   as_given(ray, [&](const auto& given) { require_figures(function, view_of(given), shape); });
 }

@@ -8,7 +8,6 @@
 // parameters at which the ray passes from one zone to the next are quotients, and both quadratics agree there.
 #include <span>
 
-#include "query/ray_exact_hits.hpp"
 #include "query/ray_numbers.hpp"
 
 namespace plumb {
@@ -176,8 +175,6 @@ std::optional<Answer> of(const AnyRay& ray, const Capsule3& capsule) {
 }
 
 }  // namespace
-
-bool is_hit(const AnyRay& ray, const Sphere3& sphere) { return of<Decided>(ray, sphere).has_value(); }
 
 }  // namespace query
 

@@ -69,6 +69,13 @@ inline bool has_no_direction(const AnyRay& ray) {
 inline bool begins(const AnyRay& ray) { return ray.kind != AnyRay::Kind::line; }
 inline bool ends(const AnyRay& ray) { return ray.kind == AnyRay::Kind::segment; }
 
+/// Calls f with the ray, the segment or the line that it was made of.
+template <class F>
+decltype(auto) as_given(const AnyRay& ray, const F& f) {
+  if (ends(ray)) return f(Segment3{ray.origin, ray.end});
+  return begins(ray) ? f(Ray3{ray.origin, ray.direction}) : f(Line3{ray.origin, ray.direction});
+}
+
 template <class T>
 Vec3<T> direction_of(const AnyRay& ray) {
   return ray.kind == AnyRay::Kind::segment ? between<T>(ray.origin, ray.end) : vector_of<T>(ray.direction);

@@ -4,9 +4,8 @@
 // triangles.  The moved ray misses every edge that is not parallel to it, and has neither end in a plane that is not:
 // the side of the edge from p to q changes by (q - p) x d, that of the plane by -n, and neither is zero there.  So for
 // finitely many triangles there is one true ray, as near as one likes, that answers as the rule does.
-#include "plumb/certify/line_triangle.hpp"
-#include "plumb/predicates.hpp"
-#include "query/ray_exact_hits.hpp"
+#include "plumb/query/ray_hits.hpp"
+#include "query/overlap_filters.hpp"
 #include "query/ray_facets.hpp"
 
 namespace plumb {
@@ -54,21 +53,6 @@ std::optional<Decided> half_open(const AnyRay& ray, const TriangleModel& model, 
                  0};
 }
 
-/// By exact signs; nothing for a ray in the plane of the triangle, or parallel to that of one without area.
-std::optional<bool> by_signs(const AnyRay& ray, const Triangle3& t) {
-  const auto& [a, b, c] = t;
-  const bool segment = ray.kind == AnyRay::Kind::segment;
-  const EdgeSigns s =
-      segment ? edge_signs(ray.origin, ray.end, a, b, c) : edge_signs(ray.origin, ray.direction, a, b, c);
-  if (!s.agree()) return false;
-  const Sign left = s.ab != Sign::zero ? s.ab : s.bc != Sign::zero ? s.bc : s.ca;
-  if (left == Sign::zero) return {};
-  if (ray.kind == AnyRay::Kind::line) return true;
-  // The plane is met at N / D, where D has the opposite sign of the edges'; N and N - D tell the sides of the ends.
-  if (orient3d(a, b, c, ray.origin) == left) return false;
-  return !segment || orient3d(a, b, c, ray.end) != -left;
-}
-
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
   require<Answer>(ray, triangle);
@@ -77,14 +61,19 @@ std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule r
   return answer<Answer>(ray, model, certainly([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
 }
 
+/// What doubles tell for certain is so for every ray nearby.
+template <class A>
+bool hits_moved(const A& ray, const Triangle3& triangle) {
+  if (const auto told = by_doubles(ray, triangle)) [[likely]]
+    return *told != Relation::disjoint;
+  return of<Decided>(ray, triangle, HitRule::half_open).has_value();
+}
+
 }  // namespace
 
-bool is_hit(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
-  if (rule == HitRule::closed) {
-    if (const auto told = by_signs(ray, triangle)) return *told;
-  }
-  return of<Decided>(ray, triangle, rule).has_value();
-}
+bool hits_half_open(const Ray3& ray, const Triangle3& triangle) { return hits_moved(ray, triangle); }
+bool hits_half_open(const Segment3& segment, const Triangle3& triangle) { return hits_moved(segment, triangle); }
+bool hits_half_open(const Line3& line, const Triangle3& triangle) { return hits_moved(line, triangle); }
 
 }  // namespace query
 

@@ -12,6 +12,7 @@ namespace plumb {
 enum class Asked : unsigned char {
   relate,
   intersects,
+  hits,
   distance,
   exact_distance,
   squared_distance_exact,
@@ -19,8 +20,9 @@ enum class Asked : unsigned char {
   compare_second_distance
 };
 constexpr std::string_view name_of(Asked asked) {
-  constexpr std::array<std::string_view, 7> names{"relate",
+  constexpr std::array<std::string_view, 8> names{"relate",
                                                   "intersects",
+                                                  "hits",
                                                   "distance",
                                                   "exact_distance",
                                                   "squared_distance_exact",
