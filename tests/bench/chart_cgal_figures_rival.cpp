@@ -82,6 +82,14 @@ struct Cloud {
   std::vector<Point> points;
 };
 
+/// Two shapes, and whether they are such as CGAL asks for: no triangle that is flat, no segment or ray that is a point.
+template <class A, class B>
+struct Question {
+  A first;
+  B second;
+  bool sound = !first.is_degenerate() && !second.is_degenerate();
+};
+
 /// Epeck's numbers are evaluated exactly before they are rounded, which to_double alone does not ask for.
 template <class Number>
 double root(const Number& square) {
@@ -94,13 +102,17 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
   using P3 = typename K::Point_3;
   const auto call = [&](const std::string& function) { return function + ", " + about; };
   const auto meet = [](const auto& q) { return CGAL::do_intersect(q.first, q.second); };
+  const auto meet_if_sound = [](const auto& q) {
+    return q.sound ? tool::trial::as_answer(CGAL::do_intersect(q.first, q.second)) : tool::trial::unsure;
+  };
   const auto far = [](const auto& q) { return root(CGAL::squared_distance(q.first, q.second)); };
   join<15>(
       all, "ray-triangle", name, call("CGAL's do_intersect"),
       [](const std::array<double, 15>& q) {
-        return std::pair{typename M::Ray(M::point(&q[0]), typename K::Vector_3(q[3], q[4], q[5])), M::triangle(&q[6])};
+        return Question<typename M::Ray, typename M::Triangle>{
+            typename M::Ray(M::point(&q[0]), typename K::Vector_3(q[3], q[4], q[5])), M::triangle(&q[6])};
       },
-      meet);
+      meet_if_sound);
   join<8>(
       all, "segment-segment", name, call("CGAL's do_intersect"),
       [](const std::array<double, 8>& q) {
@@ -111,15 +123,15 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
   join<15>(
       all, "segment-triangle", name, call("CGAL's do_intersect"),
       [](const std::array<double, 15>& q) {
-        return std::pair{M::segment(&q[0]), M::triangle(&q[6])};
+        return Question<typename M::Segment, typename M::Triangle>{M::segment(&q[0]), M::triangle(&q[6])};
       },
-      meet);
+      meet_if_sound);
   join<18>(
       all, "triangle-triangle", name, call("CGAL's do_intersect"),
       [](const std::array<double, 18>& q) {
-        return std::pair{M::triangle(&q[0]), M::triangle(&q[9])};
+        return Question<typename M::Triangle, typename M::Triangle>{M::triangle(&q[0]), M::triangle(&q[9])};
       },
-      meet);
+      meet_if_sound);
   join<12>(
       all, "box-box", name, call("CGAL's do_intersect of Iso_cuboids"),
       [](const std::array<double, 12>& q) {
