@@ -168,7 +168,7 @@ std::vector<Method> formula_methods() {
       "rationals", "GMP's rationals, always",
       [](const P& p) {
         Rationals r;
-        std::ranges::transform(p, r.begin(), big_rational);
+        std::ranges::transform(p, r.begin(), [](double x) { return big_rational(x); });
         return r;
       },
       [](const Rationals& p) { return F{}(p).sign(); }));
