@@ -3,6 +3,7 @@
 
 #include "plumb/figure/aabb.hpp"
 #include "plumb/figure/aabb_relation.hpp"
+#include "plumb/figure/asked.hpp"
 #include "plumb/figure/barycentric.hpp"
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/box_batch.hpp"
