@@ -8,8 +8,6 @@ namespace {
 
 constexpr Int3 along_x{1, 0, 0}, along_y{0, 1, 0}, along_z{0, 0, 1};
 
-bool is_zero(const Int3& v) { return v == Int3{}; }
-
 // The halfspace through p whose plane goes along u and v, where `within` leads into it.
 void add_halfspace(Body& body, const Int3& p, const Int3& u, const Int3& v, const Int3& within) {
   for (const Int3& at : {p, p + u, p + v, p + within}) body.points.push_back(at);
@@ -116,8 +114,8 @@ Body k_dop_body(const Drawing& draw) {
       const Int height = outward[2];
       const bool chosen_side = height == 0 && (sign > 0) == side;
       bool touches = false;
-      if (order.around || is_zero(n)) {
-        touches = false;
+      if (order.around) {
+        // The origin is inside.
       } else if (face) {
         touches = is_straight_down(n) && height < 0;
       } else if (along_edge) {
