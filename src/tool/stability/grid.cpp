@@ -131,7 +131,7 @@ std::vector<Count> counted(const GridCase& c, std::span<const double> said, std:
 std::string share_wrong(const std::vector<Count>& counts) {
   const std::uint64_t wrong = counts[0].failures + counts[1].failures + counts[2].failures, of = counts[3].of;
   if (wrong == 0) return fmt::format("all of {} right", of);
-  return fmt::format("{:.1f}% wrong", 100 * static_cast<double>(wrong) / static_cast<double>(of));
+  return fmt::format("{} of {} wrong", wrong, of);
 }
 
 Findings run_grid(const GridCase& c, const Step& step, std::size_t width) {
