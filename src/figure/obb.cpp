@@ -5,6 +5,7 @@
 
 #include "finite_parts.hpp"
 #include "frame.hpp"
+#include "in_space.hpp"
 #include "obb_enclose.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/rounded.hpp"
@@ -126,10 +127,8 @@ std::array<Point3, 8> corners(const Obb3& box) {
 }
 
 std::array<Point2, 4> corners(const Obb2& box) {
-  const auto lifted = [](const Vector2& v) { return Vector3{v.x, v.y, 0}; };
-  const auto all = corners(Obb3{{box.center.x, box.center.y, 0},
-                                {lifted(box.axes[0]), lifted(box.axes[1]), Vector3{0, 0, 0}},
-                                {box.half.x, box.half.y, 0}});
+  const auto all = corners(
+      Obb3{in_space(box.center), {in_space(box.axes[0]), in_space(box.axes[1]), Vector3{0, 0, 0}}, in_space(box.half)});
   return {Point2{all[0].x, all[0].y}, Point2{all[1].x, all[1].y}, Point2{all[2].x, all[2].y},
           Point2{all[3].x, all[3].y}};
 }

@@ -1,6 +1,7 @@
 #include <optional>
 #include <plumb/predicates/direction.hpp>
 
+#include "in_space.hpp"
 #include "obb_gaps.hpp"
 #include "obb_quick.hpp"
 #include "plumb/certify/gap_filter.hpp"
@@ -150,10 +151,9 @@ Relation relate(const Obb2& a, const Obb2& b, Asked asked) {
       !verdict.add(plane_gap(b, a, 1)))
     return Relation::disjoint;
   if (const auto answer = verdict.relation()) return *answer;
-  const auto lifted = [](const Vector2& v) { return Vector3{v.x, v.y, 0}; };
-  return locate_origin(difference({a.center.x, a.center.y, 0}, {b.center.x, b.center.y, 0}),
-                       std::array{generator(lifted(a.axes[0]), a.half.x), generator(lifted(a.axes[1]), a.half.y),
-                                  generator(lifted(b.axes[0]), b.half.x), generator(lifted(b.axes[1]), b.half.y)});
+  return locate_origin(difference(in_space(a.center), in_space(b.center)),
+                       std::array{generator(in_space(a.axes[0]), a.half.x), generator(in_space(a.axes[1]), a.half.y),
+                                  generator(in_space(b.axes[0]), b.half.x), generator(in_space(b.axes[1]), b.half.y)});
 }
 
 }  // namespace plumb

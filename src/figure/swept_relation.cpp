@@ -2,6 +2,7 @@
 
 #include "core_distance.hpp"
 #include "finite_parts.hpp"
+#include "in_space.hpp"
 #include "plumb/figure/swept_sphere.hpp"
 #include "quick_gap.hpp"
 #include "rational_lp.hpp"
@@ -82,8 +83,6 @@ Relation quick_relation(std::string_view function, const Shape& a, const Shape& 
     return static_cast<Relation>(-*gap);
   return relation(function, a, b);
 }
-
-Capsule3 in_space(const Capsule2& c) { return {{c.a.x, c.a.y, 0}, {c.b.x, c.b.y, 0}, c.radius}; }
 
 }  // namespace
 

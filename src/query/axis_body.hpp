@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 
+#include "figure/in_space.hpp"
 #include "figure/vec.hpp"
 #include "plumb/query/pairs.hpp"
 
@@ -39,11 +40,6 @@ struct AxisBody {
     }
   }
 };
-
-constexpr Point3 in_space(const Point2& p) { return {p.x, p.y, 0}; }
-constexpr Point3 in_space(const Point3& p) { return p; }
-constexpr Vector3 in_space(const Vector2& v) { return {v.x, v.y, 0}; }
-constexpr Vector3 in_space(const Vector3& v) { return v; }
 
 template <class T>
 core::Vec<T> from_origin(const Point3& p, const Point3& origin) {

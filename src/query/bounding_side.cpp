@@ -7,8 +7,6 @@
 namespace plumb::query {
 namespace {
 
-using axes::in_space;
-
 /// Corners of a face that are not on one line: those that doubles see spread, or the first that are.
 Side side_of_face(const PolygonMesh& mesh, std::size_t f) {
   const auto corner = [&](std::size_t i) { return &mesh.vertices[mesh.corners[i]]; };

@@ -9,6 +9,7 @@
 
 #include "closest_numbers.hpp"
 #include "closest_quick.hpp"
+#include "figure/in_space.hpp"
 #include "plumb/query/closest.hpp"
 #include "query/figure_input.hpp"
 
@@ -21,9 +22,6 @@ struct Nearest;
 
 template <class Shape>
 using PointOf = std::conditional_t<NearPoint2<Shape>, Point2, Point3>;
-
-constexpr Point3 in_space(const Point2& p) { return {p.x, p.y, 0}; }
-constexpr Point3 in_space(const Point3& p) { return p; }
 
 template <class Point>
 constexpr Point within(const Point3& p) {

@@ -8,8 +8,6 @@ namespace plumb {
 namespace query {
 namespace {
 
-Aabb3 in_space(const Aabb2& box) { return {query::in_space(box.min), query::in_space(box.max)}; }
-
 void require_not_empty(std::string_view function, const Aabb3& box) {
   if (!is_empty(box)) return;
   throw InvalidShape(std::string(function).append(": the box is empty, and nothing is nearest; give min at most max"));
@@ -40,11 +38,11 @@ template <>
 struct Nearest<Aabb2> {
   static void require_some(std::string_view function, const Aabb2& s) { require_not_empty(function, in_space(s)); }
   static Feature feature(const Aabb2& s, const Point2& p) {
-    return of_flat_box(voronoi_region(in_space(s), query::in_space(p)));
+    return of_flat_box(voronoi_region(in_space(s), in_space(p)));
   }
   template <class T>
   static Foot<T> foot(const Aabb2& s, const Point2& p, const Feature& f) {
-    return foot_in<T>(in_space(s), query::in_space(p), f.kind == FeatureKind::face);
+    return foot_in<T>(in_space(s), in_space(p), f.kind == FeatureKind::face);
   }
 };
 

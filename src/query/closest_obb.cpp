@@ -8,11 +8,9 @@ namespace plumb {
 namespace query {
 namespace {
 
-Vector3 in_space(const Vector2& v) { return {v.x, v.y, 0}; }
-
 Obb3 solid(const Rectangle3& s) { return {s.center, {s.axes[0], s.axes[1], Vector3{}}, in_space(s.half)}; }
 Obb3 solid(const Obb2& s) {
-  return {query::in_space(s.center), {in_space(s.axes[0]), in_space(s.axes[1]), Vector3{}}, in_space(s.half)};
+  return {in_space(s.center), {in_space(s.axes[0]), in_space(s.axes[1]), Vector3{}}, in_space(s.half)};
 }
 
 template <class T>
@@ -56,13 +54,11 @@ struct Nearest<Rectangle3> {
 
 template <>
 struct Nearest<Obb2> {
-  static Feature feature(const Obb2& s, const Point2& p) {
-    return of_flat_box(voronoi_region(solid(s), query::in_space(p)));
-  }
+  static Feature feature(const Obb2& s, const Point2& p) { return of_flat_box(voronoi_region(solid(s), in_space(p))); }
   template <class T>
   static Foot<T> foot(const Obb2& s, const Point2& p, const Feature& f) {
     if (f.kind == FeatureKind::face) return foot_of_itself(vec<T>(p));
-    return foot_in<T>(solid(s), query::in_space(p), of_solid_box(f));
+    return foot_in<T>(solid(s), in_space(p), of_solid_box(f));
   }
 };
 

@@ -1,4 +1,5 @@
 // Triangles against lines, rays, segments and triangles.
+#include "figure/in_space.hpp"
 #include "plumb/query/closest_pairs.hpp"
 #include "query/closest_quick_pairs.hpp"
 #include "query/figure_input.hpp"
@@ -196,21 +197,13 @@ Rational square_exactly(const A& a, const B& b, Asked asked) {
   return square_of(found_over<BigDyadic>(p, q, shortlist(p, q))->pair);
 }
 
-// The plane is a plane of space.
-Point3 lifted(const Point2& p) { return {p.x, p.y, 0}; }
-Vector3 lifted(const Vector2& v) { return {v.x, v.y, 0}; }
-Line3 lifted(const Line2& l) { return {lifted(l.point), lifted(l.direction)}; }
-Ray3 lifted(const Ray2& r) { return {lifted(r.origin), lifted(r.direction)}; }
-Segment3 lifted(const Segment2& s) { return {lifted(s.a), lifted(s.b)}; }
-Triangle3 lifted(const Triangle2& t) { return {lifted(t.a), lifted(t.b), lifted(t.c)}; }
-
 }  // namespace
 
 template <class A, class B>
 requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b) { return closest_of(a, b); }
 template <class A, class B>
 requires StraightPair2<A, B> Closest2 closest_points(const A& a, const B& b) {
-  const Closest c = closest_of(lifted(a), lifted(b));
+  const Closest c = closest_of(in_space(a), in_space(b));
   return {{c.on_a.x, c.on_a.y}, {c.on_b.x, c.on_b.y}, c.distance, c.feature_a, c.feature_b};
 }
 
@@ -220,7 +213,7 @@ double distance(const A& a, const B& b, Asked asked) {
   if constexpr (is_in_space<A>) {
     return distance_of(a, b, asked);
   } else {
-    return distance_of(lifted(a), lifted(b), asked);
+    return distance_of(in_space(a), in_space(b), asked);
   }
 }
 
@@ -229,7 +222,7 @@ requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, c
   if constexpr (is_in_space<A>) {
     return square_exactly(a, b, asked);
   } else {
-    return square_exactly(lifted(a), lifted(b), asked);
+    return square_exactly(in_space(a), in_space(b), asked);
   }
 }
 
@@ -240,7 +233,7 @@ requires StraightPair<A, B> std::optional<Sign> quick_comparison(const A& a, con
   if constexpr (is_in_space<A>) {
     return comparison_of(in_one_form(a), in_one_form(b), than);
   } else {
-    return quick_comparison(lifted(a), lifted(b), than);
+    return quick_comparison(in_space(a), in_space(b), than);
   }
 }
 

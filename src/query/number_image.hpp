@@ -81,7 +81,7 @@ constexpr Numbers numbers_of() {
 template <class T, class Shape>
 Image<T> image_of(const Shape& s) {
   constexpr FigureKind kind = figure_kind<Shape>;
-  const auto at = [](const auto& p) { return core::vec<T>(axes::in_space(p)); };
+  const auto at = [](const auto& p) { return core::vec<T>(in_space(p)); };
   Image<T> image;
   image.count = numbers_of<Shape>().count;
   if constexpr (kind == FigureKind::point) {

@@ -1,6 +1,7 @@
 // Figures of the plane as figures of space: what is flat lies in z = 0, what halfplanes bound goes up and down forever.
 #include "plumb/query/overlap_round2.hpp"
 
+#include "figure/in_space.hpp"
 #include "figure_input.hpp"
 #include "plumb/query/overlap_round.hpp"
 
@@ -8,36 +9,29 @@ namespace plumb {
 namespace query {
 namespace {
 
-Point3 lifted(const Point2& p) { return {p.x, p.y, 0}; }
-Vector3 lifted(const Vector2& v) { return {v.x, v.y, 0}; }
-Line3 lifted(const Line2& l) { return {lifted(l.point), lifted(l.direction)}; }
-Ray3 lifted(const Ray2& r) { return {lifted(r.origin), lifted(r.direction)}; }
-Segment3 lifted(const Segment2& s) { return {lifted(s.a), lifted(s.b)}; }
-Halfspace3 lifted(const Halfspace2& h) { return {lifted(h.normal), h.offset}; }
-Triangle3 lifted(const Triangle2& t) { return {lifted(t.a), lifted(t.b), lifted(t.c)}; }
-Quadrilateral3 lifted(const Quadrilateral2& q) { return {lifted(q.a), lifted(q.b), lifted(q.c), lifted(q.d)}; }
-Aabb3 lifted(const Aabb2& b) { return {lifted(b.min), lifted(b.max)}; }
-Rectangle3 lifted(const Obb2& b) { return {lifted(b.center), {lifted(b.axes[0]), lifted(b.axes[1])}, b.half}; }
-Sphere3 lifted(const Circle2& c) { return {lifted(c.center), c.radius}; }
-Capsule3 lifted(const Capsule2& c) { return {lifted(c.a), lifted(c.b), c.radius}; }
+Halfspace3 in_space(const Halfspace2& h) { return {in_space(h.normal), h.offset}; }
+Quadrilateral3 in_space(const Quadrilateral2& q) {
+  return {in_space(q.a), in_space(q.b), in_space(q.c), in_space(q.d)};
+}
+Rectangle3 in_space(const Obb2& b) { return {in_space(b.center), {in_space(b.axes[0]), in_space(b.axes[1])}, b.half}; }
 
-Polygon3 lifted(const Polygon2& polygon) {
+Polygon3 in_space(const Polygon2& polygon) {
   Polygon3 to;
   to.vertices.reserve(polygon.vertices.size());
-  for (const Point2& p : polygon.vertices) to.vertices.push_back(lifted(p));
+  for (const Point2& p : polygon.vertices) to.vertices.push_back(in_space(p));
   return to;
 }
-HoledPolygon3 lifted(const HoledPolygon2& polygon) {
-  HoledPolygon3 to{lifted(polygon.outer), {}};
-  for (const Polygon2& hole : polygon.holes) to.holes.push_back(lifted(hole));
+HoledPolygon3 in_space(const HoledPolygon2& polygon) {
+  HoledPolygon3 to{in_space(polygon.outer), {}};
+  for (const Polygon2& hole : polygon.holes) to.holes.push_back(in_space(hole));
   return to;
 }
-HalfspaceIntersection3 lifted(const HalfspaceIntersection2& intersection) {
+HalfspaceIntersection3 in_space(const HalfspaceIntersection2& intersection) {
   HalfspaceIntersection3 to;
-  for (const Halfspace2& h : intersection.halfspaces) to.halfspaces.push_back(lifted(h));
+  for (const Halfspace2& h : intersection.halfspaces) to.halfspaces.push_back(in_space(h));
   return to;
 }
-HalfspaceIntersection3 lifted(const KDop2& k_dop) {
+HalfspaceIntersection3 in_space(const KDop2& k_dop) {
   HalfspaceIntersection3 to;
   for (std::size_t i = 0; i < k_dop.directions.size(); ++i) {
     const auto [x, y] = k_dop.directions.all()[i];
@@ -50,7 +44,7 @@ HalfspaceIntersection3 lifted(const KDop2& k_dop) {
 template <class A, class B>
 Relation relate_lifted(const A& a, const B& b, Asked asked) {
   require_figures(asked, a, b);
-  return relate(lifted(a), lifted(b));
+  return relate(in_space(a), in_space(b));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "figure/in_space.hpp"
 #include "figure/plane_of_points.hpp"
 #include "figure_input.hpp"
 #include "flat_set.hpp"
@@ -15,8 +16,6 @@ namespace {
 
 using Chain = std::vector<Point3>;
 
-Point3 in_space(const Point2& p) { return {p.x, p.y, 0}; }
-Point3 in_space(const Point3& p) { return p; }
 Exact3 exact(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
 
 template <class Polygon>

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "figure/in_space.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/figure/polygon_location.hpp"
 #include "query/ray_numbers.hpp"
@@ -13,7 +14,6 @@ namespace plumb {
 namespace query {
 namespace {
 
-Point3 in_space(const Point2& p) { return {p.x, p.y, 0}; }
 AnyRay in_space(const AnyRay2& r) {
   if (r.kind == AnyRay::Kind::segment) return Segment3{in_space(r.origin), in_space(r.end)};
   const Vector3 direction{r.direction.x, r.direction.y, 0};
@@ -232,13 +232,10 @@ std::optional<RayParameter> parameter_straight(const AnyRay2& ray, const Shape& 
   return first_edge(ray, s).parameter();
 }
 
-Sphere3 swept(const Circle2& c) { return {in_space(c.center), c.radius}; }
-Capsule3 swept(const Capsule2& c) { return {in_space(c.a), in_space(c.b), c.radius}; }
-
 template <class Shape>
 std::optional<Hit2> hit_round(const AnyRay2& ray, const Shape& s) {
   require("first_hit", ray, s);
-  const std::optional<Hit> hit = first_hit(in_space(ray), swept(s));
+  const std::optional<Hit> hit = first_hit(in_space(ray), in_space(s));
   if (!hit) return {};
   const bool inside = hit->feature.kind == FeatureKind::interior;
   return Hit2{hit->t,
@@ -249,7 +246,7 @@ std::optional<Hit2> hit_round(const AnyRay2& ray, const Shape& s) {
 template <class Shape>
 std::optional<RayParameter> parameter_round(const AnyRay2& ray, const Shape& s) {
   require("first_hit_parameter", ray, s);
-  return first_hit_parameter(in_space(ray), swept(s));
+  return first_hit_parameter(in_space(ray), in_space(s));
 }
 
 }  // namespace
