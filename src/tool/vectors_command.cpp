@@ -38,6 +38,9 @@ constexpr std::array layouts{
     Layout{"insphere", "points a, b, c, d, e: x y z each", Form::sign},
     Layout{"segment-segment", "the ends of two segments: x y each", Form::yes_no},
     Layout{"ray-triangle", "origin and direction of the ray, corners of the triangle: x y z each", Form::yes_no},
+    Layout{"ray-mesh",
+           "origin and direction of the ray, then the 6 corners +x -x +y -y +z -z of an octahedron: x y z each",
+           Form::yes_no},
     Layout{"segment-triangle", "ends of the segment, corners of the triangle: x y z each", Form::yes_no},
     Layout{"triangle-triangle", "corners of either triangle: x y z each", Form::yes_no},
     Layout{"box-box", "least and largest corner of either box: x y z each", Form::yes_no},
@@ -221,9 +224,15 @@ std::string file_of(const Task& task, const Layout& layout, std::uint64_t seed) 
 
 }  // namespace
 
+std::vector<trial::Task> vector_tasks() {
+  std::vector<Task> tasks = trial::all_tasks({});
+  tasks.push_back(trial::ray_mesh_task());
+  return tasks;
+}
+
 std::vector<NamedText> vector_files(std::uint64_t seed, std::string_view only) {
   std::vector<NamedText> files;
-  for (const Task& task : trial::all_tasks({})) {
+  for (const Task& task : vector_tasks()) {
     if (!only.empty() && task.name != only) continue;
     const auto layout = std::ranges::find(layouts, task.name, &Layout::task);
     if (layout != layouts.end()) files.push_back({task.name + ".txt", file_of(task, *layout, seed)});

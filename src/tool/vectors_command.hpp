@@ -21,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tool/trial/task.hpp"
 #include "write_folder.hpp"
 
 namespace plumb::tool {
@@ -34,6 +35,9 @@ struct VectorsOptions {
 };
 
 int run_vectors(const VectorsOptions& options);
+
+/// Those of the report, and a ray against a mesh.
+std::vector<trial::Task> vector_tasks();
 
 /// All files, or those of this task, each named as its task.
 std::vector<NamedText> vector_files(std::uint64_t seed, std::string_view only = {});

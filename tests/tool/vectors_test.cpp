@@ -75,8 +75,8 @@ double said(const trial::Task& task, std::string_view method, const std::vector<
 /// The same case for the kind of that name, which says how many points follow where there may be any number.
 degenerate::Numbers as_asked_of_kinds(const std::string& task, degenerate::Numbers numbers) {
   if (task == "point-in-polygon") numbers.insert(numbers.begin() + 2, 8);
-  if (task == "point-in-polyhedron") {
-    numbers.insert(numbers.begin() + 3, 6);
+  if (task == "point-in-polyhedron" || task == "ray-mesh") {
+    numbers.insert(numbers.begin() + (task == "ray-mesh" ? 6 : 3), 6);
     numbers.push_back(static_cast<double>(trial::octahedron_faces.size()));
     for (const auto& face : trial::octahedron_faces) numbers.insert(numbers.end(), face.begin(), face.end());
   }
@@ -124,7 +124,7 @@ TEST(Vectors, AreWhatTheProgramWrites) {
 }
 
 TEST(Vectors, AreTrueAndCatchEveryUsualWay) {
-  for (const trial::Task& task : trial::all_tasks({})) {
+  for (const trial::Task& task : vector_tasks()) {
     const std::string text = content(folder / (task.name + ".txt"));
     if (text.empty()) continue;
     const std::vector<Vector> vectors = read(text, task.name);

@@ -72,4 +72,7 @@ Task convex_distance_task();
 Task vertex_face_motion_task();
 Task edge_edge_motion_task();
 
+/// For test vectors alone: no task of the report.
+Task ray_mesh_task();
+
 }  // namespace plumb::tool::trial
