@@ -17,6 +17,7 @@ namespace plumb {
 namespace {
 
 using namespace bound_oracle;
+using bound_oracle::Rational;  // there is also plumb::Rational
 using shape_cases::Material;
 using shape_cases::on_shapes;
 using ::testing::HasSubstr;
