@@ -75,10 +75,10 @@ struct DifferenceCorner {
 template <class T>
 class DifferenceSearch {
  public:
-  /// From any corners of which one is a point; those that are dependent serve no better than none.
+  /// From any corners; those that are dependent, or of which none is a point, serve no better than none.
   DifferenceSearch(const Difference<T>& sets, const std::vector<DifferenceCorner>& start) : sets_(sets) {
     begin(start);
-    if (start.size() > 1 && !approach()) begin({{true, 0, 0}});
+    if (whole_ == 0 || (start.size() > 1 && !approach())) begin({{true, 0, 0}});
   }
 
   /// Is there a nearer point, to which it has moved?

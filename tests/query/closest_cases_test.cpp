@@ -8,6 +8,7 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/query/closest.hpp"
 #include "query/closest_oracle.hpp"
+#include "query/difference_search.hpp"
 
 namespace plumb {
 
@@ -406,6 +407,20 @@ TEST(ClosestTest, BadInputIsNamed) {
               HasSubstr("normal is zero"));
   EXPECT_THAT(text_of<InvalidShape>([&] { distance(Point3{}, ConvexPolyhedron3{}); }), HasSubstr("no faces"));
   EXPECT_THAT(text_of<NonFinite>([&] { compare_distance(Point3{}, Sphere3{}, nan); }), HasSubstr("compare_distance"));
+}
+
+// What doubles guess may be any corners, a direction alone among them, which has no weight to be a point by.
+TEST(DifferenceSearch, EndsAtTheNearestPointFromAnyGuess) {
+  using Guess = std::vector<query::DifferenceCorner>;
+  const query::Difference<mpz_class> sets{{{{{3, 4, 0}, {9, 4, 0}}, {{0, 0, 0}}}}, {{-1, 0, 0}}};
+  for (const Guess& guess : {Guess{{true, 0, 0}}, Guess{{true, 1, 0}}, Guess{{false, 0, 0}}, Guess{},
+                             Guess{{true, 0, 0}, {true, 1, 0}, {false, 0, 0}}}) {
+    query::DifferenceSearch<mpz_class> search(sets, guess);
+    while (search.step()) {
+    }
+    ASSERT_NE(search.whole(), 0);
+    EXPECT_EQ(mpq_class(search.square(), search.whole() * search.whole()), 16);  // of (0, 4, 0)
+  }
 }
 
 }  // namespace

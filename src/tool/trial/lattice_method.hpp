@@ -8,14 +8,14 @@
 // Source: RTCD 11.5; cost: what is measured.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <stdexcept>
 
+#include "plumb/arith/wide_int.hpp"
 #include "tool/trial/float_methods.hpp"
 
 namespace plumb::tool::trial {
-
-__extension__ using Int128 = __int128;
 
 /// A coordinate as a multiple of the lattice's unit; for a lattice of fewer than 127 bits.
 inline Int128 on_lattice(double x, const Lattice& lattice) {
@@ -28,7 +28,8 @@ inline Int128 on_lattice(double x, const Lattice& lattice) {
 /// An integer, and the bits that numbers so made of the lattice's may take; throws std::overflow_error beyond 127.
 class GrowingInteger {
  public:
-  GrowingInteger(Int128 x = 0) : GrowingInteger(x, 0) {}  // NOLINT: an integer is one
+  GrowingInteger(Int128 x = 0)  // NOLINT: an integer is one
+      : GrowingInteger(x, static_cast<int>(std::bit_width(static_cast<UInt128>(x < 0 ? -x : x)))) {}
   static GrowingInteger input(Int128 x, int bits) { return {x, bits}; }
   static int& most() {
     thread_local int bits = 0;
