@@ -1,0 +1,48 @@
+#include "command.hpp"
+#include "fuzz_command.hpp"
+
+namespace plumb::tool {
+
+Command fuzz_command(CLI::App& program) {
+  const auto options = std::make_shared<FuzzOptions>();
+  FuzzOptions& o = *options;
+  CLI::App* const parser =
+      program.add_subcommand("fuzz", "Find inputs on which a function of another library is wrong.");
+  const auto repeatable = [parser](const char* name, std::vector<std::string>& values, const char* about) {
+    return parser->add_option(name, values, about)->allow_extra_args(false)->type_name("NAME");
+  };
+  parser->add_option("--kind", o.kind, "What the function is asked; --list tells the kinds.")->type_name("KIND");
+  parser->add_option("--library", o.library, "The shared library that holds the function.")->type_name("FILE");
+  parser->add_option("--symbol", o.symbol, "The function's name.")->type_name("NAME");
+  parser->add_flag("--list", o.list, "List the kinds with their C signatures; with --kind, its generators.");
+  parser->add_option("--cases", o.cases, "Ask so many of each generator; 1000 when no budget is given.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  parser->add_option("--time", o.seconds, "Ask for so long.")->type_name("SECONDS");
+  parser->add_option("--seed", o.seed, "Other cases of the same generators; 2026 when not given.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  repeatable("--generator", o.generators, "Only cases of this generator; repeatable.");
+  CLI::Option* const one_case =
+      parser->add_option("--case", o.case_line, "Ask only this case, as findings are printed.")->type_name("LINE");
+  parser->add_option("--corpus", o.corpus, "Ask the cases in this folder first, and add to it what is found.")
+      ->type_name("DIR");
+  parser->add_option("--out", o.out, "Write the report into this folder, which is made where it is missing.")
+      ->type_name("DIR");
+  repeatable("--format", o.formats, "Print each finding as cpp, python or obj as well; repeatable.")
+      ->check(CLI::IsMember({"cpp", "python", "obj"}));
+  parser->add_option("--ulps", o.ulps, "Of numbers, allow so many doubles beside the nearest.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  parser->add_option("--relative", o.relative, "Of numbers, allow so much of the case's largest coordinate.")
+      ->type_name("X");
+  parser->add_option("--timeout", o.timeout, "A call that takes longer hangs; 1 when not given.")->type_name("SECONDS");
+  parser->add_option("--memory", o.memory_mib, "What the function may take; 1024 when not given.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("MIB");
+  for (const char* const of_many : {"--cases", "--time", "--generator", "--corpus", "--out"})
+    one_case->excludes(parser->get_option(of_many));
+  return {parser, fuzz_manual, [options] { return run_fuzz(*options); }};
+}
+
+}  // namespace plumb::tool
