@@ -21,10 +21,12 @@ std::string chart_svg(std::span<const MeshCheck> checks) {
     points.push_back({label, t.ns_per_decision(), t.wrong_share()});
   }
   const std::string meshes = checks.size() == 1 ? checks[0].name : fmt::format("{} meshes", checks.size());
-  return scatter_chart(
-      {"Wrong signs against time", fmt::format("{} decisions on {}, one thread a core", total.taken(), meshes),
-       "nanoseconds per decision", "share of wrong signs"},
-      points);
+  const std::string sample =
+      total.sampled() == total.taken() ? "" : fmt::format(" (the inexact methods: {} of them)", total.sampled());
+  return scatter_chart({"Wrong signs against time",
+                        fmt::format("{} decisions on {}{}, one thread a core", total.taken(), meshes, sample),
+                        "nanoseconds per decision", "share of wrong signs"},
+                       points);
 }
 
 }  // namespace plumb::tool

@@ -7,27 +7,60 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "bent_faces.hpp"
 #include "check_report.hpp"
+#include "plumb/surface/triangulate.hpp"
 #include "plumb/surface/write_mesh.hpp"
 #include "sample_part.hpp"
 
 namespace plumb::tool {
 namespace {
 
-MeshCheck check_file(const std::string& path, const CheckSettings& settings) {
-  MeshCheck check;
-  check.name = path;
-  check.from_file = true;
-  check_mesh(read_mesh(path, &check.load), settings, check);
-  return check;
-}
+/// Checks a mesh; of what is found each part is said as soon as it is known, where text is wanted.
+class Checker {
+ public:
+  Checker(const CheckSettings& settings, bool says) : settings_(settings), says_(says) {}
 
-MeshCheck check_sample(const CheckSettings& settings) {
-  MeshCheck check;
-  check.name = "embedded flange";
-  check_mesh(sample_part(), settings, check);
-  return check;
-}
+  void check_file(const std::string& path) {
+    MeshCheck check;
+    check.name = path;
+    check.from_file = true;
+    const PolygonMesh polygons = read_polygon_mesh(path, &check.load);
+    check.bent_faces = bent_faces(polygons);
+    take(triangulate(polygons, &check.load.fans), std::move(check));
+  }
+  void check_sample() {
+    MeshCheck check;
+    check.name = "embedded flange";
+    take(sample_part(), std::move(check));
+  }
+  void say_total() const {
+    if (!says_ || checks_.size() < 2) return;
+    say("\n");
+    say(text_total(checks_, style_));
+  }
+  [[nodiscard]] const std::vector<MeshCheck>& checks() const { return checks_; }
+
+ private:
+  void take(const TriangleMesh& mesh, MeshCheck check) {
+    check_mesh(mesh, settings_, check, [&](CheckStep step) {
+      if (!says_) return;
+      if (step == CheckStep::mesh) {
+        if (!checks_.empty()) say("\n");
+        say(text_opening(check, style_));
+      }
+      if (step == CheckStep::inexact) say(text_verdict(check));
+      if (step == CheckStep::exact) say(text_tables(check, style_));
+      flush_output();
+    });
+    checks_.push_back(std::move(check));
+  }
+
+  const CheckSettings settings_;
+  const bool says_;
+  const Style style_{stdout};
+  std::vector<MeshCheck> checks_;
+};
 
 bool any_wrong(const std::vector<MeshCheck>& checks, const std::vector<std::string>& methods) {
   return std::ranges::any_of(checks, [&](const MeshCheck& c) {
@@ -53,31 +86,23 @@ int run_check(const CheckOptions& options) {
   const unsigned threads =
       options.threads != 0 ? options.threads : static_cast<unsigned>(tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const CheckSettings settings{options.verify};
-  const Style style(stdout);
-  const bool text_wanted = options.json != "-" && options.chart != "-";  // standard output is for one of them alone
-  std::vector<MeshCheck> checks;
-  const auto add = [&](MeshCheck check) {
-    if (text_wanted) {
-      if (!checks.empty()) say("\n");
-      say(text_report(check, style));
-    }
-    checks.push_back(std::move(check));
-  };
-  if (options.meshes.empty()) add(check_sample(settings));
+  CheckSettings settings;
+  settings.verify = options.verify;
+  settings.all = options.all;
+  // Standard output is for one of them alone.
+  Checker checker(settings, options.json != "-" && options.chart != "-");
+  if (options.meshes.empty()) checker.check_sample();
   bool bad_input = false;
   for (const std::string& path : options.meshes) {
     try {
-      add(check_file(path, settings));
+      checker.check_file(path);
     } catch (const MeshFileError& e) {  // the other meshes are still worth checking
       complain(e.what());
       bad_input = true;
     }
   }
-  if (text_wanted && checks.size() > 1) {
-    say("\n");
-    say(text_total(checks, style));
-  }
+  checker.say_total();
+  const std::vector<MeshCheck>& checks = checker.checks();
   if (options.json) {
     // A file's name may be any bytes; JSON is UTF-8.
     const std::string text = json_report(checks, threads).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

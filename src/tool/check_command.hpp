@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,12 +24,19 @@ constexpr std::size_t method_number(std::string_view name) {
 }
 inline constexpr std::size_t exact_method = method_number("exact");
 
+/// Those that may be wrong or unsure, and those that never are.
+enum class Asked : std::uint8_t { inexact, exact };
+constexpr bool is_asked(std::size_t method, Asked asked) {
+  return (method >= method_number("plan")) == (asked == Asked::exact);
+}
+
 struct CheckOptions {
   std::vector<std::string> meshes;         // none: the embedded part
   std::optional<std::string> json, chart;  // "-" is standard output
   std::optional<std::string> write_sample;
   unsigned threads = 0;  // 0: as many as the machine has
   bool verify = false;   // take every decision in rationals again
+  bool all = false;      // ask the inexact methods of every decision
   std::vector<std::string> fail_on_wrong;
 };
 

@@ -4,6 +4,7 @@
 
 #include "check_command.hpp"
 #include "check_report.hpp"
+#include "check_verdict.hpp"
 #include "plumb/certify/catalog.hpp"
 #include "plumb/certify/environment.hpp"
 
@@ -71,12 +72,18 @@ json json_of(const Lattice& lattice) { return {{"exponent", lattice.exponent}, {
 
 json json_of(const MeshCheck& c) {
   json j{{"name", c.name},
+         {"verdict", {{"mesh", mesh_verdict(c)}, {"floats", float_verdict(c)}, {"advice", advice(c)}}},
          {"statistics", json_of(c.statistics)},
+         {"bent_faces", c.bent_faces},
          {"lattice", json_of(c.lattice)},
          {"edges", {{"convex", c.edges.convex}, {"flat", c.edges.flat}, {"reflex", c.edges.reflex}}},
          {"total", json_of(c.total())},
          {"predicates", json::array()},
          {"kinds", json::array()}};
+  if (c.is_sampled()) {
+    const Comparison total = c.total();
+    j["sample"] = {{"of_each_kind", c.sampled_of_kind}, {"decisions", total.sampled()}, {"of", total.taken()}};
+  }
   if (c.from_file) j["file"] = json_of(c.load);
   for (const CatalogEntry& entry : classics()) {
     json p = json_of(c.of_predicate(entry.name));

@@ -1,11 +1,15 @@
 // How often is each method wrong on this mesh, and how long does it take?
 //
-// Laws: counts and worst cases depend on the mesh alone, not on threads or time.  Times are medians over blocks of
-// decisions, all methods on the same block one after the other.
-// Source: RTCD 11.2; cost: a few hundred nanoseconds a decision, microseconds with verification.
+// Laws: counts and worst cases depend on the mesh and the settings alone, not on threads or time.  The inexact methods
+// are asked first, of a sample where the mesh is big (decision_sample.hpp); then the exact ones, of every decision.
+// Times are medians over blocks of decisions, the methods on the same block one after the other.
+// Source: RTCD 11.2; cost: some 2 us a decision of the sample, 0.2 us of the others, microseconds with verification.
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <string>
 
 #include "plumb/arith/lattice.hpp"
@@ -20,6 +24,7 @@ struct MeshCheck {
   std::string name;
   LoadReport load;
   bool from_file = false;
+  std::uint64_t bent_faces = 0;  // of the file, before triangulation
   MeshStatistics statistics;
   Lattice lattice;
   EdgeAnswers edges;
@@ -28,16 +33,30 @@ struct MeshCheck {
   /// The kinds that put their question to this predicate.
   [[nodiscard]] Comparison of_predicate(std::string_view predicate) const;
   [[nodiscard]] Comparison total() const;
+
+  /// Of each kind the inexact methods were asked at most so many decisions; of all where this is 0.
+  std::uint64_t sampled_of_kind = 0;
+  [[nodiscard]] bool is_sampled() const { return sampled_of_kind != 0; }
 };
 
-/// Fills in what the mesh itself says: statistics, lattice, comparisons.  Verification takes every exact sign again in
-/// rational arithmetic, or `verified_of_kind` evenly spread ones where a kind has more.
 struct CheckSettings {
-  bool verify = false;
-  std::uint64_t verified_of_kind = 100'000;
+  bool verify = false;                       // take exact signs again in rational arithmetic, of each kind
+  std::uint64_t verified_of_kind = 100'000;  // at most so many, evenly spread
+  bool all = false;                          // ask the inexact methods of every decision, not of a sample
+  std::uint64_t sampled_of_kind = 100'000;
+
+  [[nodiscard]] std::uint64_t asked_of_kind() const {
+    return all ? std::numeric_limits<std::uint64_t>::max() : sampled_of_kind;
+  }
 };
 
-/// The decisions that check_mesh will take, for a progress bar; each is one step of it.
-void check_mesh(const TriangleMesh& mesh, const CheckSettings& settings, MeshCheck& check);
+/// What is known, in the order of becoming known: the mesh's statistics, lattice and edges; what the inexact methods
+/// say; what the exact ones do.
+enum class CheckStep : std::uint8_t { mesh, inexact, exact };
+using CheckWatcher = std::function<void(CheckStep)>;
+
+/// Fills in what the mesh itself says; the watcher is called after each step, no progress bar being shown.
+void check_mesh(const TriangleMesh& mesh, const CheckSettings& settings, MeshCheck& check,
+                const CheckWatcher& watcher = {});
 
 }  // namespace plumb::tool

@@ -16,6 +16,9 @@ Command check_command(CLI::App& program) {
   parser->add_option("--threads", o.threads, "How many threads work; as many as the machine has when not given.")
       ->check(CLI::Range(1U, 4096U))
       ->type_name("N");
+  parser->add_flag("--all", o.all,
+                   "Ask every method of every decision; otherwise, on a big mesh, plan and exact of all and the others "
+                   "of a sample.");
   parser->add_flag("--verify", o.verify,
                    "Take every decision once more in rational numbers (of a big mesh a sample, and say so), and "
                    "judge the exact method by them.");

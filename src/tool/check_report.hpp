@@ -12,7 +12,11 @@
 
 namespace plumb::tool {
 
-std::string text_report(const MeshCheck& check, const Style& style);
+/// Of the report on one mesh what each step of the check lets say: name and first line of the verdict, its other two
+/// lines, everything else.
+std::string text_opening(const MeshCheck& check, const Style& style);
+std::string text_verdict(const MeshCheck& check);
+std::string text_tables(const MeshCheck& check, const Style& style);
 
 /// The totals over several meshes; the table alone.
 std::string text_total(std::span<const MeshCheck> checks, const Style& style);

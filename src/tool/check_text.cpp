@@ -4,27 +4,11 @@
 
 #include "check_command.hpp"
 #include "check_report.hpp"
+#include "check_verdict.hpp"
 #include "plumb/certify/catalog.hpp"
 
 namespace plumb::tool {
 namespace {
-
-// 1,234,567
-std::string grouped(std::uint64_t n) {
-  std::string s = std::to_string(n);
-  for (std::size_t i = s.size(); i > 3;) s.insert(i -= 3, 1, ',');
-  return s;
-}
-
-std::string plural(std::uint64_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", grouped(n), n == 1 ? one : many);
-}
-
-std::string percent(std::uint64_t part, std::uint64_t whole) {
-  if (part == 0 || whole == 0) return std::string(1, '0');
-  const double p = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  return p < 0.01 ? fmt::format("{:.1e}%", p) : fmt::format("{:.3g}%", p);
-}
 
 std::string file_lines(const MeshCheck& c) {
   if (!c.from_file) return "  the embedded part; `plumb check --write-sample FILE` writes it\n";
@@ -51,6 +35,15 @@ std::string file_lines(const MeshCheck& c) {
 std::string lattice_line(const Lattice& lattice) {
   return fmt::format("  lattice     multiples of 2^{} of {} bits; `plumb plan` says what that saves\n",
                      lattice.exponent, lattice.bits);
+}
+
+std::string sample_line(const MeshCheck& c) {
+  if (!c.is_sampled()) return {};
+  const Comparison total = c.total();
+  return fmt::format(
+      "  sample      plan and exact took all {} decisions, the others {}: at most {} of each kind, drawn over the\n"
+      "              whole mesh; --all asks all\n",
+      grouped(total.taken()), grouped(total.sampled()), grouped(c.sampled_of_kind));
 }
 
 std::string defect_lines(const MeshStatistics& m) {
@@ -134,15 +127,23 @@ std::string tables(std::span<const MeshCheck> checks, const Style& style) {
 
 }  // namespace
 
-std::string text_report(const MeshCheck& c, const Style& style) {
+std::string text_opening(const MeshCheck& c, const Style& style) {
+  return style.bold(printable(c.name)) + "\n" + fmt::format("  wrong       {}\n", mesh_verdict(c));
+}
+
+std::string text_verdict(const MeshCheck& c) {
+  return fmt::format("  in floats   {}\n  to do       {}\n\n", float_verdict(c), advice(c));
+}
+
+std::string text_tables(const MeshCheck& c, const Style& style) {
   const MeshStatistics& m = c.statistics;
-  std::string s = style.bold(printable(c.name)) + "\n" + file_lines(c);
+  std::string s = file_lines(c);
   s += fmt::format("  mesh        {}, {}, {}\n", plural(m.vertices, "vertex", "vertices"),
                    plural(m.faces, "triangle", "triangles"), plural(m.edges, "edge", "edges"));
   s += defect_lines(m);
   s += fmt::format("  edges       of {} interior: {} convex, {} exactly flat, {} reflex\n", grouped(m.interior_edges),
                    grouped(c.edges.convex), grouped(c.edges.flat), grouped(c.edges.reflex));
-  s += lattice_line(c.lattice) + "\n" + legend(style) + tables({&c, 1}, style) + "\n";
+  s += lattice_line(c.lattice) + sample_line(c) + "\n" + legend(style) + tables({&c, 1}, style) + "\n";
   const Comparison total = c.total();
   return s + worst_lines(total, style) + verification_line(total, style);
 }

@@ -137,10 +137,13 @@ Manual check_manual() {
           "how often is floating point wrong on a mesh, and where?",
           {"plumb check [OPTION]... [MESH]...", "plumb check --write-sample FILE"},
           {{"DESCRIPTION", R"(
-Reads each MESH (OBJ, OFF, STL, PLY; text or binary) and reports its
-size, its lattice (the largest power of two that divides every
-coordinate, and how many bits the coordinates then take), repeated
-vertices, triangles of exactly zero area and non-manifold edges.
+Reads each MESH (OBJ, OFF, STL, PLY; text or binary) and opens with a
+verdict in three lines: what is wrong with the mesh, which methods then
+take which signs wrong, and what to do about both. Each line is printed
+as soon as it is known. The tables follow: the mesh's size, its lattice
+(the largest power of two that divides every coordinate, and how many
+bits the coordinates then take), repeated vertices, triangles of exactly
+zero area and non-manifold edges, then the decisions.
 
 Then it takes the decisions that mesh software takes:
 
@@ -157,8 +160,11 @@ Then it takes the decisions that mesh software takes:
        orient2d and incircle, on the projections along the three axes:
        how does each face turn, and is each edge locally Delaunay?
 
-Which edges are flat is decided exactly. Every decision is then taken
-by every method; the exact one is the judge.
+Which edges are flat is decided exactly. The decisions are then taken
+by every method; the exact one is the judge. Of more than 100,000
+decisions of a kind, the methods that may be wrong or unsure are asked
+that many, drawn over the whole mesh and the same in every run; plan and
+exact always take all. --all asks every method everything.
 
 Without a MESH it checks the one that it brings along: a bolted flange,
 turned by an angle that no lattice likes, with the defects of real

@@ -54,17 +54,22 @@ struct Tally {
   }
 };
 
-/// All methods on one set of decisions; the exact method's stages; how many exact signs were taken again in rationals.
+/// The exact methods on all decisions of a set, the others on these or a sample; the exact method's stages; how many
+/// exact signs were taken again in rationals.
 struct Comparison {
   std::array<Tally, method_count> method;
   StageCounts stages;
+  double judge_nanoseconds = 0;  // what the exact method took for what the inexact ones were asked
   std::uint64_t verified = 0, refuted = 0;
 
   [[nodiscard]] std::uint64_t taken() const { return method[exact_method].taken; }
+  /// Of how many of them the inexact methods were asked.
+  [[nodiscard]] std::uint64_t sampled() const { return method[method_number("double")].taken; }
 
   Comparison& operator+=(const Comparison& other) {
     for (std::size_t m = 0; m < method_count; ++m) method[m] += other.method[m];
     stages += other.stages;
+    judge_nanoseconds += other.judge_nanoseconds;
     verified += other.verified;
     refuted += other.refuted;
     return *this;

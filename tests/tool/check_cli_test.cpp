@@ -1,13 +1,16 @@
 // `plumb check` as a user meets it: reports, files written and refused, exit codes, the sample, the replay of what it
 // found.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "matchers.hpp"
+#include "plumb/surface/write_mesh.hpp"
 #include "run_program.hpp"
 #include "tool/check_command.hpp"
 
@@ -30,6 +33,102 @@ TEST(Check, RunsOnTheEmbeddedPartWhenGivenNothing) {
   for (const std::string_view method : method_names) EXPECT_THAT(o.out, HasSubstr(std::string(method)));
   for (const char* name : {"orient2d", "orient3d", "incircle", "insphere"}) EXPECT_THAT(o.out, HasSubstr(name));
 }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A rough square sheet of 2 n^2 triangles.
+TriangleMesh sheet(std::uint32_t n) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j)
+      mesh.vertices.push_back({i / 7.0, j / 7.0, (i * i % 11 + j * j % 13) / 64.0});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      mesh.triangles.push_back({a, b, b + 1});
+      mesh.triangles.push_back({a, b + 1, a + 1});
+    }
+  }
+  return mesh;
+}
+
+TEST(Check, OpensWithAVerdictOfThreeLines) {
+  const std::vector<std::string> lines = lines_of(run("$PLUMB check").out);
+  ASSERT_GT(lines.size(), 5U);
+  EXPECT_EQ(lines[0], "embedded flange");
+  EXPECT_EQ(lines[1],
+            "  wrong       12 triangles of zero area; 67 repeated vertices; 133 open edges; "
+            "1 edge of more than two faces");
+  EXPECT_THAT(lines[2], AllOf(StartsWith("  in floats   wrong signs in 153,641 decisions: float32 "),
+                              HasSubstr("double "), HasSubstr("; none: interval")));
+  EXPECT_THAT(lines[3], AllOf(StartsWith("  to do       collapse triangles of zero area; weld repeated vertices; "),
+                              HasSubstr("take signs exactly")));
+  EXPECT_EQ(lines[4], "");
+  const json verdict = report_of("").at("meshes").at(0).at("verdict");
+  EXPECT_EQ("  wrong       " + std::string(verdict.at("mesh")), lines[1]);
+  EXPECT_EQ("  in floats   " + std::string(verdict.at("floats")), lines[2]);
+  EXPECT_THAT(std::string(verdict.at("advice")), HasSubstr("take signs exactly"));
+}
+
+TEST(Check, SaysOfASoundMeshThatNothingIsWrong) {
+  const Folder folder;
+  put(folder / "t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  const std::vector<std::string> lines = lines_of(run("$PLUMB check " + (folder / "t.obj")).out);
+  ASSERT_GT(lines.size(), 4U);
+  EXPECT_EQ(lines[1], "  wrong       nothing: closed, wound one way, no vertex twice, no triangle of zero area");
+  EXPECT_THAT(lines[2], StartsWith("  in floats   no method took a wrong sign in "));
+  EXPECT_THAT(lines[3], StartsWith("  to do       any arithmetic did here; exact signs are certain"));
+}
+
+TEST(Check, CountsPolygonsThatLieInNoPlane) {
+  const Folder folder;
+  // One plane, one bent by the last bit of a coordinate, and one whose first three corners are on a line.
+  put(folder / "quads.obj",
+      "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0 1 1.0000000000000002\nv 0.5 0 1\nv 1 0 1.5\n"
+      "f 1 2 3 4\nf 1 2 3 5\nf 1 6 2 3 4\nf 1 6 2 3 7\n");
+  const json mesh = report_of(folder / "quads.obj").at("meshes").at(0);
+  EXPECT_EQ(mesh.at("bent_faces"), 2);
+  EXPECT_THAT(std::string(mesh.at("verdict").at("mesh")), HasSubstr("2 polygons whose corners lie in no one plane"));
+}
+
+TEST(Check, AsksTheInexactMethodsOfABigMeshASample) {
+  const Folder folder;
+  const std::string file = folder / "sheet.ply";
+  write_mesh(file, sheet(70));  // 9800 faces, each seen from sixteen points
+  const json whole = report_of("--all " + file).at("meshes").at(0), mesh = report_of(file).at("meshes").at(0);
+  EXPECT_FALSE(whole.contains("sample"));
+  const json sample = mesh.at("sample");
+  EXPECT_EQ(sample.at("of_each_kind"), 100'000);
+  EXPECT_EQ(sample.at("of"), whole.at("total").at("decisions"));
+  const std::uint64_t left_out = 16 * 9800 - 100'000;
+  EXPECT_EQ(sample.at("decisions").get<std::uint64_t>() + left_out, sample.at("of").get<std::uint64_t>());
+  for (std::size_t m = 0; m < method_count; ++m) {
+    const json few = mesh.at("total").at("methods").at(m), all = whole.at("total").at("methods").at(m);
+    EXPECT_EQ(few.at("decisions"), sample.at(is_asked(m, Asked::exact) ? "of" : "decisions"));
+    EXPECT_EQ(all.at("decisions"), sample.at("of"));
+    EXPECT_LE(few.at("wrong"), all.at("wrong"));
+  }
+  EXPECT_THAT(run("$PLUMB check " + file).out,
+              AllOf(HasSubstr("decisions, a sample over the whole mesh"), HasSubstr("at most 100,000 of each kind")));
+  EXPECT_EQ(mesh.at("total").at("stages"), whole.at("total").at("stages"));
+}
+
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
+TEST(Check, TakesSecondsForAMillionTriangles) {
+  const Folder folder;
+  write_mesh(folder / "big.ply", sheet(708));
+  rusage before{}, after{};
+  ::getrusage(RUSAGE_CHILDREN, &before);
+  EXPECT_EQ(run("$PLUMB check " + (folder / "big.ply")).code, 0);
+  ::getrusage(RUSAGE_CHILDREN, &after);
+  EXPECT_LT(after.ru_utime.tv_sec - before.ru_utime.tv_sec, 20);  // of all threads together
+}
+#endif
 
 TEST(Check, FindsFloatsWrongAndTheExactSignsRight) {
   const json total = report_of("--verify").at("meshes").at(0).at("total");
