@@ -107,6 +107,7 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"src/surface/utils.hpp", "", "says nothing"},
       {"tests/tool/string_helpers.hpp", "", "says nothing"},
       {"src/tool/long.cpp", std::string(501, '\n'), "501 lines"},
+      {"tests/oracle/report.txt", std::string(200'001, ' '), "200001 bytes"},
   };
   for (const Case& c : cases) {
     write(c.path, c.text);

@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_file = 500;
+constexpr std::uintmax_t largest_file = 200'000;  // bytes; what is larger, a command makes
 constexpr std::string_view cgal_adaptor = "include/plumb/certify/cgal_";
 constexpr int above_all = 1000;  // the rung of the program and of plumb.hpp
 
@@ -216,6 +217,19 @@ void check_names(const fs::path& tree, std::vector<Breach>& out) {
   }
 }
 
+/// A clone is small, and a change can be read: reports are made by commands, not kept. Test vectors are for who has
+/// none.
+void check_sizes(const fs::path& tree, std::vector<Breach>& out) {
+  for (const char* top : {"include", "src", "predicates", "tests", "fuzz", "docs"}) {
+    if (!fs::is_directory(tree / top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(tree / top)) {
+      const std::string path = fs::relative(entry.path(), tree).generic_string();
+      if (path.starts_with("docs/vectors/") || !entry.is_regular_file() || entry.file_size() <= largest_file) continue;
+      out.push_back({path, "has " + std::to_string(entry.file_size()) + " bytes; 200000 are the most"});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Breach> breaches(const fs::path& tree) {
@@ -223,6 +237,7 @@ std::vector<Breach> breaches(const fs::path& tree) {
   check_top_level(tree, out);
   check_folders(tree, out);
   check_names(tree, out);
+  check_sizes(tree, out);
   const std::vector<Source> sources = read_sources(tree);
   for (const Source& source : sources) {
     check_ladder(source, out);

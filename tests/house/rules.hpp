@@ -1,5 +1,5 @@
 // Does a source tree keep the house's rules?  The top level, the ladder of folders, who may see which library, names
-// and lengths of files.
+// and sizes of files.
 //
 // Laws: breaches(tree) is empty exactly when every rule holds; each breach names its file and what is wrong.
 // Cost: reads every source file once.

@@ -75,6 +75,22 @@ TEST(Report, HasATableAPictureAndAnEntryForEveryTaskAndClass) {
   }
 }
 
+/// What is kept of a run (docs/charts.md) is made by a script.
+TEST(Report, HasItsMediansTakenOutByTheScript) {
+  const Outcome taken =
+      run("python3 " PLUMB_SOURCE_DIR "/tests/bench/chart_medians.py < " + report().folder() + "/chart.json");
+  EXPECT_EQ(taken.err, "");
+  const json kept = json::parse(taken.out, nullptr, false);
+  ASSERT_TRUE(kept.is_object()) << taken.out;
+  EXPECT_EQ(kept.at("machine"), report().raw.at("machine"));
+  EXPECT_EQ(kept.at("medians").size(), report().raw.at("trials").size());
+  each([&](const std::string& task, const std::string& input, const json& m) {
+    const json& row = kept.at("medians").at(task + ", " + input).at(std::string(m.at("method")));
+    EXPECT_EQ(row[0], m.at("wrong")) << task << " " << input << " " << m;
+    EXPECT_NEAR(double(row[2]), double(m.at("ns")), 0.005 * double(m.at("ns"))) << task << " " << input;
+  });
+}
+
 TEST(Report, SaysWhereAndWhenItWasMade) {
   for (const char* key : {"version", "compiler", "flags", "machine", "date"}) {
     EXPECT_THAT(std::string(report().raw.at(key)), Not(testing::IsEmpty())) << key;
