@@ -39,22 +39,23 @@
 namespace plumb {
 
 /// Positive when a, b, c turn counterclockwise; zero when collinear.
-inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
+PLUMB_CHECKABLE inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   return sign_of(predicates::Orient2d{}, a, b, c);
 }
 
 /// Positive when d lies below the plane of a, b, c, where 'above' sees them counterclockwise; zero when coplanar.
-inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+PLUMB_CHECKABLE inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   return sign_of(predicates::Orient3d{}, a, b, c, d);
 }
 
 /// For counterclockwise a, b, c positive when d is inside their circle; zero when cocircular (or all collinear).
-inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+PLUMB_CHECKABLE inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   return sign_of(predicates::InCircle{}, a, b, c, d);
 }
 
 /// For orient3d(a, b, c, d) > 0 positive when e is inside their sphere; zero when cospherical (or all coplanar).
-inline Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
+PLUMB_CHECKABLE inline Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                                     const Point3& e) {
   return sign_of(predicates::InSphere{}, a, b, c, d, e);
 }
 

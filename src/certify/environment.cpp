@@ -1,6 +1,10 @@
 #include "plumb/certify/environment.hpp"
 
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
+
+#include "plumb/certify/checked.hpp"
 
 namespace plumb::environment {
 namespace {
@@ -39,13 +43,13 @@ std::string compiler() {
 
 std::string build() {
   std::string s;
-#ifdef NDEBUG
-  s += "release";
-#else
-  s += "assertions";
-#endif
 #ifdef __OPTIMIZE__
-  s += ", optimized";
+  s += "optimized";
+#else
+  s += "not optimized";
+#endif
+#ifdef PLUMB_CHECKED
+  s += ", checked";
 #endif
 #ifdef __FMA__
   s += ", fma";
@@ -71,6 +75,12 @@ bool keeps_subnormals() {
 }
 
 }  // namespace
+
+void require_sound_thread() {
+  if (thread_is_sound()) return;
+  std::fputs("plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()\n", stderr);
+  std::abort();
+}
 
 bool thread_is_sound() { return rounds_to_nearest() && keeps_subnormals(); }
 

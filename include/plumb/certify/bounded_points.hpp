@@ -98,7 +98,7 @@ class BoundedPoints {
 
     /// The sign of F at the points of these numbers, one for each point that F takes.
     template <std::integral... Number>
-    [[nodiscard]] Sign operator()(Number... number) const {
+    [[nodiscard]] PLUMB_CHECKABLE Sign operator()(Number... number) const {
       static_assert(sizeof...(Number) == F::points, "BoundedPoints: one number for each point of the formula");
       assert_sound_thread();
       if (((static_cast<std::size_t>(number) >= points_.size()) || ...)) [[unlikely]] {

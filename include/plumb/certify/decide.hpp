@@ -1,16 +1,15 @@
 // What is the sign of a formula at these coordinates, exactly?  The chain of stages.
 //
 // Laws: the answer is the sign of the exact value for all finite doubles; anything else throws NonFinite, naming the
-// argument.  The order of the stages changes the time, never the answer.  Debug builds (no NDEBUG) assert before each
-// decision that the thread rounds as the proofs assume.
+// argument.  The order of the stages changes the time, never the answer.
 // Source: docs/proof.md; the order and what is left out: docs/measurements.md, "Stages".
 // Cost: the filter where it is sure; then as exact_stages.hpp says.
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <type_traits>
 
+#include "plumb/certify/checked.hpp"
 #include "plumb/certify/decision.hpp"
 #include "plumb/certify/environment.hpp"
 #include "plumb/certify/exact_stages.hpp"
@@ -63,15 +62,9 @@ template <Formula F>
   return {big_integer_sign(program<F>(), p), Stage::big_integer};
 }
 
-/// In debug builds: the thread rounds as the proofs assume.
-constexpr void assert_sound_thread() {
-  assert((std::is_constant_evaluated() || environment::thread_is_sound()) &&
-         "plumb: this thread does not round to nearest, or flushes subnormals; see check_environment()");
-}
-
 /// The sign of F at p.  The recorder is told which stage decided.
 template <Formula F, class Recorder = NoRecorder>
-constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
+PLUMB_CHECKABLE constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
   assert_sound_thread();
   if (const int s = filter<F>(p); s != 0) [[likely]] {
     recorder.decided(Stage::filter);
@@ -87,5 +80,13 @@ constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
   extern template Decision decide_exactly<predicates::formula>(const Coordinates<predicates::formula>&);
 PLUMB_PREDICATES(PLUMB_DECLARE)
 #undef PLUMB_DECLARE
+
+// Whole decisions as well: code that is not optimized calls them, optimized code may inline them all the same.
+#ifndef PLUMB_CHECKED
+#define PLUMB_DECLARE(formula) \
+  extern template Sign decide<predicates::formula>(const Coordinates<predicates::formula>&, NoRecorder&&);
+PLUMB_PREDICATES(PLUMB_DECLARE)
+#undef PLUMB_DECLARE
+#endif
 
 }  // namespace plumb

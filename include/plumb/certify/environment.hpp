@@ -30,7 +30,7 @@ namespace environment {
 
 Environment inspect(bool contracts, bool fast_math);
 
-/// Does this thread round to nearest and keep subnormals?  Tens of ns; asserted before every decision of a debug build.
+/// Does this thread round to nearest and keep subnormals?  Tens of ns; certify/checked.hpp asks it before decisions.
 bool thread_is_sound();
 
 // Internal linkage on purpose: each translation unit must answer for its own flags.

@@ -44,7 +44,7 @@ template <Formula F>
 }
 
 template <Formula F>
-Sign sign(const Coordinates<F>& p, const Question& question) {
+PLUMB_CHECKABLE Sign sign(const Coordinates<F>& p, const Question& question) {
   assert_sound_thread();
   if (const int s = filter<F>(p); s != 0) [[likely]]
     return static_cast<Sign>(s);

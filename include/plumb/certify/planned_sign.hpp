@@ -145,7 +145,7 @@ class PlannedPredicate {
 
   /// The sign of F at points taken in, one for each argument.
   template <std::size_t... N>
-  [[nodiscard]] Sign operator()(const LatticePoint<N>&... p) const {
+  [[nodiscard]] PLUMB_CHECKABLE Sign operator()(const LatticePoint<N>&... p) const {
     static_assert((N + ...) == arity<F>, "Kernel: the formula takes another number of coordinates than these points");
     assert_sound_thread();
     if ((p.stamp() & ...) != stamp_) [[unlikely]]

@@ -58,7 +58,7 @@ class Side {
 
   /// The sign for the point p; the recorder is told which stage decided.
   template <class Recorder = NoRecorder>
-  Sign operator()(const Point& p, Recorder&& recorder = {}) const {
+  PLUMB_CHECKABLE Sign operator()(const Point& p, Recorder&& recorder = {}) const {
     assert_sound_thread();
     if (const int s = filter(p); s != 0) [[likely]] {
       recorder.decided(Stage::filter);

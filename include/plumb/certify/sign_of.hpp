@@ -73,7 +73,7 @@ template <Formula F, class... Arguments>
 /// whose coordinates are taken in turn.  Throws NonFinite.  The exact stages read the arguments again, so that the
 /// filter can keep its copy in registers alone.
 template <class Polynomial, class... Arguments>
-[[gnu::flatten]] constexpr Sign sign_of(Polynomial, const Arguments&... arguments) {
+[[gnu::flatten]] PLUMB_CHECKABLE constexpr Sign sign_of(Polynomial, const Arguments&... arguments) {
   using F = typename FormulaOf<Polynomial, Arguments...>::Type;
   static_assert((std::size_t{coordinate_count<Arguments>} + ...) == arity<F>,
                 "sign_of: the polynomial takes another number of coordinates than these arguments have");
@@ -82,5 +82,14 @@ template <class Polynomial, class... Arguments>
     return static_cast<Sign>(s);
   return sign_of_unsure<F>(arguments...);
 }
+
+// The library has these, as decide.hpp says of decisions.
+#ifndef PLUMB_CHECKED
+extern template Sign sign_of(predicates::Orient2d, const Point2&, const Point2&, const Point2&);
+extern template Sign sign_of(predicates::Orient3d, const Point3&, const Point3&, const Point3&, const Point3&);
+extern template Sign sign_of(predicates::InCircle, const Point2&, const Point2&, const Point2&, const Point2&);
+extern template Sign sign_of(predicates::InSphere, const Point3&, const Point3&, const Point3&, const Point3&,
+                             const Point3&);
+#endif
 
 }  // namespace plumb

@@ -81,7 +81,7 @@ struct Gap {
   bool sure;
 };
 template <class Ball>
-Gap gap(const Ball& a, const Ball& b) {
+PLUMB_CHECKABLE Gap gap(const Ball& a, const Ball& b) {
   assert_sound_thread();
   const double square = square_of_distance(a.center, b.center), sum = a.radius + b.radius, reach = sum * sum;
   const double value = square - reach, threshold = constant * (square + reach) + guard;
