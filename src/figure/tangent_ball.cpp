@@ -1,9 +1,6 @@
 #include "tangent_ball.hpp"
 
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
+#include "arith/rounded_radical.hpp"
 
 namespace plumb::spheres {
 namespace {
@@ -30,15 +27,6 @@ bool eliminate(std::vector<Rationals>& rows) {
     }
   }
   return true;
-}
-
-/// Doubles in their order as integers; zero is 0.
-std::int64_t place_of(double x) {
-  const auto bits = std::bit_cast<std::int64_t>(std::fabs(x));
-  return x < 0 ? -bits : bits;
-}
-double at_place(std::int64_t place) {
-  return place < 0 ? -std::bit_cast<double>(-place) : std::bit_cast<double>(place);
 }
 
 }  // namespace
@@ -112,28 +100,14 @@ Sign TangentBall::side(const RationalBall& ball) const {
   return sign(s * s - dot(e, e) + 2 * dot(u_, e), 2 * (dot(v_, e) - s));
 }
 
+// With p, q, d the fractions of the radius, (first + u + v p) + v q sqrt(d) over one denominator.
 double TangentBall::center(std::size_t axis) const {
-  const mpq_class a = first_.center[axis] + u_[axis], &b = v_[axis];
-  const auto beyond = [&](const mpq_class& x) { return sign(a - x, b); };  // the coordinate less x
-  // The center lies among centers, which are doubles: search the last one that it is not below.
-  const double largest = std::numeric_limits<double>::max();
-  constexpr mp_bitcnt_t bits = 512;
-  const mpf_class root = sqrt(mpf_class(d_, bits)), rational(mpq_class(a + b * p_), bits);
-  const double guess = mpf_class(rational + mpf_class(mpq_class(b * q_), bits) * root).get_d();
-  std::int64_t low = place_of(std::isfinite(guess) ? guess : 0), high = low;
-  const std::int64_t end = place_of(largest);
-  for (std::int64_t step = 1; low > -end && beyond(mpq_class(at_place(low))) == Sign::negative; step *= 2)
-    high = low, low = low - step > -end ? low - step : -end;
-  for (std::int64_t step = 1; high < end && beyond(mpq_class(at_place(high))) != Sign::negative; step *= 2)
-    low = high, high = high + step < end ? high + step : end;
-  while (high - low > 1) {
-    const std::int64_t middle = low + (high - low) / 2;
-    (beyond(mpq_class(at_place(middle))) == Sign::negative ? high : low) = middle;
-  }
-  const mpq_class half = (mpq_class(at_place(low)) + mpq_class(at_place(high))) / 2;
-  const Sign s = beyond(half);
-  const bool up = s == Sign::positive || (s == Sign::zero && low % 2 != 0);
-  return at_place(up ? high : low);
+  const mpq_class plain = first_.center[axis] + u_[axis] + v_[axis] * p_, times_root = v_[axis] * q_;
+  const mpz_class over = times_root.get_den() * d_.get_den();
+  return rounded_radical(Rounding::nearest, BigDyadic(mpz_class(plain.get_num() * over)),
+                         BigDyadic(mpz_class(times_root.get_num() * plain.get_den())),
+                         BigDyadic(mpz_class(d_.get_num() * d_.get_den())),
+                         BigDyadic(mpz_class(plain.get_den() * over)));
 }
 
 }  // namespace plumb::spheres

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "rounded_radical.hpp"
+#include "arith/rounded_radical.hpp"
 
 namespace plumb::query {
 namespace {

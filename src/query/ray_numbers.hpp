@@ -10,9 +10,9 @@
 #include <array>
 #include <tuple>
 
+#include "arith/rounded_radical.hpp"
 #include "query/figure_input.hpp"
 #include "query/ray_clip.hpp"
-#include "query/rounded_radical.hpp"
 
 namespace plumb::query {
 

@@ -29,7 +29,7 @@ double RayParameter::rounded(Rounding rounding) const {
   const mpq_class &b = base.value().value, &s = square.value().value;
   const mpz_class q = b.get_den() * s.get_den(), p = b.get_num() * s.get_den();
   const mpz_class r = s.get_num() * s.get_den() * b.get_den() * b.get_den();
-  return query::rounded_radical(rounding, BigDyadic(p), BigDyadic(-1.0), BigDyadic(r), BigDyadic(q));
+  return rounded_radical(rounding, BigDyadic(p), BigDyadic(-1.0), BigDyadic(r), BigDyadic(q));
 }
 
 std::strong_ordering operator<=>(const RayParameter& a, const RayParameter& b) {

@@ -12,7 +12,7 @@
 // Fischer and Gaertner 2003 for balls.  Doubles propose it, exact signs decide everything.  Cost: some passes over the
 // points at 1 to 2 ns a point, and some 20 us; where many points lie on the boundary or off it by ulps, an exact sign
 // for each of them.  Of balls some passes at 5 ns a ball in doubles, and 0.1 ms in rationals that prove what these
-// found; seconds and more where they did not and the exponents of one input span many hundreds.
+// found; some ms where they did not.
 #pragma once
 
 #include <cstdint>

@@ -7,9 +7,9 @@
 
 #include "plumb/arith/big_rounding.hpp"
 
-namespace plumb::query {
+namespace plumb {
 
 double rounded_radical(Rounding rounding, const BigDyadic& a, const BigDyadic& b, const BigDyadic& c,
                        const BigDyadic& d);
 
-}  // namespace plumb::query
+}  // namespace plumb

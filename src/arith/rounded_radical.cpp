@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace plumb::query {
+namespace plumb {
 namespace {
 
 /// m 2^e, for any e.
@@ -17,22 +17,23 @@ BigDyadic scaled(const mpz_class& m, long e) {
 
 double rounded_radical(Rounding rounding, const BigDyadic& a, const BigDyadic& b, const BigDyadic& c,
                        const BigDyadic& d) {
-  if (b.sign() == Sign::zero || c.sign() == Sign::zero) return plumb::rounded_quotient(rounding, a, d);
+  if (b.sign() == Sign::zero || c.sign() == Sign::zero) return rounded_quotient(rounding, a, d);
   mpz_class m = c.mantissa();
   long e = c.exponent();
   if ((e & 1) != 0) m <<= 1, --e;
   if (mpz_perfect_square_p(m.get_mpz_t()) != 0) {
     const mpz_class root = sqrt(m);
-    return plumb::rounded_quotient(rounding, a + b * scaled(root, e / 2), d);
+    return rounded_quotient(rounding, a + b * scaled(root, e / 2), d);
   }
-  // The root is irrational, and so is the result: digits enough leave one double.
+  // The root is irrational, and so is the result, which then is neither a double nor half way between two: the ends of
+  // its interval, which shrinks to a fraction of its square with each turn, round alike in the end.
   for (unsigned long digits = 128;; digits *= 2) {
     const mpz_class below = sqrt(mpz_class(m << 2 * digits)), above = below + 1;
     const long exponent = e / 2 - static_cast<long>(digits);
-    const double one = plumb::rounded_quotient(rounding, a + b * scaled(below, exponent), d);
-    const double other = plumb::rounded_quotient(rounding, a + b * scaled(above, exponent), d);
+    const double one = rounded_quotient(rounding, a + b * scaled(below, exponent), d);
+    const double other = rounded_quotient(rounding, a + b * scaled(above, exponent), d);
     if (one == other) return one;
   }
 }
 
-}  // namespace plumb::query
+}  // namespace plumb
