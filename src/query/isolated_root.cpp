@@ -14,7 +14,8 @@ Polynomial linear(const mpz_class& root, unsigned long places) {
   return {mpz_class(-root), mpz_class(mpz_class(1) << places)};
 }
 
-/// Takes halves of the interval until each has one root or none; returns false when told to stop.
+/// Takes halves of the interval until each has one root or none; returns false when told to stop.  Ends, for the signs
+/// of a polynomial without repeated roots vary at most once where an interval is short beside the distances of roots.
 class Isolation {
  public:
   Isolation(Polynomial square_free, const std::function<bool(IsolatedRoot&)>& visit)
@@ -89,7 +90,9 @@ void halve(IsolatedRoot& r) {
   }
 }
 
-/// Intervals that become smaller faster and faster: the secant guesses which part of 2^bits the root is in.
+/// Intervals that become smaller faster and faster: the secant guesses which part of 2^bits the root is in.  Each step
+/// leaves half of the interval at most, and what is refined until it is certain ends with that: the interval becomes
+/// short beside any distance that is not zero, and what may be zero is asked before (by common divisors, or a number).
 class Refinement {
  public:
   void step(IsolatedRoot& r) {
@@ -236,6 +239,8 @@ int sign_at(const Polynomial& q, IsolatedRoot& root) {
   }
 }
 
+// Refines the one whose interval is longer.  A step squares an interval that is short: together, one of them would gain
+// as many digits as there are powers of two in what the other needs to become short at all.
 int compare(IsolatedRoot left, IsolatedRoot right) {
   if (right.is_rational()) return compare(left, right.rational());
   Refinement of_left, of_right;
@@ -257,8 +262,8 @@ int compare(IsolatedRoot left, IsolatedRoot right) {
                                    sign_at(common, DyadicPlace{first_end.upper, first_end.places}))
         return 0;
     }
-    of_left.step(left);
-    of_right.step(right);
+    const bool right_is_longer = ordered(left.upper - left.lower, left.places, right.upper - right.lower, right.places);
+    right_is_longer ? of_right.step(right) : of_left.step(left);
   }
 }
 

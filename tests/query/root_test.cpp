@@ -37,6 +37,19 @@ Rational value(const Coefficients& p, const Rational& x) {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 
+// One interval is short beside the other long before they part.
+TEST(RootTest, ComparesNumbersOfFarExponents) {
+  const std::vector<Root> a = real_roots(Coefficients{-0x1p-249, 0x1p549, 0x1p549, 0x1p-564, -0x1p593});
+  const std::vector<Root> b = real_roots(Coefficients{-0x1p-249, 0, 0x1p958, -0x1p43});
+  ASSERT_EQ(a.size(), 2u);
+  ASSERT_EQ(b.size(), 3u);
+  EXPECT_EQ(a[0].rounded(), 0x1p-798);
+  EXPECT_EQ(b[1].rounded(), 0x1.6a09e667f3bcdp-604);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(a[i] < b[j], j == 2 || (j == 1 && i == 0)) << i << " " << j;
+  }
+}
+
 TEST(RootTest, FindsTheRootOfTwo) {
   const Coefficients p{-2, 0, 1};
   const std::vector<Root> all = real_roots(p), positive = real_roots(p, 0, 2);
