@@ -77,7 +77,7 @@ bool narrowed(const Search<A, B>& s, Window& window) {
     constexpr double least = 0x1p-1000;
     const double larger_x = largest_of(x), larger_y = largest_of(y);
     const double terms = 2 * larger_x * larger_y + (larger_x + larger_y + 1) * least;
-    const double off = terms * (s.size + least) * 0x1p-48 + least;
+    const double off = doubt_of_sum(terms * (s.size + least)) + least;
     const double at = dot(n, s.apart);
     const Reaches of_a = s.a.along(n), of_b = s.b.along(n);
     return window.narrow((at + of_b.low) - of_a.high, (at + of_b.high) - of_a.low, dot(n, s.by), off, facet);

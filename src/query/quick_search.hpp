@@ -19,6 +19,10 @@ inline double largest_of(const Vec3<double>& v) {
   return x > y ? (x > z ? x : z) : (y > z ? y : z);
 }
 
+/// 32 units of 2^-53 of the sum of the sizes of all that is added, and no bound where a part of that may overflow: a
+/// sum that was infinite would else be certain.
+inline double doubt_of_sum(double sizes) { return sizes < 0x1p1000 ? sizes * 0x1p-48 : HUGE_VAL; }
+
 /// Two shapes and how far they reach together, over any number type.
 template <class N, class A, class B>
 struct Moved {
@@ -63,7 +67,7 @@ class Search : public Moved<double, A, B> {
     // Every number is off by 2 units of 2^-53 at most, a dot product by 3 more, at most nine of them are added, and the
     // length and its product with the reach are off by 4: below 20 units of the sum of all sizes.
     const double limit = reach > 0 ? reach * std::sqrt(square) : 0;
-    const double off = (largest_of(n) * (size + 0x1p-900) + limit) * 0x1p-48 + 0x1p-960;
+    const double off = doubt_of_sum(largest_of(n) * (size + 0x1p-900) + limit) + 0x1p-960;
     const double rest = ((dot(n, apart) + b.along(n).low) - a.along(n).high) - limit;
     return rest > off && rest - dot(n, by) > off;
   }

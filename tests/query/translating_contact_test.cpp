@@ -350,6 +350,21 @@ TEST(TranslatingContact, AnySizeOfNumbers) {
             0.25);
 }
 
+// Sums of products overflow, and what is infinite bounds nothing.
+TEST(TranslatingContact, SizesWhoseProductsOverflow) {
+  for (const double s : {0x1p300, 0x1p340, 0x1p342, 0x1p400, 0x1p500, 0x1p511, 0x1p700}) {
+    const Triangle3 floor{{-s, -s, 0}, {s, -s, 0}, {0, s, 0}};
+    const Obb3 turned{{0, 0, 2 * s}, {{{s, s, 0}, {-s, s, 0}, {0, 0, s}}}, {0.25, 0.25, 0.5}};
+    const Segment3 rod{{0, 0, s}, {s / 4, 0, 3 * s}};
+    const Vector3 down{0, 0, -4 * s}, aside{8 * s, 0, -s / 2};
+    EXPECT_EQ(first_contact(Translating<Obb3>{turned, down}, floor)->time, 0.375) << s;
+    EXPECT_EQ(first_contact(Translating<Segment3>{rod, down}, floor)->time, 0.25) << s;
+    EXPECT_EQ(first_contact(Translating<Triangle3>{floor, {0, 0, 4 * s}}, turned)->time, 0.375) << s;
+    EXPECT_FALSE(intersects(Translating<Obb3>{turned, aside}, floor)) << s;
+    EXPECT_FALSE(intersects(Translating<Segment3>{rod, aside}, floor)) << s;
+  }
+}
+
 TEST(TranslatingContact, ATimeThatVanishesIsNotTheStart) {
   const Translating<Aabb3> a{{{-1, 0, 0}, {0, 1, 1}},
                              {4, 1, 0}};  // leaves b along y as it starts, and then enters along x
