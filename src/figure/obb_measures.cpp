@@ -54,7 +54,8 @@ double nearest(const mpz_class& n, long bits) {
   return rounded(Rounding::nearest, x);
 }
 
-// A sum of roots is rational only where each root is: then enough bits are exact, and otherwise no tie is met.
+// A sum of roots is rational only where each root is: then enough bits are exact, and otherwise it is no double and no
+// tie, so that enough bits leave one double.
 double sum_of_roots(const std::array<BigDyadic, 3>& squares) {
   for (long bits = 1200;; bits *= 2) {
     bool exact = true;
@@ -70,8 +71,7 @@ double sum_of_roots(const std::array<BigDyadic, 3>& squares) {
 double volume(const Obb3& box) {
   require_finite("volume", box);
   const auto quick = signed_volume_of<Ball>(box).nearest();
-  const double v = quick ? *quick : rounded(Rounding::nearest, signed_volume_of<BigDyadic>(box));
-  return figure::within_doubles(std::fabs(v), "volume", "the volume");
+  return std::fabs(quick ? *quick : rounded(Rounding::nearest, signed_volume_of<BigDyadic>(box)));
 }
 
 double surface_area(const Obb3& box) {
@@ -79,9 +79,8 @@ double surface_area(const Obb3& box) {
   const Ball quick =
       root(squared_area<Ball>(box, 0)) + (root(squared_area<Ball>(box, 1)) + root(squared_area<Ball>(box, 2)));
   if (const auto area = quick.nearest()) return *area;
-  return figure::within_doubles(
-      sum_of_roots({squared_area<BigDyadic>(box, 0), squared_area<BigDyadic>(box, 1), squared_area<BigDyadic>(box, 2)}),
-      "surface_area", "the surface area");
+  return sum_of_roots(
+      {squared_area<BigDyadic>(box, 0), squared_area<BigDyadic>(box, 1), squared_area<BigDyadic>(box, 2)});
 }
 
 }  // namespace plumb

@@ -13,6 +13,9 @@
 #include "plumb/figure/aabb.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/figure/convexity.hpp"
+#include "plumb/figure/k_dop.hpp"
+#include "plumb/figure/obb.hpp"
+#include "plumb/figure/polyhedron.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/surface/read_mesh.hpp"
 
@@ -27,6 +30,54 @@ using shape_cases::on_shapes;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = std::numbers::pi;
+
+TEST(Known, InfiniteBeyondAllDoubles) {
+  const double s = 0x1p600;
+  const Point3 o{0, 0, 0}, x{s, 0, 0}, y{0, s, 0}, z{0, 0, s};
+  const std::array<Vector3, 3> axes{{{s, 0, 0}, {0, s, 0}, {0, 0, s}}};
+  const Aabb3 box{o, {s, s, s}};
+  const TriangleMesh mesh{{o, x, y, z}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  const std::vector<Point3> corners{o, x, y, z};
+  const KDop3 k_dop = fit_k_dop(corners, 14);
+  const std::vector<double> measures{area(Triangle2{{0, 0}, {s, 0}, {0, s}}),
+                                     area(Triangle3{o, x, y}),
+                                     area(Quadrilateral2{{0, 0}, {s, 0}, {s, s}, {0, s}}),
+                                     area(Quadrilateral3{o, x, {s, s, 0}, y}),
+                                     area(Polygon2{{{0, 0}, {s, 0}, {0, s}}}),
+                                     area(Polygon3{{o, x, y}}),
+                                     area(HoledPolygon2{{{{0, 0}, {s, 0}, {0, s}}}, {}}),
+                                     area(HoledPolygon3{{{o, x, y}}, {}}),
+                                     area(Circle2{{0, 0}, s}),
+                                     area(Capsule2{{0, 0}, {s, 0}, s}),
+                                     area(Aabb2{{0, 0}, {s, s}}),
+                                     area(Obb2{{0, 0}, {{{s, 0}, {0, s}}}, {1, 1}}),
+                                     area(Rectangle3{o, {{{s, 0, 0}, {0, s, 0}}}, {1, 1}}),
+                                     volume(Tetrahedron3{o, x, y, z}),
+                                     volume(mesh),
+                                     volume(convex_polyhedron(mesh)),
+                                     volume(box),
+                                     volume(Sphere3{o, s}),
+                                     volume(Capsule3{o, x, s}),
+                                     volume(Lozenge3{o, {axes[0], axes[1]}, s}),
+                                     volume(Cylinder3{o, x, s}),
+                                     volume(Cone3{o, x, s}),
+                                     volume(Ellipsoid3{o, axes, {1, 1, 1}}),
+                                     volume(Obb3{o, axes, {1, 1, 1}}),
+                                     volume(k_dop),
+                                     surface_area(Tetrahedron3{o, x, y, z}),
+                                     surface_area(mesh),
+                                     surface_area(convex_polyhedron(mesh)),
+                                     surface_area(box),
+                                     surface_area(Sphere3{o, s}),
+                                     surface_area(Capsule3{o, x, s}),
+                                     surface_area(Lozenge3{o, {axes[0], axes[1]}, s}),
+                                     surface_area(Cylinder3{o, x, s}),
+                                     surface_area(Cone3{o, x, s}),
+                                     surface_area(Obb3{o, axes, {1, 1, 1}}),
+                                     surface_area(k_dop)};
+  for (std::size_t i = 0; i < measures.size(); ++i) EXPECT_EQ(measures[i], kInfinity) << i;
+  EXPECT_EQ(volume(Obb3{o, {axes[0], axes[1], {0, 0, 0}}, {1, 1, 1}}), 0);
+}
 
 TEST(Known, AreasAndCentroids) {
   EXPECT_EQ(signed_area(Triangle2{{0, 0}, {3, 0}, {0, 2}}), 3);

@@ -3,7 +3,8 @@
 // A box is the parallelepiped that its numbers say (figure/box.hpp): its axes need be neither orthonormal nor
 // independent, and it may be flat, a segment or a point.
 // Laws: (1) relate is exact for all boxes, and so symmetric.  (2) What is made of points, boxes or images contains them
-// exactly: half extents are rounded outward.  (3) Corners, volume and surface area are the exact ones, rounded once.
+// exactly: half extents are rounded outward.  (3) Corners, volume and surface area are the exact ones, rounded once,
+// volume and surface area infinite beyond all doubles.
 // A coordinate that is NaN or infinite throws NonFinite; a box that doubles cannot hold throws BeyondDoubles.
 // Source: RTCD 4.4, 4.4.1, 4.4.2, 6.5.3.  Cost: relate about 20 ns where doubles decide, in the plane 10; a few
 // microseconds where boxes touch or are degenerate.
