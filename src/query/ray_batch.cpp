@@ -29,11 +29,6 @@ BatchRay batch_ray(const AnyRay& ray) {
   return {{x, y, z}, {d.x, d.y, d.z}, begins(ray), false};
 }
 
-template <class Shape, class... Rule>
-bool is_hit(const AnyRay& ray, const Shape& shape, Rule... rule) {
-  return as_given(ray, [&](const auto& given) { return hits(given, shape, rule...); });
-}
-
 /// Calls visit(i, told, least, most) for every triangle that is hit, in turn; what lanes do not tell is asked exactly.
 template <class Visit>
 void visit_hits(std::string_view function, const AnyRay& ray, const TriangleBatch& many, HitRule rule, Visit visit) {
@@ -47,7 +42,7 @@ void visit_hits(std::string_view function, const AnyRay& ray, const TriangleBatc
     ask_lanes(lanes, at.data(), n, {answers.told.data(), answers.least.data(), answers.most.data()});
     for (std::size_t i = 0; i < n; ++i) {
       if (answers.told[i] == 0) continue;
-      if (answers.told[i] == 1 || is_hit(ray, many[from + i], rule))
+      if (answers.told[i] == 1 || hits(ray, many[from + i], rule))
         visit(static_cast<std::uint32_t>(from + i), answers.least[i], answers.most[i]);
     }
   }
@@ -117,7 +112,7 @@ void hits(const AnyRay& ray, const BoxBatch& many, std::span<std::uint8_t> out) 
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (out[i] != 2) continue;
     const Aabb3 box{{at[0][i], at[1][i], at[2][i]}, {at[3][i], at[4][i], at[5][i]}};
-    out[i] = is_hit(ray, box) ? 1 : 0;
+    out[i] = hits(ray, box) ? 1 : 0;
   }
 }
 

@@ -31,9 +31,11 @@ void expect_hit(const std::optional<Hit>& hit, double t, Feature feature, const 
 }
 
 bool hits_any(const AnyRay& r, const auto& shape) {
-  if (r.kind == AnyRay::Kind::ray) return hits(Ray3{r.origin, r.direction}, shape);
-  if (r.kind == AnyRay::Kind::segment) return hits(Segment3{r.origin, r.end}, shape);
-  return hits(Line3{r.origin, r.direction}, shape);
+  const bool by_kind = r.kind == AnyRay::Kind::ray       ? hits(Ray3{r.origin, r.direction}, shape)
+                       : r.kind == AnyRay::Kind::segment ? hits(Segment3{r.origin, r.end}, shape)
+                                                         : hits(Line3{r.origin, r.direction}, shape);
+  EXPECT_EQ(hits(r, shape), by_kind);
+  return by_kind;
 }
 
 TEST(FirstHit, OfABoxBySegmentsThatOnlyAnAxisOfAnEdgeParts) {  // figure 5.23

@@ -21,9 +21,11 @@ namespace oracle = ray_oracle;
 using oracle::Coordinates, oracle::Rational;
 
 bool hits_any(const AnyRay& r, const Triangle3& t, HitRule rule) {
-  if (r.kind == AnyRay::Kind::ray) return hits(Ray3{r.origin, r.direction}, t, rule);
-  if (r.kind == AnyRay::Kind::segment) return hits(Segment3{r.origin, r.end}, t, rule);
-  return hits(Line3{r.origin, r.direction}, t, rule);
+  const bool by_kind = r.kind == AnyRay::Kind::ray       ? hits(Ray3{r.origin, r.direction}, t, rule)
+                       : r.kind == AnyRay::Kind::segment ? hits(Segment3{r.origin, r.end}, t, rule)
+                                                         : hits(Line3{r.origin, r.direction}, t, rule);
+  EXPECT_EQ(hits(r, t, rule), by_kind);
+  return by_kind;
 }
 
 /// By a vector that is small beside all coordinates of a small grid, moved in rationals.

@@ -57,4 +57,9 @@ inline bool hits(const Segment3& segment, const Aabb3& box) {
 }
 inline bool hits(const Line3& line, const Aabb3& box) { return relate(line, box, Asked::hits) != Relation::disjoint; }
 
+/// Of what is known at run time alone.
+bool hits(const AnyRay& ray, const Triangle3& triangle, HitRule rule = HitRule::closed);
+bool hits(const AnyRay& ray, const Sphere3& sphere);
+bool hits(const AnyRay& ray, const Aabb3& box);
+
 }  // namespace plumb
