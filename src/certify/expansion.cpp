@@ -249,6 +249,7 @@ LargestTerm largest_term(Program program, bool homogeneous, std::span<const doub
 
 // One infinitesimal more at a time, and with it the larger ones, first few of them: what is left out is smaller.  A
 // term that holds the new one once is larger than any with a power of it, though larger ones were left out of those.
+// How many of the larger ones are taken doubles until it is all of them, and then the loop ends.
 Sign expanded_sign(Program program, bool homogeneous, std::span<const double> coordinates,
                    std::span<const std::uint16_t> order, std::size_t known_zero) {
   std::vector<std::uint16_t> moved;

@@ -329,12 +329,12 @@ class Pairing {
     Placement placement = any_placement(std::max(bits_of(first_), bits_of(second_)), nearly, entropy_);
     std::optional<std::vector<double>> a = written(first_, dimension_, placement);
     std::optional<std::vector<double>> b = written(second_, dimension_, placement);
-    for (int bits = nearly ? 24 : 0; !a || !b; bits -= 4) {  // as long as it can be, about the origin
+    for (int bits = nearly ? 24 : 0; (!a || !b) && bits >= 0; bits -= 4) {  // as long as it can be, about the origin
       placement = {.scale = Int{1} << bits};
       a = written(first_, dimension_, placement);
       b = written(second_, dimension_, placement);
     }
-    ShapePair pair{std::move(*a), std::move(*b), {}, {}};
+    ShapePair pair{std::move(a).value(), std::move(b).value(), {}, {}};
     for (std::size_t axis = 0, at = 0; axis < 3; ++axis) {
       if (dimension_ == 2 && axis == 1) continue;
       pair.contact[at] = std::ldexp(static_cast<double>(placement.base[axis]), placement.exponent);

@@ -54,7 +54,7 @@ constexpr std::int64_t norm = 1009;  // of quaternions: how much all turned copi
 
 /// norm times a rotation, by integers.
 Pose turned(Random& random) {
-  for (;;) {
+  for (;;) {  // one in sixty tries hits, and the stream comes by all numbers in the end
     const std::int64_t b = random.within(31), c = random.within(31), d = random.within(31);
     const std::int64_t rest = norm - b * b - c * c - d * d;
     if (rest < 0) continue;

@@ -24,6 +24,7 @@ std::uint32_t climb(const ConvexPolyhedron3& polyhedron, std::uint32_t from, con
     }
     return vertex;
   };
+  // Ends, for each vertex that is begun with anew is farther, exactly, and a level holds each vertex once.
   for (std::size_t i = 0; i < level.size();) {
     const std::uint32_t next = farther(level[i]);
     if (next == level[i]) {

@@ -215,7 +215,7 @@ class SurfaceProof {
       bool upper = true;  // in the half turn that begins at the first edge
       int turns = 0;
       Index c = start;
-      do {
+      do {  // twin and previous are one to one, so that it comes back to where it began
         seen[c] = true;
         c = twin_[previous(c)];
         const Sign side =

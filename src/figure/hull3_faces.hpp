@@ -74,7 +74,8 @@ class Outlines {
   [[nodiscard]] bool any_inner() const { return any_inner_; }
   /// On the boundaries of how many polygons the node is: 0 within one, 2 within an edge, 3 and more at a vertex.
   [[nodiscard]] Id degree(Id node) const { return degree_[node]; }
-  /// The next half-edge of the polygon's boundary.
+  /// The next half-edge of the polygon's boundary.  Found around the node, where there is at least this polygon's other
+  /// boundary half-edge.
   [[nodiscard]] Id next(Id half_edge) const {
     Id h = next_in_face(half_edge);
     while (inner(h)) h = next_in_face(surface_.twin(h));

@@ -40,6 +40,7 @@ class Steps {
     for (std::size_t k = 1; k < count && sound_; ++k) {
       double low = first_.back(), high = max;
       sound_ = of(low) < k && of(high) >= k;
+      // Ends, for `middle` is strictly between while there is a double between, and the last steps are by one.
       while (sound_ && std::nextafter(low, high) < high) {
         double middle = low / 2 + high / 2;
         if (!(low < middle && middle < high)) middle = std::nextafter(low, high);

@@ -32,7 +32,7 @@ struct HullModel {
   /// A vertex farthest along d, climbing from v.
   [[nodiscard]] std::uint32_t climb(std::uint32_t v, const Vector3& d) const {
     double most = dot(vertices[v], d);
-    for (;;) {
+    for (;;) {  // ends, for `most` grows with each vertex and there are finitely many
       std::uint32_t next = v;
       for (std::uint32_t i = first_neighbor[v]; i < first_neighbor[v + 1]; ++i) {
         const double far = dot(vertices[neighbors[i]], d);

@@ -72,6 +72,8 @@ std::optional<int> sign_of_slack(const KDop<Vector>& k_dop) {
 // Which halfspaces have slack somewhere in the set, which is not empty: those that bound its relative interior.
 std::vector<bool> with_slack(const Constraints& halfspaces) {
   std::vector<bool> slack(halfspaces.rows.size(), true);
+  // Ends, for each turn takes some away: where the greatest common slack is 0, the multipliers of those that were to
+  // have slack sum up to 1, and those above 0 decide.
   for (;;) {
     const Feasible found = feasible(halfspaces, slack);
     if (found.slack != 0) return slack;

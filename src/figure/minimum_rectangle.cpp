@@ -58,6 +58,7 @@ Rectangle least_area(const std::vector<Point2>& polygon) {
   std::size_t ahead = 1, highest = 1, back = 1;
   for (std::size_t i = 0; i < n; ++i) {
     const Point2 &a = polygon[i], &b = polygon[next(i)];
+    // Ends, for the edges of a convex polygon, which lead all around, do not all go one way.
     const auto advance = [&](std::size_t& k, auto further) {
       while (further(polygon[k], polygon[next(k)])) k = next(k);
     };

@@ -80,6 +80,8 @@ class Search {
   /// Indices of the points on the boundary of the smallest ball, which is then ball().
   std::vector<std::uint32_t> run() {
     std::vector<std::uint32_t> boundary;
+    // Ends, for each turn but the last finds a point outside, and the exact ball that takes it in is larger: of the
+    // finitely many that rest on some of the points none comes twice.
     for (;;) {
       climb();
       scan_.pass(center_);
@@ -118,7 +120,7 @@ class Search {
     scan_.farthest(center_, limit, most_candidates, candidates_);
   }
 
-  /// Takes the farthest candidate in, as long as it is outside.
+  /// Takes the farthest candidate in, as long as it is outside; ends as run() does.
   void climb() {
     for (;;) {
       std::size_t farthest = 0;
@@ -179,6 +181,7 @@ std::vector<std::uint32_t> support_of(std::span<const PointOf<Ball>> points, std
   boundary.erase(std::unique(boundary.begin(), boundary.end(), equal), boundary.end());
   if (boundary.size() != size(ball)) {
     ball = {{points[boundary[0]]}, 1};
+    // Ends, for each ball is larger than the one before.
     for (std::size_t i = 0, in = 0; in < boundary.size(); i = (i + 1) % boundary.size(), ++in) {
       if (side(ball, points[boundary[i]]) != Sign::negative) continue;
       ball = with(ball, points[boundary[i]]);

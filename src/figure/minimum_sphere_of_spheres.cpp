@@ -88,6 +88,8 @@ class Search {
 
   /// Indices of the balls that the smallest ball touches.
   Basis run() {
+    // Ends, for each turn but the last takes in a ball that is outside, exactly, and the one around it is larger: of
+    // the finitely many that some of the balls hold none comes twice.
     for (;;) {
       double most = -1;
       std::uint32_t farthest = 0;
@@ -154,6 +156,7 @@ Basis support_of(std::span<const Ball> balls, Basis touched, const Basis& basis)
   touched.erase(std::unique(touched.begin(), touched.end(), equal), touched.end());
   if (touched.size() == basis.size()) return touched;
   Held held = with(balls, {}, touched[0]);
+  // Ends, for each ball is larger than the one before.
   for (std::size_t i = 0, in = 0; in < touched.size(); i = (i + 1) % touched.size(), ++in) {
     if (held.ball.side(rational(balls[touched[i]])) != Sign::negative) continue;
     held = with(balls, held.basis, touched[i]);

@@ -50,6 +50,7 @@ Chain chain_of(const Polygon2& polygon, const char* function, const char* part) 
     while (strict.size() >= 2 && straight(strict[strict.size() - 2], strict.back(), next)) strict.pop_back();
     strict.push_back(next);
   }
+  // Ends before the last three, for not all corners are on one line.
   while (straight(strict[strict.size() - 2], strict.back(), strict.front())) strict.pop_back();
   return strict;
 }

@@ -66,6 +66,7 @@ class Walk {
   Walk(const Body& a, const Body& b) : a_(a), b_(b) {
     const std::uint32_t start = found(smallest(a), smallest(b));
     settle(start, minkowski::cone(edges(start)));
+    // Ends, for each pair of vertices is a node once.
     for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
       // What was found from here is settled at once: the edge back is where its cone begins.
       for (const std::uint32_t end : std::vector(nodes_[n].ends)) {
@@ -121,7 +122,8 @@ class Walk {
     }
   }
 
-  /// Around a face, with the face on the left: at each vertex the edge that follows the one it was reached by.
+  /// Around a face, with the face on the left: at each vertex the edge that follows the one it was reached by.  Ends,
+  /// for each edge is gone along once.
   void add_faces(MinkowskiSum3& made) const {
     std::vector<std::vector<bool>> done;
     for (const Node& n : nodes_) done.emplace_back(n.ends.size(), false);
@@ -146,6 +148,7 @@ class Walk {
 
   void add_polygon(MinkowskiSum3& made) const {
     const Cone cone = minkowski::cone(edges(0));
+    // Every node has two ends, so that the walk comes back to where it began.
     std::uint32_t from = 0, at = nodes_[0].ends[minkowski::turns_left(cone[0], cone[1]) ? 0 : 1];
     made.corners.push_back(0);
     while (at != 0) {

@@ -144,6 +144,7 @@ class PointScan {
     std::ranges::partial_sort(blocks, blocks.begin() + static_cast<std::ptrdiff_t>(kept), farther);
     for (std::size_t k = 0; k < kept; ++k) {
       std::size_t i = blocks[k] * block;
+      // Ends, for the block's largest distance is that of one of its points, computed alike from the same c.
       while (distance(c, i) != most_[blocks[k]]) ++i;
       into.push_back(i);
     }

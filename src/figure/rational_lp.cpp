@@ -82,6 +82,8 @@ class Dual {
     return best;
   }
 
+  // Ends, for after the steep pivots they follow Bland's rule, with which no basis comes twice (Bland 1977); artificial
+  // columns never come back.
   bool run() {
     for (int pivots = 0;; ++pivots) {
       const std::size_t in = entering(multipliers(), pivots < steep_pivots);

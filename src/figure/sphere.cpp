@@ -51,6 +51,8 @@ double reach_of(const Point& from, const Ball& ball) {
   double r = Interval::sum_up(distance, ball.radius);  // above the least one by an ulp or two
   if (!(r <= std::numeric_limits<double>::max())) r = std::numeric_limits<double>::max();
   if (!reaches(from, r, ball.center, ball.radius)) return std::numeric_limits<double>::infinity();
+  // Ends after a step or two: r is above the least one by no more, for the distance was rounded up once and the sum
+  // too.
   for (double less = r; less > 0;) {
     less = std::nextafter(r, 0.0);
     if (!reaches(from, less, ball.center, ball.radius)) break;

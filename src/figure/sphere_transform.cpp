@@ -77,7 +77,8 @@ double stretch(std::string_view function, const std::array<Vector3, 3>& m) {
   constexpr double largest = std::numeric_limits<double>::max();
   const double near = std::fmin(guess(m, most), largest);
   double s = std::nextafter(std::nextafter(near, 0.0), 0.0);
-  for (int k = 0; !stretches_at_most(m, s); ++k) {  // by ulps, and soon by more of them
+  // By ulps, and soon by more of them: a few dozen steps lead beyond twice of it, and beyond all doubles it throws.
+  for (int k = 0; !stretches_at_most(m, s); ++k) {
     figure::within_doubles(s < largest ? s : HUGE_VAL, function, "the stretch");
     const double step = std::ldexp(std::nextafter(s, HUGE_VAL) - s, std::max(0, k - 6));
     s = std::fmin(s + step, largest);

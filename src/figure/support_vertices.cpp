@@ -124,7 +124,7 @@ Support3 support_point(const ConvexPolyhedron3& polyhedron, const Vector3& direc
   }
   require_finite_parts("support_point", {"direction"}, direction);
   std::uint32_t at = start;
-  while (true) {
+  while (true) {  // ends, for each vertex that it goes to is farther, exactly, than the one before
     // The farthest of the neighbors, where one lies farther; else over what ties.
     const std::uint32_t from = at;
     for (const std::uint32_t v : polyhedron.neighbors_of(from)) {

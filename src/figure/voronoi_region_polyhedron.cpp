@@ -1,6 +1,7 @@
 // A walk from feature to feature, each nearer to p than the last: from a vertex along an edge toward p, from an edge
 // onto the face toward which p lies, from a face to what of it is nearest.  It can end in a face that has p behind it;
-// then p is inside, or all features are asked.
+// then p is inside, or all features are asked.  The walk ends, for no feature that it left, all signs being exact, is
+// as near as those that follow; around a vertex and a face it goes by permutations of corners, which come back.
 #include <algorithm>
 #include <string>
 

@@ -84,7 +84,7 @@ Vertex farthest(Hull& hull, const Plain& along, double way) {
   const std::vector<Point3>& points = hull.solid->mesh.vertices;
   const auto reach = [&](std::uint32_t i) { return points[i].x * n.x + points[i].y * n.y + points[i].z * n.z; };
   double most = reach(hull.at);
-  for (bool better = true; better;) {
+  for (bool better = true; better;) {  // ends, for `most` grows with each vertex
     better = false;
     for (const std::uint32_t i : hull.solid->neighbors_of(hull.at)) {
       const double r = reach(i);

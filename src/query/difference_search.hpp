@@ -172,7 +172,8 @@ class DifferenceSearch {
     return true;
   }
 
-  /// Moves to the nearest point of the corners' hull, and drops the corners that it does without.
+  /// Moves to the nearest point of the corners' hull, and drops the corners that it does without: at least one a turn
+  /// but for the last, so that it ends, also in doubles.
   bool approach() {
     for (;;) {
       std::vector<T> goal;

@@ -42,6 +42,7 @@ inline bool stays_apart(const TimeSpan& span, double distance_from, double dista
   return (Interval(distance_from) + Interval(distance_to)).lower > way.upper;
 }
 
+/// Ends, for no span is halved more than 50 times; where short ones tell what long ones do not, all of them are asked.
 template <class Motion>
 std::optional<TimeSpan> first_span(const Motion& motion, const HalvingOptions& options, const TimeSpan& span,
                                    double distance_from, double distance_to) {
