@@ -219,6 +219,28 @@ int compare(const IsolatedRoot& left, const mpq_class& right) {
   return sign_at(left.polynomial, right) * left.sign_below;
 }
 
+void refine(IsolatedRoot& root, const mpq_class& width) {
+  Refinement refinement;
+  const auto is_longer = [&] {
+    return mpz_class(root.upper - root.lower) * width.get_den() > mpz_class(width.get_num() << root.places);
+  };
+  while (!root.is_rational() && is_longer()) refinement.step(root);
+}
+
+// A root n / d in lowest terms of a polynomial in integers has a d that divides its last coefficient.
+std::optional<mpq_class> rational_value(IsolatedRoot& root) {
+  if (root.is_rational()) return root.rational();
+  const mpz_class last = abs(root.polynomial.back());
+  refine(root, mpq_class(1, 2 * last));
+  if (root.is_rational()) return root.rational();
+  const mpz_class times = last * root.upper;
+  mpz_class numerator;
+  mpz_fdiv_q_2exp(numerator.get_mpz_t(), times.get_mpz_t(), root.places);
+  mpq_class x(numerator, last);  // within the interval, of which it is half a step long, no other one is
+  x.canonicalize();
+  return compare(root, x) == 0 ? std::optional(x) : std::nullopt;
+}
+
 int sign_at(const Polynomial& q, IsolatedRoot& root) {
   if (q.size() < 2) return q.empty() ? 0 : sgn(q[0]);
   Refinement refinement;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "plumb/arith/rounding.hpp"
@@ -41,6 +42,12 @@ int compare(IsolatedRoot left, IsolatedRoot right);
 
 /// The sign of q at the root.  The root's interval may become smaller.
 int sign_at(const Polynomial& q, IsolatedRoot& root);
+
+/// Until the interval is no longer than that, or the root is known to be rational.
+void refine(IsolatedRoot& root, const mpq_class& width);
+
+/// The root, where it is a rational number; refines it.
+std::optional<mpq_class> rational_value(IsolatedRoot& root);
 
 double rounded(Rounding rounding, IsolatedRoot root);
 

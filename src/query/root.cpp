@@ -39,6 +39,14 @@ Rational dyadic(const mpz_class& mantissa, unsigned long places) {
   return Rational(BigRational{mpq_class(mantissa, mpz_class(mpz_class(1) << places))});
 }
 
+std::pair<Rational, Rational> bounds(const IsolatedRoot& root) {
+  if (root.is_rational()) {
+    const Rational x(BigRational{root.rational()});
+    return {x, x};
+  }
+  return {dyadic(root.lower, root.places), dyadic(root.upper, root.places)};
+}
+
 }  // namespace
 
 Root::Root(const Rational& x) : root_(std::make_shared<const IsolatedRoot>(query::root_at(x.value().value))) {}
@@ -67,12 +75,30 @@ std::vector<Rational> Root::polynomial() const {
   return coefficients;
 }
 
-std::pair<Rational, Rational> Root::interval() const {
-  if (root_->is_rational()) {
-    const Rational x(BigRational{root_->rational()});
-    return {x, x};
-  }
-  return {dyadic(root_->lower, root_->places), dyadic(root_->upper, root_->places)};
+std::optional<Rational> Root::rational() const {
+  IsolatedRoot root = *root_;
+  const auto x = query::rational_value(root);
+  return x ? std::optional(Rational(BigRational{*x})) : std::nullopt;
+}
+
+// An interval no longer than one holds one integer at most within it.
+Rational Root::floor() const {
+  const Rational x = interval(1).second.floor();
+  return *this < x ? x - 1 : x;
+}
+Rational Root::ceil() const {
+  const Rational x = interval(1).first.ceil();
+  return *this > x ? x + 1 : x;
+}
+
+std::pair<Rational, Rational> Root::interval() const { return bounds(*root_); }
+
+std::pair<Rational, Rational> Root::interval(const Rational& width) const {
+  if (width.sign() != Sign::positive)
+    throw Error("Root: interval: the width is " + width.text() + "; give one above zero");
+  IsolatedRoot root = *root_;
+  query::refine(root, width.value().value);
+  return bounds(root);
 }
 
 std::vector<Root> real_roots(std::span<const Rational> coefficients) {

@@ -37,6 +37,35 @@ Rational value(const Coefficients& p, const Rational& x) {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 
+TEST(RootTest, TellsItsNumbers) {
+  const std::vector<Root> of_two = real_roots(Coefficients{-2, 0, 1});
+  EXPECT_EQ(of_two[1].floor(), Rational(1));
+  EXPECT_EQ(of_two[1].ceil(), Rational(2));
+  EXPECT_EQ(of_two[0].floor(), Rational(-2));
+  EXPECT_EQ(of_two[0].ceil(), Rational(-1));
+  EXPECT_FALSE(of_two[1].rational());
+  const auto [low, high] = of_two[1].interval(Rational(1, std::int64_t{1} << 60));
+  EXPECT_LE(high - low, Rational(1, std::int64_t{1} << 60));
+  EXPECT_TRUE(low * low < Rational(2) && Rational(2) < high * high);
+  EXPECT_THROW((void)of_two[0].interval(0), Error);
+
+  // (3 x - 1) (x - 5) (x^2 - 2): rational roots of a polynomial that has others.
+  const Coefficients p = product(product({-1, 3}, {-5, 1}), {-2, 0, 1});
+  std::vector<std::optional<Rational>> rational;
+  for (const Root& r : real_roots(p)) rational.push_back(r.rational());
+  ASSERT_EQ(rational.size(), 4u);
+  EXPECT_FALSE(rational[0] || rational[2]);
+  EXPECT_EQ(rational[1], Rational(1, 3));
+  EXPECT_EQ(rational[3], Rational(5));
+  EXPECT_EQ(real_roots(p)[3].floor(), Rational(5));
+  EXPECT_EQ(real_roots(p)[3].ceil(), Rational(5));
+  EXPECT_EQ(Root(-3).rational(), Rational(-3));
+  EXPECT_EQ(Root(0), Rational(0));
+  EXPECT_EQ(Root(Rational(-7, 2)).floor(), Rational(-4));
+  const std::vector<Root> large = real_roots(Coefficients{Rational::from_text("-2e60"), 0, 1});
+  EXPECT_EQ(large[1].floor().text(), "1414213562373095048801688724209");
+}
+
 // One interval is short beside the other long before they part.
 TEST(RootTest, ComparesNumbersOfFarExponents) {
   const std::vector<Root> a = real_roots(Coefficients{-0x1p-249, 0x1p549, 0x1p549, 0x1p-564, -0x1p593});

@@ -7,12 +7,15 @@
 // be a root, and between roots and rational numbers.  (2) rounded(r) is the double that the rounding names; infinite
 // beyond all doubles where the rounding leads there; never -0.  (3) real_roots gives every real root once, whatever
 // its multiplicity, in ascending order.
+// (4) rational() is the root where it is a rational number, whatever its polynomial; floor and ceil are integers.
 // A polynomial that is zero has every number for a root: real_roots throws InvalidShape.
 // Source: RTCD 5.5; Descartes' rule with bisection (Collins and Akritas 1976), square-free parts.
-// Cost: some microseconds for degrees below 7; linear polynomials are rational numbers.
+// Cost: some microseconds for degrees below 7, half a second where the exponents of the coefficients span all doubles;
+// linear polynomials are rational numbers.
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,6 +33,8 @@ struct IsolatedRoot;
 class Root {
  public:
   explicit Root(const Rational& x);
+  template <std::integral Integer>
+  explicit Root(Integer x) : Root(Rational(x)) {}
   explicit Root(std::shared_ptr<const query::IsolatedRoot> root) : root_(std::move(root)) {}
 
   friend std::strong_ordering operator<=>(const Root& a, const Root& b);
@@ -42,10 +47,18 @@ class Root {
   /// The sign of another polynomial here; coefficients in ascending order.
   [[nodiscard]] Sign sign_of(std::span<const Rational> coefficients) const;
 
+  /// The root itself, where it is a rational number.
+  [[nodiscard]] std::optional<Rational> rational() const;
+  /// The largest integer that is not above, the least that is not below.
+  [[nodiscard]] Rational floor() const;
+  [[nodiscard]] Rational ceil() const;
+
   /// Integers in ascending order; the polynomial has every root once.
   [[nodiscard]] std::vector<Rational> polynomial() const;
   /// Bounds between which the polynomial has no other root; equal ones are the root.
   [[nodiscard]] std::pair<Rational, Rational> interval() const;
+  /// Such that are no farther apart than this, which must be above zero.
+  [[nodiscard]] std::pair<Rational, Rational> interval(const Rational& width) const;
 
  private:
   std::shared_ptr<const query::IsolatedRoot> root_;  // never null
