@@ -99,6 +99,7 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"include/plumb/degenerate/points.hpp", "#include <rapidcheck.h>\n", "stays in its bridge"},
       {"src/certify/slow.cpp", "#include <CGAL/Gmpq.h>\n", "oracles and rivals"},
       {"include/plumb/surface/cgal.hpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
+      {"src/query/roots.cpp", "#include \"plumb/arith/gmp.hpp\"\n", "for its users alone"},
       {"include/plumb/surface/hull.hpp", "#include \"plumb/certify/cgal_kernel.hpp\"\n", "for its users alone"},
       {"tests/certify/law_test.cpp", "#include <boost/multiprecision/gmp.hpp>\n", "oracles and rivals"},
       {"src/tool/hull.cpp", "#include <libqhull_r/qhull_ra.h>\n", "rivals only"},

@@ -169,6 +169,9 @@ void check_libraries(const Source& source, std::vector<Breach>& out) {
     if (("include/" + spelled).starts_with(cgal_adaptor) && !adapts && !path.starts_with("tests/")) {
       forbid(spelled, "which needs CGAL and is for its users alone");
     }
+    if (spelled == "plumb/arith/gmp.hpp" && !path.starts_with("tests/")) {
+      forbid(spelled, "which needs GMP's headers and is for its users alone");
+    }
     if (!for_users) continue;
     if (is_gmp(spelled) && !path.starts_with("include/plumb/arith/")) forbid(spelled, "which stays in arith/");
     if (library == "Eigen" && path != "include/plumb/figure/eigen.hpp") forbid(spelled, "which stays at the edge");
