@@ -70,9 +70,12 @@ std::string format_mesh(const PolygonMesh& mesh, MeshFormat format, std::optiona
   return format == MeshFormat::obj ? surface::print_obj(mesh) : surface::print_off(mesh);
 }
 
+std::string format_mesh(const PolygonMesh& mesh, const std::filesystem::path& path, const WriteOptions& options) {
+  return format_mesh(mesh, format_to_write(path, options), options.encoding, path.string());
+}
+
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh, const WriteOptions& options) {
-  const MeshFormat format = format_to_write(path, options);
-  surface::write_whole_file(path, format_mesh(mesh, format, options.encoding, path.string()));
+  surface::write_whole_file(path, format_mesh(mesh, path, options));
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "output_files.hpp"
 #include "plumb/certify/environment.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "progress.hpp"
@@ -123,12 +124,11 @@ nlohmann::json bounds_json(std::span<const MeshBounds> meshes) {
 }
 
 int run_bounds(const BoundsOptions& options) {
-  if (options.json && options.json == options.chart) throw Error("--json and --chart name the same output");
-  for (const auto& output : {options.json, options.chart}) {
-    if (output) require_writable(*output);
-  }
+  OutputFiles outputs(options.meshes);
+  outputs.promise("--json", options.json);
+  outputs.promise("--chart", options.chart);
   const Style style(stdout);
-  const bool text_wanted = options.json != "-" && options.chart != "-";  // standard output is for one of them alone
+  const bool text_wanted = !outputs.on_standard_output();  // standard output is for one of them alone
   std::vector<MeshBounds> all;
   bool bad_input = false;
   {
@@ -160,10 +160,12 @@ int run_bounds(const BoundsOptions& options) {
   }
   if (options.json) {
     const std::string text = bounds_json(all).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    write_text_file(*options.json, text + "\n");
+    outputs.write("--json", text + "\n");
   }
-  if (options.chart) write_text_file(*options.chart, bounds_chart(all));
-  return bad_input ? 2 : 0;
+  if (options.chart) outputs.write("--chart", bounds_chart(all));
+  if (bad_input) return 2;
+  outputs.keep();
+  return 0;
 }
 
 }  // namespace plumb::tool

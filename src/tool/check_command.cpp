@@ -9,6 +9,7 @@
 
 #include "bent_faces.hpp"
 #include "check_report.hpp"
+#include "output_files.hpp"
 #include "plumb/surface/triangulate.hpp"
 #include "plumb/surface/write_mesh.hpp"
 #include "sample_part.hpp"
@@ -74,14 +75,16 @@ bool any_wrong(const std::vector<MeshCheck>& checks, const std::vector<std::stri
 }  // namespace
 
 int run_check(const CheckOptions& options) {
+  OutputFiles outputs(options.meshes);
+  outputs.promise("--json", options.json);
+  outputs.promise("--chart", options.chart);
+  outputs.promise_new("--write-sample", options.write_sample);
   if (options.write_sample) {
-    write_mesh(*options.write_sample, sample_part());
-    if (options.meshes.empty() && !options.json && !options.chart && options.fail_on_wrong.empty() && !options.verify)
+    outputs.write("--write-sample", format_mesh(to_polygons(sample_part()), *options.write_sample, {}));
+    if (options.meshes.empty() && !options.json && !options.chart && options.fail_on_wrong.empty() && !options.verify) {
+      outputs.keep();
       return 0;
-  }
-  if (options.json && options.json == options.chart) throw Error("--json and --chart name the same output");
-  for (const auto& output : {options.json, options.chart}) {
-    if (output) require_writable(*output);  // before minutes of work, not after
+    }
   }
   const unsigned threads =
       options.threads != 0 ? options.threads : static_cast<unsigned>(tbb::info::default_concurrency());
@@ -89,8 +92,7 @@ int run_check(const CheckOptions& options) {
   CheckSettings settings;
   settings.verify = options.verify;
   settings.all = options.all;
-  // Standard output is for one of them alone.
-  Checker checker(settings, options.json != "-" && options.chart != "-");
+  Checker checker(settings, !outputs.on_standard_output());
   if (options.meshes.empty()) checker.check_sample();
   bool bad_input = false;
   for (const std::string& path : options.meshes) {
@@ -106,10 +108,11 @@ int run_check(const CheckOptions& options) {
   if (options.json) {
     // A file's name may be any bytes; JSON is UTF-8.
     const std::string text = json_report(checks, threads).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    write_text_file(*options.json, text + "\n");
+    outputs.write("--json", text + "\n");
   }
-  if (options.chart) write_text_file(*options.chart, chart_svg(checks));
+  if (options.chart) outputs.write("--chart", chart_svg(checks));
   if (bad_input) return 2;
+  outputs.keep();
   return any_wrong(checks, options.fail_on_wrong) ? 1 : 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "output_files.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "progress.hpp"
@@ -12,10 +13,9 @@
 namespace plumb::tool {
 
 int run_plan(const PlanOptions& options) {
-  if (options.json && options.json == options.chart) throw Error("--json and --chart name the same output");
-  for (const auto& output : {options.json, options.chart}) {
-    if (output) require_writable(*output);
-  }
+  OutputFiles outputs(options.meshes);
+  outputs.promise("--json", options.json);
+  outputs.promise("--chart", options.chart);
   std::vector<NamedMesh> meshes;
   for (const std::string& path : options.meshes) {
     meshes.push_back({path, read_mesh(path)});
@@ -27,13 +27,14 @@ int run_plan(const PlanOptions& options) {
     Progress progress("plan", steps_of(meshes));
     scene = plan_scene(meshes, options, [&] { progress.advance(); });
   }
-  if (options.json != "-" && options.chart != "-") say(plan_text(scene, options.all, Style(stdout)));
+  if (!outputs.on_standard_output()) say(plan_text(scene, options.all, Style(stdout)));
   if (options.json) {
     // A file's name may be any bytes; JSON is UTF-8.
     const std::string text = plan_json(scene).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    write_text_file(*options.json, text + "\n");
+    outputs.write("--json", text + "\n");
   }
-  if (options.chart) write_text_file(*options.chart, plan_chart(scene));
+  if (options.chart) outputs.write("--chart", plan_chart(scene));
+  outputs.keep();
   return 0;
 }
 

@@ -96,10 +96,17 @@ int refuse(std::string_view text) {
   return 2;
 }
 
+/// As a program ends whose reader has left: by the signal that says so, and without a word.
+int leave_with_reader() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+  return 128 + SIGPIPE;  // where the signal is blocked
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that left is an output error like a full disk, not sudden death
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that left is learned of where output is written, not by sudden death
   Program program(rivals);
   int code = 0;
   try {
@@ -110,7 +117,9 @@ int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try
     return refuse(fmt::format("{}; {}", e.what(), program.help_hint()));
   }
   flush_output();
-  return code;
+  return reader_left() ? leave_with_reader() : code;
+} catch (const ReaderLeft&) {
+  return leave_with_reader();
 } catch (const std::bad_alloc&) {
   return refuse("out of memory");
 } catch (const std::exception& e) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "output_files.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/bound_report.hpp"
 #include "plumb/certify/case_line.hpp"
@@ -50,7 +51,10 @@ int run_proof(const ProofOptions& options) {
   }
   const CatalogEntry& e = entry_of(options.predicate);
   const ProofScale scale = options.every_scale ? ProofScale::every : ProofScale::unit;
-  write_text_file(options.out, proof_script(e.name, e.program, e.filter_constant, scale));
+  OutputFiles outputs;
+  outputs.promise("--out", options.out);
+  outputs.write("--out", proof_script(e.name, e.program, e.filter_constant, scale));
+  outputs.keep();
   return 0;
 }
 

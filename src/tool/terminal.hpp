@@ -1,8 +1,8 @@
 // How does the program speak?  Colors where a terminal shows them, and output that is known to have arrived.
 //
 // Laws: (1) no escape sequence reaches a stream that is no terminal, nor any stream when NO_COLOR is set to something
-// (no-color.org) or TERM is "dumb"; (2) a full disk, a broken pipe or a closed stream is an Error that names the
-// output, never a silent success. Source: none; cost: one system call a stream.
+// (no-color.org) or TERM is "dumb"; (2) a full disk or a closed stream is an Error, never a silent success; a
+// reader that left ends the run quietly. Source: none; cost: one system call a stream.
 #pragma once
 
 #include <cstdio>
@@ -15,6 +15,11 @@ bool is_terminal(std::FILE* stream);
 
 /// Columns of the terminal that shows the stream; 80 where it does not say.
 int terminal_width(std::FILE* stream);
+
+/// From now on, whatever the streams and the environment are.
+void never_color();
+void be_quiet();
+[[nodiscard]] bool is_quiet();
 
 class Style {
  public:
@@ -33,22 +38,26 @@ class Style {
   bool colored_;
 };
 
-/// Writes to standard output; throws Error.
+/// Who read standard output has left, as `| head` does: no error, but nothing more is wanted. No std::exception.
+struct ReaderLeft {};
+
+/// Writes to standard output; throws Error or, unless something else outlives it, ReaderLeft.
+void put_out(std::string_view text);
+
+/// The same for what was not asked to be written: nothing where the user wants quiet.
 void say(std::string_view text);
 
-/// Hands everything said so far to the system; throws Error.
+/// Hands everything said so far to the system; throws as say() does.
 void flush_output();
+
+/// From now on what is said to a reader that left is lost, and the run goes on: it has other outputs.
+void outlive_reader();
+[[nodiscard]] bool reader_left();
 
 /// The text with control characters, which a file's name may hold and a terminal would obey, replaced by '?'.
 std::string printable(std::string_view text);
 
 /// One line "plumb: text" on standard error, after everything said so far.
 void complain(std::string_view text);
-
-/// Throws Error, which names the file, where it cannot be opened for writing; what it holds is kept, "-" always passes.
-void require_writable(const std::string& path);
-
-/// The whole of a text file, "-" being standard output; throws Error, which names the file.
-void write_text_file(const std::string& path, std::string_view text);
 
 }  // namespace plumb::tool

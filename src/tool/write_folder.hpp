@@ -1,8 +1,7 @@
 // How does a report of many files arrive?  Whole or not at all.
 //
-// Laws: (1) every file is written under a temporary name beside its own that begins with a dot, and only when all are
-// written are they renamed; (2) what cannot be written is an Error that names the file, and leaves nothing behind, nor
-// anything of an older report half replaced by it.
+// Laws: (1) files are kept as output_files.hpp says; (2) what cannot be written is an Error that names the file, and
+// leaves nothing behind, nor anything of an older report half replaced by it.
 // Source: none; cost: that of writing the files.
 #pragma once
 

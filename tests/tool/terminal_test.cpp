@@ -96,22 +96,5 @@ TEST(Doctor, NamesEachBrokenAssumptionAndItsMend) {
   EXPECT_THAT(report([](Environment& e) { e.fast_math = true; }), HasSubstr("without -ffast-math"));
 }
 
-TEST(TextFile, ArrivesWholeOrIsAnErrorThatNamesIt) {
-  const Folder folder;
-  write_text_file(folder / "a.txt", "text\n");
-  EXPECT_EQ(content(folder / "a.txt"), "text\n");
-  const auto message = [](const std::string& path) -> std::string {
-    try {
-      write_text_file(path, std::string(100, 'x'));
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "no error";
-  };
-  EXPECT_THAT(message("/dev/full"), AllOf(HasSubstr("/dev/full"), HasSubstr("No space")));
-  EXPECT_THAT(message(folder / "no/such"), HasSubstr("No such file"));
-  EXPECT_THAT(message("/tmp"), HasSubstr("/tmp"));
-}
-
 }  // namespace
 }  // namespace plumb::tool

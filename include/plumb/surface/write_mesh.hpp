@@ -31,6 +31,8 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, con
 /// The bytes of the file that write_mesh would write.  `name` stands for the file in errors.
 std::string format_mesh(const PolygonMesh& mesh, MeshFormat format, std::optional<MeshEncoding> encoding = {},
                         std::string_view name = "mesh");
+/// The same for a file of that name, whose extension tells the format unless the options do.
+std::string format_mesh(const PolygonMesh& mesh, const std::filesystem::path& path, const WriteOptions& options);
 
 /// The same faces, as polygons of three corners.
 PolygonMesh to_polygons(const TriangleMesh& mesh);

@@ -1,0 +1,72 @@
+// How do the outputs of a run arrive?  All of them, whole, and only when the run succeeded.
+//
+// A command promises its outputs before it works, writes them into this object, and keeps them at its end:
+//
+//   OutputFiles outputs(options.meshes);                     // what the run reads
+//   outputs.promise("--json", options.json);                 // refused here, before minutes of work
+//   if (!outputs.on_standard_output()) say(report);
+//   if (outputs.wants("--json")) outputs.write("--json", json);
+//   outputs.keep();
+//
+// Laws: (1) until keep() no output's place is touched: a run that fails or is stopped leaves what was there, and
+// nothing beside it; (2) no output replaces a file that the run reads, under whatever name, nor standard input's, nor
+// one that is a mesh by its ending or its content, nor another output; what is promised as new replaces nothing; (3)
+// "-", and whatever else standard output is, is written to standard output; (4) how the files are written says
+// surface/whole_file.hpp; what cannot be written throws Error, which names option and file.
+// Source: none; cost: the texts are held until they are kept.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "surface/whole_file.hpp"
+
+namespace plumb::tool {
+
+class OutputFiles {
+ public:
+  explicit OutputFiles(std::vector<std::string> inputs = {}) : inputs_(std::move(inputs)) {}
+
+  /// What is written there is a report.
+  void promise(std::string_view option, const std::optional<std::string>& path);
+  /// What is written there is the user's own kind of file, such as a mesh, and must not be there yet.
+  void promise_new(std::string_view option, const std::optional<std::string>& path);
+
+  [[nodiscard]] bool wants(std::string_view option) const;
+  /// Standard output is one output's alone.
+  [[nodiscard]] bool on_standard_output() const;
+  void write(std::string_view option, std::string text);
+  void keep();
+
+ private:
+  struct Output {
+    std::string option, path;
+    surface::Replacing replacing;
+    bool standard_output;
+    std::string text{};
+    bool written = false;
+  };
+  void add(std::string_view option, const std::string& path, surface::Replacing replacing);
+  void require_distinct(const Output& output) const;
+
+  std::vector<std::string> inputs_;
+  std::vector<Output> outputs_;
+};
+
+struct PathAndText {
+  std::filesystem::path path;
+  std::string_view text;
+  surface::Replacing replacing = surface::Replacing::yes;
+};
+
+/// Throws std::system_error where such a file could not be kept; leaves nothing.
+void probe_file(const std::filesystem::path& path, surface::Replacing replacing = surface::Replacing::yes);
+
+/// All of the files or, as far as the system lets it, none; throws Error, which names the file.
+void keep_files(const std::vector<PathAndText>& files);
+
+}  // namespace plumb::tool
