@@ -5,6 +5,7 @@
 #include "plumb/surface/decimal.hpp"
 #include "plumb/surface/mesh_file.hpp"
 #include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/section.hpp"
 #include "plumb/surface/topology.hpp"
 #include "plumb/surface/triangulate.hpp"
 #include "plumb/surface/write_mesh.hpp"

@@ -1,0 +1,20 @@
+// Which contours turn which way, and which lies in which?
+//
+// Laws: exact; those of contours that do not cross.  A contour lies in another where its first point off the other has
+// a winding number that is not zero; two that are the same closed curve lie in one another by their order, the later in
+// the former.  The parent of a contour is the deepest of those around it.
+// Cost: boxes two by two; for those that overlap, linear in the corners of the outer one.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "surface/cut_contours.hpp"
+#include "surface/cut_corners.hpp"
+
+namespace plumb::surface {
+
+/// Fills in `turn`, `parent` and `depth` of the contours, whose corners `joined` names.
+void nest_contours(std::span<const CutContour> joined, const CutCorners& corners, std::span<Contour> contours);
+
+}  // namespace plumb::surface

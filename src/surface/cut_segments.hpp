@@ -1,0 +1,29 @@
+// Which segments does a plane cut out of triangles, and between which points?
+//
+// Laws: a triangle with vertices on both sides gives one segment, which has the solid to its left seen from the
+// normal's side; corners that are the same point are one; no segment begins where it ends, and none runs against
+// another between the same corners.
+// Cost: n log n in the triangles that are cut.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "plumb/surface/section.hpp"
+#include "surface/cut_plane.hpp"
+
+namespace plumb::surface {
+
+struct CutSegments {
+  std::vector<SectionCorner> corners;
+  std::vector<std::array<std::uint32_t, 2>> segments;  // from corner, to corner
+};
+
+/// Of the triangles named; what is counted goes to `section`.
+CutSegments cut_segments(const TriangleMesh& mesh, const CutPlane& plane, std::span<const std::uint32_t> triangles,
+                         std::span<const Sign> sides, Section& section);
+
+}  // namespace plumb::surface

@@ -1,0 +1,181 @@
+// Sections of meshes by planes: known ones, and every law against rational arithmetic and winding numbers in space.
+#include "plumb/surface/section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "section_oracle.hpp"
+#include "solids.hpp"
+
+namespace plumb {
+namespace {
+
+using oracle::Shown;
+constexpr Shown from_above{0, 1, false};
+
+Plane3 at_height(double z) { return {{0, 0, 1}, z}; }
+
+TEST(Section, ABoxIsCutFromItsBottomUpToItsTop) {
+  const TriangleMesh mesh = solids::box({0, 0, 0}, {1, 2, 3});
+  const Section bottom = section(mesh, at_height(0)), top = section(mesh, at_height(3));
+  EXPECT_TRUE(bottom.contours.empty());
+  EXPECT_EQ(bottom.coplanar_triangles.size(), 2U);
+  ASSERT_EQ(top.contours.size(), 1U);
+  EXPECT_EQ(top.contours[0].corners.size(), 4U);
+  EXPECT_EQ(top.contours[0].turn, Sign::positive);
+  EXPECT_EQ(top.coplanar_triangles.size(), 2U);
+  EXPECT_EQ(top.corners_on_vertices, 4U);
+  ASSERT_EQ(section(mesh, at_height(0), OnPlane::below).contours.size(), 1U);
+  EXPECT_TRUE(section(mesh, at_height(3), OnPlane::below).contours.empty());
+  const Section middle = section(mesh, at_height(1.5));
+  ASSERT_EQ(middle.contours.size(), 1U);
+  EXPECT_EQ(middle.contours[0].corners.size(), 8U);  // four edges and four diagonals
+  EXPECT_EQ(middle.cut_triangles, 8U);
+  EXPECT_EQ(middle.corners_on_vertices, 0U);
+  EXPECT_EQ(oracle::doubled_area(oracle::flat_contours(mesh, middle, from_above)[0]), Rational(4));
+  EXPECT_TRUE(section(mesh, at_height(4)).contours.empty());
+}
+
+TEST(Section, SeenFromTheOtherSideItTurnsTheOtherWay) {
+  const TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
+  const Section down = section(mesh, Plane3{{0, 0, -1}, -0.5});
+  ASSERT_EQ(down.contours.size(), 1U);
+  EXPECT_EQ(down.contours[0].turn, Sign::positive);
+  EXPECT_LT(oracle::doubled_area(oracle::flat_contours(mesh, down, from_above)[0]), Rational(0));
+  // The normal's side of z = 1 turned over is below: the top counts as above the plane no longer.
+  EXPECT_TRUE(section(mesh, Plane3{{0, 0, -1}, -1}).contours.empty());
+  EXPECT_EQ(section(mesh, Plane3{{0, 0, -1}, 0}).contours.size(), 1U);
+}
+
+TEST(Section, ShellsLieInOneAnother) {
+  TriangleMesh mesh;
+  for (int k = 0; k < 5; ++k) {
+    const double r = 10 - 2 * k;
+    solids::append(mesh, solids::box({-r, -r, -r}, {r, r, r}), k % 2 == 1);
+  }
+  solids::append(mesh, solids::box({-9, 8.5, -1}, {-8.5, 9, 1}));  // in the outer wall
+  const Section cut = section(mesh, Plane3{{1, 2, 3}, 0.25});
+  ASSERT_EQ(cut.contours.size(), 5U);
+  const Section level = section(mesh, at_height(0.5));
+  ASSERT_EQ(level.contours.size(), 6U);
+  std::vector<std::uint32_t> depths;
+  for (const Contour& c : level.contours) {
+    depths.push_back(c.depth);
+    if (c.depth == 0) continue;
+    ASSERT_TRUE(c.parent);
+    EXPECT_EQ(level.contours[*c.parent].depth, c.depth - 1);
+  }
+  std::ranges::sort(depths);
+  EXPECT_EQ(depths, (std::vector<std::uint32_t>{0, 1, 1, 2, 3, 4}));
+  EXPECT_EQ(std::ranges::count(level.contours, Sign::negative, &Contour::turn), 2);
+}
+
+TEST(Section, ATorusGivesARingOrTwoRounds) {
+  const TriangleMesh mesh = solids::torus(3, 1, 40, 20);
+  const Section ring = section(mesh, at_height(0.1));
+  ASSERT_EQ(ring.contours.size(), 2U);
+  const bool first_is_outer = ring.contours[0].depth == 0;
+  const Contour &outer = ring.contours[first_is_outer ? 0 : 1], &hole = ring.contours[first_is_outer ? 1 : 0];
+  EXPECT_EQ(outer.turn, Sign::positive);
+  EXPECT_EQ(hole.turn, Sign::negative);
+  EXPECT_EQ(hole.depth, 1U);
+  const Section rounds = section(mesh, Plane3{{1, 0, 0}, 0.125});
+  ASSERT_EQ(rounds.contours.size(), 2U);
+  for (const Contour& c : rounds.contours) EXPECT_TRUE(c.turn == Sign::positive && c.depth == 0);
+  oracle::expect_lawful(mesh, ring, from_above);
+  oracle::expect_lawful(mesh, rounds, {1, 2, false});
+}
+
+TEST(Section, WhatIsOpenEndsInChains) {
+  TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.vertices[v].x == 1; });
+  });
+  const Section cut = section(mesh, at_height(0.5));
+  ASSERT_EQ(cut.contours.size(), 1U);
+  EXPECT_FALSE(cut.contours[0].closed);
+  EXPECT_EQ(cut.contours[0].corners.size(), 7U);
+  EXPECT_EQ(cut.contours[0].corners.front().nearest, (Point3{1, 1, 0.5}));
+  EXPECT_EQ(cut.contours[0].corners.back().nearest, (Point3{1, 0, 0.5}));
+  oracle::expect_lawful(mesh, cut, from_above);
+}
+
+TEST(Section, ATriangleThatIsWoundAgainstTheOthersBreaksTheContour) {
+  TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
+  const Section whole = section(mesh, at_height(0.5));
+  ASSERT_EQ(whole.contours.size(), 1U);
+  for (Triangle& t : mesh.triangles) {
+    if (mesh.vertices[t[0]].x + mesh.vertices[t[1]].x + mesh.vertices[t[2]].x == 3) {
+      std::swap(t[0], t[1]);
+      break;
+    }
+  }
+  const Section cut = section(mesh, at_height(0.5));
+  ASSERT_EQ(cut.contours.size(), 2U);
+  EXPECT_FALSE(cut.contours[0].closed || cut.contours[1].closed);
+}
+
+TEST(Section, SolidsThatShareAWallAreOne) {
+  TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
+  solids::append(mesh, solids::box({1, 0, 0}, {2, 1, 1}));
+  const Section top = section(mesh, at_height(1));
+  ASSERT_EQ(top.contours.size(), 1U);
+  EXPECT_EQ(top.canceled_segments, 1U);
+  EXPECT_EQ(top.contours[0].corners.size(), 6U);
+  EXPECT_EQ(oracle::doubled_area(oracle::flat_contours(mesh, top, from_above)[0]), Rational(4));
+}
+
+TEST(Section, TheSamePlaneBySeveralNames) {
+  const TriangleMesh mesh = solids::torus(3, 1, 17, 9);
+  const Section cut = section(mesh, at_height(0.25));
+  for (const AnyPlane3& plane :
+       {AnyPlane3(Plane3{{0, 0, 4}, 1}), AnyPlane3(ThreePointPlane3{{0, 0, 0.25}, {5, 1, 0.25}, {1, 7, 0.25}})}) {
+    const Section other = section(mesh, plane);
+    ASSERT_EQ(other.contours.size(), cut.contours.size());
+    for (std::size_t i = 0; i < cut.contours.size(); ++i) {
+      EXPECT_EQ(other.contours[i].corners, cut.contours[i].corners);
+      EXPECT_EQ(other.contours[i].turn, cut.contours[i].turn);
+      EXPECT_EQ(other.contours[i].parent, cut.contours[i].parent);
+    }
+  }
+}
+
+TEST(Section, ManyPlanesGiveWhatEachGives) {
+  std::mt19937_64 random(15);
+  const TriangleMesh mesh = solids::heap(random, 12, 3);
+  TriangleMesh shuffled = mesh;
+  std::shuffle(shuffled.triangles.begin(), shuffled.triangles.end(), random);
+  std::vector<AnyPlane3> planes;
+  for (const double h : {2.0, -1.0, 0.5, 0.0, 2.0, 9.0, -3.0}) {
+    planes.emplace_back(at_height(h));
+    planes.emplace_back(Plane3{{0, -1, 0}, h});
+    planes.emplace_back(Plane3{{1, 1, 2}, h});
+  }
+  const std::vector<Section> all = sections(mesh, planes);
+  ASSERT_EQ(all.size(), planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (const Section& one : {section(mesh, planes[i]), section(shuffled, planes[i])}) {
+      ASSERT_EQ(one.contours.size(), all[i].contours.size());
+      for (std::size_t c = 0; c < one.contours.size(); ++c)
+        EXPECT_EQ(one.contours[c].corners, all[i].contours[c].corners);
+      EXPECT_EQ(one.coplanar_triangles.size(), all[i].coplanar_triangles.size());
+    }
+  }
+}
+
+TEST(Section, BadInputIsNamed) {
+  TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
+  EXPECT_THROW(section(mesh, Plane3{{0, 0, 0}, 0}), InvalidShape);
+  EXPECT_THROW(section(mesh, ThreePointPlane3{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), InvalidShape);
+  EXPECT_THROW(section(mesh, at_height(NAN)), NonFinite);
+  mesh.vertices[3].y = INFINITY;
+  EXPECT_THROW(section(mesh, at_height(0.5)), NonFinite);
+  mesh.vertices[3].y = 0;
+  mesh.triangles[0][1] = 99;
+  EXPECT_THROW(section(mesh, at_height(0.5)), InvalidShape);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,99 @@
+// Closed surfaces with integer coordinates, so that much of them lies in a plane: boxes, voxels, tori, random heaps.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "plumb/figure/mesh.hpp"
+
+namespace plumb::solids {
+
+using Cell = std::array<int, 3>;
+
+/// The boundary of a set of unit cubes: squares between a cube and none, vertices shared.
+inline TriangleMesh voxels(const std::set<Cell>& cells) {
+  TriangleMesh mesh;
+  std::map<Cell, std::uint32_t> number;
+  const auto vertex = [&](const Cell& c) {
+    const auto [at, is_new] = number.emplace(c, static_cast<std::uint32_t>(number.size()));
+    if (is_new) mesh.vertices.push_back({double(c[0]), double(c[1]), double(c[2])});
+    return at->second;
+  };
+  for (const Cell& cell : cells) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int out : {-1, 1}) {
+        Cell beside = cell;
+        beside[axis] += out;
+        if (cells.contains(beside)) continue;
+        const std::size_t u = (axis + (out > 0 ? 1 : 2)) % 3, v = (axis + (out > 0 ? 2 : 1)) % 3;
+        Cell corner = cell;
+        corner[axis] += out > 0;
+        std::array<std::uint32_t, 4> square;
+        for (std::size_t k = 0; k < 4; ++k) {
+          Cell c = corner;
+          c[u] += k == 1 || k == 2;
+          c[v] += k >= 2;
+          square[k] = vertex(c);
+        }
+        mesh.triangles.push_back({square[0], square[1], square[2]});
+        mesh.triangles.push_back({square[0], square[2], square[3]});
+      }
+    }
+  }
+  return mesh;
+}
+
+inline void append(TriangleMesh& mesh, const TriangleMesh& other, bool inside_out = false) {
+  const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Triangle& t : other.triangles) {
+    mesh.triangles.push_back(inside_out ? Triangle{t[0] + n, t[2] + n, t[1] + n}
+                                        : Triangle{t[0] + n, t[1] + n, t[2] + n});
+  }
+}
+
+inline TriangleMesh box(const Point3& min, const Point3& max) {
+  TriangleMesh mesh = voxels({{0, 0, 0}});
+  for (Point3& p : mesh.vertices) p = {p.x == 0 ? min.x : max.x, p.y == 0 ? min.y : max.y, p.z == 0 ? min.z : max.z};
+  return mesh;
+}
+
+/// Around the z axis.
+inline TriangleMesh torus(double far, double thick, std::uint32_t around, std::uint32_t across) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t k = 0; k < across; ++k) {
+      const double u = 2 * M_PI * i / around, v = 2 * M_PI * k / across, r = far + thick * std::cos(v);
+      mesh.vertices.push_back({r * std::cos(u), r * std::sin(u), thick * std::sin(v)});
+    }
+  }
+  const auto at = [&](std::uint32_t i, std::uint32_t k) { return i % around * across + k % across; };
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t k = 0; k < across; ++k) {
+      mesh.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      mesh.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return mesh;
+}
+
+/// Tetrahedra on a small grid: flat ones, touching ones, some wound inside out; closed all the same.
+inline TriangleMesh heap(std::mt19937_64& random, int tetrahedra, int size) {
+  TriangleMesh mesh;
+  std::uniform_int_distribution<int> coordinate(-size, size);
+  for (int i = 0; i < tetrahedra; ++i) {
+    TriangleMesh one;
+    for (int k = 0; k < 4; ++k)
+      one.vertices.push_back({double(coordinate(random)), double(coordinate(random)), double(coordinate(random))});
+    one.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    append(mesh, one);
+  }
+  return mesh;
+}
+
+}  // namespace plumb::solids
