@@ -1,4 +1,4 @@
-"""Prints a Markdown table of a benchmark's JSON (standard input): ns for each predicate/class, one column a method.
+"""Prints a Markdown table of benchmarks' JSON (the files named, or standard input): ns for each predicate/class, one column a method.
 
 With --benchmark_repetitions the medians are taken.  A method's column is followed by its ratio to the first and, where
 there is an 'epick', by how many times faster than that it is.
@@ -8,7 +8,8 @@ import statistics
 import sys
 
 samples = {}
-for run in json.load(sys.stdin)["benchmarks"]:
+runs = [json.load(open(path))["benchmarks"] for path in sys.argv[1:]] or [json.load(sys.stdin)["benchmarks"]]
+for run in sum(runs, []):
     if run.get("run_type") != "aggregate":
         samples.setdefault(tuple(run["run_name"].split("/")), []).append(run["ns"])
 table = {}
