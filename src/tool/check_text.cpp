@@ -5,6 +5,7 @@
 #include "check_command.hpp"
 #include "check_report.hpp"
 #include "check_verdict.hpp"
+#include "load_text.hpp"
 #include "plumb/certify/catalog.hpp"
 
 namespace plumb::tool {
@@ -12,24 +13,7 @@ namespace {
 
 std::string file_lines(const MeshCheck& c) {
   if (!c.from_file) return "  the embedded part; `plumb check --write-sample FILE` writes it\n";
-  const LoadReport& l = c.load;
-  std::string s = fmt::format("  file        {}, {}, {}; {}, {}\n", name_of(l.format), name_of(l.encoding),
-                              plural(l.bytes, "byte", "bytes"), plural(l.vertices, "vertex", "vertices"),
-                              plural(l.faces, "face", "faces"));
-  if (l.polygons != 0)
-    s += fmt::format("              {} of more than three corners, triangulated{}\n",
-                     plural(l.polygons, "face", "faces"),
-                     l.fans != 0 ? fmt::format(" ({} as fans: not simple polygons)", grouped(l.fans)) : "");
-  if (l.dropped_faces != 0)
-    s += fmt::format("              {} of fewer than three corners left out\n",
-                     plural(l.dropped_faces, "face", "faces"));
-  if (l.merged_vertices != 0)
-    s += fmt::format("              {} merged with an equal point\n", plural(l.merged_vertices, "corner", "corners"));
-  if (l.inexact_decimals != 0) {
-    s += fmt::format("  rounding    {} of {} decimals are no doubles; the farthest moved by {:.2g}\n",
-                     grouped(l.inexact_decimals), grouped(l.decimals), l.largest_move);
-  }
-  return s;
+  return load_text(c.load);
 }
 
 std::string lattice_line(const Lattice& lattice) {

@@ -27,10 +27,12 @@ struct Command {
 Command bounds_command(CLI::App& program);
 Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals);
 Command check_command(CLI::App& program);
+Command convert_command(CLI::App& program);
 Command doctor_command(CLI::App& program);
 Command fuzz_command(CLI::App& program);
 Command plan_command(CLI::App& program);
 Command proof_command(CLI::App& program);
+Command section_command(CLI::App& program);
 Command sign_command(CLI::App& program);
 Command stability_command(CLI::App& program);
 Command vectors_command(CLI::App& program);

@@ -95,6 +95,10 @@ check [MESH]...
        Takes the decisions that mesh software takes on these meshes, in
        floating point and exactly, and says where floating point errs.
 
+convert FROM TO
+       Writes a mesh file in another format, every coordinate the same
+       double.
+
 fuzz
        Finds inputs on which a function of another library is wrong, and
        makes them small.
@@ -103,6 +107,9 @@ plan [MESH]...
        Says what exact decisions on a scene of these meshes need, what a
        coarser lattice would save and do to them, and which bounding
        volumes are the cheapest.
+
+section --plane PLANE MESH
+       Cuts a mesh by planes into exact contours, and draws them.
 
 sign PREDICATE COORDINATE...
        Decides one sign exactly and says which stage decided it.

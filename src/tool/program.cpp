@@ -88,7 +88,7 @@ class Program {
   const std::vector<Command> commands_ = {bounds_command(app_), chart_command(app_, rivals_), check_command(app_),
                                           fuzz_command(app_),   plan_command(app_),           sign_command(app_),
                                           proof_command(app_),  stability_command(app_),      vectors_command(app_),
-                                          doctor_command(app_)};
+                                          doctor_command(app_), section_command(app_),        convert_command(app_)};
 };
 
 int refuse(std::string_view text) {
