@@ -40,6 +40,9 @@ void parse_off(Parse& parse);
 void parse_stl(Parse& parse);
 void parse_ply(Parse& parse);
 
+/// What a file of so many bytes may unpack to.
+std::uint64_t unpacked_limit(std::uint64_t packed, const ReadOptions& options);
+
 /// Is the length the one that an STL of so many triangles has, as told at its byte 80?
 bool is_binary_stl(std::string_view bytes);
 

@@ -1,15 +1,20 @@
 #include "plumb/surface/read_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 
+#include "foreign_formats.hpp"
+#include "gunzip.hpp"
 #include "mesh_failure.hpp"
 #include "mesh_parsers.hpp"
 #include "plumb/surface/triangulate.hpp"
+#include "text_lines.hpp"
 
 namespace plumb {
 namespace {
@@ -48,7 +53,31 @@ void require_bytes(std::string_view bytes, std::string_view name) {
     fail_at_file(MeshFileProblem::empty_file, name, "the file is empty (0 bytes), expected a mesh; export it again");
 }
 
+// The format of unpacked bytes; fails with the mend where it is none that is read.
+MeshFormat format_of(const std::filesystem::path& path, std::string_view bytes, std::string_view name) {
+  if (const auto format = format_by_content(bytes)) return *format;
+  auto foreign = surface::foreign_by_content(bytes);
+  if (!foreign) {
+    if (const auto format = format_by_extension(path)) return *format;
+    foreign = surface::foreign_by_extension(path);
+  }
+  fail_at_file(MeshFileProblem::unknown_format, name,
+               foreign.value_or("neither the name nor the content tells the format, expected .obj, .off, .stl or .ply; "
+                                "rename or convert it"));
+}
+
 }  // namespace
+
+namespace surface {
+
+std::uint64_t unpacked_limit(std::uint64_t packed, const ReadOptions& options) {
+  constexpr std::uint64_t free_bytes = std::uint64_t{16} << 20, most = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t ratio = std::max<std::uint64_t>(1, options.most_ratio);
+  const std::uint64_t by_ratio = packed > (most - free_bytes) / ratio ? most : free_bytes + ratio * packed;
+  return std::min(options.most_bytes, by_ratio);
+}
+
+}  // namespace surface
 
 PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report) {
   require_bytes(bytes, name);
@@ -91,19 +120,25 @@ PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_vi
   return std::move(mesh);
 }
 
-PolygonMesh read_polygon_mesh(const std::filesystem::path& path, LoadReport* report) {
-  const std::string bytes = read_file(path), name = path.string();
+PolygonMesh parse_mesh(std::string_view bytes, const std::filesystem::path& path, LoadReport* report,
+                       const ReadOptions& options) {
+  const std::string name = path.string();
   require_bytes(bytes, name);
-  const auto format = recognize_format(path, bytes);
-  if (!format)
-    fail_at_file(
-        MeshFileProblem::unknown_format, name,
-        "neither the name nor the content tells the format, expected .obj, .off, .stl or .ply; rename or convert it");
-  return parse_mesh(bytes, *format, name, report);
+  if (!surface::is_gzip(bytes)) return parse_mesh(bytes, format_of(path, bytes, name), name, report);
+  const std::string unpacked = surface::gunzip(bytes, name, surface::unpacked_limit(bytes.size(), options));
+  require_bytes(unpacked, name);
+  const auto within = surface::lower_case(path.extension().string()) == ".gz" ? path.stem() : path;
+  PolygonMesh mesh = parse_mesh(unpacked, format_of(within, unpacked, name), name, report);
+  if (report) report->packed_bytes = bytes.size();
+  return mesh;
 }
 
-TriangleMesh read_mesh(const std::filesystem::path& path, LoadReport* report) {
-  return triangulate(read_polygon_mesh(path, report), report ? &report->fans : nullptr);
+PolygonMesh read_polygon_mesh(const std::filesystem::path& path, LoadReport* report, const ReadOptions& options) {
+  return parse_mesh(read_file(path), path, report, options);
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& path, LoadReport* report, const ReadOptions& options) {
+  return triangulate(read_polygon_mesh(path, report, options), report ? &report->fans : nullptr);
 }
 
 }  // namespace plumb

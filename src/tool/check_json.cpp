@@ -43,6 +43,7 @@ json json_of(const LoadReport& l) {
   return {{"format", name_of(l.format)},
           {"encoding", name_of(l.encoding)},
           {"bytes", l.bytes},
+          {"packed_bytes", l.packed_bytes},
           {"vertices", l.vertices},
           {"faces", l.faces},
           {"polygons", l.polygons},
@@ -109,8 +110,9 @@ json environment(unsigned threads) {
 
 }  // namespace
 
-json json_report(std::span<const MeshCheck> checks, unsigned threads) {
+json json_report(std::span<const MeshCheck> checks, std::span<const std::string> passed_over, unsigned threads) {
   json j{{"program", "plumb check"}, {"environment", environment(threads)}, {"meshes", json::array()}};
+  j["passed_over"] = passed_over;
   for (const MeshCheck& c : checks) j["meshes"].push_back(json_of(c));
   return j;
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "check_mesh.hpp"
+#include "mesh_inputs.hpp"
 #include "terminal.hpp"
 
 namespace plumb::tool {
@@ -18,10 +19,14 @@ std::string text_opening(const MeshCheck& check, const Style& style);
 std::string text_verdict(const MeshCheck& check);
 std::string text_tables(const MeshCheck& check, const Style& style);
 
+/// What lies in the folder that was no mesh.
+std::string text_passed_over(const std::string& folder, const MeshInputs& inputs);
+
 /// The totals over several meshes; the table alone.
 std::string text_total(std::span<const MeshCheck> checks, const Style& style);
 
-nlohmann::json json_report(std::span<const MeshCheck> checks, unsigned threads);
+nlohmann::json json_report(std::span<const MeshCheck> checks, std::span<const std::string> passed_over,
+                           unsigned threads);
 
 /// Share of wrong signs against time per decision, one point a method.
 std::string chart_svg(std::span<const MeshCheck> checks);

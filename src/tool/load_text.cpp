@@ -7,8 +7,9 @@
 namespace plumb::tool {
 
 std::string load_text(const LoadReport& l) {
-  std::string s = fmt::format("  file        {}, {}, {}; {}, {}\n", name_of(l.format), name_of(l.encoding),
-                              plural(l.bytes, "byte", "bytes"), plural(l.vertices, "vertex", "vertices"),
+  const std::string packed = l.packed_bytes == 0 ? "" : fmt::format(" (gzip: {})", grouped(l.packed_bytes));
+  std::string s = fmt::format("  file        {}, {}, {}{}; {}, {}\n", name_of(l.format), name_of(l.encoding),
+                              plural(l.bytes, "byte", "bytes"), packed, plural(l.vertices, "vertex", "vertices"),
                               plural(l.faces, "face", "faces"));
   if (l.polygons != 0)
     s += fmt::format("              {} of more than three corners, triangulated{}\n",

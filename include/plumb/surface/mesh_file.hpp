@@ -1,5 +1,6 @@
 // Which mesh files are known, how is one recognized, and what can be wrong with it?
 //
+// A file may be packed by gzip: then what it holds is looked at, and the extension before `.gz`.
 // Laws: the content outranks the extension where the content is unmistakable (the magic words of PLY and OFF, the exact
 // length of a binary STL, an STL that is text); OBJ has no mark and is believed by its extension or its first word.
 // Every error names the file, the line (text) or the byte (binary) where there is one, what was found, what was
@@ -29,7 +30,7 @@ std::optional<MeshFormat> format_by_extension(const std::filesystem::path& path)
 /// By the bytes alone.
 std::optional<MeshFormat> format_by_content(std::string_view bytes);
 
-/// What the two together say; nothing when neither knows.
+/// What the two together say of unpacked bytes; nothing when neither knows.
 std::optional<MeshFormat> recognize_format(const std::filesystem::path& path, std::string_view bytes);
 
 enum class MeshFileProblem {
@@ -43,6 +44,7 @@ enum class MeshFileProblem {
   bad_number,         // not a number, not finite, or beyond the largest double
   bad_index,          // a face names a vertex that is not there
   truncated,          // the file ends before it has said what it promised
+  too_large,          // it unpacks or multiplies to more than ReadOptions allow
   unwritable,         // the file cannot be created or filled
   not_representable,  // the format cannot hold this coordinate
 };

@@ -3,7 +3,8 @@
 // Laws: decimals become their nearest doubles, float32 widens exactly; polygons, repeated vertices and zero area stay
 // as they are in the file (STL, which has no indices, gets one vertex per distinct point, -0 and +0 being one point, in
 // the order of first use).  Indices are in range, coordinates finite, or the file is refused.  Memory is bounded by a
-// small multiple of the file's size, never by a number that the file claims.
+// small multiple of the file's size, never by a number that the file claims; of a packed file by the limits given.
+// - Packed by gzip (part.stl.gz, known by its content): unpacked first, each member held to its checksum.
 // - OBJ: v, f (any corner form, negative indices, forward references), continued lines; the rest is passed over.
 // - OFF: the prefixes ST, C, N; counts on the header line or below; what follows a vertex or face on its line is not
 //   read.
@@ -26,7 +27,8 @@ namespace plumb {
 struct LoadReport {
   MeshFormat format = MeshFormat::obj;
   MeshEncoding encoding = MeshEncoding::ascii;
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0;         // unpacked
+  std::uint64_t packed_bytes = 0;  // of the file that was packed by gzip, otherwise 0
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;             // as in the file, before triangulation
   std::uint64_t polygons = 0;          // those of more than three corners
@@ -38,13 +40,26 @@ struct LoadReport {
   double largest_move = 0;             // how far a decimal moved to its double, at most
 };
 
+/// How much a small file may become.  What is packed unpacks to no more than `most_bytes`, nor to more than
+/// `most_ratio` times its own size, of which the first 16 MiB are free.
+struct ReadOptions {
+  std::uint64_t most_bytes = std::uint64_t{4} << 30;
+  std::uint64_t most_ratio = 250;
+};
+
 /// The mesh of a file, its polygons triangulated.  Throws MeshFileError.
-TriangleMesh read_mesh(const std::filesystem::path& path, LoadReport* report = nullptr);
+TriangleMesh read_mesh(const std::filesystem::path& path, LoadReport* report = nullptr,
+                       const ReadOptions& options = {});
 
 /// The mesh of a file, its polygons kept.  Throws MeshFileError.
-PolygonMesh read_polygon_mesh(const std::filesystem::path& path, LoadReport* report = nullptr);
+PolygonMesh read_polygon_mesh(const std::filesystem::path& path, LoadReport* report = nullptr,
+                              const ReadOptions& options = {});
 
 /// The mesh that these bytes are the file of; `name` stands for the file in errors.
 PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report = nullptr);
+
+/// The same of a file in any format, packed or not: the content tells, or the name's extension.
+PolygonMesh parse_mesh(std::string_view bytes, const std::filesystem::path& name, LoadReport* report = nullptr,
+                       const ReadOptions& options = {});
 
 }  // namespace plumb
