@@ -43,8 +43,9 @@ With --out DIR the same is written into that folder: chart.txt,
 chart.json (with machine, compiler, flags and date), a picture for each
 task and class, TASK-CLASS.svg, of the wrong share (of numbers, the mean
 error in ulps) against time, whose line joins the methods that no other
-beats in both; and chart.html, a page with all of them, to be filtered,
-which needs no network.)"},
+beats in both; and chart.html, a page that needs no network: a summary
+of tasks by methods, then all charts, to be filtered, folded where no
+answer is wrong.)"},
            {"METHODS", R"(
 float32        Single precision, of coordinates rounded to it.
 double         The formula, or the code, as it is commonly written.

@@ -33,6 +33,11 @@ constexpr std::string_view kStyle = R"(<style>
   [hidden], .gone { display: none; }
   details { padding: 4px 16px 8px; background: var(--soft); border-top: 1px solid var(--line); }
   details div { overflow-x: auto; }
+  .fold { border: 1px solid var(--line); border-radius: 6px; margin: 16px 0; } .fold article { background: var(--paper); }
+  .summary { white-space: nowrap; font-size: 13px; } .summary th, .summary td { vertical-align: top; padding-right: 8px; }
+  .summary tr > :first-child { position: sticky; left: 0; background: var(--paper); }
+  .drawn { stroke: currentColor; stroke-width: 1.5; stroke-linejoin: round; }
+  small { color: var(--muted); } a { color: inherit; }
   table { border-collapse: collapse; font-variant-numeric: tabular-nums; margin: 8px 0; }
   th, td { padding: 2px 12px 2px 0; text-align: right; border-bottom: 1px solid var(--line); }
   th:first-child, td:first-child { text-align: left; }
@@ -64,7 +69,9 @@ function drawFrontier(svg) {
 function applyFilter() {
   const kinds = [...new Set(all('input[data-filter]').map(box => box.dataset.filter))].filter(kind => kind !== 'method');
   const wanted = new Map(kinds.map(kind => [kind, chosen(kind)])), methods = chosen('method');
-  for (const article of all('article')) article.hidden = kinds.some(kind => !wanted.get(kind).has(article.dataset[kind]));
+  const without = part => kinds.some(kind => kind in part.dataset && !wanted.get(kind).has(part.dataset[kind]));
+  for (const part of all('article, tr')) part.hidden = without(part);
+  for (const fold of all('.fold')) fold.hidden = !all('article', fold).some(a => !a.hidden);
   for (const section of all('section')) section.hidden = !all('article', section).some(a => !a.hidden);
   for (const part of all('[data-key]')) part.classList.toggle('gone', !methods.has(part.dataset.key));
   all('article svg').forEach(drawFrontier);
@@ -98,6 +105,12 @@ for (const marker of all('.marker')) {
 }
 document.addEventListener('keydown', event => { if (event.key === 'Escape') hint.hidden = true; });
 all('.script').forEach(part => { part.hidden = false; });
+function unfold() {  // what a link or the address leads to
+  const fold = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.querySelector('.fold');
+  if (fold && !all('article', fold.parentElement).some(a => !fold.contains(a))) fold.open = true;
+}
+window.addEventListener('hashchange', unfold);
+unfold();
 applyFilter();  // a browser may have kept the boxes of an earlier visit
 </script>
 )";

@@ -51,9 +51,10 @@ std::string trials_html(std::span<const trial::Trial> trials, const nlohmann::js
       "What exactness costs, and what it buys",
       fmt::format("{} cases a class, seed {}", raw.at("cases").get<std::uint64_t>(),
                   raw.at("seed").get<std::uint64_t>()),
-      "Each chart holds the methods against each other on one class of inputs: how often a method is wrong, and how "
-      "long "
-      "it takes. What is never wrong stands in the band marked 0; a faint mark does not answer every question; the "
+      "The summary tells of each task and method how often it is wrong at the worst, and how long it takes. Below, "
+      "each "
+      "chart holds the methods against each other on one class of inputs; charts without a wrong answer are folded. "
+      "What is never wrong stands in the band marked 0; a faint mark does not answer every question; the "
       "dashed line joins the methods that none beats in both. Point at a mark, or move to it by the tabulator, for its "
       "figures.",
       {},
@@ -61,20 +62,33 @@ std::string trials_html(std::span<const trial::Trial> trials, const nlohmann::js
   page.filters.push_back({"task", "Tasks", tasks});
   page.filters.push_back(
       {"class", "Classes of inputs", distinct(trials, [](const trial::Trial& t) { return Names{t.input}; })});
-  page.filters.push_back({"method", "Methods", distinct(trials, [](const trial::Trial& t) {
-                            Names names;
-                            for (const trial::Score& s : t.scores) names.push_back(s.method);
-                            return names;
-                          })});
+  const Names methods = distinct(trials, [](const trial::Trial& t) {
+    Names names;
+    for (const trial::Score& s : t.scores) names.push_back(s.method);
+    return names;
+  });
+  page.filters.push_back({"method", "Methods", methods});
+  page.body = trials_summary(trials, tasks, methods);
   for (const std::string& task : tasks) {
-    page.body += "<section>\n";
-    bool first = true;
+    std::string question, wrong, right, names;
+    std::size_t folded = 0;
     for (const trial::Trial& t : trials) {
       if (t.task != task) continue;
-      if (first) page.body += fmt::format("<h2>{}: {}</h2>\n", escaped(task), escaped(t.question));
-      first = false;
-      page.body += fmt::format("<article data-task=\"{}\" data-class=\"{}\">\n{}{}</article>\n", escaped(t.task),
-                               escaped(t.input), inline_picture(trial_chart(t)), table(t));
+      question = t.question;
+      std::string article = fmt::format("<article data-task=\"{}\" data-class=\"{}\">\n{}{}</article>\n",
+                                        escaped(t.task), escaped(t.input), inline_picture(trial_chart(t)), table(t));
+      if (!is_all_right(t)) {
+        wrong += article;
+        continue;
+      }
+      right += article;
+      names.append(names.empty() ? "" : ", ").append(t.input);
+      ++folded;
+    }
+    page.body += fmt::format("<section id=\"{0}\">\n<h2>{0}: {1}</h2>\n{2}", escaped(task), escaped(question), wrong);
+    if (folded > 0) {
+      page.body += fmt::format("<details class=\"fold\"><summary>Nothing is wrong on {}</summary>\n{}</details>\n",
+                               escaped(names), right);
     }
     page.body += "</section>\n";
   }

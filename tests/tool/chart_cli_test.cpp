@@ -1,6 +1,7 @@
 // `plumb chart` as a user meets it: what is measured, what is written and refused, and that a page of it works.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -47,6 +48,11 @@ std::size_t doubles() {
   std::size_t count = 0;
   each([&](const std::string&, const std::string&, const json& m) { count += m.at("method") == "double"; });
   return count;
+}
+std::size_t methods() {
+  std::set<std::string> names;
+  each([&](const std::string&, const std::string&, const json& m) { names.insert(m.at("method")); });
+  return names.size();
 }
 std::size_t tasks() {
   std::set<std::string> names;
@@ -189,9 +195,11 @@ TEST(Report, IsAPageWhoseFilterWorksInABrowser) {
   const std::string& page = report().page;
   const Outcome o = in_browser(page, R"(
     const shown = selector => all(selector).filter(e => e.getClientRects().length > 0).length;
-    const counts = () => [shown('.marker[data-key="double"]'), shown('article'), shown('section'), shown('.marker.gone')];
+    const counts = () => [shown('.marker[data-key="double"]'), shown('article[data-task]'), shown('section[id]'),
+                          shown('.marker.gone'), shown('.summary tr'), shown('.summary td')];
     const steps = () => all('.frontier').map(p => p.getAttribute('d')).join();
     const click = (kind, value) => document.querySelector(`input[data-filter="${kind}"][value="${value}"]`).click();
+    all('details.fold').forEach(fold => { fold.open = true; });
     const result = [counts()], first = steps();
     click('method', 'double');
     click('class', 'uniform');
@@ -202,7 +210,7 @@ TEST(Report, IsAPageWhoseFilterWorksInABrowser) {
     click('method', 'batch');
     result.push(steps() !== first);
     document.querySelector('button[data-set="none"]').click();
-    result.push(shown('section'));
+    result.push(shown('section[id]'));
     document.querySelector('button[data-set="all"]').click();
     click('class', 'uniform');
     for (const m of ['double', 'exact', 'plan', 'batch']) click('method', m);
@@ -217,17 +225,60 @@ TEST(Report, IsAPageWhoseFilterWorksInABrowser) {
   EXPECT_THAT(o.err, Not(HasSubstr("CONSOLE")));
   const std::size_t charts = report().raw.at("trials").size();
   const std::size_t fewer = charts - trials_with("class", "uniform") - trials_with("task", "orient2d") + 1;
-  const std::string expected = json{{doubles(), charts, tasks(), 0},
-                                    {0, fewer, tasks() - 1, 0},
+  const std::size_t rows = tasks() + 1, columns = methods();
+  const std::string expected = json{{doubles(), charts, tasks(), 0, rows, tasks() * columns},
+                                    {0, fewer, tasks() - 1, 0, rows - 1, (tasks() - 1) * (columns - 1)},
                                     true,
                                     0,
-                                    {doubles(), charts, tasks(), 0},
+                                    {doubles(), charts, tasks(), 0, rows, tasks() * columns},
                                     true,
                                     true,
                                     true}
                                    .dump();
   EXPECT_THAT(o.out, HasSubstr(expected));
   EXPECT_THAT(in_browser(page, "missing();").err, HasSubstr("CONSOLE"));  // which the first would have shown as well
+}
+
+TEST(Report, OpensOnASummaryAndFoldsWhatIsAllRight) {
+  const std::string& page = report().page;
+  const std::size_t summary = page.find("<h2>Summary</h2>"), first_chart = page.find("<svg");
+  ASSERT_NE(summary, std::string::npos);
+  EXPECT_LT(summary, first_chart);
+  // In each cell the worst share of its task and method; on the page no fold with a wrong answer, no chart without one.
+  std::map<std::pair<std::string, std::string>, double> worst;
+  each([&](const std::string& task, const std::string&, const json& m) {
+    const double share = double(m.at("wrong")) / double(m.at("asked"));
+    double& most = worst[{task, m.at("method")}];
+    most = std::max(most, share);
+  });
+  const std::string table = page.substr(summary, first_chart - summary);
+  for (const auto& [cell, share] : worst) {
+    const std::size_t row = table.find("<tr data-task=\"" + cell.first + "\"");
+    ASSERT_NE(row, std::string::npos) << cell.first;
+    const std::size_t at = table.find("<td data-key=\"" + cell.second + "\"", row);
+    ASSERT_LT(at, table.find("</tr>", row)) << cell.first << ' ' << cell.second;
+    const std::string text = table.substr(at, table.find("</td>", at) - at);
+    EXPECT_EQ(text.find("class=\"fails\"") != std::string::npos, share > 0) << text;
+    EXPECT_EQ(text.find("never wrong") != std::string::npos, share == 0) << text;
+    EXPECT_THAT(text, HasSubstr(" ns</small>"));
+  }
+  for (const json& trial : report().raw.at("trials")) {
+    const bool right = std::ranges::all_of(
+        trial.at("methods"), [](const json& m) { return m.at("wrong") == 0 && m.at("inconsistent") == 0; });
+    const std::string task = trial.at("task"), input = trial.at("class");
+    const std::size_t at = page.find("<article data-task=\"" + task + "\" data-class=\"" + input + "\"");
+    const std::size_t fold = page.find("<details class=\"fold\"", page.find("<section id=\"" + task + "\""));
+    EXPECT_EQ(fold < at, right) << task << ' ' << input;
+  }
+  if (!has_browser()) return;
+  const Outcome o = in_browser(page, R"(
+    const shown = selector => all(selector).filter(e => e.checkVisibility()).length;
+    const folded = all('.fold article').length, unfolded = all('article[data-task]').length - folded;
+    const result = [shown('article[data-task]') === unfolded, folded > 0];
+    all('.fold').forEach(fold => { fold.open = true; });
+    result.push(shown('article[data-task]') === unfolded + folded);
+    document.body.replaceChildren(JSON.stringify(result));)");
+  EXPECT_THAT(o.out, HasSubstr("[true,true,true]")) << o.err;
 }
 
 TEST(Report, HasTheSameAnswersForTheSameSeed) {
