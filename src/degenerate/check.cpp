@@ -31,21 +31,28 @@ const Generator* generator_named(const Kind& kind, std::string_view name) {
   throw Error(text.append(" ").append(mutated_generator));
 }
 
-Numbers make(const Kind& kind, std::string_view generator, Entropy& entropy, std::span<const Numbers> corpus) {
-  Numbers numbers;
-  if (generator == mutated_generator) {
-    if (!corpus.empty() && entropy.coin()) {
-      numbers = corpus[entropy.below(corpus.size())];
+constexpr int kTries = 32;  // for a case that is in the domain
+
+std::optional<Numbers> make(const Kind& kind, std::string_view generator, Entropy& entropy,
+                            std::span<const Numbers> corpus, const Domain& domain) {
+  const bool mutated = generator == mutated_generator;
+  const Generator* const named = mutated ? nullptr : generator_named(kind, generator);
+  if (!mutated && named == nullptr) refuse_generator(kind, generator);
+  for (int i = 0; i < kTries; ++i) {
+    Numbers numbers;
+    if (!mutated) {
+      named->make(numbers, entropy);
     } else {
-      kind.generators[entropy.below(kind.generators.size())].make(numbers, entropy);
+      if (!corpus.empty() && entropy.coin()) {
+        numbers = corpus[entropy.below(corpus.size())];
+      } else {
+        kind.generators[entropy.below(kind.generators.size())].make(numbers, entropy);
+      }
+      mutate(kind, numbers, entropy);
     }
-    mutate(kind, numbers, entropy);
-    return numbers;
+    if (std::optional<Numbers> within = fitted(domain, kind, std::move(numbers))) return within;
   }
-  const Generator* const named = generator_named(kind, generator);
-  if (named == nullptr) refuse_generator(kind, generator);
-  named->make(numbers, entropy);
-  return numbers;
+  return std::nullopt;
 }
 
 Answer asked(const Callable& function, std::span<const double> numbers) {
@@ -64,14 +71,16 @@ class Run {
   Run(const Kind& kind, const Batch& function, const CheckOptions& options)
       : kind_(kind), function_(function), options_(options), tolerance_(options.tolerance.value_or(kind.tolerance)) {
     if (options.cases == 0 && !(options.seconds > 0)) throw Error("check: neither cases nor seconds; give either");
+    require_sense(options.domain);
     if (options.block == 0) throw Error("check: a block of 0 cases; ask at least one at once");
     for (const Numbers& numbers : options.corpus) {
       if (const std::string flaw = flaw_of(kind, numbers); !flaw.empty()) throw Error("check: corpus: " + flaw);
+      if (is_in(options.domain, kind, numbers)) corpus_.push_back(numbers);
     }
     for (const std::string& name : options.generators) {
       if (name != mutated_generator && generator_named(kind, name) == nullptr) refuse_generator(kind, name);
     }
-    if (!options.corpus.empty()) add(corpus_generator);
+    if (!corpus_.empty()) add(corpus_generator);
     for (const Generator& g : kind.generators) {
       if (wanted(g.name)) add(g.name);
     }
@@ -99,6 +108,8 @@ class Run {
     return std::ranges::find(found_.tallies, generator, &Tally::generator) - found_.tallies.begin();
   }
 
+  static std::uint64_t made(const Tally& tally) { return tally.asked + tally.passed_over; }
+
   // A block of each in turn, so that a run that is stopped has asked all alike.
   void ask_all() {
     using Clock = std::chrono::steady_clock;
@@ -106,8 +117,8 @@ class Run {
     for (bool any = true; any;) {
       any = false;
       for (Tally& tally : found_.tallies) {
-        const std::uint64_t all = tally.generator == corpus_generator ? options_.corpus.size() : options_.cases;
-        const std::uint64_t left = all == 0 ? options_.block : all - tally.asked;
+        const std::uint64_t all = tally.generator == corpus_generator ? corpus_.size() : options_.cases;
+        const std::uint64_t left = all == 0 ? options_.block : all - made(tally);
         if (left == 0) continue;
         any = true;
         ask_block(tally, std::min<std::uint64_t>(left, options_.block));
@@ -119,24 +130,31 @@ class Run {
   }
 
   void ask_block(Tally& tally, std::uint64_t count) {
-    const std::uint64_t first = tally.asked;
-    std::vector<Numbers> cases(count);
-    for (std::uint64_t i = 0; i < count; ++i) {
-      cases[i] = tally.generator == corpus_generator
-                     ? options_.corpus[first + i]
-                     : case_of(kind_, tally.generator, options_.seed, first + i, options_.corpus);
+    std::vector<Numbers> cases;
+    std::vector<std::uint64_t> indices;
+    const std::uint64_t first = made(tally);
+    for (std::uint64_t i = first; i < first + count; ++i) {
+      Numbers numbers = tally.generator == corpus_generator
+                            ? corpus_[i]
+                            : case_of(kind_, tally.generator, options_.seed, i, corpus_, options_.domain);
+      if (numbers.empty()) continue;
+      cases.push_back(std::move(numbers));
+      indices.push_back(i);
     }
-    std::vector<Answer> answers(count);
+    tally.passed_over += count - cases.size();
+    if (cases.empty()) return;
+    if (options_.asks) options_.asks(tally.generator, indices);
+    std::vector<Answer> answers(cases.size());
     function_(cases, answers);
-    tally.asked += count;
-    for (std::uint64_t i = 0; i < count; ++i) {
+    tally.asked += cases.size();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
       const Judgment j = judge(kind_, cases[i], answers[i], tolerance_);
       if (j.verdict == Verdict::right) continue;
       (j.verdict == Verdict::unsure ? tally.unsure : j.verdict == Verdict::wrong ? tally.wrong : tally.failed) += 1;
       if (j.verdict == Verdict::unsure) continue;
       const bool degenerate = is_degenerate(kind_, cases[i]);
       tally.degenerate += degenerate ? 1 : 0;
-      keep({tally.generator, first + i, std::string(j.sort), degenerate, cases[i], cases[i], answers[i], {}});
+      keep({tally.generator, indices[i], std::string(j.sort), degenerate, cases[i], cases[i], answers[i], {}});
     }
   }
 
@@ -173,7 +191,8 @@ class Run {
     const bool process = f.given.outcome != Outcome::answered && f.given.outcome != Outcome::threw;
     const std::size_t calls = process ? options_.shrink_calls / 100 : options_.shrink_calls;
     const auto fails = [&](std::span<const double> numbers) {
-      return judge(kind_, numbers, ask_one(numbers), tolerance_).sort == f.sort;
+      return is_in(options_.domain, kind_, numbers) &&
+             judge(kind_, numbers, ask_one(numbers), tolerance_).sort == f.sort;
     };
     f.repeated = fails(f.found);
     if (f.repeated) {
@@ -196,16 +215,16 @@ class Run {
     std::vector<std::uint64_t> choices;
     Entropy entropy(start_of(options_.seed, f.generator), f.index);
     entropy.record_into(&choices);
-    make(kind_, f.generator, entropy, options_.corpus);
+    make(kind_, f.generator, entropy, corpus_, options_.domain);
     const auto replayed = [&](std::span<const std::uint64_t> some) {
       Entropy replay = Entropy::from_choices(some);
-      return make(kind_, f.generator, replay, options_.corpus);
+      return make(kind_, f.generator, replay, corpus_, options_.domain).value_or(Numbers{});
     };
     return replayed(shrink_choices(
         choices,
         [&](std::span<const std::uint64_t> some) {
           const Numbers numbers = replayed(some);
-          return is_degenerate(kind_, numbers) <= f.degenerate && fails(numbers);
+          return !numbers.empty() && is_degenerate(kind_, numbers) <= f.degenerate && fails(numbers);
         },
         calls));
   }
@@ -214,6 +233,7 @@ class Run {
   const Batch& function_;
   const CheckOptions& options_;
   Tolerance tolerance_;
+  std::vector<Numbers> corpus_;  // what of it is in the domain
   Findings found_;
 };
 
@@ -230,9 +250,9 @@ bool Findings::clean() const {
 }
 
 Numbers case_of(const Kind& kind, std::string_view generator, std::uint64_t seed, std::uint64_t index,
-                std::span<const Numbers> corpus) {
+                std::span<const Numbers> corpus, const Domain& domain) {
   Entropy entropy(start_of(seed, generator), index);
-  return make(kind, generator, entropy, corpus);
+  return make(kind, generator, entropy, corpus, domain).value_or(Numbers{});
 }
 
 Findings check_in_batches(const Kind& kind, const Batch& function, const CheckOptions& options) {

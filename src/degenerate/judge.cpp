@@ -53,14 +53,10 @@ Judgment judged_hit(const Answer& given, const Answer& exact, const Tolerance& t
   return {Verdict::wrong, t > exact.numbers[1] ? "parameter too large" : "parameter too small"};
 }
 
-}  // namespace
-
-Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& given, const Tolerance& tolerance) {
-  if (given.outcome != Outcome::answered) return {Verdict::failed, name_of(given.outcome)};
-  if (given.numbers.size() == 1 && std::isnan(given.numbers[0])) return {Verdict::unsure, "NaN"};
-  if (kind.judge != nullptr) return kind.judge(numbers, given);
-  if (given.numbers.empty()) return {Verdict::failed, "no answer"};
-  const Answer exact = kind.exact(numbers);
+Judgment judged_by(const Answer& exact, const Kind& kind, std::span<const double> numbers, const Answer& given,
+                   const Tolerance& tolerance) {
+  // Who has no answer, the judge of an own kind, finds nothing wrong.
+  if (kind.form != AnswerForm::triangles && std::isnan(exact.numbers[0])) return {};
   switch (kind.form) {
     case AnswerForm::sign:
       return judged_sign(given.numbers[0], exact.numbers[0]);
@@ -74,6 +70,21 @@ Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& 
       break;
   }
   return given.numbers == exact.numbers ? Judgment{} : Judgment{Verdict::wrong, "other triangles"};
+}
+
+}  // namespace
+
+Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& given, const Tolerance& tolerance) {
+  if (given.outcome != Outcome::answered) return {Verdict::failed, name_of(given.outcome)};
+  if (given.numbers.size() == 1 && std::isnan(given.numbers[0])) return {Verdict::unsure, "NaN"};
+  if (kind.judge) return kind.judge(numbers, given);
+  if (given.numbers.empty()) return {Verdict::failed, "no answer"};
+  const Judgment first = judged_by(kind.exact(numbers), kind, numbers, given, tolerance);
+  if (first.verdict == Verdict::right) return first;
+  for (const Exact& other : kind.also_right) {
+    if (judged_by(other(numbers), kind, numbers, given, tolerance).verdict == Verdict::right) return {};
+  }
+  return first;
 }
 
 std::string decimal(double x) {

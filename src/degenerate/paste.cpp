@@ -13,13 +13,6 @@ namespace plumb::degenerate {
 
 namespace {
 
-template <class Write>
-std::string joined(std::span<const double> numbers, std::string_view between, const Write& write) {
-  std::string text;
-  for (const double x : numbers) text.append(text.empty() ? "" : between).append(write(x));
-  return text;
-}
-
 // TriangleTriangle
 std::string pascal(std::string_view name) {
   std::string text;
@@ -87,27 +80,6 @@ std::string cpp_judged(const Kind& kind, std::span<const double> numbers, std::s
       .append(")(numbers);\n  EXPECT_EQ(plumb::degenerate::judge(kind, numbers, given, {}).sort, \"\");\n");
 }
 
-std::string python_number(double x) {
-  if (!std::isfinite(x)) return x > 0 ? "float(\"inf\")" : "-float(\"inf\")";
-  return std::string("float.fromhex(\"").append(hexadecimal(x)).append("\")");
-}
-
-std::string python_answer(const Kind& kind, const Answer& exact) {
-  switch (kind.form) {
-    case AnswerForm::sign:
-      return decimal(exact.numbers[0]);
-    case AnswerForm::yes_no:
-      return exact.numbers[0] != 0 ? "True" : "False";
-    case AnswerForm::number:
-      return python_number(exact.numbers[0]);
-    case AnswerForm::hit:
-      return exact.numbers[0] == 0 ? "None" : python_number(exact.numbers[1]);
-    case AnswerForm::triangles:
-      break;
-  }
-  return std::string("[").append(joined(exact.numbers, ", ", decimal)).append("]");
-}
-
 }  // namespace
 
 std::string case_line(const Kind& kind, std::span<const double> numbers) {
@@ -144,13 +116,12 @@ std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::str
   std::string declaration(kind.signature);
   declaration.replace(declaration.find(" f(") + 1, 1, function);
   std::string text = "#include <gtest/gtest.h>\n#include <math.h>\n#include <stddef.h>\n";
-  if (kind.judge != nullptr)
-    text.append("\n#include \"plumb/degenerate/check.hpp\"\n#include \"plumb/query/kinds.hpp\"\n");
+  if (kind.judge) text.append("\n#include \"plumb/degenerate/check.hpp\"\n#include \"plumb/query/kinds.hpp\"\n");
   text.append("\nextern \"C\" ").append(declaration).append(";\n\n// Exact: ");
   const Answer exact = kind.exact(numbers);
   text.append(words(kind, exact)).append("\nTEST(").append(pascal(kind.name)).append(", ");
   text.append(name_of_numbers(numbers)).append(") {\n");
-  if (kind.judge != nullptr) return text.append(cpp_judged(kind, numbers, function)).append("}\n");
+  if (kind.judge) return text.append(cpp_judged(kind, numbers, function)).append("}\n");
   std::string call = std::string(function).append("(");
   for (const Given& g : given(kind, numbers)) {
     if (names_points(g.argument.parts[0].role)) {
@@ -166,25 +137,6 @@ std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::str
   }
   call.append(kind.form == AnswerForm::hit ? ", &t)" : ")");
   return text.append(cpp_expectation(kind, call, exact)).append("}\n");
-}
-
-std::string python_text(const Kind& kind, std::span<const double> numbers) {
-  std::string text = std::string("# ").append(kind.name).append(": ").append(kind.question).append("\n");
-  for (const Given& g : given(kind, numbers)) {
-    if (names_points(g.argument.parts[0].role)) {
-      text.append(g.argument.name).append(" = [").append(joined(g.numbers, ", ", decimal)).append("]\n");
-      continue;
-    }
-    text.append(g.argument.name).append(" = [float.fromhex(x) for x in \"");
-    text.append(joined(g.numbers, " ", hexadecimal)).append("\".split()]  # ");
-    text.append(joined(g.numbers, ", ", decimal)).append("\n");
-  }
-  const Answer exact = kind.exact(numbers);
-  return text.append("exact = ")
-      .append(python_answer(kind, exact))
-      .append("  # ")
-      .append(words(kind, exact))
-      .append("\n");
 }
 
 std::string text(const Kind& kind, const Findings& findings) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "degenerate/families_of_cases.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/degenerate/points.hpp"
 #include "plumb/degenerate/ulps.hpp"
 
 namespace plumb::degenerate {
@@ -70,20 +70,9 @@ void aim_at_second(std::span<double> ray) {
 }
 
 std::vector<Generator> family_generators(Degeneracy aim, int dimension, Arrange arrange) {
-  std::vector<Generator> all;
-  const auto add = [&](std::string_view name, std::string_view about, const Fill& fill) {
-    all.push_back({std::string(name), std::string(about),
-                   [arrange, fill](Numbers& numbers, Entropy& entropy) { arrange(numbers, entropy, fill); }});
-  };
-  for (const FamilyInfo& info : families) {
-    add(info.name, info.about, [family = info.family, aim, dimension](std::span<double> c, Entropy& entropy) {
-      fill_points(family, aim, dimension, c, entropy);
-    });
-  }
-  add("touching", "integers from -2 to 2", [](std::span<double> c, Entropy& entropy) {
-    for (double& x : c) x = static_cast<double>(entropy.within(2));
+  return families_of_cases(aim, [=](Numbers& numbers, Entropy& entropy, const FillOf& fill) {
+    arrange(numbers, entropy, [&](std::span<double> c, Entropy& choices) { fill(dimension, c, choices); });
   });
-  return all;
 }
 
 void arrange_boxes(Numbers& numbers, Entropy& entropy, const Fill& fill) {

@@ -1,8 +1,8 @@
 #include "query/kind_mesh.hpp"
 
 #include "plumb/figure/mesh.hpp"
-#include "plumb/query/ray.hpp"
 #include "plumb/query/ray_parity.hpp"
+#include "query/kind_hit.hpp"
 
 namespace plumb::degenerate {
 
@@ -22,20 +22,18 @@ TriangleMesh mesh_from(std::span<const double> q) {
 
 }  // namespace
 
-Answer exact_mesh_hit(std::span<const double> q) {
+Answer exact_mesh_hit(std::span<const double> q, const Convention& convention) {
   const Ray3 ray{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
   const TriangleMesh mesh = mesh_from(q.subspan(6));
   // Rounding keeps the order: the least of the rounded parameters is the least one, rounded.
   Answer first = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const auto hit = first_hit(ray, Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-    if (hit && (first.numbers[0] == 0 || hit->t < first.numbers[1])) first.numbers = {1.0, hit->t};
+    const Answer hit = first_hit_under(ray, {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, convention);
+    if (hit.numbers[0] != 0 && (first.numbers[0] == 0 || hit.numbers[1] < first.numbers[1])) first = hit;
   }
   return first;
 }
 
-Answer exact_in_mesh(std::span<const double> q) {
-  return contains(mesh_from(q.subspan(3)), Point3{q[0], q[1], q[2]}) ? 1.0 : 0.0;
-}
+Location locate_in_mesh(std::span<const double> q) { return locate(mesh_from(q.subspan(3)), Point3{q[0], q[1], q[2]}); }
 
 }  // namespace plumb::degenerate

@@ -5,10 +5,11 @@
 #pragma once
 
 #include "plumb/degenerate/kind.hpp"
+#include "plumb/figure/relation.hpp"
 
 namespace plumb::degenerate {
 
-Answer exact_mesh_hit(std::span<const double> numbers);
-Answer exact_in_mesh(std::span<const double> numbers);
+Answer exact_mesh_hit(std::span<const double> numbers, const Convention& convention);
+Location locate_in_mesh(std::span<const double> numbers);
 
 }  // namespace plumb::degenerate

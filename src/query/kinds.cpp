@@ -8,15 +8,15 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/rational.hpp"
+#include "plumb/certify/catalog.hpp"
+#include "plumb/degenerate/own_kind.hpp"
 #include "plumb/figure/aabb_relation.hpp"
-#include "plumb/figure/obb.hpp"
 #include "plumb/figure/polygon_location.hpp"
 #include "plumb/predicates.hpp"
-#include "plumb/query/overlap2.hpp"
-#include "plumb/query/overlap_triangle.hpp"
-#include "plumb/query/ray.hpp"
+#include "plumb/query/overlap.hpp"
 #include "query/exact_gap.hpp"
 #include "query/kind_generators.hpp"
+#include "query/kind_hit.hpp"
 #include "query/kind_hull.hpp"
 #include "query/kind_mesh.hpp"
 #include "query/mesh_generators.hpp"
@@ -109,18 +109,35 @@ Answer call_distance(ForeignFunction function, std::span<const Passed> passed) {
   return f(passed[0].numbers, passed[0].count, passed[1].numbers, passed[1].count);
 }
 
-Answer exact_hit(Given q) {
-  const auto hit = first_hit(Ray3{point3(q, 0), vector3(q, 3)}, triangle(q, 6));
-  if (!hit) return 0.0;
-  Answer yes = 1.0;
-  yes.numbers.push_back(hit->t);
-  return yes;
+Answer exact_hit(Given q, const Convention& c) {
+  return first_hit_under({point3(q, 0), vector3(q, 3)}, triangle(q, 6), c);
 }
 
-Answer exact_in_polygon(Given q) {
+Polygon2 polygon_of(Given q) {
   Polygon2 polygon;
   for (std::size_t i = 3; i < q.size(); i += 2) polygon.vertices.push_back(point2(q, i));
-  return answer(contains(polygon, point2(q, 0)));
+  return polygon;
+}
+
+Answer located(Location where, const Convention& c) {
+  return answer(where == Location::inside || (where == Location::boundary && c.boundary != Boundary::out));
+}
+Location locate_in_polygon(Given q) { return locate(polygon_of(q), point2(q, 0)); }
+
+/// Edges that have a point in common beside the vertex between two neighbors, or none of length.
+bool crosses_itself(Given q) {
+  const std::vector<Point2> v = polygon_of(q).vertices;
+  const auto edge = [&](std::size_t i) { return Segment2{v[i], v[(i + 1) % v.size()]}; };
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    if (edge(i).a == edge(i).b) return true;
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool neighbors = (j + 1) % v.size() == i || (i + 1) % v.size() == j;
+      // What is convex and in boundaries alone is one point: of neighbors, their vertex.
+      const Relation allowed = neighbors ? Relation::touching : Relation::disjoint;
+      if (relate(edge(i), edge(j)) != allowed) return true;
+    }
+  }
+  return false;
 }
 
 Answer exact_distance_of_hulls(Given q) {
@@ -130,21 +147,14 @@ Answer exact_distance_of_hulls(Given q) {
 }
 
 // Arguments.
-Argument points(std::string_view name, int dimension, std::size_t count) {
-  return {name, {{Role::points, dimension, count}}};
-}
-Argument any_points(std::string_view name, int dimension, std::size_t least) {
-  return {name, {{Role::points, dimension}}, least};
-}
 Argument triangles(Role role) { return {"triangles", {{role, 3}}, 1}; }
 Argument oriented(std::string_view name) {
-  return {name, {{Role::points, 3}, {Role::frame, 3, 3}, {Role::extents, 3}}};
+  return {std::string(name), {{Role::points, 3}, {Role::frame, 3, 3}, {Role::extents, 3}}};
 }
-Argument box(std::string_view name) { return {name, {{Role::corners, 3, 2}}}; }
 
 std::vector<Argument> single_points(std::string_view names, int dimension) {
   std::vector<Argument> all;
-  for (std::size_t i = 0; i < names.size(); ++i) all.push_back(points(names.substr(i, 1), dimension, 1));
+  for (std::size_t i = 0; i < names.size(); ++i) all.push_back(points(std::string(names.substr(i, 1)), dimension));
   return all;
 }
 
@@ -161,24 +171,25 @@ std::vector<Generator> with_positions(int dimension, Arrange arrange, Join join 
 }
 
 template <class Call>
-Kind predicate(std::string_view name, std::string_view question, std::string_view signature,
-               std::string_view convention, std::vector<Argument> arguments, Degeneracy aim, Arrange arrange,
-               Answer (*exact)(Given)) {
+Kind predicate(std::string name, std::string question, std::string signature, std::string convention,
+               std::vector<Argument> arguments, Degeneracy aim, Arrange arrange, Answer (*exact)(Given)) {
   const int dimension = arguments[0].parts[0].dimension;
-  return {name,
-          question,
-          signature,
-          convention,
-          AnswerForm::sign,
-          std::move(arguments),
-          family_generators(aim, dimension, arrange),
-          typeid(typename Call::Function),
-          {},
-          Call::call,
-          exact};
+  Kind kind{std::move(name),
+            std::move(question),
+            std::move(signature),
+            std::move(convention),
+            AnswerForm::sign,
+            std::move(arguments),
+            family_generators(aim, dimension, arrange),
+            typeid(typename Call::Function),
+            {},
+            Call::call,
+            exact};
+  kind.special = [exact](Given q) { return exact(q).numbers[0] == 0; };
+  return kind;
 }
 
-std::vector<Kind> classics() {
+std::vector<Kind> classic_kinds() {
   return {
       predicate<Fixed<double, 3>>("orient2d", "which way do three points turn?",
                                   "double f(const double a[2], const double b[2], const double c[2])",
@@ -208,20 +219,28 @@ std::vector<Kind> classics() {
   };
 }
 
-Kind meeting(std::string_view name, std::string_view question, std::string_view signature,
-             std::vector<Argument> arguments, std::vector<Generator> generators, Answer (*exact)(Given)) {
+/// Whose boundaries may count or not; of segments these are their ends.
+Kind meeting(std::string name, std::string question, std::string signature, std::vector<Argument> arguments,
+             std::vector<Generator> generators, Relation (*relation)(Given)) {
   using Call = Fixed<int, 2>;
-  return {name,
-          question,
-          signature,
-          "not 0: they have a point in common, and be it one of their boundaries",
-          AnswerForm::yes_no,
-          std::move(arguments),
-          std::move(generators),
-          typeid(typename Call::Function),
-          {},
-          Call::call,
-          exact};
+  const bool of_segments = name.starts_with("segment");
+  Kind kind{std::move(name),
+            std::move(question),
+            std::move(signature),
+            "not 0: they have a point in common, and be it one of their boundaries",
+            AnswerForm::yes_no,
+            std::move(arguments),
+            std::move(generators),
+            typeid(typename Call::Function),
+            {},
+            Call::call,
+            [relation](Given q) { return answer(relation(q) != Relation::disjoint); }};
+  (of_segments ? kind.has_ends : kind.has_boundary) = true;
+  kind.exact_under = [relation](Given q, const Convention& c) {
+    const bool inner = c.boundary == Boundary::out || c.ends == Ends::open;
+    return answer(inner ? relation(q) == Relation::overlapping : relation(q) != Relation::disjoint);
+  };
+  return kind;
 }
 
 std::vector<Kind> meetings() {
@@ -229,27 +248,25 @@ std::vector<Kind> meetings() {
       meeting("segment-segment", "do two segments of the plane meet?", "int f(const double a[4], const double b[4])",
               {points("a", 2, 2), points("b", 2, 2)}, with_positions<ShapeKind::segment>(2, arrange_points<8>),
               [](Given q) {
-                return answer(relate(Segment2{point2(q, 0), point2(q, 2)}, Segment2{point2(q, 4), point2(q, 6)}) !=
-                              Relation::disjoint);
+                return relate(Segment2{point2(q, 0), point2(q, 2)}, Segment2{point2(q, 4), point2(q, 6)});
               }),
       meeting("segment-segment-3d", "do two segments in space meet?", "int f(const double a[6], const double b[6])",
               {points("a", 3, 2), points("b", 3, 2)}, with_positions<ShapeKind::segment>(3, arrange_points<12>),
               [](Given q) {
-                return answer(relate(Segment3{point3(q, 0), point3(q, 3)}, Segment3{point3(q, 6), point3(q, 9)}) !=
-                              Relation::disjoint);
+                return relate(Segment3{point3(q, 0), point3(q, 3)}, Segment3{point3(q, 6), point3(q, 9)});
               }),
       meeting("triangle-triangle", "do two triangles in space meet?", "int f(const double a[9], const double b[9])",
               {points("a", 3, 3), points("b", 3, 3)}, with_positions<ShapeKind::triangle>(3, arrange_points<18>),
-              [](Given q) { return answer(relate(triangle(q, 0), triangle(q, 9)) != Relation::disjoint); }),
+              [](Given q) { return relate(triangle(q, 0), triangle(q, 9)); }),
       meeting("box-box", "do two boxes along the axes meet?", "int f(const double a[6], const double b[6])",
-              {box("a"), box("b")}, with_positions<ShapeKind::aabb>(3, arrange_boxes),
+              {box("a", 3), box("b", 3)}, with_positions<ShapeKind::aabb>(3, arrange_boxes),
               [](Given q) {
-                return answer(intersects(Aabb3{point3(q, 0), point3(q, 3)}, Aabb3{point3(q, 6), point3(q, 9)}));
+                return relate(Aabb3{point3(q, 0), point3(q, 3)}, Aabb3{point3(q, 6), point3(q, 9)});
               }),
       meeting("obb-obb", "do two oriented boxes meet?", "int f(const double a[15], const double b[15])",
               {oriented("a"), oriented("b")},
               with(with_positions<ShapeKind::obb>(3, arrange_oriented_boxes, join_oriented_boxes), {stacked_boxes()}),
-              [](Given q) { return answer(intersects(oriented_box(q, 0), oriented_box(q, 15))); }),
+              [](Given q) { return relate(oriented_box(q, 0), oriented_box(q, 15)); }),
   };
 }
 
@@ -269,6 +286,10 @@ std::vector<Kind> others() {
        typeid(HitFunction),
        fine,
        call_hit,
+       [](Given q) { return exact_hit(q, {}); },
+       {},
+       true,
+       true,
        exact_hit},
       {"point-in-polygon",
        "is a point in a closed polygon?",
@@ -281,7 +302,14 @@ std::vector<Kind> others() {
        typeid(InPolygonFunction),
        {},
        call_in_polygon,
-       exact_in_polygon},
+       [](Given q) { return located(locate_in_polygon(q), {}); },
+       {},
+       true,
+       false,
+       [](Given q, const Convention& c) { return located(locate_in_polygon(q), c); },
+       {},
+       {},
+       crosses_itself},
       {"ray-mesh",
        "where does a ray first hit a soup of triangles?",
        "int f(const double ray[6], const double* vertices, size_t n, const size_t* triangles, size_t m, double* t)",
@@ -294,6 +322,10 @@ std::vector<Kind> others() {
        typeid(HitMeshFunction),
        fine,
        call_hit_mesh,
+       [](Given q) { return exact_mesh_hit(q, {}); },
+       {},
+       false,
+       true,
        exact_mesh_hit},
       {"point-in-polyhedron",
        "is a point in the solid that a closed mesh bounds?",
@@ -306,7 +338,11 @@ std::vector<Kind> others() {
        typeid(InMeshFunction),
        {},
        call_in_mesh,
-       exact_in_mesh},
+       [](Given q) { return located(locate_in_mesh(q), {}); },
+       {},
+       true,
+       false,
+       [](Given q, const Convention& c) { return located(locate_in_mesh(q), c); }},
       {"convex-distance",
        "how far apart are the convex hulls of two sets of points?",
        "double f(const double* a, size_t n, const double* b, size_t m)",
@@ -330,7 +366,13 @@ std::vector<Kind> others() {
        {},
        call_hull,
        exact_hull,
-       judge_hull},
+       judge_hull,
+       false,
+       false,
+       {},
+       {},
+       {},
+       [](Given q) { return exact_hull(q).numbers.empty(); }},
   };
 }
 
@@ -338,20 +380,38 @@ std::vector<Kind> others() {
 
 std::span<const Kind> kinds() {
   static const std::vector<Kind> all = [] {
-    std::vector<Kind> made = classics();
+    std::vector<Kind> made = classic_kinds();
     for (std::vector<Kind>& more : std::array{meetings(), others()}) std::ranges::move(more, std::back_inserter(made));
     return made;
   }();
   return all;
 }
 
+std::span<const Kind> predicate_kinds() {
+  static const std::vector<Kind> all = [] {
+    std::vector<Kind> made;
+    for (const CatalogEntry& e : catalog().subspan(classics().size())) {
+      made.push_back(formula_kind(
+          {e.name, e.arguments, {}, [&e](std::span<const double> coordinates) { return e.decide(coordinates).sign; }}));
+    }
+    return made;
+  }();
+  return all;
+}
+
+const Kind* find_kind(std::string_view name) {
+  for (const std::span<const Kind> all : {kinds(), predicate_kinds()}) {
+    const auto at = std::ranges::find(all, name, &Kind::name);
+    if (at != all.end()) return &*at;
+  }
+  return nullptr;
+}
+
 const Kind& kind_named(std::string_view name) {
-  const std::span<const Kind> all = kinds();
-  const auto at = std::ranges::find(all, name, &Kind::name);
-  if (at != all.end()) return *at;
+  if (const Kind* const found = find_kind(name)) return *found;
   std::string text = std::string("no kind is called ").append(name).append("; there are");
-  for (const Kind& kind : all) text.append(" ").append(kind.name);
-  throw Error(text);
+  for (const Kind& kind : kinds()) text.append(" ").append(kind.name);
+  throw Error(text.append(" and the predicates of docs/predicates.md, such as ").append(predicate_kinds()[0].name));
 }
 
 }  // namespace plumb::degenerate

@@ -8,11 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/degenerate/convention.hpp"
+#include "plumb/degenerate/own_kind.hpp"
 #include "plumb/degenerate/paste.hpp"
 #include "plumb/query/kinds.hpp"
 #include "terminal.hpp"
 #include "tool/fuzz/corpus.hpp"
+#include "tool/fuzz/foreign_judge.hpp"
 #include "tool/fuzz/fuzz_report.hpp"
+#include "tool/fuzz/own_arguments.hpp"
 #include "write_folder.hpp"
 
 namespace plumb::tool {
@@ -27,17 +31,32 @@ constexpr std::size_t kSorts = 12;      // of failure that are kept of a generat
 constexpr double kLongest = 1e9;        // seconds; thirty years
 constexpr std::uint64_t kMostCases = 1ull << 53;
 
+void list(const Kind& kind, const Style& style) {
+  say(fmt::format("{}: {}\n  {};\n  {}\n", style.bold(kind.name), kind.question, kind.signature, kind.convention));
+  std::string switches;
+  if (kind.has_boundary) switches += " --boundary in|out|any";
+  if (kind.has_ends) switches += " --ends closed|open|any";
+  if (!switches.empty()) say(fmt::format("  to be declared:{}\n", switches));
+}
+
 /// What there is: kinds with their signatures, or of one the generators.
 int list(const FuzzOptions& options) {
   const Style style(stdout);
   if (options.kind.empty()) {
-    for (const Kind& kind : degenerate::kinds()) {
-      say(fmt::format("{}: {}\n  {};\n  {}\n", style.bold(kind.name), kind.question, kind.signature, kind.convention));
+    for (const Kind& kind : degenerate::kinds()) list(kind, style);
+    say(fmt::format("\nThe sign of any predicate is a kind too, by its name:"));
+    std::size_t column = 80;
+    for (const Kind& kind : degenerate::predicate_kinds()) {
+      if (column + kind.name.size() + 1 > 78) say("\n "), column = 1;
+      say(fmt::format(" {}", kind.name));
+      column += kind.name.size() + 1;
     }
+    say("\n");
     return 0;
   }
   const Kind& kind = degenerate::kind_named(options.kind);
-  say(fmt::format("{}: {}\n  {};\n  {}\n\n", style.bold(kind.name), kind.question, kind.signature, kind.convention));
+  list(kind, style);
+  say("\n");
   std::size_t width = degenerate::mutated_generator.size();
   for (const degenerate::Generator& g : kind.generators) width = std::max(width, g.name.size());
   for (const degenerate::Generator& g : kind.generators) say(fmt::format("  {:{}}  {}\n", g.name, width, g.about));
@@ -63,14 +82,50 @@ void require_sense(const FuzzOptions& o) {
   if (o.relative) require_between(*o.relative, 0, 1, "--relative");
   require_between(o.timeout, 1e-3, 1e6, "--timeout");
   require_between(static_cast<double>(o.memory_mib), 1, 1 << 20, "--memory");
+  require_sense(o.domain);
 }
 
-std::optional<degenerate::Tolerance> tolerance_of(const FuzzOptions& o, const Kind& kind) {
-  if (!o.ulps && !o.relative) return std::nullopt;
-  degenerate::Tolerance tolerance = kind.tolerance;
-  tolerance.ulps = o.ulps.value_or(tolerance.ulps);
-  tolerance.relative = o.relative.value_or(tolerance.relative);
-  return tolerance;
+template <class Choice>
+Choice choice_of(std::string_view name) {
+  using enum_type = std::underlying_type_t<Choice>;
+  for (enum_type i = 0; i < 3; ++i) {
+    if (name_of(static_cast<Choice>(i)) == name) return static_cast<Choice>(i);
+  }
+  throw Error(fmt::format("fuzz: there is no convention {}; 'plumb fuzz --help' names those there are", name));
+}
+
+degenerate::Convention convention_of(const FuzzOptions& o) {
+  return {choice_of<degenerate::Boundary>(o.boundary), choice_of<degenerate::Ends>(o.ends)};
+}
+
+/// FILE and SYMBOL.
+std::pair<std::string, std::string> split_judge(const std::string& judge) {
+  const std::size_t colon = judge.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == judge.size())
+    throw Error(fmt::format("fuzz: --judge takes FILE:SYMBOL, such as ./libmine.so:exactly, not {}", printable(judge)));
+  return {judge.substr(0, colon), judge.substr(colon + 1)};
+}
+
+Kind own_kind_of(const FuzzOptions& o, const ForeignLimits& limits) {
+  if (!o.judge) throw Error("fuzz: --judge is wanted: who knows the answers of a kind of your own?");
+  if (degenerate::find_kind(o.kind) != nullptr)
+    throw Error(fmt::format("fuzz: {} has its arguments; give a kind of your own another name, or leave --argument",
+                            printable(o.kind)));
+  degenerate::OwnKind own{.name = o.kind, .arguments = {}, .form = own_answer(o.answer), .exact = {}};
+  for (const std::string& word : o.arguments) own.arguments.push_back(own_argument(word));
+  own.exact = [](std::span<const double>) { return Answer(0.0); };  // until there is the judge, whose type this tells
+  const auto [library, symbol] = split_judge(*o.judge);
+  own.convention = fmt::format("right is what {} answers", symbol);
+  own.exact = judged_by(own_kind(own), library, symbol, o.memory_mib, limits).exact;
+  return own_kind(std::move(own));
+}
+
+Kind kind_of(const FuzzOptions& o, const ForeignLimits& limits) {
+  if (!o.arguments.empty()) return own_kind_of(o, limits);
+  const Kind& kind = degenerate::kind_named(o.kind);
+  if (!o.judge) return under(kind, convention_of(o));
+  const auto [library, symbol] = split_judge(*o.judge);
+  return under(judged_by(kind, library, symbol, o.memory_mib, limits), convention_of(o));
 }
 
 /// The line's case; the kind's name before the numbers may be left out.
@@ -96,7 +151,7 @@ int replay(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, cons
                   j.verdict == degenerate::Verdict::unsure ? style.yellow("unsure")
                   : found                                  ? style.red(printable(j.sort))
                                                            : style.green("right")));
-  for (const std::string& format : o.formats) say(fmt::format("\n{}", pasteable(format, kind, numbers, o.symbol)));
+  for (const std::string& format : o.formats) say(fmt::format("\n{}", pasteable(format, kind, numbers, o)));
   return found ? 1 : 0;
 }
 
@@ -124,7 +179,7 @@ std::vector<NamedText> report_files(const FuzzReport& r) {
   for (std::size_t i = 0; i < r.found.size(); ++i) {
     const Numbers& numbers = r.found[i].simplest->smallest;
     for (const PasteFormat& format : paste_formats) {
-      files.push_back({case_file(i + 1, format), pasteable(format.name, r.kind, numbers, r.options.symbol)});
+      files.push_back({case_file(i + 1, format), pasteable(format.name, r.kind, numbers, r.options)});
     }
   }
   return files;
@@ -138,6 +193,7 @@ int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std:
   check.generators = o.generators;
   check.corpus = std::move(corpus);
   check.tolerance = tolerance_of(o, kind);
+  check.domain = o.domain;
   check.keep = kSorts;
   FuzzReport report{kind, o, fuzz(kind, process, check), {}};
   report.found = sorts_of_failure(kind, report.run.findings);
@@ -167,15 +223,15 @@ int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std:
 int run_fuzz(const FuzzOptions& options) {
   if (options.list) return list(options);
   require_sense(options);
-  const Kind& kind = degenerate::kind_named(options.kind);
+  ForeignLimits limits;
+  limits.call = std::chrono::milliseconds(std::max<long>(1, std::lround(options.timeout * 1000)));
+  const Kind kind = kind_of(options, limits);
   // What a report or a case needs is looked at before anything foreign runs.
   std::optional<Numbers> numbers;
   if (options.case_line) numbers = given_case(kind, *options.case_line);
   std::vector<Numbers> corpus;
   if (!numbers && options.corpus) corpus = read_corpus(*options.corpus, kind);
   if (!numbers && options.out) require_folder(*options.out);
-  ForeignLimits limits;
-  limits.call = std::chrono::milliseconds(std::max<long>(1, std::lround(options.timeout * 1000)));
   ForeignProcess process({options.library, options.symbol, kind, options.memory_mib}, limits);
   return numbers ? replay(options, kind, process, *numbers) : search(options, kind, process, std::move(corpus));
 }

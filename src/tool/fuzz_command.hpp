@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "plumb/degenerate/domain.hpp"
+
 namespace plumb::tool {
 
 struct FuzzOptions {
@@ -27,6 +29,13 @@ struct FuzzOptions {
   double timeout = 1;                   // seconds a call
   std::uint64_t memory_mib = 1024;
   std::optional<std::string> corpus, out;  // folders
+  // What the function promises, and which numbers it is made for.
+  std::string boundary = "in", ends = "closed";
+  degenerate::Domain domain;
+  // A question of the user's own, and who knows its answer.
+  std::vector<std::string> arguments;  // own_arguments.hpp
+  std::string answer = "sign";
+  std::optional<std::string> judge;  // FILE:SYMBOL
 };
 
 int run_fuzz(const FuzzOptions& options);

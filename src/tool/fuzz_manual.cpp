@@ -40,14 +40,40 @@ reported. The second time it ends the simplifying, the third time the
 program. With --time simplifying takes as long again at the most, or
 ten seconds.
 
+A predicate of 'plumb sign' is a kind by its name. For any other
+question another function knows the answer, of the same signature:
+--judge FILE:SYMBOL, which runs in a process of its own. With a kind that
+there is, its answers are the right ones; a kind of your own has
+--argument NAME:WHAT for each argument in turn, such as a:point2,
+t:point3x3 (three points), poly:points2+3 (any number, three at least,
+whose count follows), d:vector3, b:box3, r:length, ray:point3,vector3,
+and --answer sign, yes-no or number. Where a judge answers NaN, nothing
+is wrong; where it crashes, hangs or exits, the run ends.
+
 With --corpus DIR the cases in that folder are asked first, also as
 starting points of changed ones, and the simplest case of each finding
 is added to it, in a file of its own.
 
+What functions promise differs. --boundary out: figures without their
+boundaries, so that touching is not meeting, and a point on an edge is
+outside. --ends open: segments without their ends, a ray without its
+origin. With any, neither is promised, and both answers are right.
+--no-degenerate leaves out cases with degenerate figures, signs that are
+zero, polygons that cross themselves, points of one plane.
+
+What numbers a function is made for differs as well. --range X: none is
+larger in magnitude. --smallest X: none but 0 is smaller. --grid X: all
+are multiples of X, a power of two, such as 1 for integers. --bits N:
+mantissas of N bits. Cases are scaled into the range as a whole, and
+stay exactly degenerate where it has room for it. A finding's smallest
+case is within the range too. Axes of boxes are not bound.
+
 With --out DIR the report is written into that folder: fuzz.txt,
 fuzz.json, a picture, fuzz.svg, a page, fuzz.html, which needs no
-network, and each finding ready to paste: case-N.cpp (a GoogleTest),
-case-N.py, case-N.obj. An older report there is replaced.)"}},
+network and draws each finding, and each finding as a file: case-N.cpp
+(a GoogleTest), case-N.py (a script that asks again and exits with 1
+while the answer is wrong), case-N.obj. An older report there is
+replaced.)"}},
           {{"EXIT STATUS", R"(
 0      Nothing was found. With --case: the answer is right.
 1      Something was found.
@@ -68,7 +94,11 @@ plumb fuzz --kind orient3d --library ./libmine.so --symbol my_orient3d
 
 plumb fuzz --kind triangle-triangle --library ./libmine.so \
            --symbol meet --time 60 --corpus cases --out report
-       For a minute, beginning with what failed before.)"}}};
+       For a minute, beginning with what failed before.
+
+plumb fuzz --kind point-in-polygon --library ./libmine.so \
+           --symbol inside --boundary any --range 1e6 --grid 0x1p-10
+       Only where nobody can say that it was not meant for that.)"}}};
 }
 
 }  // namespace plumb::tool

@@ -36,6 +36,25 @@ Command fuzz_command(CLI::App& program) {
       ->type_name("N");
   parser->add_option("--relative", o.relative, "Of numbers, allow so much of the case's largest coordinate.")
       ->type_name("X");
+  parser->add_option("--boundary", o.boundary, "Figures with their boundaries (in), without (out), or either (any).")
+      ->check(CLI::IsMember({"in", "out", "any"}))
+      ->type_name("WHICH");
+  parser->add_option("--ends", o.ends, "Segments with their ends, rays with their origins: closed, open or any.")
+      ->check(CLI::IsMember({"closed", "open", "any"}))
+      ->type_name("WHICH");
+  parser->add_flag("!--no-degenerate", o.domain.degenerate, "Ask no case that is degenerate.");
+  parser->add_option("--range", o.domain.largest, "Ask no number of a larger magnitude.")->type_name("X");
+  parser->add_option("--smallest", o.domain.smallest, "Ask no number but 0 of a smaller magnitude.")->type_name("X");
+  parser->add_option("--grid", o.domain.grid, "Ask multiples of this power of two only.")->type_name("X");
+  parser->add_option("--bits", o.domain.bits, "Ask mantissas of so many bits at most; 24: those of a float.")
+      ->type_name("N");
+  parser->add_option("--judge", o.judge, "Right is what this function answers, whose signature is the kind's.")
+      ->type_name("FILE:SYMBOL");
+  repeatable("--argument", o.arguments, "Of a kind of your own, the arguments in turn, such as a:point2; repeatable.")
+      ->type_name("NAME:WHAT");
+  parser->add_option("--answer", o.answer, "Of a kind of your own: sign, yes-no or number; sign when not given.")
+      ->check(CLI::IsMember({"sign", "yes-no", "number"}))
+      ->type_name("FORM");
   parser->add_option("--timeout", o.timeout, "A call that takes longer hangs; 1 when not given.")->type_name("SECONDS");
   parser->add_option("--memory", o.memory_mib, "What the function may take; 1024 when not given.")
       ->check(CLI::NonNegativeNumber)

@@ -42,11 +42,21 @@ void Progress::advance(std::uint64_t steps) {
   if (const std::unique_lock lock(drawing_, std::try_to_lock); lock.owns_lock()) draw(done);
 }
 
+void Progress::note(std::string what) {
+  if (!shown_) return;
+  {
+    const std::scoped_lock lock(drawing_);
+    note_ = std::move(what);
+  }
+  advance(0);
+}
+
 void Progress::draw(std::uint64_t done) {
   const double share = total_ == 0 ? 1 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
   const int filled = static_cast<int>(share * kBar);
   const std::string bar(static_cast<std::size_t>(filled), '#'), rest(static_cast<std::size_t>(kBar - filled), '.');
   std::string line = fmt::format("{}{} {:3d} %  {}", bar, rest, static_cast<int>(share * 100), task_);
+  if (!note_.empty()) line.append(": ").append(note_);
   const auto width = static_cast<std::size_t>(std::max(1, terminal_width(stream_) - 1));
   if (line.size() > width) line.resize(width);  // a wrapped line could not be erased
   fmt::print(stream_, "\r{}\033[K", line);

@@ -26,6 +26,9 @@ class Progress {
   ~Progress();
 
   void advance(std::uint64_t steps = 1);
+  /// What is being done right now, shown after the task; drawn as seldom as the bar, and also where nothing advances.
+  void note(std::string what);
+  [[nodiscard]] bool shown() const { return shown_; }
   [[nodiscard]] std::uint64_t done() const { return done_.load(std::memory_order_relaxed); }
 
  private:
@@ -39,7 +42,8 @@ class Progress {
   std::atomic<std::uint64_t> done_{0};
   std::atomic<Clock::rep> next_drawing_;
   std::mutex drawing_;
-  bool drawn_ = false;  // guarded by drawing_
+  bool drawn_ = false;  // guarded by drawing_, as is
+  std::string note_;
 };
 
 }  // namespace plumb::tool

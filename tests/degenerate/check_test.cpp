@@ -145,6 +145,55 @@ TEST(Check, StopsWhenToldAndWhenTheTimeIsUp) {
   EXPECT_GT(check(turns(), turns().exact, {.cases = 0, .seconds = 0.01}).asked(), 0u);
 }
 
+TEST(Check, FindsAndShrinksWithinTheDomain) {
+  const Domain near{.largest = 1000, .smallest = 1e-3};
+  const Findings findings = check(turns(), naive_orient2d, {.cases = 300, .domain = near});
+  ASSERT_FALSE(findings.clean());
+  for (const Finding& f : findings.findings) {
+    EXPECT_TRUE(is_in(near, turns(), f.found)) << f.generator;
+    EXPECT_TRUE(is_in(near, turns(), f.smallest)) << f.generator;
+    EXPECT_TRUE(same_bits(f.found, case_of(turns(), f.generator, findings.seed, f.index, {}, near))) << f.generator;
+  }
+  EXPECT_TRUE(check(turns(), naive_orient2d, {.cases = 1000, .domain = {.largest = 1e6, .grid = 1}}).clean());
+  const Findings proper = check(turns(), naive_orient2d, {.cases = 300, .domain = {.degenerate = false}});
+  for (const Finding& f : proper.findings) EXPECT_NE(f.exact.numbers[0], 0) << f.sort;
+}
+
+TEST(Domain, KeepsWhatIsExactlyDegenerateWhereThereIsRoom) {
+  const Domain small{.largest = 1000, .grid = 0x1p-20};
+  int flat = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Numbers q = case_of(turns(), "degenerate_short", 3, i);
+    const auto within = fitted(small, turns(), q);
+    ASSERT_TRUE(within);
+    EXPECT_TRUE(is_in(small, turns(), *within));
+    flat += turns().exact(*within).numbers[0] == 0 ? 1 : 0;
+    EXPECT_TRUE(same_bits(*fitted(small, turns(), *within), *within));
+    EXPECT_TRUE(same_bits(*fitted({}, turns(), q), q));
+  }
+  EXPECT_EQ(flat, 100);
+  EXPECT_FALSE(fitted({.degenerate = false}, turns(), Numbers{0, 0, 1, 1, 2, 2}));
+  EXPECT_EQ(fitted({.largest = 3}, turns(), {4, 0, 1, 0x1p-1074, -8, 0}), (Numbers{1, 0, 0.25, 0, -2, 0}));
+  EXPECT_EQ(fitted({.largest = 2.5, .bits = 2}, turns(), {2.5, 0, 1.25, 0.875, 0, 0}), (Numbers{2, 0, 1, 1, 0, 0}));
+}
+
+TEST(Domain, IsRefusedWhereItMakesNoSense) {
+  for (const Domain& d : {Domain{.largest = 0}, Domain{.largest = HUGE_VAL}, Domain{.largest = NAN},
+                          Domain{.largest = 1, .smallest = 2}, Domain{.smallest = -1}, Domain{.grid = 0.1},
+                          Domain{.largest = 1, .grid = 2}, Domain{.grid = NAN}, Domain{.bits = 0}, Domain{.bits = 54}})
+    EXPECT_THROW(check(turns(), turns().exact, {.domain = d}), Error);
+}
+
+TEST(Check, PassesOverTheCorpusBeyondTheDomain) {
+  const Findings findings = check(turns(), turns().exact,
+                                  {.cases = 1,
+                                   .generators = {"grid"},
+                                   .corpus = {{1, 2, 3, 4, 5, 7}, {0.5, 2, 3, 4, 5, 7}},
+                                   .domain = {.grid = 1}});
+  EXPECT_EQ(findings.tallies[0].generator, corpus_generator);
+  EXPECT_EQ(findings.tallies[0].asked, 1u);
+}
+
 TEST(Check, RefusesWhatItCannotAsk) {
   const auto refused = [](const CheckOptions& options) -> std::string {
     try {
@@ -264,7 +313,8 @@ TEST(Case, OfAMeshIsReadyToPaste) {
   for (const char* part : {"const size_t triangles[] = {0, 1, 2};", "mine(ray, vertices, 3, triangles, 1, &t), 0);",
                            "EXPECT_DOUBLE_EQ(t, 0x1p-1);"})
     EXPECT_NE(cpp.find(part), std::string::npos) << cpp;
-  EXPECT_NE(python_text(soup, numbers).find("\ntriangles = [0, 1, 2]\nexact = float.fromhex"), std::string::npos);
+  EXPECT_NE(python_text(soup, numbers, "mine").find("\ntriangles = [0, 1, 2]\nEXACT = float.fromhex"),
+            std::string::npos);
   const std::string obj = obj_text(soup, numbers);
   EXPECT_EQ(obj.substr(obj.find('\n') + 1),
             "o ray\nv 0 0 1\nv 0 0 -1\nl 1 2\no vertices\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 4 5\n");
@@ -298,12 +348,13 @@ TEST(Case, IsReadyToPaste) {
         "const double c[] = {0x1p-1, 0x1p-2};  // 0.5, 0.25", "EXPECT_GT(my_turn(a, b, c), 0);"}) {
     EXPECT_NE(cpp.find(part), std::string::npos) << cpp;
   }
-  EXPECT_EQ(python_text(kind, numbers),
-            "# orient2d: which way do three points turn?\n"
-            "a = [float.fromhex(x) for x in \"0x0p+0 0x0p+0\".split()]  # 0, 0\n"
-            "b = [float.fromhex(x) for x in \"0x1p+0 0x0p+0\".split()]  # 1, 0\n"
-            "c = [float.fromhex(x) for x in \"0x1p-1 0x1p-2\".split()]  # 0.5, 0.25\n"
-            "exact = 1  # +\n");
+  const std::string python = python_text(kind, numbers, "my_turn", {.library = "./libmine.so"});
+  for (const char* part :
+       {"#!/usr/bin/env python3\n# orient2d: which way do three points turn?\n", "else \"./libmine.so\"\n",
+        "\nSYMBOL = \"my_turn\"\n", "\nc = [float.fromhex(x) for x in \"0x1p-1 0x1p-2\".split()]  # 0.5, 0.25\n",
+        "\nEXACT = 1  # +\n"}) {
+    EXPECT_NE(python.find(part), std::string::npos) << python;
+  }
   EXPECT_EQ(obj_text(kind_named("segment-segment"), Numbers{0, 0, 1, 1, 0, 1, 1, 0}),
             "# segment-segment 0x0p+0 0x0p+0 0x1p+0 0x1p+0 0x0p+0 0x1p+0 0x1p+0 0x0p+0 = yes\n"
             "o a\nv 0 0 0\nv 1 1 0\nl 1 2\no b\nv 0 1 0\nv 1 0 0\nl 3 4\n");

@@ -12,8 +12,8 @@
 #include "plumb/degenerate.hpp"
 #include "query/closest_oracle.hpp"
 #include "query/foreign_functions.hpp"
+#include "query/kind_judges.hpp"
 #include "query/mesh_oracle.hpp"
-#include "query/rational_relation.hpp"
 
 namespace plumb::degenerate {
 namespace {
@@ -88,21 +88,8 @@ TEST(Kinds, FindNothingWrongWithTheLibrary) {
 }
 
 // The rational judges, each by a way of its own.
-using oracle::RationalPoint, oracle::Spanned;
+using kind_judges::at, kind_judges::meet_by_program, kind_judges::spanned, oracle::RationalPoint, oracle::Spanned;
 using Given = std::span<const double>;
-
-RationalPoint at(Given q, std::size_t i) { return {mpq_class(q[i]), mpq_class(q[i + 1]), mpq_class(q[i + 2])}; }
-
-Spanned spanned(Given q, std::size_t first, std::size_t points) {
-  Spanned all;
-  for (std::size_t i = 0; i < points; ++i) all.points.push_back(at(q, first + 3 * i));
-  return all;
-}
-
-Spanned flat_segment(Given q, std::size_t first) {
-  const auto corner = [&](std::size_t i) { return RationalPoint{mpq_class(q[i]), mpq_class(q[i + 1]), 0}; };
-  return {{corner(first), corner(first + 2)}, {}};
-}
 
 int sign_by_determinant(const Kind& kind, Given q) {
   const std::vector<std::size_t> which{0, 1, 2, 3, 4};
@@ -110,20 +97,6 @@ int sign_by_determinant(const Kind& kind, Given q) {
   if (kind.name == "orient3d") return -plumb_test::sign_of_flat(q, 3, std::span(which).first(4));
   if (kind.name == "incircle") return -plumb_test::sign_of_round(q, 2, std::span(which).first(4));
   return plumb_test::sign_of_round(q, 3, which);
-}
-
-bool meet_by_program(const Kind& kind, Given q) {
-  const auto meet = [](const Spanned& a, const Spanned& b) { return oracle::relation(a, b) != Relation::disjoint; };
-  if (kind.name == "segment-segment") return meet(flat_segment(q, 0), flat_segment(q, 4));
-  if (kind.name == "segment-segment-3d") return meet(spanned(q, 0, 2), spanned(q, 6, 2));
-  if (kind.name == "triangle-triangle") return meet(spanned(q, 0, 3), spanned(q, 9, 3));
-  if (kind.name == "box-box") {
-    const auto box = [&](std::size_t i) {
-      return oracle::spanned(Aabb3{{q[i], q[i + 1], q[i + 2]}, {q[i + 3], q[i + 4], q[i + 5]}});
-    };
-    return meet(box(0), box(6));
-  }
-  return meet(oracle::spanned(foreign::oriented_box(q.data())), oracle::spanned(foreign::oriented_box(&q[15])));
 }
 
 bool in_polygon_by_winding(Given q) {

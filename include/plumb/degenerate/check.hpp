@@ -10,10 +10,10 @@
 // (2) Case i of a generator follows from the seed and i alone: case_of makes it again.  (3) A finding's smallest case
 // still fails, and no step of shrink_case.hpp makes it smaller, unless the calls ran out.  (4) What a function throws
 // is a finding, no error, and a rounding mode that it leaves behind is put back before it is judged; what it changes in
-// memory that is not its own is its own affair: `plumb fuzz` runs it in a process of its own.
-// Unknown generators and corpus cases that are none throw Error, by name.
-// Source: RTCD 11; cost: beside the function that of the exact answer, 1 to 15 us a case of most kinds, up to
-// milliseconds of distances, and milliseconds for a finding.
+// memory that is not its own is its own affair: `plumb fuzz` runs it in a process of its own.  (5) Nothing is asked
+// that is not in the domain, in shrinking neither; cases of the corpus that are not in it are passed over. Unknown
+// generators and corpus cases that are none throw Error, by name. Source: RTCD 11; cost: beside the function that of
+// the exact answer, 1 to 15 us a case of most kinds, up to milliseconds of distances, and milliseconds for a finding.
 #pragma once
 
 #include <functional>
@@ -22,6 +22,7 @@
 #include <typeinfo>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/degenerate/domain.hpp"
 #include "plumb/degenerate/kind.hpp"
 
 namespace plumb::degenerate {
@@ -31,7 +32,8 @@ inline constexpr std::string_view corpus_generator = "corpus", mutated_generator
 struct Tally {
   std::string generator;
   std::uint64_t asked = 0, wrong = 0, unsure = 0, failed = 0;  // unsure: answered NaN, which is no finding
-  std::uint64_t degenerate = 0;  // of those wrong or failed, the cases with a degenerate figure
+  std::uint64_t degenerate = 0;   // of those wrong or failed, the cases with a degenerate figure
+  std::uint64_t passed_over = 0;  // beside those asked: cases that the generator has not within the domain
 
   [[nodiscard]] double share_wrong() const {
     return asked == 0 ? 0 : static_cast<double>(wrong + failed) / static_cast<double>(asked);
@@ -65,9 +67,12 @@ struct CheckOptions {
   std::vector<std::string> generators = {};  // of the kind's and "mutated"; none: all
   std::vector<Numbers> corpus = {};          // asked first; mutated cases start from them as well
   std::optional<Tolerance> tolerance = {};   // nothing: the kind's
+  Domain domain = {};                        // numbers that the function is made for
   std::size_t keep = 1;                      // sorts of failure kept a generator
   std::size_t shrink_calls = 20'000;         // a finding; a hundredth where the function crashed, hung or exited
   std::size_t block = 256;                   // cases asked at once
+  /// Told before every block, by number, which cases of which generator are asked.
+  std::function<void(std::string_view generator, std::span<const std::uint64_t> indices)> asks = {};
   /// Told after every block, findings not yet shrunk; false ends the run.
   std::function<bool(const Findings&)> progress = {};
   /// Told before each finding is shrunk: what is asked from there on is asked one by one, and for it.
@@ -99,8 +104,9 @@ requires(!std::is_same_v<R, Answer>)  // that is a callable
   return check(kind, callable_of(kind, function), options);
 }
 
-/// The case that check asks as number `index` of a generator, or of "mutated" (which the corpus has a part in).
+/// The case that check asks as number `index` of a generator, or of "mutated" (which the corpus has a part in); no
+/// numbers where the generator has none within the domain.
 Numbers case_of(const Kind& kind, std::string_view generator, std::uint64_t seed, std::uint64_t index,
-                std::span<const Numbers> corpus = {});
+                std::span<const Numbers> corpus = {}, const Domain& domain = {});
 
 }  // namespace plumb::degenerate

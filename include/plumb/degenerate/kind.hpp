@@ -44,7 +44,7 @@ struct Part {
 
 /// One argument of the C function, in its order: its parts one after the other, or any number of points or triangles.
 struct Argument {
-  std::string_view name;
+  std::string name;
   std::vector<Part> parts;
   std::size_t least = 0;  // where there may be any number; the case then holds their count before them
 
@@ -106,10 +106,26 @@ enum class AnswerForm : unsigned char {
   triangles,  // three indices of points each
 };
 
+/// Is the boundary part of a figure?  `any`: the function promises neither, and both answers are right.  Without it a
+/// figure is its interior, as figure/relation.hpp says it of overlapping: a segment without its ends, a flat box
+/// without its rim.
+enum class Boundary : unsigned char { in, out, any };
+/// Are the ends of a segment, the origin of a ray, part of it?
+enum class Ends : unsigned char { closed, open, any };
+
+/// What users declare where functions differ; the kinds' own is the first of each.
+struct Convention {
+  Boundary boundary = Boundary::in;
+  Ends ends = Ends::closed;
+  friend bool operator==(const Convention&, const Convention&) = default;
+};
+
+using Exact = std::function<Answer(std::span<const double> numbers)>;
+
 struct Kind {
-  std::string_view name, question;
-  std::string_view signature;   // in C, the function called f
-  std::string_view convention;  // what its answer means
+  std::string name, question;
+  std::string signature;   // in C, the function called f
+  std::string convention;  // what its answer means
   AnswerForm form;
   std::vector<Argument> arguments;
   std::vector<Generator> generators;
@@ -118,9 +134,18 @@ struct Kind {
 
   /// Calls a function of that signature (`ask` below).
   Answer (*call)(ForeignFunction function, std::span<const Passed> arguments);
-  Answer (*exact)(std::span<const double> numbers);
-  /// For kinds with several right answers; nullptr where the exact one alone is right.
-  Judgment (*judge)(std::span<const double> numbers, const Answer& given) = nullptr;
+  Exact exact;
+  /// For kinds with several right answers; none where the exact one alone is right.
+  std::function<Judgment(std::span<const double> numbers, const Answer& given)> judge = {};
+
+  /// Which conventions make a difference, and the exact answer under one without `any` (degenerate/convention.hpp).
+  bool has_boundary = false, has_ends = false;
+  std::function<Answer(std::span<const double> numbers, const Convention&)> exact_under = {};
+  Convention declared = {};
+  std::vector<Exact> also_right = {};  // beside `exact`, where a convention is `any`
+
+  /// What counts as degenerate beside figures that are (is_degenerate), for who wants no such cases (Domain).
+  std::function<bool(std::span<const double> numbers)> special = {};
 };
 
 /// Asks a function of the kind's signature, each argument where `room` says.  What it throws passes through.

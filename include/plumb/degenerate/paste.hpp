@@ -1,4 +1,4 @@
-// How is a failing case handed on?  As one line, and ready to paste as a C++ test, as Python and as OBJ.
+// How is a failing case handed on?  As one line, as a C++ test, as a script of Python's and as OBJ.
 //
 // The line is that of certify/case_line.hpp, for every kind: its name, the numbers in hexadecimal, '=' and the exact
 // answer in words.
@@ -24,8 +24,17 @@ std::string decimal_text(const Kind& kind, std::span<const double> numbers);
 /// A GoogleTest that asks `function`, whose signature is the kind's, and expects the exact answer.
 std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::string_view function);
 
-/// The arguments as lists, and the exact answer.
-std::string python_text(const Kind& kind, std::span<const double> numbers);
+struct PythonOptions {
+  std::string library = {};  // a path; empty: "lib<function>.so".  The script takes another as its argument
+  double timeout = 1;        // seconds that the call may take
+  std::optional<Tolerance> tolerance = {};  // nothing: the kind's
+};
+
+/// A script that runs by itself, on Python 3 and its standard library: it loads the library, asks `function` in a
+/// process of its own, each argument at the end of readable memory, and exits with 0 where the answer is right, with 1
+/// where it is wrong or none comes, with 2 where there is no such function.
+std::string python_text(const Kind& kind, std::span<const double> numbers, std::string_view function,
+                        const PythonOptions& options = {});
 
 /// Points, edges and faces of the figures, to look at.
 std::string obj_text(const Kind& kind, std::span<const double> numbers);

@@ -24,6 +24,12 @@ namespace plumb::degenerate {
 
 std::span<const Kind> kinds();
 
+/// The signs of all other predicates (certify/catalog.hpp), by their names: double f(const double a[3], ...).
+std::span<const Kind> predicate_kinds();
+
+/// Of both; nullptr where there is none of that name.
+const Kind* find_kind(std::string_view name);
+
 /// Throws Error, which lists the names there are.
 const Kind& kind_named(std::string_view name);
 

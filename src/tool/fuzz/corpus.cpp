@@ -38,8 +38,7 @@ void read_line(const Kind& kind, const std::string& line, std::vector<Numbers>& 
   if (begin == std::string::npos || line[begin] == '#') return;
   if (std::optional<Numbers> numbers = parse_case(kind, line)) return cases.push_back(std::move(*numbers));
   const std::string name = line.substr(begin, line.find_first_of(" \t\r", begin) - begin);
-  if (std::ranges::find(degenerate::kinds(), name, &Kind::name) == degenerate::kinds().end())
-    throw Error(fmt::format("'{}' is no kind of case", name.substr(0, 40)));
+  if (degenerate::find_kind(name) == nullptr) throw Error(fmt::format("'{}' is no kind of case", name.substr(0, 40)));
 }
 
 void read_file(const Kind& kind, const fs::path& path, std::vector<Numbers>& cases) {

@@ -155,6 +155,8 @@ ForeignProcess::Reply ForeignProcess::wait_for_reply(milliseconds patience) {
     } else if (Clock::now() - since >= patience) {
       return Reply::too_late;
     }
+    if (watch_ && at < ForeignBoard::most_cases)
+      watch_(done_ + at, std::chrono::duration_cast<milliseconds>(Clock::now() - since));
   }
 }
 
@@ -207,29 +209,30 @@ std::size_t ForeignProcess::take_batch(std::span<Answer> answers) {
 }
 
 std::size_t ForeignProcess::ask(std::span<const Numbers> cases, std::span<Answer> answers) {
-  std::size_t done = 0;
-  while (done < cases.size() && !exhausted()) {
+  done_ = 0;
+  while (done_ < cases.size() && !exhausted()) {
     try {
       if (child_ < 0) start_child();
     } catch (const Error&) {
       hangs_left_ -= 1;
       continue;
     }
-    const std::size_t asked = put_batch(cases.subspan(done));
+    const std::size_t asked = put_batch(cases.subspan(done_));
     const char byte = 0;
     // Where it has closed its end it ends, which is seen below; SIGPIPE is ignored by the program.
     [[maybe_unused]] const ssize_t told = ::write(requests_, &byte, 1);
     const Reply reply = wait_for_reply(limits_.call);
     const bool calling = board_->at != ForeignBoard::no_case;
-    const std::size_t taken = take_batch(answers.subspan(done, asked));
-    done += taken;
+    const std::size_t taken = take_batch(answers.subspan(done_, asked));
+    done_ += taken;
     if (reply == Reply::done && taken > 0) continue;
     // Whoever died between two calls does so for something that nobody can tell any more: the batch is asked anew.
-    if (calling && taken < asked) answers[done++] = end_of_child(reply);
+    if (calling && taken < asked) answers[done_++] = end_of_child(reply);
     end_child();
+    if (reply == Reply::too_late) ++hangs_;
     (reply == Reply::too_late ? hangs_left_ : replacements_left_) -= 1;
   }
-  return done;
+  return done_;
 }
 
 }  // namespace plumb::tool

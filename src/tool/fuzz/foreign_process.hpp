@@ -10,9 +10,11 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "foreign_child.hpp"
@@ -39,6 +41,14 @@ class ForeignProcess {
   /// From here on so many are allowed.
   void allow(std::size_t replacements, std::size_t hangs);
 
+  /// Is told, some twenty times a second while an answer is awaited, which of the cases is being asked and for how
+  /// long.
+  using Watch = std::function<void(std::size_t number, std::chrono::milliseconds since)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }
+
+  /// Calls that have not come back in time, so far.
+  [[nodiscard]] std::size_t hangs() const { return hangs_; }
+
   [[nodiscard]] bool exhausted() const { return replacements_left_ == 0 || hangs_left_ == 0; }
 
  private:
@@ -58,6 +68,9 @@ class ForeignProcess {
   ForeignCode code_;
   ForeignLimits limits_;
   std::size_t replacements_left_, hangs_left_;
+  std::size_t hangs_ = 0;
+  std::size_t done_ = 0;  // of the cases that are being asked
+  Watch watch_;
   std::unique_ptr<ForeignBoard, Unmap> board_;
   pid_t child_ = -1;
   int status_ = 0;  // of the child that died last

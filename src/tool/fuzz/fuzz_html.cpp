@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fuzz_drawing.hpp"
 #include "fuzz_report.hpp"
 #include "plumb/degenerate/paste.hpp"
 #include "tool/chart.hpp"
@@ -16,14 +17,15 @@ std::string article(const FuzzReport& r, std::size_t number, const SortOfFailure
   for (const std::string& g : found.generators) generators.append(generators.empty() ? "" : ", ").append(g);
   std::string html = fmt::format(
       "<article>\n<h3>{}. {}</h3>\n<p>{}{}{}</p>\n<p>given <span class=\"fails\">{}</span>, exact {}</p>\n"
+      "{}{}"
       "<details><summary>The case</summary><div><pre>{}\n\n{}</pre></div></details>\n",
       number, escaped(printable(f.sort)), escaped(generators), f.degenerate ? "; found with a degenerate figure" : "",
       f.repeated ? "" : "; asked again by itself it did not fail", escaped(printable(words(r.kind, f.given))),
-      escaped(words(r.kind, f.exact)), escaped(decimal_text(r.kind, f.smallest)),
-      escaped(replay_line(r.options, r.kind, f.smallest)));
+      escaped(words(r.kind, f.exact)), case_drawings(r.kind, f.smallest), near_coincidences(r.kind, f.smallest),
+      escaped(decimal_text(r.kind, f.smallest)), escaped(replay_line(r.options, r.kind, f.smallest)));
   for (const PasteFormat& format : paste_formats) {
     html += fmt::format("<details><summary>{}</summary><div><pre>{}</pre></div></details>\n", format.title,
-                        escaped(pasteable(format.name, r.kind, f.smallest, r.options.symbol)));
+                        escaped(pasteable(format.name, r.kind, f.smallest, r.options)));
   }
   return html + "</article>\n";
 }
@@ -48,10 +50,10 @@ std::string table(const FuzzReport& r) {
 std::string fuzz_html(const FuzzReport& r, const nlohmann::json& raw) {
   ReportPage page{"plumb fuzz",
                   fmt::format("{} of {}", printable(r.options.symbol), printable(r.options.library)),
-                  fmt::format("{} cases, seed {}", r.run.findings.asked(), r.options.seed),
-                  fmt::format("{}: {} Every answer was held against the exact one; each finding below is the smallest "
-                              "case of its sort.",
-                              r.kind.name, r.kind.question),
+                  fmt::format("{} cases, seed {}{}", r.run.findings.asked(), r.options.seed, declared(r.options)),
+                  fmt::format("{}: {} Right is: {}. Every answer was held against the exact one; each finding below "
+                              "is the smallest case of its sort.",
+                              r.kind.name, r.kind.question, r.kind.convention),
                   {},
                   {}};
   page.body = fmt::format("<section>\n<h2>How often</h2>\n<article>\n{}{}</article>\n</section>\n",

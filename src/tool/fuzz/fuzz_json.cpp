@@ -47,6 +47,8 @@ json fuzz_json(const FuzzReport& r) {
   j["library"] = r.options.library;
   j["symbol"] = r.options.symbol;
   j["seed"] = r.options.seed;
+  j["convention"] = r.kind.convention;
+  j["declared"] = declared(r.options);
   j["end"] = ends[static_cast<std::size_t>(r.run.end)];
   j["generators"] = json::array();
   for (const degenerate::Tally& t : r.run.findings.tallies) {
@@ -55,7 +57,8 @@ json fuzz_json(const FuzzReport& r) {
                                {"wrong", t.wrong},
                                {"failed", t.failed},
                                {"degenerate", t.degenerate},
-                               {"unsure", t.unsure}});
+                               {"unsure", t.unsure},
+                               {"passed_over", t.passed_over}});
   }
   j["findings"] = json::array();
   for (const SortOfFailure& f : r.found) j["findings"].push_back(json_of(r, f));

@@ -24,6 +24,9 @@ struct FuzzReport {
   std::vector<SortOfFailure> found;  // in it
 };
 
+/// The switches that declare what is not as it is without them, each after a blank: " --ends open --range 1000".
+std::string declared(const FuzzOptions& options);
+
 /// The line that asks a case again, for a shell.
 std::string replay_line(const FuzzOptions& options, const degenerate::Kind& kind, const degenerate::Numbers& numbers);
 
@@ -36,7 +39,9 @@ inline constexpr std::array paste_formats = {PasteFormat{"cpp", "cpp", "C++"}, P
 
 /// In a format of paste_formats.
 std::string pasteable(std::string_view format, const degenerate::Kind& kind, const degenerate::Numbers& numbers,
-                      const std::string& symbol);
+                      const FuzzOptions& options);
+/// What the user allows of numbers; nothing: what the kind does.
+std::optional<degenerate::Tolerance> tolerance_of(const FuzzOptions& options, const degenerate::Kind& kind);
 
 std::string fuzz_text(const FuzzReport& report, const Style& style);
 nlohmann::json fuzz_json(const FuzzReport& report);

@@ -1,5 +1,7 @@
 #include "fuzz_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <chrono>
@@ -24,6 +26,7 @@ constexpr std::size_t kHangs = 10, kHangsOfAll = 30;  // the same, of which the 
 
 constexpr std::chrono::milliseconds kGlance(25);  // how often the clock and the user are heard, if the function lets us
 constexpr double kLeastShrinking = 10;            // seconds
+constexpr std::chrono::milliseconds kLong(300);   // for a call: its time is told
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -71,6 +74,11 @@ class Fuzz {
   FuzzRun run() && {
     options_.progress = [this](const Findings& so_far) { return seen(so_far); };
     options_.shrinks = [this](const degenerate::Finding& found) { begin_shrinking(found); };
+    options_.asks = [this](std::string_view generator, std::span<const std::uint64_t> indices) {
+      generator_ = generator;
+      indices_ = indices;
+    };
+    process_.watch([this](std::size_t number, std::chrono::milliseconds since) { tell(number, since); });
     const degenerate::Batch batch = [this](std::span<const Numbers> cases, std::span<Answer> answers) {
       shrinking_since_ ? shrink(cases[0], answers[0]) : search(cases, answers);
     };
@@ -80,6 +88,7 @@ class Fuzz {
       if (tally.generator == cut_short_) tally.asked -= unasked_;
     }
     result.end = end_;
+    process_.watch({});
     return result;
   }
 
@@ -91,12 +100,23 @@ class Fuzz {
     return options_.seconds > 0 && Seconds(Clock::now() - start_).count() >= options_.seconds;
   }
 
+  /// Which call is being made, and for how long where that is long.
+  void tell(std::size_t number, std::chrono::milliseconds since) {
+    if (!progress_.shown()) return;
+    std::string what = shrinking_since_ ? fmt::format("making {} of {} simple", sort_, generator_)
+                                        : fmt::format("{} {}", generator_, indices_[begun_ + number]);
+    if (since >= kLong) what += fmt::format(" for {:.1f} s", Seconds(since).count());
+    if (process_.hangs() > 0) what += fmt::format("; {} hung", process_.hangs());
+    progress_.note(std::move(what));
+  }
+
   /// A few at once while the function is slow, many where it is not.
   void search(std::span<const Numbers> cases, std::span<Answer> answers) {
     std::size_t asked = 0;
     do {
       const Clock::time_point begin = Clock::now();
       const std::size_t count = std::min(at_once_, cases.size() - asked);
+      begun_ = asked;
       asked += process_.ask(cases.subspan(asked, count), answers.subspan(asked, count));
       at_once_ = Clock::now() - begin < kGlance ? std::min(2 * at_once_, options_.block) : (at_once_ + 1) / 2;
     } while (asked < cases.size() && !process_.exhausted() && interrupted == 0 && !time_is_up());
@@ -110,9 +130,10 @@ class Fuzz {
     std::uint64_t steps = 0;
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       const degenerate::Tally& tally = so_far.tallies[i];
-      if (tally.asked == asked_[i]) continue;
-      steps += tally.asked - asked_[i];
-      asked_[i] = tally.asked;
+      const std::uint64_t asked = tally.asked + tally.passed_over;
+      if (asked == asked_[i]) continue;
+      steps += asked - asked_[i];
+      asked_[i] = asked;
       if (unasked_ > 0) cut_short_ = tally.generator;
     }
     if (by_time_) {
@@ -132,6 +153,9 @@ class Fuzz {
       shrinking_since_ = Clock::now();
       heard_ = interrupted;
     }
+    generator_ = found.generator;
+    sort_ = found.sort;
+    tell(0, {});
     process_.allow(kReplacements, std::clamp(hangs_left_, std::size_t{2}, kHangs));
     known_.clear();
     if (given_up()) known_.emplace(bits_of(found.found), found.given);
@@ -165,6 +189,9 @@ class Fuzz {
   Progress progress_;
   Hearing hearing_;
   std::vector<std::uint64_t> asked_;
+  std::string generator_, sort_;            // what is asked, or shrunk
+  std::span<const std::uint64_t> indices_;  // of the block that is asked
+  std::size_t begun_ = 0;                   // where in it the process is asked from
   std::size_t at_once_ = 1;
   std::size_t unasked_ = 0;  // of the last block
   std::string cut_short_;    // the generator that it was of

@@ -65,7 +65,7 @@ std::string one_finding(const FuzzReport& r, std::size_t number, const SortOfFai
                       style.green(words(r.kind, f.exact)), decimal_text(r.kind, f.smallest),
                       replay_line(r.options, r.kind, f.smallest));
   for (const std::string& format : r.options.formats)
-    text += fmt::format("\n{}", pasteable(format, r.kind, f.smallest, r.options.symbol));
+    text += fmt::format("\n{}", pasteable(format, r.kind, f.smallest, r.options));
   return text;
 }
 
@@ -76,6 +76,9 @@ std::string summary(const FuzzReport& r, const Style& style) {
   std::string text = bad == 0 ? style.green(fmt::format("nothing found in {} cases", asked))
                               : style.red(fmt::format("{} of {} cases failed", bad, asked));
   if (unsure > 0) text += fmt::format(", {} answered NaN, which is no finding", unsure);
+  std::uint64_t passed_over = 0;
+  for (const Tally& t : r.run.findings.tallies) passed_over += t.passed_over;
+  if (passed_over > 0) text += fmt::format("; of {} more the generators have none in the domain", passed_over);
   switch (r.run.end) {
     case FuzzRun::End::budget:
       break;
@@ -91,10 +94,31 @@ std::string summary(const FuzzReport& r, const Style& style) {
 
 }  // namespace
 
+std::string declared(const FuzzOptions& o) {
+  const FuzzOptions standard;
+  const degenerate::Domain &d = o.domain, everything;
+  std::string text;
+  const auto add = [&](bool given, std::string_view option, const std::string& value) {
+    if (given) text.append(" --").append(option).append(value.empty() ? "" : " ").append(value);
+  };
+  add(o.boundary != standard.boundary, "boundary", o.boundary);
+  add(o.ends != standard.ends, "ends", o.ends);
+  add(!d.degenerate, "no-degenerate", "");
+  add(d.largest != everything.largest, "range", fmt::format("{}", d.largest));
+  add(d.smallest != everything.smallest, "smallest", fmt::format("{}", d.smallest));
+  add(d.grid != everything.grid, "grid", fmt::format("{}", d.grid));
+  add(d.bits != everything.bits, "bits", fmt::format("{}", d.bits));
+  return text;
+}
+
 std::string replay_line(const FuzzOptions& o, const Kind& kind, const Numbers& numbers) {
   std::string line = fmt::format("plumb fuzz --kind {} --library {} --symbol {}", kind.name,
                                  quoted(printable(o.library)), quoted(printable(o.symbol)));
   const FuzzOptions standard;
+  if (o.judge) line += fmt::format(" --judge {}", quoted(printable(*o.judge)));
+  for (const std::string& a : o.arguments) line += fmt::format(" --argument {}", quoted(a));
+  if (o.answer != standard.answer) line += fmt::format(" --answer {}", o.answer);
+  line += declared(o);
   if (o.ulps) line += fmt::format(" --ulps {}", *o.ulps);
   if (o.relative) line += fmt::format(" --relative {}", *o.relative);
   if (o.timeout != standard.timeout) line += fmt::format(" --timeout {}", o.timeout);
@@ -102,15 +126,25 @@ std::string replay_line(const FuzzOptions& o, const Kind& kind, const Numbers& n
   return line + fmt::format(" --case {}", quoted(case_line(kind, numbers)));
 }
 
-std::string pasteable(std::string_view format, const Kind& kind, const Numbers& numbers, const std::string& symbol) {
-  if (format == "cpp") return cpp_text(kind, numbers, symbol);
-  if (format == "python") return python_text(kind, numbers);
+std::optional<degenerate::Tolerance> tolerance_of(const FuzzOptions& o, const Kind& kind) {
+  if (!o.ulps && !o.relative) return std::nullopt;
+  degenerate::Tolerance tolerance = kind.tolerance;
+  tolerance.ulps = o.ulps.value_or(tolerance.ulps);
+  tolerance.relative = o.relative.value_or(tolerance.relative);
+  return tolerance;
+}
+
+std::string pasteable(std::string_view format, const Kind& kind, const Numbers& numbers, const FuzzOptions& o) {
+  if (format == "cpp") return cpp_text(kind, numbers, o.symbol);
+  if (format == "python") return python_text(kind, numbers, o.symbol, {o.library, o.timeout, tolerance_of(o, kind)});
   return obj_text(kind, numbers);
 }
 
 std::string fuzz_text(const FuzzReport& r, const Style& style) {
-  std::string text = fmt::format("{}: {}\n{} of {}, seed {}\n\n", style.bold(r.kind.name), r.kind.question,
-                                 printable(r.options.symbol), printable(r.options.library), r.options.seed);
+  const std::string switches = declared(r.options);
+  std::string text = fmt::format("{}: {}\n{} of {}, seed {}{}{}\n\n", style.bold(r.kind.name), r.kind.question,
+                                 printable(r.options.symbol), printable(r.options.library), r.options.seed,
+                                 switches.empty() ? "" : ";", switches);
   text += table(r, style);
   for (std::size_t i = 0; i < r.found.size(); ++i) text += one_finding(r, i + 1, r.found[i], style);
   return text + "\n" + summary(r, style);

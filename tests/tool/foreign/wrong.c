@@ -135,3 +135,46 @@ int epsilon_triangles(const double *s, const double *t) {
   }
   return 1;
 }
+
+/* Of a tetrahedron right, of anything else without an answer that could be. */
+size_t hull_of_four(const double *points, size_t n, size_t *triangles, size_t capacity) {
+  static const size_t faces[12] = {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0};
+  if (n != 4 || capacity < 4) return 0;
+  const double det = det3(points, points + 3, points + 6, points + 9);
+  if (det == 0) return 0;
+  for (int i = 0; i < 12; ++i) triangles[i] = faces[det > 0 ? i : 11 - i];
+  return 4;
+}
+
+/* As if all points were on the x axis, the first of each the nearest. */
+double distance_on_axis(const double *a, size_t n, const double *b, size_t m) {
+  (void)n, (void)m;
+  return fabs(a[0] - b[0]);
+}
+
+/* Inside where a ray to the right crosses an odd number of edges: on an edge it is now in, now out. */
+int crossing_polygon(const double *p, const double *vertices, size_t n) {
+  int inside = 0;
+  for (size_t i = 0, j = n - 1; i < n; j = i++) {
+    const double *a = vertices + 2 * i, *b = vertices + 2 * j;
+    if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0]) inside = !inside;
+  }
+  return inside;
+}
+
+/* Which of two sites is nearer: in floats, and exactly for floats between 0.001 and 1000. */
+double nearer(const double *p, const double *a, const double *b) {
+  return hypotf((float)(p[0] - a[0]), (float)(p[1] - a[1])) - hypotf((float)(p[0] - b[0]), (float)(p[1] - b[1]));
+}
+double nearer_exactly(const double *p, const double *a, const double *b) {
+  __float128 sum = 0;
+  for (int k = 0; k < 2; ++k) {
+    const __float128 to_a = (__float128)p[k] - a[k], to_b = (__float128)p[k] - b[k];
+    sum += to_a * to_a - to_b * to_b;
+  }
+  return sum > 0 ? 1 : sum < 0 ? -1 : 0;
+}
+double no_judge(const double *p, const double *a, const double *b) {
+  if (p[0] == a[0] && p[1] == a[1]) abort();
+  return nearer(p, a, b);
+}
