@@ -101,22 +101,23 @@ std::optional<bool> lies_in(Loop inner, Loop outer, const CutCorners& corners) {
   return std::nullopt;
 }
 
-/// The doubles between which the nearest doubles of the corners lie: rounding keeps the order, so that a contour within
-/// another has its box within the other's.
+/// The corners that are the least and the greatest of each coordinate.
 struct Box {
-  std::array<double, 2> min, max;
+  std::array<std::uint32_t, 2> min, max;
 
   Box(Loop loop, const CutCorners& corners) {
     for (std::size_t k = 0; k < 2; ++k) {
-      min[k] = max[k] = corners.nearest(loop[0], k);
-      for (const std::uint32_t c : loop) {
-        min[k] = std::min(min[k], corners.nearest(c, k));
-        max[k] = std::max(max[k], corners.nearest(c, k));
-      }
+      const auto less = [&](std::uint32_t a, std::uint32_t b) { return corners.compare(a, b, k) == Sign::negative; };
+      min[k] = *std::ranges::min_element(loop, less);
+      max[k] = *std::ranges::max_element(loop, less);
     }
   }
-  [[nodiscard]] bool within(const Box& b) const {
-    return min[0] >= b.min[0] && max[0] <= b.max[0] && min[1] >= b.min[1] && max[1] <= b.max[1];
+  [[nodiscard]] bool within(const Box& b, const CutCorners& corners) const {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (corners.compare(min[k], b.min[k], k) == Sign::negative) return false;
+      if (corners.compare(max[k], b.max[k], k) == Sign::positive) return false;
+    }
+    return true;
   }
 };
 
@@ -130,7 +131,7 @@ void nest_contours(std::span<const CutContour> joined, const CutCorners& corners
     if (!joined[c].closed) continue;
     contours[c].turn = corners.turn(joined[c].corners);
     for (std::uint32_t other = 0; other < joined.size(); ++other) {
-      if (other == c || !joined[other].closed || !boxes[c].within(boxes[other])) continue;
+      if (other == c || !joined[other].closed || !boxes[c].within(boxes[other], corners)) continue;
       if (lies_in(joined[c].corners, joined[other].corners, corners).value_or(other < c)) around[c].push_back(other);
     }
     contours[c].depth = static_cast<std::uint32_t>(around[c].size());

@@ -165,6 +165,28 @@ TEST(Section, ManyPlanesGiveWhatEachGives) {
   }
 }
 
+TEST(Section, PowersOfTwoChangeNothing) {
+  std::mt19937_64 random(4);
+  for (int round = 0; round < 20; ++round) {
+    const TriangleMesh mesh = solids::heap(random, 6, 4);
+    for (const double scale : {0x1p1021, 0x1p-1074}) {  // the largest doubles, and subnormal numbers
+      TriangleMesh scaled = mesh;
+      for (Point3& p : scaled.vertices) p = {p.x * scale, p.y * scale, p.z * scale};
+      for (const Vector3& normal : {Vector3{0, 0, 1}, Vector3{1, -1, 2}}) {
+        const Section one = section(mesh, Plane3{normal, 1}), other = section(scaled, Plane3{normal, scale});
+        ASSERT_EQ(one.contours.size(), other.contours.size());
+        for (std::size_t c = 0; c < one.contours.size(); ++c) {
+          const Contour &a = one.contours[c], &b = other.contours[c];
+          EXPECT_TRUE(a.turn == b.turn && a.parent == b.parent && a.depth == b.depth && a.closed == b.closed);
+          ASSERT_EQ(a.corners.size(), b.corners.size());
+          for (std::size_t k = 0; k < a.corners.size(); ++k)
+            EXPECT_TRUE(a.corners[k].below == b.corners[k].below && a.corners[k].above == b.corners[k].above);
+        }
+      }
+    }
+  }
+}
+
 TEST(Section, BadInputIsNamed) {
   TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
   EXPECT_THROW(section(mesh, Plane3{{0, 0, 0}, 0}), InvalidShape);

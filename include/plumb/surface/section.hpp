@@ -18,7 +18,7 @@
 // coplanar_triangles.
 // What is left of a mesh that is not closed, or whose triangles are wound against each other, are open chains.
 // Contours that cross each other, of a surface that crosses itself, are told as they are: law 3 holds, and one lies in
-// another when its first corner off the other does.
+// another when its box does, and its first corner off the other.
 // A triangle that names no vertex and a plane without a normal throw InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 8.3.4 (thick planes aside); Minetto et al. 2017 for many planes.
 // Cost: linear in the triangles, and below a microsecond for each that is cut; nesting compares the boxes of contours
