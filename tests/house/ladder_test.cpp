@@ -49,6 +49,7 @@ class SmallTree : public testing::Test {
     write("src/install.cmake", "");
     write("src/tool/main.cpp", "#include \"tool/report.hpp\"\n#include <fmt/core.h>\n");
     write("tests/oracle/cgal.cpp", "#include <CGAL/Gmpq.h>\n");
+    write("docs/examples/cgal/main.cpp", "#include <CGAL/enum.h>\n#include <plumb/certify/cgal_kernel.hpp>\n");
     write(".clang-format", "");
     write("build/release/anything_common.txt", "");
   }
@@ -99,6 +100,7 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"include/plumb/degenerate/points.hpp", "#include <rapidcheck.h>\n", "stays in its bridge"},
       {"src/certify/slow.cpp", "#include <CGAL/Gmpq.h>\n", "oracles and rivals"},
       {"include/plumb/surface/cgal.hpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
+      {"docs/examples/slicer/main.cpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
       {"src/query/roots.cpp", "#include \"plumb/arith/gmp.hpp\"\n", "for its users alone"},
       {"include/plumb/surface/hull.hpp", "#include \"plumb/certify/cgal_kernel.hpp\"\n", "for its users alone"},
       {"tests/certify/law_test.cpp", "#include <boost/multiprecision/gmp.hpp>\n", "oracles and rivals"},

@@ -157,7 +157,7 @@ void check_libraries(const Source& source, std::vector<Breach>& out) {
   };
   for (const std::string& spelled : source.includes) {
     const std::string library = first_part(spelled);
-    const bool adapts = path.starts_with(cgal_adaptor);
+    const bool adapts = path.starts_with(cgal_adaptor) || path.starts_with("docs/examples/cgal/");
     if (one_of(library, {"CGAL", "boost"}) && !adapts && !path.starts_with("tests/oracle/") &&
         !path.starts_with("tests/bench/")) {
       forbid(spelled, "which is for oracles and rivals (and the adaptor) only");
