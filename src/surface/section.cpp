@@ -33,34 +33,19 @@ void cut(const TriangleMesh& mesh, const CutPlane& plane, std::span<const std::u
   surface::nest_contours(joined, corners, section.contours);
 }
 
-/// Planes of one coordinate, in ascending order: the triangles that reach each, ascending.
-class TrianglesAtHeights {
- public:
-  TrianglesAtHeights(const TriangleMesh& mesh, std::size_t axis, const std::vector<double>& heights)
-      : first_(heights.size() + 1) {
-    const auto each_reached = [&](const auto& visit) {
-      for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto at = [&](std::size_t k) { return surface::coordinate(mesh.vertices[mesh.triangles[t][k]], axis); };
-        const auto [low, high] = std::minmax({at(0), at(1), at(2)});
-        for (auto h = std::lower_bound(heights.begin(), heights.end(), low); h != heights.end() && *h <= high; ++h)
-          visit(static_cast<std::uint32_t>(t), static_cast<std::size_t>(h - heights.begin()));
-      }
-    };
-    each_reached([&](std::uint32_t, std::size_t h) { ++first_[h + 1]; });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    triangles_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    each_reached([&](std::uint32_t t, std::size_t h) { triangles_[next[h]++] = t; });
+/// For planes of one coordinate, in ascending order: the triangles that reach each, ascending.
+std::vector<std::vector<std::uint32_t>> triangles_at(const TriangleMesh& mesh, std::size_t axis,
+                                                     const std::vector<double>& heights) {
+  std::vector<std::vector<std::uint32_t>> reached(heights.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const auto at = [&](std::uint32_t v) { return surface::coordinate(mesh.vertices[v], axis); };
+    const auto [low, high] = std::minmax({at(a), at(b), at(c)});
+    for (auto h = std::lower_bound(heights.begin(), heights.end(), low); h != heights.end() && *h <= high; ++h)
+      reached[static_cast<std::size_t>(h - heights.begin())].push_back(static_cast<std::uint32_t>(t));
   }
-
-  [[nodiscard]] std::span<const std::uint32_t> at(std::size_t height) const {
-    return std::span(triangles_).subspan(first_[height], first_[height + 1] - first_[height]);
-  }
-
- private:
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> triangles_;
-};
+  return reached;
+}
 
 }  // namespace
 
@@ -83,9 +68,9 @@ std::vector<Section> sections(const TriangleMesh& mesh, std::span<const AnyPlane
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return height(a) < height(b); });
     std::vector<double> heights(order.size());
     std::transform(order.begin(), order.end(), heights.begin(), height);
-    const TrianglesAtHeights triangles(mesh, axis, heights);
+    const auto triangles = triangles_at(mesh, axis, heights);
     tbb::parallel_for(std::size_t{0}, order.size(),
-                      [&](std::size_t k) { cut(mesh, cuts[order[k]], triangles.at(k), {}, found[order[k]]); });
+                      [&](std::size_t k) { cut(mesh, cuts[order[k]], triangles[k], {}, found[order[k]]); });
   }
   if (oblique.empty()) return found;
   std::vector<std::uint32_t> all(mesh.triangles.size());
