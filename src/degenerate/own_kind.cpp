@@ -21,9 +21,13 @@ constexpr std::size_t kMorePoints = 8;  // than the least, of an argument that m
   throw Error(std::string("own_kind: ").append(own.name).append(": ").append(why));
 }
 
-bool is_identifier(std::string_view name) {
-  const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  return !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 && std::ranges::all_of(name, fits);
+/// Letters, digits, `_` and what else is `allowed`, beginning with a letter.
+bool is_name(std::string_view name, char allowed) {
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto fits = [&](char c) {
+    return letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_' || c == allowed;
+  };
+  return !name.empty() && letter(name[0]) && std::ranges::all_of(name, fits);
 }
 
 bool is_made(Role role) {
@@ -31,14 +35,14 @@ bool is_made(Role role) {
 }
 
 void require_sense(const OwnKind& own) {
-  if (own.name.empty() || own.name.find_first_of(" \t\r\n=#") != std::string::npos)
-    refuse(own, "a name without blanks, '=' and '#' is wanted: it begins the lines of its cases");
+  if (!is_name(own.name, '-'))
+    refuse(own, "a name of letters, digits, '-' and '_' is wanted: it begins the lines of its cases");
   if (!own.exact) refuse(own, "what knows the answer is wanted: a function in `exact`");
   if (own.form == AnswerForm::hit || own.form == AnswerForm::triangles)
     refuse(own, "a sign, yes or no, or a number can be answered");
   bool made = true;
   for (const Argument& a : own.arguments) {
-    if (!is_identifier(a.name)) refuse(own, "'" + a.name + "' is no name for an argument: letters, digits and _ are");
+    if (!is_name(a.name, '_')) refuse(own, "'" + a.name + "' is no name for an argument: letters, digits and '_' are");
     if (a.parts.empty()) refuse(own, a.name + " has no parts");
     if (a.any_number() && (a.parts.size() > 1 || a.parts[0].role != Role::points))
       refuse(own, a.name + ": any number there may be of points alone");

@@ -155,7 +155,9 @@ TEST(OwnKind, IsRefusedWhereItCannotBeAsked) {
   };
   const std::vector<Argument> one{points("a", 2)};
   EXPECT_EQ(refused({.name = "fine", .arguments = one, .exact = no}), "");
-  EXPECT_NE(refused({.name = "two words", .arguments = one, .exact = no}).find("without blanks"), std::string::npos);
+  EXPECT_NE(refused({.name = "two words", .arguments = one, .exact = no}).find("of letters"), std::string::npos);
+  EXPECT_NE(refused({.name = "../up", .arguments = one, .exact = no}).find("of letters"), std::string::npos);
+  EXPECT_NE(refused({.name = "2d", .arguments = one, .exact = no}).find("of letters"), std::string::npos);
   EXPECT_NE(refused({.name = "n", .arguments = one, .exact = {}}).find("in `exact`"), std::string::npos);
   EXPECT_NE(refused({.name = "n", .arguments = {}, .exact = no}).find("0 arguments"), std::string::npos);
   EXPECT_NE(refused({.name = "n", .arguments = std::vector<Argument>(13, one[0]), .exact = no}).find("1 to 12"),
