@@ -8,6 +8,7 @@
 #include "degenerate/fields.hpp"
 #include "degenerate/words.hpp"
 #include "plumb/certify/case_line.hpp"
+#include "plumb/degenerate/convention.hpp"
 
 namespace plumb::degenerate {
 
@@ -69,15 +70,24 @@ std::string cpp_expectation(const Kind& kind, const std::string& call, const Ans
   return text;
 }
 
-// Many hulls are right: the library judges.
+// Many hulls are right, and where a convention is open two answers: the library judges.
+bool has_other_answers(const Kind& kind, std::span<const double> numbers, const Answer& exact) {
+  const auto differs = [&](const Exact& other) { return other(numbers).numbers != exact.numbers; };
+  return kind.judge || std::ranges::any_of(kind.also_right, differs);
+}
+
 std::string cpp_judged(const Kind& kind, std::span<const double> numbers, std::string_view function) {
-  return std::string("  const double numbers[] = {")
+  return std::string("  using namespace plumb::degenerate;\n  const double numbers[] = {")
       .append(joined(numbers, ", ", hexadecimal))
-      .append("};\n  const auto& kind = plumb::degenerate::kind_named(\"")
+      .append("};\n  const Kind kind = under(kind_named(\"")
       .append(kind.name)
-      .append("\");\n  const auto given = plumb::degenerate::callable_of(kind, ")
+      .append("\"), {Boundary::")
+      .append(name_of(kind.declared.boundary))
+      .append(", Ends::")
+      .append(name_of(kind.declared.ends))
+      .append("});\n  const Answer given = callable_of(kind, ")
       .append(function)
-      .append(")(numbers);\n  EXPECT_EQ(plumb::degenerate::judge(kind, numbers, given, {}).sort, \"\");\n");
+      .append(")(numbers);\n  EXPECT_EQ(judge(kind, numbers, given, kind.tolerance).sort, \"\");\n");
 }
 
 }  // namespace
@@ -116,12 +126,13 @@ std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::str
   std::string declaration(kind.signature);
   declaration.replace(declaration.find(" f(") + 1, 1, function);
   std::string text = "#include <gtest/gtest.h>\n#include <math.h>\n#include <stddef.h>\n";
-  if (kind.judge) text.append("\n#include \"plumb/degenerate/check.hpp\"\n#include \"plumb/query/kinds.hpp\"\n");
-  text.append("\nextern \"C\" ").append(declaration).append(";\n\n// Exact: ");
   const Answer exact = kind.exact(numbers);
+  const bool judged = has_other_answers(kind, numbers, exact);
+  if (judged) text.append("\n#include <plumb/degenerate.hpp>\n#include <plumb/query/kinds.hpp>\n");
+  text.append("\nextern \"C\" ").append(declaration).append(";\n\n// Exact: ");
   text.append(words(kind, exact)).append("\nTEST(").append(pascal(kind.name)).append(", ");
   text.append(name_of_numbers(numbers)).append(") {\n");
-  if (kind.judge) return text.append(cpp_judged(kind, numbers, function)).append("}\n");
+  if (judged) return text.append(cpp_judged(kind, numbers, function)).append("}\n");
   std::string call = std::string(function).append("(");
   for (const Given& g : given(kind, numbers)) {
     if (names_points(g.argument.parts[0].role)) {

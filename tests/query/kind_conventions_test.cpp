@@ -123,6 +123,11 @@ TEST(Convention, LeavesOpenWhatIsNotPromised) {
   const Numbers from_edge{0, 0, 0, 0, 0, 1, -1, 0, 0, 1, 0, 0, 0, 1, 0};
   EXPECT_EQ(sort(ray, from_edge, 0), "");
   EXPECT_EQ(sort(ray, from_edge, 1), "");
+  // Of a test that is written for it, the library judges where two answers are right, and only there.
+  const std::string judged = cpp_text(ray, from_edge, "mine");
+  EXPECT_NE(judged.find("under(kind_named(\"ray-triangle\"), {Boundary::any, Ends::any})"), std::string::npos)
+      << judged;
+  EXPECT_NE(cpp_text(any, inside, "mine").find("EXPECT_NE(mine(p, vertices, 3), 0);"), std::string::npos);
   // A function that is right under a convention is found clean under it, and only there.
   const auto strict = [](const double* p, const double* vertices, std::size_t n) {
     Polygon2 polygon;
