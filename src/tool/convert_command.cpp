@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "load_text.hpp"
+#include "mesh_inputs.hpp"
 #include "output_files.hpp"
 #include "plumb/arith/error.hpp"
 #include "terminal.hpp"
@@ -46,14 +47,16 @@ int run_convert(const ConvertOptions& options) {
     throw Error(fmt::format("{} is there already; --overwrite replaces it", printable(to)));
   }
   LoadReport report;
-  const PolygonMesh mesh = read_polygon_mesh(from, &report);
-  const std::string bytes = format_mesh(mesh, to, write_options(options));
+  const PolygonMesh mesh = read_input(from, &report, {});
+  const WriteOptions write = write_options(options);
+  const std::string bytes = format_mesh(mesh, to, write);
   if (to == "-") {
     say(bytes);
     return 0;
   }
   keep_files({{to, bytes, replacing}});
-  say(fmt::format("{} -> {}\n{}", printable(from), printable(to), load_text(report)));
+  const bool triangulated = write.format.value_or(format_by_extension(to).value_or(MeshFormat::obj)) == MeshFormat::stl;
+  say(fmt::format("{} -> {}\n{}", printable(name_of_input(from)), printable(to), load_text(report, triangulated)));
   return 0;
 }
 

@@ -17,7 +17,7 @@
 namespace plumb::tool {
 
 struct ConvertOptions {
-  std::vector<std::string> files;               // from, to; the second may be "-", standard output
+  std::vector<std::string> files;               // from, to; "-" is standard input, and standard output
   std::optional<std::string> format, encoding;  // of these names; otherwise what write_mesh does
   bool overwrite = false;
 };

@@ -9,7 +9,8 @@ Command convert_command(CLI::App& program) {
   const auto options = std::make_shared<ConvertOptions>();
   ConvertOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("convert", "Write a mesh file in another format.");
-  parser->add_option("FROM TO", o.files, "The mesh file to read, and the one to write; '-' is standard output.");
+  parser->add_option("FROM TO", o.files,
+                     "The mesh file to read, and the one to write; '-' is standard input, and standard output.");
   const auto one_of = [](const auto& names) {
     return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)), CLI::ignore_case);
   };

@@ -6,14 +6,14 @@
 
 namespace plumb::tool {
 
-std::string load_text(const LoadReport& l) {
+std::string load_text(const LoadReport& l, bool triangulated) {
   const std::string packed = l.packed_bytes == 0 ? "" : fmt::format(" (gzip: {})", grouped(l.packed_bytes));
   std::string s = fmt::format("  file        {}, {}, {}{}; {}, {}\n", name_of(l.format), name_of(l.encoding),
                               plural(l.bytes, "byte", "bytes"), packed, plural(l.vertices, "vertex", "vertices"),
                               plural(l.faces, "face", "faces"));
   if (l.polygons != 0)
-    s += fmt::format("              {} of more than three corners, triangulated{}\n",
-                     plural(l.polygons, "face", "faces"),
+    s += fmt::format("              {} of more than three corners{}{}\n", plural(l.polygons, "face", "faces"),
+                     triangulated ? ", triangulated" : "",
                      l.fans != 0 ? fmt::format(" ({} as fans: not simple polygons)", grouped(l.fans)) : "");
   if (l.dropped_faces != 0)
     s += fmt::format("              {} of fewer than three corners left out\n",

@@ -9,7 +9,7 @@
 
 namespace plumb::tool {
 
-/// A line for the file, and one for each finding: what is not so has none.
-std::string load_text(const LoadReport& report);
+/// A line for the file, and one for each finding: what is not so has none.  `triangulated`: polygons were, after that.
+std::string load_text(const LoadReport& report, bool triangulated = true);
 
 }  // namespace plumb::tool

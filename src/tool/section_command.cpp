@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "mesh_inputs.hpp"
 #include "output_files.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/surface/triangulate.hpp"
 #include "write_folder.hpp"
 
 namespace plumb::tool {
@@ -18,8 +20,8 @@ SectionReport report_of(const SectionOptions& options) {
     for (NamedPlane& plane : planes_of(words)) report.planes.push_back(std::move(plane));
     if (report.planes.size() > most_planes) throw Error(fmt::format("more than {} planes", most_planes));
   }
-  report.mesh_name = options.meshes.front();
-  report.mesh = read_mesh(report.mesh_name, &report.load);
+  report.mesh_name = name_of_input(options.meshes.front());
+  report.mesh = triangulate(read_input(options.meshes.front(), &report.load, {}), &report.load.fans);
   std::vector<AnyPlane3> planes;
   for (const NamedPlane& plane : report.planes) planes.push_back(plane.plane);
   report.sections = sections(report.mesh, planes, options.below ? OnPlane::below : OnPlane::above);

@@ -7,7 +7,7 @@ Command section_command(CLI::App& program) {
   const auto options = std::make_shared<SectionOptions>();
   SectionOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("section", "Cut a mesh by planes into exact contours.");
-  parser->add_option("MESH", o.meshes, "The mesh file.");
+  parser->add_option("MESH", o.meshes, "The mesh file; '-' is standard input.");
   parser->add_option("--plane", o.planes, "Cut by this plane, or by these; repeatable.")
       ->allow_extra_args(false)
       ->type_name("PLANE");

@@ -44,7 +44,7 @@ TEST(Convert, SaysWhatReadingFound) {
   const Folder folder;
   put(folder / "a.obj", odd_mesh);
   const Outcome o = run("$PLUMB convert " + (folder / "a.obj") + " " + (folder / "b.ply"));
-  EXPECT_THAT(o.out, AllOf(HasSubstr("OBJ, ASCII"), HasSubstr("1 face of more than three corners"),
+  EXPECT_THAT(o.out, AllOf(HasSubstr("OBJ, ASCII"), HasSubstr("1 face of more than three corners\n"),
                            HasSubstr("1 face of fewer than three corners left out"),
                            HasSubstr("of 15 decimals are no doubles")));
 }
@@ -85,6 +85,10 @@ TEST(Convert, WritesToStandardOutputAndByFormat) {
   const Outcome o = run("$PLUMB convert --format off " + (folder / "a.obj") + " -");
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.out, StartsWith("OFF\n5 2 "));
+  const Outcome from_input = run("$PLUMB convert - " + (folder / "c.stl"), odd_mesh);
+  EXPECT_EQ(from_input.code, 0) << from_input.err;
+  EXPECT_THAT(from_input.out, HasSubstr("1 face of more than three corners, triangulated"));
+  EXPECT_EQ(read_mesh(folder / "c.stl").triangles.size(), 3U);
   EXPECT_EQ(run("$PLUMB convert --format PLY " + (folder / "a.obj") + " " + (folder / "b.dat")).code, 0);
   EXPECT_THAT(content(folder / "b.dat"), StartsWith("ply\n"));
 }

@@ -162,6 +162,13 @@ TEST(Section, RoundsTheViewOfAnObliquePlaneOnce) {
   EXPECT_GT(seen, 10);
 }
 
+TEST(Section, ReadsStandardInput) {
+  const Folder folder;
+  const Outcome o = run("$PLUMB section --plane z=0 -", content(hollow_cube(folder)));
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.out, AllOf(HasSubstr("standard input"), HasSubstr(" 300 ")));
+}
+
 TEST(Section, TellsOpenMeshes) {
   const Folder folder;
   std::ofstream(folder / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n";
