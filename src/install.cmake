@@ -48,4 +48,5 @@ plumb_write_pc(plumb-batch "Exact signs of many cases at once${needs_cxx20}" plu
 plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" plumb_degenerate
   "plumb-predicates = ${PROJECT_VERSION}" "")
 plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb
-  "plumb-batch = ${PROJECT_VERSION}, plumb-degenerate = ${PROJECT_VERSION}, plumb-predicates = ${PROJECT_VERSION}" -lz)
+  "plumb-batch = ${PROJECT_VERSION}, plumb-degenerate = ${PROJECT_VERSION}, plumb-predicates = ${PROJECT_VERSION}"
+  "-lminizip -lpugixml -lz")

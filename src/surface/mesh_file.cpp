@@ -37,7 +37,7 @@ MeshFileError::MeshFileError(MeshFileProblem what_kind, std::string_view in_file
       byte(in_byte) {}
 
 std::string_view name_of(MeshFormat format) {
-  constexpr std::array<std::string_view, 4> names{"OBJ", "OFF", "STL", "PLY"};
+  constexpr std::array<std::string_view, 6> names{"OBJ", "OFF", "STL", "PLY", "3MF", "glTF"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -52,17 +52,22 @@ std::optional<MeshFormat> format_by_extension(const std::filesystem::path& path)
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".stl") return MeshFormat::stl;
   if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".3mf") return MeshFormat::three_mf;
+  if (extension == ".gltf" || extension == ".glb") return MeshFormat::gltf;
   return std::nullopt;
 }
 
 std::optional<MeshFormat> format_by_content(std::string_view bytes) {
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return MeshFormat::ply;
   if (surface::is_binary_stl(bytes)) return MeshFormat::stl;
+  if (bytes.starts_with("PK\3\4") || bytes.starts_with("PK\5\6")) return MeshFormat::three_mf;
+  if (bytes.starts_with("glTF")) return MeshFormat::gltf;
   const std::string_view head = bytes.substr(0, 4096);
   if (head.find('\0') != std::string_view::npos) return std::nullopt;
   surface::TextLines lines(head, "", {.comments = true});
   if (!lines.next_line()) return std::nullopt;
   const std::string_view word = lines.next_token();
+  if (word.starts_with('{')) return MeshFormat::gltf;
   if (surface::off_header(word)) return MeshFormat::off;
   if (surface::lower_case(word) == "solid") return MeshFormat::stl;
   if (is_obj_word(word)) return MeshFormat::obj;

@@ -4,6 +4,7 @@
 // what is the same for all.
 #pragma once
 
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -17,6 +18,8 @@ namespace plumb::surface {
 
 struct Parse {
   std::string_view bytes, file;
+  std::uint64_t limit = 0;         // of what is unpacked, and of what parts multiply to, in bytes
+  std::filesystem::path folder{};  // where the files beside this one are; empty where it is no file
   PolygonMesh mesh{};
   LoadReport report{};
   DecimalReader decimals{};
@@ -39,6 +42,8 @@ void parse_obj(Parse& parse);
 void parse_off(Parse& parse);
 void parse_stl(Parse& parse);
 void parse_ply(Parse& parse);
+void parse_3mf(Parse& parse);
+void parse_gltf(Parse& parse);
 
 /// What a file of so many bytes may unpack to.
 std::uint64_t unpacked_limit(std::uint64_t packed, const ReadOptions& options);

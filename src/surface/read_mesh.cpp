@@ -55,15 +55,18 @@ void require_bytes(std::string_view bytes, std::string_view name) {
 
 // The format of unpacked bytes; fails with the mend where it is none that is read.
 MeshFormat format_of(const std::filesystem::path& path, std::string_view bytes, std::string_view name) {
-  if (const auto format = format_by_content(bytes)) return *format;
+  // Other formats are zip archives, too.
+  const auto found = format_by_content(bytes);
+  if (found && (found != MeshFormat::three_mf || !surface::foreign_by_extension(path))) return *found;
   auto foreign = surface::foreign_by_content(bytes);
   if (!foreign) {
-    if (const auto format = format_by_extension(path)) return *format;
+    if (const auto named = format_by_extension(path)) return *named;
     foreign = surface::foreign_by_extension(path);
   }
-  fail_at_file(MeshFileProblem::unknown_format, name,
-               foreign.value_or("neither the name nor the content tells the format, expected .obj, .off, .stl or .ply; "
-                                "rename or convert it"));
+  fail_at_file(
+      MeshFileProblem::unknown_format, name,
+      foreign.value_or("neither the name nor the content tells the format, expected .obj, .off, .stl, .ply, .3mf, "
+                       ".gltf or .glb; rename or convert it"));
 }
 
 }  // namespace
@@ -79,9 +82,15 @@ std::uint64_t unpacked_limit(std::uint64_t packed, const ReadOptions& options) {
 
 }  // namespace surface
 
-PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report) {
+namespace {
+
+// `packed` is the size of the file that the bytes came from.
+PolygonMesh parse_as(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report,
+                     const ReadOptions& options, std::uint64_t packed, const std::filesystem::path& folder) {
   require_bytes(bytes, name);
   surface::Parse parse{.bytes = bytes, .file = name};
+  parse.limit = surface::unpacked_limit(packed, options);
+  parse.folder = folder;
   parse.report.format = format;
   switch (format) {
     case MeshFormat::obj:
@@ -95,6 +104,12 @@ PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_vi
       break;
     case MeshFormat::ply:
       surface::parse_ply(parse);
+      break;
+    case MeshFormat::three_mf:
+      surface::parse_3mf(parse);
+      break;
+    case MeshFormat::gltf:
+      surface::parse_gltf(parse);
       break;
   }
   PolygonMesh& mesh = parse.mesh;
@@ -120,21 +135,34 @@ PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_vi
   return std::move(mesh);
 }
 
-PolygonMesh parse_mesh(std::string_view bytes, const std::filesystem::path& path, LoadReport* report,
-                       const ReadOptions& options) {
+PolygonMesh parse_any(std::string_view bytes, const std::filesystem::path& path, LoadReport* report,
+                      const ReadOptions& options, const std::filesystem::path& folder) {
   const std::string name = path.string();
   require_bytes(bytes, name);
-  if (!surface::is_gzip(bytes)) return parse_mesh(bytes, format_of(path, bytes, name), name, report);
-  const std::string unpacked = surface::gunzip(bytes, name, surface::unpacked_limit(bytes.size(), options));
+  const std::uint64_t size = bytes.size();
+  if (!surface::is_gzip(bytes))
+    return parse_as(bytes, format_of(path, bytes, name), name, report, options, size, folder);
+  const std::string unpacked = surface::gunzip(bytes, name, surface::unpacked_limit(size, options));
   require_bytes(unpacked, name);
   const auto within = surface::lower_case(path.extension().string()) == ".gz" ? path.stem() : path;
-  PolygonMesh mesh = parse_mesh(unpacked, format_of(within, unpacked, name), name, report);
-  if (report) report->packed_bytes = bytes.size();
+  PolygonMesh mesh = parse_as(unpacked, format_of(within, unpacked, name), name, report, options, size, folder);
+  if (report) report->packed_bytes = size;
   return mesh;
 }
 
+}  // namespace
+
+PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report) {
+  return parse_as(bytes, format, name, report, {}, bytes.size(), {});
+}
+
+PolygonMesh parse_mesh(std::string_view bytes, const std::filesystem::path& name, LoadReport* report,
+                       const ReadOptions& options) {
+  return parse_any(bytes, name, report, options, {});
+}
+
 PolygonMesh read_polygon_mesh(const std::filesystem::path& path, LoadReport* report, const ReadOptions& options) {
-  return parse_mesh(read_file(path), path, report, options);
+  return parse_any(read_file(path), path, report, options, path.has_parent_path() ? path.parent_path() : ".");
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, LoadReport* report, const ReadOptions& options) {

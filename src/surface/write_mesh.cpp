@@ -56,6 +56,9 @@ PolygonMesh to_polygons(const TriangleMesh& mesh) {
 
 std::string format_mesh(const PolygonMesh& mesh, MeshFormat format, std::optional<MeshEncoding> encoding,
                         std::string_view name) {
+  if (format == MeshFormat::three_mf || format == MeshFormat::gltf)
+    fail_at_file(MeshFileProblem::unsupported, name,
+                 std::string(name_of(format)) + " is read, not written, expected OBJ, OFF, STL or PLY; choose one");
   require_sound(mesh);
   const auto used =
       encoding.value_or(format == MeshFormat::ply ? MeshEncoding::binary_little_endian : MeshEncoding::ascii);

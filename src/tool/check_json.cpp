@@ -52,7 +52,11 @@ json json_of(const LoadReport& l) {
           {"merged_vertices", l.merged_vertices},
           {"decimals", l.decimals},
           {"inexact_decimals", l.inexact_decimals},
-          {"largest_move", l.largest_move}};
+          {"largest_move", l.largest_move},
+          {"unit", l.unit},
+          {"parts", l.parts},
+          {"transformed_coordinates", l.transformed},
+          {"rounded_coordinates", l.rounded}};
 }
 
 json json_of(const MeshStatistics& m) {

@@ -144,15 +144,15 @@ Manual check_manual() {
           "how often is floating point wrong on a mesh, and where?",
           {"plumb check [OPTION]... [MESH]...", "plumb check --write-sample FILE"},
           {{"DESCRIPTION", R"(
-Reads each MESH (OBJ, OFF, STL, PLY; text or binary; also packed by
-gzip), every mesh in a folder and the folders in it, or standard input
-where MESH is '-'. Of each it opens with a verdict in three lines: what
-is wrong with the mesh, which methods then take which signs wrong, and
-what to do about both. Each line is printed as soon as it is known. The
-tables follow: the mesh's size, its lattice (the largest power of two
-that divides every coordinate, and how many bits the coordinates then
-take), repeated vertices, triangles of exactly zero area and
-non-manifold edges, then the decisions.
+Reads each MESH (OBJ, OFF, STL, PLY, 3MF, glTF; text or binary; also
+packed by gzip), every mesh in a folder and the folders in it, or
+standard input where MESH is '-'. Of each it opens with a verdict in
+three lines: what is wrong with the mesh, which methods then take which
+signs wrong, and what to do about both. Each line is printed as soon as
+it is known. The tables follow: the mesh's size, its lattice (the
+largest power of two that divides every coordinate, and how many bits
+the coordinates then take), repeated vertices, triangles of exactly zero
+area and non-manifold edges, then the decisions.
 
 Then it takes the decisions that mesh software takes:
 

@@ -24,6 +24,13 @@ std::string load_text(const LoadReport& l, bool triangulated) {
     s += fmt::format("  rounding    {} of {} decimals are no doubles; the farthest moved by {:.2g}\n",
                      grouped(l.inexact_decimals), grouped(l.decimals), l.largest_move);
   }
+  if (l.parts != 0)
+    s += fmt::format("  parts       {}{}\n", plural(l.parts, "placed mesh", "placed meshes"),
+                     l.unit.empty() ? "" : fmt::format("; the unit is the {}", l.unit));
+  if (l.transformed != 0) {
+    s += fmt::format("  placing     {} made by transforms, {} of them rounded, once each\n",
+                     plural(l.transformed, "coordinate", "coordinates"), grouped(l.rounded));
+  }
   return s;
 }
 

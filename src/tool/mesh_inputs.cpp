@@ -61,7 +61,7 @@ MeshInputs mesh_inputs(const std::string& argument) {
   MeshInputs found;
   walk(argument, found);
   if (found.files.empty())
-    fail(argument, "this folder holds no mesh, expected files that end in .obj, .off, .stl or .ply; name another");
+    fail(argument, "this folder holds no mesh, expected files that end like one (.obj, .stl, .3mf); name another");
   return found;
 }
 

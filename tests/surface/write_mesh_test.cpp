@@ -136,6 +136,8 @@ TEST(WriteMesh, RefusesWhatNoFileShouldHold) {
   }
   EXPECT_THROW(format_mesh(mesh, MeshFormat::obj, binary_little_endian), MeshFileError);
   EXPECT_THROW(format_mesh(mesh, MeshFormat::stl, binary_big_endian), MeshFileError);
+  for (const auto read_only : {MeshFormat::three_mf, MeshFormat::gltf})
+    EXPECT_THROW(format_mesh(mesh, read_only), MeshFileError);
 }
 
 struct Folder {

@@ -14,6 +14,7 @@
 #include "plumb/surface/write_mesh.hpp"
 #include "run_program.hpp"
 #include "surface/gzipped.hpp"
+#include "surface/packages.hpp"
 #include "tool/check_command.hpp"
 
 namespace plumb::tool {
@@ -307,6 +308,19 @@ TEST(Check, BoundsWhatAPackedMeshUnpacksTo) {
   const json read = report_of("--unpacked 41 " + file).at("meshes").at(0).at("file");
   EXPECT_EQ(read.at("bytes"), (std::size_t{40} << 20) + std::string(triangle).size());
   EXPECT_EQ(read.at("packed_bytes"), std::filesystem::file_size(file));
+}
+
+TEST(Check, ReadsPackagesWithTheirUnitsAndParts) {
+  const Folder folder;
+  const std::string turned = "<item objectid=\"1\" transform=\"0.1 0 0 0 1 0 0 0 1 0 0 0\"/>";
+  put(folder / "t.3mf", surface_test::package_of(surface_test::model_of(surface_test::tetrahedron_object, turned)));
+  EXPECT_THAT(run("$PLUMB check " + (folder / "t.3mf")).out,
+              AllOf(HasSubstr("  file        3MF, ASCII"), HasSubstr("1 placed mesh; the unit is the millimeter"),
+                    HasSubstr("12 coordinates made by transforms, 0 of them rounded")));
+  const json file = report_of(folder / "t.3mf").at("meshes").at(0).at("file");
+  EXPECT_EQ(file.at("unit"), "millimeter");
+  EXPECT_EQ(file.at("transformed_coordinates"), 12);
+  EXPECT_EQ(run("$PLUMB check - <" + (folder / "t.3mf")).code, 0);
 }
 
 TEST(Check, SaysOfForeignFormatsWhatConvertsThem) {

@@ -1,8 +1,9 @@
 // Which mesh files are known, how is one recognized, and what can be wrong with it?
 //
 // A file may be packed by gzip: then what it holds is looked at, and the extension before `.gz`.
-// Laws: the content outranks the extension where the content is unmistakable (the magic words of PLY and OFF, the exact
-// length of a binary STL, an STL that is text); OBJ has no mark and is believed by its extension or its first word.
+// Laws: the content outranks the extension where the content is unmistakable (the magic words of PLY, OFF, GLB and zip
+// archives, which 3MF is, the brace of JSON, which glTF is, the exact length of a binary STL, an STL that is text); OBJ
+// has no mark and is believed by its extension or its first word.  3MF and glTF are read, not written.
 // Every error names the file, the line (text) or the byte (binary) where there is one, what was found, what was
 // expected, and the mend.
 // Source: the formats as their authors published them; cost: recognition looks at the first few lines only.
@@ -18,7 +19,7 @@
 
 namespace plumb {
 
-enum class MeshFormat { obj, off, stl, ply };
+enum class MeshFormat { obj, off, stl, ply, three_mf, gltf };
 enum class MeshEncoding { ascii, binary_little_endian, binary_big_endian };
 
 std::string_view name_of(MeshFormat format);      // "OBJ"

@@ -3,7 +3,15 @@
 // Laws: decimals become their nearest doubles, float32 widens exactly; polygons, repeated vertices and zero area stay
 // as they are in the file (STL, which has no indices, gets one vertex per distinct point, -0 and +0 being one point, in
 // the order of first use).  Indices are in range, coordinates finite, or the file is refused.  Memory is bounded by a
-// small multiple of the file's size, never by a number that the file claims; of a packed file by the limits given.
+// small multiple of the file's size, never by a number that the file claims; and of what packing and
+// parts make of it by the limits given.
+// - 3MF: the items of the build with their components, also in parts of their own (production extension); other
+//   extensions are passed over.  Decimals become doubles, in the file's unit, which the report tells.
+// - glTF, GLB: the triangles, strips and fans of the default scene's nodes (of all, where it has no scenes), buffers in
+//   the file, as data URIs and in files beside it; sparse accessors.  Points, lines, skins and morph targets are passed
+//   over; Draco, meshopt, quantized positions and GPU instancing are refused by name.
+//   In both a part is where its transforms put it: read as it is where they are the identity, otherwise each coordinate
+//   the double nearest to the exact product of all of them, and counted.  A transform that mirrors turns the faces.
 // - Packed by gzip (part.stl.gz, known by its content): unpacked first, each member held to its checksum.
 // - OBJ: v, f (any corner form, negative indices, forward references), continued lines; the rest is passed over.
 // - OFF: the prefixes ST, C, N; counts on the header line or below; what follows a vertex or face on its line is not
@@ -38,6 +46,10 @@ struct LoadReport {
   std::uint64_t decimals = 0;          // coordinates that were decimals
   std::uint64_t inexact_decimals = 0;  // those that are not exactly doubles
   double largest_move = 0;             // how far a decimal moved to its double, at most
+  std::string_view unit{};             // "millimeter", where the file says; glTF's is always the meter
+  std::uint64_t parts = 0;             // meshes placed by a 3MF's build or a glTF's nodes
+  std::uint64_t transformed = 0;       // coordinates that a transform other than the identity has made
+  std::uint64_t rounded = 0;           // those of them whose exact value is no double
 };
 
 /// How much a small file may become.  What is packed unpacks to no more than `most_bytes`, nor to more than

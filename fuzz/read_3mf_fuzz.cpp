@@ -1,0 +1,6 @@
+// Any bytes as a 3MF file.
+#include "mesh_round_trip.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return plumb::fuzz::read_and_return(data, size, plumb::MeshFormat::three_mf);
+}
