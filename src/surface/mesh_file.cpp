@@ -67,7 +67,7 @@ std::optional<MeshFormat> format_by_content(std::string_view bytes) {
   surface::TextLines lines(head, "", {.comments = true});
   if (!lines.next_line()) return std::nullopt;
   const std::string_view word = lines.next_token();
-  if (word.starts_with('{')) return MeshFormat::gltf;
+  if (word.starts_with('{') && bytes.find("\"asset\"") != std::string_view::npos) return MeshFormat::gltf;
   if (surface::off_header(word)) return MeshFormat::off;
   if (surface::lower_case(word) == "solid") return MeshFormat::stl;
   if (is_obj_word(word)) return MeshFormat::obj;

@@ -3,10 +3,13 @@
 #include <minizip/unzip.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <map>
 #include <vector>
 
 #include "mesh_failure.hpp"
+#include "text_lines.hpp"
 
 namespace plumb::surface {
 
@@ -17,6 +20,7 @@ struct ZipArchive::Reading {
   std::uint64_t at = 0;
   bool beyond = false;  // whether something was read beyond the end
   unzFile zip = nullptr;
+  std::map<std::string, unz64_file_pos> places{};  // by names in lower case; of two alike the first
 };
 
 namespace {
@@ -62,14 +66,27 @@ ZipArchive::ZipArchive(std::string_view bytes, std::string_view file, std::uint6
   if (reading_->zip == nullptr)
     fail_at_file(MeshFileProblem::truncated, file,
                  "the zip archive has no directory at its end; it is cut short or damaged: fetch or export it again");
+  int said = unzGoToFirstFile(reading_->zip);
+  for (; said == UNZ_OK; said = unzGoToNextFile(reading_->zip)) {
+    std::array<char, 512> name{};  // longer ones are no parts of a 3MF
+    unz64_file_pos place{};
+    unz_file_info64 info{};
+    unzGetCurrentFileInfo64(reading_->zip, &info, name.data(), name.size() - 1, nullptr, 0, nullptr, 0);
+    if (unzGetFilePos64(reading_->zip, &place) == UNZ_OK) reading_->places.emplace(lower_case(name.data()), place);
+  }
+  if (said != UNZ_END_OF_LIST_OF_FILE) {
+    unzClose(reading_->zip);
+    fail_at_file(MeshFileProblem::syntax, file,
+                 "the directory of the zip archive is damaged; fetch or export it again");
+  }
 }
 
 ZipArchive::~ZipArchive() { unzClose(reading_->zip); }
 
 std::optional<std::string> ZipArchive::entry(const std::string& name) {
-  constexpr int without_case = 2;
   Reading& r = *reading_;
-  if (unzLocateFile(r.zip, name.c_str(), without_case) != UNZ_OK) return std::nullopt;
+  const auto found = r.places.find(lower_case(name));
+  if (found == r.places.end() || unzGoToFilePos64(r.zip, &found->second) != UNZ_OK) return std::nullopt;
   const auto fail = [&](MeshFileProblem problem, const std::string& text) {
     fail_at_file(problem, r.file, in_quotes(name) + ": " + text);
   };

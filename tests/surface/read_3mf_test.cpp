@@ -183,6 +183,12 @@ TEST(Read3mf, NamesTheElementThatIsWrong) {
   expect_error(zipped({{"_rels/.rels", relations, 0, 12}}), unsupported, "method 12");
 }
 
+TEST(Read3mf, FindsItsPartsWhateverTheirCase) {
+  EXPECT_EQ(read(zipped({{"_RELS/.rels", relations}, {"3d/3DModel.model", model_of(tetrahedron_object, item())}}))
+                .vertices.size(),
+            4U);
+}
+
 TEST(Read3mf, RefusesCyclesAndDepth) {
   expect_error(package_of(model_of(assembly("1", component("1")), item())), syntax, "component of itself");
   expect_error(package_of(model_of(assembly("1", component("2")) + assembly("2", component("1")), item())), syntax,

@@ -89,6 +89,8 @@ TEST(ReadGltf, HoldsTheTetrahedronInEveryKindOfBuffer) {
   EXPECT_EQ(report.transformed, 0U);
   expect_tetrahedron(read(glb_of(document().dump(), tetrahedron_bytes), &report));
   EXPECT_EQ(report.encoding, MeshEncoding::binary_little_endian);
+  EXPECT_EQ(format_by_content(text_of(document())), MeshFormat::gltf);
+  EXPECT_EQ(format_by_content("{\"program\": \"plumb check\"}"), std::nullopt);  // JSON, but no glTF
   EXPECT_EQ(format_by_extension("a.GLB"), MeshFormat::gltf);
   EXPECT_EQ(format_by_extension("a.gltf"), MeshFormat::gltf);
 }

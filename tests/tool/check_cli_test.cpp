@@ -310,6 +310,13 @@ TEST(Check, BoundsWhatAPackedMeshUnpacksTo) {
   EXPECT_EQ(read.at("packed_bytes"), std::filesystem::file_size(file));
 }
 
+TEST(Check, WritesAReportOverAnOldOne) {
+  const Folder folder;
+  const std::string write = "$PLUMB check --json " + (folder / "report.json");
+  EXPECT_EQ(run(write).code, 0);
+  EXPECT_EQ(run(write).err, "");  // JSON alone makes no glTF of it
+}
+
 TEST(Check, ReadsPackagesWithTheirUnitsAndParts) {
   const Folder folder;
   const std::string turned = "<item objectid=\"1\" transform=\"0.1 0 0 0 1 0 0 0 1 0 0 0\"/>";
