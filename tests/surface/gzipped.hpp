@@ -1,4 +1,4 @@
-// What does gzip make of these bytes?
+// What do gzip and zip make of these bytes?
 #pragma once
 
 #include <zlib.h>
@@ -9,9 +9,10 @@
 
 namespace plumb::surface_test {
 
-inline std::string gzipped(std::string_view bytes) {
+/// Deflated by the window that zlib's manual tells: 31 for gzip, -15 for bare data as in zip.
+inline std::string deflated(std::string_view bytes, int window) {
   z_stream z{};
-  if (deflateInit2(&z, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&z, Z_BEST_COMPRESSION, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::runtime_error("deflateInit2");
   std::string packed(deflateBound(&z, static_cast<uLong>(bytes.size())), '\0');
   z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
@@ -24,5 +25,7 @@ inline std::string gzipped(std::string_view bytes) {
   if (said != Z_STREAM_END) throw std::runtime_error("deflate");
   return packed;
 }
+
+inline std::string gzipped(std::string_view bytes) { return deflated(bytes, 31); }
 
 }  // namespace plumb::surface_test

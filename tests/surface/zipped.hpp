@@ -4,10 +4,10 @@
 #include <zlib.h>
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "surface/gzipped.hpp"
 
 namespace plumb::surface_test {
 
@@ -15,21 +15,6 @@ struct ZipEntry {
   std::string name, bytes;
   std::uint16_t flags = 0, method = 8;  // deflated; 0 is stored
 };
-
-inline std::string deflated(std::string_view bytes) {
-  z_stream z{};
-  if (deflateInit2(&z, Z_BEST_COMPRESSION, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-    throw std::runtime_error("deflateInit2");
-  std::string packed(deflateBound(&z, static_cast<uLong>(bytes.size())), '\0');
-  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  z.avail_in = static_cast<uInt>(bytes.size());
-  z.next_out = reinterpret_cast<Bytef*>(packed.data());
-  z.avail_out = static_cast<uInt>(packed.size());
-  if (deflate(&z, Z_FINISH) != Z_STREAM_END) throw std::runtime_error("deflate");
-  packed.resize(packed.size() - z.avail_out);
-  deflateEnd(&z);
-  return packed;
-}
 
 inline std::string zipped(const std::vector<ZipEntry>& entries) {
   const auto number = [](std::uint64_t x, int bytes) {
@@ -39,7 +24,7 @@ inline std::string zipped(const std::vector<ZipEntry>& entries) {
   };
   std::string files, directory;
   for (const ZipEntry& e : entries) {
-    const std::string packed = e.method == 0 ? e.bytes : deflated(e.bytes);
+    const std::string packed = e.method == 0 ? e.bytes : deflated(e.bytes, -15);
     const auto check = crc32(0, reinterpret_cast<const Bytef*>(e.bytes.data()), static_cast<uInt>(e.bytes.size()));
     const std::string about = number(20, 2) + number(e.flags, 2) + number(e.method, 2) + number(0, 4) +
                               number(check, 4) + number(packed.size(), 4) + number(e.bytes.size(), 4) +
