@@ -115,6 +115,7 @@ struct Scene {
   std::vector<bool> tips = {};  // of arrows: no points of the case
   std::vector<Outline> outlines = {};
   bool flat = true;
+  bool round = false;  // in the plane: the last of four points lies to the circle of the others
 
   /// Only these points, and the outlines that have no others.
   [[nodiscard]] Scene part(const std::vector<std::size_t>& kept) const {
@@ -163,12 +164,28 @@ Scene scene_of(const Kind& kind, const Numbers& numbers) {
     points_alone = points_alone && f.points.size() == 1;
     color = (color + 1) % 6;
   }
+  scene.round = points_alone && kind.name == "incircle";
   if (points_alone && scene.given.size() >= 3) {  // what the last point lies to: a line, a plane, a circle, a sphere
     Scene::Outline others{{}, 6, scene.given.size() > 3, false};
     for (std::size_t i = 0; i + 1 < scene.given.size(); ++i) others.at.push_back(i);
     scene.outlines.push_back(std::move(others));
   }
   return scene;
+}
+
+/// How far the fourth point is off the circle of three, in parts of its radius; nothing where they lie in line.
+std::string off_the_circle(const std::vector<Exact3>& p) {
+  const Exact3 b = minus(p[1], p[0]), c = minus(p[2], p[0]), d = minus(p[3], p[0]);
+  const Rational twice = Rational(2.0) * (b[0] * c[1] - b[1] * c[0]), bb = dot(b, b), cc = dot(c, c);
+  if (twice.sign() == Sign::zero) return " The first three lie in line.";
+  const Exact3 center{(bb * c[1] - cc * b[1]) / twice, (cc * b[0] - bb * c[0]) / twice, Rational(0.0)};
+  const Exact3 from = minus(d, center);
+  const Rational square = dot(center, center), off = (dot(from, from) - square) / square;
+  if (off.sign() == Sign::zero) return " The last point is on the circle.";
+  const double part = std::sqrt(1 + off.rounded()) - 1;
+  return fmt::format(" The last point is {} the circle, by {:.2g} of its radius.",
+                     off.sign() == Sign::positive ? "outside of" : "inside of",
+                     std::fabs(part) < 1e-6 ? std::fabs(off.rounded()) / 2 : std::fabs(part));
 }
 
 /// Points that fall together in a drawing.
@@ -186,6 +203,7 @@ class Drawing {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
         "height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n",
         kWidth, kHeight, escaped(title));
+    if (scene_.round && to_scale_) draw_circle();
     for (const Scene::Outline& o : scene_.outlines) draw(o);
     for (std::size_t i = 0; i < at_.size(); ++i) {
       if (!scene_.tips[i])
@@ -220,6 +238,8 @@ class Drawing {
     }
     scale_ = said.empty() ? "To scale" : fmt::format("Along the longest distance to scale, {}", fmt::join(said, ", "));
     scale_ += scene_.flat ? "." : "; seen aslant.";
+    to_scale_ = said.empty();
+    if (scene_.round) scale_ += off_the_circle(scene_.exact);
     double left = 0, right = 0, low = 0, high = 0;
     for (const Place& p : frame.places) {
       const double s = p[0], t = p[1] * drawn[1], r = p[2] * drawn[2];
@@ -243,6 +263,15 @@ class Drawing {
     out_ += fmt::format("<poly{} class=\"s{} drawn\" fill-opacity=\"0.14\" points=\"{}\"/>\n",
                         o.closed ? "gon" : "line", o.color, points);
     if (o.arrow) draw_tip(at_[o.at[0]], at_[o.at[1]], o.color);
+  }
+
+  void draw_circle() {
+    const auto [ax, ay] = at_[0];
+    const double bx = at_[1][0] - ax, by = at_[1][1] - ay, cx = at_[2][0] - ax, cy = at_[2][1] - ay;
+    const double twice = 2 * (bx * cy - by * cx), bb = bx * bx + by * by, cc = cx * cx + cy * cy;
+    const double x = (bb * cy - cc * by) / twice, y = (cc * bx - bb * cx) / twice, radius = std::hypot(x, y);
+    if (!(radius < 20 * kWidth)) return;  // nor NaN
+    out_ += fmt::format("<circle class=\"axis\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n", ax + x, ay + y, radius);
   }
 
   void draw_tip(const std::array<double, 2>& from, const std::array<double, 2>& to, std::size_t color) {
@@ -307,6 +336,7 @@ class Drawing {
 
   const Scene scene_;
   std::vector<std::array<double, 2>> at_;
+  bool to_scale_ = true;
   std::string scale_, out_;
 };
 

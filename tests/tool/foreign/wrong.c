@@ -178,3 +178,11 @@ double no_judge(const double *p, const double *a, const double *b) {
   if (p[0] == a[0] && p[1] == a[1]) abort();
   return nearer(p, a, b);
 }
+
+/* As the textbook has it: right but for rounding. */
+double naive_incircle(const double *a, const double *b, const double *c, const double *d) {
+  const double ax = a[0] - d[0], ay = a[1] - d[1], bx = b[0] - d[0], by = b[1] - d[1];
+  const double cx = c[0] - d[0], cy = c[1] - d[1];
+  return (ax * ax + ay * ay) * (bx * cy - by * cx) + (bx * bx + by * by) * (cx * ay - cy * ax) +
+         (cx * cx + cy * cy) * (ax * by - ay * bx);
+}
