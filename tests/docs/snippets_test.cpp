@@ -68,11 +68,22 @@ std::optional<bool> looked_up(const std::string& line) {
     std::istringstream(line.substr(at + 9)) >> next;
     return is_preset(next);
   }
-  if (word.starts_with("build/")) {
-    word.erase(0, 6);
-    return is_preset(word.substr(0, word.find('/')));
-  }
+  if (word.starts_with("build/") && is_preset(word.substr(6, word.find('/', 6) - 6))) return true;
   return std::nullopt;
+}
+
+/// The command with a reader's places put where the test has them, for this compiler and the sanitizers of this build.
+std::string placed(std::string line) {
+  const std::pair<std::string_view, std::string_view> places[]{
+      {"cmake --install build/demo ", "cmake --install " PLUMB_BINARY_DIR " "},
+      {"$HOME/src/plumb", PLUMB_SOURCE_DIR " -DPLUMB_BUILD_INCLUDE=" PLUMB_BINARY_DIR "/include"},
+      {"-DCMAKE_PREFIX_PATH=", "-DCMAKE_CXX_FLAGS='" PLUMB_SANITIZE_FLAGS "' -DCMAKE_PREFIX_PATH="},
+      {"$HOME/plumb", "$PWD/installed"},
+      {"g++ -std", PLUMB_CXX " " PLUMB_SANITIZE_FLAGS " -std"}};
+  for (const auto& [shown, here] : places) {
+    if (const std::size_t at = line.find(shown); at != line.npos) line.replace(at, shown.size(), here);
+  }
+  return line;
 }
 
 /// A program that the command runs, that not everyone has, and that is not installed here.
@@ -88,6 +99,8 @@ class Documents : public testing::TestWithParam<fs::path> {
  protected:
   static void SetUpTestSuite() {
     ::unsetenv("GTEST_BRIEF");  // a reader's tests tell of themselves
+    ::setenv("CXX", PLUMB_CXX, 1);
+    ::setenv("CMAKE_CXX_COMPILER_LAUNCHER", PLUMB_LAUNCHER, 1);
     faces_ = std::make_unique<Folder>();
     write(header(), faces);
     const Outcome read = tool::run(PLUMB_COMPILE " " PLUMB_INCLUDES " -x c++-header '" + header() + "'");
@@ -117,7 +130,7 @@ class Documents : public testing::TestWithParam<fs::path> {
       } else if (const auto known = looked_up(line)) {
         EXPECT_TRUE(*known) << line;
       } else {
-        lines += line + '\n';
+        lines += placed(line) + '\n';
       }
     }
     return run_here(lines);
@@ -130,6 +143,7 @@ class Documents : public testing::TestWithParam<fs::path> {
     const bool whole = block.text.find("int main(") != std::string::npos;
     main_ = whole ? block.text : faces + ("int main() {\n" + block.text + "}\n");
     write(source, main_);
+    write(folder_ / "main.cpp", main_);
     const Outcome built =
         run_here(PLUMB_COMPILE " -I. " PLUMB_INCLUDES + (whole ? "" : " -include '" + header() + "'") + " '" + source +
                  "' -o program " PLUMB_LIBRARIES);
