@@ -52,7 +52,7 @@ struct Question {
     require(s != Sign::zero, "never zero");
     require(exact == Sign::zero || s == exact, "the exact sign is kept");
     const auto by_size = order();
-    require(perturbation::expanded_sign(program<F>(), true, p, by_size) == s, "the expansion agrees");
+    require(perturbation::expanded_sign(tape::program<F>(), true, p, by_size) == s, "the expansion agrees");
     if constexpr (F::points < 5) {
       using Number = Infinitesimal<BigRational>;
       const Number value = evaluate<F>([&](std::size_t i) {

@@ -27,11 +27,11 @@ std::string counted(double n, const std::string& what) {
 
 }  // namespace
 
-BoundReport bound_report(std::string_view name, const Program& program, double constant) {
+BoundReport bound_report(std::string_view name, const tape::Program& program, double constant) {
   std::vector<int> degree(program.arity, 1);
   std::vector<BitLength> bits(program.arity, BitLength{53});
   bool homogeneous = true;
-  for (const Instruction& i : program.instructions) {
+  for (const tape::Instruction& i : program.instructions) {
     const bool product = i.operation == '*';
     const int left = degree[i.left], right = degree[i.right];
     homogeneous = homogeneous && (product || left == right);

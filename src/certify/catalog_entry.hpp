@@ -54,7 +54,7 @@ Unsure<Sign> ask(Stage stage, std::span<const double> coordinates) {
       if constexpr (asks<F>(Stage::interval)) return interval_sign<F>(p);
       break;
     case Stage::big_integer:
-      return Unsure{big_integer_sign(program<F>(), p)};
+      return Unsure{big_integer_sign(tape::program<F>(), p)};
   }
   return {};
 }
@@ -103,7 +103,7 @@ CatalogEntry entry() {
   e.filter_is_magnitude = filter_is_magnitude<F>;
   for (std::size_t i = 0; i < e.asks.size(); ++i) e.asks[i] = asks<F>(static_cast<Stage>(i));
   e.planned_bits = planned_bits<F>();
-  e.program = program<F>();
+  e.program = tape::program<F>();
   e.value_bits = value_bits<F>;
   e.decide = decide_with_stage<F>;
   e.ask = ask<F>;

@@ -148,7 +148,7 @@ class Expansion {
 };
 
 struct Question {
-  Program program;
+  tape::Program program;
   std::span<const double> coordinates;
   std::span<const std::uint16_t> moved;
   int bits_of_power;  // a field wide enough for any power
@@ -180,7 +180,7 @@ LargestTerm by_integers(const Question& q) {
     simple += q.infinitesimal(j);
   }
   Polynomial<Number>* next = value + arity;
-  for (const Instruction& step : q.program.instructions) {
+  for (const tape::Instruction& step : q.program.instructions) {
     const Polynomial<Number> l = value[step.left], r = value[step.right];
     *next++ = step.operation == '*'   ? expansion.product(l, r)
               : step.operation == '-' ? expansion.template sum<true>(l, r)
@@ -200,7 +200,7 @@ LargestTerm by_dyadics(const Question& q) {
   for (std::size_t j = 0; j < q.moved.size(); ++j) {
     value[q.moved[j]] = Number::moved(BigDyadic(q.coordinates[q.moved[j]]), BigDyadic(1), j);
   }
-  for (const Instruction& step : q.program.instructions) {
+  for (const tape::Instruction& step : q.program.instructions) {
     const Number &l = value[step.left], &r = value[step.right];
     value.push_back(step.operation == '*' ? l * r : step.operation == '-' ? l - r : l + r);
   }
@@ -214,29 +214,31 @@ LargestTerm by_dyadics(const Question& q) {
 
 /// The highest number that replaying the program by `make` comes to.
 template <class Make>
-int highest(Program program, int coordinate, Make make) {
+int highest(tape::Program program, int coordinate, Make make) {
   std::vector<int> value(program.arity, coordinate);
   value.reserve(program.arity + program.instructions.size());
-  for (const Instruction& step : program.instructions) value.push_back(make(step, value[step.left], value[step.right]));
+  for (const tape::Instruction& step : program.instructions)
+    value.push_back(make(step, value[step.left], value[step.right]));
   return *std::ranges::max_element(value);
 }
 
 /// The highest degree that a step reaches, which no power in it exceeds.
-int highest_degree(Program program) {
-  return highest(program, 1,
-                 [](const Instruction& step, int l, int r) { return step.operation == '*' ? l + r : std::max(l, r); });
+int highest_degree(tape::Program program) {
+  return highest(program, 1, [](const tape::Instruction& step, int l, int r) {
+    return step.operation == '*' ? l + r : std::max(l, r);
+  });
 }
 
 /// With moved coordinates below 2^bits, no coefficient reaches 2^this.
-int coefficient_bits(Program program, int bits) {
-  return highest(program, bits, [](const Instruction& step, int l, int r) {
+int coefficient_bits(tape::Program program, int bits) {
+  return highest(program, bits, [](const tape::Instruction& step, int l, int r) {
     return step.operation == '*' ? l + r : std::max(l, r) + 1;
   });
 }
 
 }  // namespace
 
-LargestTerm largest_term(Program program, bool homogeneous, std::span<const double> coordinates,
+LargestTerm largest_term(tape::Program program, bool homogeneous, std::span<const double> coordinates,
                          std::span<const std::uint16_t> moved) {
   Question q{program, coordinates, moved, 0, lattice_of(coordinates)};
   q.bits_of_power = static_cast<int>(std::bit_width(static_cast<unsigned>(highest_degree(program))));
@@ -250,7 +252,7 @@ LargestTerm largest_term(Program program, bool homogeneous, std::span<const doub
 // One infinitesimal more at a time, and with it the larger ones, first few of them: what is left out is smaller.  A
 // term that holds the new one once is larger than any with a power of it, though larger ones were left out of those.
 // How many of the larger ones are taken doubles until it is all of them, and then the loop ends.
-Sign expanded_sign(Program program, bool homogeneous, std::span<const double> coordinates,
+Sign expanded_sign(tape::Program program, bool homogeneous, std::span<const double> coordinates,
                    std::span<const std::uint16_t> order, std::size_t known_zero) {
   std::vector<std::uint16_t> moved;
   for (std::size_t last = known_zero; last < order.size(); ++last) {

@@ -11,7 +11,7 @@ namespace {
 
 class Writer {
  public:
-  Writer(const Program& program, const terms::Expanded& expanded)
+  Writer(const tape::Program& program, const terms::Expanded& expanded)
       : program_(program), expanded_(expanded), numbers_(expanded.nodes.size()) {}
 
   /// Names the node and what it is made of.
@@ -64,7 +64,7 @@ class Writer {
     }
   }
 
-  const Program program_;
+  const tape::Program program_;
   const terms::Expanded& expanded_;
   std::vector<Number> numbers_;
   Lines lines_;
@@ -73,7 +73,7 @@ class Writer {
 
 }  // namespace
 
-std::string every_scale_script(const Program& program, double constant) {
+std::string every_scale_script(const tape::Program& program, double constant) {
   const terms::Expanded expanded = terms::expand(program);
   std::map<std::string, std::size_t> shapes;  // and how many terms have it
   for (const terms::Term& t : expanded.terms) ++shapes[shape(expanded, t.node)];

@@ -8,7 +8,7 @@ std::string joined(std::initializer_list<std::string_view> pieces) {
   return text;
 }
 
-Number leaf(const Instruction& i) {
+Number leaf(const tape::Instruction& i) {
   const std::string pair = joined({std::to_string(i.left), "_", std::to_string(i.right)});
   const bool difference = i.operation == '-';
   return {joined({difference ? "d" : "s", pair}), joined({difference ? "D" : "S", pair})};

@@ -19,7 +19,7 @@ struct Number {
 };
 
 /// d4_7 and D4_7
-Number leaf(const Instruction& i);
+Number leaf(const tape::Instruction& i);
 
 /// "l - r", of the computed numbers and of the exact ones.
 Number applied(const Number& left, char operation, const Number& right);
@@ -47,7 +47,7 @@ class Lines {
   std::string definitions_, hypotheses_;
 };
 
-std::string unit_script(const Program& program, double constant);
-std::string every_scale_script(const Program& program, double constant);
+std::string unit_script(const tape::Program& program, double constant);
+std::string every_scale_script(const tape::Program& program, double constant);
 
 }  // namespace plumb::proof

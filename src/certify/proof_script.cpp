@@ -12,7 +12,7 @@
 namespace plumb {
 namespace proof {
 
-std::string unit_script(const Program& program, double constant) {
+std::string unit_script(const tape::Program& program, double constant) {
   const double terms = count_terms(program);
   const std::string bound = hexadecimal(constant * terms), twice = hexadecimal(2 * terms);
   Lines lines;
@@ -24,7 +24,7 @@ std::string unit_script(const Program& program, double constant) {
   }
   Number root;  // before its rounding
   std::string value;
-  for (const Instruction& i : program.instructions) {
+  for (const tape::Instruction& i : program.instructions) {
     if (terms::is_leaf(program, i)) {
       const Number l = leaf(i);
       if (lines.suppose_at_most(l.computed, "1")) lines.define(l.computed, " = ", joined({"double(", l.exact, ")"}));
@@ -68,9 +68,9 @@ std::string one_line(std::string_view text) {
 
 }  // namespace
 
-double count_terms(const Program& program) {
+double count_terms(const tape::Program& program) {
   std::vector<double> terms(program.arity, 1);
-  for (const Instruction& i : program.instructions) {
+  for (const tape::Instruction& i : program.instructions) {
     const double left = terms[i.left], right = terms[i.right];
     terms.push_back(terms::is_leaf(program, i) ? 1 : i.operation == '*' ? left * right : left + right);
     if (terms.back() >= 0x1p32) throw Error("a formula of 2^32 terms or more has no proof script");
@@ -78,7 +78,7 @@ double count_terms(const Program& program) {
   return terms.back();
 }
 
-std::string proof_script(std::string_view name, const Program& program, double constant, ProofScale scale) {
+std::string proof_script(std::string_view name, const tape::Program& program, double constant, ProofScale scale) {
   using namespace proof;
   if (program.instructions.empty()) throw Error("a formula without operations has no proof script");
   if (!(constant > 0) || !std::isfinite(constant)) {

@@ -7,11 +7,11 @@
 namespace plumb::rounding {
 namespace {
 
-BigDyadic value(Program program, std::span<const double> coordinates) {
+BigDyadic value(tape::Program program, std::span<const double> coordinates) {
   std::vector<BigDyadic> number;
   number.reserve(coordinates.size() + program.instructions.size());
   for (const double x : coordinates) number.emplace_back(x);
-  for (const Instruction& i : program.instructions) {
+  for (const tape::Instruction& i : program.instructions) {
     const BigDyadic &l = number[i.left], &r = number[i.right];
     number.push_back(i.operation == '*' ? l * r : i.operation == '-' ? l - r : l + r);
   }
@@ -20,7 +20,7 @@ BigDyadic value(Program program, std::span<const double> coordinates) {
 
 }  // namespace
 
-double by_integers(Rounding rounding, Form form, Program numerator, Program denominator,
+double by_integers(Rounding rounding, Form form, tape::Program numerator, tape::Program denominator,
                    std::span<const double> coordinates) {
   const BigDyadic n = value(numerator, coordinates);
   const BigDyadic d = denominator.instructions.empty() ? BigDyadic(1) : value(denominator, coordinates);

@@ -21,11 +21,11 @@ using Parts = std::map<Leaves, Part>;
 
 class Expansion {
  public:
-  explicit Expansion(const Program& program) {
+  explicit Expansion(const tape::Program& program) {
     for (std::size_t i = 0; i < program.arity; ++i) numbers_.push_back(single(i, add({Step::coordinate, i, 0})));
     std::map<std::tuple<char, std::size_t, std::size_t>, std::size_t> leaves;  // which node each is
     for (std::size_t i = 0; i < program.instructions.size(); ++i) {
-      const Instruction& in = program.instructions[i];
+      const tape::Instruction& in = program.instructions[i];
       if (is_leaf(program, in)) {
         const auto [at, is_new] = leaves.try_emplace({in.operation, in.left, in.right}, all_.nodes.size());
         if (is_new) add({Step::leaf, i, 0});
@@ -98,7 +98,7 @@ void write_shape(const Expanded& expanded, std::size_t node, std::map<std::size_
 
 }  // namespace
 
-Expanded expand(const Program& program) { return Expansion(program).result(); }
+Expanded expand(const tape::Program& program) { return Expansion(program).result(); }
 
 std::string shape(const Expanded& expanded, std::size_t node) {
   std::map<std::size_t, std::size_t> seen;

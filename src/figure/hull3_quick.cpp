@@ -22,7 +22,7 @@ class Quickhull {
       equal == simplex.end() ? keep(q) : take_index(nodes[*equal], nodes[q]);
     }
     list_pending();
-    while (!pending_.empty()) {
+    while (!pending_.empty()) {  // ends, for each node becomes a vertex once at most
       const Id face = pending_.back();
       pending_.pop_back();
       if (surface_.faces()[face].alive() && surface_.faces()[face].list != none) add_farthest(face);

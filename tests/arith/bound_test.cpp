@@ -40,7 +40,7 @@ TEST(BoundTest, IsTheRuleRoundedUpByAFewUnits) {
     const mpq_class units = exact.e * power_of_two(85);
     EXPECT_TRUE(mpq_class(static_cast<unsigned long>(bound.e)) >= units) << F::name;
     EXPECT_TRUE(mpq_class(static_cast<unsigned long>(bound.e)) <=
-                units + 6 * static_cast<int>(program<F>().instructions.size()))
+                units + 6 * static_cast<int>(tape::program<F>().instructions.size()))
         << F::name;
     EXPECT_LE(bound.root, bound.e);
   });

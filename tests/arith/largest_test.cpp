@@ -65,7 +65,7 @@ TEST(LargestMagnitudeTest, ThresholdIsNeverBelowThatOfFilterA) {
       if (!(a.magnitude < samples::infinity) || value != value) continue;
       const Largest<F> largest = largest_differences<F>(p);
       const double guards =
-          filter_constant<F>() * static_cast<double>(program<F>().instructions.size()) * underflow_guard;
+          filter_constant<F>() * static_cast<double>(tape::program<F>().instructions.size()) * underflow_guard;
       ASSERT_GE(largest_threshold<F>(largest) + guards, filter_constant<F>() * a.magnitude * (1 - 0x1p-45));
       // The product form and the sum over the formula are the same bound.
       if (!(magnitude_over<F>(largest) < samples::infinity)) continue;  // the product form overflows later

@@ -13,8 +13,8 @@ namespace {
 
 // Replays a program over numbers of any one type.
 template <class T>
-T replay(const Program& program, std::vector<T> number) {
-  for (const Instruction& i : program.instructions) {
+T replay(const tape::Program& program, std::vector<T> number) {
+  for (const tape::Instruction& i : program.instructions) {
     const T l = number[i.left], r = number[i.right];
     number.push_back(i.operation == '+' ? T(l + r) : i.operation == '-' ? T(l - r) : T(l * r));
   }
@@ -29,7 +29,7 @@ TEST(TapeTest, ReplayDoesExactlyWhatTheFormulaDoes) {
     for (int i = 0; i < 5'000; ++i) {
       fill_points(any_family(entropy), Degeneracy::cocircular, F::dimension, p, entropy);
       // Bit for bit, roundings, overflows and NaN included: the same operations in the same order.
-      const double direct = F{}(p), replayed = replay(program<F>(), std::vector<double>(p.begin(), p.end()));
+      const double direct = F{}(p), replayed = replay(tape::program<F>(), std::vector<double>(p.begin(), p.end()));
       ASSERT_TRUE(std::bit_cast<std::uint64_t>(direct) == std::bit_cast<std::uint64_t>(replayed) ||
                   (direct != direct && replayed != replayed));
     }
@@ -38,11 +38,11 @@ TEST(TapeTest, ReplayDoesExactlyWhatTheFormulaDoes) {
 
 TEST(TapeTest, NamesEarlierResultsOnly) {
   for_each_formula([]<Formula F>() {
-    const Program p = program<F>();
+    const tape::Program p = tape::program<F>();
     EXPECT_EQ(p.arity, arity<F>);
     std::vector<bool> used(p.arity + p.instructions.size());
     for (std::size_t i = 0; i < p.instructions.size(); ++i) {
-      const Instruction& at = p.instructions[i];
+      const tape::Instruction& at = p.instructions[i];
       ASSERT_LT(at.left, p.arity + i);
       ASSERT_LT(at.right, p.arity + i);
       ASSERT_TRUE(at.operation == '+' || at.operation == '-' || at.operation == '*');
@@ -54,7 +54,7 @@ TEST(TapeTest, NamesEarlierResultsOnly) {
 }
 
 TEST(TapeTest, IsOfFixedLength) {
-  Tape<1> tape;
+  tape::Tape<1> tape;
   tape.arity = 2;
   EXPECT_EQ(tape.write('+', 0, 1), 2);
   EXPECT_THROW(tape.write('*', 0, 1), std::length_error);

@@ -41,7 +41,7 @@ void register_predicate() {
       add(bits, "wide-integer", [](const C& p) { return answer(wide_integer_sign<F>(p)); });
     if (bits * degree<F>() < 1900)
       add(bits, "expansion", [](const C& p) { return static_cast<int>(expansion_sign<F>(p)); });
-    add(bits, "big-integer", [](const C& p) { return static_cast<int>(big_integer_sign(program<F>(), p)); });
+    add(bits, "big-integer", [](const C& p) { return static_cast<int>(big_integer_sign(tape::program<F>(), p)); });
   }
 }
 

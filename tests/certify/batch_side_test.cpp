@@ -92,7 +92,7 @@ TYPED_TEST(EveryFormula, IsTheSameNumberInItsForm) {
     const Coordinates<F> p = one_against<F>(Family::mixture, index, 1)[0];
     const auto run = [](const auto& tape, auto number) {
       for (std::size_t i = 0; i < tape.size; ++i) {
-        const Instruction in = tape.instructions[i];
+        const tape::Instruction in = tape.instructions[i];
         const auto l = number[in.left], r = number[in.right];
         number.push_back(in.operation == '*' ? l * r : in.operation == '-' ? l - r : l + r);
       }

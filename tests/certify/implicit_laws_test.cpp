@@ -13,8 +13,9 @@ using namespace predicates;
 
 // For points as given the formula is the classic one, operation for operation.
 template <class Classic, class General>
-constexpr bool same_work = program<Classic>().instructions.size() == program<General>().instructions.size() &&
-                           filter_constant<Classic>() == filter_constant<General>();
+constexpr bool same_work =
+    tape::program<Classic>().instructions.size() == tape::program<General>().instructions.size() &&
+    filter_constant<Classic>() == filter_constant<General>();
 static_assert(same_work<Orient2d, Mixed<HomogeneousOrient2d, ExplicitKind2, ExplicitKind2, ExplicitKind2>>);
 static_assert(
     same_work<Orient3d, Mixed<HomogeneousOrient3d, ExplicitKind3, ExplicitKind3, ExplicitKind3, ExplicitKind3>>);

@@ -71,7 +71,7 @@ struct Long {
     return some(a) + some(b) + some(a + b);
   }
 };
-static_assert(program<Long>().instructions.size() > 256);
+static_assert(tape::program<Long>().instructions.size() > 256);
 
 template <class F>
 class OwnFormulaTest : public testing::Test {};
@@ -90,7 +90,7 @@ TYPED_TEST(OwnFormulaTest, EveryStageAgreesWithRationals) {
     const Sign exact = evaluate<F>([&](std::size_t i) { return big_rational(p[i]); }).sign();
     zeros += exact == Sign::zero;
     ASSERT_EQ(decide<F>(p), exact) << seed;
-    ASSERT_EQ(big_integer_sign(program<F>(), p), exact) << seed;
+    ASSERT_EQ(big_integer_sign(tape::program<F>(), p), exact) << seed;
     for (const int s : {magnitude_filter<F>(p), largest_filter<F>(p)}) {
       if (s != 0) {
         ASSERT_EQ(static_cast<Sign>(s), exact) << seed;

@@ -11,10 +11,10 @@ namespace plumb {
 namespace {
 
 template <class Number, class Make>
-Number replay(const Program& program, Make make) {
+Number replay(const tape::Program& program, Make make) {
   std::vector<Number> value;
   for (std::size_t i = 0; i < program.arity; ++i) value.push_back(make(i));
-  for (const Instruction& step : program.instructions) {
+  for (const tape::Instruction& step : program.instructions) {
     const Number &l = value[step.left], &r = value[step.right];
     value.push_back(step.operation == '*' ? l * r : step.operation == '-' ? l - r : l + r);
   }

@@ -92,7 +92,7 @@ TEST(PerturbedFormulaTest, ExpandsOverCoordinatesOfAnyWidth) {
       }
       const Sign exact = decide<F>(p);
       if (exact == Sign::zero) continue;
-      ASSERT_EQ(perturbation::expanded_sign(program<F>(), true, p, order), exact) << width << " " << number;
+      ASSERT_EQ(perturbation::expanded_sign(tape::program<F>(), true, p, order), exact) << width << " " << number;
     }
   }
 }

@@ -107,7 +107,7 @@ TYPED_TEST(PerturbedTest, MovesAndExpansionAgree) {
     positive += s == Sign::positive;
     ++all;
     ASSERT_NE(s, Sign::zero) << told(c);
-    ASSERT_EQ(perturbation::expanded_sign(program<F>(), true, c.p, order), s) << told(c);
+    ASSERT_EQ(perturbation::expanded_sign(tape::program<F>(), true, c.p, order), s) << told(c);
   });
   EXPECT_GT(positive, all * 2 / 5);
   EXPECT_LT(positive, all * 3 / 5);

@@ -37,7 +37,7 @@ using UnitParaboloid = FormulaOf<decltype(unit_paraboloid), Point3>::Type;
 
 struct Claim {
   std::string name;
-  Program program;
+  tape::Program program;
   double constant;
 
   [[nodiscard]] std::string script(ProofScale scale, double factor = 1) const {
@@ -47,7 +47,7 @@ struct Claim {
 
 template <Formula F>
 Claim claim_of(std::string name) {
-  return {std::move(name), program<F>(), filter_constant<F>()};
+  return {std::move(name), tape::program<F>(), filter_constant<F>()};
 }
 
 /// The manifest's, and a user's.
@@ -139,10 +139,10 @@ std::size_t terms_in(const std::string& script) {
 }
 
 TEST(ProofScriptTest, SpeaksForEveryTermOfADeterminant) {
-  EXPECT_EQ(count_terms(program<predicates::Orient2d>()), 2);
-  EXPECT_EQ(count_terms(program<predicates::Orient3d>()), 6);
-  EXPECT_EQ(count_terms(program<predicates::InCircle>()), 12);
-  EXPECT_EQ(count_terms(program<predicates::InSphere>()), 72);
+  EXPECT_EQ(count_terms(tape::program<predicates::Orient2d>()), 2);
+  EXPECT_EQ(count_terms(tape::program<predicates::Orient3d>()), 6);
+  EXPECT_EQ(count_terms(tape::program<predicates::InCircle>()), 12);
+  EXPECT_EQ(count_terms(tape::program<predicates::InSphere>()), 72);
   for (const CatalogEntry& e : catalog().first(4)) {
     const std::string script = proof_script(e.name, e.program, e.filter_constant, ProofScale::every);
     EXPECT_EQ(static_cast<double>(terms_in(script)), count_terms(e.program)) << e.name;
@@ -150,7 +150,7 @@ TEST(ProofScriptTest, SpeaksForEveryTermOfADeterminant) {
 }
 
 TEST(ProofScriptTest, KeepsNamesOnTheirLine) {
-  const Program p = program<predicates::Orient2d>();
+  const tape::Program p = tape::program<predicates::Orient2d>();
   EXPECT_THAT(proof_script("one\n{ 0 in [1,2] } ", p, 0x1p-50), HasSubstr("one { 0 in [1,2] }  true"));
 }
 
@@ -158,17 +158,17 @@ TEST(ProofScriptTest, RefusesWhatHasNoProof) {
   EXPECT_THROW(proof_script("nothing", {2, {}}, 0x1p-53), Error);
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double constant : {0.0, -0x1p-50, infinity, infinity - infinity}) {
-    EXPECT_THROW(proof_script("wrong", program<predicates::Orient2d>(), constant), Error);
+    EXPECT_THROW(proof_script("wrong", tape::program<predicates::Orient2d>(), constant), Error);
   }
   // (x0 x1 + x0 x1) squared five times has 2^32 terms, all alike.
-  std::vector<Instruction> squares{{'*', 0, 1}, {'+', 2, 2}};
+  std::vector<tape::Instruction> squares{{'*', 0, 1}, {'+', 2, 2}};
   for (std::uint16_t i = 3; i < 8; ++i) squares.push_back({'*', i, i});
   EXPECT_THROW(proof_script("squares", {2, squares}, 0x1p-40), Error);
   squares.pop_back();
   EXPECT_EQ(count_terms({2, squares}), 0x1p16);
   EXPECT_EQ(terms_in(proof_script("squares", {2, squares}, 0x1p-40, ProofScale::every)), 1U);
   // The fourth power of a sum of forty coordinates has 123410 different ones.
-  std::vector<Instruction> power{{'*', 0, 0}};
+  std::vector<tape::Instruction> power{{'*', 0, 0}};
   for (std::uint16_t i = 0; i < 40; ++i) power.push_back({'+', static_cast<std::uint16_t>(40 + i), i});
   power.push_back({'*', 80, 80});
   power.push_back({'*', 81, 81});

@@ -21,13 +21,13 @@ mpz_class applied(char operation, const mpz_class& left, const mpz_class& right)
   return operation == '+' ? mpz_class(left + right) : mpz_class(left - right);
 }
 
-mpz_class value_of(const Program& program, Integers x) {
-  for (const Instruction& i : program.instructions) x.push_back(applied(i.operation, x[i.left], x[i.right]));
+mpz_class value_of(const tape::Program& program, Integers x) {
+  for (const tape::Instruction& i : program.instructions) x.push_back(applied(i.operation, x[i.left], x[i.right]));
   return x.back();
 }
 
 /// Of all nodes.
-Integers values_of(const Expanded& expanded, const Program& program, const Integers& x) {
+Integers values_of(const Expanded& expanded, const tape::Program& program, const Integers& x) {
   Integers values;
   for (const Node& n : expanded.nodes) {
     switch (n.step) {
@@ -35,7 +35,7 @@ Integers values_of(const Expanded& expanded, const Program& program, const Integ
         values.push_back(x[n.left]);
         break;
       case Step::leaf: {
-        const Instruction& i = program.instructions[n.left];
+        const tape::Instruction& i = program.instructions[n.left];
         values.push_back(applied(i.operation, x[i.left], x[i.right]));
         break;
       }
@@ -95,8 +95,8 @@ TEST(TermsTest, PassEveryRoundingButTheLast) {
 
 TEST(TermsTest, HaveTheShapeOfTheirComputation) {
   // (x0 - x1)(x2 - x3) + (x0 - x1)(x0 - x1) - x4 (x0 - x3)
-  const std::vector<Instruction> steps{{'-', 0, 1}, {'-', 2, 3}, {'*', 5, 6},  {'*', 5, 5},
-                                       {'+', 7, 8}, {'-', 0, 3}, {'*', 4, 10}, {'-', 9, 11}};
+  const std::vector<tape::Instruction> steps{{'-', 0, 1}, {'-', 2, 3}, {'*', 5, 6},  {'*', 5, 5},
+                                             {'+', 7, 8}, {'-', 0, 3}, {'*', 4, 10}, {'-', 9, 11}};
   const Expanded expanded = expand({5, steps});
   ASSERT_EQ(expanded.terms.size(), 3U);
   std::multiset<std::string> shapes;
@@ -106,7 +106,7 @@ TEST(TermsTest, HaveTheShapeOfTheirComputation) {
 
 TEST(TermsTest, OfOneKindAreOne) {
   // x0 x1 + x1 x0 - x0 x1
-  const std::vector<Instruction> steps{{'*', 0, 1}, {'*', 1, 0}, {'+', 2, 3}, {'*', 0, 1}, {'-', 4, 5}};
+  const std::vector<tape::Instruction> steps{{'*', 0, 1}, {'*', 1, 0}, {'+', 2, 3}, {'*', 0, 1}, {'-', 4, 5}};
   const Expanded expanded = expand({2, steps});
   ASSERT_EQ(expanded.terms.size(), 1U);
   EXPECT_EQ(expanded.terms.front().count, 3);

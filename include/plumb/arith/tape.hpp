@@ -11,7 +11,7 @@
 #include <span>
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::tape {
 
 /// Result number arity + i of instruction i; operands name inputs (below arity) or earlier results.
 struct Instruction {
@@ -48,4 +48,4 @@ struct Recorded {
   friend constexpr Recorded operator*(Recorded a, Recorded b) { return {a.tape, a.tape->write('*', a.index, b.index)}; }
 };
 
-}  // namespace plumb
+}  // namespace plumb::tape

@@ -28,11 +28,11 @@ struct BoundReport {
 };
 
 /// Throws Error from 2^32 terms on.
-BoundReport bound_report(std::string_view name, const Program& program, double constant);
+BoundReport bound_report(std::string_view name, const tape::Program& program, double constant);
 
 template <Formula F>
 BoundReport bound_report() {
-  return bound_report(F::name, program<F>(), filter_constant<F>());
+  return bound_report(F::name, tape::program<F>(), filter_constant<F>());
 }
 
 /// Of the formula that sign_of takes this polynomial for, given arguments of these types.

@@ -27,7 +27,7 @@ struct CatalogEntry {
   /// Of coordinates, for which a plan takes each of its arithmetics but the chain (certify/plan.hpp, in their order);
   /// -1 where it has none.
   std::array<int, 4> planned_bits;
-  Program program;
+  tape::Program program;
   /// Bits that the exact value takes when the coordinates are integers of this many bits.
   int (*value_bits)(int coordinate_bits);
   /// Sign and stage; throws NonFinite.  As many coordinates as arity(), argument after argument.

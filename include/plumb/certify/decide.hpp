@@ -59,7 +59,7 @@ template <Formula F>
   if constexpr (has_wide_stages<F>) {
     if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
   }
-  return {big_integer_sign(program<F>(), p), Stage::big_integer};
+  return {big_integer_sign(tape::program<F>(), p), Stage::big_integer};
 }
 
 /// The sign of F at p.  The recorder is told which stage decided.

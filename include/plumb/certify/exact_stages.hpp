@@ -69,10 +69,11 @@ struct Input {
 };
 
 template <Formula F>
-inline constexpr bool enters_by_differences = std::ranges::all_of(tape::of<F>.instructions, [](const Instruction& i) {
-  const int inputs = (i.left < arity<F> ? 1 : 0) + (i.right < arity<F> ? 1 : 0);
-  return inputs == 0 || (inputs == 2 && i.operation == '-');
-});
+inline constexpr bool enters_by_differences =
+    std::ranges::all_of(tape::of<F>.instructions, [](const tape::Instruction& i) {
+      const int inputs = (i.left < arity<F> ? 1 : 0) + (i.right < arity<F> ? 1 : 0);
+      return inputs == 0 || (inputs == 2 && i.operation == '-');
+    });
 
 template <Formula F, int Bits>
 [[gnu::always_inline]] inline Unsure<Sign> sign_of(const LatticeIntegers<arity<F>>& all, int zeros) {
@@ -161,6 +162,6 @@ Unsure<Sign> wide_integer_sign(const Coordinates<F>& p) {
 }
 
 /// Any program over any finite coordinates, by GMP (src/certify/big_integer_stage.cpp).
-Sign big_integer_sign(Program program, std::span<const double> coordinates);
+Sign big_integer_sign(tape::Program program, std::span<const double> coordinates);
 
 }  // namespace plumb

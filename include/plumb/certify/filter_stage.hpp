@@ -78,7 +78,7 @@ constexpr Largest<F> largest_differences(const Coordinates<F>& p) {
     largest[axis] = m > largest[axis] ? m : largest[axis];  // a NaN is not kept: it ends in the value
   };
   const auto look_at = [&]<std::size_t I>() {
-    constexpr Instruction i = tape::of<F>.instructions[I];
+    constexpr tape::Instruction i = tape::of<F>.instructions[I];
     constexpr bool left = i.left < arity<F>, right = i.right < arity<F>;
     if constexpr (left && right && i.operation != '*') {
       raise(axis_of_input<F>(i.left), i.operation == '-' ? p[i.left] - p[i.right] : p[i.left] + p[i.right]);

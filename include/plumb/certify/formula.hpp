@@ -142,6 +142,12 @@ inline constexpr auto of = [] {
   return tape;
 }();
 
+/// The formula as data.
+template <Formula F>
+constexpr Program program() {
+  return {arity<F>, of<F>.instructions};
+}
+
 }  // namespace tape
 
 /// Of the terms of the formula, whether or not they have one degree.
@@ -162,12 +168,6 @@ consteval TermDegrees term_degrees() {
     degree[arity<F> + i] = steps[i].operation == '*' ? left + right : left > right ? left : right;
   }
   return {degree.back(), equal};
-}
-
-/// The formula as data.
-template <Formula F>
-constexpr Program program() {
-  return {arity<F>, tape::of<F>.instructions};
 }
 
 }  // namespace plumb

@@ -12,7 +12,7 @@
 
 namespace plumb {
 
-/// `program<F>()` (certify/formula.hpp) at these coordinates, which must be finite and as many as it takes.
-double nearest_value(Program program, std::span<const double> coordinates);
+/// `tape::program<F>()` (certify/formula.hpp) at these coordinates, which must be finite and as many as it takes.
+double nearest_value(tape::Program program, std::span<const double> coordinates);
 
 }  // namespace plumb

@@ -63,7 +63,7 @@ struct Subject {
   std::string_view name;
   std::span<const int> arguments;
   bool alternating, homogeneous;
-  Program program;
+  tape::Program program;
   std::span<const std::uint8_t> degree;   // of each coordinate (arith/occurrence.hpp) ...
   std::span<const std::uint64_t> beside;  // ... and with which it is multiplied; both empty beyond 64 coordinates
   Sign (*decide)(std::span<const double> coordinates);
@@ -86,8 +86,14 @@ Sign decide_span(std::span<const double> coordinates) {
 }
 
 template <Formula F>
-inline constexpr Subject subject{F::name,      arguments<F>,         is_alternating<F>,    is_homogeneous<F>,
-                                 program<F>(), occurrence<F>.degree, occurrence<F>.beside, decide_span<F>};
+inline constexpr Subject subject{F::name,
+                                 arguments<F>,
+                                 is_alternating<F>,
+                                 is_homogeneous<F>,
+                                 tape::program<F>(),
+                                 occurrence<F>.degree,
+                                 occurrence<F>.beside,
+                                 decide_span<F>};
 
 /// The perturbed sign where the exact one is zero.
 template <Formula F>
@@ -98,7 +104,7 @@ Sign sign_of_zero(const Subject& subject, std::span<const double> coordinates, s
 /// The same by nothing but the expansion in infinitesimals: coordinate order[0] is moved by the largest, and so on.  A
 /// hint: the expansion is known to be zero in the first `known_zero` infinitesimals alone.  Zero where the polynomial
 /// is.
-Sign expanded_sign(Program program, bool homogeneous, std::span<const double> coordinates,
+Sign expanded_sign(tape::Program program, bool homogeneous, std::span<const double> coordinates,
                    std::span<const std::uint16_t> order, std::size_t known_zero = 0);
 
 template <Formula F>

@@ -21,7 +21,7 @@ namespace rounding {
 enum class Form : unsigned char { value, quotient, root };
 
 /// By integers: numerator / denominator, or its root.
-double by_integers(Rounding rounding, Form form, Program numerator, Program denominator,
+double by_integers(Rounding rounding, Form form, tape::Program numerator, tape::Program denominator,
                    std::span<const double> coordinates);
 
 /// A denominator for values, and for roots of them.
@@ -35,9 +35,10 @@ template <class N, class D, class... Arguments>
   const Coordinates<F> p = coordinates_of<F>(arguments...);
   require_finite<F>(p);
   if constexpr (std::is_same_v<D, One>) {
-    return by_integers(rounding, form, program<F>(), {}, p);
+    return by_integers(rounding, form, tape::program<F>(), {}, p);
   } else {
-    return by_integers(rounding, form, program<F>(), program<typename FormulaOf<D, Arguments...>::Type>(), p);
+    return by_integers(rounding, form, tape::program<F>(), tape::program<typename FormulaOf<D, Arguments...>::Type>(),
+                       p);
   }
 }
 

@@ -118,7 +118,7 @@ class Side {
     auto number = side::zeros(std::make_index_sequence<dimension + sizeof...(I)>());
     for (std::size_t a = 0; a < dimension; ++a) number[a] = Filtered::Rounded{q[a] - pivot(a)};
     [[maybe_unused]] const auto run = [&]<std::size_t N>() {
-      constexpr Instruction in = side::form_of<F>.query.instructions[N];
+      constexpr tape::Instruction in = side::form_of<F>.query.instructions[N];
       const Filtered &l = number[in.left], &r = number[in.right];
       if constexpr (in.operation == '*' && in.left < dimension && in.right < dimension) {
         number[dimension + N] = Filtered::Rounded{l.value} * Filtered::Rounded{r.value};
@@ -136,7 +136,7 @@ class Side {
     // The coordinates are numbers too, but are used in differences only.
     auto number = side::zeros(std::index_sequence<I...>());
     const auto run = [&]<std::size_t N>() {
-      constexpr Instruction in = form.fixed.instructions[N];
+      constexpr tape::Instruction in = form.fixed.instructions[N];
       if constexpr (in.left < arity<F>) {
         number[N] = Filtered::Rounded{given_[in.left] - given_[in.right]};
       } else {

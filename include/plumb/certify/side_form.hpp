@@ -61,7 +61,7 @@ struct Coefficient {
 /// Fixed: inputs are all coordinates as the caller orders them, results follow.  Query: inputs are the differences of
 /// the query point to the pivot, one for each axis, results follow.
 struct Form {
-  Tape<most_instructions> fixed, query;
+  tape::Tape<most_instructions> fixed, query;
   std::array<std::uint16_t, most_variables> variable{};  // numbers on the tape of the query
   std::array<Coefficient, most_variables> coefficient{};
   std::size_t variables = 0;
@@ -162,7 +162,7 @@ inline constexpr Form form_of = [] {
     number[i].index = static_cast<std::uint16_t>(of_query ? i : point_at<F>(i / dim) * dim + i % dim);
   }
   for (std::size_t i = 0; i < size; ++i) {
-    const Instruction in = tape::of<F>.instructions[i];
+    const tape::Instruction in = tape::of<F>.instructions[i];
     number[arity<F> + i] = separation.combined(in.operation, number[in.left], number[in.right]);
   }
   return separation.finished(number[arity<F> + size - 1]);
@@ -173,7 +173,7 @@ template <Formula F>
 inline constexpr double constant = [] {
   const auto run = [](const auto& tape, std::array<Bound, arity<F> + most_instructions>& bound) {
     for (std::size_t i = 0; i < tape.size; ++i) {
-      const Instruction in = tape.instructions[i];
+      const tape::Instruction in = tape.instructions[i];
       const bool of_inputs = in.left < arity<F> && in.right < arity<F> && tape.arity == arity<F>;
       const Bound l = bound[in.left], r = bound[in.right];
       bound[tape.arity + i] = of_inputs ? Bound{Bound::eps, 0} : in.operation == '*' ? l * r : l + r;

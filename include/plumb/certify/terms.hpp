@@ -17,7 +17,7 @@
 namespace plumb::terms {
 
 /// A difference or sum of two coordinates: where a formula's error begins.
-inline bool is_leaf(const Program& program, const Instruction& i) {
+inline bool is_leaf(const tape::Program& program, const tape::Instruction& i) {
   return i.operation != '*' && i.left < program.arity && i.right < program.arity;
 }
 
@@ -42,7 +42,7 @@ struct Expanded {
 };
 
 /// Throws Error when there are 2^16 different terms or more, on the way or at the end.
-Expanded expand(const Program& program);
+Expanded expand(const tape::Program& program);
 
 /// One text for all nodes that differ in names only.
 std::string shape(const Expanded& expanded, std::size_t node);

@@ -61,7 +61,7 @@ struct AgainstOne {
 
   template <std::size_t I>
   static HWY_INLINE void instruction(Magnified* number) {
-    constexpr Instruction in = side::form_of<F>.query.instructions[I];
+    constexpr tape::Instruction in = side::form_of<F>.query.instructions[I];
     constexpr bool of_differences = in.left < dimension && in.right < dimension;
     static_assert(in.operation == '+' || (in.operation == '*' && of_differences), "a query takes sums of products");
     const Magnified &l = number[in.left], &r = number[in.right];

@@ -26,7 +26,7 @@ struct ReplayPlan {
   static constexpr std::size_t points = static_cast<std::size_t>(F::points);
   static constexpr std::size_t size = tape::of<F>.size;
 
-  static constexpr Instruction instruction(std::size_t i) { return tape::of<F>.instructions[i]; }
+  static constexpr tape::Instruction instruction(std::size_t i) { return tape::of<F>.instructions[i]; }
   static constexpr bool is_input(std::size_t number) { return number < arity<F>; }
   /// Is instruction i a difference of two coordinates?
   static constexpr bool is_difference(std::size_t i) {
@@ -36,7 +36,7 @@ struct ReplayPlan {
 
   static constexpr bool by_differences = [] {
     for (std::size_t i = 0; i < size; ++i) {
-      const Instruction in = instruction(i);
+      const tape::Instruction in = instruction(i);
       if (is_input(in.left) != is_input(in.right)) return false;
       if (is_difference(i) && (in.operation != '-' || in.left % dimension != in.right % dimension)) return false;
     }
@@ -80,7 +80,7 @@ struct ReplayPlan {
           if (axis(i) == axis(j)) first[i] = j;
           continue;
         }
-        const Instruction a = instruction(i), b = instruction(j);
+        const tape::Instruction a = instruction(i), b = instruction(j);
         const std::size_t al = first[a.left - arity<F>], ar = first[a.right - arity<F>];
         const std::size_t bl = first[b.left - arity<F>], br = first[b.right - arity<F>];
         const bool same_operands = (al == bl && ar == br) || (al == br && ar == bl);
