@@ -34,6 +34,7 @@
 #include "plumb/figure/proxy.hpp"
 #include "plumb/figure/relation.hpp"
 #include "plumb/figure/round.hpp"
+#include "plumb/figure/rounded_points.hpp"
 #include "plumb/figure/simplex.hpp"
 #include "plumb/figure/small_system.hpp"
 #include "plumb/figure/spanned_sphere.hpp"
