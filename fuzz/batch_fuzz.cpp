@@ -3,8 +3,6 @@
 //
 // Bytes: formula, instruction set and form; number of cases; then as predicate_fuzz.hpp reads them, one family for all
 // cases (odd) or doubles as they lie in memory (even), repeated while cases are wanted.
-#include <hwy/targets.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +12,10 @@
 #include <iostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "certify/batch/take_instruction_set.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/certify/side.hpp"
@@ -26,8 +26,6 @@ namespace plumb::fuzz {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
-
-constexpr std::array<std::int64_t, 4> instruction_sets{HWY_AVX3, HWY_AVX2, HWY_SSSE3, HWY_SCALAR};
 
 template <class F>
 side::PointOf<F> point_of(const Coordinates<F>& c, std::size_t p) {
@@ -156,11 +154,11 @@ void run(Bytes bytes, unsigned form, std::size_t count) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace plumb;
   if (size < 2) return 0;
-  static const std::int64_t present = hwy::SupportedTargets() | HWY_SCALAR;
+  static const std::vector<std::string_view> sets = batch_instruction_sets();
   const unsigned choice = data[0], form = choice / 16 % 4;
-  const std::int64_t set = fuzz::instruction_sets[choice / 4 % 4];
+  const std::size_t set = choice / 4 % 4;  // those that there are not: the best
   const std::size_t count = 1 + data[1] % 40;
-  hwy::SetSupportedTargetsForTest((present & set) != 0 ? set : 0);
+  batch::take_instruction_set(set < sets.size() ? sets[set] : std::string_view());
   const fuzz::Bytes rest{data + 2, size - 2};
   switch (choice % 4) {
     case 0:

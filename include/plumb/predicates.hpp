@@ -24,6 +24,7 @@
 #include "plumb/certify/direction.hpp"
 #include "plumb/certify/environment.hpp"
 #include "plumb/certify/implicit.hpp"
+#include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/line_triangle.hpp"
 #include "plumb/certify/moving_points.hpp"
 #include "plumb/certify/perturbed.hpp"

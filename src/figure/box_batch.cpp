@@ -128,6 +128,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <string>
 
+#include "certify/batch/chosen_target.hpp"
 #include "finite_parts.hpp"
 
 namespace plumb {
@@ -216,7 +217,7 @@ SphereBatch::SphereBatch(std::span<const Sphere3> spheres) {
 void intersects(const BoxBatch& a, const BoxBatch& b, std::span<std::uint8_t> out) {
   box_batch::require_length(a.size(), b.size(), "b", out.size());
   const auto at_a = box_batch::numbers<6>(a), at_b = box_batch::numbers<6>(b);
-  HWY_DYNAMIC_DISPATCH(box_batch::many_boxes)(at_a.data(), at_b.data(), out.size(), out.data());
+  PLUMB_DISPATCH(box_batch::many_boxes)(at_a.data(), at_b.data(), out.size(), out.data());
 }
 
 void intersects(const Aabb3& one, const BoxBatch& many, std::span<std::uint8_t> out) {
@@ -224,7 +225,7 @@ void intersects(const Aabb3& one, const BoxBatch& many, std::span<std::uint8_t> 
   figure::require_finite_parts("intersects", {"one.min", "one.max"}, one.min, one.max);
   const auto at = box_batch::numbers<6>(many);
   const std::array<const double*, 6> of_one{&one.min.x, &one.min.y, &one.min.z, &one.max.x, &one.max.y, &one.max.z};
-  HWY_DYNAMIC_DISPATCH(box_batch::one_box)(of_one.data(), at.data(), out.size(), out.data());
+  PLUMB_DISPATCH(box_batch::one_box)(of_one.data(), at.data(), out.size(), out.data());
 }
 
 void intersects(const SphereBatch& a, const SphereBatch& b, std::span<std::uint8_t> out) {
@@ -233,7 +234,7 @@ void intersects(const SphereBatch& a, const SphereBatch& b, std::span<std::uint8
       out.size(),
       [&](std::size_t from, std::size_t n, std::uint32_t* unsure) {
         const auto at_a = box_batch::numbers<4>(a, from), at_b = box_batch::numbers<4>(b, from);
-        return HWY_DYNAMIC_DISPATCH(box_batch::many_spheres)(at_a.data(), at_b.data(), n, out.data() + from, unsure);
+        return PLUMB_DISPATCH(box_batch::many_spheres)(at_a.data(), at_b.data(), n, out.data() + from, unsure);
       },
       [&](std::size_t i) { out[i] = intersects(a[i], b[i]); });
 }
@@ -247,7 +248,7 @@ void intersects(const Sphere3& one, const SphereBatch& many, std::span<std::uint
       out.size(),
       [&](std::size_t from, std::size_t n, std::uint32_t* unsure) {
         const auto at = box_batch::numbers<4>(many, from);
-        return HWY_DYNAMIC_DISPATCH(box_batch::one_sphere)(of_one.data(), at.data(), n, out.data() + from, unsure);
+        return PLUMB_DISPATCH(box_batch::one_sphere)(of_one.data(), at.data(), n, out.data() + from, unsure);
       },
       [&](std::size_t i) { out[i] = intersects(one, many[i]); });
 }

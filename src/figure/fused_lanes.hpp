@@ -12,9 +12,11 @@
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/targets.h>
 
+#include "certify/batch/chosen_target.hpp"
+
 #if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_STATIC_TARGET != HWY_AVX2
 namespace plumb::fused_lanes {
-inline const bool are_there = (hwy::SupportedTargets() & HWY_AVX2) != 0;
+inline const bool are_there = (batch::targets_or_all() & (HWY_AVX2 | HWY_AVX3)) != 0;
 }
 #define PLUMB_BY_LANES(space, ...) \
   (plumb::fused_lanes::are_there ? space::N_AVX2::__VA_ARGS__ : space::HWY_NAMESPACE::__VA_ARGS__)

@@ -131,6 +131,8 @@ double triangles(const double* const* of, std::size_t n, const Point3& p, double
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "certify/batch/chosen_target.hpp"
+
 namespace plumb {
 namespace query {
 namespace batch {
@@ -164,13 +166,13 @@ NearestOfMany nearest_of(const Batch& many, const Point3& p, Scan scan) {
 }  // namespace query
 
 NearestOfMany nearest(const PointBatch& many, const Point3& p) {
-  return query::nearest_of<PointBatch, 3>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::points));
+  return query::nearest_of<PointBatch, 3>(many, p, PLUMB_DISPATCH(query::batch::points));
 }
 NearestOfMany nearest(const SegmentBatch& many, const Point3& p) {
-  return query::nearest_of<SegmentBatch, 6>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::segments));
+  return query::nearest_of<SegmentBatch, 6>(many, p, PLUMB_DISPATCH(query::batch::segments));
 }
 NearestOfMany nearest(const TriangleBatch& many, const Point3& p) {
-  return query::nearest_of<TriangleBatch, 9>(many, p, HWY_DYNAMIC_DISPATCH(query::batch::triangles));
+  return query::nearest_of<TriangleBatch, 9>(many, p, PLUMB_DISPATCH(query::batch::triangles));
 }
 
 }  // namespace plumb

@@ -203,6 +203,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <string>
 
+#include "certify/batch/chosen_target.hpp"
 #include "plumb/query/overlap_box.hpp"
 #include "query/figure_input.hpp"
 
@@ -255,7 +256,7 @@ void intersects(const Aabb3& one, const TriangleBatch& many, std::span<std::uint
   }
   overlap_batch::in_chunks<9>(one, many, out,
                               [&](const double* const* at, std::size_t n, std::uint8_t* to, std::uint32_t* unsure) {
-                                return HWY_DYNAMIC_DISPATCH(overlap_batch::triangles)(one, at, n, to, unsure);
+                                return PLUMB_DISPATCH(overlap_batch::triangles)(one, at, n, to, unsure);
                               });
 }
 
@@ -264,7 +265,7 @@ void intersects(const Segment3& one, const BoxBatch& many, std::span<std::uint8_
   query::require_figure("intersects", "one", one);
   overlap_batch::in_chunks<6>(one, many, out,
                               [&](const double* const* at, std::size_t n, std::uint8_t* to, std::uint32_t* unsure) {
-                                return HWY_DYNAMIC_DISPATCH(overlap_batch::boxes)(one, at, n, to, unsure);
+                                return PLUMB_DISPATCH(overlap_batch::boxes)(one, at, n, to, unsure);
                               });
 }
 

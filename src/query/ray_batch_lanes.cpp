@@ -119,6 +119,8 @@ void ask_line(const BatchRay& ray, const double* const* at, std::size_t n, const
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "certify/batch/chosen_target.hpp"
+
 namespace plumb::query {
 namespace {
 
@@ -129,9 +131,9 @@ HWY_EXPORT(ask_line);
 }  // namespace
 
 void ask_lanes(const BatchRay& ray, const double* const* at, std::size_t n, const BatchTold& out) {
-  if (ray.ends) return HWY_DYNAMIC_DISPATCH(ask_segment)(ray, at, n, out);
-  if (ray.begins) return HWY_DYNAMIC_DISPATCH(ask_ray)(ray, at, n, out);
-  HWY_DYNAMIC_DISPATCH(ask_line)(ray, at, n, out);
+  if (ray.ends) return PLUMB_DISPATCH(ask_segment)(ray, at, n, out);
+  if (ray.begins) return PLUMB_DISPATCH(ask_ray)(ray, at, n, out);
+  PLUMB_DISPATCH(ask_line)(ray, at, n, out);
 }
 
 }  // namespace plumb::query

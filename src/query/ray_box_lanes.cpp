@@ -72,6 +72,8 @@ void ask(const BoxBatchRay& ray, const double* const* at, std::size_t n, std::ui
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "certify/batch/chosen_target.hpp"
+
 namespace plumb::query {
 namespace {
 
@@ -80,7 +82,7 @@ HWY_EXPORT(ask);
 }  // namespace
 
 void ask_box_lanes(const BoxBatchRay& ray, const double* const* at, std::size_t n, std::uint8_t* told) {
-  HWY_DYNAMIC_DISPATCH(ask)(ray, at, n, told);
+  PLUMB_DISPATCH(ask)(ray, at, n, told);
 }
 
 }  // namespace plumb::query

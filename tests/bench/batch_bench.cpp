@@ -4,7 +4,6 @@
 // against one of these, by the function and by the object, and a million cases on one thread and on all.
 // `bench_batch --benchmark_format=json | python3 tests/bench/table.py` prints the table of docs/batches.md.
 #include <benchmark/benchmark.h>
-#include <hwy/targets.h>
 
 #include <array>
 #include <chrono>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "bench/batch_rival.hpp"
+#include "certify/batch/take_instruction_set.hpp"
 #include "plumb/certify/side.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/predicates.hpp"
@@ -57,11 +57,11 @@ const Data& data() {
   return all;
 }
 
-void add(std::string_view predicate, std::string_view set, const char* method, std::int64_t target,
+void add(std::string_view predicate, std::string_view set, const char* method, std::string_view taken,
          const std::function<void(std::vector<Sign>&)>& run) {
   const std::string name = std::string(predicate) + "/" + std::string(set) + "/" + method;
-  benchmark::RegisterBenchmark(name.c_str(), [run, target](benchmark::State& state) {
-    hwy::SetSupportedTargetsForTest(target);
+  benchmark::RegisterBenchmark(name.c_str(), [run, taken](benchmark::State& state) {
+    batch::take_instruction_set(taken);
     std::vector<Sign> out(in_cache);
     for (auto _ : state) {
       run(out);
@@ -70,21 +70,21 @@ void add(std::string_view predicate, std::string_view set, const char* method, s
     }
     state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * in_cache * 1e-9,
                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-    hwy::SetSupportedTargetsForTest(0);
+    batch::take_instruction_set({});
   });
 }
 
-std::int64_t target_of(std::string_view set) {
-  return set == "AVX-512" ? HWY_AVX3 : set == "AVX2" ? HWY_AVX2 : set == "SSE" ? HWY_SSSE3 : HWY_NEON;
+std::string_view taken_for(std::string_view set) {
+  return set == "AVX-512" ? "avx512" : set == "AVX2" ? "avx2" : set == "SSE" ? "ssse3" : "neon";
 }
 
-void add_ours(std::string_view predicate, std::string_view set, std::int64_t target) {
+void add_ours(std::string_view predicate, std::string_view set, std::string_view taken) {
   using Out = std::vector<Sign>;
   const Data& d = data();
   const auto& f = d.flat;
   const auto& s = d.solid;
   const auto ours = [&](const char* method, const std::function<void(Out&)>& run) {
-    add(predicate, set, method, target, run);
+    add(predicate, set, method, taken, run);
   };
   if (predicate == "orient2d") {
     ours("points", [&](Out& out) { orient2d(f[0], f[1], f[2], out); });
@@ -119,7 +119,7 @@ void add_ours(std::string_view predicate, std::string_view set, std::int64_t tar
 /// One case after the other.
 template <class Function>
 void add_singly(std::string_view predicate, const char* method, Function sign_of_case) {
-  add(predicate, "single", method, 0, [sign_of_case](std::vector<Sign>& out) {
+  add(predicate, "single", method, {}, [sign_of_case](std::vector<Sign>& out) {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = sign_of_case(i);
   });
 }
@@ -165,9 +165,9 @@ void add_million(const char* method, Execution execution) {
         function(data().at.data(), out.size(), reinterpret_cast<signed char*>(out.data()));
       };
     };
-    add(loop.predicate, loop.instruction_set, "bare loop", 0, over(loop.bare));
-    add(loop.predicate, loop.instruction_set, "filter loop", 0, over(loop.filtered));
-    add_ours(loop.predicate, loop.instruction_set, target_of(loop.instruction_set));
+    add(loop.predicate, loop.instruction_set, "bare loop", {}, over(loop.bare));
+    add(loop.predicate, loop.instruction_set, "filter loop", {}, over(loop.filtered));
+    add_ours(loop.predicate, loop.instruction_set, taken_for(loop.instruction_set));
   }
   add_single_points();
   add_million("serial", Execution::serial);

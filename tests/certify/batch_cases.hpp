@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <array>
 #include <cstdint>
@@ -13,32 +12,23 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/batch/take_instruction_set.hpp"
 #include "plumb/certify/case_line.hpp"
+#include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/side.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb::batches {
 
-struct InstructionSet {
-  std::string_view name;
-  std::int64_t bit;
-};
-
-inline constexpr std::array instruction_sets{InstructionSet{"AVX-512", HWY_AVX3}, InstructionSet{"AVX2", HWY_AVX2},
-                                             InstructionSet{"SSSE3", HWY_SSSE3}, InstructionSet{"NEON", HWY_NEON},
-                                             InstructionSet{"one by one", HWY_SCALAR}};
-
 /// Runs `test` with the batches limited to each instruction set that this machine has.
 inline void on_each_instruction_set(const std::function<void()>& test) {
-  const std::int64_t present = hwy::SupportedTargets() | HWY_SCALAR;
-  for (const InstructionSet& set : instruction_sets) {
-    if ((present & set.bit) == 0) continue;
-    SCOPED_TRACE(set.name);
-    hwy::SetSupportedTargetsForTest(set.bit);
+  for (const std::string_view name : batch_instruction_sets()) {
+    SCOPED_TRACE(name);
+    batch::take_instruction_set(name);
     test();
   }
-  hwy::SetSupportedTargetsForTest(0);
+  batch::take_instruction_set({});
 }
 
 template <class F>

@@ -1,4 +1,6 @@
 // Do batches tell the signs that the predicates tell one by one?  Laws 1 and 4 of certify/batch.hpp.
+#include <cstdlib>
+
 #include "certify/batch_cases.hpp"
 
 namespace plumb::batches {
@@ -79,13 +81,38 @@ TEST(Batches, TakeOneArrayForSeveralArguments) {
   EXPECT_EQ(out, std::vector<Sign>(3, Sign::zero));
 }
 
-TEST(Batches, KnowNoInstructionSetByDefault) {
-  const std::int64_t present = hwy::SupportedTargets();
-  for (const InstructionSet& set : instruction_sets) {
-    std::cout << set.name
-              << ((present | HWY_SCALAR) & set.bit ? " was tested\n" : " is not on this machine: skipped\n");
+TEST(Batches, TellWhichInstructionSetsThereAre) {
+  const std::vector<std::string_view> sets = batch_instruction_sets();
+  for (const std::string_view set : sets) std::cout << set << " was tested\n";
+  ASSERT_FALSE(sets.empty());
+  EXPECT_EQ(sets.back(), "none");
+  const char* forced = std::getenv("PLUMB_INSTRUCTION_SET");
+  EXPECT_EQ(batch_instruction_set(), forced != nullptr ? forced : sets.front());
+}
+
+void ask_and_exit() {
+  const std::vector<Point2> a{{0, 0}}, b{{1, 0}}, c{{0, 1}};
+  std::vector<Sign> out(1, untouched);
+  try {
+    orient2d(a, b, c, out);
+    std::cerr << batch_instruction_set() << " says " << to_char(out[0]) << "\n";
+  } catch (const Error& e) {
+    std::cerr << e.what() << "\n";
   }
-  EXPECT_NE(present, 0);
+  std::_Exit(0);
+}
+
+/// Each in a process of its own, which reads the environment anew.
+TEST(BatchesDeathTest, TakeTheInstructionSetOfTheEnvironment) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  for (const std::string_view set : batch_instruction_sets()) {
+    setenv("PLUMB_INSTRUCTION_SET", std::string(set).c_str(), 1);
+    EXPECT_EXIT(ask_and_exit(), testing::ExitedWithCode(0), std::string(set) + " says \\+");
+  }
+  setenv("PLUMB_INSTRUCTION_SET", "avx9", 1);
+  EXPECT_EXIT(ask_and_exit(), testing::ExitedWithCode(0),
+              "PLUMB_INSTRUCTION_SET is \"avx9\", which this processor does not have; there are .*none");
+  unsetenv("PLUMB_INSTRUCTION_SET");
 }
 
 }  // namespace

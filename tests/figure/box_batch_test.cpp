@@ -3,11 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <bit>
 
+#include "certify/batch/take_instruction_set.hpp"
 #include "figure/shape_cases.hpp"
+#include "plumb/certify/instruction_set.hpp"
 #include "plumb/figure/aabb_relation.hpp"
 #include "plumb/figure/sphere.hpp"
 
@@ -22,20 +23,16 @@ using ::testing::ThrowsMessage;
 // Calls check() with each instruction set in turn as the only one.
 template <class Check>
 void on_each_target(Check check) {
-  int targets = 0;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-    const std::int64_t target = left & -left;
-    hwy::SetSupportedTargetsForTest(target);
-    check(hwy::TargetName(target));
-    ++targets;
+  for (const std::string_view set : batch_instruction_sets()) {
+    batch::take_instruction_set(set);
+    check(set);
   }
-  hwy::SetSupportedTargetsForTest(0);
-  EXPECT_GE(targets, 1);
+  batch::take_instruction_set({});
 }
 
 template <class Shape, class Batch>
 void answers_agree(std::uint64_t start) {
-  on_each_target([&](const char* target) {
+  on_each_target([&](std::string_view target) {
     std::size_t met = 0, apart = 0;
     on_shapes(start, 120, [&](Material& m) {
       std::vector<Shape> a, b;

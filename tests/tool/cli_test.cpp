@@ -108,6 +108,15 @@ TEST(Doctor, FindsNothingHere) {
                            HasSubstr("Everything is as the proofs assume."), Not(HasSubstr("BAD"))));
 }
 
+TEST(Doctor, TellsWhichVectorsBatchesTake) {
+  EXPECT_THAT(run("$PLUMB doctor").out,
+              testing::ContainsRegex("ok   batches +[a-z0-9]+; PLUMB_INSTRUCTION_SET chooses one of .*none"));
+  EXPECT_THAT(run("PLUMB_INSTRUCTION_SET=none $PLUMB doctor").out, testing::ContainsRegex("batches +none;"));
+  const Outcome o = run("PLUMB_INSTRUCTION_SET=mmx $PLUMB doctor");
+  EXPECT_EQ(o.code, 1);
+  EXPECT_THAT(o.out, HasSubstr("PLUMB_INSTRUCTION_SET is \"mmx\", which this processor does not have; there are"));
+}
+
 TEST(Output, ThatCannotBeWrittenIsNoSuccess) {
   for (const std::string command :
        {"--version", "--help", "doctor", "proof orient2d", "sign --help", "sign orient2d 0 0 1 0 0 1"}) {

@@ -1,7 +1,9 @@
 // Which of the compiled filters does this processor take?  Included once by each file of filters, after kernels.hpp.
 //
-// The choice is looked up at each call, not kept: until the first call of all the table holds a function that finds out
-// what the processor has, which takes long.
+// The choice is looked up at each call, not kept: finding out what the processor has takes long, and waits for the
+// first call of all.
+#include "certify/batch/chosen_target.hpp"
+
 namespace plumb::batch {
 namespace {
 
@@ -12,7 +14,7 @@ HWY_EXPORT(coordinates_against);
 
 #define PLUMB_BATCH_CHOSEN(filter)                                                                         \
   [](const void* given, const double* const* at, std::size_t n, signed char* out, std::uint32_t* unsure) { \
-    return HWY_DYNAMIC_DISPATCH(filter)(given, at, n, out, unsure);                                        \
+    return PLUMB_DISPATCH(filter)(given, at, n, out, unsure);                                              \
   }
 constexpr Filter chosen_many_points = PLUMB_BATCH_CHOSEN(many_points);
 constexpr Filter chosen_many_coordinates = PLUMB_BATCH_CHOSEN(many_coordinates);

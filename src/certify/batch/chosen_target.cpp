@@ -1,0 +1,88 @@
+#include "certify/batch/instruction_sets.hpp"
+// First, as it says for which targets there are filters.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "certify/batch/chosen_target.hpp"
+#include "certify/batch/take_instruction_set.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/certify/instruction_set.hpp"
+
+namespace plumb {
+namespace batch {
+namespace {
+
+struct Named {
+  std::string_view name;
+  std::int64_t target;
+};
+constexpr std::array all{Named{"avx512", HWY_AVX3}, Named{"avx2", HWY_AVX2}, Named{"ssse3", HWY_SSSE3},
+                         Named{"neon", HWY_NEON}, Named{"none", HWY_SCALAR}};
+
+std::int64_t present() { return hwy::SupportedTargets() | HWY_SCALAR; }
+
+/// What the environment asked for when it was first looked at; empty: nothing.
+const std::string& asked() {
+  static const std::string name = [] {
+    const char* value = std::getenv("PLUMB_INSTRUCTION_SET");
+    return std::string(value != nullptr ? value : "");
+  }();
+  return name;
+}
+
+/// 0 where it is none of this machine.
+std::int64_t targets_named(std::string_view name) noexcept {
+  if (name.empty()) return present();
+  const auto found = std::ranges::find(all, name, &Named::name);
+  return found == all.end() ? 0 : found->target & present();
+}
+
+std::int64_t required_targets() {
+  const std::int64_t targets = targets_named(asked());
+  if (targets != 0) return targets;
+  std::string text = "PLUMB_INSTRUCTION_SET is \"" + asked() + "\", which this processor does not have; there are";
+  for (const std::string_view name : batch_instruction_sets()) text.append(" ").append(name);
+  throw Error(text);
+}
+
+hwy::ChosenTarget& target() {
+  static hwy::ChosenTarget chosen;
+  return chosen;
+}
+
+}  // namespace
+
+const hwy::ChosenTarget& chosen_target() {
+  static const bool ready = (target().Update(required_targets()), true);
+  static_cast<void>(ready);
+  return target();
+}
+
+std::int64_t targets_or_all() noexcept {
+  const std::int64_t targets = targets_named(asked());
+  return targets != 0 ? targets : present();
+}
+
+void take_instruction_set(std::string_view name) {
+  chosen_target();
+  target().Update(name.empty() ? required_targets() : targets_named(name));
+}
+
+}  // namespace batch
+
+std::vector<std::string_view> batch_instruction_sets() {
+  std::vector<std::string_view> names;
+  for (const batch::Named& set : batch::all) {
+    if ((batch::present() & set.target) != 0) names.push_back(set.name);
+  }
+  return names;
+}
+
+std::string_view batch_instruction_set() {
+  const std::int64_t targets = batch::required_targets();
+  return std::ranges::find_if(batch::all, [&](const batch::Named& set) { return (targets & set.target) != 0; })->name;
+}
+
+}  // namespace plumb
