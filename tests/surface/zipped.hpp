@@ -29,7 +29,7 @@ inline std::string zipped(const std::vector<ZipEntry>& entries) {
     const std::string about = number(20, 2) + number(e.flags, 2) + number(e.method, 2) + number(0, 4) +
                               number(check, 4) + number(packed.size(), 4) + number(e.bytes.size(), 4) +
                               number(e.name.size(), 2) + number(0, 2);
-    directory += "PK\1\2" + number(20, 2) + about + number(0, 10) + number(files.size(), 4) + e.name;
+    directory += "PK\1\2" + number(20, 2) + about + number(0, 8) + number(0, 2) + number(files.size(), 4) + e.name;
     files += "PK\3\4" + about + e.name + packed;
   }
   return files + directory + "PK\5\6" + number(0, 4) + number(entries.size(), 2) + number(entries.size(), 2) +
