@@ -49,9 +49,16 @@ std::vector<Task> chosen(const ChartOptions& options, std::span<const trial::Riv
 
 }  // namespace
 
+std::vector<std::string> task_names(std::span<const trial::Rival> rivals) { return names_of(trial::all_tasks(rivals)); }
+
+std::vector<std::string> class_names(std::span<const trial::Rival> rivals) {
+  return class_names_of(trial::all_tasks(rivals));
+}
+
 int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals) {
   const std::vector<Task> tasks = chosen(options, rivals);
-  if (options.out) require_folder(*options.out);  // before minutes of work, not after
+  if (options.out)  // before minutes of work, not after
+    require_report_folder(*options.out, "chart", {"chart.txt", "chart.json", "chart.html"});
   trial::Settings settings;
   settings.seed = options.seed;
   if (options.quick) settings.cases = 128;
@@ -81,8 +88,9 @@ int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals)
   const nlohmann::json raw = trials_json(trials, settings);
   files.push_back({"chart.json", raw.dump(2) + "\n"});
   files.push_back({"chart.html", trials_html(trials, raw)});
-  write_folder(*options.out, files);
-  say(fmt::format("{} files in {}\n", files.size(), printable(*options.out)));
+  const std::size_t count = files.size();
+  write_report(*options.out, "chart", std::move(files));
+  say(fmt::format("{} files in {}\n", count, printable(*options.out)));
   return 0;
 }
 

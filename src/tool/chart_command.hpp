@@ -23,6 +23,10 @@ struct ChartOptions {
   std::uint64_t seed = 2026;
 };
 
+/// Of all tasks, in the order of the report.
+std::vector<std::string> task_names(std::span<const trial::Rival> rivals);
+std::vector<std::string> class_names(std::span<const trial::Rival> rivals);
+
 int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals);
 
 }  // namespace plumb::tool

@@ -159,16 +159,6 @@ std::string case_file(std::size_t number, const PasteFormat& format) {
   return fmt::format("case-{}.{}", number, format.extension);
 }
 
-/// Cases that an older report in the folder has beyond the last of this one.
-void remove_cases_from(std::size_t number, const std::filesystem::path& folder) {
-  for (bool any = true; any; ++number) {
-    any = false;
-    std::error_code ignored;
-    for (const PasteFormat& format : paste_formats)
-      any |= std::filesystem::remove(folder / case_file(number, format), ignored);
-  }
-}
-
 /// All files of a report.
 std::vector<NamedText> report_files(const FuzzReport& r) {
   const nlohmann::json raw = fuzz_json(r);
@@ -210,10 +200,10 @@ int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std:
     say(fmt::format("{} new in {}\n", grow_corpus(*o.corpus, kind, smallest), printable(*o.corpus)));
   }
   if (o.out) {
-    const std::vector<NamedText> files = report_files(report);
-    write_folder(*o.out, files);
-    remove_cases_from(report.found.size() + 1, *o.out);
-    say(fmt::format("{} files in {}\n", files.size(), printable(*o.out)));
+    std::vector<NamedText> files = report_files(report);
+    const std::size_t count = files.size();
+    write_report(*o.out, "fuzz", std::move(files));
+    say(fmt::format("{} files in {}\n", count, printable(*o.out)));
   }
   return report.found.empty() ? 0 : 1;
 }
@@ -231,7 +221,8 @@ int run_fuzz(const FuzzOptions& options) {
   if (options.case_line) numbers = given_case(kind, *options.case_line);
   std::vector<Numbers> corpus;
   if (!numbers && options.corpus) corpus = read_corpus(*options.corpus, kind);
-  if (!numbers && options.out) require_folder(*options.out);
+  if (!numbers && options.out)
+    require_report_folder(*options.out, "fuzz", {"fuzz.txt", "fuzz.json", "fuzz.svg", "fuzz.html"});
   ForeignProcess process({options.library, options.symbol, kind, options.memory_mib}, limits);
   return numbers ? replay(options, kind, process, *numbers) : search(options, kind, process, std::move(corpus));
 }

@@ -108,7 +108,7 @@ int run_section(const SectionOptions& options) {
   outputs.promise("--svg", options.svg);
   outputs.promise("--dxf", options.dxf);
   outputs.promise("--json", options.json);
-  if (options.out) require_folder(*options.out);
+  if (options.out) require_report_folder(*options.out, "section", {"section-0001.svg"});
   const SectionReport report = report_of(options);
   if (!outputs.on_standard_output()) say(section_text(report, Style(stdout)));
   if (options.svg) outputs.write("--svg", section_svg(report));
@@ -121,7 +121,7 @@ int run_section(const SectionOptions& options) {
     std::vector<NamedText> files;
     for (std::size_t i = 0; i < report.planes.size(); ++i)
       files.push_back({fmt::format("section-{:04}.svg", i + 1), section_svg(report, i)});
-    write_folder(*options.out, files);
+    write_report(*options.out, "section", std::move(files));
   }
   outputs.keep();
   return 0;

@@ -54,7 +54,8 @@ int run_stability(const StabilityOptions& options, std::vector<Experiment> exper
   keep_chosen(options.experiments, experiments);
   require_readable_folder("--ccd", options.settings.ccd);
   require_readable_folder("--models", options.settings.models);
-  if (options.out) require_folder(*options.out);  // before minutes of work, not after
+  if (options.out)  // before minutes of work, not after
+    require_report_folder(*options.out, "stability", {"stability.txt", "stability.json", "stability.html"});
   const std::vector<SceneReport> reports = run_all(experiments, options.settings);
 
   const Style style(stdout);
@@ -70,8 +71,9 @@ int run_stability(const StabilityOptions& options, std::vector<Experiment> exper
     const nlohmann::json raw = scenes_json(reports, options.settings);
     files.push_back({"stability.json", raw.dump(2) + "\n"});
     files.push_back({"stability.html", scenes_html(reports, raw)});
-    write_folder(*options.out, files);
-    say(fmt::format("{} files in {}\n", files.size(), printable(*options.out)));
+    const std::size_t count = files.size();
+    write_report(*options.out, "stability", std::move(files));
+    say(fmt::format("{} files in {}\n", count, printable(*options.out)));
   }
   const std::vector<std::string> failed = failed_exactly(reports);
   for (const std::string& scene : failed) complain(fmt::format("the exact method failed in {}", scene));

@@ -222,6 +222,12 @@ std::string file_of(const Task& task, const Layout& layout, std::uint64_t seed) 
   return head + fmt::format("\n# Made by: plumb vectors --seed {}; how to read it: docs/vectors.md\n", seed) + lines;
 }
 
+std::vector<std::string> file_names() {
+  std::vector<std::string> names;
+  for (const Layout& layout : layouts) names.push_back(fmt::format("{}.txt", layout.task));
+  return names;
+}
+
 }  // namespace
 
 std::vector<trial::Task> vector_tasks() {
@@ -241,10 +247,11 @@ std::vector<NamedText> vector_files(std::uint64_t seed, std::string_view only) {
 }
 
 int run_vectors(const VectorsOptions& options) {
-  require_folder(options.out);
-  const std::vector<NamedText> files = vector_files(options.seed);
-  write_folder(options.out, files);
-  say(fmt::format("{} files in {}\n", files.size(), printable(options.out)));
+  require_report_folder(options.out, "vectors", file_names());  // before seconds of work, not after
+  std::vector<NamedText> files = vector_files(options.seed);
+  const std::size_t count = files.size();
+  write_report(options.out, "vectors", std::move(files));
+  say(fmt::format("{} files in {}\n", count, printable(options.out)));
   return 0;
 }
 

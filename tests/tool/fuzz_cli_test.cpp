@@ -225,11 +225,12 @@ TEST(FuzzReport, LeavesAnOlderOneWholeWhereItCannotBeWritten) {
   const Folder folder;
   fs::create_directories(folder / "r/fuzz.svg");
   std::ofstream(folder / "r/fuzz.txt") << "old\n";
+  std::ofstream(folder / "r/.plumb-fuzz-files") << "fuzz.txt\n";
   const Outcome o = run(command("right", "right_orient3d") + "--cases 1 --out " + (folder / "r"));
   EXPECT_EQ(o.code, 2);
-  EXPECT_THAT(o.err, HasSubstr("fuzz.svg: Is a directory"));
+  EXPECT_THAT(o.err, HasSubstr("fuzz.svg is there already"));
   EXPECT_EQ(content(folder / "r/fuzz.txt"), "old\n");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "r"), {}), 2);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "r"), {}), 3);
 }
 
 TEST(FuzzCommand, ListsKindsAndGenerators) {

@@ -8,11 +8,13 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "plumb/arith/error.hpp"
 #include "run_program.hpp"
 #include "tool/held_signals.hpp"
 #include "tool/mesh_name.hpp"
+#include "tool/write_folder.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -199,6 +201,56 @@ TEST(Outputs, NameWhatCannotBeWritten) {
   EXPECT_THAT(message("/tmp"), AllOf(HasSubstr("/tmp"), HasSubstr("directory")));
   EXPECT_THAT(message(""), HasSubstr("No such file"));
   EXPECT_EQ(message(folder / std::string(255, 'x')), "no error");
+}
+
+std::string names_in(const std::string& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
+  std::string all;
+  for (const std::string& name : names) all += name + " ";
+  return all;
+}
+
+TEST(Reports, LeaveOthersFilesAlone) {
+  const Folder folder;
+  put(folder / "notes.txt", "mine");
+  write_report(folder / "", "chart", {{"chart.txt", "one"}, {"a.svg", "one"}, {"b.svg", "one"}});
+  write_report(folder / "", "fuzz", {{"case-1.obj", "one"}});
+  put(folder / "c.svg", "mine");
+  write_report(folder / "", "chart", {{"chart.txt", "two"}, {"b.svg", "two"}});  // a.svg was the older report's
+  EXPECT_EQ(names_in(folder / ""), ".plumb-chart-files .plumb-fuzz-files b.svg c.svg case-1.obj chart.txt notes.txt ");
+  EXPECT_EQ(content(folder / "chart.txt") + content(folder / "b.svg"), "twotwo");
+  try {
+    write_report(folder / "", "chart", {{"chart.txt", "three"}, {"c.svg", "three"}});
+    FAIL() << "somebody's file was replaced";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("c.svg is there already and is none of an older report's files"));
+  }
+  EXPECT_EQ(content(folder / "chart.txt") + content(folder / "c.svg") + content(folder / "notes.txt"), "twominemine");
+}
+
+TEST(Reports, TrustNoListBeyondTheirFolder) {
+  const Folder folder;
+  fs::create_directories(folder / "r/deep");
+  put(folder / "outside", "mine");
+  put(folder / "r/deep/inside", "mine");
+  put(folder / "r/.plumb-chart-files", "../outside\ndeep/inside\ndeep\n..\n.\n\n" + (folder / "outside") + "\n");
+  write_report(folder / "r", "chart", {{"chart.txt", "one"}});
+  EXPECT_EQ(content(folder / "outside") + content(folder / "r/deep/inside"), "minemine");
+}
+
+TEST(Reports, RefuseBeforeTheyWork) {
+  const Folder folder;
+  const std::string mesh = folder / "part.obj";
+  put(mesh, kTriangle);
+  for (const std::string name : {"chart.json", "stability.html", "orient2d.txt", "section-0001.svg"})
+    put(folder / name, "mine");
+  const std::string words =
+      "is there already and is none of an older report's files; give another folder, or remove it";
+  for (const std::string& command :
+       {std::string("chart"), std::string("stability"), std::string("vectors"), "section --plane z=0 " + mesh})
+    expect_refusal(run("$PLUMB " + command + " --out " + (folder / "")), words);  // in full: it must not begin
+  EXPECT_EQ(files_in(folder / ""), 5);
 }
 
 TEST(MeshName, IsThatOfAnyFormat) {

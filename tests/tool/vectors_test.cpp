@@ -113,14 +113,18 @@ TEST(Vectors, AreWhatTheProgramWrites) {
   EXPECT_GE(files.size(), 16);
   std::set<std::string> names;
   std::uintmax_t bytes = 0;
+  std::string list;
   for (const NamedText& file : files) {
     names.insert(file.name);
+    list += file.name + '\n';
     bytes += file.text.size();
     EXPECT_TRUE(content(folder / file.name) == file.text) << file.name << ": run plumb vectors --out docs/vectors";
   }
   EXPECT_LT(bytes, 1'000'000);
+  names.insert(".plumb-vectors-files");
   for (const auto& entry : fs::directory_iterator(folder))
     EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path();
+  EXPECT_EQ(content(folder / ".plumb-vectors-files"), list);
 }
 
 TEST(Vectors, AreTrueAndCatchEveryUsualWay) {

@@ -84,7 +84,7 @@ std::size_t grow_corpus(const std::string& folder, const Kind& kind, std::span<c
     const bool known = fs::exists(fs::path(folder) / name) || std::ranges::count(files, name, &NamedText::name) > 0;
     if (!known) files.push_back({std::move(name), case_line(kind, numbers) + "\n"});
   }
-  write_folder(folder, files);
+  add_files(folder, files);
   return files.size();
 }
 
