@@ -1,5 +1,5 @@
-# What `cmake --install` puts where: libraries, headers, a CMake package and pkg-config files.  The tree may be moved
-# afterwards: nothing in it knows its own place.
+# What `cmake --install` puts where: libraries, headers, a CMake package, pkg-config files, the program with its manual
+# pages and completions.  The tree may be moved afterwards: nothing in it knows its own place.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS plumb_predicates plumb_batch plumb_classic plumb_degenerate plumb_plumb EXPORT plumb_targets)
@@ -12,6 +12,9 @@ if(PLUMB_BUILD_PROGRAM)
   file(RELATIVE_PATH from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set_target_properties(plumb_program PROPERTIES INSTALL_RPATH "$ORIGIN/${from_program}")
   install(TARGETS plumb_program)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man/ DESTINATION ${CMAKE_INSTALL_MANDIR} OPTIONAL)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR} OPTIONAL
+    PATTERN man EXCLUDE)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plumb)

@@ -33,7 +33,7 @@ the program brings along.)"}},
 0      Done.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,
        an output that cannot be written. What was wrong stands on
-       standard error.)"},
+       standard error, and no output was touched.)"},
            {"ENVIRONMENT", R"(
 NO_COLOR
        When set to anything, no colors. Without it, colors are used only

@@ -18,7 +18,11 @@ Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals) {
   parser->add_option("--seed", o.seed, "Other inputs of the same classes; 2026 when not given.")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
-  return {parser, chart_manual, [options, rivals] { return run_chart(*options, rivals); }};
+  return {parser,
+          chart_manual,
+          [options, rivals] { return run_chart(*options, rivals); },
+          nullptr,
+          {{"--task", [rivals] { return task_names(rivals); }}, {"--class", [rivals] { return class_names(rivals); }}}};
 }
 
 }  // namespace plumb::tool

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plumb/arith/error.hpp"
+#include "suggestion.hpp"
 #include "terminal.hpp"
 
 namespace plumb::tool {
@@ -19,7 +20,8 @@ void require_known(std::string_view command, std::string_view what, const std::v
     if (std::ranges::find(known, name) != known.end()) continue;
     std::string all;
     for (const std::string& k : known) all.append(all.empty() ? "" : ", ").append(k);
-    throw Error(fmt::format("{}: there is no {} {}; there are {}", command, what, printable(name), all));
+    throw Error(fmt::format("{}: there is no {} {}{}; there are {}", command, what, printable(name),
+                            suggestion(name, known), all));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "command.hpp"
 #include "fuzz_command.hpp"
+#include "plumb/query/kinds.hpp"
 
 namespace plumb::tool {
 
@@ -61,7 +62,12 @@ Command fuzz_command(CLI::App& program) {
       ->type_name("MIB");
   for (const char* const of_many : {"--cases", "--time", "--generator", "--corpus", "--out"})
     one_case->excludes(parser->get_option(of_many));
-  return {parser, fuzz_manual, [options] { return run_fuzz(*options); }};
+  const auto kinds = [] {
+    std::vector<std::string> names;
+    for (const degenerate::Kind& kind : degenerate::kinds()) names.emplace_back(kind.name);
+    return names;
+  };
+  return {parser, fuzz_manual, [options] { return run_fuzz(*options); }, nullptr, {{"--kind", kinds}}};
 }
 
 }  // namespace plumb::tool

@@ -14,7 +14,7 @@ namespace {
 const std::string kBadInput = R"(
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,
        an output that cannot be written. What was wrong stands on
-       standard error.)";
+       standard error, and no output was touched.)";
 
 /// What the status 1 means differs; its text comes without the number.
 std::string exit_status(std::string_view one) { return fmt::format("0      Done.\n1      {}{}", one, kBadInput); }
@@ -76,7 +76,7 @@ std::string predicates() {
 Manual program_manual() {
   return {"plumb",
           "exact signs for geometry, and a check of the inexact ones",
-          {"plumb COMMAND [OPTION]...", "plumb COMMAND --help"},
+          {"plumb COMMAND [OPTION]...", "plumb help [COMMAND]"},
           {{"DESCRIPTION", R"(
 Geometric programs decide by signs: on which side of a line, in or out
 of a circle. Computed in floating point such a sign can be wrong, and
@@ -127,9 +127,22 @@ vectors
        answers, in text files.
 
 doctor
-       Looks whether this machine and build are as the proofs assume.)"}},
+       Looks whether this machine and build are as the proofs assume.
+
+help [COMMAND]
+       Shows the page of a command, or writes all as manual pages.
+
+completion SHELL
+       Prints what lets bash, zsh or fish complete a command line.)"}},
           {{"EXIT STATUS", exit_status("No: a wrong sign, a machine that is not as the proofs assume.\n       `plumb "
                                        "COMMAND --help` says which.")},
+           {"OUTPUTS", R"(
+A file that an option names for output (--json, --chart, --out) appears
+whole at the end of a run that ended with 0 or 1; until then, and after
+any other end, what was there before is there still. A file of that name
+is replaced, with its permissions; not so a file that the run reads, nor
+one that is a mesh by its name or content, nor anything by a sample.
+'-' is standard output, which then has that output alone.)"},
            {"ENVIRONMENT", kEnvironment},
            {"EXAMPLES", R"(
 plumb check

@@ -1,7 +1,9 @@
-// How does --help look?  Like a manual page: name, synopsis, description, options, exit status, examples.
+// How does --help look?  Like a manual page: name, synopsis, description, options, exit status, examples; and the same
+// for man(1).
 //
-// Law: every option that the parser knows is on its command's page: program.cpp takes them from the parser itself, so
-// that the page cannot fall behind; the rest of the text stands in help_text.hpp.
+// Laws: (1) every option that the parser knows is on its command's page: parsed_options.hpp takes them from the parser
+// itself, so that the page cannot fall behind; the rest of the text stands in help_text.hpp; (2) what man shows has the
+// same words; lines that are no table may flow.
 // Source: man-pages(7); cost: none worth a word.
 #pragma once
 
@@ -26,10 +28,16 @@ struct Manual {
 };
 
 struct ShownOption {
-  std::vector<std::string> names;  // "-h", "--help"; "MESH"
-  std::string value, description;  // "FILE", or nothing
+  std::vector<std::string> names;      // "-h", "--help"; "MESH"
+  std::string value, description;      // "FILE", or nothing
+  std::vector<std::string> choices{};  // for the shells: what the value may be, where that is known
+  bool repeats = false;
 };
 
 std::string manual_page(const Manual& manual, std::span<const ShownOption> options, const Style& style);
+
+/// The page as troff's source, for man(1).
+std::string roff_page(const Manual& manual, std::span<const ShownOption> options, std::string_view version,
+                      std::span<const std::string> see_also);
 
 }  // namespace plumb::tool

@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <new>
 
 #include "command.hpp"
+#include "parsed_options.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/environment.hpp"
 #include "terminal.hpp"
@@ -15,85 +17,122 @@
 namespace plumb::tool {
 namespace {
 
-/// The page of a command, with the options that its parser knows.
-std::string manual_page(const Manual& manual, const CLI::App& app, const Style& style) {
-  std::vector<ShownOption> options;
-  for (const CLI::Option* const option : app.get_options()) {
-    ShownOption& shown = options.emplace_back();
-    shown.description = option->get_description();
-    if (option->get_positional()) {
-      shown.names.push_back(option->get_name(true));
-      continue;
-    }
-    for (const std::string& name : option->get_snames()) shown.names.push_back("-" + name);
-    for (const std::string& name : option->get_lnames()) shown.names.push_back("--" + name);
-    const std::string type = option->get_type_name();  // "METHOD:{float32,...}": the checks follow the colon
-    if (option->get_items_expected_max() > 0) shown.value = type.substr(0, type.find(':'));
-  }
-  return tool::manual_page(manual, options, style);
-}
-
 class Program {
  public:
   explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
-    constexpr const char* page = "Show this page.";
-    app_.set_help_flag("-h,--help", page);
-    for (const Command& c : commands_) c.parser->set_help_flag("-h,--help", page);
-    app_.add_flag("--version", version_, "Print the version.");
+    app_.require_subcommand(0, 1);  // once there is a command, the next word is no other, but may be a file of its name
+    add_common_options(app_);
+    for (const Command& c : commands_) {
+      for (CLI::Option* const option : c.parser->get_options()) {
+        if (option->get_expected_max() == 1) option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+      }
+      add_common_options(*c.parser);
+    }
   }
 
   int run(int argc, char** argv) {
     // What follows "--" is kept from the parser, which would not take it for a MESH once there is another.
     char** const end = argv + argc;
     char** const dashes = std::find_if(argv, end, [](const char* word) { return std::string_view(word) == "--"; });
-    const std::vector<std::string> rest(dashes == end ? end : dashes + 1, end);
     app_.parse(static_cast<int>(dashes - argv), argv);
-    if (version_) {
-      say(fmt::format("plumb {}\n", check_environment().version));
-      return 0;
-    }
-    const Command* const c = named();
-    if (c != nullptr && c->takes_rest != nullptr) {
-      c->takes_rest->insert(c->takes_rest->end(), rest.begin(), rest.end());
-    } else if (!rest.empty()) {
-      throw CLI::ExtrasError(rest);
-    }
-    if (c != nullptr) return c->run();
-    std::string names;
-    for (const Command& known : commands_) names.append(names.empty() ? "" : ", ").append(known.parser->get_name());
-    throw Error(fmt::format("a command is needed, one of {}; 'plumb --help' explains", names));
+    if (dashes != end) take_rest({dashes + 1, end});
+    if (no_color_) never_color();
+    if (quiet_) be_quiet();
+    if (const Command* const c = named()) return c->run();
+    throw Error(
+        fmt::format("a command is needed, one of {}; 'plumb help' explains", fmt::join(names_of(commands_), ", ")));
   }
 
   /// The page of the command that was named, or of the program.
   void help() const {
-    const Style style(stdout);
+    require_command();
+    show_page(app_, named());
+  }
+
+  void version() const {
+    require_command();
+    say(fmt::format("plumb {}\n", check_environment().version));
+  }
+
+  /// What stood where nothing is expected.
+  [[nodiscard]] std::string extras() const {
     const Command* const c = named();
-    say(c != nullptr ? manual_page(c->manual(), *c->parser, style) : manual_page(program_manual(), app_, style));
+    const bool of_command = c != nullptr && !c->parser->remaining().empty();
+    const CLI::App& parser = of_command ? *c->parser : app_;
+    return why_not_taken(parser, parser.remaining(), commands_);
   }
 
   [[nodiscard]] std::string help_hint() const {
     const Command* const c = named();
-    return c != nullptr ? fmt::format("'plumb {} --help' explains", c->parser->get_name()) : "'plumb --help' explains";
+    return c != nullptr ? fmt::format("'plumb {} --help' explains", c->parser->get_name()) : "'plumb help' explains";
   }
 
  private:
+  void add_common_options(CLI::App& parser) {
+    parser.add_flag("--no-color", no_color_, "No colors, also where the output is a terminal.");
+    parser.add_flag("-q,--quiet", quiet_,
+                    "Say nothing on standard output and show no progress; the exit status and the files that were "
+                    "asked for remain.");
+    parser.set_help_flag("-h,--help", "Show this page.");
+    parser.set_version_flag("-V,--version", "", "Print the version.");
+  }
+
   [[nodiscard]] const Command* named() const {
     const auto at = std::ranges::find_if(commands_, [](const Command& c) { return bool(*c.parser); });
     return at == commands_.end() ? nullptr : &*at;
   }
 
+  /// Help on a command that there is not would be the wrong help.
+  void require_command() const {
+    if (named() == nullptr && !app_.remaining().empty()) throw CLI::ExtrasError(app_.remaining());
+  }
+
+  void take_rest(const std::vector<std::string>& rest) {
+    const Command* const c = named();
+    if (c != nullptr && c->takes_rest != nullptr) {
+      c->takes_rest->insert(c->takes_rest->end(), rest.begin(), rest.end());
+      return;
+    }
+    const std::vector<CLI::Option*> arguments = (c != nullptr ? c->parser : &app_)->get_options([](CLI::Option* o) {
+      return o->get_positional() && o->empty();
+    });
+    if (rest.size() > arguments.size()) {
+      throw Error(fmt::format("{}; {}", why_not_taken(c != nullptr ? *c->parser : app_, rest, commands_), help_hint()));
+    }
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      arguments[k]->add_result(rest[k]);
+      arguments[k]->run_callback();
+    }
+  }
+
   CLI::App app_;
-  bool version_ = false;
+  bool no_color_ = false, quiet_ = false;
   std::span<const trial::Rival> rivals_;
-  const std::vector<Command> commands_ = {bounds_command(app_), chart_command(app_, rivals_), check_command(app_),
-                                          fuzz_command(app_),   plan_command(app_),           sign_command(app_),
-                                          proof_command(app_),  stability_command(app_),      vectors_command(app_),
-                                          doctor_command(app_), section_command(app_),        convert_command(app_)};
+  const std::function<const std::vector<Command>&()> known_ = [this]() -> const std::vector<Command>& {
+    return commands_;
+  };
+  const std::vector<Command> commands_ = {bounds_command(app_),       chart_command(app_, rivals_),
+                                          check_command(app_),        fuzz_command(app_),
+                                          plan_command(app_),         sign_command(app_),
+                                          proof_command(app_),        stability_command(app_),
+                                          vectors_command(app_),      doctor_command(app_),
+                                          section_command(app_),      convert_command(app_),
+                                          help_command(app_, known_), completion_command(app_, known_)};
 };
 
 int refuse(std::string_view text) {
   complain(text);
   return 2;
+}
+
+int run_parsed(Program& program, int argc, char** argv) try {
+  return program.run(argc, argv);
+} catch (const CLI::CallForHelp&) {
+  program.help();
+  return 0;
+} catch (const CLI::CallForVersion&) {
+  program.version();
+  return 0;
 }
 
 /// As a program ends whose reader has left: by the signal that says so, and without a word.
@@ -110,9 +149,9 @@ int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try
   Program program(rivals);
   int code = 0;
   try {
-    code = program.run(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    program.help();
+    code = run_parsed(program, argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    return refuse(fmt::format("{}; {}", program.extras(), program.help_hint()));
   } catch (const CLI::ParseError& e) {
     return refuse(fmt::format("{}; {}", e.what(), program.help_hint()));
   }

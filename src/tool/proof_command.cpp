@@ -12,6 +12,7 @@
 #include "plumb/certify/case_line.hpp"
 #include "plumb/certify/catalog.hpp"
 #include "plumb/certify/proof_script.hpp"
+#include "suggestion.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -37,9 +38,10 @@ const CatalogEntry& entry_of(const std::string& name) {
     throw Error("proof: a predicate is expected, such as orient2d; 'plumb proof --list' lists them");
   }
   if (const CatalogEntry* entry = find_predicate(name)) return *entry;
-  std::vector<std::string_view> names;
-  for (const CatalogEntry& e : catalog()) names.push_back(e.name);
-  throw Error(fmt::format("proof: there is no predicate '{}'; there are {}", printable(name), fmt::join(names, ", ")));
+  std::vector<std::string> names;
+  for (const CatalogEntry& e : catalog()) names.emplace_back(e.name);
+  throw Error(fmt::format("proof: there is no predicate '{}'{}; there are {}", printable(name), suggestion(name, names),
+                          fmt::join(names, ", ")));
 }
 
 }  // namespace

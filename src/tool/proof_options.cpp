@@ -1,7 +1,14 @@
 #include "command.hpp"
+#include "plumb/certify/catalog.hpp"
 #include "proof_command.hpp"
 
 namespace plumb::tool {
+
+std::vector<std::string> predicate_names() {
+  std::vector<std::string> names;
+  for (const CatalogEntry& entry : catalog()) names.emplace_back(entry.name);
+  return names;
+}
 
 Command proof_command(CLI::App& program) {
   const auto options = std::make_shared<ProofOptions>();
@@ -17,7 +24,7 @@ Command proof_command(CLI::App& program) {
                  "List the predicates with what is derived from each: its degree, its operations, the number of its "
                  "terms, and the constant of its filter.")
       ->excludes(predicate);
-  return {parser, proof_manual, [options] { return run_proof(*options); }};
+  return {parser, proof_manual, [options] { return run_proof(*options); }, nullptr, {{"PREDICATE", predicate_names}}};
 }
 
 }  // namespace plumb::tool

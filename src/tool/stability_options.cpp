@@ -19,7 +19,16 @@ Command stability_command(CLI::App& program) {
   parser->add_option("--ccd", o.settings.ccd, "Try the queries of continuous tests in this folder as well.")
       ->type_name("DIR");
   parser->add_option("--models", o.settings.models, "Try the meshes in this folder as well.")->type_name("DIR");
-  return {parser, stability_manual, [options] { return run_stability(*options); }};
+  const auto experiments = [] {
+    std::vector<std::string> names;
+    for (const stability::Experiment& e : stability::all_experiments()) names.push_back(e.name);
+    return names;
+  };
+  return {parser,
+          stability_manual,
+          [options] { return run_stability(*options); },
+          nullptr,
+          {{"--experiment", experiments}}};
 }
 
 }  // namespace plumb::tool

@@ -106,14 +106,14 @@ TEST(Laboratory, IsAPageWhoseFilterWorksInABrowser) {
 }
 
 TEST(LaboratoryCommand, RefusesWhatDoesNotExistAndWhatCannotBeWritten) {
-  for (const auto& [arguments, words] :
-       std::vector<std::pair<std::string, std::string>>{{"--experiment gird", "no experiment gird; there are grid, "},
-                                                        {"--out /no/such/folder", "/no/such/folder"},
-                                                        {"--out /dev/null", "/dev/null"},
-                                                        {"--ccd /no/such/folder", "--ccd /no/such/folder"},
-                                                        {"--models /dev/null", "--models /dev/null"},
-                                                        {"--seed -1", "--seed"},
-                                                        {"MESH", "MESH"}}) {
+  for (const auto& [arguments, words] : std::vector<std::pair<std::string, std::string>>{
+           {"--experiment gird", "no experiment gird (did you mean grid?); there are grid, "},
+           {"--out /no/such/folder", "/no/such/folder"},
+           {"--out /dev/null", "/dev/null"},
+           {"--ccd /no/such/folder", "--ccd /no/such/folder"},
+           {"--models /dev/null", "--models /dev/null"},
+           {"--seed -1", "--seed"},
+           {"MESH", "MESH"}}) {
     const Outcome o = run("$PLUMB stability " + arguments);  // in full: it must not begin
     EXPECT_EQ(o.code, 2) << arguments;
     EXPECT_EQ(o.out, "");

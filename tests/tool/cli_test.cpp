@@ -26,8 +26,8 @@ void expect_refusal(const Outcome& o, const std::string& words) {
 }
 
 TEST(Help, IsAManualPageOfEightyColumns) {
-  for (const std::string command :
-       {"", "bounds", "chart", "check", "fuzz", "plan", "sign", "proof", "vectors", "stability", "doctor"}) {
+  for (const std::string command : {"", "bounds", "chart", "check", "fuzz", "plan", "sign", "proof", "vectors",
+                                    "stability", "doctor", "help", "completion"}) {
     const Outcome o = run("$PLUMB " + command + " --help");
     EXPECT_EQ(o.code, 0);
     EXPECT_EQ(o.err, "");
@@ -81,9 +81,12 @@ TEST(Help, ShowsExamplesThatDoWhatTheySay) {
 }
 
 TEST(Version, IsOneLine) {
-  const Outcome o = run("$PLUMB --version");
-  EXPECT_EQ(o.code, 0);
-  EXPECT_THAT(o.out, testing::MatchesRegex("plumb [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  for (const std::string line :
+       {"--version", "-V", "check -V", "check part.obj --version", "vectors -V", "sign orient2d 0 0 -V", "help -V"}) {
+    const Outcome o = run("$PLUMB " + line);
+    EXPECT_EQ(o.code, 0) << line;
+    EXPECT_THAT(o.out, testing::MatchesRegex("plumb [0-9]+\\.[0-9]+\\.[0-9]+\n")) << line;
+  }
 }
 
 TEST(Usage, IsRefusedInItsOwnWords) {
@@ -95,9 +98,61 @@ TEST(Usage, IsRefusedInItsOwnWords) {
   expect_refusal(run("$PLUMB check --threads -3"), "--threads");
   expect_refusal(run("$PLUMB check --threads many"), "many");
   expect_refusal(run("$PLUMB check --fail-on-wrong luck"), "luck not in");
-  expect_refusal(run("$PLUMB doctor now"), "now");
-  expect_refusal(run("$PLUMB doctor -- now"), "now");
+  expect_refusal(run("$PLUMB doctor -- now"), "doctor takes no argument now");
   expect_refusal(run("$PLUMB sign --frobnicate orient2d"), "--frobnicate");
+}
+
+TEST(Help, OfACommandIsFoundByItsName) {
+  EXPECT_EQ(run("$PLUMB help").out, run("$PLUMB --help").out);
+  for (const std::string command : {"check", "sign", "help", "completion"})
+    EXPECT_EQ(run("$PLUMB help " + command).out, run("$PLUMB " + command + " --help").out);
+  expect_refusal(run("$PLUMB help chekc"), "there is no command chekc (did you mean check?)");
+}
+
+TEST(Help, IsNotThatOfSomethingElse) {
+  for (const std::string line :
+       {"nonsense --help", "--help nonsense", "nonsense -h", "nonsense --version", "-V nonsense"})
+    expect_refusal(run("$PLUMB " + line), "there is no command nonsense; 'plumb help' explains");
+}
+
+TEST(Usage, IsSuggestedWhereItIsNear) {
+  expect_refusal(run("$PLUMB chekc part.obj"), "there is no command chekc (did you mean check?)");
+  expect_refusal(run("$PLUMB chekc --help"), "there is no command chekc (did you mean check?)");
+  expect_refusal(run("$PLUMB check --jsno r.json"), "there is no option --jsno (did you mean --json?)");
+  expect_refusal(run("$PLUMB check --jsno=r.json"), "there is no option --jsno (did you mean --json?)");
+  expect_refusal(run("$PLUMB check --fail"), "there is no option --fail (did you mean --fail-on-wrong?)");
+  expect_refusal(run("$PLUMB sign --quite orient2d"), "there is no option --quite (did you mean --quiet?)");
+  expect_refusal(run("$PLUMB --versoin"), "there is no option --versoin (did you mean --version?)");
+  expect_refusal(run("$PLUMB chart --task orient2e"), "did you mean orient2d?");
+  expect_refusal(run("$PLUMB proof orient2e"), "did you mean orient2d?");
+  expect_refusal(run("$PLUMB doctor now"), "doctor takes no argument now");
+}
+
+TEST(Usage, TakesWhatOtherToolsTake) {
+  const std::string script = run("$PLUMB proof orient2d").out;
+  EXPECT_THAT(script, HasSubstr("orient2d"));
+  for (const std::string line :
+       {"proof --out=- orient2d", "proof orient2d --out -", "proof --out=- -- orient2d",
+        "proof --out /no/such --out - orient2d", "--no-color proof orient2d", "proof orient2d --no-color"})
+    EXPECT_EQ(run("$PLUMB " + line).out, script) << line;
+  EXPECT_EQ(run("$PLUMB sign orient2d 0 0 1 0 0 1 --no-color").out, "+ filter\n");
+  EXPECT_EQ(run("$PLUMB sign -- orient2d 0 0 1 0 0 -1").out, "- filter\n");
+  const Folder folder;
+  std::ofstream(folder / "plan") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";  // a file with a command's name
+  EXPECT_EQ(run("cd " + (folder / "") + " && $PLUMB check plan").code, 0);
+}
+
+TEST(Quiet, LeavesTheStatusAndTheFiles) {
+  const Folder folder;
+  const Outcome o = run("$PLUMB check -q --fail-on-wrong float32 --json " + (folder / "r.json"));
+  EXPECT_EQ(o.code, 1);
+  EXPECT_EQ(o.out + o.err, "");
+  EXPECT_THAT(content(folder / "r.json"), StartsWith("{"));
+  EXPECT_THAT(run("$PLUMB check --quiet --json -").out, StartsWith("{"));
+  const Outcome sign = run("$PLUMB sign --quiet", "orient2d 0 0 1 0 0 1 = -\n");
+  EXPECT_EQ(sign.code, 1);
+  EXPECT_EQ(sign.out, "");
+  EXPECT_EQ(run("$PLUMB check -q nope.obj").err, run("$PLUMB check nope.obj").err);
 }
 
 TEST(Doctor, FindsNothingHere) {

@@ -69,7 +69,8 @@ void expect_refusal(const std::string& line, const std::string& words) {
 
 TEST(Proof, IsRefusedByName) {
   expect_refusal("$PLUMB proof", "a predicate is expected, such as orient2d");
-  expect_refusal("$PLUMB proof orient4d", "there is no predicate 'orient4d'; there are orient2d, orient3d, incircle");
+  expect_refusal("$PLUMB proof orient4d",
+                 "there is no predicate 'orient4d' (did you mean orient2d?); there are orient2d, orient3d");
   expect_refusal("$PLUMB proof \"$(printf 'a\\033[1m')\"", "'a?[1m'");
   expect_refusal("$PLUMB proof orient2d orient3d", "'plumb proof --help' explains");
   expect_refusal("$PLUMB proof orient2d --list", "excludes");
