@@ -7,8 +7,8 @@ Manual convert_manual() {
           "write a mesh file in another format",
           {"plumb convert [OPTION]... FROM TO"},
           {{"DESCRIPTION", R"(
-Reads the mesh file FROM and writes TO, in the format of its extension
-(OBJ, OFF, STL, PLY) or of --format. Faces are kept as they are,
+Reads FROM, a mesh file as `plumb check` reads it, and writes TO, in the
+format of its extension (OBJ, OFF, STL, PLY) or of --format. Faces are kept as they are,
 polygons too, and every coordinate is the same double: text has the
 shortest decimal that names it, binary PLY holds it whole. What was
 found in FROM is said: decimals that are no doubles, faces left out.

@@ -7,7 +7,7 @@ Manual section_manual() {
           "where do planes cut a mesh?",
           {"plumb section [OPTION]... --plane PLANE MESH"},
           {{"DESCRIPTION", R"(
-Cuts MESH (OBJ, OFF, STL, PLY; text or binary) by planes into contours:
+Cuts MESH, a file as `plumb check` reads it, by planes into contours:
 closed lines, outer ones counterclockwise and holes clockwise seen from
 the side of the plane's normal, and which lies in which. How they are
 connected, turned and nested is decided exactly; a corner is the exact
