@@ -1,11 +1,15 @@
 #include "plumb/figure/polygon_location.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <string>
 
 #include "chain_input.hpp"
 #include "finite_parts.hpp"
 #include "plane_of_points.hpp"
+#include "plumb/certify/decide.hpp"
 
 namespace plumb {
 namespace {
@@ -14,26 +18,42 @@ constexpr std::string_view kFunction = "locate";
 
 bool between(double x, double a, double b) { return (a <= x && x <= b) || (b <= x && x <= a); }
 
+/// To which side of the line ab p lies; without a branch where doubles tell, for nobody can predict it.
+Sign side_of(const Point2& a, const Point2& b, const Point2& p) {
+  using predicates::Orient2d;
+  const int quick = filter<Orient2d>({a.x, a.y, b.x, b.y, p.x, p.y});
+  return quick != 0 ? static_cast<Sign>(quick) : orient2d(a, b, p);
+}
+
 /// How often the chain winds around p; nothing on the chain.  Edges are counted that cross the horizontal ray from p to
-/// the right, an edge with its lower end and without its upper one.
+/// the right, an edge with its lower end and without its upper one.  The others are passed over by bits, 64 at a time.
 std::optional<int> winding(std::span<const Point2> chain, const Point2& p) {
+  assert_sound_thread();
+  constexpr std::size_t block = 64;
+  const auto at = [](std::uint64_t bits) { return static_cast<std::size_t>(std::countr_zero(bits)); };
   int turns = 0;
-  Point2 a = chain.back();
-  for (const Point2& b : chain) {
-    if (b == p) return {};
-    if ((a.y <= p.y && p.y < b.y) || (b.y <= p.y && p.y < a.y)) {
-      const int way = a.y < b.y ? 1 : -1;
-      if (p.x < a.x && p.x < b.x) {
-        turns += way;
-      } else if (p.x <= a.x || p.x <= b.x) {  // else the edge is to the left
-        const Sign side = orient2d(a, b, p);
-        if (side == Sign::zero) return {};
-        if (static_cast<int>(side) == way) turns += way;
-      }
-    } else if (a.y == p.y && b.y == p.y && between(p.x, a.x, b.x)) {
-      return {};
+  Point2 last = chain.back();
+  for (std::size_t start = 0; start < chain.size(); start += block) {
+    const std::span<const Point2> corners = chain.subspan(start, std::min(block, chain.size() - start));
+    const auto before = [&](std::size_t i) -> const Point2& { return i == 0 ? last : corners[i - 1]; };
+    std::uint64_t low = 0, level = 0;  // bit i: corner i is not above p, is as high
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      low |= static_cast<std::uint64_t>(corners[i].y <= p.y) << i;
+      level |= static_cast<std::uint64_t>(corners[i].y == p.y) << i;
     }
-    a = b;
+    for (; level != 0; level &= level - 1) {
+      const Point2 &a = before(at(level)), &b = corners[at(level)];
+      if (b == p || (a.y == p.y && between(p.x, a.x, b.x))) return {};
+    }
+    const std::uint64_t all = ~std::uint64_t{0} >> (block - corners.size());
+    std::uint64_t crossing = (low ^ (low << 1 | static_cast<std::uint64_t>(last.y <= p.y))) & all;
+    for (; crossing != 0; crossing &= crossing - 1) {
+      const Point2 &a = before(at(crossing)), &b = corners[at(crossing)];
+      const Sign way = a.y < b.y ? Sign::positive : Sign::negative, side = side_of(a, b, p);
+      if (side == Sign::zero) return {};
+      turns += side == way ? static_cast<int>(way) : 0;
+    }
+    last = corners.back();
   }
   return turns;
 }

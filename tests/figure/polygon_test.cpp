@@ -215,6 +215,36 @@ TEST(Convexity, IsThatOfTheDefinition) {
   EXPECT_GE(simple, 500);
 }
 
+TEST(Location, OfLongChainsIsThatOfRationals) {
+  // Longer than what is looked at together, with corners and edges as high as p at either end of it.
+  std::array<int, 3> seen{};
+  for (std::uint64_t index = 0; index < 3000; ++index) {
+    Entropy entropy(33, index);
+    const std::int64_t most = std::int64_t{1} << (1 + entropy.below(9));
+    const double scale = entropy.below(4) == 0 ? std::ldexp(1, static_cast<int>(entropy.within(1000))) : 0.1;
+    const auto any = [&] {
+      return Point2{scale * static_cast<double>(entropy.within(most)),
+                    scale * static_cast<double>(entropy.within(most))};
+    };
+    Polygon2 polygon;
+    for (std::size_t n = 3 + entropy.below(200); n-- > 0;) {
+      if (entropy.below(4) == 0 && !polygon.vertices.empty()) {
+        const Point2 last = polygon.vertices.back();  // a level edge, or an upright one
+        polygon.vertices.push_back(entropy.coin() ? Point2{any().x, last.y} : Point2{last.x, any().y});
+      } else {
+        polygon.vertices.push_back(any());
+      }
+    }
+    const Point2 p = entropy.below(4) == 0 ? polygon.vertices[entropy.below(polygon.vertices.size())] : any();
+    const auto exact = plumb_test::winding(polygon.vertices, p);
+    EXPECT_EQ(winding_number(polygon, p), exact) << index;
+    const Location said = locate(polygon, p);
+    EXPECT_EQ(said, !exact ? Location::boundary : *exact % 2 != 0 ? Location::inside : Location::outside) << index;
+    ++seen[static_cast<std::size_t>(static_cast<int>(said) + 1)];
+  }
+  for (const int n : seen) EXPECT_GE(n, 300);
+}
+
 TEST(Location, OfAnyPolygonIsByOddTurns) {
   std::map<Location, int> seen;
   on_shapes(32, 8000, [&](Material& m) {
