@@ -183,11 +183,6 @@ std::optional<Intersection2> by_signs(const Segment2& s, const Segment2& t) {
   return at<Intersection2>(a == Sign::zero ? t.a : b == Sign::zero ? t.b : c == Sign::zero ? s.a : s.b);
 }
 
-std::optional<Intersection2> by_signs(const Triangle2& t, const Triangle2& u) {
-  if (relate(t, u) == Relation::disjoint) return Intersection2{};
-  return {};
-}
-
 std::optional<Intersection3> by_signs(const Segment3& s, const Triangle3& t) {
   if (relate(s, t) == Relation::disjoint) return Intersection3{};
   const Sign a = query::orient3d(t.a, t.b, t.c, s.a), b = query::orient3d(t.a, t.b, t.c, s.b);
@@ -221,6 +216,7 @@ std::optional<Intersection3> by_signs(const Triangle3& t, const Aabb3& b) {
   if (outside(t.a.x, t.b.x, t.c.x, b.min.x, b.max.x) || outside(t.a.y, t.b.y, t.c.y, b.min.y, b.max.y) ||
       outside(t.a.z, t.b.z, t.c.z, b.min.z, b.max.z))
     return Intersection3{};
+  if (relate(t, b) == Relation::disjoint) return Intersection3{};
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "plumb/predicates.hpp"
 #include "plumb/query/intersection.hpp"
+#include "plumb/query/overlap.hpp"
 #include "query/figure_input.hpp"
 #include "query/meet.hpp"
 
@@ -26,14 +27,16 @@ std::optional<Intersection2> quick(const Triangle2& t, const Triangle2& u);
 std::optional<Intersection3> quick(const Segment3& s, const Triangle3& t);
 std::optional<Intersection3> quick(const Triangle3& t, const Triangle3& u);
 
-/// By exact signs, of real numbers.
+/// By exact signs, of real numbers: most figures miss each other, and few signs tell where a pair has its own.
 template <class A, class B>
-std::optional<Common<A, B>> by_signs(const A&, const B&) {
+std::optional<Common<A, B>> by_signs(const A& a, const B& b) {
+  if constexpr (method_of<A, B> == PairMethod::signs) {
+    if (relate(a, b) == Relation::disjoint) return Common<A, B>{};
+  }
   return {};
 }
 
 std::optional<Intersection2> by_signs(const Segment2& s, const Segment2& t);
-std::optional<Intersection2> by_signs(const Triangle2& t, const Triangle2& u);
 std::optional<Intersection3> by_signs(const Segment3& s, const Triangle3& t);
 std::optional<Intersection3> by_signs(const Triangle3& t, const Triangle3& u);
 std::optional<Intersection3> by_signs(const Triangle3& t, const Aabb3& b);

@@ -93,6 +93,30 @@ void register_pair(const std::string& name) {
   }
 }
 
+/// A plane across many small triangles, as a mesh is cut.
+void register_planes() {
+  Pairs<Plane3, Triangle3> planes(cases);
+  Pairs<ThreePointPlane3, Triangle3> by_points(cases);
+  for (std::size_t i = 0; i < cases; ++i) {
+    Entropy entropy(2028, i);
+    std::array<double, 12> c;
+    for (double& x : c) x = signed_unit_coordinate(entropy);
+    const auto corner = [&](std::size_t k) {
+      return Point3{c[0] + c[k] / 32, c[1] + c[k + 1] / 32, c[2] + c[k + 2] / 32};
+    };
+    const Triangle3 t{corner(3), corner(6), corner(9)};
+    planes[i] = {{{0.25, 0.5, 1}, 0.125}, t};
+    by_points[i] = {{{0, 0, 0.125}, {0.5, 0, 0}, {0, 0.25, 0}}, t};
+  }
+  const auto n = static_cast<double>(cases);
+  const auto meet = [](const auto& a, const auto& b) { return !intersection(a, b).empty(); };
+  const auto ask = [](const auto& a, const auto& b) { return intersects(a, b); };
+  add_run("plane3-triangle3/uniform/plumb", each(planes, meet), n);
+  add_run("plane3-triangle3/uniform/intersects", each(planes, ask), n);
+  add_run("three-point-plane3-triangle3/uniform/plumb", each(by_points, meet), n);
+  add_run("three-point-plane3-triangle3/uniform/intersects", each(by_points, ask), n);
+}
+
 /// Segments that end near one another, by the general test on doubles and by the plan's.
 void register_lattice(int bits, bool degenerate) {
   const std::string start =
@@ -146,6 +170,7 @@ void register_lattice(int bits, bool degenerate) {
   register_pair<Segment3, Triangle3>("segment3-triangle3");
   register_pair<Triangle3, Triangle3>("triangle3-triangle3");
   register_pair<Triangle3, Aabb3>("triangle3-aabb3");
+  register_planes();
   for (const int bits : {8, 16, 25, 31, 40, 53}) {
     register_lattice(bits, false);
     if (bits <= 40) register_lattice(bits, true);

@@ -16,7 +16,7 @@
 // the point + direction of a line or ray.
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 5.2.9, 5.2.10, 5.3.1, 5.3.3, 5.3.4, 5.3.6, 5.3.8; docs/intersection.md.  Cost: 12 to 50 ns for segments
-// and triangles in general position; else one to some microseconds, tens of them where exact integers decide.
+// and triangles in general position and where a plane is missed; else microseconds, tens where exact integers decide.
 #pragma once
 
 #include "plumb/figure/convex_polyhedron.hpp"
