@@ -71,11 +71,11 @@ auto weighted(const Point& point) {
 
 template <class T>
 Weighted<T, 2> coordinates_in(const ExactPoint2& p) {
-  return std::visit([](const auto& point) { return weighted<T>(point); }, p.as);
+  return std::visit([](const auto& point) { return weighted<T>(point); }, p.as());
 }
 template <class T>
 Weighted<T, 3> coordinates_in(const ExactPoint3& p) {
-  return std::visit([](const auto& point) { return weighted<T>(point); }, p.as);
+  return std::visit([](const auto& point) { return weighted<T>(point); }, p.as());
 }
 
 /// numerator / denominator, for a denominator that is not zero.

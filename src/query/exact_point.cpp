@@ -1,128 +1,245 @@
-// Signs at exact points: over intervals first, over integers for certain.
+// Signs at exact points: by the doubles that they keep, by pairs of doubles, by the integers that they keep.
 #include "plumb/query/exact_point.hpp"
 
 #include <cmath>
 #include <string>
 
+#include "arith/running_error.hpp"
+#include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/predicates.hpp"
-#include "query/exact_coordinates.hpp"
+#include "query/certain.hpp"
+#include "query/exact_place.hpp"
 
 namespace plumb {
+namespace query {
+
+template const ExactPlace<2>* shared(const ExactPlace<2>*);
+template const ExactPlace<3>* shared(const ExactPlace<3>*);
+template void release(const ExactPlace<2>*);
+template void release(const ExactPlace<3>*);
+
 namespace {
 
-using meeting::coordinates_in, meeting::Weighted;
+using meeting::Weighted, predicates::Located, predicates::TagOne, predicates::TagZero;
 
-template <class T>
-T minor2(const T& a, const T& b, const T& c, const T& d) {
-  return a * d - b * c;
-}
-template <class T, std::size_t N>
-T minor3(const Weighted<T, N>& p, const Weighted<T, N>& q, const Weighted<T, N>& r, std::size_t i, std::size_t j) {
-  return p.weight * minor2(q.at[i], q.at[j], r.at[i], r.at[j]) - q.weight * minor2(p.at[i], p.at[j], r.at[i], r.at[j]) +
-         r.weight * minor2(p.at[i], p.at[j], q.at[i], q.at[j]);
-}
+template <class Point>
+concept RationalPoint = std::same_as<Point, RationalPoint2> || std::same_as<Point, RationalPoint3>;
+template <class Point>
+concept GivenPoint = std::same_as<Point, Point2> || std::same_as<Point, Point3>;
 
-/// The sign that `value` gives over each kind of number, times those of the weights.
-template <class Value, class... Points>
-Sign sign_at(const char* question, const Value& value, const Points&... points) {
-  const auto in = [&]<class T>(T) {
-    const auto coordinates = std::array{coordinates_in<T>(points)...};
-    Sign s = Sign::positive;
-    bool certain = true;
-    const auto take = [&](const T& x) {
-      if constexpr (std::is_same_v<T, Interval>) {
-        certain = certain && x.sign().certain();
-        if (certain) s = s * x.sign().value();
-      } else {
-        s = s * x.sign();
-      }
-    };
-    for (const auto& p : coordinates) {
-      take(p.weight);
-      if (certain && s == Sign::zero)
-        throw DegeneratePoint(std::string(question).append(": a construction of an exact point has no point"));
+// A question and which of its arguments a failure is about.
+struct Asker {
+  const char* question;
+  char argument;
+};
+
+template <class Point>
+auto nearest_doubles(Asker asker, const Point& p) {
+  if constexpr (GivenPoint<Point>) {
+    const std::array<std::string_view, 1> names{std::string_view(&asker.argument, 1)};
+    const auto numbers = coordinates(p);
+    throw_non_finite(asker.question, std::array{static_cast<int>(numbers.size())}, numbers, "xyz", names);
+    return NearestDoubles<KindOf<Point>::dimension>{};
+  } else if constexpr (RationalPoint<Point>) {
+    const auto x = meeting::parts(p);
+    NearestDoubles<x.size()> result;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      result.at[i] = x[i]->rounded();
+      result.is_exact[i] = !std::isinf(result.at[i]) && Rational(result.at[i]) == *x[i];
     }
-    take(std::apply(value, coordinates));
-    return certain ? Unsure<Sign>(s) : Unsure<Sign>();
-  };
-  if (const Unsure<Sign> s = in(Interval(0.0)); s.certain()) return s.value();
-  return in(BigDyadic()).value();
-}
-
-template <std::size_t N, class Point>
-Sign compare(const char* question, const Point& a, const Point& b) {
-  for (std::size_t axis = 0; axis < N; ++axis) {
-    const auto order = [axis](const auto& p, const auto& q) { return p.at[axis] * q.weight - q.at[axis] * p.weight; };
-    if (const Sign s = sign_at(question, order, a, b); s != Sign::zero) return s;
+    return result;
+  } else {
+    return plumb::nearest_doubles(asker.question, asker.argument, p);
   }
-  return Sign::zero;
 }
 
-double nearest(const Rational& x, char axis) {
-  const double r = x.rounded(Rounding::nearest);
-  if (std::isinf(r))
-    throw BeyondDoubles(std::string("approximate: a.").append(1, axis).append(" is beyond the largest double"));
-  return r;
+/// Fills the cache with doubles; throws where there is no point.
+template <class Point>
+void settle(Asker asker, const Point& point) {
+  if (point.cache().is_known()) return;
+  const auto found = std::visit([&](const auto& p) { return nearest_doubles(asker, p); }, point.as());
+  point.cache().keep(found.at, found.is_exact);
 }
-Point2 nearest(const RationalPoint2& p) { return {nearest(p.x, 'x'), nearest(p.y, 'y')}; }
-Point3 nearest(const RationalPoint3& p) { return {nearest(p.x, 'x'), nearest(p.y, 'y'), nearest(p.z, 'z')}; }
+template <class... Points>
+void settle_all(const char* question, const Points&... points) {
+  char argument = 'a';
+  (settle({question, argument++}, points), ...);
+}
 
-template <class Result, class Point>
-Result nearest_of(const Point& a) {
-  return std::visit(
-      [](const auto& p) -> Result {
-        using P = std::remove_cvref_t<decltype(p)>;
-        if constexpr (std::is_same_v<P, RationalPoint2> || std::is_same_v<P, RationalPoint3>) {
-          return nearest(p);
-        } else {
-          return approximate(p);
-        }
-      },
-      a.as);
+/// Of a point that is settled.
+template <std::size_t N>
+const Weighted<BigDyadic, N>& place_of(const ExactPointCache<N>& cache, const auto& point) {
+  if (const auto* known = cache.place(); known != nullptr) return known->point;
+  return cache.keep(new ExactPlace<N>(primitive(meeting::coordinates_in<BigDyadic>(point)))).point;
+}
+
+template <class T, std::size_t N>
+auto located(const std::array<T, N>& at) {
+  return Located{at, std::array<TagZero, N>{}, TagOne{}};
+}
+
+/// What rounds to x is no farther from it than a product that does.
+template <std::size_t N>
+auto in_doubles(const ExactPointCache<N>& cache) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return located(std::array{Running(cache.nearest(I)) * Running(1.0)...});
+  }
+  (std::make_index_sequence<N>{});
+}
+
+/// A rational number and what the second of two doubles leaves of it, rounded up.
+Ball ball(const Rational& x) {
+  const double high = x.rounded();
+  if (std::isinf(high)) return {high, 0, Ball::infinity};
+  const Rational rest = x - Rational(high);
+  const double low = rest.rounded();
+  const Rational off = rest - Rational(low);
+  return {high, low, (off.sign() == Sign::negative ? -off : off).rounded(Rounding::up)};
 }
 
 template <class Point>
+auto balls_of(const Point& point) {
+  const auto balls = [](const auto& p) {
+    using P = std::remove_cvref_t<decltype(p)>;
+    if constexpr (GivenPoint<P>) {
+      return std::apply([](auto... x) { return std::array{Ball(x)...}; }, coordinates(p));
+    } else if constexpr (RationalPoint<P>) {
+      return std::apply([](const auto*... x) { return std::array{ball(*x)...}; }, meeting::parts(p));
+    } else {
+      return coordinate_balls(p);
+    }
+  };
+  return std::visit(balls, point.as());
+}
+
+/// Looks which coordinates are doubles.
+template <std::size_t N, class Point>
+void settle_axes(const Point& point) {
+  if (point.cache().place() != nullptr) return;
+  const std::array<Ball, N> balls = balls_of(point);
+  std::array<bool, N> exact;
+  for (std::size_t i = 0; i < N; ++i) exact[i] = balls[i].radius == 0 && balls[i].low == 0;
+  point.cache().keep_exact(exact);
+}
+
+template <std::size_t N, class Point>
+auto in_integers(const Point& point) {
+  const Weighted<BigDyadic, N>& p = place_of(point.cache(), point);
+  return Located{std::array<TagZero, N>{}, p.at, p.weight};
+}
+
+/// Where doubles do not tell, or are not known.
+template <std::size_t N, class Value, class... Points>
+[[gnu::noinline]] Sign by_all_means(const char* question, const Value& value, const Points&... points) {
+  if (!(points.cache().is_known() && ...)) {
+    settle_all(question, points...);
+    if (const Unsure<Sign> s = value(in_doubles(points.cache())...).sign(); s.certain()) return s.value();
+  }
+  if (!((points.cache().place() != nullptr) && ...)) {
+    Signs ask;
+    const Sign s = ask(value(located(balls_of(points))...));
+    if (ask.certain()) return s;
+  }
+  return value(in_integers<N>(points)...).sign();
+}
+
+template <std::size_t N, class Value, class... Points>
+Sign sign_at(const char* question, const Value& value, const Points&... points) {
+  if (const Unsure<Sign> s = value(in_doubles(points.cache())...).sign(); s.certain()) [[likely]]
+    return s.value();
+  return by_all_means<N>(question, value, points...);
+}
+
+template <std::size_t N, class Point>
+Sign exact_order(const char* question, const Point& a, const Point& b) {
+  settle_all(question, a, b);
+  if (const Unsure<Sign> s = order_by_doubles(a.cache(), b.cache()); s.certain()) return s.value();
+  if (a.as() == b.as()) return Sign::zero;
+  settle_axes<N>(a);
+  settle_axes<N>(b);
+  if (const Unsure<Sign> s = order_by_doubles(a.cache(), b.cache()); s.certain()) return s.value();
+  const Weighted<BigDyadic, N>&p = place_of(a.cache(), a), &q = place_of(b.cache(), b);
+  if (are_equal(p, q)) return Sign::zero;
+  Sign s = Sign::zero;
+  for (std::size_t axis = 0; axis < N && s == Sign::zero; ++axis)
+    s = (p.at[axis] * q.weight - q.at[axis] * p.weight).sign();
+  return s;
+}
+
+template <std::size_t N, class Point>
+auto approximate(const Point& a) {
+  settle({"approximate", 'a'}, a);
+  std::array<double, N> at;
+  for (std::size_t axis = 0; axis < N; ++axis) {
+    at[axis] = a.cache().nearest(axis);
+    if (std::isinf(at[axis]))
+      throw BeyondDoubles(
+          std::string("approximate: a.").append(1, "xyz"[axis]).append(" is beyond the largest double"));
+  }
+  return at;
+}
+
+template <std::size_t N, class Point>
 auto rational_of(const Point& a) {
-  const auto p = coordinates_in<BigDyadic>(a);
-  if (p.weight.sign() == Sign::zero) throw DegeneratePoint("rational_point: the construction of a has no point");
-  return meeting::rational(p);
+  settle({"rational_point", 'a'}, a);
+  return meeting::rational(place_of(a.cache(), a));
+}
+
+template <std::size_t N, class Point>
+std::size_t hash_of(const Point& a) {
+  settle({"hash_value", 'a'}, a);
+  std::size_t hash = 0;
+  for (std::size_t axis = 0; axis < N; ++axis)
+    hash = (hash << 5 | hash >> (sizeof(hash) * 8 - 5)) ^ std::hash<double>{}(a.cache().nearest(axis) + 0.0);
+  return hash;
+}
+
+/// The points seen along an axis.
+template <std::size_t Right, std::size_t Up, class Base, class Offset, class Weight>
+auto seen(const Located<Base, Offset, Weight, 3>& p) {
+  return Located{std::array{p.base[Right], p.base[Up]}, std::array{p.offset[Right], p.offset[Up]}, p.weight};
+}
+template <std::size_t Right, std::size_t Up>
+bool is_straight(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
+  const auto turn = [](const auto& p, const auto& q, const auto& r) {
+    return predicates::HomogeneousOrient2d{}(seen<Right, Up>(p), seen<Right, Up>(q), seen<Right, Up>(r));
+  };
+  return sign_at<3>("collinear", turn, a, b, c) == Sign::zero;
 }
 
 }  // namespace
 
-Point2 approximate(const ExactPoint2& a) { return nearest_of<Point2>(a); }
-Point3 approximate(const ExactPoint3& a) { return nearest_of<Point3>(a); }
+Sign exact_order(const ExactPoint2& a, const ExactPoint2& b) { return exact_order<2>("compare_xy", a, b); }
+Sign exact_order(const ExactPoint3& a, const ExactPoint3& b) { return exact_order<3>("compare_xyz", a, b); }
 
-RationalPoint2 rational_point(const ExactPoint2& a) { return rational_of(a); }
-RationalPoint3 rational_point(const ExactPoint3& a) { return rational_of(a); }
+}  // namespace query
 
-Sign compare_xy(const ExactPoint2& a, const ExactPoint2& b) { return compare<2>("compare_xy", a, b); }
-Sign compare_xyz(const ExactPoint3& a, const ExactPoint3& b) { return compare<3>("compare_xyz", a, b); }
+Point2 approximate(const ExactPoint2& a) {
+  const auto [x, y] = query::approximate<2>(a);
+  return {x, y};
+}
+Point3 approximate(const ExactPoint3& a) {
+  const auto [x, y, z] = query::approximate<3>(a);
+  return {x, y, z};
+}
+
+RationalPoint2 rational_point(const ExactPoint2& a) { return query::rational_of<2>(a); }
+RationalPoint3 rational_point(const ExactPoint3& a) { return query::rational_of<3>(a); }
+
+std::size_t hash_value(const ExactPoint2& a) { return query::hash_of<2>(a); }
+std::size_t hash_value(const ExactPoint3& a) { return query::hash_of<3>(a); }
 
 Sign orient2d(const ExactPoint2& a, const ExactPoint2& b, const ExactPoint2& c) {
-  return sign_at(
-      "orient2d", [](const auto& p, const auto& q, const auto& r) { return minor3(p, q, r, 0, 1); }, a, b, c);
+  return query::sign_at<2>("orient2d", predicates::HomogeneousOrient2d{}, a, b, c);
 }
 
 Sign orient3d(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c, const ExactPoint3& d) {
-  // The determinant of the rows x y z w by its last two columns.
-  const auto value = [](const auto& p, const auto& q, const auto& r, const auto& s) {
-    const auto xy = [](const auto& u, const auto& v) { return minor2(u.at[0], u.at[1], v.at[0], v.at[1]); };
-    const auto zw = [](const auto& u, const auto& v) { return minor2(u.at[2], u.weight, v.at[2], v.weight); };
-    return xy(p, q) * zw(r, s) - xy(p, r) * zw(q, s) + xy(p, s) * zw(q, r) + xy(q, r) * zw(p, s) - xy(q, s) * zw(p, r) +
-           xy(r, s) * zw(p, q);
-  };
-  return sign_at("orient3d", value, a, b, c, d);
+  return query::sign_at<3>("orient3d", predicates::HomogeneousOrient3d{}, a, b, c, d);
 }
 
 bool collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-    const auto value = [i, j](const auto& p, const auto& q, const auto& r) { return minor3(p, q, r, i, j); };
-    if (sign_at("collinear", value, a, b, c) != Sign::zero) return false;
-  }
-  return true;
+  return query::is_straight<0, 1>(a, b, c) && query::is_straight<1, 2>(a, b, c) && query::is_straight<2, 0>(a, b, c);
 }
 
 }  // namespace plumb

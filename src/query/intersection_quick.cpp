@@ -116,12 +116,12 @@ Intersection3 shared_corners(const Triangle3& t, const Triangle3& u) {
   Intersection3 common;
   for (const Point3& p : {t.a, t.b, t.c}) {
     const bool shared = p == u.a || p == u.b || p == u.c;
-    if (shared && (common.vertices.empty() || p != std::get<Point3>(common.vertices[0].as)))
+    if (shared && (common.vertices.empty() || p != std::get<Point3>(common.vertices[0].as())))
       common.vertices.emplace_back(p);
   }
   common.kind = common.vertices.size() == 1 ? IntersectionKind::point : IntersectionKind::segment;
   if (common.vertices.size() == 2 &&
-      precedes(std::get<Point3>(common.vertices[1].as), std::get<Point3>(common.vertices[0].as)))
+      precedes(std::get<Point3>(common.vertices[1].as()), std::get<Point3>(common.vertices[0].as())))
     std::swap(common.vertices[0], common.vertices[1]);
   return common;
 }

@@ -1,23 +1,11 @@
 // Each question is compiled twice, for processors that multiply and add at once and for others; both answer the same.
 #include "query/quick_numbers.hpp"
 
+#include "certify/fused.hpp"
 #include "plumb/arith/twofold.hpp"
 
 namespace plumb::query {
 namespace {
-
-#if defined(__x86_64__) && !defined(__FMA__)
-#define PLUMB_WITH_FMA [[gnu::target("fma"), gnu::noinline, gnu::flatten]]
-const bool has_fma = __builtin_cpu_supports("fma") != 0;
-#else
-#define PLUMB_WITH_FMA [[gnu::noinline, gnu::flatten]]
-#ifdef __FP_FAST_FMA
-constexpr bool has_fma = true;
-#else
-constexpr bool has_fma = false;
-#endif
-#endif
-#define PLUMB_WITHOUT [[gnu::noinline, gnu::flatten]]
 
 struct PointsAndDistance {};
 struct DistanceAlone {};

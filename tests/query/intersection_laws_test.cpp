@@ -166,7 +166,7 @@ TEST(IntersectionLaws, CornersArePredicatesInput) {
   for (const ExactPoint3& v : common.vertices) {
     EXPECT_EQ(orient3d(t.a, t.b, t.c, v), Sign::zero);
     EXPECT_EQ(orient3d(u.a, u.b, u.c, v), Sign::zero);
-    const auto* crossing = std::get_if<LinePlanePoint3>(&v.as);
+    const auto* crossing = std::get_if<LinePlanePoint3>(&v.as());
     ASSERT_NE(crossing, nullptr);
     EXPECT_EQ(orient3d(t.a, t.b, t.c, *crossing), Sign::zero);
   }

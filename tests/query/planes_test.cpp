@@ -78,7 +78,7 @@ TEST(Planes, Figure531TheFiveArrangements) {
   const ThreePointPlane3 p{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, q{{0, 2, 0}, {1, 2, 0}, {0, 2, 1}},
       r{{0, 0, 3}, {1, 0, 3}, {0, 1, 3}};
   const ThreePlanes corner = intersection(p, q, r);
-  ASSERT_TRUE(std::holds_alternative<ThreePlanePoint3>(corner.common.point->as));
+  ASSERT_TRUE(std::holds_alternative<ThreePlanePoint3>(corner.common.point->as()));
   EXPECT_EQ(at(corner.common), (Point3{1, 2, 3}));
 }
 

@@ -8,8 +8,10 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <utility>
 
+#include "plumb/arith/ball.hpp"
 #include "plumb/certify/point_kind.hpp"
 
 namespace plumb {
@@ -25,6 +27,27 @@ Point3 approximate(const LinePlanePoint3& a);
 Point3 approximate(const ThreePlanePoint3& a);
 Point3 approximate(const SegmentPoint3& a);
 Point3 approximate(const Posed<Point3>& a);
+
+/// What is known of an implicit point in doubles.
+template <std::size_t N>
+struct NearestDoubles {
+  std::array<double, N> at;      // infinite where the coordinate is beyond all doubles
+  std::array<bool, N> is_exact;  // the coordinate is that double, as far as it is seen at once
+};
+
+/// As approximate, but a coordinate beyond all doubles is infinite; what is thrown names the question and its argument.
+NearestDoubles<2> nearest_doubles(std::string_view question, char argument, const LineLinePoint2& point);
+NearestDoubles<2> nearest_doubles(std::string_view question, char argument, const SegmentPoint2& point);
+NearestDoubles<3> nearest_doubles(std::string_view question, char argument, const LinePlanePoint3& point);
+NearestDoubles<3> nearest_doubles(std::string_view question, char argument, const ThreePlanePoint3& point);
+NearestDoubles<3> nearest_doubles(std::string_view question, char argument, const SegmentPoint3& point);
+
+/// Pairs of doubles and how far off the coordinates may be; infinitely where nothing is known.
+std::array<Ball, 2> coordinate_balls(const LineLinePoint2& point);
+std::array<Ball, 2> coordinate_balls(const SegmentPoint2& point);
+std::array<Ball, 3> coordinate_balls(const LinePlanePoint3& point);
+std::array<Ball, 3> coordinate_balls(const ThreePlanePoint3& point);
+std::array<Ball, 3> coordinate_balls(const SegmentPoint3& point);
 
 /// The point coordinate / weight; the weight is zero where a construction has no point.
 template <class Number, std::size_t N>
