@@ -1,8 +1,10 @@
 // The face of figures: everything in plumb/figure/.
 #pragma once
 
+#include "plumb/certify/accepted.hpp"
 #include "plumb/figure/aabb.hpp"
 #include "plumb/figure/aabb_relation.hpp"
+#include "plumb/figure/answered.hpp"
 #include "plumb/figure/asked.hpp"
 #include "plumb/figure/barycentric.hpp"
 #include "plumb/figure/box.hpp"

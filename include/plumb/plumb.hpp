@@ -2,6 +2,7 @@
 // plumb/degenerate.hpp.
 #pragma once
 
+#include "plumb/certify/accepted.hpp"
 #include "plumb/figure.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query.hpp"

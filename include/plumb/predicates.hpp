@@ -14,6 +14,7 @@
 #pragma once
 
 #include "plumb/arith/point.hpp"
+#include "plumb/certify/accepted.hpp"
 #include "plumb/certify/batch.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/certify/constructed.hpp"

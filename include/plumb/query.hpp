@@ -6,6 +6,8 @@
 // Source: RTCD 2.3.
 #pragma once
 
+#include "plumb/certify/accepted.hpp"
+#include "plumb/query/answered.hpp"
 #include "plumb/query/closest.hpp"
 #include "plumb/query/closest_batch.hpp"
 #include "plumb/query/closest_pairs.hpp"

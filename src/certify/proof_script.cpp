@@ -39,7 +39,8 @@ std::string unit_script(const tape::Program& program, double constant) {
     const Number before = applied(numbers[i.left], i.operation, numbers[i.right]);
     const std::string number = std::to_string(numbers.size() - program.arity);
     if (&i != &program.instructions.back()) {
-      numbers.push_back({lines.name(joined({"t", number}), " double= ", before.computed),
+      const std::string_view equals = i.doubles() ? " = " : " double= ";
+      numbers.push_back({lines.name(joined({"t", number}), equals, before.computed),
                          lines.name(joined({"T", number}), " = ", before.exact)});
     } else {
       lines.define(root.computed = "unrounded", " = ", before.computed);

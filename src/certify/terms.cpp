@@ -33,7 +33,7 @@ class Expansion {
       } else {
         Parts parts = in.operation == '*' ? product(numbers_[in.left], numbers_[in.right])
                                           : sum(numbers_[in.left], numbers_[in.right], in.operation == '-');
-        if (i + 1 < program.instructions.size()) {
+        if (i + 1 < program.instructions.size() && !in.doubles()) {
           for (auto& [leaves_of, part] : parts) part.node = add({Step::rounded, part.node, 0});
         }
         numbers_.push_back(std::move(parts));

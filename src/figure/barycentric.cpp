@@ -103,12 +103,17 @@ struct WeightedSum {
     }
   }
 };
-template <std::size_t N>
+/// Of the weights alone, or of weights beside what they weigh.
+template <std::size_t N, std::size_t Arguments>
 struct WeightSum {
   static constexpr std::string_view name = "from_barycentric";
-  static constexpr std::array arguments{static_cast<int>(N), static_cast<int>(N)};
+  static constexpr auto arguments = [] {
+    std::array<int, Arguments> counts{};
+    counts.fill(static_cast<int>(N));
+    return counts;
+  }();
   template <class T>
-  constexpr auto operator()(const std::array<T, 2 * N>& p) const {
+  constexpr auto operator()(const std::array<T, Arguments * N>& p) const {
     if constexpr (N == 2) {
       return p[0] + p[1];
     } else if constexpr (N == 3) {
@@ -128,14 +133,13 @@ auto center_of_gravity(const std::array<std::string_view, N + 1>& parts, const s
     require_finite_parts("from_barycentric", std::array{parts[I]..., weight_names[I]...}, corner[I]..., weights[I]...);
   }
   (std::make_index_sequence<N>{});
-  const std::array<double, N> none{};
-  if (sign_of(WeightSum<N>{}, weights, none) == Sign::zero)
+  if (sign_of(WeightSum<N, 1>{}, weights) == Sign::zero)
     throw DegeneratePoint("from_barycentric: the weights sum to zero, and have no center of gravity; give others");
   std::array<double, dimension> result{};
   for (std::size_t axis = 0; axis < dimension; ++axis) {
     std::array<double, N> along{};
     for (std::size_t i = 0; i < N; ++i) along[i] = coordinates(corner[i])[axis];
-    const double x = rounded_quotient(Rounding::nearest, WeightedSum<N>{}, WeightSum<N>{}, weights, along);
+    const double x = rounded_quotient(Rounding::nearest, WeightedSum<N>{}, WeightSum<N, 2>{}, weights, along);
     result[axis] = finite(x, "from_barycentric", "the point's ", 4 + axis);
   }
   return result;

@@ -33,6 +33,7 @@ struct AlongImage {
   static constexpr std::array<std::string_view, 6> argument_names{
       "points[i]", "direction", "pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation",
   };
+  static constexpr bool homogeneous = false;
   template <class T>
   constexpr auto operator()(const std::array<T, 18>& p) const {
     const auto coordinate = [&](std::size_t i) {

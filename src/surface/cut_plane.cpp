@@ -34,6 +34,7 @@ template <std::size_t Axis>
 struct ObliqueCut {  // (normal, offset, p, q)
   static constexpr std::string_view name = "section";
   static constexpr std::array arguments{3, 1, 3, 3};
+  static constexpr bool homogeneous = false;
   template <class T>
   constexpr auto operator()(const std::array<T, 10>& p) const {
     const auto below = p[0] * p[4] + p[1] * p[5] + p[2] * p[6] - p[3];

@@ -31,12 +31,13 @@ struct ExactBound {
     const mpq_class s = a.e + b.e + a.e * b.e;
     return ExactBound(mpq_class((s * (1 + eps()) + eps()) * (1 + eps())));
   }
+  friend ExactBound twice(const ExactBound& a) { return a; }
 };
 
 TEST(BoundTest, IsTheRuleRoundedUpByAFewUnits) {
   for_each_formula([]<Formula F>() {
-    const Bound bound(F{}(std::array<Bound::Input, arity<F>>{}));
-    const ExactBound exact(F{}(std::array<ExactBound::Input, arity<F>>{}));
+    const Bound bound(value_of<F>(std::array<Bound::Input, arity<F>>{}));
+    const ExactBound exact(value_of<F>(std::array<ExactBound::Input, arity<F>>{}));
     const mpq_class units = exact.e * power_of_two(85);
     EXPECT_TRUE(mpq_class(static_cast<unsigned long>(bound.e)) >= units) << F::name;
     EXPECT_TRUE(mpq_class(static_cast<unsigned long>(bound.e)) <=
@@ -128,6 +129,23 @@ constexpr bool has_roundings(double n) {
 }
 static_assert(has_roundings<predicates::Orient2d>(3) && has_roundings<predicates::Orient3d>(7));
 static_assert(has_roundings<predicates::InCircle>(10) && has_roundings<predicates::InSphere>(15));
+
+// Powers of two cost nothing, other constants a rounding for each binary one but the first.
+template <int N>
+struct Times {
+  static constexpr std::string_view name = "times";
+  static constexpr int points = 4, dimension = 1;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 4>& p) const {
+    return N * p[0] * p[1] - p[2] * p[3];
+  }
+};
+template <int N>
+constexpr bool costs(double roundings) {
+  const double n = filter_constant<Times<N>>() * 0x1p53;
+  return n > roundings && n < roundings + 0x1p-24;
+}
+static_assert(costs<1>(1) && costs<2>(1) && costs<0x40000000>(1) && costs<3>(2) && costs<10>(2) && costs<7>(3));
 
 }  // namespace
 }  // namespace plumb

@@ -12,13 +12,16 @@ static_assert(degree<predicates::Orient2d>() == 2 && degree<predicates::Orient3d
 static_assert(degree<predicates::InCircle>() == 4 && degree<predicates::InSphere>() == 5);
 static_assert(degree<Irregular>() == 3 && degree<HighPower>() == 8);
 
-TEST(DegreeTest, RefusesTermsOfUnequalDegree) {
-  const Degree one = Degree::Input{}, two = one * one;
-  EXPECT_EQ((two * one).degree, 3);
-  EXPECT_EQ((two + two).degree, 2);
-  EXPECT_THROW(one + two, std::logic_error);
-  EXPECT_THROW(two - one, std::logic_error);
-}
+struct Unequal {
+  static constexpr std::string_view name = "unequal";
+  static constexpr int points = 1, dimension = 2;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 2>& p) const {
+    return p[0] * p[0] * p[1] - p[1] * p[0] + p[1];
+  }
+};
+static_assert(term_degrees<Unequal>().highest == 3 && !term_degrees<Unequal>().equal);
+static_assert(term_degrees<WithConstants>().highest == 3 && term_degrees<WithConstants>().equal);
 
 struct Fits {
   mutable int least_spare = 1 << 20;

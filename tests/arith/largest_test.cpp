@@ -60,7 +60,7 @@ TEST(LargestMagnitudeTest, ThresholdIsNeverBelowThatOfFilterA) {
     Coordinates<F> p{};
     for (int i = 0; i < 20'000; ++i) {
       fill_points(any_family(entropy), Degeneracy::cospherical, F::dimension, p, entropy);
-      const double value = F{}(p);
+      const double value = value_of<F>(p);
       const Filtered a = evaluate<F>([&](std::size_t k) { return Filtered::Input{p[k]}; });
       if (!(a.magnitude < samples::infinity) || value != value) continue;
       const Largest<F> largest = largest_differences<F>(p);

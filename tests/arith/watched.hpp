@@ -39,12 +39,22 @@ auto operator*(const Watched<A, Check>& a, const Watched<B, Check>& b) {
   return watched(a.number * b.number, a.exact * b.exact, a.check);
 }
 
+template <class A, class Check>
+auto twice(const Watched<A, Check>& a) {
+  return watched(tape::doubled(a.number), mpq_class(2 * a.exact), a.check);
+}
+
 /// Two number types run side by side.
 template <class A, class B>
 struct Beside {
   A a;
   B b;
 };
+
+template <class A, class B>
+constexpr auto twice(const Beside<A, B>& x) {
+  return Beside<decltype(tape::doubled(x.a)), decltype(tape::doubled(x.b))>{tape::doubled(x.a), tape::doubled(x.b)};
+}
 
 template <class A, class B, class C, class D>
 constexpr auto operator+(const Beside<A, B>& x, const Beside<C, D>& y) {
@@ -84,6 +94,17 @@ struct HighPower {
   }
 };
 
+/// Multiplies coordinates, differences and products by whole numbers, and takes opposites.
+struct WithConstants {
+  static constexpr std::string_view name = "with constants";
+  static constexpr int points = 3, dimension = 2;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 6>& p) const {
+    const auto x = p[0] - p[4], y = p[1] - p[5];
+    return 4.0 * x * (3 * p[2]) * y - (-7 * p[3]) * (y * y) + x * x * 100 * p[2] - -(x * y) * p[3] * 2.0f;
+  }
+};
+
 /// Calls visit.operator()<F>() for every formula of the manifest and the irregular ones.
 template <class Visit>
 void for_each_formula(const Visit& visit) {
@@ -92,6 +113,7 @@ void for_each_formula(const Visit& visit) {
 #undef PLUMB_VISIT
   visit.template operator()<Irregular>();
   visit.template operator()<HighPower>();
+  visit.template operator()<WithConstants>();
 }
 
 }  // namespace plumb

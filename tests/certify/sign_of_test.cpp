@@ -18,11 +18,11 @@ namespace {
 constexpr auto focal_paraboloid = [](auto x, auto y, auto z, auto f) { return f * z - x * x - y * y; };
 constexpr auto unit_paraboloid = [](auto x, auto y, auto z) { return z - x * x - y * y; };
 
-static_assert(FormulaOf<decltype(focal_paraboloid), Point3, double>::homogeneous);
-static_assert(!FormulaOf<decltype(unit_paraboloid), Point2, double>::homogeneous);
+static_assert(is_homogeneous<FormulaOf<decltype(focal_paraboloid), Point3, double>::Type>);
+static_assert(!is_homogeneous<FormulaOf<decltype(unit_paraboloid), Point2, double>::Type>);
 static_assert(arguments<FormulaOf<decltype(focal_paraboloid), Point3, double>::Type> == std::array{3, 1});
 static_assert(!is_homogeneous<FormulaOf<decltype(unit_paraboloid), Point3>::Type>);
-static_assert(std::is_same_v<FormulaOf<predicates::Orient2d, Point2>::Type, predicates::Orient2d>);
+static_assert(std::is_same_v<FormulaOf<predicates::Orient2d, Point2, Point2, Point2>::Type, predicates::Orient2d>);
 
 TEST(SignOfTest, TellsTheSideOfAParaboloid) {
   EXPECT_EQ(sign_of(focal_paraboloid, Point3{3, 4, 25}, 1.0), Sign::zero);

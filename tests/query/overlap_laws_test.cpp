@@ -126,8 +126,13 @@ void expect_refused(const A& a, const B& b, std::string_view name, bool first) {
   const auto expect = [&](std::string_view function, Ask ask) { expect_refusal(function, name, ask); };
   expect("relate", [&] { (void)relate(a, b); });
   expect("intersects", [&] { (void)intersects(a, b); });
-  if constexpr (requires { intersection(a, b); }) expect("intersection", [&] { (void)intersection(a, b); });
-  if constexpr (requires { first_hit(a, b); }) {
+  if constexpr (requires {
+                  { intersection(a, b) } -> figure::Answer;
+                })
+    expect("intersection", [&] { (void)intersection(a, b); });
+  if constexpr (requires {
+                  { first_hit(a, b) } -> figure::Answer;
+                }) {
     expect("first_hit", [&] { (void)first_hit(a, b); });
     expect("first_hit_parameter", [&] { (void)first_hit_parameter(a, b); });
   }

@@ -41,6 +41,8 @@ struct Bound {
     const std::uint64_t s = widened(a.e) + b.e;  // a + b + a * b, whose last term is below one unit while a, b < 2^42
     return {widened(widened(s) + eps), widened(widened(s))};
   }
+  /// x + x, which rounds nothing: value, magnitude and error are all twice what they were.
+  friend constexpr Bound twice(Bound a) { return {a.e, a.e}; }
 };
 
 }  // namespace plumb

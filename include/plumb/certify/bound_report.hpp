@@ -38,7 +38,10 @@ BoundReport bound_report() {
 /// Of the formula that sign_of takes this polynomial for, given arguments of these types.
 template <class Polynomial, class... Arguments>
 BoundReport bound_report(Polynomial, const Arguments&...) {
-  return bound_report<typename FormulaOf<Polynomial, Arguments...>::Type>();
+  static_assert(accepts<Polynomial, Arguments...>());
+  using F = typename FormulaOf<Polynomial, Arguments...>::Type;
+  static_assert(is_polynomial<F>());
+  return bound_report<F>();
 }
 
 /// Three lines: degree and size; the constant in units of 2^-53, rounded up, and as it is; the bits of the value.

@@ -68,7 +68,7 @@ constexpr Largest<F> largest_within(const Bounds<static_cast<std::size_t>(F::dim
 /// this is (largest_threshold over largest_within).
 template <Formula F>
 constexpr int bounded_filter(const Coordinates<F>& p, double threshold) {
-  const double value = F{}(p);
+  const double value = value_of<F>(p);
   return beyond(value, threshold + (value - value));  // as filter B: NaN where the value overflowed
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "plumb/certify/accepted.hpp"
 #include "plumb/certify/checked.hpp"
 #include "plumb/certify/decision.hpp"
 #include "plumb/certify/environment.hpp"
@@ -65,6 +66,8 @@ template <Formula F>
 /// The sign of F at p.  The recorder is told which stage decided.
 template <Formula F, class Recorder = NoRecorder>
 PLUMB_CHECKABLE constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
+  static_assert(is_polynomial<F>());
+  static_assert(use_all_coordinates<F>());
   assert_sound_thread();
   if (const int s = filter<F>(p); s != 0) [[likely]] {
     recorder.decided(Stage::filter);

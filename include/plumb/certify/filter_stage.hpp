@@ -139,7 +139,7 @@ constexpr double largest_threshold(const Largest<F>& largest) {
 /// Filter B: against the magnitude that the largest differences allow.
 template <Formula F>
 constexpr int largest_filter(const Coordinates<F>& p) {
-  const double value = F{}(p);
+  const double value = value_of<F>(p);
   // value - value is NaN, and so nothing is beyond, where an intermediate product overflowed though no threshold did.
   return beyond(value, largest_threshold<F>(largest_differences<F>(p)) + (value - value));
 }

@@ -1,108 +1,135 @@
 // What is known of a formula before it is run?  Degree, error constant, tape: all derived when compiled.
 //
 // A formula is a type with `name`, the shape of its input, and a call operator template over std::array<T, arity> that
-// uses + - * only (predicates/orient.hpp is an example).  The shape is `points` and `dimension`, or, where arguments
-// differ in kind, the number of coordinates of each in `arguments`.  It is stated once; running it over different
-// numbers yields every stage. Laws: a formula that needs more error than the bound can hold, or that returns a
-// coordinate as it is given, does not compile; nor does one that adds terms of unequal degree, unless it says
-// `homogeneous = false` (it has no integer stages then). Source: docs/proof.md; cost: compile time only.
+// uses + - *, also by whole numbers as in -3 * x (predicates/orient.hpp is an example).  The shape is `points` and
+// `dimension`, or, where arguments differ in kind, the number of coordinates of each in `arguments`.  It is stated
+// once; running it over different numbers yields every stage: the formula itself, or its tape where it has constants.
+// Laws: a formula that needs more error than the bound can hold does not compile; what else is refused, and in which
+// words: certify/accepted.hpp.  Source: docs/proof.md; cost: compile time only.
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstddef>
-#include <span>
-#include <stdexcept>
-#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "plumb/arith/bound.hpp"
 #include "plumb/arith/degree.hpp"
-#include "plumb/arith/strict.hpp"
-#include "plumb/arith/tape.hpp"
+#include "plumb/certify/accepted.hpp"
+#include "plumb/certify/formula_tape.hpp"
 
 namespace plumb {
 
-/// All arguments are points of one dimension.
-template <class F>
-concept TakesPoints = requires {
-  { F::points } -> std::convertible_to<int>;
-  { F::dimension } -> std::convertible_to<int>;
+/// The degree of the homogeneous polynomial.
+template <Formula F>
+consteval int degree() {
+  return term_degrees<F>().highest;
+}
+
+namespace tape {
+
+/// x + x; a number whose doubling is better known than its sums says so by `twice`.
+template <class T>
+constexpr auto doubled(const T& x) {
+  if constexpr (requires { twice(x); }) {
+    return twice(x);
+  } else {
+    return x + x;
+  }
+}
+
+template <char operation, class L, class R>
+constexpr auto result(const L& l, const R& r) {
+  if constexpr (operation == '*') {
+    return l * r;
+  } else if constexpr (operation == '-') {
+    return l - r;
+  } else {
+    return l + r;
+  }
+}
+
+/// The result of instruction I over numbers of the type Input, beside those before it.
+template <Formula F, class Input, std::size_t I>
+struct Step {
+  static constexpr Instruction instruction = of<F>.instructions[I];
+
+  template <std::size_t K, class All>
+  static constexpr const auto& number(const std::array<Input, arity<F>>& in, const All& all) {
+    if constexpr (K < arity<F>) {
+      return in[K];
+    } else {
+      return static_cast<const Step<F, Input, K - arity<F>>&>(all).value;
+    }
+  }
+  template <std::size_t K>
+  static constexpr auto type_of() {
+    if constexpr (K < arity<F>) {
+      return std::type_identity<Input>{};
+    } else {
+      return std::type_identity<typename Step<F, Input, K - arity<F>>::Value>{};
+    }
+  }
+  using Left = typename decltype(type_of<instruction.left>())::type;
+  using Right = typename decltype(type_of<instruction.right>())::type;
+
+  static constexpr auto applied(const Left& l, const Right& r) {
+    if constexpr (instruction.doubles()) {
+      return doubled(l);
+    } else {
+      return result<instruction.operation>(l, r);
+    }
+  }
+  using Value = decltype(applied(std::declval<const Left&>(), std::declval<const Right&>()));
+
+  Value value;
+
+  template <class All>
+  constexpr Step(const std::array<Input, arity<F>>& in, const All& all)
+      : value(applied(number<instruction.left>(in, all), number<instruction.right>(in, all))) {}
 };
 
-template <class F>
-concept Formula = std::default_initializable<F> && requires {
-  { F::name } -> std::convertible_to<std::string_view>;
-} &&(TakesPoints<F> || requires { std::span<const int>(F::arguments); });
+template <Formula F, class Input, class I>
+struct Replay;
+template <Formula F, class Input, std::size_t... I>
+struct Replay<F, Input, std::index_sequence<I...>> : Step<F, Input, I>... {
+  constexpr explicit Replay(const std::array<Input, arity<F>>& in) : Step<F, Input, I>(in, *this)... {}
+};
 
-/// How many coordinates each argument has.
+/// The formula's value over these numbers, by its tape: what multiplies by constants runs over numbers that have none.
+template <Formula F, class Input>
+constexpr auto replay(const std::array<Input, arity<F>>& in) {
+  using Last = Step<F, Input, of<F>.size - 1>;
+  const Replay<F, Input, std::make_index_sequence<of<F>.size>> all(in);
+  return static_cast<const Last&>(all).value;
+}
+
+/// The formula as data.
 template <Formula F>
-inline constexpr auto arguments = [] {
-  if constexpr (TakesPoints<F>) {
-    std::array<int, static_cast<std::size_t>(F::points)> all{};
-    all.fill(F::dimension);
-    return all;
+constexpr Program program() {
+  return {arity<F>, of<F>.instructions};
+}
+
+}  // namespace tape
+
+/// F's value over these numbers.
+template <Formula F, class T>
+constexpr auto value_of(const std::array<T, arity<F>>& p) {
+  if constexpr (tape::of<F>.as_written) {
+    return F{}(p);
   } else {
-    return F::arguments;
+    return tape::replay<F>(p);
   }
-}();
-
-/// How the coordinates of an argument are called, "xyz" unless the formula has `axes` of its own.
-template <Formula F>
-inline constexpr std::string_view axes = [] {
-  if constexpr (requires { F::axes; }) {
-    return F::axes;
-  } else {
-    return std::string_view("xyz");
-  }
-}();
-
-/// What the arguments are called: a, b, c, ... unless the formula has `argument_names` of its own.
-template <Formula F>
-inline constexpr std::span<const std::string_view> argument_names = [] {
-  if constexpr (requires { F::argument_names; }) {
-    static_assert(F::argument_names.size() == arguments<F>.size());
-    return std::span<const std::string_view>(F::argument_names);
-  } else {
-    return std::span<const std::string_view>();
-  }
-}();
-
-/// How many coordinates the formula takes, argument after argument.
-template <Formula F>
-inline constexpr std::size_t arity = [] {
-  std::size_t sum = 0;
-  for (const int n : arguments<F>) sum += static_cast<std::size_t>(n);
-  return sum;
-}();
-
-template <Formula F>
-using Coordinates = std::array<double, arity<F>>;
+}
 
 /// Runs F over the numbers make(0), make(1), ...; expanded, not looped, so that optimizers keep all of them in
 /// registers.
 template <Formula F, class Make>
 constexpr auto evaluate(Make make) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return F{}(std::array<decltype(make(std::size_t{})), arity<F>>{make(I)...});
+    return value_of<F>(std::array<decltype(make(std::size_t{})), arity<F>>{make(I)...});
   }
   (std::make_index_sequence<arity<F>>{});
-}
-
-/// All terms have one degree: scaling the coordinates by a power of two keeps the sign.
-template <Formula F>
-inline constexpr bool is_homogeneous = [] {
-  if constexpr (requires { F::homogeneous; }) {
-    return F::homogeneous;
-  } else {
-    return true;
-  }
-}();
-
-/// The degree of the homogeneous polynomial.
-template <Formula F>
-consteval int degree() {
-  return Degree(F{}(std::array<Degree::Input, arity<F>>{})).degree;
 }
 
 /// With |coordinates| < 2^bits, the exact value is below 2^(this) in magnitude.
@@ -115,59 +142,7 @@ constexpr int value_bits(int bits) {
 /// roundings of the magnitude's last sum and of the product with c.
 template <Formula F>
 consteval double filter_constant() {
-  return static_cast<double>(Bound(F{}(std::array<Bound::Input, arity<F>>{})).root + 2) * 0x1p-85;
-}
-
-namespace tape {
-
-template <Formula F, std::size_t Capacity>
-consteval Tape<Capacity> record() {
-  Tape<Capacity> tape;
-  tape.arity = arity<F>;
-  std::array<Recorded<Capacity>, arity<F>> in{};
-  for (std::size_t i = 0; i < in.size(); ++i) in[i] = {&tape, static_cast<std::uint16_t>(i)};
-  const auto result = F{}(in);
-  if (result.index < arity<F>) throw std::logic_error("a formula returns a coordinate as it is given");
-  tape.size = result.index + 1 - arity<F>;  // what is computed after the result is no part of it
-  return tape;
-}
-
-template <Formula F>
-inline constexpr auto of = [] {
-  constexpr auto recorded = record<F, 4096>();
-  Tape<recorded.size> tape;
-  tape.size = recorded.size;
-  tape.arity = recorded.arity;
-  for (std::size_t i = 0; i < tape.size; ++i) tape.instructions[i] = recorded.instructions[i];
-  return tape;
-}();
-
-/// The formula as data.
-template <Formula F>
-constexpr Program program() {
-  return {arity<F>, of<F>.instructions};
-}
-
-}  // namespace tape
-
-/// Of the terms of the formula, whether or not they have one degree.
-struct TermDegrees {
-  int highest;
-  bool equal;
-};
-
-template <Formula F>
-consteval TermDegrees term_degrees() {
-  constexpr auto& steps = tape::of<F>.instructions;
-  std::array<int, arity<F> + steps.size()> degree{};
-  for (std::size_t i = 0; i < arity<F>; ++i) degree[i] = 1;
-  bool equal = true;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const int left = degree[steps[i].left], right = degree[steps[i].right];
-    equal = equal && (steps[i].operation == '*' || left == right);
-    degree[arity<F> + i] = steps[i].operation == '*' ? left + right : left > right ? left : right;
-  }
-  return {degree.back(), equal};
+  return static_cast<double>(Bound(evaluate<F>([](std::size_t) { return Bound::Input{}; })).root + 2) * 0x1p-85;
 }
 
 }  // namespace plumb

@@ -21,12 +21,6 @@
 
 namespace plumb {
 
-/// A point, vector, number or array of coordinates.
-template <class Argument>
-concept AsGiven = requires(const Argument& x) {
-  coordinates(x);
-};
-
 class Kernel {
  public:
   explicit Kernel(const Plan& plan) : intake_(plan.lattice()) {}
@@ -36,7 +30,7 @@ class Kernel {
   [[nodiscard]] const Lattice& lattice() const { return intake_.lattice(); }
 
   /// Takes it in.
-  template <AsGiven Argument>
+  template <HasCoordinates Argument>
   [[nodiscard]] auto point(const Argument& argument) const {
     const auto x = coordinates(argument);
     LatticePoint<std::tuple_size_v<std::remove_const_t<decltype(x)>>> taken;
@@ -52,6 +46,8 @@ class Kernel {
   /// action is compiled for each arithmetic that F may need, without a branch on the lattice in it.
   template <Formula F, class Action>
   decltype(auto) with(Action&& action) const {
+    static_assert(is_polynomial<F>());
+    static_assert(use_all_coordinates<F>());
     return planned::dispatch<F>(lattice().bits, [&](auto arithmetic) -> decltype(auto) {
       return action(PlannedPredicate<F, arithmetic.value>(intake_));
     });
@@ -60,11 +56,13 @@ class Kernel {
   /// The sign of F at points taken in, one for each argument.
   template <Formula F, std::size_t... N>
   [[nodiscard]] [[gnu::always_inline]] Sign sign(const LatticePoint<N>&... p) const {
+    static_assert(is_polynomial<F>());
+    static_assert(use_all_coordinates<F>());
     return planned::dispatch<F>(lattice().bits,
                                 [&](auto arithmetic) { return PlannedPredicate<F, arithmetic.value>(intake_)(p...); });
   }
   /// The sign of F at points, vectors and numbers as given, which are checked.
-  template <Formula F, AsGiven... Arguments>
+  template <Formula F, HasCoordinates... Arguments>
   [[nodiscard]] Sign sign(const Arguments&... arguments) const {
     const auto p =
         std::apply([](auto... x) { return Coordinates<F>{x...}; }, std::tuple_cat(coordinates(arguments)...));

@@ -49,7 +49,15 @@ constexpr Ball ball(const Coordinates<F>& p) {
 
 template <Form form, class N, class D, class... Arguments>
 double rounded(Rounding rounding, const Arguments&... arguments) {
+  static_assert(accepts<N, Arguments...>());
   using F = typename FormulaOf<N, Arguments...>::Type;
+  static_assert(is_polynomial<F>());
+  if constexpr (std::is_same_v<D, One>) {
+    static_assert(use_all_coordinates<F>());
+  } else {
+    static_assert(accepts<D, Arguments...>());
+    static_assert(use_all_coordinates<F, typename FormulaOf<D, Arguments...>::Type>());
+  }
   const Coordinates<F> p = coordinates_of<F>(arguments...);
   Ball b = ball<F>(p);
   if constexpr (!std::is_same_v<D, One>) b = quotient(b, ball<typename FormulaOf<D, Arguments...>::Type>(p));

@@ -16,9 +16,9 @@
 
 namespace plumb::terms {
 
-/// A difference or sum of two coordinates: where a formula's error begins.
+/// A difference or sum of two coordinates: where a formula's error begins.  Twice a coordinate has none.
 inline bool is_leaf(const tape::Program& program, const tape::Instruction& i) {
-  return i.operation != '*' && i.left < program.arity && i.right < program.arity;
+  return i.operation != '*' && i.left < program.arity && i.right < program.arity && !i.doubles();
 }
 
 enum class Step { coordinate, leaf, product, sum, difference, rounded };

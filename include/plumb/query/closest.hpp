@@ -35,6 +35,7 @@
 #include "plumb/figure/polygon.hpp"
 #include "plumb/figure/round.hpp"
 #include "plumb/figure/simplex.hpp"
+#include "plumb/query/answered.hpp"
 #include "plumb/query/closest_pairs.hpp"
 #include "plumb/query/closest_result.hpp"
 #include "plumb/query/exact_distance.hpp"
@@ -102,12 +103,16 @@ std::array<double, 3> closest_weights(const Triangle3& triangle, const Point3& p
 
 // What is asked for is named in the requirement, not in the result: Clang 14 looks at a result's type first.
 template <class A, class B>
-requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { closest_points(b, a); })  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) {
+  { closest_points(b, a) } -> figure::Answer;
+})  //
     auto closest_points(const A& a, const B& b) {
   return swapped(closest_points(b, a));
 }
 template <class A, class B>
-requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { distance(b, a); })  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) {
+  { distance(b, a) } -> figure::Answer;
+})  //
     double distance(const A& a, const B& b, Asked asked = Asked::distance) {
   return distance(b, a, asked);
 }

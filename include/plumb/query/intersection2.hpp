@@ -20,6 +20,7 @@
 #include "plumb/figure/linear.hpp"
 #include "plumb/figure/polygon.hpp"
 #include "plumb/figure/simplex.hpp"
+#include "plumb/query/answered.hpp"
 #include "plumb/query/intersection_result.hpp"
 #include "plumb/query/pairs.hpp"
 
@@ -49,7 +50,9 @@ Intersection2 intersection(const Aabb2& a, const Aabb2& b);
 
 /// The same with the figures named the other way round.
 template <class A, class B>
-requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { intersection(b, a); })  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) {
+  { intersection(b, a) } -> figure::Answer;
+})  //
     auto intersection(const A& a, const B& b) {
   return intersection(b, a);
 }

@@ -1,5 +1,6 @@
 // A coordinate as it is given is no formula: there is no operation whose result the last stage could give.
-// refused: returns a coordinate as it is given
+// refused: plumb: a formula returns a coordinate as it is given
+// lines: 12
 #include <array>
 #include <string_view>
 
@@ -7,9 +8,9 @@
 
 struct Formula {
   static constexpr std::string_view name = "made up";
-  static constexpr int points = 1, dimension = 3;
+  static constexpr int points = 2, dimension = 1;
   template <class T>
-  constexpr auto operator()(const std::array<T, 3>& p) const {
+  constexpr auto operator()(const std::array<T, 2>& p) const {
 #ifdef MENDED
     return p[0] - p[1];
 #else
@@ -18,4 +19,4 @@ struct Formula {
   }
 };
 
-plumb::Sign sign(const std::array<double, 3>& p) { return plumb::decide<Formula>(p); }
+plumb::Sign sign(const std::array<double, 2>& p) { return plumb::decide<Formula>(p); }

@@ -1,5 +1,6 @@
 // A formula that branches on its values is no polynomial: the numbers that it runs over do not compare.
-// refused: no match for|invalid operands
+// refused: plumb: a formula does not compare
+// lines: 12
 #include <array>
 #include <string_view>
 

@@ -1,5 +1,6 @@
 // A quotient is no polynomial: the numbers that a formula runs over do not divide.
-// refused: no match for|invalid operands
+// refused: plumb: a formula does not divide
+// lines: 12
 #include <array>
 #include <string_view>
 

@@ -1,5 +1,6 @@
 // An area plus a length has no sign that scaling keeps: a formula must be homogeneous.
-// refused: terms of unequal degree
+// refused: plumb: a formula adds terms of unequal degree
+// lines: 12
 #include <array>
 #include <string_view>
 
