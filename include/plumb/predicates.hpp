@@ -36,6 +36,7 @@
 #include "plumb/certify/side.hpp"
 #include "plumb/certify/side_of_plane.hpp"
 #include "plumb/certify/sign_of.hpp"
+#include "plumb/certify/signs_of.hpp"
 #include "plumb/certify/smallest_sphere.hpp"
 
 namespace plumb {

@@ -141,6 +141,31 @@ void add_single_points() {
              [&, sphere = SphereSide{s[0][0], s[1][0], s[2][0], s[3][0]}](std::size_t i) { return sphere(s[4][i]); });
 }
 
+// A user's own: three points of the plane, seven operations, and the classics as if they were a user's.
+constexpr auto in_diametral_circle = [](auto ax, auto ay, auto bx, auto by, auto cx, auto cy) {
+  return (ax - cx) * (cx - bx) + (ay - cy) * (cy - by);
+};
+
+void add_own_formulas() {
+  const Data& d = data();
+  const auto &f = d.flat, &s = d.solid;
+  add_singly("own", "function", [&](std::size_t i) { return sign_of(in_diametral_circle, f[0][i], f[1][i], f[2][i]); });
+  add_singly("own insphere", "function", [&](std::size_t i) {
+    return sign_of(predicates::InSphere{}, s[0][i], s[1][i], s[2][i], s[3][i], s[4][i]);
+  });
+  for (const std::string_view set : {"AVX-512", "AVX2", "SSE"}) {
+    const std::int64_t target = target_of(set);
+    if ((hwy::SupportedTargets() & target) == 0) continue;
+    add("own", set, "points", target,
+        [&](std::vector<Sign>& out) { plumb::signs_of(in_diametral_circle, f[0], f[1], f[2], out); });
+    add("own", set, "arrays", target, [&](std::vector<Sign>& out) {
+      plumb::signs_of(in_diametral_circle, d.flat_view(0), d.flat_view(1), d.flat_view(2), out);
+    });
+    add("own insphere", set, "points", target,
+        [&](std::vector<Sign>& out) { plumb::signs_of(predicates::InSphere{}, s[0], s[1], s[2], s[3], s[4], out); });
+  }
+}
+
 /// By the clock on the wall: the time of a single thread says nothing here.
 void add_million(const char* method, Execution execution) {
   const std::string name = std::string("insphere/million/") + method;
@@ -170,6 +195,7 @@ void add_million(const char* method, Execution execution) {
     add_ours(loop.predicate, loop.instruction_set, taken_for(loop.instruction_set));
   }
   add_single_points();
+  add_own_formulas();
   add_million("serial", Execution::serial);
   add_million("parallel", Execution::parallel);
   return true;

@@ -27,15 +27,16 @@ class Run {
   [[nodiscard]] std::size_t decide(std::size_t number) const {
     assert_sound_thread();
     const std::size_t begin = number * chunk, n = std::min(chunk, out_.size() - begin);
-    std::array<const double*, most_coordinates> at{};
+    std::array<const double*, most_coordinates> at;
     for (std::size_t k = 0; k < question_.arity; ++k) at[k] = cases_.at[k] + begin * cases_.stride[k];
     std::array<std::uint32_t, chunk> unsure;
     const std::size_t count =
         filter_(given_, at.data(), n, reinterpret_cast<signed char*>(out_.data() + begin), unsure.data());
     std::size_t bad = none;
+    std::array<double, most_coordinates> place;
     for (std::size_t u = 0; u < count; ++u) {
       const std::size_t i = begin + unsure[u];
-      const std::array<double, most_coordinates> p = coordinates(i);
+      const std::span<const double> p = coordinates(i, place);
       const bool good = std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
       if (good) {
         out_[i] = question_.exactly(p.data());
@@ -48,9 +49,10 @@ class Run {
 
   /// Says what is wrong with case i.
   [[noreturn]] void refuse(std::size_t i) const {
-    const std::array<double, most_coordinates> p = coordinates(i);
+    std::array<double, most_coordinates> place;
     try {
-      throw_non_finite(question_.name, question_.arguments, std::span(p).first(question_.arity));
+      throw_non_finite(question_.name, question_.arguments, coordinates(i, place), question_.axes,
+                       question_.argument_names);
     } catch (const NonFinite& error) {
       std::string text = error.what();  // "orient3d: b.y is nan, ..."
       text.insert(text.find(" is "), std::string(" of item ").append(std::to_string(i)));
@@ -59,10 +61,9 @@ class Run {
   }
 
  private:
-  [[nodiscard]] std::array<double, most_coordinates> coordinates(std::size_t i) const {
-    std::array<double, most_coordinates> p{};
-    for (std::size_t k = 0; k < question_.arity; ++k) p[k] = cases_.at[k][i * cases_.stride[k]];
-    return p;
+  [[nodiscard]] std::span<const double> coordinates(std::size_t i, std::array<double, most_coordinates>& place) const {
+    for (std::size_t k = 0; k < question_.arity; ++k) place[k] = cases_.at[k][i * cases_.stride[k]];
+    return std::span(place).first(question_.arity);
   }
 
   const Question& question_;

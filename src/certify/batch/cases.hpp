@@ -11,12 +11,9 @@
 #include <span>
 #include <string_view>
 
-#include "plumb/certify/batch.hpp"
-#include "plumb/certify/decide.hpp"
+#include "plumb/certify/signs_of.hpp"
 
 namespace plumb::batch {
-
-inline constexpr std::size_t most_coordinates = 15;
 
 struct Cases {
   std::array<const double*, most_coordinates> at{};
@@ -24,7 +21,7 @@ struct Cases {
 };
 
 /// Filters n cases from their first coordinates on: writes their signs, lists the numbers of those that are unsure, and
-/// returns how many they are.  `given` is a Side or nothing.
+/// returns how many they are.  `given` is a Side, a TapePlan or nothing.
 using Filter = std::size_t (*)(const void* given, const double* const* at, std::size_t n, signed char* out,
                                std::uint32_t* unsure);
 
@@ -33,14 +30,12 @@ struct Question {
   std::span<const int> arguments;
   std::size_t arity;
   Sign (*exactly)(const double* coordinates);
+  std::string_view axes = "xyz";
+  std::span<const std::string_view> argument_names = {};
 };
 
 template <Formula F>
-inline constexpr Question question{F::name, arguments<F>, arity<F>, [](const double* coordinates) {
-                                     Coordinates<F> p;
-                                     for (std::size_t k = 0; k < p.size(); ++k) p[k] = coordinates[k];
-                                     return decide_exactly<F>(p).sign;
-                                   }};
+inline constexpr Question question{F::name, arguments<F>, arity<F>, asked<F>.exactly};
 
 /// Decides all of them; out.size() is their number.
 void decide_cases(const Question& question, const Cases& cases, Filter filter, const void* given, std::span<Sign> out,
