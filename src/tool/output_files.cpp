@@ -43,6 +43,23 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return whole(a) == whole(b);
 }
 
+/// A folder that is made where it is missing, and is gone again where nothing came to be in it.
+class MadeFolder {
+ public:
+  /// Throws std::system_error; of no name, makes none.
+  explicit MadeFolder(const fs::path& path) : path_(path), made_(!path.empty() && fs::create_directory(path)) {}
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+  ~MadeFolder() {
+    std::error_code holds_something;
+    if (made_) fs::remove(path_, holds_something);
+  }
+
+ private:
+  fs::path path_;
+  bool made_;
+};
+
 [[noreturn]] void refuse(const fs::path& path, const std::system_error& e) {
   throw Error(fmt::format("cannot write {}: {}", printable(path.string()), e.code().message()));
 }
@@ -132,13 +149,20 @@ void probe_file(const fs::path& path, Replacing replacing) {
   const StagedFile probe(path, "", replacing);
 }
 
-void keep_files(const std::vector<PathAndText>& files) {
+void probe_folder(const fs::path& folder) {
+  const HeldSignals held;
+  const MadeFolder made(folder);
+  const StagedFile probe(folder / "report", "");  // some systems' rights promise what is not so
+}
+
+void keep_files(const std::vector<PathAndText>& files, const fs::path& folder) {
   const PathAndText* at = nullptr;
   try {
     std::vector<StagedFile> in_place;  // a pipe may wait for who reads: signals are obeyed meanwhile
     std::vector<const PathAndText*> of_in_place;
     {
       const HeldSignals held;
+      const MadeFolder made(folder);
       std::vector<StagedFile> staged;
       std::vector<const PathAndText*> of_staged;
       for (const PathAndText& file : files) {
@@ -158,7 +182,7 @@ void keep_files(const std::vector<PathAndText>& files) {
       in_place[k].keep();
     }
   } catch (const std::system_error& e) {
-    refuse(at->path, e);
+    refuse(at != nullptr ? at->path : folder, e);
   }
 }
 

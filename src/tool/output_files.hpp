@@ -66,7 +66,11 @@ struct PathAndText {
 /// Throws std::system_error where such a file could not be kept; leaves nothing.
 void probe_file(const std::filesystem::path& path, surface::Replacing replacing = surface::Replacing::yes);
 
-/// All of the files or, as far as the system lets it, none; throws Error, which names the file.
-void keep_files(const std::vector<PathAndText>& files);
+/// The same for files in a folder that may be missing, if only its parent is there.
+void probe_folder(const std::filesystem::path& folder);
+
+/// All of the files or, as far as the system lets it, none; throws Error, which names the file. The folder, if one is
+/// named, is made where it is missing.
+void keep_files(const std::vector<PathAndText>& files, const std::filesystem::path& folder = {});
 
 }  // namespace plumb::tool

@@ -146,6 +146,7 @@ int leave_with_reader() {
 
 int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is learned of where output is written, not by sudden death
+  std::signal(SIGXFSZ, SIG_IGN);  // and so of a file that may not grow so large (ulimit -f)
   Program program(rivals);
   int code = 0;
   try {

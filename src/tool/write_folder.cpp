@@ -43,8 +43,7 @@ void require_own(const fs::path& folder, const std::string& name, const std::set
 }  // namespace
 
 void require_folder(const std::string& folder) try {
-  fs::create_directory(folder);
-  probe_file(fs::path(folder) / "report");  // some systems' rights promise what is not so
+  probe_folder(folder);
 } catch (const std::system_error& e) {
   throw Error(fmt::format("cannot write into {}: {}", printable(folder), e.code().message()));
 }
@@ -67,7 +66,7 @@ void write_report(const std::string& folder, std::string_view command, std::vect
   std::vector<PathAndText> all;
   for (const NamedText& file : files) all.push_back({fs::path(folder) / file.name, file.text});
   flush_output();  // what cannot be said is no success either
-  keep_files(all);
+  keep_files(all, folder);
   std::error_code ignored;
   for (const std::string& name : stale) fs::remove(fs::path(folder) / name, ignored);
 }
@@ -75,7 +74,7 @@ void write_report(const std::string& folder, std::string_view command, std::vect
 void add_files(const std::string& folder, const std::vector<NamedText>& files) {
   std::vector<PathAndText> all;
   for (const NamedText& file : files) all.push_back({fs::path(folder) / file.name, file.text});
-  keep_files(all);
+  keep_files(all, folder);
 }
 
 }  // namespace plumb::tool

@@ -21,8 +21,8 @@ struct NamedText {
   std::string name, text;
 };
 
-/// Makes the folder where it is missing (its parent must be there) and proves
-/// that it can be written to; throws Error.
+/// Proves that the folder can be written to, or made where it is missing (its
+/// parent must be there), and leaves nothing; throws Error.
 void require_folder(const std::string& folder);
 
 /// The same, for a report of this command ("chart") with files of these names,

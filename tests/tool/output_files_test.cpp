@@ -131,6 +131,27 @@ TEST(Outputs, SurviveAnInterruption) {
   }
 }
 
+TEST(Outputs, OfAStoppedRunLeaveNoFolder) {
+  const Folder folder;
+  put(folder / "part.obj", kTriangle);
+  const std::vector<std::string> stopped = {
+      "$PLUMB chart --out " + (folder / "new") + " & sleep 0.1; kill -TERM $!; wait $!",
+      "$PLUMB section --plane z=0.5 --out " + (folder / "new") + " " + (folder / "part.obj") + " >/dev/full",
+      "ulimit -f 0; exec $PLUMB section -q --plane z=0 --out " + (folder / "new") + " " + (folder / "part.obj")};
+  for (const std::string& line : stopped) {
+    EXPECT_GT(run(line).code, 1) << line;
+    EXPECT_EQ(files_in(folder / ""), 1) << line;
+  }
+}
+
+TEST(Outputs, LargerThanAFileMayBeAreRefused) {
+  const Folder folder;
+  put(folder / "old.json", "old");
+  expect_refusal(run("ulimit -f 8; exec $PLUMB check -q --json " + (folder / "old.json")), "File too large");
+  EXPECT_EQ(content(folder / "old.json"), "old");
+  EXPECT_EQ(files_in(folder / ""), 1);
+}
+
 TEST(Outputs, AreRemovedBeforeASignalIsObeyed) {
   const Folder folder;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {

@@ -64,6 +64,7 @@ std::string file_name(const Kind& kind, const Numbers& numbers) {
 
 std::vector<Numbers> read_corpus(const std::string& folder, const Kind& kind) {
   require_folder(folder);
+  if (!fs::exists(folder)) return {};  // made when there is something to add
   std::vector<fs::path> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -84,7 +85,7 @@ std::size_t grow_corpus(const std::string& folder, const Kind& kind, std::span<c
     const bool known = fs::exists(fs::path(folder) / name) || std::ranges::count(files, name, &NamedText::name) > 0;
     if (!known) files.push_back({std::move(name), case_line(kind, numbers) + "\n"});
   }
-  add_files(folder, files);
+  if (!files.empty()) add_files(folder, files);
   return files.size();
 }
 
