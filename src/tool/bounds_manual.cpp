@@ -7,7 +7,7 @@ Manual bounds_manual() {
           "how tight and how dear is each bounding volume on a mesh?",
           {"plumb bounds [OPTION]... [MESH]..."},
           {{"DESCRIPTION", R"(
-Reads each MESH (OBJ, OFF, STL, PLY; text or binary) and bounds its
+Reads each MESH, a file as `plumb check` reads it, and bounds its
 vertices by every kind of volume that the library fits: the smallest
 sphere, the axis-aligned box, capsule, lozenge, the oriented box of
 least volume, and k-DOPs of 14, 18 and 26 faces. Of each it says:

@@ -7,7 +7,7 @@ Manual plan_manual() {
           "what do exact decisions on a scene need, and no more?",
           {"plumb plan [OPTION]... [MESH]..."},
           {{"DESCRIPTION", R"(
-Reads all MESHes (OBJ, OFF, STL, PLY; text or binary) as one scene and
+Reads all MESHes, files as `plumb check` reads them, as one scene and
 says what exact decisions on it need, and no more:
 
 its lattice

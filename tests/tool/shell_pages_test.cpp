@@ -49,6 +49,16 @@ TEST(ManualPages, AreSoundAndHaveTheWordsOfTheHelp) {
   EXPECT_EQ(run("$PLUMB help --roff | groff -man -ww -Tutf8 >/dev/null").err, "");
 }
 
+TEST(ManualPages, NameTheFormatsThatAreReadOnce) {
+  const std::string all = "OBJ, OFF, STL, PLY, 3MF, glTF";
+  EXPECT_THAT(run("$PLUMB help check").out, HasSubstr(all));
+  for (const std::string command : {"bounds", "plan", "section", "convert"}) {
+    EXPECT_THAT(run("$PLUMB help " + command).out,
+                AllOf(HasSubstr("as `plumb check`"), Not(HasSubstr("PLY; text or binary"))))
+        << command;
+  }
+}
+
 TEST(ManualPages, AreWrittenWhereManAndShellsLook) {
   const Folder folder;
   EXPECT_THAT(run("$PLUMB help --write-pages " + (folder / "share")).out, HasSubstr("18 files"));
