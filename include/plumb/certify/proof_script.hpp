@@ -4,15 +4,15 @@
 // coordinates is any real number, of which the formula sees a rounded one:
 //
 // ProofScale::unit, what IEEE doubles do.  Every operation but x + x rounds to the nearest double, ties to even,
-// subnormals included.  Rounded differences, and coordinates that the formula takes by themselves, are at most 1 in magnitude, so
-// that the magnitude of its m terms is m.  Then, before its last rounding, the computed value differs from the exact
-// one by at most c m; and where the exact value is not positive (negative), the computed one is at most c m (at least
-// -c m).
+// subnormals included.  Rounded differences, and coordinates that the formula takes by themselves, are at most 1 in
+// magnitude, so that the magnitude of its m terms is m.  Then, before its last rounding, the computed value differs
+// from the exact one by at most c m; and where the exact value is not positive (negative), the computed one is at most
+// c m (at least -c m).
 //
 // ProofScale::every, what no change of scale can change.  Every operation but x + x errs by a factor of 1 + e,
-// |e| <= 2^-53, which is all that is known of it.  Term by term (the products of differences that the formula adds up) the computed
-// value differs from the exact one by at most c (1 - (n + 2) 2^-51) times the term's magnitude, with n operations: what
-// c leaves over pays for a magnitude and a threshold that are rounded as well.
+// |e| <= 2^-53, which is all that is known of it.  Term by term (the products of differences that the formula adds up)
+// the computed value differs from the exact one by at most c (1 - (n + 2) 2^-51) times the term's magnitude, with n
+// operations: what c leaves over pays for a magnitude and a threshold that are rounded as well.
 //
 // Laws: a script says nothing of how its claim is proved, so that a proof made from it rests on no axiom of ours;
 // `gappa FILE` exits with 0 exactly when it found the proof.  What the claims mean for the filters: docs/proof.md.
