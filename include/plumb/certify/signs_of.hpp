@@ -5,13 +5,18 @@
 //
 // The polynomial is one that sign_of takes for a single case.  Each argument is a contiguous range (a vector, a span)
 // of points, vectors, numbers or std::array<double, N>, a view of coordinates that have arrays of their own, or one
-// such thing for all cases; then the range of signs that is written, and if need be on how many threads. Laws: those of
-// certify/batch.hpp: (1) out[i] is the sign of case i, the one that sign_of gives for it alone. (2) Unequal lengths
-// throw UnequalLengths before anything is written.  (3) A NaN or an infinity throws NonFinite, which names the first
-// such item.  (4) `out` must not overlap the coordinates.  Up to 64 coordinates a case. The formula's tape is run by
-// the library over the vectors of the processor at hand, many cases an instruction, by filter A and its derived
-// constant; what it leaves goes to the exact stages, compiled here. Source: RTCD 13.7; docs/batches.md.  Cost: half a
-// nanosecond and more a sign where floating point suffices. These functions are in the library plumb::batch.
+// such thing for all cases; then the range of signs that is written, and if need be on how many threads.
+//
+// Laws: those of certify/batch.hpp.
+// (1) out[i] is the sign of case i, the one that sign_of gives for it alone.
+// (2) Unequal lengths throw UnequalLengths before anything is written.
+// (3) A NaN or an infinity throws NonFinite, which names the first such item.
+// (4) `out` must not overlap the coordinates.  There are up to 64 coordinates a case.
+//
+// The library runs the formula's tape over the vectors of the processor at hand, by filter A and its derived constant;
+// what that leaves goes to the exact stages, compiled where it is asked.
+// Source: RTCD 13.7; docs/batches.md.  Cost: on one thread about that of sign_of in a loop or somewhat more; threads
+// share the work.  The classics' own batches are several times as fast.  In the library plumb::batch.
 #pragma once
 
 #include <ranges>
