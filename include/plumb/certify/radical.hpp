@@ -79,10 +79,12 @@ concept Factor = Formula<F> || std::same_as<F, predicates::One>;
 
 template <Factor F>
 consteval int degree_of() {
-  if constexpr (Formula<F>) {
-    return degree<F>();
-  } else {
+  if constexpr (!Formula<F>) {
     return 0;
+  } else if constexpr (requires { F::index; }) {
+    return 1;
+  } else {
+    return degree<F>();
   }
 }
 
@@ -132,6 +134,15 @@ struct PairNorm {
   }
 };
 
+/// The sign of what a radical is made of: it need not use every coordinate, since all of them are known to be finite.
+template <Formula F>
+PLUMB_CHECKABLE Sign decide_part(const Coordinates<F>& p) {
+  static_assert(is_polynomial<F>());
+  assert_sound_thread();
+  if (const int s = filter<F>(p); s != 0) return static_cast<Sign>(s);
+  return plumb::decide_exactly<F>(p).sign;
+}
+
 template <Factor F, std::size_t N>
 Sign sign_of_factor(const std::array<double, N>& p) {
   if constexpr (!Formula<F>) {
@@ -139,7 +150,7 @@ Sign sign_of_factor(const std::array<double, N>& p) {
   } else if constexpr (requires { F::index; }) {
     return sign_of_number(p[F::index]);
   } else {
-    return decide<F>(p);
+    return decide_part<F>(p);
   }
 }
 
@@ -161,7 +172,7 @@ Sign sign_of_radical(const Coordinates<A>& p) {
   require_finite<A>(p, "radical");
   const Sign root = radical::sign_of_root<C>(p);
   return radical::sum(radical::sign_of_factor<A>(p), radical::sign_of_factor<B>(p) * root,
-                      [&p] { return decide<radical::Norm<A, B, C>>(p); });
+                      [&p] { return radical::decide_part<radical::Norm<A, B, C>>(p); });
 }
 
 /// The sign of A + B sqrt(C) + D sqrt(E) at p, likewise.
@@ -170,9 +181,9 @@ Sign sign_of_radicals(const Coordinates<A>& p) {
   require_finite<A>(p, "radical");
   const Sign a = radical::sign_of_factor<A>(p), b = radical::sign_of_factor<B>(p) * radical::sign_of_root<C>(p),
              d = radical::sign_of_factor<D>(p) * radical::sign_of_root<E>(p);
-  return radical::sum(radical::sum(a, b, [&p] { return decide<radical::Norm<A, B, C>>(p); }), d, [&] {
-    return radical::sum(decide<radical::PairPart<A, B, C, D, E>>(p), a * b,
-                        [&p] { return decide<radical::PairNorm<A, B, C, D, E>>(p); });
+  return radical::sum(radical::sum(a, b, [&p] { return radical::decide_part<radical::Norm<A, B, C>>(p); }), d, [&] {
+    return radical::sum(radical::decide_part<radical::PairPart<A, B, C, D, E>>(p), a * b,
+                        [&p] { return radical::decide_part<radical::PairNorm<A, B, C, D, E>>(p); });
   });
 }
 
