@@ -46,7 +46,7 @@ TEST(SignOfTest, AgreesWithRationalsOnEveryFamily) {
     for (std::uint64_t i = 0; i < 3'000; ++i) {
       Entropy entropy(5, i);
       const std::vector<Point3> p = points3(family.family, Degeneracy::coplanar, 1, entropy);
-      const auto [x, y, z] = p.front();
+      const double x = p.front().x, y = p.front().y, z = p.front().z;
       // Half of the cases lie on the paraboloid, or next to it.
       const double lifted = x * x + y * y;
       const double height = i % 2 == 0 || !std::isfinite(lifted) ? z : lifted;

@@ -1,6 +1,7 @@
 // Do exact points compare, hash, sort and turn as the points do that they stand for, asked first, again, and by many?
 #include "plumb/query/exact_point.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
