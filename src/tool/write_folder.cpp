@@ -42,9 +42,7 @@ void require_own(const fs::path& folder, const std::string& name, const std::set
 
 }  // namespace
 
-void require_folder(const std::string& folder) try {
-  probe_folder(folder);
-} catch (const std::system_error& e) {
+void require_folder(const std::string& folder) try { probe_folder(folder); } catch (const std::system_error& e) {
   throw Error(fmt::format("cannot write into {}: {}", printable(folder), e.code().message()));
 }
 

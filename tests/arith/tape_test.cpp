@@ -29,7 +29,8 @@ TEST(TapeTest, ReplayDoesExactlyWhatTheFormulaDoes) {
     for (int i = 0; i < 5'000; ++i) {
       fill_points(any_family(entropy), Degeneracy::cocircular, F::dimension, p, entropy);
       // Bit for bit, roundings, overflows and NaN included: the same operations in the same order.
-      const double direct = value_of<F>(p), replayed = replay(tape::program<F>(), std::vector<double>(p.begin(), p.end()));
+      const double direct = value_of<F>(p),
+                   replayed = replay(tape::program<F>(), std::vector<double>(p.begin(), p.end()));
       ASSERT_TRUE(std::bit_cast<std::uint64_t>(direct) == std::bit_cast<std::uint64_t>(replayed) ||
                   (direct != direct && replayed != replayed));
     }

@@ -1,6 +1,4 @@
 // Has every formula its batches?  Signs of many cases against those of each, on every instruction set, in every layout.
-#include "plumb/certify/signs_of.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -12,6 +10,7 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/catalog.hpp"
+#include "plumb/certify/signs_of.hpp"
 
 namespace plumb::batches {
 namespace {
