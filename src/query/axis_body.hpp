@@ -12,6 +12,7 @@
 
 #include "figure/in_space.hpp"
 #include "figure/vec.hpp"
+#include "plumb/certify/sign_of.hpp"
 #include "plumb/query/pairs.hpp"
 
 namespace plumb::query::axes {

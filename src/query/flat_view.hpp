@@ -5,9 +5,8 @@
 
 #include <type_traits>
 
-#include "flat_set.hpp"
-#include "plumb/query/overlap.hpp"
 #include "query/figure_view.hpp"
+#include "query/flat_set.hpp"
 
 namespace plumb::query {
 

@@ -1,8 +1,8 @@
 #include "plumb/query/ray_parameter.hpp"
 
+#include "arith/rounded_radical.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/certify/radical.hpp"
-#include "query/ray_numbers.hpp"
 
 namespace plumb {
 namespace {
@@ -36,14 +36,4 @@ std::strong_ordering operator<=>(const RayParameter& a, const RayParameter& b) {
   return static_cast<int>(sign_of(a.base - b.base, a.square, b.square)) <=> 0;
 }
 
-namespace query {
-
-void require_ray(std::string_view function, const AnyRay& ray, const FigureView& shape) {
-  as_given(ray, [&](const auto& given) { require_figures(function, view_of(given), shape); });
-}
-void require_ray(std::string_view function, const AnyRay& ray) {
-  as_given(ray, [&](const auto& given) { require_figure(function, spoken(view_of(given)), given); });
-}
-
-}  // namespace query
 }  // namespace plumb

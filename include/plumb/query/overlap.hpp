@@ -31,14 +31,6 @@ namespace plumb {
 
 namespace query {
 
-/// Of a figure with straight edges and flat faces.
-using FlatView = FigureView;
-
-template <class Shape>
-concept FlatFigure = Figure<Shape> &&
-    !is_one_of(figure_kind<Shape>,
-               {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
-
 Relation relate_flat(const FlatView& a, const FlatView& b);
 bool flat_intersects(const FlatView& a, const FlatView& b);
 

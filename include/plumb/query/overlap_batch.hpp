@@ -12,7 +12,7 @@
 
 #include "plumb/figure/box_batch.hpp"
 #include "plumb/figure/linear.hpp"
-#include "plumb/query/ray_batch.hpp"
+#include "plumb/query/item_batch.hpp"
 
 namespace plumb {
 

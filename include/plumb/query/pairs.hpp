@@ -228,6 +228,14 @@ constexpr FigureView view_of(const Shape& shape) {
   return {figure_kind<Shape>, figure_dimension<Shape>, &shape};
 }
 
+/// Of a figure with straight edges and flat faces.
+using FlatView = FigureView;
+
+template <class Shape>
+concept FlatFigure = Figure<Shape> &&
+    !is_one_of(figure_kind<Shape>,
+               {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+
 }  // namespace query
 
 /// How these two types are answered; absent as well where they are of the plane and of space.
