@@ -2,7 +2,8 @@
 //
 // Laws: cross(u, v) == -cross(v, u), zero exactly when u and v are parallel or one is zero; triple keeps its value
 // under cyclic permutation and flips its sign when two vectors are swapped.
-// Source: RTCD 3.3.3, 3.3.5, 3.3.7.  Cost: dot 3 products, cross 6, triple 9.
+// Source: RTCD 3.3.3, 3.3.5, 3.3.7.
+// Cost: dot 3 products, cross 6, triple 9.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // Determinants of small matrices by cofactor expansion, over any number type with + - *.
 //
 // Laws: swapping two rows or columns flips the sign; homogeneous of degree n in the entries.
-// Rows are given one after another.  Source: RTCD 3.1.3 (of four and five rows by Laplace's expansion, whose minors are
-// computed once).
+// Rows are given one after another.
+// Source: RTCD 3.1.3 (of four and five rows by Laplace's expansion, whose minors are computed once).
 // Cost: det2 2 products, det3 9 products, four rows 30 products, five rows 90 products.
 #pragma once
 

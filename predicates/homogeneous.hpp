@@ -6,8 +6,8 @@
 // Laws: the value is that of the classic formula times the product of the weights (orient2d, orient3d), of their
 // squares (incircle, insphere), or of both weights (order along an axis).  So its sign is the product of the signs of
 // value and weights there, and that of the value alone with squares.  Swapping two points flips the sign, as for
-// determinants whose rows they are. Source: docs/proof.md, "Weights"; RTCD 3.1.6.  Degree: one row's x, y, z and one
-// row's weight for each column.
+// determinants whose rows they are.
+// Source: docs/proof.md, "Weights"; RTCD 3.1.6.  Degree: one row's x, y, z and one row's weight for each column.
 #pragma once
 
 #include <array>

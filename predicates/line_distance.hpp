@@ -1,6 +1,7 @@
 // Which of two points is farther from a line, from which of two lines is a point farther, and is it within a distance?
 //
-// Laws, and the form of the values: predicates/distance.hpp.  Source: RTCD 5.1.2.1.  Degree 2 to 6.
+// Laws, and the form of the values: predicates/distance.hpp.
+// Source: RTCD 5.1.2.1.  Degree 2 to 6.
 #pragma once
 
 #include <array>

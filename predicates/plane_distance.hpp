@@ -2,7 +2,8 @@
 //
 // A plane is given by three points, or by a normal and an offset: the points x with normal . x = offset.
 // Laws, and the form of the values: predicates/distance.hpp.  Of a normal and an offset the terms differ in degree:
-// only scaling both by the same number changes nothing. Source: RTCD 3.6, 5.1.1.  Degree 2 to 10.
+// only scaling both by the same number changes nothing.
+// Source: RTCD 3.6, 5.1.1.  Degree 2 to 10.
 #pragma once
 
 #include <array>

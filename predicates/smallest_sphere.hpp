@@ -2,7 +2,8 @@
 //
 // Laws: any permutation of the points that span the sphere keeps the sign; common translation and positive scaling
 // change nothing.  The sphere through two points has them as its diameter; the one through three has its center in
-// their plane.  Of three collinear points there is none: zero. Source: RTCD 4.3, 3.1.6.4.  Degree 2 and 6.
+// their plane.  Of three collinear points there is none: zero.
+// Source: RTCD 4.3, 3.1.6.4.  Degree 2 and 6.
 #pragma once
 
 #include <array>

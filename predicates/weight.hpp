@@ -4,7 +4,8 @@
 // its other factor, a sum with TagZero its other term, and neither leaves an operation behind.
 // Laws: those of 1 and 0.  What would need a negation (TagZero - x) or a sum of ones does not compile: formulas are
 // written so that it does not occur.
-// Source: docs/proof.md, "Weights".  Cost: none.
+// Source: docs/proof.md, "Weights".
+// Cost: none.
 #pragma once
 
 namespace plumb::predicates {

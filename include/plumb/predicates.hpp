@@ -9,8 +9,9 @@
 // Beside them: orders, angles, distances, smallest spheres, powers, determinants, rays,
 // planes in space, separating axes, radicals, moving points (docs/predicates.md).
 // A coordinate that is NaN or infinite throws NonFinite, naming it; nothing else throws for points as given.
-// Source: RTCD 3.1.6, 11.2.  Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds
-// on degenerate input (docs/measurements.md).
+// Source: RTCD 3.1.6, 11.2.
+// Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds on degenerate input
+// (docs/measurements.md).
 #pragma once
 
 #include "plumb/arith/point.hpp"

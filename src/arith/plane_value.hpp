@@ -2,7 +2,9 @@
 //
 // Laws: exact where an answer is given; none where a product is too small or too large for its error to be a double.
 // Method: three products and their errors are added up into parts that do not overlap, of which the largest that is not
-// zero has the sign.  Source: Shewchuk 1997 (expansions).  Cost: some 50 ns.
+// zero has the sign.
+// Source: Shewchuk 1997 (expansions).
+// Cost: some 50 ns.
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 //
 // Laws: those of arith/big_rounding.hpp; c >= 0, d > 0.
 // Source: integer square roots, of twice as many digits until only one double is left; where the root is rational, the
-// quotient itself.  Cost: some microseconds.
+// quotient itself.
+// Cost: some microseconds.
 #pragma once
 
 #include "plumb/arith/big_rounding.hpp"

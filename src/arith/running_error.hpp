@@ -3,7 +3,8 @@
 // Laws: |exact - value| <= error (1 + 2^-39), after up to 2^11 operations in a row: each rounds the bound down by less
 // than 2^-50 of it, and sign() makes up for it.  A difference of equal doubles is certainly zero; overflow and NaN end
 // in a bound that nothing exceeds.
-// Source: Wilkinson 1986 (running error analysis).  Cost: about three times the plain operations.
+// Source: Wilkinson 1986 (running error analysis).
+// Cost: about three times the plain operations.
 #pragma once
 
 #include "plumb/arith/sign.hpp"

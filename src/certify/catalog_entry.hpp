@@ -1,7 +1,8 @@
 // What does the catalog say of a formula?  Everything that is derived from it, as one entry.
 //
 // A part of the catalog is one list of the manifest, compiled by itself together with the exact stages of its formulas:
-// the parts can be built side by side.  Cost: compile time, for each formula its filter and its small integers.
+// the parts can be built side by side.
+// Cost: compile time, for each formula its filter and its small integers.
 #pragma once
 
 #include <algorithm>

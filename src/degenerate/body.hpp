@@ -3,7 +3,8 @@
 // Laws: a body stands on the plane z = 0: it has no point below, and the origin lies in the feature asked for.  The
 // plane is told as the plane y = 0 of space: z is up there as well.  All members are below 2^30, and every map of ours
 // takes that into account.  Directions, axes and edges are kept as the points they lead to.
-// Source: none.  Cost: below 1 us a body.
+// Source: none.
+// Cost: below 1 us a body.
 #pragma once
 
 #include <array>

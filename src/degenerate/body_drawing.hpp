@@ -1,6 +1,7 @@
 // Which integers make a body?  Lengths and places within its extents, drawn one after the other.
 //
-// Source: none.  Cost: that of the choices.
+// Source: none.
+// Cost: that of the choices.
 #pragma once
 
 #include <utility>

@@ -2,7 +2,8 @@
 //
 // Laws: aligned shapes among them have their axes where the map makes them those of space; rigid shapes get a
 // similarity.
-// Source: none.  Cost: below 100 ns.
+// Source: none.
+// Cost: below 100 ns.
 #pragma once
 
 #include "degenerate/body.hpp"

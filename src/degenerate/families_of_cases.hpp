@@ -1,7 +1,8 @@
 // Which cases come from the families of hard points?  Every family, arranged as the arguments of a kind.
 //
 // Law: an arrangement asks `fill` for the coordinates of some points of one dimension, and makes a valid case of them.
-// Source: docs/degeneracies.md; cost: as the families take.
+// Source: docs/degeneracies.md.
+// Cost: as the families take.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,7 @@
 // Where do the numbers of a case stand?  The parts of its arguments, one after the other.
 //
-// Law: of a case without a flaw every number is in one field, or is the count before one.  Cost: linear in the fields.
+// Law: of a case without a flaw every number is in one field, or is the count before one.
+// Cost: linear in the fields.
 #pragma once
 
 #include <span>

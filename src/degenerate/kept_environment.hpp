@@ -1,7 +1,8 @@
 // How does this thread stay fit for exact signs, whatever foreign code has set?  Its rounding mode and its treatment of
 // subnormals, put back at the end of a scope.
 //
-// Source: the C standard, <fenv.h>; cost: some tens of ns.
+// Source: the C standard, <fenv.h>.
+// Cost: some tens of ns.
 #pragma once
 
 #include <cfenv>

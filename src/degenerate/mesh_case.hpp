@@ -4,7 +4,8 @@
 // triangles share no index can be closed as well.  0.0 and -0.0 are the same.
 // Laws: (1) a triangle with two corners in one place closes by itself; (2) whatever moves all points of a place
 // together keeps a closed mesh closed.
-// Source: a surface without boundary is a cycle of chains of triangles; cost: n log n.
+// Source: a surface without boundary is a cycle of chains of triangles.
+// Cost: n log n.
 #pragma once
 
 #include <array>

@@ -1,6 +1,8 @@
 // How is a C function of any argument list called?  Pointers to doubles, some with a count after them.
 //
-// Law: the type is that of the function which the call asks.  Source: none; cost: an indirect call.
+// Law: the type is that of the function which the call asks.
+// Source: none.
+// Cost: an indirect call.
 #pragma once
 
 #include <vector>

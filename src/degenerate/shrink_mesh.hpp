@@ -7,7 +7,8 @@
 // Laws: (1) every mesh tried has fewer triangles than the last one taken, or as many and fewer points in use, or fewer
 // points; so it ends.  (2) Of a closed mesh every mesh tried is closed.
 // Source: Zeller and Hildebrandt, "Simplifying and isolating failure-inducing input" (delta debugging); edges collapse
-// as in Hoppe et al., "Mesh optimization".  Cost: n log n calls for n triangles, as many again as edges collapse.
+// as in Hoppe et al., "Mesh optimization".
+// Cost: n log n calls for n triangles, as many again as edges collapse.
 #pragma once
 
 #include <functional>

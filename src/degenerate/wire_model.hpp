@@ -2,7 +2,8 @@
 //
 // Laws: (1) points of the plane have z = 0; (2) what is rounded, the corners of oriented boxes and the tips of
 // directions, is finite; (3) every point of a case is there once, as the figures have it.
-// Source: none; cost: linear, and that of the exact answer where that is triangles.
+// Source: none.
+// Cost: linear, and that of the exact answer where that is triangles.
 #pragma once
 
 #include <array>

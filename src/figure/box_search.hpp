@@ -7,7 +7,8 @@
 // angle: its values at both ends bound the volume between them, and intervals that this does not exclude are halved.
 // Laws: in doubles, hence the smallest up to roundings and up to `precision`; deterministic.
 // Source: O'Rourke, "Finding minimal enclosing boxes", 1985; Jylanki, "An exact algorithm for finding minimum oriented
-// bounding boxes", 2015, for the idea of pairs; RTCD 4.4.3.  Cost: quadratic in the edges whose widths are small.
+// bounding boxes", 2015, for the idea of pairs; RTCD 4.4.3.
+// Cost: quadratic in the edges whose widths are small.
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 //
 // Laws: the polygon is counterclockwise; the answer has an edge of the polygon on its boundary, as the smallest
 // rectangle does (Freeman and Shapira 1975).
-// Source: Toussaint 1983, rotating calipers.  Cost: linear.
+// Source: Toussaint 1983, rotating calipers.
+// Cost: linear.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // Is a chain of finite points convex?  For who has looked at the points already.
 //
-// Laws: those of convexity(Polygon2).  Cost: one orient2d a vertex.
+// Laws: those of convexity(Polygon2).
+// Cost: one orient2d a vertex.
 #pragma once
 
 #include <span>

@@ -3,8 +3,9 @@
 //
 // A sum is a lambda that takes a maker of numbers, number(double), and gives a number of that kind:
 //   nearest([&](auto number) { return number(a) * number(b) + ...; })
-// Laws: (1) it uses + - * only; (2) the exact value rounded once, to nearest.  Source: Ziv 1991; cost: twenty to forty
-// operations a term, GMP in doubt.
+// Laws: (1) it uses + - * only; (2) the exact value rounded once, to nearest.
+// Source: Ziv 1991.
+// Cost: twenty to forty operations a term, GMP in doubt.
 #pragma once
 
 #include <array>

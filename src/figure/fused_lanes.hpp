@@ -4,7 +4,8 @@
 // Included before foreach_target.h by the files that Highway compiles for both.  PLUMB_BY_LANES(space, ask(...)) is the
 // answer of space::<target>::ask for the machine at hand.
 // Not by Highway's dispatch, whose inline index counts the targets of all files: these are compiled for fewer.
-// Source: RTCD 13.7; cost: a branch that is always predicted.
+// Source: RTCD 13.7.
+// Cost: a branch that is always predicted.
 #pragma once
 
 #undef HWY_DISABLED_TARGETS

@@ -3,8 +3,8 @@
 //
 // Laws: the corners kept are those that the nearest point needs, as far as doubles tell; four are kept where the origin
 // is among them.  What a corner is the difference of goes along with it.
-// Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5, 9.5.4, 5.1.2, 5.1.5, 5.1.6.  Cost: up to some 200 operations a
-// corner.
+// Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5, 9.5.4, 5.1.2, 5.1.5, 5.1.6.
+// Cost: up to some 200 operations a corner.
 #pragma once
 
 #include <array>

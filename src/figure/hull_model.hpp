@@ -2,7 +2,8 @@
 //
 // Laws: none that decisions may rest on: the numbers are rounded.  What is found here is made certain afterwards
 // (obb_enclose.hpp).
-// Source: RTCD 4.2.5 for climbing.  Cost: a sort of the edges; a climb a few steps from where it starts.
+// Source: RTCD 4.2.5 for climbing.
+// Cost: a sort of the edges; a climb a few steps from where it starts.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,8 @@
 // Figures of the plane as figures of space: in z = 0.
 //
-// Law: exact.  Source: RTCD 3.2; cost: none.
+// Law: exact.
+// Source: RTCD 3.2.
+// Cost: none.
 #pragma once
 
 #include "plumb/figure/box.hpp"

@@ -1,6 +1,7 @@
 // What all files on k-DOPs share: their checks, and their halfspaces in rationals.
 //
-// Source: RTCD 4.6.  Cost: checks one comparison a number.
+// Source: RTCD 4.6.
+// Cost: checks one comparison a number.
 #pragma once
 
 #include <string>

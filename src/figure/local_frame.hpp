@@ -2,7 +2,8 @@
 //
 // Laws: local coordinates are about the middle of the points' box, scaled by a power of two to the order of 1, so that
 // neither the largest nor the smallest doubles hurt; axes are orthonormal up to rounding, by descending spread.
-// Source: RTCD 4.3.3, 4.4.3.  Cost: two passes.
+// Source: RTCD 4.3.3, 4.4.3.
+// Cost: two passes.
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 //
 // Laws: the cone of the edges is pointed: all of them point up along some direction.  Of the extreme ones each, the
 // next and any third have a positive triple product, so that a face of the cone lies between each and the next;
-// parallel edges are merged into one that has both ends. Cost: k log k signs of degree 3 for k edges, some of degree 2.
+// parallel edges are merged into one that has both ends.
+// Cost: k log k signs of degree 3 for k edges, some of degree 2.
 #pragma once
 
 #include <cstddef>

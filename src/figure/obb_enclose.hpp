@@ -1,8 +1,8 @@
 // How far must a box with these axes and this center reach, to contain points or other boxes for certain?
 //
 // Laws: half extents are the least that contain everything, rounded up; the axes are independent.
-// Source: Cramer's rule; cost: two passes over the points in doubles and pairs of doubles for the farthest few; a box
-// some 2 us.
+// Source: Cramer's rule.
+// Cost: two passes over the points in doubles and pairs of doubles for the farthest few; a box some 2 us.
 #pragma once
 
 #include <span>

@@ -5,7 +5,9 @@
 // they do for orthonormal ones, but no axes need be orthonormal: every gap is a polynomial's value times a square.
 // Laws: a gap that is computed in doubles, its sums in whatever order, is off by no more than its bound: a constant
 // that is derived from the formula (certify/formula.hpp), times powers of the largest coordinate of a's axes, of b's,
-// and of what lies between the centers. Source: RTCD 4.4.1, table 4.1.  Cost: none; figure/obb_quick.cpp computes them.
+// and of what lies between the centers.
+// Source: RTCD 4.4.1, table 4.1.
+// Cost: none; figure/obb_quick.cpp computes them.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 //
 // Laws: an answer is that of real arithmetic; whatever is near to zero, not finite, or beyond 2^100 gets none.  An
 // axis-aligned box that is empty is one of negative extent here: who asks has looked.
-// Source: RTCD 4.4.1.  Cost: 10 to 20 ns, four lanes at a time where the machine has them; twice that elsewhere.
+// Source: RTCD 4.4.1.
+// Cost: 10 to 20 ns, four lanes at a time where the machine has them; twice that elsewhere.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,8 @@
 // Along which directions do points or surfaces spread most and least?
 //
 // Laws: orthonormal up to rounding, longest first; all finite for all input of magnitude one.  Deterministic.
-// Source: RTCD 4.3.3, 4.4.3; Eigen's SelfAdjointEigenSolver.  Cost: linear.
+// Source: RTCD 4.3.3, 4.4.3; Eigen's SelfAdjointEigenSolver.
+// Cost: linear.
 #pragma once
 
 #include <span>

@@ -3,8 +3,8 @@
 //
 // Laws: negative: the cores are nearer than the radii reach; positive: a plane lies between; nothing where rounding
 // leaves a doubt, and for what is not finite or has a negative radius.
-// Source: RTCD 4.5.1; the near points of lozenges by coordinate descent.  Cost: some 20 ns, of lozenges some 300
-// operations.
+// Source: RTCD 4.5.1; the near points of lozenges by coordinate descent.
+// Cost: some 20 ns, of lozenges some 300 operations.
 #pragma once
 
 #include <optional>

@@ -2,7 +2,8 @@
 // doubt.
 //
 // Laws: the exact value rounded once, as asked; infinite beyond all doubles where the rounding leads there; never -0.
-// Source: Ziv 1991; integer roots (arith/rounded_radical.hpp).  Cost: some 60 ns; with integers some microseconds.
+// Source: Ziv 1991; integer roots (arith/rounded_radical.hpp).
+// Cost: some 60 ns; with integers some microseconds.
 #pragma once
 
 #include "exact_sum.hpp"

@@ -2,7 +2,9 @@
 //
 // Laws: the optimum is exact; every program ends, for after some pivots the smallest index is taken (Bland).
 // Method: the simplex method on the dual program, whose basis has one row for each variable; its multipliers are the
-// point.  Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; RTCD 9.4.  Cost: some ten microseconds a pivot.
+// point.
+// Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; RTCD 9.4.
+// Cost: some ten microseconds a pivot.
 #pragma once
 
 #include <gmpxx.h>

@@ -2,7 +2,9 @@
 // leave a doubt.
 //
 // Laws: lower <= exact <= upper, and they differ by less than 2^-98 of the root, 2^-210 of pi; exact squares of 53 bits
-// have exact roots.  Source: one Newton step; the digits of pi are tested by Machin's formula.  Cost: some 3 us a root.
+// have exact roots.
+// Source: one Newton step; the digits of pi are tested by Machin's formula.
+// Cost: some 3 us a root.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // Is a surface of polygons the boundary of a convex solid?  The proof, and the adjacency that it finds.
 //
-// Laws: those of convexity(PolygonMesh) (figure/convexity.hpp).  Source: Mehlhorn et al. 1999.
+// Laws: those of convexity(PolygonMesh) (figure/convexity.hpp).
+// Source: Mehlhorn et al. 1999.
 // Cost: O(n log n), by sorting edges; some ten exact signs an edge.
 #pragma once
 

@@ -1,6 +1,7 @@
 // How far is a point from the core of a swept sphere?  Rounded up once, for radii that certainly reach.
 //
-// Source: core_distance.hpp; cost: pairs of doubles, 1 to 2 us; integers where they leave a doubt.
+// Source: core_distance.hpp.
+// Cost: pairs of doubles, 1 to 2 us; integers where they leave a doubt.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 //
 // With y the center and rho the radius, both less those of the first ball, touching ball i is |y - e_i| = rho - s_i for
 // the differences e_i of centers and s_i of radii.  Less the first one's square these are linear: y = u + v rho, and
-// then |y| = rho is a quadratic equation.  Source: Fischer and Gaertner 2003.
+// then |y| = rho is a quadratic equation.
+// Source: Fischer and Gaertner 2003.
 // Cost: some 20 us, all of it rational.
 #pragma once
 

@@ -2,8 +2,10 @@
 // here.
 //
 // Method: the farthest ball is taken in again and again, and of the old ones those that the smallest ball of them
-// needs. Laws: none; the answer names some of the balls.  Source: Fischer and Gaertner 2003; RTCD 4.3.4. Cost: ten to
-// thirty passes over the balls, 1 to 2 ns a ball each.
+// needs.
+// Laws: none; the answer names some of the balls.
+// Source: Fischer and Gaertner 2003; RTCD 4.3.4.
+// Cost: ten to thirty passes over the balls, 1 to 2 ns a ball each.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,8 @@
 // three doubles.  Included once for each target by files that Highway compiles for several.
 // Laws: each operation is that of doubles in every lane, except that plus_product rounds once or twice; comparisons
 // with NaN are false.  No bound of an error counts on the product being rounded, or on it not being.
-// Source: RTCD 13.7; cost: none.
+// Source: RTCD 13.7.
+// Cost: none.
 #if defined(PLUMB_THREE_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_THREE_LANES
 #undef PLUMB_THREE_LANES

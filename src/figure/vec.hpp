@@ -1,7 +1,8 @@
 // Vectors of space over any number type with + - *.
 //
 // All is inlined, so that optimizers know the constants of the error bounds that numbers carry.
-// Source: RTCD 3.3; cost: none.
+// Source: RTCD 3.3.
+// Cost: none.
 #pragma once
 
 #include "plumb/arith/point.hpp"

@@ -1,9 +1,10 @@
 // Is the origin in a zonotope, and is it inside?  A center and generators of any kind and number, exactly.
 //
 // A zonotope is all center + sum of t_i generators_i with |t_i| <= 1.  The difference of two boxes is one, and they
-// meet where it contains the origin, their relative interiors where its relative interior does. Laws: `overlapping` for
-// the relative interior, `touching` for the rest, whatever the dimension, down to a point. Source: its facets' normals
-// are cross products of generators; RTCD 4.4.1.  Cost: GMP; some 10 us for six generators.
+// meet where it contains the origin, their relative interiors where its relative interior does.
+// Laws: `overlapping` for the relative interior, `touching` for the rest, whatever the dimension, down to a point.
+// Source: its facets' normals are cross products of generators; RTCD 4.4.1.
+// Cost: GMP; some 10 us for six generators.
 #pragma once
 
 #include <array>

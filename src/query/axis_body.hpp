@@ -4,7 +4,8 @@
 // lines.  Its edges and those of another body span, two at a time, the normals of all planes that can separate them:
 // two edges of one face, or one of each body.
 // Laws: edges of no length are left out; coordinates are taken from an origin given.  The figure is not empty.
-// Source: RTCD 5.2.1.  Cost: some 10 to 100 operations.
+// Source: RTCD 5.2.1.
+// Cost: some 10 to 100 operations.
 #pragma once
 
 #include <array>

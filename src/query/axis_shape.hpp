@@ -2,7 +2,8 @@
 //
 // Law: with w the way from `from` and h that from `from` to `to`, the shape is 0 <= w . h <= h . h together with
 // q(w) <= 0 for the quadratic form of the surface.
-// Source: RTCD 5.3.7.  Cost: none.
+// Source: RTCD 5.3.7.
+// Cost: none.
 #pragma once
 
 #include "figure/vec.hpp"

@@ -2,7 +2,8 @@
 //
 // Laws: a side of a polyhedron is the plane of three corners of its face, exactly; one of a k-DOP or an intersection of
 // halfspaces is as its numbers say.  Signs are those of real arithmetic.
-// Source: RTCD 5.3.8, 8.3.4.  Cost: some ns a point, 50 to 200 where it is on the plane or off it by ulps.
+// Source: RTCD 5.3.8, 8.3.4.
+// Cost: some ns a point, 50 to 200 where it is on the plane or off it by ulps.
 #pragma once
 
 #include <array>

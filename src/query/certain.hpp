@@ -2,7 +2,8 @@
 //
 // Laws: a sign that is certain is that of the exact value; once one is not, the answers so far mean nothing.  Over
 // BigDyadic every sign is.
-// Source: docs/proof.md; cost: that of the numbers.
+// Source: docs/proof.md.
+// Cost: that of the numbers.
 #pragma once
 
 #include "plumb/arith/approximate.hpp"

@@ -2,7 +2,9 @@
 //
 // Laws: signs at vertices are exact (vertex_sign); where two bounds are crossed, which is met first is asked of the
 // numbers T, and nothing is certain where they cannot tell.  Of bounds that are crossed at one place the first is
-// named. Source: RTCD 5.3.3, 5.3.8 (Cyrus and Beck 1978; Liang and Barsky 1984).  Cost: linear in the bounds.
+// named.
+// Source: RTCD 5.3.3, 5.3.8 (Cyrus and Beck 1978; Liang and Barsky 1984).
+// Cost: linear in the bounds.
 #pragma once
 
 #include <optional>

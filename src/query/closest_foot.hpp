@@ -1,7 +1,8 @@
 // Where does the perpendicular from p meet a point, a line or a plane?  Over any number type with + - *.
 //
 // Laws: the foot is from + along * part / whole with whole > 0; the square of its distance from p is square() / over().
-// Source: RTCD 5.1.1, 5.1.2.  Cost: a line 6 products, a plane 6; square() of a line 9 more.
+// Source: RTCD 5.1.1, 5.1.2.
+// Cost: a line 6 products, a plane 6; square() of a line 9 more.
 #pragma once
 
 #include "figure/vec.hpp"

@@ -2,7 +2,8 @@
 //
 // Laws: each number is the exact one rounded once.  Pairs of doubles answer where they leave one double, integers
 // otherwise; what is not asked for is not computed.
-// Source: docs/proof.md.  Cost: some 100 ns by pairs of doubles, some microseconds by integers.
+// Source: docs/proof.md.
+// Cost: some 100 ns by pairs of doubles, some microseconds by integers.
 #pragma once
 
 #include "closest_foot.hpp"

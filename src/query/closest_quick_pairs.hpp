@@ -3,7 +3,8 @@
 //
 // Laws: true only where each number is the exact one rounded once: on_a, on_b and distance of a Closest, of a vertex
 // and a face on_b and distance; or the distance alone.  False says nothing.
-// Source: as closest_quick.hpp.  Cost: 15 to 30 ns with fused multiply-adds; machines without them get false at once.
+// Source: as closest_quick.hpp.
+// Cost: 15 to 30 ns with fused multiply-adds; machines without them get false at once.
 #pragma once
 
 #include "plumb/query/closest_result.hpp"

@@ -3,7 +3,8 @@
 // Laws: (1) the root's ball holds the one root that the cubic has between two times, given that its slope there is
 // nowhere smaller than told.  (2) Crossings are certain, or unknown.
 // The root is off the end of a Newton step by no more than the cubic there over the least slope (mean value theorem).
-// Source: RTCD 5.5; Ziv 1991 (arith/ball.hpp).  Cost: below a microsecond for the root, and for the crossing.
+// Source: RTCD 5.5; Ziv 1991 (arith/ball.hpp).
+// Cost: below a microsecond for the root, and for the crossing.
 #pragma once
 
 #include <array>

@@ -5,8 +5,9 @@
 // where the hulls touch or lie in one plane, there is none.
 // Method: the simplex of differences nearest to the origin, grown by support points, which on a polyhedron are climbed
 // to from the last one.  A vertex that none of its neighbors is beyond is the farthest, so that few signs prove a
-// plane. Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5, 9.5.4, 5.2.1.  Cost: below a microsecond, times the way
-// climbed.
+// plane.
+// Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5, 9.5.4, 5.2.1.
+// Cost: below a microsecond, times the way climbed.
 #pragma once
 
 #include <optional>

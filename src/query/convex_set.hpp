@@ -4,8 +4,8 @@
 // edge with an end at infinity.  Every number is one that the figure was given by, so that signs at vertices are exact
 // predicates of points as given, and what is constructed can be named by points as given.
 // Laws: a set whose dimension is at most 1 has one edge (a point's has no length); `look` is the axis along which a
-// flat set of dimension 2 is seen as a plane, the first of z, x, y that will do (coplanar_orientation). Cost: a few
-// allocations.
+// flat set of dimension 2 is seen as a plane, the first of z, x, y that will do (coplanar_orientation).
+// Cost: a few allocations.
 #pragma once
 
 #include <memory>

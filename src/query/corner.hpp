@@ -2,8 +2,9 @@
 //
 // A corner is a vertex of one set, or where an edge of one crosses a bound of the other.  A coordinate that is known as
 // a double (of a vertex, of a bound across an axis) is compared as one: computed ones could not tell that two are
-// equal. Laws: orders and turns are those of the exact points, or nothing is certain. Cost: 10 to 40 operations a
-// comparison.
+// equal.
+// Laws: orders and turns are those of the exact points, or nothing is certain.
+// Cost: 10 to 40 operations a comparison.
 #pragma once
 
 #include <cmath>

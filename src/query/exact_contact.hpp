@@ -5,7 +5,8 @@
 // whether they meet.  Otherwise, and where the cubic is zero or the projections are degenerate: at time 0 the distance
 // is small enough, or at the first contact a pair of features is at that distance and was not just before, so the
 // first contact is the first of the roots of the pairs' distances at which the pair counts.
-// Source: RTCD 5.5; Sturm-like signs at roots (query/root.hpp).  Cost: some 20 us, ten times as much with separation.
+// Source: RTCD 5.5; Sturm-like signs at roots (query/root.hpp).
+// Cost: some 20 us, ten times as much with separation.
 #pragma once
 
 #include <optional>

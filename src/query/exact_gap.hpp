@@ -3,8 +3,8 @@
 // Laws: (1) exact, whatever is flat, repeated, unbounded or a point; the search ends, for each set of corners that it
 // stops at is independent and nearer than the one before.  (2) A core with a radius above zero meets a set where the
 // distance is at most that; interiors meet where it is less.  With radius zero it is its core.
-// Source: Wolfe 1976, "Finding the nearest point in a polytope".  Cost: GMP; some 10 us for a few points, linear in
-// them, and what flat_set takes.
+// Source: Wolfe 1976, "Finding the nearest point in a polytope".
+// Cost: GMP; some 10 us for a few points, linear in them, and what flat_set takes.
 #pragma once
 
 #include <optional>

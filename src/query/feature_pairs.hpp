@@ -5,7 +5,8 @@
 // Laws: at every time the least distance of the figures is that of some pair that counts then: of the features whose
 // insides hold the nearest points.  So the pairs of a triangle without area, or of parallel edges, are those of their
 // vertices.
-// Source: RTCD 5.1.2, 5.1.5, 5.1.9, 5.5.  Cost: degree 2 for vertices, 4 for a vertex and an edge, 6 for the rest.
+// Source: RTCD 5.1.2, 5.1.5, 5.1.9, 5.5.
+// Cost: degree 2 for vertices, 4 for a vertex and an edge, 6 for the rest.
 #pragma once
 
 #include <vector>

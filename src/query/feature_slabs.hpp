@@ -2,7 +2,8 @@
 //
 // Laws: outside of [from, to] their distance is more than the reach.  From exact doubles or bounds of them, with what
 // the arithmetic may lose added.
-// Source: RTCD 5.5.8.  Cost: three quotients' worth of products.
+// Source: RTCD 5.5.8.
+// Cost: three quotients' worth of products.
 #pragma once
 
 #include <algorithm>

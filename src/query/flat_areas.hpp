@@ -2,10 +2,12 @@
 //
 // All corners are seen from one of them, so that ten products of vectors make all twenty areas of two triangles, and
 // six the ten of a segment and a triangle.  The numbers are any of which a sign can be told: doubles with one bound of
-// the error for all, signs, or what wrapped_number.hpp settles. Laws: a pair is as far into one another as the least
-// deep of the axes that can separate it, the normals of all edges: along one the most that a corner of the other
-// reaches to the inner side.  Exact where the signs are; triangles without area are none of these. Source:
-// RTCD 5.2.1, 5.2.10.  Cost: some 100 operations, without a branch: where in a plane is hard to predict.
+// the error for all, signs, or what wrapped_number.hpp settles.
+// Laws: a pair is as far into one another as the least deep of the axes that can separate it, the normals of all edges:
+// along one the most that a corner of the other reaches to the inner side.  Exact where the signs are; triangles
+// without area are none of these.
+// Source: RTCD 5.2.1, 5.2.10.
+// Cost: some 100 operations, without a branch: where in a plane is hard to predict.
 #pragma once
 
 #include <algorithm>

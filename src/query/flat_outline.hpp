@@ -3,8 +3,9 @@
 // It runs along a until a leaves b, then along b until a comes in again.  Which corners lie within, and which edges
 // cross, are signs of areas; where no area is zero nothing touches.
 // Laws: the corners turn counterclockwise as seen, beginning with the lexicographically smallest: that is where an edge
-// that ascends follows one that descends, told by the edges as given.  Source: RTCD 5.2.10, 5.4.2; O'Rourke and others
-// 1982.  Cost: 30 to 60 ns.
+// that ascends follows one that descends, told by the edges as given.
+// Source: RTCD 5.2.10, 5.4.2; O'Rourke and others 1982.
+// Cost: 30 to 60 ns.
 #pragma once
 
 #include <array>

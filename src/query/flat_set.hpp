@@ -7,7 +7,8 @@
 // interior is what positive weights give.  (3) Shapes of the plane lie in z = 0.  (4) relate is symmetric, and exact.
 // Numbers must be finite, and k-DOPs have as many ends as directions: who calls has asked.
 // Source: RTCD 5.2, 5.2.1; Rockafellar, Convex Analysis, 1970, sections 6, 11 and 19; Motzkin and others 1953 for what
-// halfspaces generate.  Cost: GMP; relate some 100 us, sets of many halfspaces up to milliseconds.
+// halfspaces generate.
+// Cost: GMP; relate some 100 us, sets of many halfspaces up to milliseconds.
 #pragma once
 
 #include <gmpxx.h>

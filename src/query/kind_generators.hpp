@@ -1,7 +1,8 @@
 // Which cases is a kind asked?  The families of hard points, arranged as the kind's arguments.
 //
 // Law: an arrangement asks `fill` for the coordinates of some points of one dimension, and makes a valid case of them.
-// Source: docs/degeneracies.md; cost: as the families take.
+// Source: docs/degeneracies.md.
+// Cost: as the families take.
 #pragma once
 
 #include "plumb/degenerate/family.hpp"

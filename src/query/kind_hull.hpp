@@ -4,7 +4,8 @@
 // with area and no point outside of it, that enclose the hull's volume once.  Then every extreme point is a corner: a
 // closed surface all of whose triangles lie in the hull's faces, facing outward, covers these a whole number of times.
 // Of equal points any may be named.
-// Source: RTCD 3.9.  Cost: n signs a triangle, and a hull.
+// Source: RTCD 3.9.
+// Cost: n signs a triangle, and a hull.
 #pragma once
 
 #include "plumb/degenerate/kind.hpp"

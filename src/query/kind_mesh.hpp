@@ -1,7 +1,8 @@
 // What do a ray and a point have to do with the triangles of a case?  The exact answers about meshes.
 //
 // Laws: those of query/ray.hpp, triangle by triangle, and those of query/ray_parity.hpp.
-// Source: RTCD 5.3.6, 5.4.3.  Cost: that of each triangle.
+// Source: RTCD 5.3.6, 5.4.3.
+// Cost: that of each triangle.
 #pragma once
 
 #include "plumb/degenerate/kind.hpp"

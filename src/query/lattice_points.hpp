@@ -4,7 +4,8 @@
 // signs of areas and volumes.
 // Laws: where is_lattice, point i minus point 0 is exactly as told, in units of one power of two for each axis; no two
 // points differ by 2^bits along an axis.  The points are given one after the other.
-// Source: arith/lattice_integers.hpp.  Cost: 1 ns for two coordinates.
+// Source: arith/lattice_integers.hpp.
+// Cost: 1 ns for two coordinates.
 #pragma once
 
 #include <bit>

@@ -1,6 +1,7 @@
 // On which side of a plane does a corner lie, and which areas are seen of corners in one plane, on a lattice?
 //
-// Laws: exact.  Cost: a volume 20 to 60 operations.
+// Laws: exact.
+// Cost: a volume 20 to 60 operations.
 #pragma once
 
 #include <optional>

@@ -5,8 +5,10 @@
 // one vector, so both of its ends come first), where there is no first one (a ray that comes from below, so to say) the
 // end of the pairs, and of two parallel lines the first of the pairs at their given points.  (3) All this is said of
 // the sets of points: it does not matter which end or which of the two is named first.  (4) Over a number type whose
-// signs are not certain the question says so, and the places mean nothing. Source: RTCD 5.1.8, 5.1.9; figures 5.7
-// to 5.11.  Cost: 50 to 90 operations.
+// signs are not certain the question says so, and the places mean nothing.
+// Source: RTCD 5.1.8, 5.1.9; figures 5.7
+// to 5.11.
+// Cost: 50 to 90 operations.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,8 @@
 // coordinates or fewer lie between 2^-5370 and 2^5130, so that nothing overflows, and nothing underflows but to 0
 // exactly.  A long double rounds no worse than a double, even where the machine is set to 53 bits: the constant of
 // doubles holds.
-// Source: docs/proof.md, "Filter A".  Cost: 20 to 50 ns.
+// Source: docs/proof.md, "Filter A".
+// Cost: 20 to 50 ns.
 #pragma once
 
 #include <limits>

@@ -4,7 +4,8 @@
 // so that edges alone need be clipped, and every corner is a vertex or an edge across a bound: a point that points as
 // given construct.  All but sets of a plane and a solid are done: of two solids the common set is none of these.
 // Numbers with running bounds first, pairs of doubles where they cannot tell, integers in the end.
-// Source: RTCD 5.3.3, 5.3.8, 5.2.10; docs/intersection.md.  Cost: edges times bounds.
+// Source: RTCD 5.3.3, 5.3.8, 5.2.10; docs/intersection.md.
+// Cost: edges times bounds.
 #pragma once
 
 #include "plumb/query/intersection_result.hpp"

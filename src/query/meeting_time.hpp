@@ -5,7 +5,8 @@
 // Laws: (1) two bodies, whose hulls do not meet at time 0, meet at time t exactly when the condition of some pair holds
 // there, for distance is reached between features.  (2) A condition holds during one interval, as both sets are convex.
 // (3) A feature without length or area has no condition of its own; its vertices and edges have.
-// Source: RTCD 5.5.2 to 5.5.7.  Cost: 30 to 100 operations a pair.
+// Source: RTCD 5.5.2 to 5.5.7.
+// Cost: 30 to 100 operations a pair.
 #pragma once
 
 #include <optional>

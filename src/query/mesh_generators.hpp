@@ -4,7 +4,8 @@
 // such, or anywhere; a ray goes to one of them, from such a place, along an edge, in a plane of triangles; a quarter of
 // both is off by ulps.  Meshes are those of query/solids.hpp, exact, whatever their size and place.
 // Laws: those of degenerate/kind.hpp; at most 256 points and 256 triangles.
-// Source: RTCD 5.3.6, 5.4.3, 11.3.3; cost: some microseconds a case.
+// Source: RTCD 5.3.6, 5.4.3, 11.3.3.
+// Cost: some microseconds a case.
 #pragma once
 
 #include "query/kind_generators.hpp"

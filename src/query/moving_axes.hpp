@@ -3,7 +3,8 @@
 // Along an axis two bodies in straight motion overlap during one interval of time; they can meet only while they do on
 // every axis.  Axes are those of the coordinates, the normals of faces, and the cross products of edges.
 // Laws: the bodies do not meet outside of [from, to], whatever rounds; all times are outside where from > to.
-// Source: RTCD 5.5.2.  Cost: a product with every vertex for each axis.
+// Source: RTCD 5.5.2.
+// Cost: a product with every vertex for each axis.
 #pragma once
 
 #include "query/feature_slabs.hpp"

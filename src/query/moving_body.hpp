@@ -4,7 +4,8 @@
 // vertex, edge or face that is listed; of a flat hull every point is.
 // Laws: features are numbered as figure/voronoi_region.hpp does; a ball as a whole is {face, 0}, of a capsule the ends
 // are its vertices and the rest its edge 0, a plane is {face, 0}.
-// Source: RTCD 5.5; cost: a few sums for each vertex, for oriented boxes products.
+// Source: RTCD 5.5.
+// Cost: a few sums for each vertex, for oriented boxes products.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,8 @@
 //
 // Laws: over any number type; the difference of two points of the figures is that of their first vertices and parts of
 // their ways, all linear in time, so what it changes by is made of the changes in the same way.
-// Source: RTCD 5.5; cost: a few sums and products.
+// Source: RTCD 5.5.
+// Cost: a few sums and products.
 #pragma once
 
 #include "query/contact_filter.hpp"

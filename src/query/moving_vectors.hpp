@@ -1,7 +1,8 @@
 // Where are they at time t?  Vectors whose coordinates are integer polynomials of time.
 //
 // Laws: exact; zero is the polynomial without coefficients.
-// Source: RTCD 5.5.  Cost: an allocation a coefficient.
+// Source: RTCD 5.5.
+// Cost: an allocation a coefficient.
 #pragma once
 
 #include <algorithm>

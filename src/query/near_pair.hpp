@@ -3,7 +3,8 @@
 // Laws: an answer is the sign of (distance of the hulls) - (sum of the two radii), proved: by a pair of points, one of
 // each hull, that are nearer, or by a direction along which all pairs of vertices are farther apart.  Where doubles
 // prove neither there is none: where the shapes touch or all but do, and where the sum of the radii is zero.
-// Source: RTCD 9.5 (the guess); cost: some 50 to 200 ns.
+// Source: RTCD 9.5 (the guess).
+// Cost: some 50 to 200 ns.
 #pragma once
 
 #include <optional>

@@ -2,8 +2,10 @@
 //
 // A triangle is the image of two numbers that are not negative and whose sum is at most one, a box that of three
 // between zero and one: origin + the sum of numbers times columns.  The relative interior is the image of those that
-// are strictly within. Laws: exact over numbers that are; a column may be zero, and columns may depend on one another.
-// Source: Rockafellar, Convex Analysis, 1970, theorem 6.6.  Cost: some 10 to 40 operations.
+// are strictly within.
+// Laws: exact over numbers that are; a column may be zero, and columns may depend on one another.
+// Source: Rockafellar, Convex Analysis, 1970, theorem 6.6.
+// Cost: some 10 to 40 operations.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 //
 // Of edges that cover one another an even number of times nothing is beside but what is on both sides: they are
 // boundary, and near to the inside only as other points are.
-// Source: RTCD 5.4.1.  Cost: quadratic where edges lie on one another.
+// Source: RTCD 5.4.1.
+// Cost: quadratic where edges lie on one another.
 #pragma once
 
 #include <span>

@@ -9,7 +9,8 @@
 // Laws: what is computed of such a gap in doubles, its sums in whatever order, is off by no more than its bound: a
 // constant that is derived from the formula (certify/formula.hpp), times powers of the largest numbers.  The formulas
 // have absolute values resolved, for | |v| - |V| | <= |v - V|.
-// Source: docs/proof.md, "Filter B".  Cost: none; overlap_box_quick.cpp computes them.
+// Source: docs/proof.md, "Filter B".
+// Cost: none; overlap_box_quick.cpp computes them.
 #pragma once
 
 #include <plumb/predicates/cross.hpp>
@@ -130,10 +131,11 @@ struct NormalBesideObb : BesideObb {
 /// of the way's, which is added).  Then a normal's coordinates are products of up to S_j S_k in sum, G_i = S_j S_k P
 /// bounds what is seen of a vector in the frame, 2 half_i S_i S_j S_k a doubled half extent, and F_i is both together.
 /// The magnitudes of the gaps are at most
-///   2 G + G + (F - G)                                             along a face, of what is straight, and 2 F of
-///   corners, 4 G_j G_k + (F_j - G_j) G_k + G_j (F_k - G_k)                 along an edge, of what is straight, (8 + 8
-///   + 8) G_j G_k + 2 ((F_j - G_j) G_k + G_j (F_k - G_k))   along an edge, of an edge, 8 G_j G_k (2 G_i + F_i - G_i),
-///   three times                    along the normal.
+///   2 G + G + (F - G)                                         along a face, of what is straight, and 2 F of corners,
+///   4 G_j G_k + (F_j - G_j) G_k + G_j (F_k - G_k)             along an edge, of what is straight,
+///   (8 + 8 + 8) G_j G_k
+///     + 2 ((F_j - G_j) G_k + G_j (F_k - G_k))                 along an edge, of an edge,
+///   8 G_j G_k (2 G_i + F_i - G_i), three times                along the normal.
 /// Each constant below goes with F_i, F_j G_k + G_j F_k, and the sum of G_j G_k F_i; twice the filter's as above.
 inline constexpr double straight_face_error = 2 * 3 * filter_constant<StraightBesideFace>(),
                         straight_edge_error = 2 * 2 * filter_constant<StraightBesideEdge>(),

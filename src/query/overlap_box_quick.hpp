@@ -3,8 +3,8 @@
 // Laws: an answer is that of real arithmetic; what is near to zero but not exactly known, not finite, or too large for
 // the products gets none, nor does an empty box.  Touching is told where it is along a face of a solid box with the
 // axes of space, and nothing else is near.
-// Source: Akenine-Moller 2001; RTCD 5.2.9, 5.3.3.  Cost: 4 to 20 ns, an axis a lane where the machine has four lanes;
-// twice that elsewhere.
+// Source: Akenine-Moller 2001; RTCD 5.2.9, 5.3.3.
+// Cost: 4 to 20 ns, an axis a lane where the machine has four lanes; twice that elsewhere.
 #pragma once
 
 #include <optional>

@@ -4,7 +4,8 @@
 // that is derived from the formulas, times the largest differences of each axis (filter B of certify/filter_stage.hpp).
 // So the answer is told by the least of the numbers, without a branch on each.
 // Laws: an answer is that of real arithmetic; what is near to zero, or not finite, is nothing.
-// Source: Moller and Trumbore 1997, Guigue and Devillers 2003, for which products are shared.  Cost: some 10 to 25 ns.
+// Source: Moller and Trumbore 1997, Guigue and Devillers 2003, for which products are shared.
+// Cost: some 10 to 25 ns.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,9 @@
 // How do a segment and a triangle in space lie, on the lattice of their corners?
 //
 // Laws: exact; nothing for coordinates of more than 125 bits, what is not finite, and figures without length or area
-// that do not lie on one line.  Source: RTCD 5.3.6.  Cost: some 30 to 60 ns, twice that beyond 61 bits.
+// that do not lie on one line.
+// Source: RTCD 5.3.6.
+// Cost: some 30 to 60 ns, twice that beyond 61 bits.
 #pragma once
 
 #include <optional>

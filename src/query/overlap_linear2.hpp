@@ -2,7 +2,9 @@
 //
 // Laws: one of zero direction, or of equal ends, is its point.  A direction that is the difference of two points is
 // never rounded: the signs are those of the points.  Where two lines cross, the place of the crossing on each is told
-// by the sides on which its ends lie of the other. Source: RTCD 5.1.9.1.  Cost: one to five signs of degree 2.
+// by the sides on which its ends lie of the other.
+// Source: RTCD 5.1.9.1.
+// Cost: one to five signs of degree 2.
 #pragma once
 
 #include "overlap_signs.hpp"

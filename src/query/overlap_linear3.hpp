@@ -2,7 +2,8 @@
 //
 // Laws: one of zero direction, or of equal ends, is its point; a triangle without area is a segment or a point.  What
 // lies in one plane is looked at along an axis in which that plane is not seen edge on, by the signs of the plane.
-// Source: RTCD 5.3.4, 5.3.6, 5.1.9.1.  Cost: five signs of degree 3; in one plane some ten of degree 2.
+// Source: RTCD 5.3.4, 5.3.6, 5.1.9.1.
+// Cost: five signs of degree 3; in one plane some ten of degree 2.
 #pragma once
 
 #include "overlap_shapes2.hpp"

@@ -3,7 +3,8 @@
 //
 // Laws: an answer is that of real arithmetic, for any doubles at all; what these cannot tell is nothing: coordinates of
 // more than 61 bits in an axis, what is not finite, and figures without area or length that do not lie on one line.
-// Source: flat_areas.hpp, lattice_points.hpp.  Cost: 5 to 15 ns by doubles, some 50 ns by integers.
+// Source: flat_areas.hpp, lattice_points.hpp.
+// Cost: 5 to 15 ns by doubles, some 50 ns by integers.
 #pragma once
 
 #include <optional>

@@ -2,7 +2,8 @@
 //
 // By the axes that can separate them: the normals of all sides.  Triangles and boxes without interior are what they
 // are, segments and points.
-// Source: RTCD 5.2.1, 5.2.10.  Cost: up to 18 signs of degree 2.
+// Source: RTCD 5.2.1, 5.2.10.
+// Cost: up to 18 signs of degree 2.
 #pragma once
 
 #include "overlap_linear2.hpp"

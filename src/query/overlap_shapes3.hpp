@@ -4,7 +4,8 @@
 // cross product with a box's axis one looks at both in the plane across that axis, where the corners of the box are
 // doubles still; so all signs are those of oriented areas and volumes.
 // Laws: a box may be flat, a segment, a point or empty, a triangle without area.
-// Source: Akenine-Moller 2001; RTCD 5.2.9, 5.3.3.  Cost: three to thirteen signs of degree 2, two of degree 3.
+// Source: Akenine-Moller 2001; RTCD 5.2.9, 5.3.3.
+// Cost: three to thirteen signs of degree 2, two of degree 3.
 #pragma once
 
 #include "overlap_linear3.hpp"

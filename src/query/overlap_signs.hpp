@@ -2,7 +2,8 @@
 //
 // Laws: for sets whose difference has an interior, and the gap along each axis that can separate them, the relation is
 // the least of the answers along the axes: apart along one is apart, level along one is touching at most.
-// Source: RTCD 5.2.1.  Cost: none.
+// Source: RTCD 5.2.1.
+// Cost: none.
 #pragma once
 
 #include <algorithm>

@@ -8,7 +8,8 @@
 // b with an area.
 //
 // Laws: exact where the signs are; nothing for triangles without area, unless they are apart or of one line.
-// Source: Guigue and Devillers 2003; RTCD 5.2.10.  Cost: six to eight volumes; in one plane three and all areas.
+// Source: Guigue and Devillers 2003; RTCD 5.2.10.
+// Cost: six to eight volumes; in one plane three and all areas.
 #pragma once
 
 #include <array>

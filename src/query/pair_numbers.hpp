@@ -1,8 +1,9 @@
 // Which doubles are nearest to two closest points and to their distance?  Quotients and roots, each rounded once.
 //
 // Laws: pairs of doubles answer where they leave one double, integers otherwise; an end is the point as it is given,
-// but never -0. Source: docs/proof.md; RTCD 11.4.  Cost: some 100 ns by pairs of doubles; a microsecond or two a number
-// by integers.
+// but never -0.
+// Source: docs/proof.md; RTCD 11.4.
+// Cost: some 100 ns by pairs of doubles; a microsecond or two a number by integers.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,8 @@
 // On which sides of a plane does a figure lie?  From the least to the greatest value of normal . x - offset.
 //
 // Laws: exact.  Nothing is answered where the normal is zero, or of figures that have neither few points nor vertices.
-// Source: RTCD 5.2.2, 5.2.3.  Cost: some ns a point where doubles tell; a microsecond where one does not.
+// Source: RTCD 5.2.2, 5.2.3.
+// Cost: some ns a point where doubles tell; a microsecond where one does not.
 #pragma once
 
 #include <optional>

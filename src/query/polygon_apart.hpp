@@ -1,6 +1,7 @@
 // Is a polygon certainly apart from another figure?  By boxes around both, and by the polygon's plane.
 //
-// Law: where the answer is yes they are disjoint; otherwise nothing is known.  Source: RTCD 4.2.1, 5.2.2.
+// Law: where the answer is yes they are disjoint; otherwise nothing is known.
+// Source: RTCD 4.2.1, 5.2.2.
 // Cost: some ns a vertex.
 #pragma once
 

@@ -3,7 +3,8 @@
 // A region is what its chains wind around an odd number of times; a point on a chain is boundary.
 // Laws: exact; any chains will do.  Near an edge, away from ends and crossings, the region is on one side of it, on
 // both or on none; where two regions overlap, some piece of an edge has both of them on one of its sides.
-// Source: RTCD 5.4.1.  Cost: GMP; linear for a point, quadratic for two regions.
+// Source: RTCD 5.4.1.
+// Cost: GMP; linear for a point, quadratic for two regions.
 #pragma once
 
 #include <gmpxx.h>

@@ -3,7 +3,9 @@
 // Laws: those of query/overlap.hpp.  Vertices that are not exactly in one plane throw InvalidShape, of which no surface
 // is known.
 // Method: what of the other figure lies in the polygon's plane is a convex set there, or another polygon, or both meet
-// on a line: query/polygon_region.hpp.  Source: RTCD 5.4.1.  Cost: GMP; some 10 us and more, quadratic in the edges.
+// on a line: query/polygon_region.hpp.
+// Source: RTCD 5.4.1.
+// Cost: GMP; some 10 us and more, quadratic in the edges.
 #pragma once
 
 #include <string_view>

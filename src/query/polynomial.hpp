@@ -4,7 +4,8 @@
 // A polynomial lists its coefficients in ascending order and ends with one that is not zero; zero has none.
 // Laws: everything is exact.  A greatest common divisor, a square-free part and a quotient are primitive (their
 // coefficients have no common divisor), so signs are kept up to one sign for the whole polynomial.
-// Source: Knuth, TAOCP 4.6.1.  Cost: a few microseconds for the degrees in use, which are below 7.
+// Source: Knuth, TAOCP 4.6.1.
+// Cost: a few microseconds for the degrees in use, which are below 7.
 #pragma once
 
 #include <gmpxx.h>

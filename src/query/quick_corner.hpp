@@ -2,8 +2,9 @@
 //
 // Laws: over numbers that know their errors, and whose signs certain() tells, nearest() is sure: the origin's
 // projection on the corner's point, line or plane is strictly within its ways, and the direction there leads nowhere
-// back, so no other difference is as near. Source: RTCD 3.10, 5.1.2, 5.1.5, 5.1.9.  Cost: three cross products, and a
-// dot product for each way.
+// back, so no other difference is as near.
+// Source: RTCD 3.10, 5.1.2, 5.1.5, 5.1.9.
+// Cost: three cross products, and a dot product for each way.
 #pragma once
 
 #include <array>

@@ -3,7 +3,9 @@
 // A woven shape is its place plus any part of each of its ways: from none to all of them, or of boxes with a center as
 // much back as forth.  A triangle has its first vertex for a place.
 // Laws: over any number type, and the same over all; vertices of woven shapes are numbered by bits, 1 at the upper end
-// of a way.  Source: RTCD 4.4.1, 5.2.1, 5.2.9; cost: a dot product for each way.
+// of a way.
+// Source: RTCD 4.4.1, 5.2.1, 5.2.9.
+// Cost: a dot product for each way.
 #pragma once
 
 #include <array>

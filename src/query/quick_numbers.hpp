@@ -1,7 +1,8 @@
 // Which doubles are nearest to the points and the distance of a closest pair, where two doubles a number tell?
 //
 // Laws: what is given is right; nothing is given where two doubles leave a doubt, and of numbers that are none.
-// Source: arith/twofold.hpp.  Cost: 60 to 120 ns.
+// Source: arith/twofold.hpp.
+// Cost: 60 to 120 ns.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,7 @@
 // Which feature of a box lies where these of its faces meet?
 //
-// Law: an axis that is at both ends is at the lower one.  Source: the numbers of figure/voronoi_region.hpp.
+// Law: an axis that is at both ends is at the lower one.
+// Source: the numbers of figure/voronoi_region.hpp.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,8 @@
 // for each; perhaps a quadratic<T>(line).
 // Laws: decided in any numbers; where a sign was not certain the answer means nothing.  A model with
 // `feature_by_point` is told the point as well.
-// Source: RTCD 5.3.3, 5.3.8 (figures 5.23, 5.27), 5.3.2, 5.3.7.  Cost: a comparison of quotients for each constraint.
+// Source: RTCD 5.3.3, 5.3.8 (figures 5.23, 5.27), 5.3.2, 5.3.7.
+// Cost: a comparison of quotients for each constraint.
 #pragma once
 
 #include <vector>

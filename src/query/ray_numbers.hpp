@@ -4,7 +4,8 @@
 // Every number is linear in the parameter; exactly it is (a + b sqrt(c)) / d, with b = 0 where the parameter is a
 // quotient.
 // Laws: the exact numbers rounded once, to nearest; never -0.
-// Source: Ziv 1991.  Cost: some 20 ns a number; microseconds in doubt.
+// Source: Ziv 1991.
+// Cost: some 20 ns a number; microseconds in doubt.
 #pragma once
 
 #include <array>

@@ -7,8 +7,10 @@
 // segments in one plane, a triangle and a segment in its plane.  (3) Infinite figures are apart only along axes along
 // which they do not go on.
 // Method: each axis over doubles with a running bound of their errors, that axis alone in integers where they leave a
-// doubt.  Source: RTCD 5.2.1, 5.2.1.1.  Cost: about a microsecond, some 100 ns where the first axes separate; some
-// microseconds for each axis that is left to integers.
+// doubt.
+// Source: RTCD 5.2.1, 5.2.1.1.
+// Cost: about a microsecond, some 100 ns where the first axes separate; some microseconds for each axis that is left to
+// integers.
 #pragma once
 
 #include <optional>

@@ -4,9 +4,9 @@
 // time and in the places within both figures, so during a piece of time they lie in the hull of those of vertices at
 // its ends: where all of these reach beyond the distance along one direction, whatever direction that is, the figures
 // do not come that near then.  Tried is the direction between the points that are nearest in the middle of the piece;
-// where these are near enough the answer is yes, else the piece is halved. Source: RTCD 5.1.9, 5.2.1, 5.5.1, 11.2.
-// Cost: some 100 ns a piece; one where they stay apart, few near a contact; a few us for
-// a time.
+// where these are near enough the answer is yes, else the piece is halved.
+// Source: RTCD 5.1.9, 5.2.1, 5.5.1, 11.2.
+// Cost: some 100 ns a piece; one where they stay apart, few near a contact; a few us for a time.
 #pragma once
 
 #include "plumb/query/motion.hpp"

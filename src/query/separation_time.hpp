@@ -3,7 +3,8 @@
 // Laws: a yes is certain.  During a short piece of time at whose beginning the figures are farther apart and at whose
 // end nearer, bounds tell that one pair of features is nearest throughout and that its distance falls; so the time is
 // the one zero there of a polynomial of the pair, between two times at which pairs of doubles tell its signs.
-// Source: RTCD 5.5; Ziv 1991 (arith/ball.hpp).  Cost: some 3 us.
+// Source: RTCD 5.5; Ziv 1991 (arith/ball.hpp).
+// Cost: some 3 us.
 #pragma once
 
 #include <cmath>

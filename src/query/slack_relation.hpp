@@ -6,8 +6,8 @@
 // inside.
 // Laws: an answer is that of real arithmetic.  Nothing is answered where what halfspaces bound has no inside and the
 // figure meets it, nor of planes without a normal; boxes are not empty.
-// Source: RTCD 5.2.1, 9.4; figure/halfspace_slack.hpp for the method.  Cost: 1 to 10 us apart from touching or
-// overlapping by ulps, some ten more there.
+// Source: RTCD 5.2.1, 9.4; figure/halfspace_slack.hpp for the method.
+// Cost: 1 to 10 us apart from touching or overlapping by ulps, some ten more there.
 #pragma once
 
 #include <optional>

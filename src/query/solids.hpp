@@ -3,7 +3,8 @@
 // Laws: (1) every solid closes: each edge is passed as often in either direction, by the places of its ends; its
 // triangles turn counterclockwise seen from outside, but where it is told otherwise.  (2) Coordinates are below 2^18.
 // (3) The same choices give the same solid; the choice 0 gives the simplest one.
-// Source: RTCD 5.4.3 (figure 5.29: what a ray must not be confused by); cost: some microseconds.
+// Source: RTCD 5.4.3 (figure 5.29: what a ray must not be confused by).
+// Cost: some microseconds.
 #pragma once
 
 #include <string_view>

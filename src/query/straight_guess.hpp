@@ -5,7 +5,8 @@
 // pair.  Of triangles that cross, both ends of their intersection are proved, and the first of them is named.  Where a
 // sign is not certain, or zero, there is no answer.
 // Source: Larsen, Gottschalk, Lin and Manocha 1999 (two edges whose third corners lie on the outside are closest); the
-// conditions are those of convex optimization.  Cost: that of the same search in doubles, and 20 ns for the proof.
+// conditions are those of convex optimization.
+// Cost: that of the same search in doubles, and 20 ns for the proof.
 #pragma once
 
 #include <optional>

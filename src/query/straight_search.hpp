@@ -5,9 +5,9 @@
 // are a convex set that differs from a part of either by one vector; its corners are such candidates, and the first one
 // in lexicographic order is a corner.  (2) So the least candidate, of equal ones the first, is the answer by the rule
 // of closest_pairs.hpp.  It is visited first under the features of the lowest dimension and number.  (3) Where a sign
-// is not certain the question says so, and the answer means nothing. Source: RTCD 5.1.10; core_distance.hpp in figure/.
-// Cost: a few hundred operations
-// a pair on the list.
+// is not certain the question says so, and the answer means nothing.
+// Source: RTCD 5.1.10; core_distance.hpp in figure/.
+// Cost: a few hundred operations a pair on the list.
 #pragma once
 
 #include "query/straight_shortlist.hpp"

@@ -2,7 +2,8 @@
 //
 // Laws: what is left out is certain to have no candidate (straight_search.hpp), or one that is farther apart than
 // another pair; numbers that are none leave everything in.
-// Source: query/straight_search.hpp; cost: below a microsecond for two triangles.
+// Source: query/straight_search.hpp.
+// Cost: below a microsecond for two triangles.
 #pragma once
 
 #include <array>

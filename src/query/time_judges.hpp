@@ -3,8 +3,9 @@
 // Judges of query/meeting_time.hpp, of one condition each.
 // Laws: (1) QuickTime: no time before earliest() meets the condition, infinite where none in [0, 1] does; where
 // certain() some time does, and the first is no later than latest().  (2) PreciseTime has the first time, given that
-// QuickTime was certain.  (3) ExactTime has it whatever the numbers. Source: RTCD 5.5; cost: a few operations, and a
-// root, for each part of the condition; GMP where exact.
+// QuickTime was certain.  (3) ExactTime has it whatever the numbers.
+// Source: RTCD 5.5.
+// Cost: a few operations, and a root, for each part of the condition; GMP where exact.
 #pragma once
 
 #include <algorithm>

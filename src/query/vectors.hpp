@@ -3,7 +3,8 @@
 // Law: the cross product of vectors of the plane is the one number that is left of it, as a vector of its own; what is
 // normal to the plane has no part along a vector in it.  All is inlined, so that optimizers know the constants of the
 // error bounds.
-// Source: RTCD 3.3; cost: none.
+// Source: RTCD 3.3.
+// Cost: none.
 #pragma once
 
 #include "figure/vec.hpp"

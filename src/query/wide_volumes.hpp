@@ -1,7 +1,8 @@
 // On which side of a plane does a corner lie, on a lattice of up to 125 bits?
 //
-// Laws: exact, where is_lattice.  Source: arith/lattice_digits.hpp.  Cost: some 30 ns for the lattice and 60 for the
-// sides of three corners, which share a normal.
+// Laws: exact, where is_lattice.
+// Source: arith/lattice_digits.hpp.
+// Cost: some 30 ns for the lattice and 60 for the sides of three corners, which share a normal.
 #pragma once
 
 #include "overlap_signs.hpp"

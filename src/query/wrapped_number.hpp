@@ -2,11 +2,14 @@
 //
 // Volumes of lattice points take up to 190 bits.  But where the double lies beyond its error its sign is certain, and
 // where it does not the integer is small: 128 bits are all of it, and what wraps around on the way to them does no
-// harm. Laws: `error` is a filter's threshold, which bounds all but the last rounding of the value, so |value - exact|
-// <= 2 error. With error < most_error settled_sign is the sign of the exact integer: where |value| <= error, |exact| <=
-// 3 error < 2^127, so that the word read as a signed number is exact.  Doubles of integers neither overflow nor
-// underflow here: products of three differences stay below 2^190, and none lies between 0 and 1. Source: docs/proof.md
-// for the thresholds.  Cost: that of a double and of one or three products of words.
+// harm.
+// Laws: `error` is a filter's threshold, which bounds all but the last rounding of the value, so |value - exact| <= 2
+// error.
+// With error < most_error settled_sign is the sign of the exact integer: where |value| <= error, |exact| <= 3 error <
+// 2^127, so that the word read as a signed number is exact.  Doubles of integers neither overflow nor underflow here:
+// products of three differences stay below 2^190, and none lies between 0 and 1.
+// Source: docs/proof.md for the thresholds.
+// Cost: that of a double and of one or three products of words.
 #pragma once
 
 #include <cstdint>

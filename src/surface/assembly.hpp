@@ -2,7 +2,8 @@
 //
 // Laws: (1) the parts stand in the order of being placed; a map that mirrors turns its faces round, so that outside
 // stays outside.  (2) What parts multiply to meets the limit before memory does.
-// Source: RTCD 2.2.1; cost: that of the placements.
+// Source: RTCD 2.2.1.
+// Cost: that of the placements.
 #pragma once
 
 #include <array>

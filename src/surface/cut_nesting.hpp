@@ -2,8 +2,8 @@
 //
 // Laws: exact; those of contours that do not cross.  A contour lies in another where its box lies in the other's, and
 // the other winds around its first point that is off the other; two that are the same closed curve lie in one another
-// by their order, the later in the former.  The parent of a contour is the deepest of those around it. Cost: boxes two
-// by two; for those that overlap, linear in the corners of the outer one.
+// by their order, the later in the former.  The parent of a contour is the deepest of those around it.
+// Cost: boxes two by two; for those that overlap, linear in the corners of the outer one.
 #pragma once
 
 #include <span>

@@ -1,7 +1,8 @@
 // Which known format is this that is not read here, and what makes a mesh of it?
 //
 // Law: of a file that is none of them, nothing is said.
-// Source: the marks that the formats' authors published; cost: a look at the first bytes.
+// Source: the marks that the formats' authors published.
+// Cost: a look at the first bytes.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,9 @@
 // What does a glTF say, and where are its numbers?  Its JSON, its buffers, and the accessors into them.
 //
 // Laws: a number of the file is believed only within what is there; a buffer beside the file is looked for in the
-// file's own folder and below, by no link out of it.  Errors name the element as JSON does: accessors[3]. Source:
-// glTF 2.0 (ISO/IEC 12113); cost: linear.
+// file's own folder and below, by no link out of it.  Errors name the element as JSON does: accessors[3].
+// Source: glTF 2.0 (ISO/IEC 12113).
+// Cost: linear.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,8 @@
 // Laws: (1) base64 as RFC 4648 has it, padded or not; anything else is none.  (2) A file beside the glTF is in its
 // folder or below, also after links are followed; a scheme, an absolute path or ".." is none.  (3) Only regular files
 // are read.
-// Source: RFC 3986, 4648; glTF 2.0, 2.8; cost: linear.
+// Source: RFC 3986, 4648; glTF 2.0, 2.8.
+// Cost: linear.
 #pragma once
 
 #include <filesystem>

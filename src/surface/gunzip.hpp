@@ -2,7 +2,8 @@
 //
 // Laws: the members of the file one after the other, each held to its checksum and length; zero bytes after the last
 // are padding.  Memory grows with what is unpacked, and stops at the limit: a bomb costs what the limit allows.
-// Source: RFC 1951, 1952, by zlib; cost: some 300 MB/s of what is unpacked.
+// Source: RFC 1951, 1952, by zlib.
+// Cost: some 300 MB/s of what is unpacked.
 #pragma once
 
 #include <cstdint>

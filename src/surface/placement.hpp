@@ -3,7 +3,8 @@
 // Laws: (1) maps compose without rounding, whatever their numbers; (2) a coordinate of an image is the double nearest
 // to its exact value, and unchanged under the identity; (3) all is counted: what was mapped, and what of it no double
 // holds.
-// Source: RTCD 11.4; cost: about 60 ns a coordinate where the map's numbers are doubles, 1 us otherwise.
+// Source: RTCD 11.4.
+// Cost: about 60 ns a coordinate where the map's numbers are doubles, 1 us otherwise.
 #pragma once
 
 #include <array>

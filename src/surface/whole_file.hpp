@@ -4,7 +4,8 @@
 // the one that it replaces; a link is followed; a device, a pipe or an open stream (/dev/stdout, /dev/fd/3) is written
 // in place, and so is a file that can be written in a folder that takes no new one; (2) what is not kept, or fails,
 // leaves nothing behind; (3) what shall be new replaces nothing, not even what appeared meanwhile.
-// Source: none; cost: that of writing the bytes.
+// Source: none.
+// Cost: that of writing the bytes.
 #pragma once
 
 #include <filesystem>

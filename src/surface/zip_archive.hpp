@@ -2,7 +2,8 @@
 //
 // Laws: the bytes of an entry are held to their checksum; all entries read together unpack to no more than the limit,
 // whatever the archive claims.  Names are compared without case, as 3MF wants it.
-// Source: APPNOTE 6.3.4 by minizip; ISO/IEC 29500-2; cost: a look through the directory, once.
+// Source: APPNOTE 6.3.4 by minizip; ISO/IEC 29500-2.
+// Cost: a look through the directory, once.
 #pragma once
 
 #include <cstdint>

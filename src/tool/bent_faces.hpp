@@ -2,7 +2,9 @@
 //
 // A file that says "these four points are one face" and gives points of no common plane contradicts itself; decimals
 // do that to most slanted faces.
-// Law: exact.  Source: RTCD 12.4.2; cost: one orient3d a corner beyond the third.
+// Law: exact.
+// Source: RTCD 12.4.2.
+// Cost: one orient3d a corner beyond the third.
 #pragma once
 
 #include <cstdint>

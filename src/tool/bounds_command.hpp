@@ -3,7 +3,8 @@
 //
 // Laws: tightness and shares depend on the meshes and the number of placements alone; times are measured here and now.
 // Exit code 0 when done; bad input throws Error.
-// Source: RTCD 4.1 (figure 4.2); cost: that of rate_bounds for each mesh, some seconds for a large one.
+// Source: RTCD 4.1 (figure 4.2).
+// Cost: that of rate_bounds for each mesh, some seconds for a large one.
 #pragma once
 
 #include <cstdint>

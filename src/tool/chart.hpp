@@ -6,7 +6,8 @@
 //
 // Laws: (1) well-formed XML whatever the labels hold; (2) labels never overlap each other or a marker (the chart grows
 // where there is no room); (3) greater values lie further right or up, zero lies below all; (4) same input, same text.
-// Source: none; cost: well below a millisecond.
+// Source: none.
+// Cost: well below a millisecond.
 #pragma once
 
 #include <span>

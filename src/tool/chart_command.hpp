@@ -3,7 +3,8 @@
 // Laws: (1) nothing is written that was not measured; text, JSON, SVG and HTML hold the same numbers; (2) without a
 // folder nothing but the table is written; (3) a task or class that does not exist is refused before anything runs, and
 // so is a folder that cannot be written to.
-// Source: RTCD 11.2; cost: minutes, seconds when quick; one thread, because times are taken.
+// Source: RTCD 11.2.
+// Cost: minutes, seconds when quick; one thread, because times are taken.
 #pragma once
 
 #include <cstdint>

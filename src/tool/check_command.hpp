@@ -1,7 +1,8 @@
 // `plumb check`: how often is floating point wrong on these meshes, and where?
 //
 // Laws: exit code 0 when done, 1 when a method named by --fail-on-wrong took a wrong sign; bad input throws Error.
-// Source: RTCD 11.2 (what rounding does to geometric decisions); cost: as the meshes demand, on all cores.
+// Source: RTCD 11.2 (what rounding does to geometric decisions).
+// Cost: as the meshes demand, on all cores.
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 // Laws: counts and worst cases depend on the mesh and the settings alone, not on threads or time.  The inexact methods
 // are asked first, of a sample where the mesh is big (decision_sample.hpp); then the exact ones, of every decision.
 // Times are medians over blocks of decisions, the methods on the same block one after the other.
-// Source: RTCD 11.2; cost: some 2 us a decision of the sample, 0.2 us of the others, microseconds with verification.
+// Source: RTCD 11.2.
+// Cost: some 2 us a decision of the sample, 0.2 us of the others, microseconds with verification.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // Which of the known names were asked for?  None given means all; an unknown one is refused with what there is.
 //
-// Source: none; cost: linear.
+// Source: none.
+// Cost: linear.
 #pragma once
 
 #include <string>

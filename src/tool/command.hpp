@@ -3,7 +3,8 @@
 // Each `<name>_options.cpp` makes one: its options stand beside nothing but each other, and their descriptions become
 // the page's, the manual's and the shells'. A new command is a function below and a line in program.cpp.
 // Law: what the parser fills lives as long as the command; the options that every command has are program.cpp's.
-// Source: none; cost: none.
+// Source: none.
+// Cost: none.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,9 @@
 // What can follow what is typed?  Scripts that tell the shells, made from what the parser knows.
 //
 // Laws: (1) every command, option and listed value of the parser is offered, and nothing else: bash, zsh and fish offer
-// the same; (2) a script needs its shell alone. Source: bash(1) "Programmable Completion", zshcompsys(1), fish's
-// complete(1); cost: none worth a word.
+// the same; (2) a script needs its shell alone.
+// Source: bash(1) "Programmable Completion", zshcompsys(1), fish's complete(1).
+// Cost: none worth a word.
 #pragma once
 
 #include <array>

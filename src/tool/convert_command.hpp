@@ -3,7 +3,8 @@
 // Laws: (1) faces and coordinates are those of the file read, bit for bit, with the exceptions of STL
 // (plumb/surface/write_mesh.hpp); nothing is welded or repaired.  (2) No file that is there is replaced, unless that is
 // asked for.  (3) The load report is said: what was left out, merged, or no double.
-// Source: plumb/surface/read_mesh.hpp, write_mesh.hpp; cost: theirs.
+// Source: plumb/surface/read_mesh.hpp, write_mesh.hpp.
+// Cost: theirs.
 #pragma once
 
 #include <optional>

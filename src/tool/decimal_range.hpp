@@ -2,7 +2,8 @@
 //
 // Laws: (1) sums are those of the decimals, not of doubles; stop is among them where a sum reaches it.  (2) A text that
 // is no decimal, a step that is not positive and more numbers than allowed throw Error, which says how to mend it.
-// Source: none; cost: big integers, some 100 ns a number.
+// Source: none.
+// Cost: big integers, some 100 ns a number.
 #pragma once
 
 #include <cstddef>

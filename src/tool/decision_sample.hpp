@@ -3,7 +3,8 @@
 // As many equal stretches of the decisions' order are cut as are to be asked, and one of each is drawn: the sample
 // spreads over the whole mesh, and a pattern in the mesh's order does not fall in step with it.
 // Laws: (1) depends on the two counts alone; (2) ascending, no decision twice; (3) all, where no more are there.
-// Source: Cochran, Sampling Techniques, 5 (stratified sampling); cost: about 20 ns a number.
+// Source: Cochran, Sampling Techniques, 5 (stratified sampling).
+// Cost: about 20 ns a number.
 #pragma once
 
 #include <algorithm>

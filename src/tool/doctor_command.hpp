@@ -1,7 +1,8 @@
 // `plumb doctor`: is this machine, and this build, as the proofs assume?
 //
 // Law: exit code 0 when every assumption holds, 1 when one does not; each that does not is named with its mend.
-// Source: docs/proof.md "Assumptions", RTCD 11.2.3; cost: a microsecond.
+// Source: docs/proof.md "Assumptions", RTCD 11.2.3.
+// Cost: a microsecond.
 #pragma once
 
 #include <string>

@@ -6,7 +6,8 @@
 // Laws: (1) every coordinate is a multiple of 2^-10, at most 64 in magnitude (the one raised cap center apart), so what
 // is drawn flat is exactly flat; (2) the surface is closed, oriented outward, every edge has two faces, its genus is 9
 // (a bore and eight holes); (3) only + - * / and sqrt on doubles: the same bits from every compiler and library.
-// Source: RTCD 12.1 (what a sound boundary is); cost: below a millisecond.
+// Source: RTCD 12.1 (what a sound boundary is).
+// Cost: below a millisecond.
 #pragma once
 
 #include <cstdint>

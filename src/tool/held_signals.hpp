@@ -1,7 +1,9 @@
 // How is a run stopped that just puts files into place?  After what it must not leave behind is gone.
 //
 // Law: while one lives, SIGINT, SIGTERM and SIGHUP are noted; at its end the first of them is obeyed as if it came
-// then. Source: sigaction(2); cost: six system calls. One at a time.
+// then.
+// Source: sigaction(2).
+// Cost: six system calls. One at a time.
 #pragma once
 
 #include <array>

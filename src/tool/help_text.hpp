@@ -2,7 +2,9 @@
 //
 // Laws: (1) no line is wider than 80 columns once indented; (2) every predicate of the manifest is listed; (3) every
 // example of `plumb sign` prints what its text says.
-// (tests). Source: none; cost: none.
+// (tests).
+// Source: none.
+// Cost: none.
 #pragma once
 
 #include "man_page.hpp"

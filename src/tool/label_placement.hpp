@@ -1,9 +1,11 @@
 // Where can the names of points stand, so that no name covers another name or any point?
 //
 // Each name tries eight sides of its point, close by first; where neighbors crowd it out it moves away and gets a
-// leader line.  Laws: (1) no two boxes overlap, none covers a marker, all lie within the area; (2) where that cannot be
-// had there is no answer, never a bad one; (3) the same input gives the same places. Source: none; cost: O(n^3) for n
-// names, a chart's dozen in about a millisecond.
+// leader line.
+// Laws: (1) no two boxes overlap, none covers a marker, all lie within the area; (2) where that cannot be had there is
+// no answer, never a bad one; (3) the same input gives the same places.
+// Source: none.
+// Cost: O(n^3) for n names, a chart's dozen in about a millisecond.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,7 @@
 // What did reading this file find?  The load report in words, for every command that says it.
 //
-// Source: plumb/surface/read_mesh.hpp; cost: none.
+// Source: plumb/surface/read_mesh.hpp.
+// Cost: none.
 #pragma once
 
 #include <string>

@@ -2,7 +2,8 @@
 //
 // Laws: (1) a larger value lies strictly nearer to the axis's far end (until the doubles for pixels run out); (2) every
 // value that the axis was made for lies on it, at every magnitude; (3) two to thirteen ticks are labeled.
-// Source: none; cost: one logarithm a value.
+// Source: none.
+// Cost: one logarithm a value.
 #pragma once
 
 #include <string>

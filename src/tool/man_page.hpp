@@ -4,7 +4,8 @@
 // Laws: (1) every option that the parser knows is on its command's page: parsed_options.hpp takes them from the parser
 // itself, so that the page cannot fall behind; the rest of the text stands in help_text.hpp; (2) what man shows has the
 // same words; lines that are no table may flow.
-// Source: man-pages(7); cost: none worth a word.
+// Source: man-pages(7).
+// Cost: none worth a word.
 #pragma once
 
 #include <span>

@@ -1,6 +1,7 @@
 // What does the sign of each predicate mean?  One sentence each, for the help and for docs/predicates.md.
 //
-// Law: every predicate of the catalog has one; tests/tool/predicate_table_test.cpp looks.  Cost: none.
+// Law: every predicate of the catalog has one; tests/tool/predicate_table_test.cpp looks.
+// Cost: none.
 #pragma once
 
 #include <string_view>

@@ -3,7 +3,8 @@
 // Eleven kinds, each a question put to one predicate at points of the mesh.  The same decision is then taken by every
 // method (methods.hpp) and compared (check_mesh.hpp).
 // Laws: the decisions and their order depend on the mesh alone; which edges are flat is decided exactly.
-// Source: RTCD 3.1.6, 12.3, 12.4; cost: one exact orient3d an edge to begin with, then a few copies a decision.
+// Source: RTCD 3.1.6, 12.3, 12.4.
+// Cost: one exact orient3d an edge to begin with, then a few copies a decision.
 #pragma once
 
 #include <array>

@@ -3,7 +3,8 @@
 // Laws: (1) a folder means the files in it and in its folders, in the order of their paths, whose names end like those
 // of meshes; what else lies there is passed over, and said so.  (2) Links to folders are not followed, so a walk ends.
 // (3) "-" is standard input, once.
-// Source: none; cost: a look at each name in the folders.
+// Source: none.
+// Cost: a look at each name in the folders.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // Is a file somebody's mesh?  Asked of what an output would replace.
 //
 // Law: a mesh by its ending, read here or not, packed or not, whether it is there or not; or by its first bytes.
-// Source: the formats as their authors published them; cost: one page of the file is read.
+// Source: the formats as their authors published them.
+// Cost: one page of the file is read.
 #pragma once
 
 #include <string>

@@ -13,7 +13,8 @@
 // one that is a mesh by its ending or its content, nor another output; what is promised as new replaces nothing; (3)
 // "-", and whatever else standard output is, is written to standard output; (4) how the files are written says
 // surface/whole_file.hpp; what cannot be written throws Error, which names option and file.
-// Source: none; cost: the texts are held until they are kept.
+// Source: none.
+// Cost: the texts are held until they are kept.
 #pragma once
 
 #include <filesystem>

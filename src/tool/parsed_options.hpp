@@ -1,7 +1,8 @@
 // What does a parser tell of itself?  Its options, for pages and for shells, and what was meant by a word that is none.
 //
 // Law: nothing is said of an option twice: all is taken from the parser.
-// Source: none; cost: none worth a word.
+// Source: none.
+// Cost: none worth a word.
 #pragma once
 
 #include <string>

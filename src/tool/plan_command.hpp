@@ -2,7 +2,8 @@
 //
 // Laws: text, JSON and chart hold the same numbers.  Exit code 0 when done; a mesh that cannot be read or has no
 // vertices, or an output that cannot be written, throws Error: a scene without one of its meshes is another scene.
-// Source: scene_plan.hpp; cost: that of plan_scene.
+// Source: scene_plan.hpp.
+// Cost: that of plan_scene.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -2,7 +2,8 @@
 //
 // Laws: decisions take the coordinates of vertices alone, and so lie on the scene's lattice; the same ones whatever the
 // machine.  Times are medians over blocks of the least of some runs.
-// Source: none; cost: milliseconds a predicate and lattice.
+// Source: none.
+// Cost: milliseconds a predicate and lattice.
 #pragma once
 
 #include <span>

@@ -7,7 +7,8 @@
 //
 // Laws: a decimal stands for its nearest double, and it is told whether that is it; other words throw Error, which
 // quotes them.
-// Source: none; cost: that of decimal_range.
+// Source: none.
+// Cost: that of decimal_range.
 #pragma once
 
 #include <string>

@@ -3,7 +3,8 @@
 // Laws: (1) any number of threads may advance it; (2) it is drawn at most ten times a second, by whichever thread comes
 // by, and nobody waits for the drawing; (3) on a stream that is no terminal nothing is ever written; (4) its line is
 // erased when it ends, however it ends.
-// Source: none; cost: an atomic addition and a look at the clock an advance, so advance by chunks.
+// Source: none.
+// Cost: an atomic addition and a look at the clock an advance, so advance by chunks.
 #pragma once
 
 #include <atomic>

@@ -3,7 +3,8 @@
 // Writes the claim for Gappa, of the constant that the filter compares with (certify/proof_script.hpp).
 // Laws: (1) Gappa proves what is written (tests); (2) an unknown predicate throws Error, which names those that there
 // are; (3) the script is kept as output_files.hpp says.
-// Source: docs/proof.md; cost: milliseconds.
+// Source: docs/proof.md.
+// Cost: milliseconds.
 #pragma once
 
 #include <string>

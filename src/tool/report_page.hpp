@@ -2,9 +2,11 @@
 //
 // The body consists of <section> elements that hold <article> elements.  An article, or a row of a table,
 // may carry data-KIND for each filter but that of methods; what belongs to one method, a row or a mark, carries
-// data-key.  Marks of class "marker" with a <title> explain themselves to the mouse and to the keyboard. Laws: (1) the
-// page opens without a network: it refers to nothing outside of itself; (2) without a script it is the plain report;
-// (3) it follows the reader's choice of light or dark. Source: none; cost: copying.
+// data-key.  Marks of class "marker" with a <title> explain themselves to the mouse and to the keyboard.
+// Laws: (1) the page opens without a network: it refers to nothing outside of itself; (2) without a script it is the
+// plain report; (3) it follows the reader's choice of light or dark.
+// Source: none.
+// Cost: copying.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

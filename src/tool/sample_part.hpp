@@ -11,7 +11,8 @@
 //    1  cap that is flat up to 2^-36, a fan of 24 triangles
 //
 // Laws: (1) the counts above, tested as such; (2) the same bits from every compiler: + - * / and sqrt alone.
-// Source: RTCD 12.1, 12.2 (what files from the wild hold); cost: about a millisecond.
+// Source: RTCD 12.1, 12.2 (what files from the wild hold).
+// Cost: about a millisecond.
 #pragma once
 
 #include "plumb/figure/mesh.hpp"

@@ -4,7 +4,8 @@
 // Laws: (1) all but the times depends on the meshes and the options alone; (2) `decide` and the plan are asked the same
 // decisions, those that mesh software takes on these meshes (mesh_decisions.hpp), and their answers are compared; (3) a
 // coarser lattice is listed where some classic predicate gets a cheaper arithmetic on it, and nowhere else.
-// Source: RTCD 4.1, 11.4, 11.5.1, 13.1 (measure first); cost: some seconds for a large mesh.
+// Source: RTCD 4.1, 11.4, 11.5.1, 13.1 (measure first).
+// Cost: some seconds for a large mesh.
 #pragma once
 
 #include <array>

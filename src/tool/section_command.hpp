@@ -3,7 +3,8 @@
 // Laws: text, SVG, DXF and JSON hold the same contours, in the order of the planes as given.  Exit code 0 when done,
 // also where nothing is cut or contours are open; a mesh or words that cannot be read, a plane without a normal, an
 // output that cannot be written throw Error.
-// Source: plumb/surface/section.hpp; cost: that of sections.
+// Source: plumb/surface/section.hpp.
+// Cost: that of sections.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

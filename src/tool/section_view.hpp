@@ -3,7 +3,8 @@
 // u runs along the plane's horizontal, v up its slope, both in the mesh's unit and from the point of the plane that is
 // over the origin in their directions; of a horizontal plane u is x and v is y, or -y seen from below.
 // Laws: each coordinate is rounded once, from the exact corner.
-// Source: none; cost: none for planes of one coordinate, else some 20 us a corner.
+// Source: none.
+// Cost: none for planes of one coordinate, else some 20 us a corner.
 #pragma once
 
 #include <array>

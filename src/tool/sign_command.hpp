@@ -4,7 +4,8 @@
 // does not have it is reported.
 // Laws: (1) a case given as arguments and as a line of standard input has the same answer; (2) a bad case throws Error,
 // naming the line of standard input; (3) exit code 1 when an expected sign was not met, else 0.
-// Source: RTCD 3.1.6; cost: that of reading the numbers.
+// Source: RTCD 3.1.6.
+// Cost: that of reading the numbers.
 #pragma once
 
 #include <istream>

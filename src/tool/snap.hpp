@@ -5,7 +5,8 @@
 // collapses and turns over is decided exactly, before and after: points merge that were distinct and now are equal, a
 // triangle collapses whose area was positive and now is zero, and is turned over when its normal turned by more than a
 // right angle; (3) a step at which a coordinate would leave the doubles gives nothing.
-// Source: RTCD 11.4, 11.5.1; cost: about 100 ns a triangle that moved.
+// Source: RTCD 11.4, 11.5.1.
+// Cost: about 100 ns a triangle that moved.
 #pragma once
 
 #include <array>

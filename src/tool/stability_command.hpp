@@ -3,7 +3,8 @@
 // Laws: (1) nothing is written that was not counted; text, JSON and HTML hold the same numbers; (2) without a folder
 // nothing but the tables is written; (3) an experiment that does not exist and a folder that cannot be used are refused
 // before anything runs.
-// Source: RTCD 11.2, 11.3; cost: minutes, seconds when quick.
+// Source: RTCD 11.2, 11.3.
+// Cost: minutes, seconds when quick.
 #pragma once
 
 #include <optional>

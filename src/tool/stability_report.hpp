@@ -1,7 +1,8 @@
 // What did the laboratory find?  The same counts as text, JSON and one page of HTML with the pictures in it.
 //
 // Law: all hold the same numbers.
-// Source: none; cost: milliseconds.
+// Source: none.
+// Cost: milliseconds.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -2,7 +2,8 @@
 //
 // Law: one that is a single letter or swap of two neighbors away, else the first that the word begins, else the nearest
 // by such changes, at most one for every three letters; the earliest of equally near ones.
-// Source: optimal string alignment (Damerau 1964); cost: the product of the lengths for each known word.
+// Source: optimal string alignment (Damerau 1964).
+// Cost: the product of the lengths for each known word.
 #pragma once
 
 #include <string>

@@ -2,7 +2,9 @@
 //
 // Laws: (1) no escape sequence reaches a stream that is no terminal, nor any stream when NO_COLOR is set to something
 // (no-color.org) or TERM is "dumb"; (2) a full disk or a closed stream is an Error, never a silent success; a
-// reader that left ends the run quietly. Source: none; cost: one system call a stream.
+// reader that left ends the run quietly.
+// Source: none.
+// Cost: one system call a stream.
 #pragma once
 
 #include <cstdio>

@@ -1,7 +1,8 @@
 // What did the trials find?  The same findings as text, JSON, charts and one page of HTML.
 //
 // Laws: (1) all hold the same numbers; (2) the page opens without a network: it refers to nothing outside of itself.
-// Source: none; cost: milliseconds a chart.
+// Source: none.
+// Cost: milliseconds a chart.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -11,8 +11,9 @@
 // Laws: (1) the same files on every machine and at every time, from the seed alone; (2) answers are the judge's, in
 // rationals; (3) marked are the methods of `plumb chart` that answer otherwise: a number counts as wrong when fewer
 // than some 20 of its bits are right; (4) of each class there are its first cases, the first of each answer, and the
-// first that each of the marked methods gets wrong, as far as there are any. Source: RTCD 11.2; cost: some seconds, for
-// the judges.
+// first that each of the marked methods gets wrong, as far as there are any.
+// Source: RTCD 11.2.
+// Cost: some seconds, for the judges.
 #pragma once
 
 #include <array>

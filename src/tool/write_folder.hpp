@@ -7,8 +7,9 @@
 // a report replaces or removes only those of an older report of its command,
 // which a list in the folder names
 // (".plumb-chart-files"): what is not on it is somebody's own, and a report
-// that needs its name is refused. Source: none; cost: that of writing the
-// files.
+// that needs its name is refused.
+// Source: none.
+// Cost: that of writing the files.
 #pragma once
 
 #include <string>

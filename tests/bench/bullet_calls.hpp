@@ -1,7 +1,8 @@
 // How is Bullet asked?  Its shapes from plain numbers and its functions, as built for doubles (its float64 libraries).
 //
 // Laws: none; it is on trial.  Margins are set to 0 where they are the caller's.
-// Source: Bullet 3.24's headers; cost: Bullet's.
+// Source: Bullet 3.24's headers.
+// Cost: Bullet's.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>

@@ -1,7 +1,8 @@
 // How is libccd asked?  Convex sets by their corners, with the settings of its documentation.
 //
 // Laws: none; it is on trial.
-// Source: libccd 2.1's ccd.h and README; cost: libccd's.
+// Source: libccd 2.1's ccd.h and README.
+// Cost: libccd's.
 #pragma once
 
 #include <ccd/ccd.h>

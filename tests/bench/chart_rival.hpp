@@ -5,7 +5,8 @@
 // called as its users call it; `about` names the call. (2) What it reports as failure, by exception or by code, is
 // unsure, not wrong. (3) No library is asked what it does not claim to answer: where touching is its own affair,
 // docs/charts.md says so.
-// Source: none; cost: none, a list.
+// Source: none.
+// Cost: none, a list.
 #pragma once
 
 #include <algorithm>

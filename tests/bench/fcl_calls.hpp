@@ -1,7 +1,8 @@
 // How is FCL asked?  Its shapes from plain numbers, and the functions that its meshes and objects ask in turn.
 //
 // Laws: none; it is on trial.
-// Source: FCL 0.7's headers; cost: FCL's.
+// Source: FCL 0.7's headers.
+// Cost: FCL's.
 #pragma once
 
 #include <fcl/narrowphase/collision.h>

@@ -1,7 +1,8 @@
 // How is Qhull asked?  By its reentrant library; what it found is read before it is freed.
 //
 // Laws: what Qhull reports as an error (points that span less than space, and others) is told, not thrown.
-// Source: Qhull 2020's user_eg2_r and manual; cost: Qhull's.
+// Source: Qhull 2020's user_eg2_r and manual.
+// Cost: Qhull's.
 #pragma once
 
 #include <cstddef>

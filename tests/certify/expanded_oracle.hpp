@@ -1,8 +1,8 @@
 // What is the perturbed sign?  The definition, taken by its word: every coordinate is moved, the polynomial is expanded
 // in all infinitesimals over GMP's rationals, and the terms are sorted.
 //
-// Law: shares nothing with the library but the formula.  Cost: microseconds for orient2d, tens of milliseconds for
-// insphere.
+// Law: shares nothing with the library but the formula.
+// Cost: microseconds for orient2d, tens of milliseconds for insphere.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 //
 // Written from the structs' comments and independent of the library's formulas: it solves for the parameters by
 // elimination, constructs the nearest points, and finds hulls of few points by trying all simplices.
-// Laws: exact for all finite doubles.  Cost: 5 us to 5 ms.
+// Laws: exact for all finite doubles.
+// Cost: 5 us to 5 ms.
 #pragma once
 
 #include <gmpxx.h>

@@ -1,7 +1,8 @@
 // How do two oriented boxes lie to one another, by CGAL's linear programs?
 //
 // Laws: exact for all finite doubles.
-// Source: CGAL's manual, "Linear and Quadratic Programming Solver".  Cost: about 1 ms.
+// Source: CGAL's manual, "Linear and Quadratic Programming Solver".
+// Cost: about 1 ms.
 #pragma once
 
 #include "plumb/figure/box.hpp"

@@ -4,7 +4,8 @@
 // Laws: both kernels get the same points in the same order; what comes back tells combinatorics only, in the order in
 // which the algorithm made it (where CGAL keeps to one), so that equal results mean equal decisions all the way.  CGAL
 // perturbs symbolically where points are degenerate, so the exact zeros count as much as the signs.
-// Source: CGAL 5.5's manual.  Cost: microseconds a point.
+// Source: CGAL 5.5's manual.
+// Cost: microseconds a point.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Which points does CGAL find extreme, and which are together on a facet?  Its hull over exact rationals.
 //
-// Source: CGAL 5.5's manual, convex_hull_3 and Exact_predicates_exact_constructions_kernel.  Cost: microseconds a
-// point.
+// Source: CGAL 5.5's manual, convex_hull_3 and Exact_predicates_exact_constructions_kernel.
+// Cost: microseconds a point.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // What does CGAL make of hulls and Minkowski sums in the plane?  Exact answers, as numbers that can be compared.
 //
-// Source: CGAL 5.5's manual, "2D Convex Hulls", "2D Minkowski Sums".  Cost: microseconds a point; milliseconds a sum.
+// Source: CGAL 5.5's manual, "2D Convex Hulls", "2D Minkowski Sums".
+// Cost: microseconds a point; milliseconds a sum.
 #pragma once
 
 #include <span>

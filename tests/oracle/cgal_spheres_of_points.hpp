@@ -1,7 +1,8 @@
 // What is the smallest ball of points, and of balls, by CGAL?  Exactly, in rationals; as text, so that nobody else
 // needs CGAL or GMP.
 //
-// Source: CGAL 5.5's manual, Bounding Volumes.  Cost: microseconds a point and more.
+// Source: CGAL 5.5's manual, Bounding Volumes.
+// Cost: microseconds a point and more.
 #pragma once
 
 #include <span>

@@ -2,7 +2,9 @@
 //
 // Laws: both are exact for all finite doubles.  The rational judge solves for each point in GMP's rationals and runs
 // the classic formula there; CGAL constructs with its own intersections and transformations over its exact rational
-// kernel. Neither knows weights. Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".  Cost: 10 to 500 us a sign.
+// kernel. Neither knows weights.
+// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".
+// Cost: 10 to 500 us a sign.
 #pragma once
 
 #include <optional>

@@ -2,8 +2,9 @@
 //
 // Laws: exact for all finite doubles; the vertices are CGAL's, in rational coordinates, sorted.  Nothing is answered
 // where CGAL asks for a figure that is not degenerate, or for common sets that go on forever.  Of triangles and boxes
-// of the plane CGAL 5.5 tells corners of the box that are outside of the triangle: it is not asked. Source: CGAL's
-// manual, "2D and 3D Linear Geometry Kernel".  Cost: some 100 us a question.
+// of the plane CGAL 5.5 tells corners of the box that are outside of the triangle: it is not asked.
+// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".
+// Cost: some 100 us a question.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,8 @@
 // Laws: exact for all finite doubles, in either order.  Nothing is answered where CGAL asks for a shape that is not
 // degenerate.  CGAL's circles and spheres are their boundaries: for ours a center within the other, or a point of the
 // other within the ball, is a meeting as well.
-// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel", do_intersect.  Cost: some 10 us a question.
+// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel", do_intersect.
+// Cost: some 10 us a question.
 #pragma once
 
 #include <optional>

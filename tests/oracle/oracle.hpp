@@ -3,7 +3,8 @@
 // Laws: both are exact for all finite doubles, subnormals and the largest included.  The rational judge runs the
 // formula of predicates/ over GMP's rationals: it proves the evaluation.  CGAL states each predicate on its own, over
 // its exact rational kernel: it proves the statement.  Signs follow our convention (predicates.hpp).
-// Source: RTCD 3.1.6; CGAL's manual, "2D and 3D Linear Geometry Kernel".  Cost: 2 to 50 us a sign.
+// Source: RTCD 3.1.6; CGAL's manual, "2D and 3D Linear Geometry Kernel".
+// Cost: 2 to 50 us a sign.
 #pragma once
 
 #include <optional>

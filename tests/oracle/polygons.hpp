@@ -1,7 +1,8 @@
 // What is a polygon, by CGAL's own statements?  Simple, convex, which way around, and where a point lies to it.
 //
 // Laws: exact for all finite doubles.  All but `simple` is asked of simple polygons alone, as CGAL wants it.
-// Source: CGAL's manual, "2D Polygons".  Cost: some 10 us a polygon.
+// Source: CGAL's manual, "2D Polygons".
+// Cost: some 10 us a polygon.
 #pragma once
 
 #include <optional>

@@ -4,7 +4,8 @@
 // scaled to integers and M a bound of |a| + |b| sqrt(c) + |d| sqrt(e), the number is an algebraic integer with at most
 // three other conjugates, all below M, whose product with it is an integer: it is zero or at least M^-3.
 // cgal_sign squares twice, as CGAL's Sqrt_extension does.
-// Source: root separation is classical (Burnikel, Fleischer, Mehlhorn, Schirra 2000).  Cost: 10 us to 1 ms.
+// Source: root separation is classical (Burnikel, Fleischer, Mehlhorn, Schirra 2000).
+// Cost: 10 us to 1 ms.
 #pragma once
 
 #include <gmpxx.h>

@@ -1,7 +1,8 @@
 // Where does a point lie to a shape, by CGAL's own statements?
 //
 // Laws: exact for all finite doubles.  Nothing is answered where CGAL asks for a shape that is not degenerate.
-// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".  Cost: some 10 us a question.
+// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".
+// Cost: some 10 us a question.
 #pragma once
 
 #include <array>

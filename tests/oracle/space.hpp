@@ -2,8 +2,8 @@
 //
 // Laws: exact for all finite doubles; signs follow our convention.  Nothing is answered where CGAL asks for input that
 // is not degenerate.
-// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel" and "Linear and Quadratic Programming Solver".  Cost: 5 us
-// to 1 ms a question.
+// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel" and "Linear and Quadratic Programming Solver".
+// Cost: 5 us to 1 ms a question.
 #pragma once
 
 #include <array>

@@ -1,7 +1,8 @@
 // How far apart are two straight shapes, by CGAL?
 //
 // Law: the square is exact, for shapes that are not degenerate.
-// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".  Cost: 20 us to 2 ms a question.
+// Source: CGAL's manual, "2D and 3D Linear Geometry Kernel".
+// Cost: 20 us to 2 ms a question.
 #pragma once
 
 #include "plumb/arith/rational.hpp"

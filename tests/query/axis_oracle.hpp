@@ -1,7 +1,8 @@
 // How does a cylinder or a cone lie to what is straight or a plane?  From the structs' comments, in rationals: by the
 // places along a line where something can change, and by what a disk reaches along a normal.
 //
-// Laws: exact.  A shape without axis is a ball, one of radius zero a segment.  Cost: some 10 us.
+// Laws: exact.  A shape without axis is a ball, one of radius zero a segment.
+// Cost: some 10 us.
 #pragma once
 
 #include "query/round_oracle.hpp"

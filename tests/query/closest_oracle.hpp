@@ -2,7 +2,9 @@
 //
 // A shape is the list of its features, each the hull of a few corners, and whether it contains p otherwise.  The
 // nearest point of a hull is the least over all of its simplices.  Of features equally near the first is told: vertices
-// before edges before faces, each by number. Laws: exact for all finite doubles.  Cost: 20 us to 5 ms.
+// before edges before faces, each by number.
+// Laws: exact for all finite doubles.
+// Cost: 20 us to 5 ms.
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 // A figure is all sums of weights times its points and not negative multiples of its rays, the weights not negative and
 // of sum one.  So a common point is a solution of linear equations in numbers that are not negative, and every extreme
 // one is a basic solution: all bases are tried.  Written from the structs' comments, independent of the library.
-// Laws: exact for all finite doubles.  Cost: some 10 us a basis, up to some thousands of them.
+// Laws: exact for all finite doubles.
+// Cost: some 10 us a basis, up to some thousands of them.
 #pragma once
 
 #include <string>

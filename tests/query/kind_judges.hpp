@@ -1,7 +1,7 @@
 // Do the figures of a case meet, by linear programs in rationals?  What the tests of kinds share.
 //
-// Laws: exact for all finite doubles; nothing is shared with the library but its shapes.  Cost: that of
-// query/rational_relation.hpp.
+// Laws: exact for all finite doubles; nothing is shared with the library but its shapes.
+// Cost: that of query/rational_relation.hpp.
 #pragma once
 
 #include "plumb/degenerate/kind.hpp"

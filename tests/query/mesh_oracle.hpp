@@ -2,8 +2,8 @@
 //
 // A ray in a triangle's plane is clipped to the triangle; another one is asked for the place where it crosses it.  A
 // point is inside where a ray that meets no edge crosses an odd number of triangles.
-// Laws: exact for all finite doubles; nothing is shared with the library.  Cost: microseconds a triangle that the
-// bounds do not rule out.
+// Laws: exact for all finite doubles; nothing is shared with the library.
+// Cost: microseconds a triangle that the bounds do not rule out.
 #pragma once
 
 #include "query/ray_oracle.hpp"

@@ -3,7 +3,8 @@
 // Each is a union of cells, relatively open convex sets, and of those that only belong to its boundary: a convex figure
 // is one cell, a polygon is cut into trapezoids and walls at every vertex and crossing (query/polygon_cells.hpp).  Two
 // cells are asked by one linear program for the largest slack that all weights and halfspaces can have at once.
-// Laws: exact, and written from the structs' comments.  Cost: some 50 us to many milliseconds.
+// Laws: exact, and written from the structs' comments.
+// Cost: some 50 us to many milliseconds.
 #pragma once
 
 #include <variant>

@@ -4,7 +4,8 @@
 // edges are in order, and every other gap that an odd number of edges lies below is inside; on a line the gaps beside
 // such trapezoids are inside as well.  Chains on one line leave the union of their edges, whose inside is that of the
 // set on the line.
-// Laws: exact; cells are relatively open, and each inner point is in one.  Cost: cubic.
+// Laws: exact; cells are relatively open, and each inner point is in one.
+// Cost: cubic.
 #pragma once
 
 #include <set>

@@ -4,8 +4,9 @@
 // A point of both is a combination of the points and directions of each, with weights that are not negative; it lies in
 // both relative interiors when all weights can be positive.  So the largest weight that all can have at least tells the
 // relation: none at all, zero, or more.
-// Laws: exact.  Source: the simplex method with Bland's rule; Rockafellar, Convex Analysis, section 6.  Cost: some 50
-// us for small integers.
+// Laws: exact.
+// Source: the simplex method with Bland's rule; Rockafellar, Convex Analysis, section 6.
+// Cost: some 50 us for small integers.
 #pragma once
 
 #include <gmpxx.h>

@@ -4,7 +4,8 @@
 // The least parameter of a line in a hull is that of a vertex of a linear program: of at most three of the points that
 // a single parameter and weights, none negative, bring onto the line.  A ray that begins in the hull hits it at zero.
 // Features are hulls of few points; those that hold the point are tried in order.
-// Laws: exact for all finite doubles.  Cost: 20 us to 5 ms.
+// Laws: exact for all finite doubles.
+// Cost: 20 us to 5 ms.
 #pragma once
 
 #include "figure/exact_locations.hpp"

@@ -3,7 +3,9 @@
 // The nearest point of a set to the origin is that of the affine hull of some independent generators of it
 // (Caratheodory): of few of them, all sets of one, two and three are tried; a point that no generator is nearer along
 // is the nearest of the whole set, otherwise one that is joins the few.  A set that holds the origin is found by a
-// linear program. Laws: exact, and each distance proved by all generators.  Cost: some 0.1 ms.
+// linear program.
+// Laws: exact, and each distance proved by all generators.
+// Cost: some 0.1 ms.
 #pragma once
 
 #include <optional>

@@ -1,10 +1,10 @@
 // When do two convex shapes that move straight first meet?  Brute force in rationals and in sums with one square root.
 //
 // A shape is all points within its reach of the hull of some points.  The first shape reaches the second when its
-// motion from the origin comes within both reaches of the hull D of the differences of their points. Laws: (1) without
-// reach, the motion is cut by the slab of D along every axis that can bound D.  (2) With one, the first time is the
-// least at which a point, a segment or a triangle of points of D is within reach, for what is nearest in D to a point
-// outside is in one of these.  Written from the definition, independent of the library's formulas.
+// motion from the origin comes within both reaches of the hull D of the differences of their points.
+// Laws: (1) without reach, the motion is cut by the slab of D along every axis that can bound D.  (2) With one, the
+// first time is the least at which a point, a segment or a triangle of points of D is within reach, for what is nearest
+// in D to a point outside is in one of these.  Written from the definition, independent of the library's formulas.
 #pragma once
 
 #include <gmpxx.h>

@@ -3,7 +3,8 @@
 // Laws: |value - exact| <= error * 2^-53 * magnitude, and |value| <= magnitude: the filter of arith/filtered.hpp with
 // its constant carried along instead of derived from a formula, so that any code over + - * can be asked.  Of code that
 // is inlined the factor is a constant of the optimizer's.  Overflow and NaN end in a magnitude that nothing exceeds.
-// Source: docs/proof.md, "Filter A".  Cost: about one more operation for each operation.
+// Source: docs/proof.md, "Filter A".
+// Cost: about one more operation for each operation.
 #pragma once
 
 #include "plumb/arith/filtered.hpp"

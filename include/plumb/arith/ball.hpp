@@ -3,8 +3,9 @@
 // Laws: |exact - (high + low)| <= radius, and high is the double nearest to high + low.  What is computed without error
 // has radius 0: small integers stay exact.  Where the error-free transforms do not hold (beyond 2^960 or below 2^-960)
 // the radius is infinite: nothing is claimed there. nearest() gives the double nearest to the exact value when only one
-// can be (Ziv's test); else nothing. Source: Dekker 1971; Ziv 1991.  RTCD 11.4.  Cost: 20 operations a sum, 40 a
-// product, 150 a quotient or root.
+// can be (Ziv's test); else nothing.
+// Source: Dekker 1971; Ziv 1991.  RTCD 11.4.
+// Cost: 20 operations a sum, 40 a product, 150 a quotient or root.
 #pragma once
 
 #include <bit>

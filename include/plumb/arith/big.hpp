@@ -3,7 +3,8 @@
 // Laws: exact; of any finite double.  A BigDyadic holds no more bits than lie between the ends of its value, so that
 // coordinates of very different size cost what their digits cost, not what their exponents span.
 // Only .cpp files of cold stages and oracles include this header: users of the signs never see GMP.
-// Source: GMP 6.2 manual.  Cost: an allocation for each intermediate value, about a microsecond a predicate.
+// Source: GMP 6.2 manual.
+// Cost: an allocation for each intermediate value, about a microsecond a predicate.
 #pragma once
 
 #include <gmpxx.h>

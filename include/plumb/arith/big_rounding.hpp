@@ -4,7 +4,8 @@
 // Laws: rounded once, as asked; zero only for zero, where the rounding allows it, never -0; beyond the largest double
 // the result is infinite, or the largest double where the rounding goes toward zero.
 // Only .cpp files include this header, as they do arith/big.hpp.
-// Source: IEEE 754-2019, 4.3; GMP 6.2 manual.  Cost: an integer division, below 1 us for the degrees in use.
+// Source: IEEE 754-2019, 4.3; GMP 6.2 manual.
+// Cost: an integer division, below 1 us for the degrees in use.
 #pragma once
 
 #include "plumb/arith/big.hpp"

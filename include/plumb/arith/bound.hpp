@@ -3,8 +3,8 @@
 //
 // Law: |computed - exact| <= e * 2^-85 * magnitude, with the magnitude as Filtered computes it (arith/filtered.hpp).
 // e is a 64-bit fixed-point number in units of 2^-85 = 2^-53 * 2^-32, every step rounded up.  Proof: docs/proof.md.
-// Source: RTCD 11.2; the idea is that of static filters, with the underflow guard in the magnitude.  Cost: none at run
-// time.
+// Source: RTCD 11.2; the idea is that of static filters, with the underflow guard in the magnitude.
+// Cost: none at run time.
 #pragma once
 
 #include <cstdint>

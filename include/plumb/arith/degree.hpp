@@ -1,7 +1,8 @@
 // How many bits does a formula's exact value need?  A number that counts, when compiled.
 //
 // Law: with |coordinate| < 2^b, every intermediate value's magnitude is below 2^(its BitLength).
-// Source: RTCD 11.2; cost: none at run time.
+// Source: RTCD 11.2.
+// Cost: none at run time.
 #pragma once
 
 namespace plumb {

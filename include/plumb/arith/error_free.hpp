@@ -3,7 +3,8 @@
 // Laws: two_sum(a, b) returns s = fl(a + b) and the exact t with s + t = a + b, unless s overflows.
 //       two_product(a, b) returns p = fl(a * b) and the exact t with p + t = a * b when 2^-960 <= |p| <= 2^960 and both
 //       factors are below 2^960; outside of that t is undefined.
-// Source: Knuth, TAOCP 4.2.2; Dekker 1971, Veltkamp's splitting.  Cost: 6 and 17 operations; 2 with a hardware fma.
+// Source: Knuth, TAOCP 4.2.2; Dekker 1971, Veltkamp's splitting.
+// Cost: 6 and 17 operations; 2 with a hardware fma.
 #pragma once
 
 #include <type_traits>

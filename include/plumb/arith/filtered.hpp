@@ -3,7 +3,8 @@
 // Law: with e the formula's Bound, |value - exact| <= e * magnitude; magnitude is never below |value|.  Every product
 // adds a guard of 2^-968 to its magnitude: eps * guard >= 2^-1074 pays for its underflow.  Overflow and NaN end in a
 // magnitude that nothing exceeds.  Proof: docs/proof.md.
-// Source: RTCD 11.2.  Cost: about one extra operation for each operation of the formula.
+// Source: RTCD 11.2.
+// Cost: about one extra operation for each operation of the formula.
 #pragma once
 
 namespace plumb {

@@ -6,7 +6,8 @@
 // Laws: exact, there and back; fractions come out in lowest terms, and may come in in any.
 // A denominator of zero throws DegeneratePoint; mpz of a number that is no integer throws Error, which shows it.
 // Who includes it has GMP's C++ interface (Debian: libgmp-dev) and links gmp.
-// Source: GMP 6.2 manual; cost: a copy, of fractions a greatest common divisor.
+// Source: GMP 6.2 manual.
+// Cost: a copy, of fractions a greatest common divisor.
 #pragma once
 
 #include <gmpxx.h>

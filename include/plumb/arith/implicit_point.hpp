@@ -3,7 +3,9 @@
 // Laws: an implicit point stands for the exact point; two that are given differently may be equal.  Nothing is checked
 // here; whoever asks about a construction that has no point gets DegeneratePoint.
 // With Posed<Point2, Pose2> and Posed<Point3> (pose.hpp) these are the kinds that the signs take beside explicit
-// points. Source: RTCD 5.1.9.1, 5.3.1, 5.4.5.  Cost: none.
+// points.
+// Source: RTCD 5.1.9.1, 5.3.1, 5.4.5.
+// Cost: none.
 #pragma once
 
 #include <array>

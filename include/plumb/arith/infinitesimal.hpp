@@ -6,8 +6,9 @@
 // Laws: exact, over an exact ring.  Of two products of infinitesimals that one is the smaller which has the higher
 // power of the last infinitesimal in which they differ, whatever numbers they are multiplied by.  So the sign is that
 // of the coefficient of the largest product that is left; zero only when nothing is left. A Ring has + - *, sign(), and
-// zero as its default.  Source: Edelsbrunner and Muecke, "Simulation of simplicity", 1990; cost: a tree node and a
-// vector for each term, so for oracles and last resorts.
+// zero as its default.
+// Source: Edelsbrunner and Muecke, "Simulation of simplicity", 1990.
+// Cost: a tree node and a vector for each term, so for oracles and last resorts.
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 // Laws: [lower, upper] contains the exact value of every operation on contained values; an operation whose result is a
 // double is not widened, so exact zeros stay [0, 0]; no bound is ever NaN (overflow widens to infinity).
 // A bound moves outward only when the error-free transform says that it was rounded inward; then by 2 ulps at most.
-// Source: RTCD 11.4; Rump, Ogita, Oishi 2009 for the step without nextafter.  Cost: 30 to 150 times the plain formula.
+// Source: RTCD 11.4; Rump, Ogita, Oishi 2009 for the step without nextafter.
+// Cost: 30 to 150 times the plain formula.
 #pragma once
 
 #include <cmath>

@@ -6,7 +6,8 @@
 // whose power in the formula's degree is a normal number: no product's magnitude underflows, and the guards of filter A
 // are not needed.
 // Equal terms of the magnitude are computed once, and known bounds of a scene turn it into a constant.
-// Source: RTCD 11.2; the maxima are those of semi-static filters.  Cost: one |x| and one maximum for each difference.
+// Source: RTCD 11.2; the maxima are those of semi-static filters.
+// Cost: one |x| and one maximum for each difference.
 #pragma once
 
 #include <array>

@@ -2,8 +2,9 @@
 //
 // Laws: every coordinate is an integer multiple of 2^exponent, and 2^exponent is the largest such power; the integers
 // are below 2^bits in magnitude, and bits is the least such number.  All zeros: bits 0, exponent 0.
-// A scene of few bits needs only small integers (section 3 of docs/proof.md).  Source: RTCD 11.5.1; cost: a few ns a
-// value.
+// A scene of few bits needs only small integers (section 3 of docs/proof.md).
+// Source: RTCD 11.5.1.
+// Cost: a few ns a value.
 #pragma once
 
 #include <bit>

@@ -5,7 +5,8 @@
 // Laws: where extend<B>() holds, coordinate i is exactly integer<B>(i) times one power of two, the same for all, and
 // |integer<B>(i)| < 2^B.  It does not hold where the coordinates span more than B bits, where the largest is not below
 // 2^1018 or so small that its digits' units are no doubles, and where one of them is not finite.
-// Source: RTCD 11.5.1; Dekker 1971 for the rounding by a large addend.  Cost: 1 ns for two coordinates and 47 bits.
+// Source: RTCD 11.5.1; Dekker 1971 for the rounding by a large addend.
+// Cost: 1 ns for two coordinates and 47 bits.
 #pragma once
 
 #include "plumb/arith/coordinate_pairs.hpp"

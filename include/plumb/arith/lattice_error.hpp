@@ -4,7 +4,8 @@
 // Laws: |exact| <= largest and |computed - exact| <= error, for integer coordinates of at most the magnitude given;
 // `root` is the error without the last rounding, which cannot carry a sign past a double.  root == 0: the sign of the
 // computed value is the sign of the exact one.  Proof: docs/proof.md, "Lattices".
-// Source: RTCD 11.2, 11.4; cost: none where it is run when compiled.
+// Source: RTCD 11.2, 11.4.
+// Cost: none where it is run when compiled.
 #pragma once
 
 #include <algorithm>

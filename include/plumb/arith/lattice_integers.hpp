@@ -5,8 +5,9 @@
 // Laws: where bits() is not 0, every coordinate is exactly integer(i) times one power of two, the same for all, and
 // |integer(i)| < 2^bits(), the least such number; zeros() more of them could be taken off at the other end.  bits() is
 // 0 where the coordinates span more than 61 bits, where the largest is below 2^-1014 or not below 2^1021, and where one
-// of them is not finite. Source: RTCD 11.5.1; Dekker 1971 for the rounding by a large addend.  Cost: 1 to 2 ns for four
-// coordinates.
+// of them is not finite.
+// Source: RTCD 11.5.1; Dekker 1971 for the rounding by a large addend.
+// Cost: 1 to 2 ns for four coordinates.
 #pragma once
 
 #include "plumb/arith/coordinate_pairs.hpp"

@@ -5,7 +5,8 @@
 // integers while both are below 2^62; neither costs a conversion.  A coordinate by itself costs one subtraction.
 // Each of the types below is an input that a formula can run over, for one arithmetic: doubles, WideInt, integers
 // modulo 2^64.
-// Source: the binade trick of fast float-to-integer conversions; RTCD 11.5.1.  Cost: none beyond the arithmetic's own.
+// Source: the binade trick of fast float-to-integer conversions; RTCD 11.5.1.
+// Cost: none beyond the arithmetic's own.
 #pragma once
 
 #include <bit>

@@ -1,7 +1,8 @@
 // Where is it?  Points and vectors: plain aggregates of doubles, each standing for exactly the number it holds.
 //
 // Laws: a coordinate is exact as given; float32 widens exactly; nothing is normalized, rounded or validated here.
-// Source: RTCD 3.2, 3.3; cost: none.
+// Source: RTCD 3.2, 3.3.
+// Cost: none.
 #pragma once
 
 namespace plumb {

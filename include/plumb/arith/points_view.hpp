@@ -1,7 +1,8 @@
 // Where are many points, when each coordinate has an array of its own?  Views of structures of arrays.
 //
 // Laws: a view owns nothing; its spans are of equal length, which what takes a view looks at (UnequalLengths).
-// Source: RTCD 13.7.  Cost: none.
+// Source: RTCD 13.7.
+// Cost: none.
 #pragma once
 
 #include <span>

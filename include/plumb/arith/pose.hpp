@@ -2,7 +2,8 @@
 //
 // Laws: a pose is what its numbers say: the point matrix * p + translation, exactly, whatever the matrix (a rotation in
 // doubles is never quite orthonormal; a mirror or a projection will do as well).  A posed shape is the exact image.
-// Source: RTCD 3.2; cost: none.
+// Source: RTCD 3.2.
+// Cost: none.
 #pragma once
 
 #include <array>

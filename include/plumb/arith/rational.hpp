@@ -7,9 +7,11 @@
 // copied, moved and compared as one; equal numbers are equal however they were made, and zero has no sign.
 // (3) rounded(r) is the double that the rounding names; infinite beyond all doubles where the rounding leads there.
 // (4) from_text(r.text()) is r; numerator / denominator is r, both are integers in lowest terms, the denominator above
-// 0. A double that is NaN or infinite throws NonFinite, a quotient by zero DegeneratePoint; text that is no number
-// throws Error, which shows it.  GMP's own types: arith/gmp.hpp, for those who have them. Source: GMP 6.2 manual,
-// behind this header.  Cost: an allocation a number, below a microsecond an operation on numbers of a few hundred bits.
+// 0.
+// A double that is NaN or infinite throws NonFinite, a quotient by zero DegeneratePoint; text that is no number throws
+// Error, which shows it.  GMP's own types: arith/gmp.hpp, for those who have them.
+// Source: GMP 6.2 manual, behind this header.
+// Cost: an allocation a number, below a microsecond an operation on numbers of a few hundred bits.
 #pragma once
 
 #include <compare>

@@ -1,6 +1,7 @@
 // Which of the two doubles beside a real number stands for it?  Numbers are rounded to the nearest, bounds outward.
 //
-// Source: IEEE 754-2019, 4.3; cost: none.
+// Source: IEEE 754-2019, 4.3.
+// Cost: none.
 #pragma once
 
 namespace plumb {

@@ -2,7 +2,8 @@
 //
 // Every filter rests on IEEE-754 doubles, each operation rounded once to nearest (docs/proof.md, "Assumptions").
 // What the preprocessor cannot see (contraction, rounding mode, flush to zero) check_environment() looks for.
-// Source: RTCD 11.2; cost: none.
+// Source: RTCD 11.2.
+// Cost: none.
 #pragma once
 
 #include <cfloat>

@@ -6,7 +6,8 @@
 // can say in one sentence what is wrong (certify/formula.hpp).
 // Laws: replaying the tape in order performs exactly the formula's operations; n x takes as many doublings as n has
 // binary digits but one, and as many sums as it has ones but one, the doublings rounding nothing.
-// Source: Wengert 1964; cost: none at run time.
+// Source: Wengert 1964.
+// Cost: none at run time.
 #pragma once
 
 #include <array>

@@ -4,8 +4,9 @@
 // magnitude: arith/filtered.hpp carried one double further.  The factors are constants of the optimizer's where the
 // code is inlined.  Nothing is normalized until the end; there nearest() gives the one double that is nearest, where
 // there is but one (Ziv's test).  Overflow and NaN end in nothing. Fma: the error of a product by the instruction, else
-// by Dekker's splitting; the results are the same to the bound. Source: docs/proof.md, "Twofold"; Lange and Rump 2020
-// (pair arithmetic); Ziv 1991.  Cost: 10 operations a sum, 8 or 22 a product.
+// by Dekker's splitting; the results are the same to the bound.
+// Source: docs/proof.md, "Twofold"; Lange and Rump 2020 (pair arithmetic); Ziv 1991.
+// Cost: 10 operations a sum, 8 or 22 a product.
 #pragma once
 
 #include <cmath>

@@ -2,7 +2,8 @@
 //
 // Laws: WideInt<B> holds every integer with |x| < 2^B.  A sum has one bit more than its longer term, a product the bits
 // of both factors: nothing overflows, nothing is allocated, and no more limbs are computed than the value can need.
-// Source: Knuth, TAOCP 4.3.1; RTCD 11.5.1.  Cost: one 64x64-bit product for each pair of limbs; no branch on values.
+// Source: Knuth, TAOCP 4.3.1; RTCD 11.5.1.
+// Cost: one 64x64-bit product for each pair of limbs; no branch on values.
 #pragma once
 
 #include <array>

@@ -8,7 +8,8 @@
 // The points of an argument lie one after the other, or each coordinate has an array of its own (a view).  The vectors
 // are those of the processor at hand: SSSE3, AVX2 or AVX-512; elsewhere one case after the other.
 // One line, plane, circle or sphere against many points: certify/side.hpp.
-// Source: RTCD 13.7; docs/batches.md.  Cost: with AVX-512 0.3 to 2 ns a sign where floating point suffices.
+// Source: RTCD 13.7; docs/batches.md.
+// Cost: with AVX-512 0.3 to 2 ns a sign where floating point suffices.
 // These functions are in the library plumb::batch.
 #pragma once
 

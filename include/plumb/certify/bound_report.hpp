@@ -5,7 +5,9 @@
 //   to_string(bound_report([](auto x, auto y, auto z, auto f) { return f * z - x * x - y * y; }, x, y, z, f))
 //
 // Laws: all of it is read from the formula's tape, but for the constant, which is the one that the filter compares
-// with; no coordinate is looked at.  Source: docs/proof.md; cost: microseconds.
+// with; no coordinate is looked at.
+// Source: docs/proof.md.
+// Cost: microseconds.
 #pragma once
 
 #include <cstddef>

@@ -7,8 +7,8 @@
 // Laws: the sign is that of decide for the same points.  The points are those that the box was found of, so that none
 // can be outside of it; a number that no point has throws NoSuchPoint, naming it.  A predicate refers to its points,
 // which must outlive it.
-// Source: RTCD 11.2; the semi-static filters of the literature.  Cost: the bare formula, one comparison, and the check
-// of the numbers; where that is unsure, decide_exactly.
+// Source: RTCD 11.2; the semi-static filters of the literature.
+// Cost: the bare formula, one comparison, and the check of the numbers; where that is unsure, decide_exactly.
 #pragma once
 
 #include <algorithm>

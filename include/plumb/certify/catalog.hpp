@@ -1,8 +1,8 @@
 // Which predicates are there, and what is known of each?  The manifest at run time.
 //
 // Tests, fuzz targets and the program reach every predicate of the manifest through this table, by name or in turn.
-// Law: entry i is formula i of PLUMB_PREDICATES (predicates/manifest.hpp).  Cost: one indirect call more than the
-// direct one.
+// Law: entry i is formula i of PLUMB_PREDICATES (predicates/manifest.hpp).
+// Cost: one indirect call more than the direct one.
 #pragma once
 
 #include <array>

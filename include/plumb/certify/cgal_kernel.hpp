@@ -9,7 +9,8 @@
 // Laws: every predicate answers as Epick's does, and so the output of an algorithm is the same; a coordinate that is
 // NaN or infinite throws NonFinite.  CGAL's 3D orientation is the opposite of ours, as is its side of a sphere.
 // Needs CGAL 5 (Debian: libcgal-dev), which nothing else of the library does; nothing else includes this header.
-// Source: CGAL 5.5's manual, "2D and 3D Linear Geometry Kernel"; cost: that of the signs (docs/measurements.md).
+// Source: CGAL 5.5's manual, "2D and 3D Linear Geometry Kernel".
+// Cost: that of the signs (docs/measurements.md).
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

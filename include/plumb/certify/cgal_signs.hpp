@@ -3,7 +3,8 @@
 // Each takes points as its Epick namesake does, and leaves other arguments (vectors, circles, spheres) to that.
 // Laws: equal to the exact answer by CGAL's definition.  CGAL's Orientation_3 and Side_of_oriented_sphere_3 have the
 // opposite sign of orient3d and insphere.
-// Source: CGAL 5.5's manual, "2D and 3D Linear Geometry Kernel"; cost: that of the signs.
+// Source: CGAL 5.5's manual, "2D and 3D Linear Geometry Kernel".
+// Cost: that of the signs.
 #pragma once
 
 #include <CGAL/enum.h>

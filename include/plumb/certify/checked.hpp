@@ -6,7 +6,8 @@
 // so.  (2) Files with and without it may be linked together.  The functions that look have names of their own for the
 // linker there (abi_tag), so that none stands in for one that does not look.  Of an inline function above them, which
 // has one name, the linker keeps either copy: it may or may not look, and answers the same.
-// Source: RTCD 11.2.3; cost: tens of ns a decision where it is on, nothing where it is off.
+// Source: RTCD 11.2.3.
+// Cost: tens of ns a decision where it is on, nothing where it is off.
 #pragma once
 
 #include <type_traits>

@@ -5,8 +5,9 @@
 // nearest.  (3) A number compared with may be negative, and is then below every distance.  (4) Signed distances are
 // zero where the line or plane is not spanned by its points.
 // A coordinate that is NaN or infinite throws NonFinite, naming the argument.
-// Source: RTCD 5.1.1, 5.1.2, 5.1.2.1.  Cost: a call and the filter of one or two formulas (docs/predicates.md); a
-// segment first asks where its nearest point is, by two signs of degree 2.
+// Source: RTCD 5.1.1, 5.1.2, 5.1.2.1.
+// Cost: a call and the filter of one or two formulas (docs/predicates.md); a segment first asks where its nearest point
+// is, by two signs of degree 2.
 #pragma once
 
 #include "plumb/arith/point.hpp"

@@ -2,9 +2,11 @@
 //
 // Laws: every coordinate of approximate(p) is the double nearest to the exact one, ties to even, rounded once; a point
 // as given is returned as it is.  Zero is never -0.  homogeneous(p, make) has p's exact coordinates, times its weight,
-// in whatever numbers `make` makes of doubles. The approximation is for eyes and files.  What must be decided about the
-// point is decided about the point itself (certify/implicit.hpp). Source: RTCD 5.1.9.1, 5.3.1, 5.4.5; Ziv 1991.  Cost:
-// below 1 us; some us where pairs of doubles cannot tell.
+// in whatever numbers `make` makes of doubles.
+// The approximation is for eyes and files.  What must be decided about the point is decided about the point itself
+// (certify/implicit.hpp).
+// Source: RTCD 5.1.9.1, 5.3.1, 5.4.5; Ziv 1991.
+// Cost: below 1 us; some us where pairs of doubles cannot tell.
 #pragma once
 
 #include <array>

@@ -5,8 +5,8 @@
 // the same side.  (4) For points of one plane coplanar_orientation(a, b, c, d) is the product of
 // coplanar_orientation(a, b, c) and coplanar_orientation(a, b, d).
 // A coordinate that is NaN or infinite throws NonFinite.
-// Source: RTCD 3.1.6.1, 3.3.7; CGAL's manual for coplanar_orientation.  Cost: one sign of degree 3 or 4, up to three of
-// degree 2 for three points.
+// Source: RTCD 3.1.6.1, 3.3.7; CGAL's manual for coplanar_orientation.
+// Cost: one sign of degree 3 or 4, up to three of degree 2 for three points.
 #pragma once
 
 #include <plumb/predicates/cross_products.hpp>

@@ -3,7 +3,8 @@
 // Laws: (1) swapping the two factors of a cross product flips the sign.  (2) A cross product that is the zero vector
 // (its factors are parallel, or one is zero) gives zero, exactly.  (3) Positive multiples of vectors change nothing.
 // A coordinate that is NaN or infinite throws NonFinite.
-// Source: RTCD 3.3.6, 4.4.2, 5.2.1.1.  Cost: one sign of degree 3 or 4.
+// Source: RTCD 3.3.6, 4.4.2, 5.2.1.1.
+// Cost: one sign of degree 3 or 4.
 #pragma once
 
 #include <plumb/predicates/cross_products.hpp>

@@ -3,7 +3,8 @@
 // Laws: swapping two rows or columns flips the sign, transposing keeps it; zero exactly when the rows are dependent.
 // An entry that is NaN or infinite throws NonFinite, naming it ("determinant3: b.y", the second row's second entry, or,
 // beyond three rows, "coordinate 7", counted from 0 row by row).
-// Source: RTCD 3.1.3.  Cost: a call and the filter (docs/predicates.md).
+// Source: RTCD 3.1.3.
+// Cost: a call and the filter (docs/predicates.md).
 #pragma once
 
 #include <array>

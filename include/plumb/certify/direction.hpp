@@ -5,7 +5,8 @@
 // collinear are true exactly when every coordinate of the cross product is exactly zero: a zero vector is parallel and
 // perpendicular to all, and two equal points are collinear with any third.
 // A coordinate that is NaN or infinite throws NonFinite, naming it.
-// Source: RTCD 3.3.3, 3.3.5.  Cost: a call and the filter (docs/predicates.md); decide<formula> inlines the filter.
+// Source: RTCD 3.3.3, 3.3.5.
+// Cost: a call and the filter (docs/predicates.md); decide<formula> inlines the filter.
 #pragma once
 
 #include "plumb/arith/point.hpp"

@@ -2,7 +2,8 @@
 //
 // Laws: checks, never changes.  What concerns compiled code (contraction, fast-math) is looked at in the translation
 // unit that calls check_environment(), since the hot paths are inline there; the rest is the state of this thread.
-// Source: RTCD 11.2.3, docs/proof.md "Assumptions".  Cost: a microsecond.
+// Source: RTCD 11.2.3, docs/proof.md "Assumptions".
+// Cost: a microsecond.
 #pragma once
 
 #include <string>

@@ -4,8 +4,8 @@
 // wide_bits whose values stay below 1024 bits; big_integer_sign is certain always.  All take finite coordinates only.
 // A homogeneous formula keeps its sign when all coordinates are multiplied by 2^-exponent of their lattice, so integers
 // may stand for the doubles (docs/proof.md, "Integers").
-// Source: RTCD 11.4, 11.5.1; cost: integer_sign 10 to 60 ns, wide_integer_sign 30 to 500 ns, big_integer_sign a
-// microsecond or more.
+// Source: RTCD 11.4, 11.5.1.
+// Cost: integer_sign 10 to 60 ns, wide_integer_sign 30 to 500 ns, big_integer_sign a microsecond or more.
 #pragma once
 
 #include <algorithm>

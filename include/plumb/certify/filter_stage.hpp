@@ -3,7 +3,8 @@
 // Laws: a certain answer is the sign of the exact value, for any doubles at all (NaN, infinity, overflow and underflow
 // end as unsure); zero is never certain here.  No branch on the sign forms the answer: signs cannot be
 // predicted.
-// Source: RTCD 11.2, docs/proof.md; cost: 1.5 to 2 times the plain formula.
+// Source: RTCD 11.2, docs/proof.md.
+// Cost: 1.5 to 2 times the plain formula.
 #pragma once
 
 #include <tuple>

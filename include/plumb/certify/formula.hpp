@@ -5,7 +5,9 @@
 // `dimension`, or, where arguments differ in kind, the number of coordinates of each in `arguments`.  It is stated
 // once; running it over different numbers yields every stage: the formula itself, or its tape where it has constants.
 // Laws: a formula that needs more error than the bound can hold does not compile; what else is refused, and in which
-// words: certify/accepted.hpp.  Source: docs/proof.md; cost: compile time only.
+// words: certify/accepted.hpp.
+// Source: docs/proof.md.
+// Cost: compile time only.
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 // itself one with these resolved.
 //
 // Laws: those of certify/filter_stage.hpp.  | |v| - |V| | <= |v - V|, so the magnitude still bounds the error.
-// Source: docs/proof.md; cost: that of filter A.
+// Source: docs/proof.md.
+// Cost: that of filter A.
 #pragma once
 
 #include "plumb/certify/filter_stage.hpp"

@@ -7,8 +7,8 @@
 // determinant.  (3) Two points are equal exactly when they compare as zero.
 // A construction without a point (parallel lines and the like) throws DegeneratePoint, a number that is NaN or infinite
 // NonFinite; both name the argument.
-// Source: RTCD 3.1.6, 5.1.9.1, 5.3.1, 5.4.5; docs/implicit_points.md.  Cost: a filter of 10 to 500 ns where it is sure,
-// microseconds where it is not.
+// Source: RTCD 3.1.6, 5.1.9.1, 5.3.1, 5.4.5; docs/implicit_points.md.
+// Cost: a filter of 10 to 500 ns where it is sure, microseconds where it is not.
 #pragma once
 
 #include <algorithm>

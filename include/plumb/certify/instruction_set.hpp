@@ -6,7 +6,8 @@
 // first batch; the answers of a single pair that come from four lanes follow it too.
 // Laws: no answer depends on it.  A name that is none, or of a set that this processor has not, throws Error at the
 // first batch, and at batch_instruction_set(): it lists those there are.
-// Source: RTCD 13.7; docs/batches.md; cost: none.
+// Source: RTCD 13.7; docs/batches.md.
+// Cost: none.
 // These functions are in the library plumb::batch.
 #pragma once
 

@@ -4,7 +4,8 @@
 // Laws: a LatticePoint is made by LatticeIntake alone and stands for exactly the coordinates given (-0.0 for 0); its
 // stamp tells its lattice, so that points of unequal lattices are never taken for each other.  What is off the lattice
 // throws OffLattice, NaN and infinity throw NonFinite, both naming the coordinate.
-// Source: RTCD 11.5.1, docs/plans.md; cost: 6 operations a coordinate up to 51 bits, a few ns beyond.
+// Source: RTCD 11.5.1, docs/plans.md.
+// Cost: 6 operations a coordinate up to 51 bits, a few ns beyond.
 #pragma once
 
 #include <array>

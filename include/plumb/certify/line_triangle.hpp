@@ -6,7 +6,8 @@
 // no line slips through a closed mesh.  (3) All three zero: the line lies in the triangle's plane, or the direction is
 // zero, or the triangle is a segment or a point in one plane with the line.  (4) Reversing the line flips all signs.
 // A coordinate that is NaN or infinite throws NonFinite.
-// Source: RTCD 5.3.4, 5.3.6.  Cost: three signs of degree 3.
+// Source: RTCD 5.3.4, 5.3.6.
+// Cost: three signs of degree 3.
 #pragma once
 
 #include <plumb/predicates/line_triangle.hpp>

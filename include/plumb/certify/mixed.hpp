@@ -2,10 +2,11 @@
 //
 // Mixed<Predicate, Kinds...> takes the numbers of all arguments one after the other; its value is the predicate's times
 // powers of the weights.  Weight<Kind> is the weight by itself.  Both are formulas like any other (formula.hpp):
-// filter, tape and bound are derived from them. Laws: a point without offset and weight is the pivot if there is one,
-// else one without weight, so that for points as given the classic formula is what remains.  Arguments change places
-// for that in pairs or in a circle: the sign stays. Source: docs/proof.md, "Weights".  Cost: compile time; what a mix
-// is asked, no more.
+// filter, tape and bound are derived from them.
+// Laws: a point without offset and weight is the pivot if there is one, else one without weight, so that for points as
+// given the classic formula is what remains.  Arguments change places for that in pairs or in a circle: the sign stays.
+// Source: docs/proof.md, "Weights".
+// Cost: compile time; what a mix is asked, no more.
 #pragma once
 
 #include <array>

@@ -7,7 +7,8 @@
 // multiplicity, as the signs have variations, or an even number less; b0 or b3 zero means a root at 0 or 1.  (4) All
 // zero: the points are in one plane at every time.
 // A coordinate that is NaN or infinite throws NonFinite.
-// Source: RTCD 5.5; Provot 1997; Descartes' rule in the Bernstein basis.  Cost: four signs of degree 3.
+// Source: RTCD 5.5; Provot 1997; Descartes' rule in the Bernstein basis.
+// Cost: four signs of degree 3.
 #pragma once
 
 #include <array>

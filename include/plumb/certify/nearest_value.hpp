@@ -3,7 +3,8 @@
 // Laws: the double nearest to the exact value, ties to even, for all finite coordinates; infinite where the value is
 // beyond all doubles; the least subnormal of its sign, not zero, where it is nearer to zero than to any other double.
 // So the sign is always that of the exact value.
-// Source: docs/proof.md, "Integers"; cost: that of the last stage, some hundred nanoseconds.
+// Source: docs/proof.md, "Integers".
+// Cost: that of the last stage, some hundred nanoseconds.
 #pragma once
 
 #include <span>

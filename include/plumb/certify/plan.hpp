@@ -6,7 +6,8 @@
 // Laws: what a plan says follows from the formula's own growth (LatticeError, WidthGrowth) and holds for every set of
 // coordinates of the lattice; more bits never mean a cheaper arithmetic.  Kernel (certify/kernel.hpp) takes the signs.
 // A lattice on which no double but 0 lies throws Error.
-// Source: RTCD 11.4, 11.5.1, docs/plans.md; cost: constants of a formula, found when compiled.
+// Source: RTCD 11.4, 11.5.1, docs/plans.md.
+// Cost: constants of a formula, found when compiled.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,9 @@
 // How does a plan take a sign?  One formula over the words of a lattice, in one of the arithmetics of a plan.
 //
 // Laws: the sign of the exact value, for points that this lattice took in and an arithmetic that arithmetic_for says
-// for its bits.  Points of another lattice throw OffLattice. Source: docs/plans.md, docs/proof.md "Lattices"; cost:
-// that of the arithmetic, see there.
+// for its bits.  Points of another lattice throw OffLattice.
+// Source: docs/plans.md, docs/proof.md "Lattices".
+// Cost: that of the arithmetic, see there.
 #pragma once
 
 #include <new>

@@ -2,7 +2,9 @@
 //
 // Laws: coordinates(point) are the numbers in the order of the kind (predicates/construction.hpp); `parts` names them
 // in the same order, as a user would write them after the point.  A further kind of point is one more PointTraits, and
-// one more overload of `coordinates`. Source: docs/implicit_points.md.  Cost: none.
+// one more overload of `coordinates`.
+// Source: docs/implicit_points.md.
+// Cost: none.
 #pragma once
 
 #include <array>

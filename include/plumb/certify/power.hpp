@@ -5,8 +5,9 @@
 // Laws: (1) with equal weights in_power_circle, in_power_sphere and compare_power are incircle, insphere and
 // compare_distance.  (2) Adding one number to all weights, where nothing is rounded, changes none of these three.
 // A coordinate or weight that is NaN or infinite throws NonFinite, naming it: "power_circle: b.w is nan".
-// Source: RTCD 3.1.6.3, 3.1.6.4; Aurenhammer 1987, power diagrams.  Cost: a call and the filter (docs/predicates.md);
-// degenerate input is left to the last stage, for the terms differ in degree.
+// Source: RTCD 3.1.6.3, 3.1.6.4; Aurenhammer 1987, power diagrams.
+// Cost: a call and the filter (docs/predicates.md); degenerate input is left to the last stage, for the terms differ in
+// degree.
 #pragma once
 
 #include "plumb/arith/point.hpp"

@@ -16,8 +16,8 @@
 //
 // Laws: a script says nothing of how its claim is proved, so that a proof made from it rests on no axiom of ours;
 // `gappa FILE` exits with 0 exactly when it found the proof.  What the claims mean for the filters: docs/proof.md.
-// Source: Daumas, Melquiond, "Certification of bounds on expressions involving rounded operators", 2010; cost:
-// microseconds for a script; Gappa takes about a second for a formula of 80 operations.
+// Source: Daumas, Melquiond, "Certification of bounds on expressions involving rounded operators", 2010.
+// Cost: microseconds for a script; Gappa takes about a second for a formula of 80 operations.
 #pragma once
 
 #include <string>

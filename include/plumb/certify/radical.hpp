@@ -5,9 +5,9 @@
 // root gives what its root gives.
 // Any finite numbers, subnormals and the largest included; a radicand below zero throws NegativeRadicand, NaN and
 // infinity throw NonFinite.
-// Source: RTCD 4.3 (radii); repeated squaring.  Cost: for numbers a square root or two where floating point suffices,
-// otherwise signs of degree up to 6; for formulas those of the parts, and where they disagree of up to six times their
-// degree.
+// Source: RTCD 4.3 (radii); repeated squaring.
+// Cost: for numbers a square root or two where floating point suffices, otherwise signs of degree up to 6; for formulas
+// those of the parts, and where they disagree of up to six times their degree.
 #pragma once
 
 #include <cmath>

@@ -8,7 +8,8 @@
 // are collinear, or the direction is zero.  (4) A segment's parameters are those of the ray with the unrounded
 // direction q - p.
 // A coordinate that is NaN or infinite throws NonFinite.
-// Source: RTCD 5.3.1, 5.3.6.  Cost: two or three signs of degree 3, 4 or 6.
+// Source: RTCD 5.3.1, 5.3.6.
+// Cost: two or three signs of degree 3, 4 or 6.
 #pragma once
 
 #include <array>

@@ -6,7 +6,8 @@
 // Laws: (1) the double that the rounding names, of the exact value.  (2) Infinite where that is beyond all doubles and
 // the rounding leads there; zero is never -0.  (3) The denominator must not be zero, nor the radicand negative: ask
 // their signs before.  A coordinate that is NaN or infinite throws NonFinite.
-// Source: Ziv 1991; RTCD 11.4.  Cost: pairs of doubles, some 20 ns; about 1 us where they leave a choice.
+// Source: Ziv 1991; RTCD 11.4.
+// Cost: pairs of doubles, some 20 ns; about 1 us where they leave a choice.
 #pragma once
 
 #include <optional>

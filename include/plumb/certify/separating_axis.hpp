@@ -8,8 +8,9 @@
 // cross product, or reversing any axis, changes nothing.  (3) Nothing is answered exactly when the cross product is the
 // zero vector, which separates nothing and says nothing of touching.
 // A coordinate that is NaN or infinite throws NonFinite.
-// Source: RTCD 4.4.1, table 4.1; 4.4.2, 5.2.1.1 for the zero vector.  Cost: 24 products where floating point suffices;
-// otherwise the five signs that resolve the absolute values, and one of degree 4.
+// Source: RTCD 4.4.1, table 4.1; 4.4.2, 5.2.1.1 for the zero vector.
+// Cost: 24 products where floating point suffices; otherwise the five signs that resolve the absolute values, and one
+// of degree 4.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,8 @@
 //
 // Laws: the form has the value of the formula in exact arithmetic, for all inputs; its filter constant is derived from
 // its own operations, as in certify/formula.hpp.  A formula that is not linear in this sense does not compile.
-// Source: cofactor expansion, RTCD 3.1.3; docs/batches.md, "One against many".  Cost: compile time only.
+// Source: cofactor expansion, RTCD 3.1.3; docs/batches.md, "One against many".
+// Cost: compile time only.
 #pragma once
 
 #include <array>

@@ -3,10 +3,11 @@
 // The plane is the set of x with normal . x = offset, as the numbers say: the normal need not have length one.
 // Laws: (1) negating normal and offset flips the side and keeps the distance.  (2) Multiplying both by the same
 // positive number, where nothing is rounded, changes nothing.  (3) With a zero normal the set is everything (offset
-// zero), or nothing: the distance is then zero, or above every number, and the side that of minus the offset. A
-// coordinate that is NaN or infinite throws NonFinite: a is the normal, b the offset, c the point, d the distance.
-// Source: RTCD 3.6, 5.1.1.  Cost: a call and the filter (docs/predicates.md); degenerate input is left to the last
-// stage, for the terms differ in degree.
+// zero), or nothing: the distance is then zero, or above every number, and the side that of minus the offset.
+// A coordinate that is NaN or infinite throws NonFinite: a is the normal, b the offset, c the point, d the distance.
+// Source: RTCD 3.6, 5.1.1.
+// Cost: a call and the filter (docs/predicates.md); degenerate input is left to the last stage, for the terms differ in
+// degree.
 #pragma once
 
 #include "plumb/arith/point.hpp"

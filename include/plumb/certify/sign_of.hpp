@@ -7,8 +7,8 @@
 // argument of its own and uses + - *, also by whole numbers as in 4 * a * c.  Its error bound, and whether its terms
 // have one degree, are derived.
 // Laws: those of decide.  What is no polynomial of these arguments does not compile (certify/accepted.hpp).
-// Source: docs/proof.md; cost: that of decide: the filter where it is sure, and no code of its own beyond the small
-// integers where it is not.
+// Source: docs/proof.md.
+// Cost: that of decide: the filter where it is sure, and no code of its own beyond the small integers where it is not.
 #pragma once
 
 #include "plumb/certify/accepted.hpp"

@@ -15,8 +15,9 @@
 //
 // The library runs the formula's tape over the vectors of the processor at hand, by filter A and its derived constant;
 // what that leaves goes to the exact stages, compiled where it is asked.
-// Source: RTCD 13.7; docs/batches.md.  Cost: on one thread about that of sign_of in a loop or somewhat more; threads
-// share the work.  The classics' own batches are several times as fast.  In the library plumb::batch.
+// Source: RTCD 13.7; docs/batches.md.
+// Cost: on one thread about that of sign_of in a loop or somewhat more; threads share the work.  The classics' own
+// batches are several times as fast.  In the library plumb::batch.
 #pragma once
 
 #include <ranges>

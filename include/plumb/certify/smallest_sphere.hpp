@@ -4,8 +4,8 @@
 // ones among these count once: the smallest sphere through one point is that point.  (3) Zero for every point where
 // there is no such circle or sphere: three collinear points that differ.
 // A coordinate that is NaN or infinite throws NonFinite, naming it.
-// Source: RTCD 4.3, 3.1.6.3, 3.1.6.4.  Cost: a call and the filter (docs/predicates.md), two of them for
-// the circle through three points.
+// Source: RTCD 4.3, 3.1.6.3, 3.1.6.4.
+// Cost: a call and the filter (docs/predicates.md), two of them for the circle through three points.
 #pragma once
 
 #include "plumb/arith/point.hpp"

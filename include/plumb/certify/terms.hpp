@@ -4,8 +4,9 @@
 // coordinates by themselves.  Every number of its tape is kept as the parts that go to different terms.  A rounding
 // multiplies all parts of a number by the same 1 + e; here each part has an e of its own, which supposes less.
 // Laws: (1) the signed sum of the terms is the formula, over any numbers; (2) terms of one shape are computed alike,
-// and differ in nothing but the names of leaves and roundings. Source: docs/proof.md, "What a machine has checked";
-// cost: grows with the number of terms times that of operations.
+// and differ in nothing but the names of leaves and roundings.
+// Source: docs/proof.md, "What a machine has checked".
+// Cost: grows with the number of terms times that of operations.
 #pragma once
 
 #include <cstddef>

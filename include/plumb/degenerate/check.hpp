@@ -11,9 +11,11 @@
 // still fails, and no step of shrink_case.hpp makes it smaller, unless the calls ran out.  (4) What a function throws
 // is a finding, no error, and a rounding mode that it leaves behind is put back before it is judged; what it changes in
 // memory that is not its own is its own affair: `plumb fuzz` runs it in a process of its own.  (5) Nothing is asked
-// that is not in the domain, in shrinking neither; cases of the corpus that are not in it are passed over. Unknown
-// generators and corpus cases that are none throw Error, by name. Source: RTCD 11; cost: beside the function that of
-// the exact answer, 1 to 15 us a case of most kinds, up to milliseconds of distances, and milliseconds for a finding.
+// that is not in the domain, in shrinking neither; cases of the corpus that are not in it are passed over.
+// Unknown generators and corpus cases that are none throw Error, by name.
+// Source: RTCD 11.
+// Cost: beside the function that of the exact answer, 1 to 15 us a case of most kinds, up to milliseconds of distances,
+// and milliseconds for a finding.
 #pragma once
 
 #include <functional>

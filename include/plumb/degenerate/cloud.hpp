@@ -4,7 +4,8 @@
 // line, circle, exact_sphere, lattice, facets, moments and place are what they are called in real arithmetic; ball,
 // sphere, prism and skew_plane are rounded.  (4) A cloud has as many points as asked for; equal ones only where there
 // are no more (place; circle: 128 differ, in a lattice or exact_sphere nearly all).
-// Source: RTCD 3.7.1 (figure 3.18), 3.9; cyclic polytopes are Caratheodory's.  Cost: 10 to 100 ns a point.
+// Source: RTCD 3.7.1 (figure 3.18), 3.9; cyclic polytopes are Caratheodory's.
+// Cost: 10 to 100 ns a point.
 #pragma once
 
 #include <array>

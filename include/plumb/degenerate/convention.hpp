@@ -8,7 +8,8 @@
 // overlapping; without its origin a ray hits where a point of it beyond the origin does, and its parameter is the
 // greatest lower bound of all such; (2) under `any` the answers under both are right, and `exact` is the closed one;
 // (3) all else of the kind stays, its name and its lines of cases too.
-// Source: RTCD 11; cost: the exact answer, once for each that is right.
+// Source: RTCD 11.
+// Cost: the exact answer, once for each that is right.
 #pragma once
 
 #include <string>

@@ -2,7 +2,8 @@
 //
 // Laws: every value is finite; the choice 0 gives the simplest value of the class (0.0 wherever the class holds it).
 // Source: the input classes of the project's measurements; the grid around 0.5 is Kettner, Mehlhorn, Pion, Schirra and
-// Yap, "Classroom examples of robustness problems in geometric computations".  Cost: a few ns each.
+// Yap, "Classroom examples of robustness problems in geometric computations".
+// Cost: a few ns each.
 #pragma once
 
 #include "plumb/degenerate/entropy.hpp"

@@ -5,8 +5,9 @@
 // is exactly degenerate stays so where the domain has room for it, and is off by a unit of the grid where it has not.
 // Bounds are on coordinates, components of directions and lengths; axes of frames, counts and indices have none.
 // Laws: (1) what `fitted` returns is in the domain, and a case without a flaw; (2) a case that is in the domain stays
-// as it is.  Source: RTCD 11, 11.2.1; cost: linear in the numbers, and the exact answer where
-// degenerate cases are not wanted.
+// as it is.
+// Source: RTCD 11, 11.2.1.
+// Cost: linear in the numbers, and the exact answer where degenerate cases are not wanted.
 #pragma once
 
 #include <limits>

@@ -5,7 +5,8 @@
 // (2) replaying the recorded choices of a case makes the same case; (3) a smaller choice means a simpler case, and an
 // exhausted stream answers 0, so cutting the stream short also makes a simple case.
 // Source: Blackman and Vigna, "Scrambled linear pseudorandom number generators" (xoshiro256**, filled by splitmix64);
-// shrinking on choices instead of values is Hypothesis' idea.  Cost: about 1 ns a choice.
+// shrinking on choices instead of values is Hypothesis' idea.
+// Cost: about 1 ns a choice.
 #pragma once
 
 #include <array>

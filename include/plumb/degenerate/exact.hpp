@@ -7,7 +7,8 @@
 //   circle  products of Gaussian integers, each factor conjugated or not: all of one norm
 //   sphere  q v q' for an integer vector v and an integer quaternion q with its parts permuted: all of one norm
 // Source: RTCD 11 asks for such inputs; norms of Gaussian integers and quaternions (Euler's four-square identity) are
-// classical.  Cost: 5 to 15 ns a point, no allocation.
+// classical.
+// Cost: 5 to 15 ns a point, no allocation.
 #pragma once
 
 #include <span>

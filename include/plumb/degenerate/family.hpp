@@ -1,7 +1,8 @@
 // What kinds of hard point sets are there?  The families of inputs, and the degeneracies that they are aimed at.
 //
 // Laws: `families` holds every Family once, in the order of the enumeration, simplest first; names are unique.
-// docs/degeneracies.md shows each with a picture.  Cost: none, constants.
+// docs/degeneracies.md shows each with a picture.
+// Cost: none, constants.
 #pragma once
 
 #include <array>

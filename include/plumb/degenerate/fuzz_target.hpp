@@ -12,7 +12,8 @@
 // bytes_of(kind, numbers)) are the numbers, if they are a case with at most 255 points or triangles more than the
 // least; (3) a wrong answer is told with the case as a line, in decimals and as a C++ test, and the program aborts.
 // What a function throws passes through.
-// Source: RTCD 11; cost: that of the exact answer.
+// Source: RTCD 11.
+// Cost: that of the exact answer.
 #pragma once
 
 #include <cstddef>

@@ -2,10 +2,13 @@
 //
 // A case is one list of numbers: argument after argument, a count before each argument that may have any number of
 // points or triangles.  An answer is a short list of numbers: the sign, 1 or 0 for yes or no, the number, the corners
-// of triangles. The kinds there are: plumb/query/kinds.hpp. Laws: (1) exact answers are those of real arithmetic for
-// all finite doubles, numbers the nearest double; (2) every generator's cases are valid, and the same choices make the
-// same case; (3) judge rounds nothing: how far a number is from the nearest double of the exact one is asked exactly.
-// Source: RTCD 11 (what goes wrong); cost: an indirect call more than the question itself.
+// of triangles.
+// The kinds there are: plumb/query/kinds.hpp.
+// Laws: (1) exact answers are those of real arithmetic for all finite doubles, numbers the nearest double; (2) every
+// generator's cases are valid, and the same choices make the same case; (3) judge rounds nothing: how far a number is
+// from the nearest double of the exact one is asked exactly.
+// Source: RTCD 11 (what goes wrong).
+// Cost: an indirect call more than the question itself.
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 //
 // Laws: (1) every coordinate stays finite; (2) scaling moves no point by a single bit: it multiplies by powers of two
 // and stays where no bit is lost; (3) permutations keep the multiset of coordinates.
-// Source: exact zeros and equal points are RTCD 11.3 and 12.1; cost: a few ns a coordinate.
+// Source: exact zeros and equal points are RTCD 11.3 and 12.1.
+// Cost: a few ns a coordinate.
 #pragma once
 
 #include <span>

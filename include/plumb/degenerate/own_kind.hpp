@@ -13,7 +13,8 @@
 // Laws: those of degenerate/kind.hpp, of which (1), that the answers are exact, is the user's: what `exact` answers is
 // taken for right.  Where it answers NaN, nothing is wrong.  A kind that has no generator, or that no C function can be
 // asked for (more than twelve arguments; triangles; names that are no identifiers), throws Error.
-// Source: none; cost: that of `exact`, once a case, some 64 times a case of "at_change".
+// Source: none.
+// Cost: that of `exact`, once a case, some 64 times a case of "at_change".
 #pragma once
 
 #include <algorithm>

@@ -5,7 +5,9 @@
 // Laws: (1) parse_case(kind, line) gives back the numbers, bit for bit; (2) what is pasted holds the same doubles in
 // hexadecimal, and beside them in decimal (17 digits).  (3) OBJ holds decimals, which its readers take; coordinates
 // beyond its readers' floats are written all the same, corners beyond the doubles at the largest, and the plane's
-// points have z = 0. Source: RTCD 11; cost: none that counts.
+// points have z = 0.
+// Source: RTCD 11.
+// Cost: none that counts.
 #pragma once
 
 #include "plumb/degenerate/check.hpp"

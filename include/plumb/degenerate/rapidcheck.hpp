@@ -1,9 +1,10 @@
 // How does RapidCheck draw hard inputs?  The bridge from streams of choices to RapidCheck's generators.
 //
 // Laws: (1) a case is made by `make(Entropy&)` alone, so RapidCheck's own numbers never reach a coordinate; (2)
-// shrinking replays shrunken choices, so every shrunken case is one that the generator can make. Source: RapidCheck's
-// Gen and Shrinkable; shrinking as in degenerate/shrink.hpp.  Cost: that of the case. Only this header of the library
-// needs RapidCheck, and only those who include it.
+// shrinking replays shrunken choices, so every shrunken case is one that the generator can make.
+// Source: RapidCheck's Gen and Shrinkable; shrinking as in degenerate/shrink.hpp.
+// Cost: that of the case.
+// Only this header of the library needs RapidCheck, and only those who include it.
 #pragma once
 
 #include <rapidcheck.h>

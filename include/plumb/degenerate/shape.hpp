@@ -6,8 +6,9 @@
 // name; (2) polygons of space are exactly planar, axes of boxes and rectangles exactly perpendicular, none of them
 // zero, and so are edges of lozenges that are not zero; polygons do not cross themselves, unless they are flat, and
 // holes cross neither the outer chain nor one another; meshes are closed, each edge passed once in either direction.
-// (3) The same choices give the same shape, bit for bit, everywhere; the choice 0 gives small integers. Source: RTCD
-// 11; right angles are those of Pythagoras and of integer quaternions.  Cost: about 1 us.
+// (3) The same choices give the same shape, bit for bit, everywhere; the choice 0 gives small integers.
+// Source: RTCD 11; right angles are those of Pythagoras and of integer quaternions.
+// Cost: about 1 us.
 #pragma once
 
 #include <array>

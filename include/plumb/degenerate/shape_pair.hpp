@@ -13,7 +13,8 @@
 // (4) The same choices give the same pair, bit for bit, everywhere.
 // A position that the kinds cannot have throws InvalidShape.
 // Source: RTCD 11; the exact maps are the rotations of integer quaternions, and any others where nothing is round or
-// rectangular.  Cost: some us.
+// rectangular.
+// Cost: some us.
 #pragma once
 
 #include <array>

@@ -6,7 +6,8 @@
 // Choices are simpler when there are fewer of them, then when the first that differs is smaller.  Coordinates are
 // simpler when they repeat one another, are zero, have short mantissas and exponents near 0.
 // Source: shrinking on choices is Hypothesis' idea (MacIver and Donaldson, "Test-case reduction via test-case
-// generation"); cost: most_calls calls at the worst, usually a few hundred.
+// generation").
+// Cost: most_calls calls at the worst, usually a few hundred.
 #pragma once
 
 #include <cstddef>

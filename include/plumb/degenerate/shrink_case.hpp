@@ -6,7 +6,8 @@
 // fewer points first, then simpler axes, then simpler coordinates (degenerate/shrink.hpp).  (3) Figures keep their
 // dimension: a triangle that has an area keeps one, so that failures of proper figures do not become those of
 // degenerate ones.  (4) `still_fails` is called at most `most_calls` times, always in the same order.
-// Source: degenerate/shrink.hpp; cost: most_calls calls at the worst, usually some hundreds.
+// Source: degenerate/shrink.hpp.
+// Cost: most_calls calls at the worst, usually some hundreds.
 #pragma once
 
 #include "plumb/degenerate/kind.hpp"

@@ -2,7 +2,8 @@
 //
 // Laws: (1) steps count the doubles between, with 0.0 and -0.0 as one; (2) a move never leaves the finite doubles: it
 // stops at the largest; (3) x == m * 2^lowest_exponent(x) with m odd and below 2^mantissa_length(x), for x != 0.
-// Source: the order of the bit patterns of IEEE-754 doubles (RTCD 11.2.1); cost: a few instructions.
+// Source: the order of the bit patterns of IEEE-754 doubles (RTCD 11.2.1).
+// Cost: a few instructions.
 #pragma once
 
 #include <algorithm>

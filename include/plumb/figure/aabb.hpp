@@ -3,10 +3,11 @@
 // Laws: (1) a box certainly contains what it was made for; (2) it is the smallest box of doubles that does: each bound
 // is the exact one, rounded outward once (those of ellipsoids and cylinders in three steps).  (3) merge is commutative,
 // associative and idempotent as sets, and an empty box changes nothing.  (4) The transform of a box is the box of its
-// exact image; an empty box stays as it is. No points throw InvalidShape, as does a negative radius; NaN and infinities
-// throw NonFinite; a bound that no double holds throws BeyondDoubles. Source:
-// RTCD 4.2, 4.2.2, 4.2.3, 4.2.4, 4.2.6, 6.5.1.  Cost: points by plain comparisons; a bound that needs rounding some 20
-// ns.
+// exact image; an empty box stays as it is.
+// No points throw InvalidShape, as does a negative radius; NaN and infinities throw NonFinite; a bound that no double
+// holds throws BeyondDoubles.
+// Source: RTCD 4.2, 4.2.2, 4.2.3, 4.2.4, 4.2.6, 6.5.1.
+// Cost: points by plain comparisons; a bound that needs rounding some 20 ns.
 #pragma once
 
 #include <span>

@@ -4,8 +4,9 @@
 // (2) relate and intersects are symmetric; intersects(a, b) is relate(a, b) != disjoint.  (3) An empty box meets
 // nothing, and every box holds it.  (4) The three representations of one box answer alike.
 // NaN and infinities throw NonFinite, naming the part.
-// Source: RTCD 4.2.1, 6.5.1.  Cost: min-max boxes that of the plain test, without branches on what is found: the sum of
-// all numbers is finite only where each is.
+// Source: RTCD 4.2.1, 6.5.1.
+// Cost: min-max boxes that of the plain test, without branches on what is found: the sum of all numbers is finite only
+// where each is.
 #pragma once
 
 #include <span>

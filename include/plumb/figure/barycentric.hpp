@@ -8,7 +8,8 @@
 // numbers, whichever axis is dropped; off the plane the projection answers for the point of the plane met along that
 // axis.  Corners that span no line, plane or space have no such coordinates: InvalidShape (figure/voronoi_region.hpp
 // answers for them).  A number beyond the doubles throws BeyondDoubles, NaN and infinity NonFinite, by name.
-// Source: RTCD 3.4 (figures 3.9, 3.10).  Cost: a quotient of two determinants each, some 100 ns; a sign costs a filter.
+// Source: RTCD 3.4 (figures 3.9, 3.10).
+// Cost: a quotient of two determinants each, some 100 ns; a sign costs a filter.
 #pragma once
 
 #include <plumb/predicates/cross_products.hpp>

@@ -3,7 +3,8 @@
 // Laws: the closed sets that the numbers say.  An axis-aligned box with min > max in some axis is empty; of widths and
 // half extents the magnitude counts.  An oriented box is the parallelepiped of its axes, orthonormal or not: all center
 // + sum of t_i axes_i with |t_i| <= half_i; it may be flat, a segment or a point.
-// Source: RTCD 4.2 (figure 4.3), 4.4, 4.5; cost: none.
+// Source: RTCD 4.2 (figure 4.3), 4.4, 4.5.
+// Cost: none.
 #pragma once
 
 #include <array>

@@ -3,8 +3,9 @@
 // Laws: (1) the answers are those of intersects, one by one, on every instruction set.  (2) The numbers are looked
 // through when a batch is made, not when it is asked: NonFinite names the item.  A negative radius throws InvalidShape,
 // spans of different lengths UnequalLengths.
-// Source: RTCD 4.2.1, 4.3.1, 13.7.  Cost: boxes below 1 ns a pair with four lanes; balls likewise, and a scalar exact
-// sign for each pair that doubles leave in doubt.  The best instruction set that the processor has is taken.
+// Source: RTCD 4.2.1, 4.3.1, 13.7.
+// Cost: boxes below 1 ns a pair with four lanes; balls likewise, and a scalar exact sign for each pair that doubles
+// leave in doubt.  The best instruction set that the processor has is taken.
 #pragma once
 
 #include <array>

@@ -12,8 +12,9 @@
 // exact (integer quaternions turn a copy on a lattice of 2^28 steps across), as is each overlap that is counted.
 // (3) The choice has the least expected cost of all kinds that doubles can hold, the earlier kind where two are equal.
 // No points throw InvalidShape, as does a negative cost; NaN and infinities throw NonFinite.
-// Source: RTCD 4.1 (figure 4.2), 4.2.4, 4.6.4.  Cost: the hull, and each kind's fit for each of the placements: some
-// tens of milliseconds for a thousand hull vertices.
+// Source: RTCD 4.1 (figure 4.2), 4.2.4, 4.6.4.
+// Cost: the hull, and each kind's fit for each of the placements: some tens of milliseconds for a thousand hull
+// vertices.
 #pragma once
 
 #include <array>

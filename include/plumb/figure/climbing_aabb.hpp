@@ -4,7 +4,8 @@
 // only the time depends on them.  (2) A vertex is left for a neighbor only where the neighbor certainly lies farther;
 // where neighbors lie equally far, all that are reached so are looked at, so that no plateau stops the climb.
 // A polyhedron without faces throws InvalidShape; NaN and infinities throw NonFinite.
-// Source: RTCD 4.2.5.  Cost: six visits to the neighbors of a vertex where nothing changed.
+// Source: RTCD 4.2.5.
+// Cost: six visits to the neighbors of a vertex where nothing changed.
 #pragma once
 
 #include <array>

@@ -8,9 +8,9 @@
 // change nothing.
 // A number that is NaN or infinite throws NonFinite naming it ("contains: sphere.radius is nan, not a real number"), a
 // negative radius throws InvalidShape.
-// Source: RTCD 3.4, 3.5, 3.6, 4.2, 4.3, 4.4, 4.5, 4.6, 4.7.  Cost: comparisons for axis-aligned boxes, inline; a call
-// and the filters of one to six formulas for the others, the exact stages (docs/proof.md) where a point is on the
-// boundary or all but so.
+// Source: RTCD 3.4, 3.5, 3.6, 4.2, 4.3, 4.4, 4.5, 4.6, 4.7.
+// Cost: comparisons for axis-aligned boxes, inline; a call and the filters of one to six formulas for the others, the
+// exact stages (docs/proof.md) where a point is on the boundary or all but so.
 #pragma once
 
 #include <concepts>

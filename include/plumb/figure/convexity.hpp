@@ -10,7 +10,8 @@
 // line from there to each vertex, and bends outward at no ridge is convex (a covering of the sphere without branches is
 // one to one): so an extruded pentagram is refused, capped in whatever way.
 // Fewer than three vertices, and indices out of range, throw InvalidShape; NaN and infinity NonFinite.
-// Source: RTCD 3.7.1, 3.8.1; Mehlhorn et al., Checking geometric programs, 1999.  Cost: linear in the corners.
+// Source: RTCD 3.7.1, 3.8.1; Mehlhorn et al., Checking geometric programs, 1999.
+// Cost: linear in the corners.
 #pragma once
 
 #include <cstdint>

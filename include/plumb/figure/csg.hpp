@@ -15,8 +15,9 @@
 // (3) contains is `locate is not outside`, whether told or not; locate never leaves that open.  (4) a | b, a & b do not
 // depend on order, ~~a is a, ~(a | b) is ~a & ~b, a - b is a & ~b.
 // A leaf is taken at its word, and looked at when it is made: NonFinite and InvalidShape are thrown then, by its
-// locate. Source: RTCD 2.2.1; Requicha 1980 for regularized sets.  Cost: each leaf is asked once; a tree is a value,
-// and combining two copies their steps, not the shapes.
+// locate.
+// Source: RTCD 2.2.1; Requicha 1980 for regularized sets.
+// Cost: each leaf is asked once; a tree is a value, and combining two copies their steps, not the shapes.
 #pragma once
 
 #include <cstdint>

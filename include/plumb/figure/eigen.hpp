@@ -6,7 +6,8 @@
 //
 // Laws: numbers are copied bit by bit: there and back changes nothing; float widens exactly.  A matrix of another size
 // does not compile, or fails Eigen's assertion where its size is dynamic.
-// Source: Eigen 3.4's manual; cost: a copy.
+// Source: Eigen 3.4's manual.
+// Cost: a copy.
 #pragma once
 
 #include <Eigen/Core>

@@ -7,7 +7,8 @@
 // the plane and 14 in space, and an aabb in another form is what box_forms.hpp makes of it: the same set, of pairs that
 // are `exactly` so.  A row that is none of the kind, and points in one plane of which a polyhedron is asked, throw
 // InvalidShape.
-// Source: RTCD 11.  Cost: that of copying, or of the hull.
+// Source: RTCD 11.
+// Cost: that of copying, or of the hull.
 #pragma once
 
 #include <cstring>

@@ -11,8 +11,9 @@
 //       end), 2 otherwise.
 // A coordinate that is NaN or infinite throws NonFinite: "convex_hull: points[17].y is nan, ...".
 // Source: RTCD 3.9.1 (Andrew 1979), 3.9.2 (quickhull; Barber, Dobkin and Huhdanpaa 1996); Akl and Toussaint 1978 for
-// the prefilter.  Cost: n log n for the chain; n log n as a rule for quickhull, n^2 at worst; the prefilter leaves out
-// most of points that fill an area in linear time before either.
+// the prefilter.
+// Cost: n log n for the chain; n log n as a rule for quickhull, n^2 at worst; the prefilter leaves out most of points
+// that fill an area in linear time before either.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,8 @@
 // around it in the set.  The converse holds where the gradient is not zero on the surface f = 0: a point of it that is
 // a maximum of f, such as any of f = -x x at x = 0, is called boundary though all around it is in the set.
 // A number that is NaN or infinite throws NonFinite.
-// Source: RTCD 2.2.1.  Cost: that of sign_of for the polynomial.
+// Source: RTCD 2.2.1.
+// Cost: that of sign_of for the polynomial.
 #pragma once
 
 #include <array>

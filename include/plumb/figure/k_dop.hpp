@@ -7,10 +7,10 @@
 // symmetric; a k-DOP that contains a point has a location for it, that of all halfspaces.
 // Interval ends of the wrong number, and two k-DOPs of different directions, throw InvalidShape, as do no points and a
 // direction that is zero; NaN and infinities throw NonFinite; an interval that no double ends throws BeyondDoubles.
-// Source: RTCD 4.6, 4.6.2, 4.6.3, 4.6.4, 6.5.4.  Cost: intervals_overlap that of the plain test; relate the same where
-// some interval is disjoint, else below a microsecond for a linear program in doubles of which the outcome is proved,
-// some microseconds where sets touch, up to a millisecond in rationals where one is flat; moves,
-// measures: milliseconds.
+// Source: RTCD 4.6, 4.6.2, 4.6.3, 4.6.4, 6.5.4.
+// Cost: intervals_overlap that of the plain test; relate the same where some interval is disjoint, else below a
+// microsecond for a linear program in doubles of which the outcome is proved, some microseconds where sets touch, up to
+// a millisecond in rationals where one is flat; moves, measures: milliseconds.
 #pragma once
 
 #include <memory>

@@ -2,7 +2,8 @@
 //
 // Laws: a line or ray of zero direction is its point; a segment of equal ends is that point.  Which end of a segment is
 // named first does not matter to the set of points.
-// Source: RTCD 3.5; cost: none.
+// Source: RTCD 3.5.
+// Cost: none.
 #pragma once
 
 #include "plumb/arith/point.hpp"

@@ -9,9 +9,9 @@
 // vertices for centroid.  (7) Flat solids have both their sides for surface, as if they were very thin.
 // Volume and surface of oriented boxes in space are in figure/obb.hpp, of k-DOPs in figure/k_dop.hpp.
 // NaN and infinity throw NonFinite; negative radii, fewer than three vertices, open meshes: InvalidShape.
-// Source: RTCD 3.4, 3.7, 3.8; Steiner's formula for what is swept by a ball.  Cost: linear, by pairs of doubles: some
-// 50 ns a vertex of a polygon, 0.2 to 0.4 us a face of a mesh (which is looked through for open edges, by sorting),
-// 0.1 to 0.5 us a solid; integers where these leave a doubt.
+// Source: RTCD 3.4, 3.7, 3.8; Steiner's formula for what is swept by a ball.
+// Cost: linear, by pairs of doubles: some 50 ns a vertex of a polygon, 0.2 to 0.4 us a face of a mesh (which is looked
+// through for open edges, by sorting), 0.1 to 0.5 us a solid; integers where these leave a doubt.
 #pragma once
 
 #include <span>

@@ -2,7 +2,8 @@
 //
 // Laws: an index is always in range; anything else a file from the wild holds is allowed: repeated vertices, faces of
 // zero area, edges with one face or five.  Coordinates are the doubles of the file, unchanged.
-// Source: RTCD 2.2.1, 12; cost: none.
+// Source: RTCD 2.2.1, 12.
+// Cost: none.
 #pragma once
 
 #include <array>

@@ -5,10 +5,13 @@
 // has the least volume of all, up to the roundings of its axes and of the search, which compares volumes in doubles;
 // where the hull has more vertices than the search is asked to take, it is the best that local steps find.  (4) The
 // result depends on the points alone.  Points in a plane, on a line or in one place get a flat box; equal points do not
-// matter. No points throw InvalidShape; NaN and infinities throw NonFinite; a box that doubles cannot hold throws
-// BeyondDoubles. Source: O'Rourke, "Finding minimal enclosing boxes", 1985; RTCD 4.4.3; Freeman and Shapira 1975,
-// Toussaint 1983 for the plane.  Cost: the hull; then about quadratic in its edges, some tens of milliseconds for a
-// thousand vertices; the plane n log n.
+// matter.
+// No points throw InvalidShape; NaN and infinities throw NonFinite; a box that doubles cannot hold throws
+// BeyondDoubles.
+// Source: O'Rourke, "Finding minimal enclosing boxes", 1985; RTCD 4.4.3; Freeman and Shapira 1975, Toussaint 1983 for
+// the plane.
+// Cost: the hull; then about quadratic in its edges, some tens of milliseconds for a thousand vertices; the plane n log
+// n.
 #pragma once
 
 #include <span>

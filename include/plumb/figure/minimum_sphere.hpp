@@ -8,11 +8,12 @@
 // there.  (4) The ball of a part is never larger than that of the whole.
 // (5) Of balls likewise: the support is of balls that the smallest one touches from within, no fewer of which hold it.
 // No points or balls, and a negative radius, throw InvalidShape; NaN and infinity throw NonFinite; a radius that no
-// double holds throws BeyondDoubles.  Source: RTCD 4.3.5; Welzl 1991; Gaertner 1999 for the pivot, the farthest point;
-// Fischer and Gaertner 2003 for balls.  Doubles propose it, exact signs decide everything.  Cost: some passes over the
-// points at 1 to 2 ns a point, and some 20 us; where many points lie on the boundary or off it by ulps, an exact sign
-// for each of them.  Of balls some passes at 5 ns a ball in doubles, and 0.1 ms in rationals that prove what these
-// found; some ms where they did not.
+// double holds throws BeyondDoubles.
+// Source: RTCD 4.3.5; Welzl 1991; Gaertner 1999 for the pivot, the farthest point; Fischer and Gaertner 2003 for balls.
+// Doubles propose it, exact signs decide everything.
+// Cost: some passes over the points at 1 to 2 ns a point, and some 20 us; where many points lie on the boundary or off
+// it by ulps, an exact sign for each of them.  Of balls some passes at 5 ns a ball in doubles, and 0.1 ms in rationals
+// that prove what these found; some ms where they did not.
 #pragma once
 
 #include <cstdint>

@@ -9,9 +9,10 @@
 //       (4) minkowski_sum(a, b) and minkowski_sum(b, a) have the same points.
 // Polygons are convex chains, of either orientation, with repeated vertices and straight angles, or lie on one line;
 // another polygon throws InvalidShape.  For spans, and for polyhedra, the shape is the convex hull of the points.
-// Source: RTCD 3.11 (figures 3.26, 3.27).  Cost: for polygons linear: their edges are merged in angular order.  In
-// space that of both hulls, and for each vertex of the sum, met along the edges, k log k signs of degree 3 or 2 for the
-// k edges that leave its two points: linear in the size of the sum, but for such factors.
+// Source: RTCD 3.11 (figures 3.26, 3.27).
+// Cost: for polygons linear: their edges are merged in angular order.  In space that of both hulls, and for each vertex
+// of the sum, met along the edges, k log k signs of degree 3 or 2 for the k edges that leave its two points: linear in
+// the size of the sum, but for such factors.
 #pragma once
 
 #include <cstdint>

@@ -6,8 +6,9 @@
 // exactly: half extents are rounded outward.  (3) Corners, volume and surface area are the exact ones, rounded once,
 // volume and surface area infinite beyond all doubles.
 // A coordinate that is NaN or infinite throws NonFinite; a box that doubles cannot hold throws BeyondDoubles.
-// Source: RTCD 4.4, 4.4.1, 4.4.2, 6.5.3.  Cost: relate about 20 ns where doubles decide, in the plane 10; a few
-// microseconds where boxes touch or are degenerate.
+// Source: RTCD 4.4, 4.4.1, 4.4.2, 6.5.3.
+// Cost: relate about 20 ns where doubles decide, in the plane 10; a few microseconds where boxes touch or are
+// degenerate.
 #pragma once
 
 #include <array>

@@ -4,8 +4,8 @@
 // rounding.  (3) The result depends on the points alone (and, of principal axes of points, on their order by rounding
 // alone).  Any points will do: equal, collinear, coplanar, of any magnitude.  No points throw InvalidShape; NaN and
 // infinities throw NonFinite; a box that doubles cannot hold throws BeyondDoubles.
-// Source: RTCD 4.4.3, 4.4.4, 4.4.5; Gottschalk 2000 for the continuous covariance.  Cost: linear in the points; those
-// that ask for the hull cost the hull.
+// Source: RTCD 4.4.3, 4.4.4, 4.4.5; Gottschalk 2000 for the continuous covariance.
+// Cost: linear in the points; those that ask for the hull cost the hull.
 #pragma once
 
 #include <span>

@@ -2,7 +2,8 @@
 //
 // Laws: the numbers are taken as they are: a normal need not have length one.  With a zero normal, normal . x is zero
 // everywhere, and the set is all of space or nothing.  An intersection of no halfspaces is all of space.
-// Source: RTCD 3.6, 4.6, 4.6.1, 3.7 (figure 3.16); cost: none.
+// Source: RTCD 3.6, 4.6, 4.6.1, 3.7 (figure 3.16).
+// Cost: none.
 #pragma once
 
 #include <vector>

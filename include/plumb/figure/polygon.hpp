@@ -4,7 +4,8 @@
 // times (the holes' chains counted with the outer one); whatever lies on a chain is boundary.  So any chain is a shape:
 // self-intersecting, with repeated and collinear vertices, of zero area.  Fewer than three vertices are none, and who
 // is asked about them throws InvalidShape.  A polygon in space is planar where its vertices are, exactly.
-// Source: RTCD 3.7 (figures 3.13 to 3.18); cost: none.
+// Source: RTCD 3.7 (figures 3.13 to 3.18).
+// Cost: none.
 #pragma once
 
 #include <vector>

@@ -3,10 +3,12 @@
 // Laws: (1) the definition of figure/polygon.hpp: whatever lies on a chain is boundary; elsewhere inside where all
 // chains together wind around the point an odd number of times.  (2) The order of the chain, its start, repeated
 // vertices and vertices on straight edges change nothing.  (3) In space a polygon is all boundary
-// (figure/relation.hpp); locate_in_plane tells its edge from its inside.  A point off its plane is outside. Fewer than
-// three vertices in a chain throw InvalidShape; so do vertices that are not exactly in one plane, of which no surface
-// is known.  NaN and infinity throw NonFinite. Source: RTCD 3.7, 5.4.1.  Cost: linear, a nanosecond a corner and three
-// an edge as high as the point; logarithmic for convex polygons asked many times: query/convex_location.hpp.
+// (figure/relation.hpp); locate_in_plane tells its edge from its inside.  A point off its plane is outside.
+// Fewer than three vertices in a chain throw InvalidShape; so do vertices that are not exactly in one plane, of which
+// no surface is known.  NaN and infinity throw NonFinite.
+// Source: RTCD 3.7, 5.4.1.
+// Cost: linear, a nanosecond a corner and three an edge as high as the point; logarithmic for convex polygons asked
+// many times: query/convex_location.hpp.
 #pragma once
 
 #include <optional>

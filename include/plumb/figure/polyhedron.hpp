@@ -3,7 +3,8 @@
 // Laws: (1) what convex_polyhedron returns is proved convex by exact signs (figure/convexity.hpp); the mesh is
 // unchanged. (2) A point is inside when it is strictly below every face, outside when it is above some.
 // convex_polyhedron throws InvalidShape where the mesh is not convex, naming the face, the ridge or the vertex.
-// Source: RTCD 3.8, 3.8.1.  Cost: O(n log n), by sorting edges; locate is linear in the faces.
+// Source: RTCD 3.8, 3.8.1.
+// Cost: O(n log n), by sorting edges; locate is linear in the faces.
 #pragma once
 
 #include "plumb/figure/convex_polyhedron.hpp"

@@ -5,9 +5,11 @@
 // of the quantized copy is the lattice point nearest to the one it stands for, of two as near the one farther from
 // zero: a multiple of 2^exponent in every coordinate.  (3) largest_displacement is the largest distance that a vertex
 // moved, rounded up once; so every point of a face moved by at most that, and the mesh lies within that distance of the
-// copy. (4) A vertex that is on the lattice stays; quantizing the copy again changes nothing. A mesh without vertices
-// and bits outside of 1 to 52 throw InvalidShape, as does a triangle that names no vertex; NaN and infinities throw
-// NonFinite. Source: RTCD 2.2.2, 4.1, 4.6.2, 11.5.1.  Cost: that of the hull; the copy some 10 ns a vertex.
+// copy. (4) A vertex that is on the lattice stays; quantizing the copy again changes nothing.
+// A mesh without vertices and bits outside of 1 to 52 throw InvalidShape, as does a triangle that names no vertex; NaN
+// and infinities throw NonFinite.
+// Source: RTCD 2.2.2, 4.1, 4.6.2, 11.5.1.
+// Cost: that of the hull; the copy some 10 ns a vertex.
 #pragma once
 
 #include "plumb/figure/hull3.hpp"

@@ -4,7 +4,8 @@
 // plane for 2D types, space for 3D types) lies in the shape, so a shape without interior, a segment or flat box in
 // space, is all boundary.  Two shapes overlap where their interiors do, taking a shape without interior for its
 // interior relative to its own affine hull; they touch where they only have boundary points in common.
-// Source: RTCD 4.2.1, 5.2; cost: none.
+// Source: RTCD 4.2.1, 5.2.
+// Cost: none.
 #pragma once
 
 #include "plumb/figure/asked.hpp"

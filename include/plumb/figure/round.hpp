@@ -2,7 +2,8 @@
 //
 // Laws: a shape is the closed set that its numbers say.  A radius or half extent of zero is a shape; a negative radius
 // is none, and who is asked about it throws InvalidShape.  Of half extents the magnitude counts.
-// Source: RTCD 4.3, 4.5, 4.7; cost: none.
+// Source: RTCD 4.3, 4.5, 4.7.
+// Cost: none.
 #pragma once
 
 #include <array>

@@ -11,8 +11,9 @@
 // (b, a) are each other's negative, a midpoint does not depend on the order.  (3) rounded_lerp is a for t = 0 and b for
 // t = 1, for other t between them or beyond, as t is.
 // NaN and infinity throw NonFinite, by name.
-// Source: RTCD 3.2, 3.3.  Cost: that of the plain operation for sums, differences and midpoints;
-// some 20 ns a number for the others (certify/rounded.hpp).
+// Source: RTCD 3.2, 3.3.
+// Cost: that of the plain operation for sums, differences and midpoints; some 20 ns a number for the others
+// (certify/rounded.hpp).
 #pragma once
 
 #include <optional>

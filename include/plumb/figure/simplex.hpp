@@ -1,7 +1,8 @@
 // What do three or four points span?  Triangles and tetrahedra: the smallest convex sets that hold their corners.
 //
 // Laws: any corners will do; a triangle may be a segment or a point, a tetrahedron flat.
-// Source: RTCD 3.4, 3.8 (figure 3.20); cost: none.
+// Source: RTCD 3.4, 3.8 (figure 3.20).
+// Cost: none.
 #pragma once
 
 #include "plumb/arith/point.hpp"

@@ -5,10 +5,11 @@
 // that is the only one is told by the doubles nearest to its components, each rounded once.  (3) Every entry of an
 // inverse is the double nearest to the exact one; a singular matrix has none.  (4) A determinant is the double nearest
 // to its value; its sign, where that is nearest to zero, is told by determinant_sign.  (5) Multiplying an equation by a
-// power of two, or swapping two, changes nothing. A number beyond the doubles throws BeyondDoubles, NaN and infinity
-// NonFinite; both name it. A matrix that moves points is a Pose (arith/pose.hpp), which is not rounded; the signs alone
-// are in certify/determinant_sign.hpp. Source: RTCD 3.1.4, 3.1.5.  Cost: N + 1 determinants by pairs of doubles, some
-// 100 ns to 1 us; an inverse N times that.
+// power of two, or swapping two, changes nothing.
+// A number beyond the doubles throws BeyondDoubles, NaN and infinity NonFinite; both name it. A matrix that moves
+// points is a Pose (arith/pose.hpp), which is not rounded; the signs alone are in certify/determinant_sign.hpp.
+// Source: RTCD 3.1.4, 3.1.5.
+// Cost: N + 1 determinants by pairs of doubles, some 100 ns to 1 us; an inverse N times that.
 #pragma once
 
 #include <optional>

@@ -4,8 +4,9 @@
 // (2) Nothing of it is rounded: locate and compare_radius are exact, center and radius are rounded once.  (3) The order
 // of the points changes nothing.  (4) Points that span no such ball (equal, collinear, coplanar: more of them than the
 // dimension of their hull and one) throw InvalidShape; NaN and infinity throw NonFinite.
-// Source: RTCD 4.3.5, 3.1.6.4.  Cost: locate that of the signs in certify/smallest_sphere.hpp and insphere; center some
-// 100 ns; compare_radius the same, and about 10 us where intervals leave doubt.
+// Source: RTCD 4.3.5, 3.1.6.4.
+// Cost: locate that of the signs in certify/smallest_sphere.hpp and insphere; center some 100 ns; compare_radius the
+// same, and about 10 us where intervals leave doubt.
 #pragma once
 
 #include <array>

@@ -8,8 +8,9 @@
 // some ulps, and by what the center is off.
 // A negative radius and an empty span throw InvalidShape; NaN and infinity throw NonFinite, naming the part; a bound
 // that no double holds throws BeyondDoubles.
-// Source: RTCD 4.3, 4.3.1, 6.5.2.  Cost: relate and intersects about that of the plain test, inline; merge some 300 ns;
-// transform some 10 us, nearly all for the stretch.
+// Source: RTCD 4.3, 4.3.1, 6.5.2.
+// Cost: relate and intersects about that of the plain test, inline; merge some 300 ns; transform some 10 us, nearly all
+// for the stretch.
 #pragma once
 
 #include <array>

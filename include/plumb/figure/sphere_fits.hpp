@@ -4,9 +4,10 @@
 // point from it, rounded up once.  (2) The same points in the same order give the same sphere, everywhere.  (3) All
 // equal points give radius 0.
 // No points throw InvalidShape; NaN and infinity throw NonFinite; a radius that no double holds throws BeyondDoubles.
-// Source: RTCD 4.3.2 (box midpoint; Ritter 1990), 4.3.3 (Wu 1992), 4.3.4.  Cost: two passes over the points for the
-// box, four for Ritter, six for the principal axis, two and one for each iteration; a pass costs 1 to 3 ns a point.
-// How tight they are: docs/bounds.md.  The smallest of all, minimum_sphere, often costs no more.
+// Source: RTCD 4.3.2 (box midpoint; Ritter 1990), 4.3.3 (Wu 1992), 4.3.4.
+// Cost: two passes over the points for the box, four for Ritter, six for the principal axis, two and one for each
+// iteration; a pass costs 1 to 3 ns a point.  How tight they are: docs/bounds.md.  The smallest of all, minimum_sphere,
+// often costs no more.
 #pragma once
 
 #include <span>

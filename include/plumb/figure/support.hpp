@@ -21,9 +21,9 @@
 // Errors: NonFinite by name ("support_point: sphere.radius is nan, ..."); InvalidShape for no points, a negative
 // radius, a polygon of fewer than three vertices, a box whose min exceeds its max; BeyondDoubles where a rounded
 // coordinate would be infinite.
-// Source: RTCD 3.8, 4.2.5 (figure 4.7).  Cost: a sign of degree 2 for each vertex or
-// axis, and for the numbers of round shapes pairs of doubles, some 100 ns; integers where these leave a doubt, some 100
-// us.
+// Source: RTCD 3.8, 4.2.5 (figure 4.7).
+// Cost: a sign of degree 2 for each vertex or axis, and for the numbers of round shapes pairs of doubles, some 100 ns;
+// integers where these leave a doubt, some 100 us.
 #pragma once
 
 #include <cstdint>

@@ -10,9 +10,9 @@
 // are all equal, give a radius of zero.
 // No points and a negative radius throw InvalidShape; NaN and infinities throw NonFinite; a bound that no double holds
 // throws BeyondDoubles.
-// Source: RTCD 4.5, 4.5.1; Larsen and others 1999 for lozenges.  Cost: relate of capsules some 25 ns and of
-// lozenges some 150 ns where a plane between them or two points near to one another prove the answer; exact integers
-// where shapes touch, up to a millisecond.  A fit some 100 ns a point.
+// Source: RTCD 4.5, 4.5.1; Larsen and others 1999 for lozenges.
+// Cost: relate of capsules some 25 ns and of lozenges some 150 ns where a plane between them or two points near to one
+// another prove the answer; exact integers where shapes touch, up to a millisecond.  A fit some 100 ns a point.
 #pragma once
 
 #include <span>

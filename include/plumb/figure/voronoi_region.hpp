@@ -7,8 +7,9 @@
 // (3) Degenerate shapes are shapes: of a triangle that is a segment only vertices and edges are ever nearest; of equal
 // corners the first.  (4) The start of the walk about a polyhedron changes the time, never the answer.
 // An empty box or polyhedron throws InvalidShape, NaN and infinity NonFinite, by name.
-// Source: RTCD 3.10 (figures 3.24, 3.25), 5.1.5 (figures 5.5, 5.6).  Cost: a triangle 2 to 9 signs of degree 2 to 4; an
-// axis-aligned box comparisons only; an oriented box up to a hundred signs; a polyhedron a walk.
+// Source: RTCD 3.10 (figures 3.24, 3.25), 5.1.5 (figures 5.5, 5.6).
+// Cost: a triangle 2 to 9 signs of degree 2 to 4; an axis-aligned box comparisons only; an oriented box up to a hundred
+// signs; a polyhedron a walk.
 #pragma once
 
 #include <cstdint>

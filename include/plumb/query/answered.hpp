@@ -1,6 +1,7 @@
 // What is said to a question of query/ that has no answer for these figures?  One sentence each.
 //
-// Laws: those of figure/answered.hpp.  Cost: compile time only.
+// Laws: those of figure/answered.hpp.
+// Cost: compile time only.
 #pragma once
 
 #include <optional>

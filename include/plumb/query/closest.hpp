@@ -15,12 +15,13 @@
 // outer one first, an edge by the vertex that it leaves; a rectangle's, and a box's in the plane, are numbered as a
 // box's, an edge 2 times its axis, plus 1 at the upper end of the other; a capsule's side is face 0, its ends about
 // a and b are faces 1 and 2; a lozenge's plates are face 0, what is about the edges and corners of its core, numbered
-// as a rectangle's, faces 1 to 4 and 5 to 8. In the plane the inside is face 0, the boundary of a disk edge 0, those of
-// a capsule edges 0 to 2.
+// as a rectangle's, faces 1 to 4 and 5 to 8.
+// In the plane the inside is face 0, the boundary of a disk edge 0, those of a capsule edges 0 to 2.
 // An empty box or plane, a negative radius and a polygon in space that is not planar throw InvalidShape; NaN and
 // infinity throw NonFinite, naming the part.
 // Source: RTCD 5.1.1, 5.1.2, 5.1.2.1, 5.1.3, 5.1.3.1, 5.1.4, 5.1.4.1, 5.1.4.2, 5.1.5, 5.1.6, 5.1.7 (figures 5.1 to
-// 5.6).  Cost: docs/closest.md.
+// 5.6).
+// Cost: docs/closest.md.
 #pragma once
 
 #include <array>

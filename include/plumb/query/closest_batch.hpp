@@ -2,8 +2,10 @@
 //
 // Laws: (1) the item of least distance in real arithmetic, of equally near ones the lowest; `distance` is that of
 // query/closest.hpp.  (2) The same answer on every instruction set.  An empty batch throws InvalidShape, NaN and
-// infinity throw NonFinite, naming the item. Source: RTCD 5.1.2, 5.1.5.  Cost: a pass over doubles in lanes, with
-// bounds; exact comparisons only among items that the bounds cannot tell apart.
+// infinity throw NonFinite, naming the item.
+// Source: RTCD 5.1.2, 5.1.5.
+// Cost: a pass over doubles in lanes, with bounds; exact comparisons only among items that the bounds cannot tell
+// apart.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,8 @@
 // or ray of zero direction is its point, and that is its vertex 0; of a triangle without area only vertices and edges
 // are named.
 // compare_distance (query/closest.hpp) compares any of these.  NaN and infinity throw NonFinite, naming the part.
-// Source: RTCD 5.1.8, 5.1.9, 5.1.10, 5.1.11 (figures 5.8 to 5.13); the rule of ties is ours.  Cost: docs/closest.md.
+// Source: RTCD 5.1.8, 5.1.9, 5.1.10, 5.1.11 (figures 5.8 to 5.13); the rule of ties is ours.
+// Cost: docs/closest.md.
 #pragma once
 
 #include <array>

@@ -4,7 +4,8 @@
 // vertex 0, a plane and the surface of a ball are face 0); coordinates and the distance are the exact values, each
 // rounded once to the nearest double, infinite where they are beyond all doubles.  A solid contains its inside: there
 // the distance is zero, both points are the same, and its feature is the interior.
-// Source: RTCD 5.1; cost: none.
+// Source: RTCD 5.1.
+// Cost: none.
 #pragma once
 
 #include "plumb/arith/point.hpp"

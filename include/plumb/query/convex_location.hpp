@@ -6,9 +6,10 @@
 // Laws: (1) what locate(polygon, p) says (figure/polygon_location.hpp), for convex polygons of any orientation, with
 // repeated vertices and vertices on straight edges; all vertices on one line or at one place are that segment or point,
 // all boundary.  (2) Two signs decide: to which side of the longest diagonal, and of one edge, which comparing
-// coordinates finds. A polygon that is not convex, or of fewer than three vertices, throws InvalidShape, NaN and
-// infinity NonFinite. Source: RTCD 5.4.1 (figure 5.28), by x instead of by fans, which takes two signs instead of log
-// n.  Cost: linear once; log n comparisons and two signs a point.
+// coordinates finds.
+// A polygon that is not convex, or of fewer than three vertices, throws InvalidShape, NaN and infinity NonFinite.
+// Source: RTCD 5.4.1 (figure 5.28), by x instead of by fans, which takes two signs instead of log n.
+// Cost: linear once; log n comparisons and two signs a point.
 #pragma once
 
 #include <cstddef>

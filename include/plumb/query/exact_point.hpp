@@ -13,8 +13,9 @@
 // (4) A point keeps its nearest doubles from the first question on, copies keep them too; any thread may ask.
 // A construction without a point throws DegeneratePoint, a coordinate whose nearest double is infinite BeyondDoubles
 // where it is to be rounded, NaN and infinity NonFinite.
-// Source: RTCD 5.1.9.1, 5.3.1, 5.4.5.  Cost: some 100 ns once a point, 2 to 20 ns a question; microseconds once a point
-// that equals another or lies on a line or plane with others, some 100 ns for each such question after that.
+// Source: RTCD 5.1.9.1, 5.3.1, 5.4.5.
+// Cost: some 100 ns once a point, 2 to 20 ns a question; microseconds once a point that equals another or lies on a
+// line or plane with others, some 100 ns for each such question after that.
 #pragma once
 
 #include <compare>

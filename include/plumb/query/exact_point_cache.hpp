@@ -4,7 +4,8 @@
 // nothing or the same bits, and none waits.  (2) order_by_doubles is the lexicographic order of the points wherever it
 // is certain: rounding to nearest is monotone, so doubles that differ stand as the coordinates do.
 // Source: Ziv 1991; the idea of numbers that keep an approximation is that of lazy exact arithmetic (Pion and Fabri
-// 2011).  Cost: a load and a comparison a coordinate.
+// 2011).
+// Cost: a load and a comparison a coordinate.
 #pragma once
 
 #include <array>

@@ -15,8 +15,9 @@
 // or as LinePlanePoint3; as rational points where a plane is given by its normal, a box is oriented, or no doubles hold
 // the point + direction of a line or ray.
 // NaN and infinity throw NonFinite, by name.
-// Source: RTCD 5.2.9, 5.2.10, 5.3.1, 5.3.3, 5.3.4, 5.3.6, 5.3.8; docs/intersection.md.  Cost: 12 to 50 ns for segments
-// and triangles in general position and where a plane is missed; else microseconds, tens where exact integers decide.
+// Source: RTCD 5.2.9, 5.2.10, 5.3.1, 5.3.3, 5.3.4, 5.3.6, 5.3.8; docs/intersection.md.
+// Cost: 12 to 50 ns for segments and triangles in general position and where a plane is missed; else microseconds, tens
+// where exact integers decide.
 #pragma once
 
 #include "plumb/figure/convex_polyhedron.hpp"

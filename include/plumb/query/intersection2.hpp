@@ -12,8 +12,9 @@
 // direction its point.  (4) Corners are held as points as given or as LineLinePoint2 unless the figure is a line or
 // ray whose point + direction no doubles hold.
 // A polygon that is not convex or has fewer than three vertices throws InvalidShape, NaN and infinity NonFinite.
-// Source: RTCD 5.1.9.1, 5.3.3; docs/intersection.md.  Cost: 17 to 80 ns for segments and triangles in general position;
-// else a microsecond or some, tens where exact integers decide.
+// Source: RTCD 5.1.9.1, 5.3.3; docs/intersection.md.
+// Cost: 17 to 80 ns for segments and triangles in general position; else a microsecond or some, tens where exact
+// integers decide.
 #pragma once
 
 #include "plumb/figure/box.hpp"

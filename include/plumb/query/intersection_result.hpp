@@ -5,7 +5,8 @@
 // segment ascend lexicographically.  Those of a polygon turn counterclockwise once around, beginning with the
 // lexicographically smallest; in space as seen from the side of coplanar_orientation.  So equal sets are told alike,
 // whichever figure is named first.  (3) A ray is told by its origin and one further point of it, a line by two points.
-// Source: RTCD 5.3, 5.4; cost: none.
+// Source: RTCD 5.3, 5.4.
+// Cost: none.
 #pragma once
 
 #include <vector>

@@ -10,7 +10,8 @@
 // what the motion says, for no rounding of the computation here can hide a contact.  (2) The span is no longer than the
 // resolution; that they do meet in it is not said.  (3) Its ends are multiples of a power of two.
 // A distance or speed that is NaN or negative says nothing; a resolution that is not positive throws Error.
-// Source: RTCD 5.5.1.  Cost: two halves for each span that cannot be told apart; what the motion costs.
+// Source: RTCD 5.5.1.
+// Cost: two halves for each span that cannot be told apart; what the motion costs.
 #pragma once
 
 #include <optional>

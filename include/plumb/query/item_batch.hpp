@@ -1,7 +1,8 @@
 // Many points, segments or triangles, coordinate by coordinate, for the lanes of vectors.
 //
 // Law: the numbers are looked through when a batch is made, not when it is asked: NonFinite names the item.
-// Source: RTCD 13.7.  Cost: a copy.
+// Source: RTCD 13.7.
+// Cost: a copy.
 #pragma once
 
 #include <array>

@@ -13,7 +13,8 @@
 //   hull                            size_t f(const double* points, size_t n, size_t* triangles, size_t capacity)
 //
 // Laws: those of degenerate/kind.hpp; figures are closed sets, and degenerate ones the sets they are.
-// Source: RTCD 11; cost: a table.
+// Source: RTCD 11.
+// Cost: a table.
 #pragma once
 
 #include <span>

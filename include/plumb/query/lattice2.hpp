@@ -11,7 +11,8 @@
 // integers up to 62.  (3) Points that another lattice took in throw OffLattice: no wrong input gets an answer.
 // Spans of different lengths throw UnequalLengths, a polygon of fewer than three vertices InvalidShape.
 // The kernel must outlive its tests.
-// Source: RTCD 11.5.3, 5.1.9.1, 5.4.1, 5.4.2.  Cost: docs/intersection.md.
+// Source: RTCD 11.5.3, 5.1.9.1, 5.4.1, 5.4.2.
+// Cost: docs/intersection.md.
 #pragma once
 
 #include <span>

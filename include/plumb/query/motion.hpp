@@ -2,7 +2,8 @@
 //
 // Laws: a moving figure is what its shapes say at every time; nothing is rounded on the way.  One that does not move is
 // one whose motion is zero.
-// Source: RTCD 2.4.3, 5.5; cost: none.
+// Source: RTCD 2.4.3, 5.5.
+// Cost: none.
 #pragma once
 
 #include "plumb/arith/point.hpp"

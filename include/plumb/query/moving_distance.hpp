@@ -7,9 +7,10 @@
 // For pairs that distance(a, b) answers (query/closest.hpp, closest_pairs.hpp) and first_contact does not.
 // Laws: those of query/interval_halving.hpp, with the distances of the figures themselves: nothing means that they
 // never meet in [0, 1], and a span that they do not meet before it.  Places at a time between are rounded, by no more
-// than is taken off the distance. NaN and infinity throw NonFinite, what is no shape InvalidShape, by name. Source:
-// RTCD 5.5.1.  Cost: two distances for each span that cannot be told apart, some tens of them where figures come close
-// or meet.
+// than is taken off the distance.
+// NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
+// Source: RTCD 5.5.1.
+// Cost: two distances for each span that cannot be told apart, some tens of them where figures come close or meet.
 #pragma once
 
 #include <cmath>

@@ -7,9 +7,11 @@
 // (4) Degenerate figures are the sets they are, an empty box meets nothing.  (5) The inside of a polygon is what its
 // chains wind around an odd number of times, without the chains; where they lie on one line it is the union of their
 // edges, and its inside that of this set on the line.
-// NaN and infinities throw NonFinite, naming the function and the part by the kind of its figure ("relate:
-// triangle.b.y is nan, ..."), of two of one kind by a and b; a negative radius, a polygon of fewer than three vertices
-// or one that is not exactly planar throw InvalidShape. Source: RTCD 5.2, 5.2.1.  Cost: docs/overlap.md.
+// NaN and infinities throw NonFinite, naming the function and the part by the kind of its figure ("relate: triangle.b.y
+// is nan, ..."), of two of one kind by a and b; a negative radius, a polygon of fewer than three vertices or one that
+// is not exactly planar throw InvalidShape.
+// Source: RTCD 5.2, 5.2.1.
+// Cost: docs/overlap.md.
 #pragma once
 
 #include "plumb/arith/error.hpp"

@@ -5,8 +5,9 @@
 // (4) What is degenerate is the set it is: a triangle may be a segment or a point, a ray of zero direction is its
 // origin, a box flat, a point, or empty.  Declared once for each pair; query/overlap.hpp swaps the arguments.
 // NaN and infinities throw NonFinite, naming the part.
-// Source: RTCD 5.1.9.1, 5.2.1, 5.2.10, 5.3.3.  Cost: 5 to 15 ns for segments and triangles where doubles decide;
-// signs of degree 2: some eight for a triangle and a box.
+// Source: RTCD 5.1.9.1, 5.2.1, 5.2.10, 5.3.3.
+// Cost: 5 to 15 ns for segments and triangles where doubles decide; signs of degree 2: some eight for a triangle and a
+// box.
 #pragma once
 
 #include "plumb/figure/box.hpp"

@@ -2,9 +2,10 @@
 //
 // Laws: (1) the answers are those of intersects, one by one, on every instruction set.  (2) The numbers of the many are
 // looked through when the batch is made: NonFinite names the item; those of the one when it is asked.  A span of
-// another length throws UnequalLengths. Source: RTCD 5.2.9, 5.3.3, 13.7.  Cost: some 2 to 5 ns an item with four lanes,
-// less where the axes of the boxes separate; the scalar test for those that doubles leave in doubt.  The best
-// instruction set that the processor has is taken.
+// another length throws UnequalLengths.
+// Source: RTCD 5.2.9, 5.3.3, 13.7.
+// Cost: some 2 to 5 ns an item with four lanes, less where the axes of the boxes separate; the scalar test for those
+// that doubles leave in doubt.  The best instruction set that the processor has is taken.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,8 @@
 // intersects is relate != disjoint.  (4) Boxes may be flat, segments or points, axis-aligned ones empty; triangles,
 // rays and lines degenerate.  Declared once for each pair; query/overlap.hpp swaps the arguments.
 // NaN and infinities throw NonFinite, naming the part.
-// Source: Akenine-Moller 2001; RTCD 5.2.1, 5.2.9, 5.3.3.  Cost: some 10 to 30 ns where doubles decide.
+// Source: Akenine-Moller 2001; RTCD 5.2.1, 5.2.9, 5.3.3.
+// Cost: some 10 to 30 ns where doubles decide.
 #pragma once
 
 #include "plumb/figure/box.hpp"

@@ -6,7 +6,8 @@
 // no root is taken.  (2) With radius zero the shape is its axis; lines of zero direction are points, a normal of zero
 // says all of space or nothing, three points that span no plane are their line or their place.
 // A negative radius throws InvalidShape; NaN and infinities throw NonFinite, naming the part.
-// Source: RTCD 5.2.4, 5.3.7.  Cost: some 50 ns; about a microsecond in integers where shapes touch or all but do.
+// Source: RTCD 5.2.4, 5.3.7.
+// Cost: some 50 ns; about a microsecond in integers where shapes touch or all but do.
 #pragma once
 
 #include "plumb/figure/linear.hpp"

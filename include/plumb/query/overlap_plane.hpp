@@ -4,9 +4,10 @@
 // lies in a plane overlaps it, and touches the halfspaces that it bounds.  (2) Multiplying normal and offset by the
 // same positive number, where nothing is rounded, changes nothing.  (3) A plane of zero normal is all of space or
 // nothing; three points on one line are that line, or a point (figure/plane.hpp).  (4) Shapes may be flat, segments or
-// points, axis-aligned boxes empty.  Declared once for each pair; query/overlap.hpp swaps the arguments. NaN and
-// infinities throw NonFinite, naming the part. Source: RTCD 5.2.1, 5.2.3, 5.3.1.  Cost: one to four signs; two
-// for a box, of its corners along the normal.
+// points, axis-aligned boxes empty.  Declared once for each pair; query/overlap.hpp swaps the arguments.
+// NaN and infinities throw NonFinite, naming the part.
+// Source: RTCD 5.2.1, 5.2.3, 5.3.1.
+// Cost: one to four signs; two for a box, of its corners along the normal.
 #pragma once
 
 #include "plumb/figure/box.hpp"

@@ -11,9 +11,10 @@
 // and the plane's pairs are in query/overlap_round2.hpp.
 // A negative radius throws InvalidShape, as do polygons of fewer than three vertices in a chain or in no plane, and a
 // k-DOP of too many or too few ends; NaN and infinities throw NonFinite, naming the part.
-// Source: RTCD 4.3, 4.5.1, 5.2.2, 5.2.5, 5.2.6, 5.2.7, 5.2.8, 5.3.2.  Cost: a ball against a plane, a box with the axes
-// of space or a segment the filter of a formula or two; others some 20 to 200 ns for a guess in doubles that is proved;
-// where shapes touch or all but do some 100 us in rationals, for k-DOPs up to milliseconds.
+// Source: RTCD 4.3, 4.5.1, 5.2.2, 5.2.5, 5.2.6, 5.2.7, 5.2.8, 5.3.2.
+// Cost: a ball against a plane, a box with the axes of space or a segment the filter of a formula or two; others some
+// 20 to 200 ns for a guess in doubles that is proved; where shapes touch or all but do some 100 us in rationals, for
+// k-DOPs up to milliseconds.
 #pragma once
 
 #include <array>

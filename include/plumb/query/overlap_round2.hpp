@@ -2,7 +2,8 @@
 //
 // Laws: those of query/overlap_round.hpp.  The answer is that of the same figures in space, where distances are the
 // same; what has an inside in the plane has it relative to its affine hull there.
-// Source: RTCD 4.3, 4.5.1, 5.2.5, 5.2.8, 5.3.2.  Cost: that of query/overlap_round.hpp.
+// Source: RTCD 4.3, 4.5.1, 5.2.5, 5.2.8, 5.3.2.
+// Cost: that of query/overlap_round.hpp.
 #pragma once
 
 #include "plumb/figure/box.hpp"

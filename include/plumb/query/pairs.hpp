@@ -3,7 +3,8 @@
 // Laws: (1) a pair is named in the order of FigureKind; the other order is answered by it.  (2) relate and intersects
 // (query/overlap.hpp) take exactly the pairs whose method is not `absent`: the table is what their overloads are made
 // of, and docs/overlap.md shows it.
-// Source: RTCD 5.2.  Cost: none, all of it is constexpr.
+// Source: RTCD 5.2.
+// Cost: none, all of it is constexpr.
 #pragma once
 
 #include <array>

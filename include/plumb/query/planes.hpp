@@ -10,7 +10,8 @@
 // plane of zero normal is all of space or nothing, three points on one line are that line, at one place that point:
 // their intersection is answered, their arrangement is `degenerate`.
 // NaN and infinity throw NonFinite, by name.
-// Source: RTCD 5.4.4, 5.4.5 (figure 5.31).  Cost: some 10 us, rational arithmetic.
+// Source: RTCD 5.4.4, 5.4.5 (figure 5.31).
+// Cost: some 10 us, rational arithmetic.
 #pragma once
 
 #include <optional>

@@ -17,17 +17,19 @@
 // plus 1 at the upper end of the other); a sphere, plane or halfspace is face 0, three points on one line are edge 0,
 // equal ones vertex 0; a cylinder's side is face 0, its ends about a and b are faces 1 and 2, their circles edges 0 and
 // 1; a capsule likewise, without edges; slab i of a k-DOP has the faces 2 i at its min and 2 i + 1 at its max, and
-// neither edges nor vertices.  A quadrilateral's vertices are a to d, its edges ab, bc, cd, da. The normal is not
-// normalized, and points out of a solid: of the faces that hold the point that of the first one that faces the ray,
-// else of the first; zero where the feature is the interior.  Of a box it is a unit vector, of a plane, halfspace or
-// k-DOP the vector given, of balls and capsules the way from the center or axis to the point, of flat faces a cross
-// product: (b - a) x (c - a) of a triangle, whichever side is hit; of a quadrilateral of the first three of its corners
-// that are not on one line; of two axes, which of an oriented box are as long as given.  A shape without area has the
-// normal zero, a solid without inside that of its first face that is hit. An empty shape is never hit.
+// neither edges nor vertices.  A quadrilateral's vertices are a to d, its edges ab, bc, cd, da.
+// The normal is not normalized, and points out of a solid: of the faces that hold the point that of the first one that
+// faces the ray, else of the first; zero where the feature is the interior.  Of a box it is a unit vector, of a plane,
+// halfspace or k-DOP the vector given, of balls and capsules the way from the center or axis to the point, of flat
+// faces a cross product: (b - a) x (c - a) of a triangle, whichever side is hit; of a quadrilateral of the first three
+// of its corners that are not on one line; of two axes, which of an oriented box are as long as given.  A shape without
+// area has the normal zero, a solid without inside that of its first face that is hit.
+// An empty shape is never hit.
 // A negative radius, a quadrilateral that is not planar, a polyhedron without faces throw InvalidShape; NaN and
 // infinity throw NonFinite, by name.
-// Source: RTCD 5.3, 5.3.1 to 5.3.8.  Cost: some 0.2 us for a hit, half of it for rounding, less for a miss;
-// microseconds where pairs of doubles leave a doubt.  A yes or no alone: query/ray_hits.hpp.
+// Source: RTCD 5.3, 5.3.1 to 5.3.8.
+// Cost: some 0.2 us for a hit, half of it for rounding, less for a miss; microseconds where pairs of doubles leave a
+// doubt.  A yes or no alone: query/ray_hits.hpp.
 #pragma once
 
 #include <optional>

@@ -12,8 +12,9 @@
 // the ray does not run along, as long as the edge; zero where there is none.  Of circles and capsules it is the way
 // from the center or the axis to the point.
 // A negative radius or a chain of fewer than three vertices throws InvalidShape, NaN and infinity NonFinite, by name.
-// Source: RTCD 5.1.9.1, 5.3, 5.3.2, 5.3.3.  Cost: some 0.3 us a hit of a straight edge, 50 ns for each edge that is
-// missed; microseconds where pairs of doubles leave a doubt.
+// Source: RTCD 5.1.9.1, 5.3, 5.3.2, 5.3.3.
+// Cost: some 0.3 us a hit of a straight edge, 50 ns for each edge that is missed; microseconds where pairs of doubles
+// leave a doubt.
 #pragma once
 
 #include <optional>

@@ -4,8 +4,9 @@
 // that of the least exact parameter, and of equal ones that of the lowest number.  (3) The numbers are looked through
 // when a batch is made, not when it is asked: NonFinite names the triangle.  A span of another length throws
 // UnequalLengths.
-// Source: RTCD 5.3.3, 5.3.6, 13.7.  Cost: about 2 ns a triangle or a box with four lanes; the scalar test for those
-// that doubles leave in doubt.  The best instruction set that the processor has is taken.
+// Source: RTCD 5.3.3, 5.3.6, 13.7.
+// Cost: about 2 ns a triangle or a box with four lanes; the scalar test for those that doubles leave in doubt.  The
+// best instruction set that the processor has is taken.
 #pragma once
 
 #include <cstdint>

@@ -9,8 +9,8 @@
 // outside; and of two segments end to end exactly one hits what their common end lies on.
 // A negative radius throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 5.3.2, 5.3.3 (figure 5.23), 5.3.6; the moved ray is simulation of simplicity with one vector for the
-// whole scene.  Cost: that of intersects (docs/overlap.md); by the half-open rule microseconds where doubles are in
-// doubt.
+// whole scene.
+// Cost: that of intersects (docs/overlap.md); by the half-open rule microseconds where doubles are in doubt.
 #pragma once
 
 #include "plumb/query/overlap_box.hpp"

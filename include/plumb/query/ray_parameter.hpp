@@ -2,7 +2,8 @@
 //
 // Laws: the value is base - sqrt(square); square is never negative, and zero for what is flat.  Comparison is that of
 // real arithmetic; equal numbers are equal however they were made.
-// Source: RTCD 5.3; signs of radicals by repeated squaring (predicates/radical.hpp).  Cost: some microseconds.
+// Source: RTCD 5.3; signs of radicals by repeated squaring (predicates/radical.hpp).
+// Cost: some microseconds.
 #pragma once
 
 #include <compare>

@@ -10,8 +10,9 @@
 // repeated vertices and triangles without area change nothing in that.  (5) The order of triangles, and the corner that
 // each begins with, change nothing.
 // A triangle that names no vertex throws InvalidShape, NaN and infinity NonFinite.
-// Source: RTCD 5.4.3 (figure 5.29).  Cost: four comparisons a triangle, some 2 ns; an exact sign for those that the
-// ray's line passes through in the plane of y and z.
+// Source: RTCD 5.4.3 (figure 5.29).
+// Cost: four comparisons a triangle, some 2 ns; an exact sign for those that the ray's line passes through in the plane
+// of y and z.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,9 @@
 // features, but where several meet at once.  (5) Degenerate figures are the sets that they are; an empty box
 // meets nothing, nor does a plane of the normal zero that holds no point.  NaN and infinity throw NonFinite, a negative
 // radius and a polyhedron without faces throw InvalidShape, all by name.
-// Source: RTCD 5.5.2, 5.5.3, 5.5.4, 5.5.5, 5.5.6, 5.5.7 and 5.5.8.  Cost: 10 to 150 ns for what misses, without
-// allocation, up to a microsecond where there is a time; some microseconds for polyhedra and where doubles do not tell.
+// Source: RTCD 5.5.2, 5.5.3, 5.5.4, 5.5.5, 5.5.6, 5.5.7 and 5.5.8.
+// Cost: 10 to 150 ns for what misses, without allocation, up to a microsecond where there is a time; some microseconds
+// for polyhedra and where doubles do not tell.
 #pragma once
 
 #include <concepts>

@@ -3,10 +3,11 @@
 // A file may be packed by gzip: then what it holds is looked at, and the extension before `.gz`.
 // Laws: the content outranks the extension where the content is unmistakable (the magic words of PLY, OFF, GLB and zip
 // archives, which 3MF is, JSON with an "asset", which glTF is, the exact length of a binary STL, an STL that is text);
-// OBJ has no mark and is believed by its extension or its first word.  3MF and glTF are read, not written. Every error
-// names the file, the line (text) or the byte (binary) where there is one, what was found, what was expected, and the
-// mend. Source: the formats as their authors published them; cost: recognition looks at the first few lines only, but
-// looks for the asset of a glTF.
+// OBJ has no mark and is believed by its extension or its first word.  3MF and glTF are read, not written.
+// Every error names the file, the line (text) or the byte (binary) where there is one, what was found, what was
+// expected, and the mend.
+// Source: the formats as their authors published them.
+// Cost: recognition looks at the first few lines only, but looks for the asset of a glTF.
 #pragma once
 
 #include <cstdint>

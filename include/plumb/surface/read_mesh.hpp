@@ -20,7 +20,8 @@
 //   ASCII is read as the decimal that it is, also where the header calls it `float`.
 // Faces of one or two corners, which OBJ, OFF and PLY allow, and the turns of strips, which name a vertex twice, are no
 // surface: left out, and counted in the report.
-// Source: RTCD 2.2.1; cost: linear in the file (STL: n log n), some 50 to 100 MB/s for text.
+// Source: RTCD 2.2.1.
+// Cost: linear in the file (STL: n log n), some 50 to 100 MB/s for text.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,8 @@
 //
 // A vertex in the plane counts as above it, on the side of the normal (OnPlane::above), so that a triangle is cut or
 // not, and what is cut closes: the section is what a plane an infinitesimal step below would cut, moved up by that
-// step. The top of a box at its height is a contour, its bottom none; with OnPlane::below it is the other way round.
+// step.
+// The top of a box at its height is a contour, its bottom none; with OnPlane::below it is the other way round.
 // Laws: (1) connected by signs alone; a corner is where an edge meets the plane, as two vertices of the mesh, or one of
 // its vertices.  (2) Seen from the normal's side, the solid lies to the left: outer contours turn counterclockwise,
 // holes clockwise, where the mesh's triangles turn counterclockwise seen from outside.  (3) The winding number of the

@@ -3,7 +3,8 @@
 // Laws: edges are listed once, a < b, ascending, their faces ascending: the same mesh gives the same lists everywhere.
 // Equality of vertices and zero area are exact.  A face that names a vertex twice bounds nothing: it is counted, and
 // lends its edges to no list.
-// Source: RTCD 12.2.2, 12.3, 12.4; cost: O(n log n), by sorting.
+// Source: RTCD 12.2.2, 12.3, 12.4.
+// Cost: O(n log n), by sorting.
 #pragma once
 
 #include <array>

@@ -5,8 +5,9 @@
 // ones merge, and polygons are triangulated.  The file appears whole or not at all: it is written beside its place and
 // renamed; a device or pipe is written in place. STL is written as text, for binary STL holds float32 only; when asked
 // for it, a coordinate that is no float32 is refused, not rounded.  STL normals are written as 0 0 0 (the corners'
-// order tells): a normal is rarely a double. Source: RTCD 2.2.1; cost: linear; the file's bytes are held in memory
-// once.
+// order tells): a normal is rarely a double.
+// Source: RTCD 2.2.1.
+// Cost: linear; the file's bytes are held in memory once.
 #pragma once
 
 #include <filesystem>

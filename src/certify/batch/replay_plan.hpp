@@ -2,7 +2,8 @@
 //
 // Law: the inputs of a formula that runs in batches are used in differences of one axis alone, so that coordinates may
 // be subtracted before x, y and z are told apart.  The four classic formulas are such.
-// Source: the tape (arith/tape.hpp); cost: none at run time.
+// Source: the tape (arith/tape.hpp).
+// Cost: none at run time.
 #pragma once
 
 #include <array>

@@ -4,7 +4,8 @@
 // serve many functions, and several runs at once.  What is no file, or begins with a dot, is passed over as well.
 // Laws: (1) a file that holds anything else is refused, by name and line, before anything is asked; (2) a case is added
 // once, in a file of its own that is named by its numbers; (3) all new files arrive or none does.
-// Source: none; cost: reading the folder.
+// Source: none.
+// Cost: reading the folder.
 #pragma once
 
 #include <span>

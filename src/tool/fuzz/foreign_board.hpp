@@ -5,7 +5,8 @@
 // wrote, and takes nothing that it reads here for true without a look.
 // Laws: (1) what the child writes is read after the child has said that it is done, or is dead; (2) no answer read lies
 // outside of the board.
-// Source: none; cost: 12 MiB of address space, of which the pages used are real.
+// Source: none.
+// Cost: 12 MiB of address space, of which the pages used are real.
 #pragma once
 
 #include <array>

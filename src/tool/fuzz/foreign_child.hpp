@@ -4,7 +4,8 @@
 // core; (3) each argument ends where readable memory ends, so reading beyond it is a crash and no luck; (4) an
 // exception ends a call, not the child; (5) the child dies with the program; (6) a process that the code forks cannot
 // answer for it.
-// Source: none; cost: copying a case and storing two numbers, about a millisecond to begin.
+// Source: none.
+// Cost: copying a case and storing two numbers, about a millisecond to begin.
 #pragma once
 
 #include <cstdint>

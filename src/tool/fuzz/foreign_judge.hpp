@@ -3,7 +3,8 @@
 // It is asked in a process of its own, as the function is that it judges.
 // Laws: (1) what it answers is right; where it answers NaN, nothing is wrong; (2) where it crashes, hangs, exits or
 // throws, the run ends with an Error that names the case.
-// Source: none; cost: some 10 us an answer, beside its own.
+// Source: none.
+// Cost: some 10 us an answer, beside its own.
 #pragma once
 
 #include "foreign_process.hpp"

@@ -4,7 +4,8 @@
 // and the other cases are asked all the same; (2) a child is replaced at most so often, after which cases are not asked
 // any more instead of asked for ever; (3) what cannot be loaded, or crashes or hangs in loading, is an Error, and
 // later, when it is loaded anew, counts as a hang; (4) no child outlives this object.
-// Source: none; cost: 100 to 500 ns a case in batches of a thousand, about a millisecond a replaced child.
+// Source: none.
+// Cost: 100 to 500 ns a case in batches of a thousand, about a millisecond a replaced child.
 #pragma once
 
 #include <sys/types.h>

@@ -9,7 +9,8 @@
 // Laws: (1) places are exact up to one rounding to pixels: differences are taken in rationals; (2) well-formed, and the
 // same text for the same case; (3) the table has every pair of coordinates of one axis that the drawing cannot tell
 // apart although they differ, each pair of numbers once, and how many doubles lie between.
-// Source: none; cost: some milliseconds, quadratic in the points.
+// Source: none.
+// Cost: some milliseconds, quadratic in the points.
 #pragma once
 
 #include <string>

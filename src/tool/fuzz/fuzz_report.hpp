@@ -2,7 +2,8 @@
 //
 // Laws: (1) all hold the same numbers; (2) the text has no times and no paths but those that were given, so the same
 // run prints the same; (3) what foreign code left in a text (an exception's words) cannot command a terminal or a page.
-// Source: none; cost: none that counts.
+// Source: none.
+// Cost: none that counts.
 #pragma once
 
 #include <array>

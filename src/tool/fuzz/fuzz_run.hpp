@@ -4,7 +4,8 @@
 // of a second, or when the call returns that is being made; (3) what was found is then shrunk, for as long again at
 // most (ten seconds if that is more) where there is a time, and until the next Ctrl-C; a third one ends the program;
 // (4) when the function has crashed or hung too often the run ends, and says so.
-// Source: none; cost: that of degenerate::check_in_batches.
+// Source: none.
+// Cost: that of degenerate::check_in_batches.
 #pragma once
 
 #include <optional>

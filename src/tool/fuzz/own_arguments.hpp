@@ -4,7 +4,9 @@
 //   hull:points3      any number of points, counted     poly:points2+3 three at least
 //   d:vector3         a direction                       b:box3         the least corner and the largest
 //   r:length          a number that is not negative     ray:point3,vector3   both in one argument
-// Law: a word that is none of these throws Error, which shows them.  Source: none; cost: none.
+// Law: a word that is none of these throws Error, which shows them.
+// Source: none.
+// Cost: none.
 #pragma once
 
 #include <string>

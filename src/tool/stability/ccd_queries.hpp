@@ -3,7 +3,8 @@
 // Eight rows are one query; a row is x, y, z as three pairs of numerator and denominator, and the true answer, 0 or 1.
 // In a folder edge-edge: a0, a1, b0, b1 at time 0, then at time 1; elsewhere a vertex and a triangle likewise.
 // Laws: (1) every number is read exactly, or refused; (2) what is no such file is an Error that names the line.
-// Source: Wang et al. 2021, docs/motion.md; cost: 20 us a query or some.
+// Source: Wang et al. 2021, docs/motion.md.
+// Cost: 20 us a query or some.
 #pragma once
 
 #include <algorithm>

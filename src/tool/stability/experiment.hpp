@@ -3,7 +3,8 @@
 //
 // Laws: (1) every number is counted, none is typed in; (2) every loop that may not end is bounded, and counted when it
 // ran into its bound; (3) the exact method fails nothing, anywhere; (4) same settings, same findings, bit for bit.
-// Source: RTCD 11.2, 11.3; cost: all experiments in seconds when quick, in minutes in full.
+// Source: RTCD 11.2, 11.3.
+// Cost: all experiments in seconds when quick, in minutes in full.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,8 @@
 //
 // Laws: (1) every way is handed the same doubles; float32 rounds them to floats first, as software that stores floats
 // does.  (2) The epsilon is that of `plumb chart`: as it is, and times the question's largest coordinate.
-// Source: RTCD 11.3.1; cost: that of the algorithm, and a call through a function object.
+// Source: RTCD 11.3.1.
+// Cost: that of the algorithm, and a call through a function object.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 //
 // Laws: (1) exact for all finite doubles; the library's signs are not asked; (2) equal points are one corner, whichever
 // of them is named.
-// Source: RTCD 3.9; cost: true corners times claimed corners, a microsecond or some each.
+// Source: RTCD 3.9.
+// Cost: true corners times claimed corners, a microsecond or some each.
 #pragma once
 
 #include <gmpxx.h>

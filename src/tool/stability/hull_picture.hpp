@@ -1,7 +1,8 @@
 // What does a wrong hull look like?  The true hull, the claimed one, and the corners that it lost.
 //
 // Law: the picture is stretched along two axes as HullJudge says, so that what lies outside by an ulp is seen.
-// Source: none; cost: a millisecond.
+// Source: none.
+// Cost: a millisecond.
 #pragma once
 
 #include <string>

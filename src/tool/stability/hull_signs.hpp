@@ -3,7 +3,8 @@
 //
 // Laws: (1) an algorithm looks at points through HullSigns alone, so that only the numbers differ between methods; (2)
 // the exact signs are those of the library's public functions.
-// Source: RTCD 3.9; cost: a virtual call and the sign.
+// Source: RTCD 3.9.
+// Cost: a virtual call and the sign.
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,8 @@
 // Laws: (1) with exact signs each returns the strictly extreme points, one index each, for whatever points there are;
 // (2) every loop that wrong signs may keep running is bounded by what it needs at most with right ones.
 // Source: RTCD 3.9.1 (Andrew), 3.9.2 (quickhull); Jarvis 1973 (gift wrapping); Kettner and others, "Classroom examples
-// of robustness problems in geometric computations" (incremental); cost: n log n to n^2 signs.
+// of robustness problems in geometric computations" (incremental).
+// Cost: n log n to n^2 signs.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,8 @@
 // What is asked, and what is true of it?  Questions of a task of src/tool/trial with their true answers.
 //
 // Law: the same task, seed and number give the same questions; the judge computes in GMP's rationals.
-// Source: none; cost: the judge's, 1 to 100 us a question.
+// Source: none.
+// Cost: the judge's, 1 to 100 us a question.
 #pragma once
 
 #include <algorithm>

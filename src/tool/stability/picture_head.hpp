@@ -1,7 +1,8 @@
 // How does a picture of the laboratory begin?  With its size, the style that it shares with all charts, and its title.
 //
 // Law: well-formed XML whatever the texts hold; what follows is the drawing, from 70 pixels down, and "</svg>".
-// Source: none; cost: none worth a word.
+// Source: none.
+// Cost: none worth a word.
 #pragma once
 
 #include <string>

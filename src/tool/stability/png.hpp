@@ -1,8 +1,8 @@
 // How is a small picture of few colors written?  As PNG with a palette, by libpng.
 //
 // Law: same pixels, same bytes on one version of libpng.
-// Source: ISO/IEC 15948; cost: milliseconds.  A grid of signs of 256 x 256 takes some 300 bytes, where as SVG by runs
-// it takes 12 to 28 kB.
+// Source: ISO/IEC 15948.
+// Cost: milliseconds.  A grid of signs of 256 x 256 takes some 300 bytes, where as SVG by runs it takes 12 to 28 kB.
 #pragma once
 
 #include <array>

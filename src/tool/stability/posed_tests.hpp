@@ -2,8 +2,8 @@
 //
 // Laws: (1) figures are closed sets, and the degenerate ones what their points say; (2) the answer is that of the exact
 // images of all points under the pose, whatever its matrix, if its determinant is not zero.
-// Source: RTCD 5.2.10, 5.4.1, by orientations alone.  Cost: microseconds a sign where points are in special position;
-// tens of signs.
+// Source: RTCD 5.2.10, 5.4.1, by orientations alone.
+// Cost: microseconds a sign where points are in special position; tens of signs.
 #pragma once
 
 #include <span>

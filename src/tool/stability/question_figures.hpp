@@ -1,6 +1,7 @@
 // Which figures does a question hold, whose numbers stand in a row?
 //
-// Source: none; cost: none.
+// Source: none.
+// Cost: none.
 #pragma once
 
 #include "plumb/arith/point.hpp"

@@ -1,7 +1,8 @@
 // Which meshes are the experiments on closed surfaces run on?  A ball and a machined part, and files where given.
 //
 // Laws: the generated meshes are closed and oriented; the same bits from every compiler (+ - * / and sqrt alone).
-// Source: RTCD 12.1; cost: milliseconds; files as read_mesh has it, when they are listed.
+// Source: RTCD 12.1.
+// Cost: milliseconds; files as read_mesh has it, when they are listed.
 #pragma once
 
 #include <functional>

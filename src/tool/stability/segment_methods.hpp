@@ -1,6 +1,7 @@
 // In which numbers are segments tried?  The usual ones, and the library's rationals, by one name each.
 //
-// Source: RTCD 11.3.1; cost: none, a list.
+// Source: RTCD 11.3.1.
+// Cost: none, a list.
 #pragma once
 
 #include <algorithm>

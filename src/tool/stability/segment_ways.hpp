@@ -3,7 +3,8 @@
 // Laws: (1) over a number that does not round, and without an epsilon, meet_by_signs is right about all segments; (2)
 // meet_by_parameters and crossing are right about all that are not parallel, and say no of parallel ones, as such code
 // does.  What is at most epsilon counts as zero.
-// Source: RTCD 5.1.9.1; cost: tens of operations.
+// Source: RTCD 5.1.9.1.
+// Cost: tens of operations.
 #pragma once
 
 #include <array>

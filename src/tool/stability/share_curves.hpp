@@ -2,7 +2,9 @@
 //
 // Panels share one vertical axis, 0 to 100 percent, and the legend; each has a logarithmic axis of its own.  Every line
 // has a color and a shape of marker, both those of chart.hpp, and its points tell their numbers where pointed at.
-// Laws: (1) well-formed XML whatever the labels hold; (2) same input, same text.  Source: none; cost: microseconds.
+// Laws: (1) well-formed XML whatever the labels hold; (2) same input, same text.
+// Source: none.
+// Cost: microseconds.
 #pragma once
 
 #include <span>

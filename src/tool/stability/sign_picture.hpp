@@ -3,7 +3,8 @@
 // Laws: (1) every sign is one square of one color, blue, yellow or vermilion, which color-blind readers tell apart and
 // which show on light and on dark; (2) well-formed XML whatever the texts hold.
 // Source: Kettner, Mehlhorn, Pion, Schirra and Yap, "Classroom examples of robustness problems in geometric
-// computations"; cost: a millisecond or some.
+// computations".
+// Cost: a millisecond or some.
 #pragma once
 
 #include <cstdint>

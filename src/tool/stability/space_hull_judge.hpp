@@ -3,7 +3,8 @@
 // Laws: (1) exact for all finite doubles: sides are those of orient3d, and the extreme points those of a hull that
 // verify_hull proves; (2) equal points are one, whichever of them is named; (3) a face of more than three corners is
 // judged by the triangles from its first corner, so that it must be flat.
-// Source: RTCD 3.9; cost: corners of faces times extreme points, a sign each.
+// Source: RTCD 3.9.
+// Cost: corners of faces times extreme points, a sign each.
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 //
 // Law: the true hull's box is drawn as a cube, so that thin and long ones are seen; straight lines stay straight, and
 // sides stay sides.
-// Source: none; cost: a millisecond.
+// Source: none.
+// Cost: a millisecond.
 #pragma once
 
 #include <string>

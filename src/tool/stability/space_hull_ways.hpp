@@ -7,7 +7,8 @@
 // others triangles, of which some may lie side by side in one plane; (2) every loop that wrong signs may keep running
 // is bounded by what it needs at most with right ones; a surface of n^2 faces is given up.
 // Source: RTCD 3.9.2; Barber, Dobkin and Huhdanpaa 1996 (quickhull); Chand and Kapur 1970 (gift wrapping); Kallay 1981
-// (beneath and beyond); cost: n^2 signs as a rule, n^3 for gift wrapping.
+// (beneath and beyond).
+// Cost: n^2 signs as a rule, n^3 for gift wrapping.
 #pragma once
 
 #include <optional>

@@ -2,7 +2,8 @@
 //
 // Laws: over a number that does not round, and without an epsilon, (1) the pairs are those that meet, for whatever
 // segments; (2) there are at most 2 n + n (n - 1) / 2 events; what needs more has lost its way and is stopped.
-// Source: Bentley and Ottmann 1979, as in de Berg and others, Computational Geometry, chapter 2; cost: events times n.
+// Source: Bentley and Ottmann 1979, as in de Berg and others, Computational Geometry, chapter 2.
+// Cost: events times n.
 #pragma once
 
 #include <algorithm>

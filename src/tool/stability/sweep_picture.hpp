@@ -1,6 +1,7 @@
 // What does a sweep lose?  The segments, and the crossings of pairs that were lost.
 //
-// Source: none; cost: a millisecond.
+// Source: none.
+// Cost: a millisecond.
 #pragma once
 
 #include <span>

@@ -6,7 +6,8 @@
 // Laws: exact while nothing overflows or underflows, which the published method does not claim either; beyond that it
 // is on trial here, and decides nothing of ours.
 // Source: Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", stated
-// here over any formula of differences; cost: A twice the plain formula, B to D hundreds to thousands of ns.
+// here over any formula of differences.
+// Cost: A twice the plain formula, B to D hundreds to thousands of ns.
 #pragma once
 
 #include <plumb/predicates/in_sphere.hpp>

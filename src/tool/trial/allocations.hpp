@@ -2,7 +2,8 @@
 // counted.
 //
 // Law: counts never change what is allocated.  Memory that a rival's library takes by malloc is not seen.
-// Source: none; cost: an increment of a thread's counter an allocation.
+// Source: none.
+// Cost: an increment of a thread's counter an allocation.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,8 @@
 //
 // Laws: none; they are on trial, and decide nothing of ours.  An epsilon is by how much the square of a distance may
 // exceed the square of the radius.  Pivots may go round in a circle: their steps are bounded.
-// Source: RTCD 4.3.5; Welzl 1991; Gaertner 1999; cost: linear, with tens of operations a point.
+// Source: RTCD 4.3.5; Welzl 1991; Gaertner 1999.
+// Cost: linear, with tens of operations a point.
 #pragma once
 
 #include <bit>

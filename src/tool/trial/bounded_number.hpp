@@ -6,7 +6,8 @@
 // Laws: (1) the exact value is off by no more than the error, for all inputs below the bound; (2) what
 // overflows has no finite bound, and a comparison that the errors leave open, or a division by what may be zero, puts
 // the question in doubt.
-// Source: RTCD 11.2; Fortune and Van Wyk 1996 (static filters); cost: that of doubles to about twice that.
+// Source: RTCD 11.2; Fortune and Van Wyk 1996 (static filters).
+// Cost: that of doubles to about twice that.
 #pragma once
 
 #include <cmath>

@@ -2,7 +2,8 @@
 //
 // Laws: none; they are on trial, and decide nothing of ours.  The oriented test takes axes for orthonormal, as all such
 // code does.  An epsilon widens every box; of the oriented test it is also the usual remedy for parallel edges.
-// Source: RTCD 4.2.1, 4.4.1; Gottschalk 1996; cost: a few, and some two hundred operations.
+// Source: RTCD 4.2.1, 4.4.1; Gottschalk 1996.
+// Cost: a few, and some two hundred operations.
 #pragma once
 
 #include "tool/trial/vec.hpp"

@@ -3,7 +3,8 @@
 //
 // Laws: those of branching_numbers.hpp; a question in doubt is answered unsure.  What is asked for a number has neither
 // intervals and bounds, which hold many doubles, nor expansions, whose roots are no sums of doubles.
-// Source: RTCD 11.4, 11.5; Shewchuk 1997; cost: what is measured.
+// Source: RTCD 11.4, 11.5; Shewchuk 1997.
+// Cost: what is measured.
 #pragma once
 
 #include "tool/trial/bounded_number.hpp"

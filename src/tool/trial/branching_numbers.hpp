@@ -4,7 +4,8 @@
 // Laws: (1) a comparison that intervals cannot tell, and a division by zero, put the question in doubt; (2) fractions
 // and rationals are exact, those of expansions while nothing overflows or underflows: what they get wrong is the code's
 // fault, not the arithmetic's.
-// Source: RTCD 11.4, 11.5; cost: some ns an operation for intervals, a hundred to thousands for fractions.
+// Source: RTCD 11.4, 11.5.
+// Cost: some ns an operation for intervals, a hundred to thousands for fractions.
 #pragma once
 
 #include <gmpxx.h>

@@ -3,8 +3,8 @@
 //
 // Laws: none that hold for every input; about twice the digits of a double where nothing overflows or underflows.  It
 // is here to be tried, and decides nothing of ours.
-// Source: Lange and Rump 2020 (pair arithmetic), Ogita, Rump and Oishi 2005; cost: 8 operations a sum, 23 a product
-// without a fused multiply-add.
+// Source: Lange and Rump 2020 (pair arithmetic), Ogita, Rump and Oishi 2005.
+// Cost: 8 operations a sum, 23 a product without a fused multiply-add.
 #pragma once
 
 #include <cmath>

@@ -2,7 +2,8 @@
 //
 // Laws: none; they are on trial, and decide nothing of ours.  The search stops when a step no longer gains more than an
 // epsilon, or after as many steps as no honest search takes.
-// Source: Gilbert, Johnson and Keerthi 1988, RTCD 9.5; cost: some hundred operations a step.
+// Source: Gilbert, Johnson and Keerthi 1988, RTCD 9.5.
+// Cost: some hundred operations a step.
 #pragma once
 
 #include <algorithm>

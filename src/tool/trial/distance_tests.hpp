@@ -3,7 +3,8 @@
 //
 // Laws: none; they are on trial, and decide nothing of ours.  An epsilon makes short segments points and parallel lines
 // of nearly parallel ones.
-// Source: RTCD 5.1.5, 5.1.9; cost: tens of operations and a root.
+// Source: RTCD 5.1.5, 5.1.9.
+// Cost: tens of operations and a root.
 #pragma once
 
 #include "tool/trial/vec.hpp"

@@ -3,8 +3,8 @@
 //
 // Exact while no product of components overflows or underflows; components that are zero are left out, so values of few
 // bits far apart stay short.  Memory comes from an arena that the evaluation resets.
-// Source: Shewchuk 1997 (sums by merging, products by scaling with each component).  Cost: a few operations a component
-// for sums; products cost the product of the lengths.
+// Source: Shewchuk 1997 (sums by merging, products by scaling with each component).
+// Cost: a few operations a component for sums; products cost the product of the lengths.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,9 @@
 //
 // An algorithm is a type with a call operator over std::array<T, N> and an epsilon of T, which answers bool or double.
 // What an epsilon means is the algorithm's affair; 0 is none.
-// Laws: as formula_methods.hpp.  Source: RTCD 11.3.1; cost: what is measured.
+// Laws: as formula_methods.hpp.
+// Source: RTCD 11.3.1.
+// Cost: what is measured.
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,9 @@
 // Laws: every method gets the same doubles, turned beforehand into the numbers that software keeps which computes so:
 // floats, long doubles, quadruples, rationals, and those of the kernel of the scene's lattice.  An epsilon makes zeros
 // of small values, as is commonly written; no decision of ours uses one.  `plumb check` tries some of these methods on
-// meshes, `plumb chart` all. Source: RTCD 11.2, 11.3.1 (tolerances); cost: what is measured.
+// meshes, `plumb chart` all.
+// Source: RTCD 11.2, 11.3.1 (tolerances).
+// Cost: what is measured.
 #pragma once
 
 #include <algorithm>

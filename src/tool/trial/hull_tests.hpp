@@ -4,7 +4,8 @@
 // An answer is a set of bits, one a point; of equal points the first stands for all.
 // Laws: none for numbers that round: they are on trial, and decide nothing of ours.  In numbers that do not the answer
 // is right for all points, flat and repeated ones included.  Determinants within the epsilon count as zero.
-// Source: RTCD 3.9.1; Kallay 1981 (beneath and beyond); cost: n log n, and some n^2 operations for so few points.
+// Source: RTCD 3.9.1; Kallay 1981 (beneath and beyond).
+// Cost: n log n, and some n^2 operations for so few points.
 #pragma once
 
 #include <algorithm>

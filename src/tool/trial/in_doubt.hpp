@@ -1,7 +1,8 @@
 // Does a number know whether code that asks it branches rightly?  What a question's numbers could not tell.
 //
 // Law: who answers a question clears the mark before, and is unsure where it is set after.
-// Source: none; cost: a thread's own variable.
+// Source: none.
+// Cost: a thread's own variable.
 #pragma once
 
 namespace plumb::tool::trial {

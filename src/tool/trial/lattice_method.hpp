@@ -5,7 +5,8 @@
 // enough.
 // Laws: (1) no integer overflows; what more than 128 bits may be needed for is not asked; (2) the answers are those of
 // the code in numbers that do not round: for code that adds and multiplies alone, and is right in such numbers.
-// Source: RTCD 11.5; cost: what is measured.
+// Source: RTCD 11.5.
+// Cost: what is measured.
 #pragma once
 
 #include <bit>

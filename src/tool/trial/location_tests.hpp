@@ -2,7 +2,8 @@
 //
 // Laws: none; they are on trial, and decide nothing of ours.  The boundary is nobody's: what such code says there
 // depends on the side.  An epsilon moves the crossing of an edge; in space determinants within it count as zero.
-// Source: RTCD 5.4.1, 5.3.4; Franklin, "PNPOLY"; cost: some operations an edge, tens a face.
+// Source: RTCD 5.4.1, 5.3.4; Franklin, "PNPOLY".
+// Cost: some operations an edge, tens a face.
 #pragma once
 
 #include "tool/trial/vec.hpp"

@@ -3,8 +3,9 @@
 // Laws: (1) all counts depend on the seed and the number of cases alone, not on the machine's speed; (2) an answer that
 // the method knows it does not have, or that is not a number, is unsure, never wrong; (3) inconsistent are those of two
 // sure answers to one question, asked with its arguments in another order, that contradict each other, be they right or
-// wrong. Source: RTCD 11.2; cost: as the methods take, every case asked once for each order and a few times for the
-// clock.
+// wrong.
+// Source: RTCD 11.2.
+// Cost: as the methods take, every case asked once for each order and a few times for the clock.
 #pragma once
 
 #include <array>

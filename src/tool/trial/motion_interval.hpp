@@ -2,8 +2,8 @@
 //
 // Laws: (1) a yes or a no is true for every finite double; (2) unsure where a number of halvings does not tell, and so
 // wherever figures only touch.
-// Source: RTCD 5.5.1; Snyder 1992 (interval analysis); Redon, Kheddar and Coquillart 2002; cost: some microseconds for
-// each half.
+// Source: RTCD 5.5.1; Snyder 1992 (interval analysis); Redon, Kheddar and Coquillart 2002.
+// Cost: some microseconds for each half.
 #pragma once
 
 #include <array>

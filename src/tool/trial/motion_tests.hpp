@@ -6,8 +6,8 @@
 // turning points.  An epsilon is how far figures that meet may be apart, in space and in parameters, and how small the
 // cubic may be at a turning point that counts as a root; without one a root is one where the sign changes.  Points that
 // are in one plane the whole time are passed over, as all such code does.
-// Source: RTCD 5.5; Provot 1997; Bridson, Fedkiw and Anderson 2002 (epsilons); Mirtich 1996 (conservative advancement);
-// cost: some hundred operations, and as many for each step of an advancement.
+// Source: RTCD 5.5; Provot 1997; Bridson, Fedkiw and Anderson 2002 (epsilons); Mirtich 1996 (conservative advancement).
+// Cost: some hundred operations, and as many for each step of an advancement.
 #pragma once
 
 #include <algorithm>

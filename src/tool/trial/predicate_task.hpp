@@ -2,7 +2,8 @@
 //
 // Law: swapping the first two points flips the sign, turning the first three in a circle keeps it, for each of the
 // classics; so methods are held against themselves.
-// Source: RTCD 3.1.6; cost: compile time for each formula.
+// Source: RTCD 3.1.6.
+// Cost: compile time for each formula.
 #pragma once
 
 #include <numeric>

@@ -2,7 +2,8 @@
 //
 // Laws: exact for all finite doubles; degenerate shapes are the sets that they are.  Not a line is shared with the
 // library's own answers, but for the rounding of the last number.
-// Source: Chvatal, Linear Programming, 1983 (simplex method, Bland's rule); cost: tens of microseconds to milliseconds.
+// Source: Chvatal, Linear Programming, 1983 (simplex method, Bland's rule).
+// Cost: tens of microseconds to milliseconds.
 #pragma once
 
 #include <gmpxx.h>

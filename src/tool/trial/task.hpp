@@ -2,8 +2,9 @@
 //
 // Laws: (1) `judge` computes in GMP's rationals and shares no stage with the methods of ours; (2) each symmetry says
 // how the true answer changes when the arguments change places, so that a method can be held against itself; (3)
-// classes are named as the families of plumb/degenerate are, where they are those. Source: RTCD 11.2 (what rounding
-// does to decisions); cost: none, a description.
+// classes are named as the families of plumb/degenerate are, where they are those.
+// Source: RTCD 11.2 (what rounding does to decisions).
+// Cost: none, a description.
 #pragma once
 
 #include <cstdint>

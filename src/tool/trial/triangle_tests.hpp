@@ -2,7 +2,8 @@
 //
 // Laws: none; they are on trial, and decide nothing of ours.  An epsilon widens: determinants and distances to planes
 // within it count as zero, parameters may leave their range by it.
-// Source: Moller and Trumbore 1997, Moller 1997, RTCD 5.3.4, 5.3.6, 5.2.10; cost: tens of operations.
+// Source: Moller and Trumbore 1997, Moller 1997, RTCD 5.3.4, 5.3.6, 5.2.10.
+// Cost: tens of operations.
 #pragma once
 
 #include <utility>
