@@ -1,4 +1,5 @@
-// On which side, and inside or outside?  The signs of the four classic predicates, exact for every finite double.
+// Orientation and in-circle tests: on which side, and inside or outside?  The signs of the four classic predicates,
+// exact for every finite double.
 //
 // Laws: (1) swapping two of the points that span the line, plane, circle or sphere flips the sign; an even permutation
 //       keeps it.  (2) Zero exactly when the points are collinear, coplanar, cocircular or cospherical (or lower).

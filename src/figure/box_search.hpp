@@ -1,5 +1,5 @@
-// Which frame gives a hull the box of least volume?  Every pair of edges that can lie flush in adjacent faces of a box,
-// bounded from below and left out where the bound says so.
+// Minimum bounding box (O'Rourke): which frame gives a hull the box of least volume?  Every pair of edges that can lie
+// flush in adjacent faces of a box, bounded from below and left out where the bound says so.
 //
 // A smallest box has two adjacent faces that each hold an edge of the hull (O'Rourke).  For a pair of edges one angle
 // is free: the normal n1 turns from one face beside the first edge to the other, and n2 = +-n1 x edge follows.  The

@@ -1,4 +1,4 @@
-// Around which of its edges is a convex polygon's rectangle smallest?  In doubles, for searches.
+// Rotating calipers: around which of its edges is a convex polygon's rectangle smallest?  In doubles, for searches.
 //
 // Laws: the polygon is counterclockwise; the answer has an edge of the polygon on its boundary, as the smallest
 // rectangle does (Freeman and Shapira 1975).

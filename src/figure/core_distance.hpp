@@ -1,4 +1,5 @@
-// How far apart are two cores, points, segments or parallelograms?  Over intervals first, over integers for certain.
+// Distance of segments: how far apart are two cores, points, segments or parallelograms?  Over intervals first, over
+// integers for certain.
 //
 // A core is corner + s edges[0] + t edges[1], 0 <= s, t <= 1, over any number type with + - *.
 // Laws: (1) every distance that is visited is one between points of the two cores, as a square of the form numerator /

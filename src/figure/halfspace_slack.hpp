@@ -1,4 +1,5 @@
-// Has some point slack in all of these halfspaces, or do they leave their boundaries only, or nothing?
+// Linear programming: has some point slack in all of these halfspaces, or do they leave their boundaries only, or
+// nothing?
 //
 // Halfspaces are normal . x <= limit for x of at most three numbers, given over doubles with a bound of their errors
 // and, where that leaves a doubt, in integers.  The greatest slack t that one point can have in all, normal . x + unit

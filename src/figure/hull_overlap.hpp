@@ -1,4 +1,5 @@
-// Do the convex hulls of two sets of points meet?  Exactly, by a proposal in doubles that exact signs prove.
+// GJK, separating plane: do the convex hulls of two sets of points meet?  Exactly, by a proposal in doubles that exact
+// signs prove.
 //
 // Laws: (1) the answer of real arithmetic for the closed hulls.  (2) Either a direction in which all of one set lies
 // beyond all of the other proves that they are apart, or a tetrahedron of differences around the origin that they meet;

@@ -1,4 +1,4 @@
-// Which of the edges that leave a vertex are extreme, and in what order do they follow one another?
+// Minkowski sum: which of the edges that leave a vertex are extreme, and in what order do they follow one another?
 //
 // Laws: the cone of the edges is pointed: all of them point up along some direction.  Of the extreme ones each, the
 // next and any third have a positive triple product, so that a face of the cone lies between each and the next;

@@ -1,4 +1,4 @@
-// To which side does one edge turn from another, where edges of two shapes are compared?
+// Minkowski sum, edge merging: to which side does one edge turn from another, where edges of two shapes are compared?
 #pragma once
 
 #include "plumb/certify/sign_of.hpp"

@@ -1,4 +1,5 @@
-// Is a ball or capsule nearer than this to a triangle, a box, a segment?  Nearest points in doubles, and their proof.
+// Closest points: is a ball or capsule nearer than this to a triangle, a box, a segment?  Nearest points in doubles,
+// and their proof.
 //
 // Laws: an answer is the sign of the distance minus the radius, proved: by two points that are nearer, or by a
 // direction along which everything is farther; none where doubles prove neither, nor for a negative radius or a number

@@ -1,4 +1,5 @@
-// How far must a box with these axes and this center reach, to contain points or other boxes for certain?
+// Bounding volume (OBB): how far must a box with these axes and this center reach, to contain points or other boxes for
+// certain?
 //
 // Laws: half extents are the least that contain everything, rounded up; the axes are independent.
 // Source: Cramer's rule.

@@ -1,4 +1,5 @@
-// How far off may doubles be that tell how oriented boxes lie?  The gaps along all axes as formulas, and their bounds.
+// Separating axis test, error bounds: how far off may doubles be that tell how oriented boxes lie?  The gaps along all
+// axes as formulas, and their bounds.
 //
 // The matrix of a box's cofactors (its rows are the box's face normals n_i) maps it to an axis-aligned one, and another
 // parallelepiped to one of its kind, and separating axes to separating axes.  There the fifteen axes cost nearly what

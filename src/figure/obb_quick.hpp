@@ -1,4 +1,5 @@
-// Do plain doubles prove how an oriented box lies to another one, or to one with the axes of space?
+// Separating axis test: do plain doubles prove how an oriented box lies to another one, or to one with the axes of
+// space?
 //
 // Laws: an answer is that of real arithmetic; whatever is near to zero, not finite, or beyond 2^100 gets none.  An
 // axis-aligned box that is empty is one of negative extent here: who asks has looked.

@@ -1,4 +1,5 @@
-// Which points lie far from a center?  Passes of plain doubles over all points, with certain limits for what they say.
+// Extreme points: which points lie far from a center?  Passes of plain doubles over all points, with certain limits for
+// what they say.
 //
 // Laws: what a pass computes is |cp|^2 times the square of a power of two, rounded; within() and rivals() turn it into
 // certain statements, by the error constant that is derived from the formula.  Points are finite.

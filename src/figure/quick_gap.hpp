@@ -1,5 +1,5 @@
-// Do plain doubles prove how two capsules or lozenges lie to one another?  Two near points of the cores, and what they
-// show.
+// Closest points, separating plane: do plain doubles prove how two capsules or lozenges lie to one another?  Two near
+// points of the cores, and what they show.
 //
 // Laws: negative: the cores are nearer than the radii reach; positive: a plane lies between; nothing where rounding
 // leaves a doubt, and for what is not finite or has a negative radius.

@@ -1,4 +1,5 @@
-// Which point of a polyhedron lies farthest, exactly?  Linear programs of few variables in rationals.
+// Linear programming: which point of a polyhedron lies farthest, exactly?  Linear programs of few variables in
+// rationals.
 //
 // Laws: the optimum is exact; every program ends, for after some pivots the smallest index is taken (Bland).
 // Method: the simplex method on the dual program, whose basis has one row for each variable; its multipliers are the

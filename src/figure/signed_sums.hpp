@@ -1,4 +1,5 @@
-// What do chains and surfaces sum up to?  Twice their areas and six times their volumes, over any kind of number.
+// Signed area, signed volume: what do chains and surfaces sum up to?  Twice their areas and six times their volumes,
+// over any kind of number.
 //
 // Laws: differences are taken from the first vertex, so that far from the origin few digits cancel.
 // Source: the shoelace formula; Gauss's theorem.

@@ -1,4 +1,5 @@
-// What of a round shape lies farthest?  Its exact feature, and the point as K + W / sqrt(D) in any kind of number.
+// Support mapping: what of a round shape lies farthest?  Its exact feature, and the point as K + W / sqrt(D) in any
+// kind of number.
 //
 // Laws: numbers are finite and radii not negative; who calls has looked.  D is zero only where W is to be left out.
 // Cost: the signs that choose the feature.

@@ -1,4 +1,5 @@
-// Is a surface of polygons the boundary of a convex solid?  The proof, and the adjacency that it finds.
+// Convexity proof: is a surface of polygons the boundary of a convex solid?  The proof, and the adjacency that it
+// finds.
 //
 // Laws: those of convexity(PolygonMesh) (figure/convexity.hpp).
 // Source: Mehlhorn et al. 1999.

@@ -1,5 +1,5 @@
-// Where might the core of a swept sphere lie that holds these balls?  In plain doubles; radii are found for certain
-// later.
+// Bounding volume (capsule, lozenge): where might the core of a swept sphere lie that holds these balls?  In plain
+// doubles; radii are found for certain later.
 //
 // Source: RTCD 4.5; Larsen and others 1999: the core may end before the outermost balls, by what the radius reaches.
 // Cost: two passes.

@@ -1,4 +1,5 @@
-// Which ball touches some balls from within itself?  In numbers a + b sqrt(d), exactly.
+// Minimum enclosing ball (Apollonius): which ball touches some balls from within itself?  In numbers a + b sqrt(d),
+// exactly.
 //
 // With y the center and rho the radius, both less those of the first ball, touching ball i is |y - e_i| = rho - s_i for
 // the differences e_i of centers and s_i of radii.  Less the first one's square these are linear: y = u + v rho, and

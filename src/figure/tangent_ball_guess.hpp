@@ -1,5 +1,5 @@
-// Which balls does the smallest ball around all touch, as far as plain doubles tell?  A guess: its exact proof is not
-// here.
+// Minimum enclosing ball of balls: which balls does the smallest ball around all touch, as far as plain doubles tell?
+// A guess: its exact proof is not here.
 //
 // Method: the farthest ball is taken in again and again, and of the old ones those that the smallest ball of them
 // needs.

@@ -1,4 +1,5 @@
-// What separates a figure from others?  The points, edges and faces of small ones, over any number type.
+// Separating axis test: what separates a figure from others?  The points, edges and faces of small ones, over any
+// number type.
 //
 // A body is all sums of its points with weights that add up to one, and of multiples of the edges that are rays or
 // lines.  Its edges and those of another body span, two at a time, the normals of all planes that can separate them:

@@ -1,4 +1,4 @@
-// Which line is asked about a cylinder or cone?  Points and ways over any number type.
+// Quadric against line: which line is asked about a cylinder or cone?  Points and ways over any number type.
 //
 // Law: with w the way from `from` and h that from `from` to `to`, the shape is 0 <= w . h <= h . h together with
 // q(w) <= 0 for the quadratic form of the surface.

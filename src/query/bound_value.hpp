@@ -1,4 +1,5 @@
-// How large is a bound's value at a vertex, and how fast does it grow along an edge?  In the numbers of a computation.
+// Clipping: how large is a bound's value at a vertex, and how fast does it grow along an edge?  In the numbers of a
+// computation.
 //
 // Laws: value is what value_sign tells the sign of; slope is its derivative.  What no doubles hold (Given, exact
 // vertices) is for BigDyadic alone: whoever computes in other numbers leaves such sets to it.

@@ -1,4 +1,4 @@
-// Which halfspaces bound a figure, and who is beyond one of them?
+// Supporting plane, half-space: which halfspaces bound a figure, and who is beyond one of them?
 //
 // Laws: a side of a polyhedron is the plane of three corners of its face, exactly; one of a k-DOP or an intersection of
 // halfspaces is as its numbers say.  Signs are those of real arithmetic.

@@ -1,4 +1,5 @@
-// Signs over numbers that may be too rough to tell them: plain doubles first, then pairs of doubles, then integers.
+// Exact predicates, adaptive precision: signs over numbers that may be too rough to tell them: plain doubles first,
+// then pairs of doubles, then integers.
 //
 // Laws: a sign that is certain is that of the exact value; once one is not, the answers so far mean nothing.  Over
 // BigDyadic every sign is.

@@ -1,4 +1,5 @@
-// Which piece of an edge lies within a convex set?  The part between the last bound entered and the first one left.
+// Clipping (Cyrus-Beck): which piece of an edge lies within a convex set?  The part between the last bound entered and
+// the first one left.
 //
 // Laws: signs at vertices are exact (vertex_sign); where two bounds are crossed, which is met first is asked of the
 // numbers T, and nothing is certain where they cannot tell.  Of bounds that are crossed at one place the first is

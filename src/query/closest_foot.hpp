@@ -1,4 +1,5 @@
-// Where does the perpendicular from p meet a point, a line or a plane?  Over any number type with + - *.
+// Orthogonal projection: where does the perpendicular from p meet a point, a line or a plane?  Over any number type
+// with + - *.
 //
 // Laws: the foot is from + along * part / whole with whole > 0; the square of its distance from p is square() / over().
 // Source: RTCD 5.1.1, 5.1.2.

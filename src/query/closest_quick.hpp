@@ -1,4 +1,5 @@
-// What is nearest, where sixteen more digits than a double has tell all?  Four lanes at once, no allocation, no call.
+// Closest points: what is nearest, where sixteen more digits than a double has tell all?  Four lanes at once, no
+// allocation, no call.
 //
 // Laws: true only where the feature is certain and each number is the exact one rounded once; false says nothing: then
 // signs and integers answer.  Input that is NaN or infinite is never answered.

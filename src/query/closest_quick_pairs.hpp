@@ -1,5 +1,5 @@
-// How far apart are two segments, or two lines, rays or segments, or a vertex and a face, whose nearest features are
-// known?  Four lanes at once.
+// Closest points: how far apart are two segments, or two lines, rays or segments, or a vertex and a face, whose nearest
+// features are known?  Four lanes at once.
 //
 // Laws: true only where each number is the exact one rounded once: on_a, on_b and distance of a Closest, of a vertex
 // and a face on_b and distance; or the distance alone.  False says nothing.

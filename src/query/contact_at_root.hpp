@@ -1,4 +1,5 @@
-// When exactly is a root of the coplanarity cubic, and do they meet then?  Pairs of doubles, where doubles do not tell.
+// Time of impact: when exactly is a root of the coplanarity cubic, and do they meet then?  Pairs of doubles, where
+// doubles do not tell.
 //
 // Laws: (1) the root's ball holds the one root that the cubic has between two times, given that its slope there is
 // nowhere smaller than told.  (2) Crossings are certain, or unknown.

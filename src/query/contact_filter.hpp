@@ -1,4 +1,5 @@
-// Do they meet while they move?  Plain doubles with proved bounds, for nearly all that is asked.
+// Continuous collision detection: do they meet while they move?  Plain doubles with proved bounds, for nearly all that
+// is asked.
 //
 // Laws: (1) yes and no are certain; unsure says nothing.  NaN and infinities end as unsure, as do overflows.
 // (2) The time of a first contact is in its ball.

@@ -1,4 +1,5 @@
-// Do two convex hulls of many points overlap, or are they apart?  A guess in doubles, and its proof.
+// GJK, separating plane: do two convex hulls of many points overlap, or are they apart?  A guess in doubles, and its
+// proof.
 //
 // Laws: an answer is that of real arithmetic: a plane with all of one on one side and all of the other beyond, or four
 // pairs of points whose differences have the origin strictly inside of their tetrahedron.  Where neither is found, as

@@ -1,4 +1,5 @@
-// What is a convex figure made of, when it is to be intersected?  Vertices, edges, and what bounds it, in doubles.
+// Boundary representation: what is a convex figure made of, when it is to be intersected?  Vertices, edges, and what
+// bounds it, in doubles.
 //
 // A set is what lies within all of its bounds.  Its vertices and edges are those of its boundary; a line or ray is an
 // edge with an end at infinity.  Every number is one that the figure was given by, so that signs at vertices are exact

@@ -1,4 +1,5 @@
-// Which point of the difference of two convex sets is nearest to the origin?  One search, in doubles and in integers.
+// GJK, Minkowski difference: which point of the difference of two convex sets is nearest to the origin?  One search, in
+// doubles and in integers.
 //
 // A corner of the difference is a point of one set minus a point of the other, or a direction of either.  The corners
 // held are independent, and the point is a sum of them whose weights, over a common whole, are positive.

@@ -1,4 +1,5 @@
-// When do they meet first, exactly?  By polynomials of time, for what intervals leave in doubt, and for times.
+// Time of impact: when do they meet first, exactly?  By polynomials of time, for what intervals leave in doubt, and for
+// times.
 //
 // Laws: those of query/continuous_contact.hpp.
 // Without separation, contacts are at roots of the coplanarity cubic, where the signs of the points' projections tell

@@ -1,4 +1,4 @@
-// How far apart are two flat convex sets, exactly?  And what that makes of a round shape with such a core.
+// Distance: how far apart are two flat convex sets, exactly?  And what that makes of a round shape with such a core.
 //
 // Laws: (1) exact, whatever is flat, repeated, unbounded or a point; the search ends, for each set of corners that it
 // stops at is independent and nearer than the one before.  (2) A core with a radius above zero meets a set where the

@@ -1,4 +1,5 @@
-// How far apart are two features while they move, and when does that count?  Vertices, edges and a face.
+// Closest features: how far apart are two features while they move, and when does that count?  Vertices, edges and a
+// face.
 //
 // A pair says: where every bound is at least zero and the denominator is positive, the square of the distance of the
 // figures is at most numerator / denominator, for that is the distance of two of their points.

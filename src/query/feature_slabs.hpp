@@ -1,4 +1,5 @@
-// During which part of [0, 1] can the boxes around two features meet, one of them moving?
+// Slab test, swept bounding boxes: during which part of [0, 1] can the boxes around two features meet, one of them
+// moving?
 //
 // Laws: outside of [from, to] their distance is more than the reach.  From exact doubles or bounds of them, with what
 // the arithmetic may lose added.

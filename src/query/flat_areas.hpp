@@ -1,4 +1,5 @@
-// How do two triangles of one plane lie, or a segment and a triangle?  By the areas that edges span with corners.
+// Signed areas: how do two triangles of one plane lie, or a segment and a triangle?  By the areas that edges span with
+// corners.
 //
 // All corners are seen from one of them, so that ten products of vectors make all twenty areas of two triangles, and
 // six the ten of a segment and a triangle.  The numbers are any of which a sign can be told: doubles with one bound of

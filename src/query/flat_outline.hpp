@@ -1,4 +1,5 @@
-// Where does the boundary of what two triangles of one plane have in common run?  Where all areas are certain.
+// Polygon clipping: where does the boundary of what two triangles of one plane have in common run?  Where all areas are
+// certain.
 //
 // It runs along a until a leaves b, then along b until a comes in again.  Which corners lie within, and which edges
 // cross, are signs of areas; where no area is zero nothing touches.

@@ -1,4 +1,5 @@
-// Which pairs need no sets of bounds?  Those that a few signs part, and those that cross in one point inside of both.
+// Intersection: which pairs need no sets of bounds?  Those that a few signs part, and those that cross in one point
+// inside of both.
 //
 // Laws: what is answered is exact; nothing where signs are zero that leave a choice, and the general way has to tell.
 // Source: RTCD 5.1.9.1, 5.3.4, 5.3.6, 5.2.10.

@@ -1,4 +1,5 @@
-// Where are the roots of a polynomial, and which sign has another one there?  Isolating intervals in integers.
+// Root isolation: where are the roots of a polynomial, and which sign has another one there?  Isolating intervals in
+// integers.
 //
 // Laws: (1) everything is exact.  (2) An isolated root is the only one of its polynomial, which has each root once,
 // strictly between two dyadic numbers that are no roots themselves; or the polynomial has degree 1, and the root is a

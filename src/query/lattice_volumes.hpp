@@ -1,4 +1,5 @@
-// On which side of a plane does a corner lie, and which areas are seen of corners in one plane, on a lattice?
+// Signed volumes: on which side of a plane does a corner lie, and which areas are seen of corners in one plane, on a
+// lattice?
 //
 // Laws: exact.
 // Cost: a volume 20 to 60 operations.

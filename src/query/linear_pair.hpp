@@ -1,4 +1,5 @@
-// Where do two lines, rays or segments come closest?  Which places of each, by signs; then the points, as quotients.
+// Closest points of segments: where do two lines, rays or segments come closest?  Which places of each, by signs; then
+// the points, as quotients.
 //
 // Laws: (1) the places are those of a closest pair, an end before the inside.  (2) There is but one closest pair unless
 // both are parallel; of those that one is taken which comes first in lexicographic order of coordinates (all differ by

@@ -1,4 +1,4 @@
-// What do two convex sets have in common?  The hull of what the edges of each have in common with the other.
+// Clipping: what do two convex sets have in common?  The hull of what the edges of each have in common with the other.
 //
 // Laws: every vertex of the common set is an end of the piece of an edge within the other set (or a vertex as given),
 // so that edges alone need be clipped, and every corner is a vertex or an edge across a bound: a point that points as

@@ -1,4 +1,5 @@
-// During which part of [0, 1] are two features within reach of each other, one of them moving along a line?
+// Time of impact: during which part of [0, 1] are two features within reach of each other, one of them moving along a
+// line?
 //
 // Each pair of features has its condition: a polynomial of degree 2 that is not positive where the lines or planes of
 // the two are within reach, and linear ones that are not negative where the nearest points are in the features.

@@ -1,4 +1,4 @@
-// During which part of [0, 1] can two bodies meet, as far as their projections tell?
+// Time of impact, separating axes: during which part of [0, 1] can two bodies meet, as far as their projections tell?
 //
 // Along an axis two bodies in straight motion overlap during one interval of time; they can meet only while they do on
 // every axis.  Axes are those of the coordinates, the normals of faces, and the cross products of edges.

@@ -1,4 +1,4 @@
-// What are the vertices, edges and faces of a convex shape, over any number type?
+// Boundary features: what are the vertices, edges and faces of a convex shape, over any number type?
 //
 // A body is all points within `reach` of the convex hull of its vertices.  Every point of the hull's boundary is in a
 // vertex, edge or face that is listed; of a flat hull every point is.

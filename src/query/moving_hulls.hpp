@@ -1,4 +1,5 @@
-// What moves linearly, seen as what bounds the differences of two figures?  Two edges, or a vertex and a triangle.
+// Minkowski difference, in motion: what moves linearly, seen as what bounds the differences of two figures?  Two edges,
+// or a vertex and a triangle.
 //
 // Laws: over any number type; the difference of two points of the figures is that of their first vertices and parts of
 // their ways, all linear in time, so what it changes by is made of the changes in the same way.

@@ -1,4 +1,5 @@
-// Are two convex hulls of few points nearer than this, or farther?  A guess in doubles, and its proof.
+// GJK, separating plane: are two convex hulls of few points nearer than this, or farther?  A guess in doubles, and its
+// proof.
 //
 // Laws: an answer is the sign of (distance of the hulls) - (sum of the two radii), proved: by a pair of points, one of
 // each hull, that are nearer, or by a direction along which all pairs of vertices are farther apart.  Where doubles

@@ -1,4 +1,5 @@
-// How far off may doubles be that tell how a box lies to a triangle, or to what is straight?
+// Separating axis test, error bounds: how far off may doubles be that tell how a box lies to a triangle, or to what is
+// straight?
 //
 // A box with the axes of space is seen from its center, twice as large: p' = (p - min) + (p - max), and |x'| <= max -
 // min.  An oriented one is mapped to such a box by the matrix of its cofactors, whose rows are its face normals n_i:

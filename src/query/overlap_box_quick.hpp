@@ -1,4 +1,4 @@
-// Do plain doubles prove how a box lies to a triangle, or to what is straight?
+// Separating axis test: do plain doubles prove how a box lies to a triangle, or to what is straight?
 //
 // Laws: an answer is that of real arithmetic; what is near to zero but not exactly known, not finite, or too large for
 // the products gets none, nor does an empty box.  Touching is told where it is along a face of a solid box with the

@@ -1,4 +1,5 @@
-// Do plain doubles prove how triangles in space lie to one another, and to what is straight?
+// Signed volumes, floating-point filter: do plain doubles prove how triangles in space lie to one another, and to what
+// is straight?
 //
 // All numbers of a test are volumes, sums of products of three differences.  Their errors have one bound: a constant
 // that is derived from the formulas, times the largest differences of each axis (filter B of certify/filter_stage.hpp).

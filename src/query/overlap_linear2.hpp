@@ -1,4 +1,5 @@
-// How do lines, rays and segments in the plane lie to one another, and to points?  The signs of all 2D tests.
+// Segment intersection: how do lines, rays and segments in the plane lie to one another, and to points?  The signs of
+// all 2D tests.
 //
 // Laws: one of zero direction, or of equal ends, is its point.  A direction that is the difference of two points is
 // never rounded: the signs are those of the points.  Where two lines cross, the place of the crossing on each is told

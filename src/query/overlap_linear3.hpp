@@ -1,4 +1,5 @@
-// How do lines, rays and segments in space lie to one another, to points and to triangles?  Degenerate ones too.
+// Segment intersection: how do lines, rays and segments in space lie to one another, to points and to triangles?
+// Degenerate ones too.
 //
 // Laws: one of zero direction, or of equal ends, is its point; a triangle without area is a segment or a point.  What
 // lies in one plane is looked at along an axis in which that plane is not seen edge on, by the signs of the plane.

@@ -1,5 +1,5 @@
-// How do segments and triangles of the plane lie to one another, where doubles tell, or the integers of a common
-// lattice?
+// Segment intersection: how do segments and triangles of the plane lie to one another, where doubles tell, or the
+// integers of a common lattice?
 //
 // Laws: an answer is that of real arithmetic, for any doubles at all; what these cannot tell is nothing: coordinates of
 // more than 61 bits in an axis, what is not finite, and figures without area or length that do not lie on one line.

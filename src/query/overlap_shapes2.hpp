@@ -1,4 +1,5 @@
-// How do triangles and axis-aligned boxes in the plane lie to what is straight, and to one another?
+// Triangle and box tests: how do triangles and axis-aligned boxes in the plane lie to what is straight, and to one
+// another?
 //
 // By the axes that can separate them: the normals of all sides.  Triangles and boxes without interior are what they
 // are, segments and points.

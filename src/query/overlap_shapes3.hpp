@@ -1,4 +1,4 @@
-// How do axis-aligned boxes in space lie to what is straight, and to triangles?
+// Slab test, separating axes: how do axis-aligned boxes in space lie to what is straight, and to triangles?
 //
 // By the axes that can separate them: those of the box, the normal of the triangle, and their cross products.  Along a
 // cross product with a box's axis one looks at both in the plane across that axis, where the corners of the box are

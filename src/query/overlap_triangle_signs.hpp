@@ -1,4 +1,5 @@
-// How do two triangles in space lie to one another, by the signs of volumes and areas of their corners?
+// Triangle-triangle test, signed volumes: how do two triangles in space lie to one another, by the signs of volumes and
+// areas of their corners?
 //
 // Where both cross the line of their planes, each does so in an interval, and the ends of intervals are compared by the
 // volume of the edges that they lie on.  In one plane the edges are the axes that can separate.

@@ -1,4 +1,5 @@
-// On which sides of a plane does a figure lie?  From the least to the greatest value of normal . x - offset.
+// Plane test, support along the normal: on which sides of a plane does a figure lie?  From the least to the greatest
+// value of normal . x - offset.
 //
 // Laws: exact.  Nothing is answered where the normal is zero, or of figures that have neither few points nor vertices.
 // Source: RTCD 5.2.2, 5.2.3.

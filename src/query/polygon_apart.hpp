@@ -1,4 +1,5 @@
-// Is a polygon certainly apart from another figure?  By boxes around both, and by the polygon's plane.
+// Bounding boxes, separating plane: is a polygon certainly apart from another figure?  By boxes around both, and by the
+// polygon's plane.
 //
 // Law: where the answer is yes they are disjoint; otherwise nothing is known.
 // Source: RTCD 4.2.1, 5.2.2.

@@ -1,4 +1,5 @@
-// Where do the chains of polygons in one plane lie to one another, exactly?  Even-odd sets in rational coordinates.
+// Polygon overlay: where do the chains of polygons in one plane lie to one another, exactly?  Even-odd sets in rational
+// coordinates.
 //
 // A region is what its chains wind around an odd number of times; a point on a chain is boundary.
 // Laws: exact; any chains will do.  Near an edge, away from ends and crossings, the region is on one side of it, on

@@ -1,4 +1,5 @@
-// Which point of the differences of two shapes is nearest to the origin?  A guess, and what it takes to be sure.
+// GJK, Minkowski difference: which point of the differences of two shapes is nearest to the origin?  A guess, and what
+// it takes to be sure.
 //
 // Laws: over numbers that know their errors, and whose signs certain() tells, nearest() is sure: the origin's
 // projection on the corner's point, line or plane is strictly within its ways, and the direction there leads nowhere

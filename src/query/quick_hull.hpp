@@ -1,4 +1,5 @@
-// What do points, segments, triangles and boxes need to be asked along a direction?  A place, and ways from it.
+// Support mapping: what do points, segments, triangles and boxes need to be asked along a direction?  A place, and ways
+// from it.
 //
 // A woven shape is its place plus any part of each of its ways: from none to all of them, or of boxes with a center as
 // much back as forth.  A triangle has its first vertex for a place.

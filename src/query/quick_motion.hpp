@@ -1,4 +1,5 @@
-// Do two shapes meet in straight motion, and when first?  Plain doubles, and pairs of them for the time; no more.
+// Time of impact: do two shapes meet in straight motion, and when first?  Plain doubles, and pairs of them for the
+// time; no more.
 //
 // Laws: (1) yes and no are those of real arithmetic; unsure says nothing.  (2) Asked when, the contact is that of
 // query/translating_contact.hpp: its time is rounded down, and its features are the only ones that meet then, or the

@@ -1,4 +1,5 @@
-// Where do two shapes in straight motion come nearest, and does the direction there keep them apart?
+// Time of impact, Minkowski difference: where do two shapes in straight motion come nearest, and does the direction
+// there keep them apart?
 //
 // Laws: what is searched for in plain doubles is a guess; apart_along is certain, whatever the direction.
 // Source: RTCD 5.1.9, 5.5.2 (coordinate descent; Newton's method on the distance, which is convex in time).

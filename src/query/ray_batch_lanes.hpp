@@ -1,4 +1,4 @@
-// What do lanes of doubles say of one ray against many triangles?
+// Ray cast: what do lanes of doubles say of one ray against many triangles?
 //
 // What the tests prove is said in ray_filters.hpp.
 #pragma once

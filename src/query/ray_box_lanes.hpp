@@ -1,4 +1,4 @@
-// What do lanes of doubles say of one ray against many axis-aligned boxes?
+// Slab test: what do lanes of doubles say of one ray against many axis-aligned boxes?
 //
 // The box is apart along an axis of its own where numbers as given say so, and along one across the direction and an
 // axis of the box where the corner of its rectangle at which u y - v x is least, or most, is on that side of the line

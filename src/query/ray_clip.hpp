@@ -1,4 +1,4 @@
-// When does a line enter a convex set that is given by halfspaces, and one quadric at the most?
+// Ray cast, slab test: when does a line enter a convex set that is given by halfspaces, and one quadric at the most?
 //
 // A model is such a set: size() constraints linear<T>(line, i), a feature for the constraints that are tight, a normal
 // for each; perhaps a quadratic<T>(line).

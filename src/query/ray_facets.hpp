@@ -1,4 +1,4 @@
-// When does a line first meet one of several flat faces, convex and of three or four corners?
+// Ray cast: when does a line first meet one of several flat faces, convex and of three or four corners?
 //
 // A facet is given by its corners, seen from the ray's origin, with the numbers of its vertices and edges; corners may
 // be equal or on one line: then the facet is the union of its edges.

@@ -1,4 +1,5 @@
-// What do doubles prove of a ray against a triangle, and a box?  The formulas whose constants the filters take.
+// Ray cast, floating-point filter: what do doubles prove of a ray against a triangle, and a box?  The formulas whose
+// constants the filters take.
 //
 // With the corners A, B, C seen from the origin and the direction d, the line passes the edge from P to Q at
 // d . (Q x P), positive on its left; the plane is met at t = N / D with N = A . (B x C), D = -(sum of the three).

@@ -1,5 +1,5 @@
-// Which doubles are the parameter, the point and the normal of a hit that is decided?  Pairs of doubles first, integers
-// for those numbers that they leave in doubt.
+// Ray cast: which doubles are the parameter, the point and the normal of a hit that is decided?  Pairs of doubles
+// first, integers for those numbers that they leave in doubt.
 //
 // Every number is linear in the parameter; exactly it is (a + b sqrt(c)) / d, with b = 0 where the parameter is a
 // quotient.

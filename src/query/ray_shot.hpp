@@ -1,4 +1,4 @@
-// How is a line seen by shapes, over any number type?  Its parameters, and what is asked of them.
+// Ray cast: how is a line seen by shapes, over any number type?  Its parameters, and what is asked of them.
 //
 // Numbers are Approximate, Ball and BigDyadic in turn (query/certain.hpp), until all signs are certain.  A parameter is
 // a quotient, or the lesser root of a quadratic; what a decision keeps of it is where it comes from, so that it can be

@@ -1,4 +1,5 @@
-// Does a plane part two small figures, and do they touch along it?  The separating-axis test for convex pairs, general.
+// Separating axis test (SAT): does a plane part two small figures, and do they touch along it?  The separating-axis
+// test for convex pairs, general.
 //
 // The difference of two convex sets contains the origin where they meet, and its faces are spanned by edges of the two:
 // two of one face, or one of each.  So they are disjoint where a cross product of such edges has all of one beyond all

@@ -1,4 +1,5 @@
-// Do they surely come as near as a distance while they move, or surely not?  Plain doubles.
+// Continuous collision detection: do they surely come as near as a distance while they move, or surely not?  Plain
+// doubles.
 //
 // Laws: yes and no are certain; unsure says nothing.  The differences between points of the two figures are linear in
 // time and in the places within both figures, so during a piece of time they lie in the hull of those of vertices at

@@ -1,4 +1,4 @@
-// When exactly do two features come as near as a distance, given about when?  Pairs of doubles.
+// Time of impact: when exactly do two features come as near as a distance, given about when?  Pairs of doubles.
 //
 // Laws: a yes is certain.  During a short piece of time at whose beginning the figures are farther apart and at whose
 // end nearer, bounds tell that one pair of features is nearest throughout and that its distance falls; so the time is

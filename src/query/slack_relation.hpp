@@ -1,4 +1,5 @@
-// How does a figure lie to what halfspaces bound?  By the greatest slack that a point of it has in all of them.
+// Linear programming: how does a figure lie to what halfspaces bound?  By the greatest slack that a point of it has in
+// all of them.
 //
 // A figure is the image of numbers that lie between few bounds (a triangle of two, a box of three), or of all numbers
 // where it is bounded by halfspaces itself.  Its relative interior is the image of those with slack in the bounds, so

@@ -1,4 +1,5 @@
-// Which features of a triangle and another straight shape come closest?  A guess in doubles, and its proof.
+// Closest features: which features of a triangle and another straight shape come closest?  A guess in doubles, and its
+// proof.
 //
 // Laws: an answer is proved by signs that are certain: the closest points of the two features lie strictly within them,
 // and all else of either shape lies strictly beyond its end of the line between them; so there is no other closest

@@ -1,4 +1,5 @@
-// Which pair of features holds the closest points of two bodies?  All pairs, the least distance by signs.
+// Closest features: which pair of features holds the closest points of two bodies?  All pairs, the least distance by
+// signs.
 //
 // Laws: (1) a pair of features has a candidate where it has one closest pair alone and that lies strictly within both:
 // vertex and anything, two edges that are not parallel, an edge that crosses a face.  The closest pairs of two bodies

@@ -1,4 +1,4 @@
-// Which pairs of features can hold the closest points at all?  What plain doubles leave of them.
+// Closest features: which pairs of features can hold the closest points at all?  What plain doubles leave of them.
 //
 // Laws: what is left out is certain to have no candidate (straight_search.hpp), or one that is farther apart than
 // another pair; numbers that are none leave everything in.

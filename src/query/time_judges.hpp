@@ -1,4 +1,4 @@
-// When does a condition first hold, as far as doubles tell, to a pair of doubles, and exactly?
+// Time of impact: when does a condition first hold, as far as doubles tell, to a pair of doubles, and exactly?
 //
 // Judges of query/meeting_time.hpp, of one condition each.
 // Laws: (1) QuickTime: no time before earliest() meets the condition, infinite where none in [0, 1] does; where

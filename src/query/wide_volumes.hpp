@@ -1,4 +1,4 @@
-// On which side of a plane does a corner lie, on a lattice of up to 125 bits?
+// Signed volumes: on which side of a plane does a corner lie, on a lattice of up to 125 bits?
 //
 // Laws: exact, where is_lattice.
 // Source: arith/lattice_digits.hpp.

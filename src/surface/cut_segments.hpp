@@ -1,4 +1,4 @@
-// Which segments does a plane cut out of triangles, and between which points?
+// Slicing: which segments does a plane cut out of triangles, and between which points?
 //
 // Laws: a triangle with vertices on both sides gives one segment, which has the solid to its left seen from the
 // normal's side; corners that are the same point are one; no segment begins where it ends, and none runs against

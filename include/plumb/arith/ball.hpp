@@ -1,4 +1,5 @@
-// What is the exact value, to some hundred bits?  A pair of doubles and how far from it the value can be.
+// Ball arithmetic: what is the exact value, to some hundred bits?  A pair of doubles and how far from it the value can
+// be.
 //
 // Laws: |exact - (high + low)| <= radius, and high is the double nearest to high + low.  What is computed without error
 // has radius 0: small integers stay exact.  Where the error-free transforms do not hold (beyond 2^960 or below 2^-960)

@@ -1,4 +1,4 @@
-// What is the exact value, whatever its size?  GMP's numbers as numbers a formula can run over.
+// Multiple precision: what is the exact value, whatever its size?  GMP's numbers as numbers a formula can run over.
 //
 // Laws: exact; of any finite double.  A BigDyadic holds no more bits than lie between the ends of its value, so that
 // coordinates of very different size cost what their digits cost, not what their exponents span.

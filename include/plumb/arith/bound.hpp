@@ -1,5 +1,5 @@
-// By how much can the floating-point value of a formula be off?  A number that computes its own error bound when
-// compiled: run over Bound, a formula yields the constant of its filter.
+// Static filter: by how much can the floating-point value of a formula be off?  A number that computes its own error
+// bound when compiled: run over Bound, a formula yields the constant of its filter.
 //
 // Law: |computed - exact| <= e * 2^-85 * magnitude, with the magnitude as Filtered computes it (arith/filtered.hpp).
 // e is a 64-bit fixed-point number in units of 2^-85 = 2^-53 * 2^-32, every step rounded up.  Proof: docs/proof.md.

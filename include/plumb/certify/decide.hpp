@@ -1,4 +1,4 @@
-// What is the sign of a formula at these coordinates, exactly?  The chain of stages.
+// Adaptive precision: what is the sign of a formula at these coordinates, exactly?  The chain of stages.
 //
 // Laws: the answer is the sign of the exact value for all finite doubles; anything else throws NonFinite, naming the
 // argument.  The order of the stages changes the time, never the answer.

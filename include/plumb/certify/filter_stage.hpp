@@ -1,4 +1,4 @@
-// Does plain floating point prove the sign?  The two derived filters.
+// Floating-point filter: does plain floating point prove the sign?  The two derived filters.
 //
 // Laws: a certain answer is the sign of the exact value, for any doubles at all (NaN, infinity, overflow and underflow
 // end as unsure); zero is never certain here.  No branch on the sign forms the answer: signs cannot be

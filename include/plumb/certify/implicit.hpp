@@ -1,4 +1,5 @@
-// On which side, and inside or outside, when points are constructed or posed?  The classic signs for any mix of kinds.
+// Indirect predicates: on which side, and inside or outside, when points are constructed or posed?  The classic signs
+// for any mix of kinds.
 //
 // Each function takes points as given (Point2 or Point3) beside implicit ones (arith/implicit_point.hpp) and posed ones
 // (arith/pose.hpp), in any order.

@@ -1,4 +1,5 @@
-// How does a directed line pass the three edges of a triangle?  The signs of the ray-triangle test.
+// Ray-triangle test, signed volumes: how does a directed line pass the three edges of a triangle?  The signs of the
+// ray-triangle test.
 //
 // Laws: (1) for a triangle with an inside and a line that is not in its plane: they meet exactly when no two of the
 // edge signs are opposite; all positive (negative) where the line goes through the inside and comes from where a, b, c

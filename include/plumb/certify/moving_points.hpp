@@ -1,4 +1,5 @@
-// Can four linearly moving points be in one plane at some time in [0, 1]?  Signs of the cubic's Bernstein coefficients.
+// Continuous collision detection, coplanarity cubic: can four linearly moving points be in one plane at some time in
+// [0, 1]?  Signs of the cubic's Bernstein coefficients.
 //
 // orient3d of the points at time t is b0 (1-t)^3 + 3 b1 t (1-t)^2 + 3 b2 t^2 (1-t) + b3 t^3.  Vertex against face and
 // edge against edge meet only at its roots.

@@ -1,4 +1,5 @@
-// Which arithmetic is already exact for every input of this lattice?  The cheapest one, for each formula.
+// Fixed precision: which arithmetic is already exact for every input of this lattice?  The cheapest one, for each
+// formula.
 //
 //   const Plan scene = plan(lattice_of(coordinates));
 //   scene.arithmetic<predicates::Orient3d>()   // Arithmetic::plain_double, say

@@ -1,4 +1,4 @@
-// Which weighted point governs a place?  The tests of regular triangulations and power diagrams.
+// Power diagram: which weighted point governs a place?  The tests of regular triangulations and power diagrams.
 //
 // The power of x from a weighted point (c, w) is |cx|^2 - w.  With a squared radius as weight, a weighted point is a
 // circle or sphere, and the power of x is negative inside; a weight may also be negative.

@@ -1,4 +1,4 @@
-// Which of two planes does a ray meet first, and does it meet one before a given parameter?
+// Ray cast: which of two planes does a ray meet first, and does it meet one before a given parameter?
 //
 // The parameter t counts multiples of the direction from the origin: t = 0 is the origin, and for a segment from p to q
 // t = 1 is q.  The ray is taken as a whole line here: parameters may be negative.  Planes are given by three points

@@ -1,4 +1,4 @@
-// Does a cross product of two boxes' edges separate them, and do they touch along it?
+// Separating axis test: does a cross product of two boxes' edges separate them, and do they touch along it?
 //
 // A box has `center`, `axes` (three vectors, of any length and at any angle) and `half` (extents, of which the
 // magnitude counts): all points center + sum of s_i axes_i with |s_i| <= half_i.  It is the parallelepiped that its

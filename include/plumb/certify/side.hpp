@@ -1,4 +1,5 @@
-// On which side of this one line, plane, circle or sphere do points lie?  A predicate with the last point left open.
+// Orientation tests: on which side of this one line, plane, circle or sphere do points lie?  A predicate with the last
+// point left open.
 //
 // Laws: (1) Side<F>(a, b, ...)(p) is the sign of F at a, b, ..., p, for all finite doubles.  (2) What is NaN or
 //       infinite throws NonFinite by name, a given point when the object is made.  (3) An object is a value.

@@ -1,4 +1,4 @@
-// On which side of a plane (line) given by normal and offset does a point lie, and how far from it?
+// Plane test: on which side of a plane (line) given by normal and offset does a point lie, and how far from it?
 //
 // The plane is the set of x with normal . x = offset, as the numbers say: the normal need not have length one.
 // Laws: (1) negating normal and offset flips the side and keeps the distance.  (2) Multiplying both by the same

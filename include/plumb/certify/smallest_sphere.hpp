@@ -1,4 +1,4 @@
-// Does a point lie inside the smallest circle or sphere through some points?
+// Minimum enclosing ball: does a point lie inside the smallest circle or sphere through some points?
 //
 // Laws: (1) positive inside, zero on it, negative outside, whatever the order of the points that span it.  (2) Equal
 // ones among these count once: the smallest sphere through one point is that point.  (3) Zero for every point where

@@ -1,4 +1,5 @@
-// On which inputs is a geometric function wrong?  Any function of a known kind against the exact answer.
+// Property-based testing: on which inputs is a geometric function wrong?  Any function of a known kind against the
+// exact answer.
 //
 //   const Findings findings = degenerate::check(kind, my_orient3d, {.seed = 7, .cases = 10'000});
 //   EXPECT_TRUE(findings.clean()) << degenerate::text(kind, findings);

@@ -1,4 +1,5 @@
-// What is the simplest case that still fails?  Shrinking of a case's choices, and of a list of coordinates.
+// Test-case reduction: what is the simplest case that still fails?  Shrinking of a case's choices, and of a list of
+// coordinates.
 //
 // Laws: (1) the result still fails, if the case given did; (2) it is never less simple than what was given;
 // (3) `still_fails` is called at most `most_calls` times, always in the same order: the same case shrinks to the same;

@@ -1,4 +1,4 @@
-// Which axis-aligned box holds it?  Of points, of shapes, of two boxes, of what moves.
+// Bounding volume (AABB): which axis-aligned box holds it?  Of points, of shapes, of two boxes, of what moves.
 //
 // Laws: (1) a box certainly contains what it was made for; (2) it is the smallest box of doubles that does: each bound
 // is the exact one, rounded outward once (those of ellipsoids and cylinders in three steps).  (3) merge is commutative,

@@ -1,4 +1,5 @@
-// Do two axis-aligned boxes meet, and does one hold the other?  In each of their three representations.
+// Bounding volumes (AABB): do two axis-aligned boxes meet, and does one hold the other?  In each of their three
+// representations.
 //
 // Laws: (1) the closed sets of the numbers in real arithmetic decide: min + widths and center + half are never rounded.
 // (2) relate and intersects are symmetric; intersects(a, b) is relate(a, b) != disjoint.  (3) An empty box meets

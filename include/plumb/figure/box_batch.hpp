@@ -1,4 +1,5 @@
-// Which of many pairs of boxes, or of balls, meet?  In the lanes of vectors: pair by pair, and one against many.
+// Bounding volumes (AABB, sphere): which of many pairs of boxes, or of balls, meet?  In the lanes of vectors: pair by
+// pair, and one against many.
 //
 // Laws: (1) the answers are those of intersects, one by one, on every instruction set.  (2) The numbers are looked
 // through when a batch is made, not when it is asked: NonFinite names the item.  A negative radius throws InvalidShape,

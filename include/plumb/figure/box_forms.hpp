@@ -1,4 +1,5 @@
-// Which min-max, min-widths or center-radius box is the same axis-aligned box, or the least that holds it?
+// Bounding volume (AABB): which min-max, min-widths or center-radius box is the same axis-aligned box, or the least
+// that holds it?
 //
 // Laws: (1) the result contains the box, exactly; it is the same set wherever doubles can say it in the new form, with
 // the corner or center named here.  (2) A corner is the double nearest outward; widths are the least that reach from

@@ -1,4 +1,5 @@
-// Which axis-aligned box holds a convex polyhedron that moves?  Its six extremal vertices are kept, and climb.
+// Bounding volume (AABB), hill climbing: which axis-aligned box holds a convex polyhedron that moves?  Its six extremal
+// vertices are kept, and climb.
 //
 // Laws: (1) the box is that of the exact images of all vertices, rounded outward once, whatever the poses asked before:
 // only the time depends on them.  (2) A vertex is left for a neighbor only where the neighbor certainly lies farther;

@@ -1,4 +1,5 @@
-// Where does a point lie to a shape: inside, on its boundary, or outside?  Does the shape contain it?
+// Point location, containment: where does a point lie to a shape: inside, on its boundary, or outside?  Does the shape
+// contain it?
 //
 // A shape is the closed set that its struct's comment defines, in real arithmetic; degenerate ones are that set as
 // well: an oriented box with dependent axes is a zonotope of lower dimension, a flat ellipsoid an ellipse or a segment.

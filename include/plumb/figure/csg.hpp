@@ -1,4 +1,5 @@
-// Where does a point lie to what is made of shapes by union, intersection, difference and complement?
+// Constructive solid geometry (CSG): where does a point lie to what is made of shapes by union, intersection,
+// difference and complement?
 //
 //   const Csg3 nut = (csg(hexagon) & csg(chamfer)) - csg(bore);
 //   if (const auto where = locate(nut, p)) ...

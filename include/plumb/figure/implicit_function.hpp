@@ -1,4 +1,4 @@
-// Where does a point lie to the shape that a polynomial says: all points with f <= 0?
+// Implicit surface: where does a point lie to the shape that a polynomial says: all points with f <= 0?
 //
 //   const auto torus = implicit_shape3([](auto x, auto y, auto z, auto major, auto minor) {
 //     const auto s = x * x + y * y + z * z + major * major - minor * minor;

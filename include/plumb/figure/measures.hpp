@@ -1,4 +1,5 @@
-// How large is it, and where is its middle?  Areas, volumes, surface areas and centroids.
+// Area, signed volume, centroid: how large is it, and where is its middle?  Areas, volumes, surface areas and
+// centroids.
 //
 // Laws: (1) areas, volumes and centroids are the exact value rounded once to the nearest double; surface areas that are
 // a sum of several roots, and all that contain pi, are within 1 ulp of it, and nearest but for rare doubt.

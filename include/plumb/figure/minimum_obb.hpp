@@ -1,4 +1,5 @@
-// Which box holds all points in the least volume?  And which rectangle in the least area?
+// Bounding volume (OBB), rotating calipers: which box holds all points in the least volume?  And which rectangle in the
+// least area?
 //
 // Laws: (1) the box contains all points exactly: its half extents are rounded up around axes that are doubles.
 // (2) The rectangle's direction is chosen by exact comparison: no edge of the hull gives a smaller one.  (3) The box

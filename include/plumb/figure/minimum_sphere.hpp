@@ -1,4 +1,4 @@
-// Which is the smallest circle or sphere around all points, and which points hold it?
+// Minimum enclosing ball: which is the smallest circle or sphere around all points, and which points hold it?
 //
 // Laws: (1) the support is one to four of the points (three in the plane) on whose boundary the exact smallest ball
 // rests: its center is a convex combination of them with positive weights, and every point lies in it, exactly, however

@@ -1,4 +1,5 @@
-// Which shape do the sums, or the differences, of the points of two convex shapes make?  With exact vertices.
+// Minkowski sum, Minkowski difference: which shape do the sums, or the differences, of the points of two convex shapes
+// make?  With exact vertices.
 //
 //   contains_origin(minkowski_difference(a, b))    // do a and b have a point in common?
 //

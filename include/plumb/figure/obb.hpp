@@ -1,4 +1,5 @@
-// Do two oriented boxes meet?  And what else is asked of them: corners, volume, a box around both, their image.
+// Bounding volume (OBB), separating axes: do two oriented boxes meet?  And what else is asked of them: corners, volume,
+// a box around both, their image.
 //
 // A box is the parallelepiped that its numbers say (figure/box.hpp): its axes need be neither orthonormal nor
 // independent, and it may be flat, a segment or a point.

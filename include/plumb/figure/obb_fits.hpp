@@ -1,4 +1,4 @@
-// Which oriented box fits well, for less work than the smallest one?
+// Bounding volume (OBB), principal axes: which oriented box fits well, for less work than the smallest one?
 //
 // Laws: (1) every box contains all points exactly: half extents are rounded up.  (2) The axes are orthonormal up to
 // rounding.  (3) The result depends on the points alone (and, of principal axes of points, on their order by rounding

@@ -1,4 +1,5 @@
-// Is the point in the polygon?  Any chain, with holes or without, in the plane and in space.
+// Point in polygon, winding number: is the point in the polygon?  Any chain, with holes or without, in the plane and in
+// space.
 //
 // Laws: (1) the definition of figure/polygon.hpp: whatever lies on a chain is boundary; elsewhere inside where all
 // chains together wind around the point an odd number of times.  (2) The order of the chain, its start, repeated

@@ -1,4 +1,4 @@
-// Is this mesh a convex polyhedron, and is a point in it?
+// Point in polyhedron: is this mesh a convex polyhedron, and is a point in it?
 //
 // Laws: (1) what convex_polyhedron returns is proved convex by exact signs (figure/convexity.hpp); the mesh is
 // unchanged. (2) A point is inside when it is strictly below every face, outside when it is above some.

@@ -1,5 +1,5 @@
-// What collides in place of the mesh that is seen?  Its hull, a k-DOP around it, a copy of fewer bits: with what each
-// is known to keep.
+// Collision geometry: what collides in place of the mesh that is seen?  Its hull, a k-DOP around it, a copy of fewer
+// bits: with what each is known to keep.
 //
 // Laws: (1) the hull and the k-DOP contain every vertex, exactly; so what misses them misses the mesh.  (2) Each vertex
 // of the quantized copy is the lattice point nearest to the one it stands for, of two as near the one farther from

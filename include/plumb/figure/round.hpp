@@ -1,4 +1,5 @@
-// What is round?  Balls, and sets of points near to something or below a curve: as given, nothing normalized.
+// Spheres, capsules, quadrics: what is round?  Balls, and sets of points near to something or below a curve: as given,
+// nothing normalized.
 //
 // Laws: a shape is the closed set that its numbers say.  A radius or half extent of zero is a shape; a negative radius
 // is none, and who is asked about it throws InvalidShape.  Of half extents the magnitude counts.

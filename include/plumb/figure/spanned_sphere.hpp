@@ -1,4 +1,5 @@
-// What is known exactly of the ball that some points span?  The smallest circle or sphere through one to four points.
+// Circumscribed sphere: what is known exactly of the ball that some points span?  The smallest circle or sphere through
+// one to four points.
 //
 // Laws: (1) the ball is the smallest with all its points on the boundary; its center lies in the points' affine hull.
 // (2) Nothing of it is rounded: locate and compare_radius are exact, center and radius are rounded once.  (3) The order

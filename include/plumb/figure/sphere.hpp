@@ -1,4 +1,4 @@
-// Do two balls meet, does one hold the other, and which ball holds both?
+// Bounding volume (sphere): do two balls meet, does one hold the other, and which ball holds both?
 //
 // Laws: (1) relate, intersects and contains are those of real arithmetic on the closed balls; relate and intersects are
 // symmetric.  (2) A merged ball certainly contains what it was made of, and is as small as its rounding allows: one of

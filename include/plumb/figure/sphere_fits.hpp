@@ -1,4 +1,5 @@
-// Which sphere around the points, quickly?  Four fits in the order of their cost, all enclosing for certain.
+// Bounding volume (sphere): which sphere around the points, quickly?  Four fits in the order of their cost, all
+// enclosing for certain.
 //
 // Laws: (1) every point is contained, exactly: doubles choose the center, the radius is the distance of the farthest
 // point from it, rounded up once.  (2) The same points in the same order give the same sphere, everywhere.  (3) All

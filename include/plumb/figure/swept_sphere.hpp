@@ -1,4 +1,5 @@
-// Swept spheres as bounds: how do two lie to one another, and which one holds these points?
+// Bounding volume (capsule, lozenge): swept spheres as bounds: how do two lie to one another, and which one holds these
+// points?
 //
 // A core, a segment or a parallelogram, and all that is near to it.
 // Laws: (1) relate and intersects are exact and symmetric: the distance of the cores against the sum of the radii,

@@ -1,4 +1,5 @@
-// Is this the convex hull of these points in space?  A proof by exact signs, which makes no hull.
+// Certifying convex hull: is this the convex hull of these points in space?  A proof by exact signs, which makes no
+// hull.
 //
 //   if (const HullVerdict verdict = verify_hull(hull, points); !verdict) std::cerr << verdict.flaw;
 //

@@ -1,4 +1,5 @@
-// Which vertex, edge or face of a shape is nearest to a point?  The Voronoi region that the point is in.
+// Closest feature, Voronoi region: which vertex, edge or face of a shape is nearest to a point?  The Voronoi region
+// that the point is in.
 //
 // Laws: (1) the feature, of the lowest dimension and then of the lowest number, that contains the one point of the
 // convex shape that is nearest to p: so a point on the boundary of two regions is in that of the vertex before that of

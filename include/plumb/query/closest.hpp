@@ -1,4 +1,4 @@
-// Which points of two figures are nearest to one another, and how far apart are they?
+// Closest points and distance: which points of two figures are nearest to one another, and how far apart are they?
 //
 //   closest_points(p, triangle)      both points, their features and the distance
 //   closest_point(triangle, p)       the point of the shape

@@ -1,4 +1,4 @@
-// Which of many points, segments or triangles is nearest to p, and how far is it?
+// Nearest neighbor: which of many points, segments or triangles is nearest to p, and how far is it?
 //
 // Laws: (1) the item of least distance in real arithmetic, of equally near ones the lowest; `distance` is that of
 // query/closest.hpp.  (2) The same answer on every instruction set.  An empty batch throws InvalidShape, NaN and

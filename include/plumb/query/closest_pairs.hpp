@@ -1,5 +1,5 @@
-// Where do two straight shapes come closest, and how near?  Lines, rays, segments and triangles, of which none is
-// round.
+// Closest points of linear primitives: where do two straight shapes come closest, and how near?  Lines, rays, segments
+// and triangles, of which none is round.
 //
 //   closest_points(segment, triangle)    both points, their features, the distance
 //   distance(ray, line)                  the number alone; squared_distance_exact without rounding

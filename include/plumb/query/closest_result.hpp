@@ -1,4 +1,5 @@
-// How close do two figures come, where, and between which of their features?  What the questions of closest.hpp answer.
+// Closest points and closest features: how close do two figures come, where, and between which of their features?  What
+// the questions of closest.hpp answer.
 //
 // Laws: features are exact (figure/voronoi_region.hpp numbers them; a line and a ray are edge 0, a ray's origin is
 // vertex 0, a plane and the surface of a ball are face 0); coordinates and the distance are the exact values, each

@@ -1,4 +1,5 @@
-// Do they meet while every vertex moves linearly, and when first?  Vertex against triangle, edge against edge.
+// Continuous collision detection (CCD): do they meet while every vertex moves linearly, and when first?  Vertex against
+// triangle, edge against edge.
 //
 // These are the tests of cloth and contact solvers: the times at which four moving points are in one plane are the
 // roots of a cubic, and at each root it is asked whether the points are where they meet.

@@ -1,4 +1,4 @@
-// Is a point in a convex polygon, in logarithmic time?
+// Point in convex polygon: is a point in a convex polygon, in logarithmic time?
 //
 //   const ConvexLocator2 locator(polygon);   // once
 //   locator.locate(p);                       // a binary search among doubles and two exact signs

@@ -1,4 +1,5 @@
-// Where exactly is a point that two figures have in common?  As given, as constructed, or in rational coordinates.
+// Implicit point: where exactly is a point that two figures have in common?  As given, as constructed, or in rational
+// coordinates.
 //
 //   const ExactPoint3 p = intersection(segment, triangle).vertices[0];
 //   approximate(p)                    // the nearest doubles

@@ -1,4 +1,5 @@
-// Which points do two figures have in common?  Nothing, a point, a segment or a polygon, with exact corners.
+// Intersection, clipping: which points do two figures have in common?  Nothing, a point, a segment or a polygon, with
+// exact corners.
 //
 //   const Intersection3 common = intersection(triangle, other);
 //   if (common.kind == IntersectionKind::segment) orient3d(common.vertices[0], a, b, c);   // exact

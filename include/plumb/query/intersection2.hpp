@@ -1,4 +1,4 @@
-// Which points do two figures of the plane have in common?
+// Intersection, clipping: which points do two figures of the plane have in common?
 //
 //   intersection(Segment2{{0, 0}, {2, 2}}, Segment2{{0, 1}, {2, 0}})   // a point: where the lines cross, unrounded
 //   intersection(triangle, other)                                       // nothing, a point, a segment, up to six

@@ -1,5 +1,5 @@
-// What do two figures have in common?  A set of points with exact corners: what the questions of intersection.hpp
-// answer.
+// Intersection: what do two figures have in common?  A set of points with exact corners: what the questions of
+// intersection.hpp answer.
 //
 // Laws: (1) the vertices are exact (query/exact_point.hpp), no two of them equal, no three on one line.  (2) Those of a
 // segment ascend lexicographically.  Those of a polygon turn counterclockwise once around, beginning with the

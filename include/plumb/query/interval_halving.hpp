@@ -1,4 +1,5 @@
-// When can two figures first meet, if all that is known is how far apart they are and how fast that can change?
+// Conservative advancement, interval halving: when can two figures first meet, if all that is known is how far apart
+// they are and how fast that can change?
 //
 //   struct Door { double distance_at(double t) const; double speed_between(double from, double to) const; };
 //   first_contact_span(Door{})   // a span of 2^-20 in which they may meet, and never before it

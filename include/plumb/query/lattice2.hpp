@@ -1,4 +1,5 @@
-// Do segments of a lattice meet, and where does a point lie to a triangle or polygon of it?  In the plan's arithmetic.
+// Integer arithmetic: do segments of a lattice meet, and where does a point lie to a triangle or polygon of it?  In the
+// plan's arithmetic.
 //
 //   const Kernel kernel(plan(lattice_of(coordinates)));
 //   const LatticeTests2 tests(kernel);

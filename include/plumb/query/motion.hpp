@@ -1,4 +1,4 @@
-// What moves, how, and when does it meet?  Figures in motion during time [0, 1].
+// Swept test: what moves, how, and when does it meet?  Figures in motion during time [0, 1].
 //
 // Laws: a moving figure is what its shapes say at every time; nothing is rounded on the way.  One that does not move is
 // one whose motion is zero.

@@ -1,5 +1,5 @@
-// When can two figures that move straight, or whose corners do, first meet?  Interval halving for whatever has a
-// distance.
+// Conservative advancement, interval halving: when can two figures that move straight, or whose corners do, first meet?
+// Interval halving for whatever has a distance.
 //
 //   first_contact_span(Moving<Triangle3>{from, to}, Moving<Triangle3>{rest, rest})
 //   first_contact_span(Translating<Point3>{p, by}, Translating<Polygon3>{polygon, {0, 0, 0}})

@@ -1,4 +1,5 @@
-// Do two figures meet, and do they overlap or only touch?  Every pair of the table (query/pairs.hpp, docs/overlap.md).
+// Narrow phase: do two figures meet, and do they overlap or only touch?  Every pair of the table (query/pairs.hpp,
+// docs/overlap.md).
 //
 // Laws: (1) relate is the relation of figure/relation.hpp between the sets that the numbers say, in real arithmetic:
 // they are disjoint, touch where they only have boundary points in common, overlap where their interiors meet, each

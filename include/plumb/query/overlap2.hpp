@@ -1,4 +1,5 @@
-// Do two figures of the plane meet, and do they overlap or only touch?  Lines, rays, segments, triangles, boxes.
+// Narrow phase: do two figures of the plane meet, and do they overlap or only touch?  Lines, rays, segments, triangles,
+// boxes.
 //
 // Laws: (1) the answer of real arithmetic, for all finite doubles (figure/relation.hpp says what touching is).
 // (2) relate is symmetric, and the same for every order of corners and ends.  (3) intersects is relate != disjoint.

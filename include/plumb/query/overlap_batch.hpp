@@ -1,4 +1,5 @@
-// Which of many triangles does a box meet, and which of many boxes a segment?  In the lanes of vectors.
+// Narrow phase, one against many: which of many triangles does a box meet, and which of many boxes a segment?  In the
+// lanes of vectors.
 //
 // Laws: (1) the answers are those of intersects, one by one, on every instruction set.  (2) The numbers of the many are
 // looked through when the batch is made: NonFinite names the item; those of the one when it is asked.  A span of

@@ -1,4 +1,5 @@
-// Does a box in space meet what is straight, a triangle, or a box of the other kind, and do they overlap or only touch?
+// Narrow phase, separating axes: does a box in space meet what is straight, a triangle, or a box of the other kind, and
+// do they overlap or only touch?
 //
 // Laws: (1) the answer of real arithmetic, for all finite doubles (figure/relation.hpp says what touching is).
 // (2) An oriented box is the parallelepiped of its axes, orthonormal or not (figure/box.hpp).  (3) relate is symmetric;

@@ -1,4 +1,5 @@
-// Do a cylinder or a cone and a line, a ray, a segment, a plane or a halfspace meet, and do they overlap or only touch?
+// Narrow phase: do a cylinder or a cone and a line, a ray, a segment, a plane or a halfspace meet, and do they overlap
+// or only touch?
 //
 // The shapes are those of figure/round.hpp: flat ends, and a ball where the ends of the axis are equal.
 // Laws: (1) the answer of real arithmetic, for all finite doubles: along a line the surface is a quadratic whose least

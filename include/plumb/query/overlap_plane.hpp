@@ -1,4 +1,5 @@
-// On which sides of a plane does a shape lie, so: does it meet the plane, or the halfspace below it?
+// Plane test, half-space test: on which sides of a plane does a shape lie, so: does it meet the plane, or the halfspace
+// below it?
 //
 // Laws: (1) the answer of real arithmetic, for all finite doubles (figure/relation.hpp says what touching is): what
 // lies in a plane overlaps it, and touches the halfspaces that it bounds.  (2) Multiplying normal and offset by the

@@ -1,4 +1,4 @@
-// Do a ball, a capsule or a lozenge and another figure meet, and do they overlap or only touch?
+// Narrow phase: do a ball, a capsule or a lozenge and another figure meet, and do they overlap or only touch?
 //
 // Each is all points near to its core, a point, a segment or a parallelogram: the answer is the sign of the distance of
 // the core and the other figure, minus the radius, or the sum of two, which is not rounded.

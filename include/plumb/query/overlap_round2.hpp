@@ -1,4 +1,4 @@
-// Do a disk or a capsule of the plane and another figure of it meet, and do they overlap or only touch?
+// Narrow phase: do a disk or a capsule of the plane and another figure of it meet, and do they overlap or only touch?
 //
 // Laws: those of query/overlap_round.hpp.  The answer is that of the same figures in space, where distances are the
 // same; what has an inside in the plane has it relative to its affine hull there.

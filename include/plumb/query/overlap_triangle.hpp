@@ -1,5 +1,5 @@
-// Does a triangle in space meet what is straight, another triangle, or a tetrahedron, and do they overlap or only
-// touch?
+// Narrow phase: does a triangle in space meet what is straight, another triangle, or a tetrahedron, and do they overlap
+// or only touch?
 //
 // Laws: (1) the answer of real arithmetic, for all finite doubles (figure/relation.hpp says what touching is):
 // triangles that cross overlap where both insides do, coplanar ones where their insides in the plane do.  (2) relate is

@@ -1,4 +1,5 @@
-// Which algorithm answers how two figures lie to one another?  One table for all pairs, as data.
+// Narrow phase, dispatch: which algorithm answers how two figures lie to one another?  One table for all pairs, as
+// data.
 //
 // Laws: (1) a pair is named in the order of FigureKind; the other order is answered by it.  (2) relate and intersects
 // (query/overlap.hpp) take exactly the pairs whose method is not `absent`: the table is what their overloads are made

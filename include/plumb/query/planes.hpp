@@ -1,4 +1,4 @@
-// Where do two or three planes meet, and if three have no point in common, why?
+// Plane intersection: where do two or three planes meet, and if three have no point in common, why?
 //
 //   intersection(Plane3{{1, 0, 0}, 1}, Plane3{{0, 1, 0}, 2})    // the line x = 1, y = 2
 //   intersection(p, q, r).arrangement                           // PlaneArrangement::prism, say

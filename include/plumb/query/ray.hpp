@@ -1,4 +1,5 @@
-// Where does a ray, a segment or a line first hit a shape?  The parameter, the point, the feature and its normal.
+// Ray cast: where does a ray, a segment or a line first hit a shape?  The parameter, the point, the feature and its
+// normal.
 //
 //   first_hit(Ray3{origin, direction}, triangle)      nothing, or { t, point, feature, normal }
 //   first_hit_parameter(ray, sphere)                  the parameter as an exact number that compares

@@ -1,4 +1,5 @@
-// Where does a ray, a segment or a line of the plane first hit a shape?  The parameter, point, feature and a normal.
+// Ray cast: where does a ray, a segment or a line of the plane first hit a shape?  The parameter, point, feature and a
+// normal.
 //
 //   first_hit(Ray2{origin, direction}, polygon)       nothing, or { t, point, feature, normal }
 //

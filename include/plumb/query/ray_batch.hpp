@@ -1,4 +1,4 @@
-// Which of many triangles does a ray hit first, and which at all, and which boxes?  In the lanes of vectors.
+// Ray cast: which of many triangles does a ray hit first, and which at all, and which boxes?  In the lanes of vectors.
 //
 // Laws: (1) the answers are those of hits and first_hit, one by one, on every instruction set.  (2) The first hit is
 // that of the least exact parameter, and of equal ones that of the lowest number.  (3) The numbers are looked through

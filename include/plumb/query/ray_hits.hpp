@@ -1,4 +1,5 @@
-// Does a ray, a segment or a line hit a triangle, a ball or an axis-aligned box?  Yes or no, at the speed of doubles.
+// Ray test, slab test: does a ray, a segment or a line hit a triangle, a ball or an axis-aligned box?  Yes or no, at
+// the speed of doubles.
 //
 // Laws: (1) the answer of real arithmetic on closed sets, for all finite doubles: that of first_hit (query/ray.hpp),
 // and of intersects (query/overlap.hpp), by which it is told.

@@ -1,4 +1,4 @@
-// What is the exact parameter at which a ray hits?  A rational number, less the root of one.
+// Ray cast: what is the exact parameter at which a ray hits?  A rational number, less the root of one.
 //
 // Laws: the value is base - sqrt(square); square is never negative, and zero for what is flat.  Comparison is that of
 // real arithmetic; equal numbers are equal however they were made.

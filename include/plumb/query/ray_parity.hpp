@@ -1,4 +1,5 @@
-// Is the point in the solid that a closed mesh bounds, and how often does the surface wind around it?
+// Point in polyhedron, winding number: is the point in the solid that a closed mesh bounds, and how often does the
+// surface wind around it?
 //
 // A ray goes out along x, moved by the vector of HitRule::half_open (query/ray_hits.hpp), so that there are no unlucky
 // directions: nothing is shot again, and none of its crossings is at an edge or a vertex.

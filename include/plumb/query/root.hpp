@@ -1,4 +1,5 @@
-// Which number makes this polynomial zero?  Real roots that compare exactly: contact times before they are rounded.
+// Root isolation: which number makes this polynomial zero?  Real roots that compare exactly: contact times before they
+// are rounded.
 //
 //   real_roots(std::array<Rational, 3>{-2, 0, 1}, 0, 2)   // the square root of 2, alone
 //

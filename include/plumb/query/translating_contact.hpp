@@ -1,4 +1,4 @@
-// When do two convex figures that move along lines first meet?
+// Time of impact, swept test: when do two convex figures that move along lines first meet?
 //
 //   first_contact(Translating{Sphere3{{0, 0, 0}, 1}, {10, 0, 0}}, Translating{wall, {0, 0, 0}})
 //

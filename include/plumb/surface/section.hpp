@@ -1,4 +1,5 @@
-// Where does a plane cut a mesh?  Closed contours with exact corners, which turns which way, and which lies in which.
+// Plane section, slicing: where does a plane cut a mesh?  Closed contours with exact corners, which turns which way,
+// and which lies in which.
 //
 //   const Section cut = section(mesh, Plane3{{0, 0, 1}, 1.5});       // z = 1.5
 //   for (const Contour& c : cut.contours) draw(c.corners);           // corner.nearest: the nearest doubles

@@ -1,4 +1,4 @@
-// Who neighbors whom, and is it a clean surface?
+// Adjacency, manifold: who neighbors whom, and is it a clean surface?
 //
 // Laws: edges are listed once, a < b, ascending, their faces ascending: the same mesh gives the same lists everywhere.
 // Equality of vertices and zero area are exact.  A face that names a vertex twice bounds nothing: it is counted, and
