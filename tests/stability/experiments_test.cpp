@@ -187,7 +187,7 @@ TEST(HullJudge, TellsEveryFlaw) {
 
 TEST(Sweep, FindsTouchingCrossingAndOverlappingSegments) {
   const auto pairs = [](const std::vector<Segment2>& segments) {
-    std::vector<Segment<Rational>> exact;
+    std::vector<trial::Segment<Rational>> exact;
     for (const Segment2& s : segments) exact.push_back(converted<Rational>(s));
     return Sweep<Rational>(std::move(exact), Rational()).run().value();
   };

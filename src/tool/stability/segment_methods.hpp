@@ -11,14 +11,14 @@
 
 #include "plumb/arith/rational.hpp"
 #include "plumb/figure/linear.hpp"
-#include "tool/stability/segment_ways.hpp"
 #include "tool/trial/contestant.hpp"
+#include "tool/trial/segment_tests.hpp"
 #include "tool/trial/vec.hpp"
 
 namespace plumb::tool::stability {
 
 template <class T>
-Segment<T> converted(const Segment2& s) {
+trial::Segment<T> converted(const Segment2& s) {
   return {{T(static_cast<T>(s.a.x)), T(static_cast<T>(s.a.y))}, {T(static_cast<T>(s.b.x)), T(static_cast<T>(s.b.y))}};
 }
 

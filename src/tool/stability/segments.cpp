@@ -16,7 +16,7 @@
 namespace plumb::tool::stability {
 namespace {
 
-using Exact = Segment<mpq_class>;
+using Exact = trial::Segment<mpq_class>;
 
 Exact exact(const Segment2& s) { return converted<mpq_class>(s); }
 bool truly_meet(const Segment2& s, const Segment2& t) { return meet_by_signs(exact(s), exact(t), mpq_class(0)); }
@@ -35,14 +35,14 @@ bool said_to_meet(std::string_view method, Way way, const Segment2& s, const Seg
   const std::array both{s, t};
   return in_numbers_of(method, both, [&](auto epsilon) {
     using T = decltype(epsilon);
-    const Segment<T> a = converted<T>(s), b = converted<T>(t);
+    const trial::Segment<T> a = converted<T>(s), b = converted<T>(t);
     return way == Way::signs ? meet_by_signs(a, b, epsilon) : meet_by_parameters(a, b, epsilon);
   });
 }
 
 /// Where two segments cross, as a method says it: the point itself, and as doubles.
 struct Crossing {
-  Place<mpq_class> point;
+  trial::Place<mpq_class> point;
   Point2 rounded;
 };
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "tool/stability/segment_ways.hpp"
+#include "tool/trial/segment_tests.hpp"
 
 namespace plumb::tool::stability {
 
@@ -21,9 +21,10 @@ using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 template <class T>
 class Sweep {
  public:
-  Sweep(std::vector<Segment<T>> segments, T epsilon) : segments_(std::move(segments)), epsilon_(std::move(epsilon)) {
+  Sweep(std::vector<trial::Segment<T>> segments, T epsilon)
+      : segments_(std::move(segments)), epsilon_(std::move(epsilon)) {
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      Segment<T>& s = segments_[i];
+      trial::Segment<T>& s = segments_[i];
       if (s.b < s.a) std::swap(s.a, s.b);
       events_[s.a].insert(i);
       events_[s.b].insert(i);
@@ -36,7 +37,7 @@ class Sweep {
     std::size_t left = 2 * n + n * (n - 1) / 2;
     while (!events_.empty()) {
       if (left-- == 0) return std::nullopt;
-      const Place<T> at = events_.begin()->first;
+      const trial::Place<T> at = events_.begin()->first;
       std::set<std::size_t> here = std::move(events_.begin()->second);
       events_.erase(events_.begin());
       handle(at, std::move(here));
@@ -45,9 +46,9 @@ class Sweep {
   }
 
  private:
-  bool goes_on(std::size_t i, const Place<T>& at) const { return at < segments_[i].b; }
+  bool goes_on(std::size_t i, const trial::Place<T>& at) const { return at < segments_[i].b; }
 
-  void handle(const Place<T>& at, std::set<std::size_t> here) {
+  void handle(const trial::Place<T>& at, std::set<std::size_t> here) {
     for (const std::size_t i : status_) {
       if (side(segments_[i], at, epsilon_) == 0 && within_box(segments_[i], at)) here.insert(i);
     }
@@ -70,12 +71,12 @@ class Sweep {
 
   /// Does i rise faster to the right than j?
   bool steeper(std::size_t i, std::size_t j) const {
-    const Segment<T>&s = segments_[i], &t = segments_[j];
+    const trial::Segment<T>&s = segments_[i], &t = segments_[j];
     return (t.b.x - t.a.x) * (s.b.y - s.a.y) - (t.b.y - t.a.y) * (s.b.x - s.a.x) > epsilon_;
   }
 
   /// Will the segment at this place of the status and the one below it cross further on?
-  void look(std::size_t place, const Place<T>& at) {
+  void look(std::size_t place, const trial::Place<T>& at) {
     if (place == 0 || place >= status_.size()) return;
     const std::size_t i = status_[place - 1], j = status_[place];
     if (!meet_by_parameters(segments_[i], segments_[j], epsilon_)) return;
@@ -83,9 +84,9 @@ class Sweep {
     if (p && at < *p) events_[*p].insert({i, j});
   }
 
-  std::vector<Segment<T>> segments_;
+  std::vector<trial::Segment<T>> segments_;
   T epsilon_;
-  std::map<Place<T>, std::set<std::size_t>> events_;
+  std::map<trial::Place<T>, std::set<std::size_t>> events_;
   std::vector<std::size_t> status_;  // from below to above
   Pairs pairs_;
 };

@@ -103,7 +103,7 @@ const std::vector<Kind>& kinds() {
 }
 
 Pairs true_pairs(const Segments& segments) {
-  std::vector<Segment<mpq_class>> exact;
+  std::vector<trial::Segment<mpq_class>> exact;
   for (const Segment2& s : segments) exact.push_back(converted<mpq_class>(s));
   Pairs pairs;
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -117,7 +117,7 @@ Pairs true_pairs(const Segments& segments) {
 std::optional<Pairs> swept(std::string_view method, const Segments& segments) {
   return in_numbers_of(method, segments, [&](auto epsilon) {
     using T = decltype(epsilon);
-    std::vector<Segment<T>> converted_ones;
+    std::vector<trial::Segment<T>> converted_ones;
     for (const Segment2& s : segments) converted_ones.push_back(converted<T>(s));
     return Sweep<T>(std::move(converted_ones), epsilon).run();
   });

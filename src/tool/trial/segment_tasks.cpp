@@ -1,8 +1,8 @@
 #include "plumb/query/overlap.hpp"
-#include "tool/stability/segment_ways.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/lattice_method.hpp"
 #include "tool/trial/rational_judge.hpp"
+#include "tool/trial/segment_tests.hpp"
 
 namespace plumb::tool::trial {
 namespace {
@@ -10,9 +10,7 @@ namespace {
 struct SegmentAgainstSegment {
   template <class T>
   bool operator()(const std::array<T, 8>& q, T epsilon) const {
-    using stability::Segment;
-    return stability::meet_by_signs(Segment<T>{{q[0], q[1]}, {q[2], q[3]}}, Segment<T>{{q[4], q[5]}, {q[6], q[7]}},
-                                    epsilon);
+    return meet_by_signs(Segment<T>{{q[0], q[1]}, {q[2], q[3]}}, Segment<T>{{q[4], q[5]}, {q[6], q[7]}}, epsilon);
   }
 };
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <optional>
 
-namespace plumb::tool::stability {
+namespace plumb::tool::trial {
 
 template <class T>
 struct Place {
@@ -77,4 +77,4 @@ std::optional<Place<T>> crossing(const Segment<T>& s, const Segment<T>& t, const
   return Place<T>{T(s.a.x + (*at)[0] * (s.b.x - s.a.x)), T(s.a.y + (*at)[0] * (s.b.y - s.a.y))};
 }
 
-}  // namespace plumb::tool::stability
+}  // namespace plumb::tool::trial
