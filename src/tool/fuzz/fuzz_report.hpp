@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz_options.hpp"
 #include "fuzz_run.hpp"
-#include "tool/fuzz_command.hpp"
 #include "tool/terminal.hpp"
 
 namespace plumb::tool {
