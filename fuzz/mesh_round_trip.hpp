@@ -36,7 +36,7 @@ inline void require_sound(const PolygonMesh& mesh) {
 }
 
 inline void require_consistent(const TriangleMesh& mesh) {
-  for (const Triangle& t : mesh.triangles)
+  for (const auto& t : mesh.triangles)
     for (const std::uint32_t corner : t) require(corner < mesh.vertices.size(), "indices stay in range");
   const MeshEdges edges = find_edges(mesh);
   const MeshStatistics said = mesh_statistics(mesh, edges);

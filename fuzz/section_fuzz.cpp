@@ -25,7 +25,7 @@ TriangleMesh heap_from(Entropy& entropy) {
     }
   }
   for (std::uint32_t v = 0; v + 3 < mesh.vertices.size(); v += 4) {
-    for (const Triangle& t : {Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    for (const TriangleMesh::Triangle& t : {TriangleMesh::Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
       mesh.triangles.push_back({t[0] + v, t[1] + v, t[2] + v});
   }
   return mesh;

@@ -167,7 +167,7 @@ TriangleMesh made(std::span<const double> numbers) {
   const auto end = 1 + 3 * static_cast<std::size_t>(numbers[0]);
   TriangleMesh mesh{points3(numbers.subspan(1, end - 1)), {}};
   for (std::size_t i = end; i < numbers.size(); i += 3) {
-    Triangle& triangle = mesh.triangles.emplace_back();
+    TriangleMesh::Triangle& triangle = mesh.triangles.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) triangle[k] = static_cast<std::uint32_t>(numbers[i + k]);
   }
   return mesh;

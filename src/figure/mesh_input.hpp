@@ -34,7 +34,7 @@ inline PolygonFaces faces_of(const PolygonMesh& mesh) { return {mesh}; }
 inline PolygonMesh polygon_mesh(const TriangleMesh& mesh) {
   PolygonMesh polygons;
   polygons.vertices = mesh.vertices;
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     polygons.corners.insert(polygons.corners.end(), t.begin(), t.end());
     polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
   }

@@ -33,8 +33,8 @@ std::vector<Point3> vertices_of(const Hull3& hull, std::span<const Point3> point
 }
 
 // Faces as fans over the vertices in vertices_of.
-std::vector<Triangle> triangles_of(const Hull3& hull) {
-  std::vector<Triangle> triangles;
+std::vector<TriangleMesh::Triangle> triangles_of(const Hull3& hull) {
+  std::vector<TriangleMesh::Triangle> triangles;
   if (hull.dimension < 2) return triangles;
   const auto number = [&](std::uint32_t v) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(hull.vertices, v) - hull.vertices.begin());
@@ -126,7 +126,7 @@ Obb3 fit_obb_hull_surface(std::span<const Point3> points) {
   return fit_obb(principal_axes_of_surface(localized(vertices), triangles_of(hull)), vertices);
 }
 
-Obb3 fit_obb_surface(std::span<const Point3> vertices, std::span<const Triangle> triangles) {
+Obb3 fit_obb_surface(std::span<const Point3> vertices, std::span<const TriangleMesh::Triangle> triangles) {
   figure::require_finite_points("fit_obb_surface", "vertices", vertices);
   if (vertices.empty()) throw InvalidShape("fit_obb_surface: no vertices; give at least one");
   for (std::size_t i = 0; i < triangles.size(); ++i) {

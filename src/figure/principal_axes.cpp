@@ -39,11 +39,11 @@ std::array<Vector3, 3> principal_axes(std::span<const Vector3> points) {
 
 // Over a triangle p, q, r of area w and centroid m the integral of x x^T is w / 12 (9 m m^T + p p^T + q q^T + r r^T).
 std::array<Vector3, 3> principal_axes_of_surface(std::span<const Vector3> vertices,
-                                                 std::span<const Triangle> triangles) {
+                                                 std::span<const TriangleMesh::Triangle> triangles) {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   double total = 0;
-  for (const Triangle& t : triangles) {
+  for (const auto& t : triangles) {
     const Eigen::Vector3d p = eigen(vertices[t[0]]), q = eigen(vertices[t[1]]), r = eigen(vertices[t[2]]);
     const double area = (q - p).cross(r - p).norm() / 2;
     const Eigen::Vector3d m = (p + q + r) / 3;

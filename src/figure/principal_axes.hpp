@@ -17,6 +17,6 @@ std::array<Vector3, 3> principal_axes(std::span<const Vector3> points);
 
 /// Every triangle weighs as much as its area.
 std::array<Vector3, 3> principal_axes_of_surface(std::span<const Vector3> vertices,
-                                                 std::span<const Triangle> triangles);
+                                                 std::span<const TriangleMesh::Triangle> triangles);
 
 }  // namespace plumb::frame

@@ -42,7 +42,7 @@ TriangleBatch triangle_batch(const TriangleMesh& mesh) {
   require_mesh("triangle_batch", mesh);
   std::vector<Triangle3> triangles;
   triangles.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
+  for (const auto& t : mesh.triangles)
     triangles.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   return TriangleBatch(triangles);
 }

@@ -24,9 +24,9 @@ std::vector<Point3> points_of(std::span<const double> numbers) {
 Judgment wrong(std::string_view sort) { return {Verdict::wrong, sort}; }
 
 /// Every directed edge once, and its reverse.
-bool closes(const std::vector<Triangle>& triangles) {
+bool closes(const std::vector<TriangleMesh::Triangle>& triangles) {
   std::vector<std::array<std::uint32_t, 2>> edges;
-  for (const Triangle& t : triangles) {
+  for (const auto& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
   }
   std::ranges::sort(edges);
@@ -47,7 +47,7 @@ TriangleMesh mesh_of(const Hull3& hull, const std::vector<Point3>& points) {
 
 BigDyadic six_volumes(const TriangleMesh& mesh) {
   BigDyadic sum;
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     const auto [a, b, c] = std::array{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
     const auto minor = [](double p, double q, double r, double s) {
       return BigDyadic(p) * BigDyadic(q) - BigDyadic(r) * BigDyadic(s);
@@ -101,7 +101,7 @@ Judgment judge_hull(std::span<const double> numbers, const Answer& given) {
 
   TriangleMesh mesh{points, {}};
   for (std::size_t i = 0; i < given.numbers.size(); i += 3) {
-    Triangle t{};
+    TriangleMesh::Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
       const double index = given.numbers[i + k];
       if (!(index >= 0 && index < static_cast<double>(points.size())) || index != std::trunc(index))

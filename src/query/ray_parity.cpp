@@ -38,7 +38,7 @@ std::optional<Crossings> crossings(std::string_view function, const TriangleMesh
   query::require_figure(function, "p", p);
   require_mesh(function, mesh);
   Crossings found;
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     const Point3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     const Range y(a.y, b.y, c.y), z(a.z, b.z, c.z);
     if (!y.holds(p.y) || !z.holds(p.z)) continue;
@@ -60,7 +60,7 @@ std::vector<std::array<std::uint32_t, 3>> sorted_edges(std::string_view function
   require_mesh(function, mesh);
   std::vector<std::array<std::uint32_t, 3>> edges;
   edges.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t from = t[i], to = t[(i + 1) % 3];

@@ -33,10 +33,10 @@ std::uint32_t Assembly::place(std::span<const Point3> vertices, const Placement&
   return static_cast<std::uint32_t>(first);
 }
 
-void Assembly::add(std::span<const Triangle> triangles, std::uint32_t first, const Placement& placement) {
+void Assembly::add(std::span<const TriangleMesh::Triangle> triangles, std::uint32_t first, const Placement& placement) {
   charge(triangles.size(), 4 * sizeof(std::uint32_t));
   const bool mirrored = !placement.is_identity() && placement.mirrors();
-  for (const Triangle& t : triangles) {
+  for (const auto& t : triangles) {
     const std::array<std::uint32_t, 3> corners{t[0], mirrored ? t[2] : t[1], mirrored ? t[1] : t[2]};
     for (const std::uint32_t v : corners) parse_.mesh.corners.push_back(first + v);
     parse_.end_face();

@@ -29,7 +29,7 @@ class Assembly {
   /// The vertices, moved; the number of the first of them in the mesh.  `part` is named in errors.
   std::uint32_t place(std::span<const Point3> vertices, const Placement& placement, const std::string& part);
   /// Triangles of vertices so numbered from `first` on.
-  void add(std::span<const Triangle> triangles, std::uint32_t first, const Placement& placement);
+  void add(std::span<const TriangleMesh::Triangle> triangles, std::uint32_t first, const Placement& placement);
 
  private:
   Parse& parse_;

@@ -17,7 +17,7 @@ std::vector<Edge> cut_edges(const TriangleMesh& mesh, const CutPlane& plane, std
   const Sign zero_is = section.on_plane == OnPlane::above ? Sign::positive : Sign::negative;
   std::vector<Edge> edges;
   for (const std::uint32_t t : triangles) {
-    const Triangle& corners = mesh.triangles[t];
+    const TriangleMesh::Triangle& corners = mesh.triangles[t];
     std::array<Sign, 3> side;
     for (std::size_t k = 0; k < 3; ++k)
       side[k] = sides.empty() ? plane.side(mesh.vertices[corners[k]]) : sides[corners[k]];

@@ -64,7 +64,7 @@ bool EarClipping::is_ear(std::uint32_t i, Ears ears) const {
   return true;
 }
 
-void EarClipping::clip(std::uint32_t i, Corners corners, std::vector<Triangle>& out) {
+void EarClipping::clip(std::uint32_t i, Corners corners, std::vector<TriangleMesh::Triangle>& out) {
   const std::uint32_t p = previous_[i], n = next_[i];
   out.push_back({corners[p], corners[i], corners[n]});
   next_[p] = n;
@@ -91,7 +91,7 @@ bool EarClipping::folds_back(std::uint32_t i) const {
 }
 
 // At i, and at the neighbors that this brings together.
-void EarClipping::clip_folds(std::uint32_t i, Corners corners, std::vector<Triangle>& out) {
+void EarClipping::clip_folds(std::uint32_t i, Corners corners, std::vector<TriangleMesh::Triangle>& out) {
   while (left_ > 3 && folds_back(i)) {
     const std::uint32_t p = previous_[i], n = next_[i];
     clip(i, corners, out);
@@ -100,7 +100,7 @@ void EarClipping::clip_folds(std::uint32_t i, Corners corners, std::vector<Trian
 }
 
 // All there are, and those that this makes.
-bool EarClipping::clip_all(Ears ears, Corners corners, std::vector<Triangle>& out) {
+bool EarClipping::clip_all(Ears ears, Corners corners, std::vector<TriangleMesh::Triangle>& out) {
   const std::size_t before = left_;
   while (!candidates_.empty() && left_ > 3) {
     const std::uint32_t i = candidates_.front();
@@ -115,7 +115,7 @@ bool EarClipping::clip_all(Ears ears, Corners corners, std::vector<Triangle>& ou
   return left_ < before;
 }
 
-bool EarClipping::run(Corners corners, std::vector<Triangle>& out) {
+bool EarClipping::run(Corners corners, std::vector<TriangleMesh::Triangle>& out) {
   const std::size_t before = out.size();
   const auto refill = [&] {
     candidates_.clear();

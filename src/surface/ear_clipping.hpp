@@ -29,7 +29,7 @@ class EarClipping {
   EarClipping(std::span<const Point2> points, Sign turn);
 
   /// False, and `out` as before, when the polygon cannot be cut so.
-  bool run(Corners corners, std::vector<Triangle>& out);
+  bool run(Corners corners, std::vector<TriangleMesh::Triangle>& out);
 
  private:
   // What may be cut off.  The second and third are for polygons that touch themselves.
@@ -46,9 +46,9 @@ class EarClipping {
   bool edges_enter(std::uint32_t u, const Point2& corner, const Point2& from, const Point2& to) const;
   bool turns(const Point2& a, const Point2& b, const Point2& c) const;
   bool folds_back(std::uint32_t i) const;
-  void clip(std::uint32_t i, Corners corners, std::vector<Triangle>& out);
-  void clip_folds(std::uint32_t i, Corners corners, std::vector<Triangle>& out);
-  bool clip_all(Ears ears, Corners corners, std::vector<Triangle>& out);
+  void clip(std::uint32_t i, Corners corners, std::vector<TriangleMesh::Triangle>& out);
+  void clip_folds(std::uint32_t i, Corners corners, std::vector<TriangleMesh::Triangle>& out);
+  bool clip_all(Ears ears, Corners corners, std::vector<TriangleMesh::Triangle>& out);
 
   std::span<const Point2> points_;
   Sign turn_;

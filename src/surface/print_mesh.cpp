@@ -94,7 +94,7 @@ std::string print_off(const PolygonMesh& mesh) {
 std::string print_ascii_stl(const TriangleMesh& mesh) {
   Text text;
   text << "solid mesh\n";
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     text << "facet normal 0 0 0\nouter loop\n";
     for (const std::uint32_t corner : t) text << "vertex " << mesh.vertices[corner] << "\n";
     text << "endloop\nendfacet\n";
@@ -110,7 +110,7 @@ std::string print_binary_stl(const TriangleMesh& mesh, std::string_view name) {
                  "more than 4294967295 triangles, expected fewer for binary STL; write PLY");
   Bytes bytes("binary STL" + std::string(header_size - 10, ' '), std::endian::little);
   bytes.put(static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     for (int k = 0; k < 3; ++k) bytes.put(0.0F);
     for (const std::uint32_t corner : t) {
       const Point3& p = mesh.vertices[corner];

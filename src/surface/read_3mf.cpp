@@ -41,7 +41,7 @@ struct Model {
 
 struct ObjectMesh {
   std::vector<Point3> vertices;
-  std::vector<Triangle> triangles;
+  std::vector<TriangleMesh::Triangle> triangles;
 };
 
 class Package {
@@ -202,7 +202,7 @@ class Package {
     }
     for (const xml_node& t : child(mesh, "triangles").children()) {
       if (local_name(t.name()) != "triangle") continue;
-      Triangle& corners = m.triangles.emplace_back();
+      TriangleMesh::Triangle& corners = m.triangles.emplace_back();
       constexpr std::array<const char*, 3> names{"v1", "v2", "v3"};
       for (std::size_t k = 0; k < 3; ++k) {
         const std::string_view text = attribute(t, names[k]);

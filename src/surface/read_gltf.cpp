@@ -162,17 +162,18 @@ class GltfScene {
     return true;
   }
 
-  static std::vector<Triangle> in_threes(const std::vector<std::uint32_t>& c) {
-    std::vector<Triangle> all;
+  static std::vector<TriangleMesh::Triangle> in_threes(const std::vector<std::uint32_t>& c) {
+    std::vector<TriangleMesh::Triangle> all;
     for (std::size_t i = 0; i + 2 < c.size(); i += 3) all.push_back({c[i], c[i + 1], c[i + 2]});
     return all;
   }
 
   // Of a strip or fan; one that names a vertex twice is a turn of the strip, and no surface.
-  std::vector<Triangle> turned(const std::vector<std::uint32_t>& c, bool fan) {
-    std::vector<Triangle> all;
+  std::vector<TriangleMesh::Triangle> turned(const std::vector<std::uint32_t>& c, bool fan) {
+    std::vector<TriangleMesh::Triangle> all;
     for (std::size_t i = 0; i + 2 < c.size(); ++i) {
-      const Triangle t = fan ? Triangle{c[i + 1], c[i + 2], c[0]} : Triangle{c[i], c[i + 1 + i % 2], c[i + 2 - i % 2]};
+      const auto t = fan ? TriangleMesh::Triangle{c[i + 1], c[i + 2], c[0]}
+                         : TriangleMesh::Triangle{c[i], c[i + 1 + i % 2], c[i + 2 - i % 2]};
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
         ++parse_.report.dropped_faces;
       } else {

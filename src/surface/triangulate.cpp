@@ -56,7 +56,8 @@ std::array<View, 6> views(std::span<const Point3> vertices, Corners corners) {
 }
 
 // The triangles about corner `apex`; true when they all turn as they should, and so cover the face rightly.
-bool fan(const std::vector<Point2>& points, Corners corners, Sign turn, std::size_t apex, std::vector<Triangle>& out) {
+bool fan(const std::vector<Point2>& points, Corners corners, Sign turn, std::size_t apex,
+         std::vector<TriangleMesh::Triangle>& out) {
   const std::size_t n = corners.size(), before = out.size();
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const std::size_t i = (apex + k) % n, j = (apex + k + 1) % n;
@@ -71,7 +72,7 @@ bool fan(const std::vector<Point2>& points, Corners corners, Sign turn, std::siz
 
 }  // namespace
 
-bool triangulate_face(std::span<const Point3> vertices, Corners corners, std::vector<Triangle>& out) {
+bool triangulate_face(std::span<const Point3> vertices, Corners corners, std::vector<TriangleMesh::Triangle>& out) {
   if (corners.size() == 3) {
     out.push_back({corners[0], corners[1], corners[2]});
     return true;

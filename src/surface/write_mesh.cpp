@@ -47,7 +47,7 @@ PolygonMesh to_polygons(const TriangleMesh& mesh) {
   polygons.vertices = mesh.vertices;
   polygons.corners.reserve(3 * mesh.triangles.size());
   polygons.first.reserve(mesh.triangles.size() + 1);
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     polygons.corners.insert(polygons.corners.end(), t.begin(), t.end());
     polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
   }

@@ -59,13 +59,13 @@ std::optional<Point3> off_plane(const Point3& a, const Point3& b, const Point3& 
   return std::nullopt;
 }
 
-std::size_t corner_of(const Triangle& t, std::uint32_t vertex) {
+std::size_t corner_of(const TriangleMesh::Triangle& t, std::uint32_t vertex) {
   return static_cast<std::size_t>(std::ranges::find(t, vertex) - t.begin());
 }
 
 // For each face and corner the vertex beyond the opposite edge.
-std::vector<Triangle> beyond_edges(const TriangleMesh& mesh, std::span<const InteriorEdge> edges) {
-  std::vector<Triangle> beyond(mesh.triangles.size(), Triangle{none, none, none});
+std::vector<TriangleMesh::Triangle> beyond_edges(const TriangleMesh& mesh, std::span<const InteriorEdge> edges) {
+  std::vector<TriangleMesh::Triangle> beyond(mesh.triangles.size(), TriangleMesh::Triangle{none, none, none});
   for (const InteriorEdge& e : edges) {
     beyond[e.face_c][corner_of(mesh.triangles[e.face_c], e.c)] = e.d;
     beyond[e.face_d][corner_of(mesh.triangles[e.face_d], e.d)] = e.c;
@@ -74,7 +74,8 @@ std::vector<Triangle> beyond_edges(const TriangleMesh& mesh, std::span<const Int
 }
 
 // A vertex beside the two faces of an edge: beyond one of their four outer edges.
-std::uint32_t next_neighbor(const TriangleMesh& mesh, std::span<const Triangle> beyond, const InteriorEdge& e) {
+std::uint32_t next_neighbor(const TriangleMesh& mesh, std::span<const TriangleMesh::Triangle> beyond,
+                            const InteriorEdge& e) {
   for (const std::uint32_t face : {e.face_c, e.face_d}) {
     for (const std::uint32_t corner : {e.a, e.b}) {
       const std::uint32_t v = beyond[face][corner_of(mesh.triangles[face], corner)];
@@ -90,7 +91,7 @@ MeshDecisions::MeshDecisions(const TriangleMesh& mesh, const MeshEdges& edges)
     : mesh_(mesh), edges_(interior_edges(edges)) {
   const Box box = box_of(mesh.vertices);
   fixed_ = fixed_points(mesh.vertices, box);
-  const std::vector<Triangle> beyond = beyond_edges(mesh, edges_);
+  const std::vector<TriangleMesh::Triangle> beyond = beyond_edges(mesh, edges_);
   const auto& v = mesh.vertices;
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const InteriorEdge& e = edges_[i];
@@ -143,13 +144,13 @@ std::array<Point3, 5> MeshDecisions::points(Kind kind, std::uint64_t i) const {
       return {v[e.a], v[e.b], v[e.c], v[e.d], v[bent_[i].next]};
     }
     case Kind::face_side: {
-      const Triangle& t = mesh_.triangles[i / fixed_.size()];
+      const TriangleMesh::Triangle& t = mesh_.triangles[i / fixed_.size()];
       return {v[t[0]], v[t[1]], v[t[2]], fixed_[i % fixed_.size()]};
     }
     case Kind::orient_yz:
     case Kind::orient_zx:
     case Kind::orient_xy: {
-      const Triangle& t = mesh_.triangles[i];
+      const TriangleMesh::Triangle& t = mesh_.triangles[i];
       return {v[t[0]], v[t[1]], v[t[2]]};
     }
     case Kind::edge_coplanar: {

@@ -41,7 +41,7 @@ std::vector<std::vector<Point2>> plain_section(const TriangleMesh& mesh, const s
   };
   std::unordered_map<std::uint64_t, std::pair<std::uint64_t, Point2>> next;
   for (const std::uint32_t t : triangles) {
-    const Triangle& v = mesh.triangles[t];
+    const TriangleMesh::Triangle& v = mesh.triangles[t];
     std::uint64_t from = 0, to = 0;
     Point2 at{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -73,7 +73,7 @@ std::vector<std::vector<Point2>> plain_section(const TriangleMesh& mesh, const s
 std::size_t plain_sections(const TriangleMesh& mesh, const std::vector<double>& heights) {
   std::vector<std::vector<std::uint32_t>> at(heights.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Triangle& v = mesh.triangles[t];
+    const TriangleMesh::Triangle& v = mesh.triangles[t];
     const auto [low, high] = std::minmax({mesh.vertices[v[0]].z, mesh.vertices[v[1]].z, mesh.vertices[v[2]].z});
     for (auto h = std::lower_bound(heights.begin(), heights.end(), low); h != heights.end() && *h <= high; ++h)
       at[static_cast<std::size_t>(h - heights.begin())].push_back(static_cast<std::uint32_t>(t));

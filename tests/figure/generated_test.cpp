@@ -211,7 +211,7 @@ using Tally = std::map<Position, std::array<int, 3>>;
 /// Whether the mesh bounds a convex solid, after its triangles were turned to the outside.
 bool turn_convex(TriangleMesh& mesh) {
   if (is_convex(mesh)) return true;
-  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
   return is_convex(mesh);
 }
 

@@ -250,7 +250,7 @@ Heap heap(Material& m) {
     h.parts.push_back(t);
     const auto at = static_cast<std::uint32_t>(h.mesh.vertices.size());
     for (const Point3& v : {t.a, t.b, t.c, t.d}) h.mesh.vertices.push_back(v);
-    for (const Triangle& f : {Triangle{0, 1, 2}, Triangle{1, 0, 3}, Triangle{2, 1, 3}, Triangle{0, 2, 3}})
+    for (const TriangleMesh::Triangle& f : {TriangleMesh::Triangle{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}})
       h.mesh.triangles.push_back({f[0] + at, f[1] + at, f[2] + at});
   }
   return h;
@@ -275,7 +275,7 @@ TEST(Rounding, OfMeshesIsOnce) {
     EXPECT_EQ(volume(h.mesh), std::fabs(v));
     rounded += std::isinf(v) || mpq_class(v) * 6 != six;
     PolygonMesh polygons{h.mesh.vertices, {}, {0}};
-    for (const Triangle& t : h.mesh.triangles) {
+    for (const auto& t : h.mesh.triangles) {
       polygons.corners.insert(polygons.corners.end(), t.rbegin(), t.rend());
       polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
     }
@@ -294,7 +294,7 @@ TEST(Rounding, OfMeshesIsOnce) {
                   abs(mpq_class(sum[2] / six)) > 1e308);
     }
     Digits surface(0, plumb_test::kBits);
-    for (const Triangle& t : h.mesh.triangles) {
+    for (const auto& t : h.mesh.triangles) {
       const auto a = plumb_test::exact3(h.mesh.vertices[t[0]]);
       const auto n = plumb_test::times(plumb_test::minus(plumb_test::exact3(h.mesh.vertices[t[1]]), a),
                                        plumb_test::minus(plumb_test::exact3(h.mesh.vertices[t[2]]), a));
@@ -397,7 +397,7 @@ TEST(Models, AreMeasured) {
     const TriangleMesh mesh = read_mesh(folder / name);
     mpq_class six = 0;
     long double about = 0;
-    for (const Triangle& t : mesh.triangles) {
+    for (const auto& t : mesh.triangles) {
       const auto a = plumb_test::exact3(mesh.vertices[t[0]]), b = plumb_test::exact3(mesh.vertices[t[1]]),
                  c = plumb_test::exact3(mesh.vertices[t[2]]);
       six += plumb_test::inner(a, plumb_test::times(b, c));
@@ -444,7 +444,7 @@ TEST(BadInput, IsRefusedByName) {
             "centroid: triangle 0 names vertex 1, but there are 1 vertices");
   // Closed by place: each triangle has corners of its own.
   TriangleMesh soup;
-  for (const Triangle& t : {Triangle{0, 2, 1}, Triangle{0, 1, 3}, Triangle{1, 2, 3}, Triangle{2, 0, 3}}) {
+  for (const TriangleMesh::Triangle& t : {TriangleMesh::Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
     const auto at = static_cast<std::uint32_t>(soup.vertices.size());
     for (const std::uint32_t v : t) soup.vertices.push_back(open.vertices[v]);
     soup.triangles.push_back({at, at + 1, at + 2});

@@ -294,7 +294,7 @@ TEST(ObbFitsTest, RefuseWhatIsNoShape) {
   EXPECT_THROW((void)fit_obb({Vector2{1, 2}, Vector2{2, 4}}, std::array{Point2{1, 2}}), InvalidShape);
   EXPECT_THROW((void)minimum_obb(std::span<const Point2>()), InvalidShape);
   EXPECT_THROW((void)oriented_box(Aabb3{{1, 0, 0}, {0, 1, 1}}), InvalidShape);
-  EXPECT_THROW((void)fit_obb_surface(p, std::vector<Triangle>{{0, 0, 1}}), InvalidShape);
+  EXPECT_THROW((void)fit_obb_surface(p, std::vector<TriangleMesh::Triangle>{{0, 0, 1}}), InvalidShape);
   EXPECT_EQ(oriented_box(Aabb3{{0, 0, 0}, {2, 4, 6}}).half, (Vector3{1, 2, 3}));
 }
 

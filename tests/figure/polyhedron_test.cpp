@@ -281,7 +281,7 @@ TriangleMesh brute_hull(const std::vector<Point3>& p) {
 /// Rationals: is p below, on or above the planes of all faces?
 Location slow_location(const TriangleMesh& mesh, const Point3& p) {
   bool on = false;
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     plumb_test::Matrix m;
     for (const Point3& q : {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], p})
       m.push_back({mpq_class(q.x), mpq_class(q.y), mpq_class(q.z), 1});
@@ -301,7 +301,7 @@ TEST(RandomHulls, AreConvexUntilTheyAreBroken) {
     for (std::size_t n = 4 + m.below(6); n-- > 0;) points.push_back(m.point3());
     TriangleMesh hull = brute_hull(points);
     std::vector<bool> used(points.size());
-    for (const Triangle& t : hull.triangles) {
+    for (const auto& t : hull.triangles) {
       for (const auto v : t) used[v] = true;
     }
     const SurfaceConvexity said = convexity(hull);
@@ -315,7 +315,7 @@ TEST(RandomHulls, AreConvexUntilTheyAreBroken) {
     ++hulls;
     const ConvexPolyhedron3 solid = convex_polyhedron(hull);
     for (std::size_t c = 0; c < solid.across.size(); ++c) {
-      const Triangle &f = hull.triangles[c / 3], &g = hull.triangles[solid.across[c]];
+      const TriangleMesh::Triangle &f = hull.triangles[c / 3], &g = hull.triangles[solid.across[c]];
       const std::uint32_t a = f[c % 3], b = f[(c + 1) % 3];
       const auto at = static_cast<std::size_t>(std::find(g.begin(), g.end(), b) - g.begin());
       ASSERT_LT(at, 3u);
@@ -333,8 +333,8 @@ TEST(RandomHulls, AreConvexUntilTheyAreBroken) {
     TriangleMesh moved = hull;
     moved.vertices[m.below(points.size())] = m.probe3();
     const auto sorted = [](const TriangleMesh& mesh) {
-      std::vector<Triangle> all = mesh.triangles;
-      for (Triangle& t : all) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      std::vector<TriangleMesh::Triangle> all = mesh.triangles;
+      for (TriangleMesh::Triangle& t : all) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
       std::sort(all.begin(), all.end());
       return all;
     };
@@ -346,9 +346,9 @@ TEST(RandomHulls, AreConvexUntilTheyAreBroken) {
     ++flaws[now.flaw];
     // Flip an edge: the two triangles beside it become a concave ridge.
     TriangleMesh flipped = hull;
-    const Triangle f = hull.triangles[0];
+    const TriangleMesh::Triangle f = hull.triangles[0];
     const std::uint32_t beyond = solid.across[0];
-    const Triangle g = hull.triangles[beyond];
+    const TriangleMesh::Triangle g = hull.triangles[beyond];
     std::uint32_t apex = g[0];
     for (const std::uint32_t v : g) apex = v == f[0] || v == f[1] ? apex : v;
     flipped.triangles[0] = {f[2], f[0], apex};

@@ -51,6 +51,7 @@ OWN(Timer);
 OWN(Token);
 OWN(Transform);
 OWN(Tree);
+OWN(Triangle);
 OWN(Vec);
 OWN(Vec2);
 OWN(Vec3);
@@ -72,7 +73,7 @@ TEST(OwnNames, AreTheUsers) {
   sum += Image().value + Item().value + Line().value + Node().value + Options().value + Parser().value + Part().value;
   sum += Plane().value + Polygon().value + Ray().value + Reader().value + Result().value + Scene().value;
   sum += Search().value + Segment().value + Settings().value + Shape().value + Sphere().value + State().value;
-  sum += Timer().value + Token().value + Transform().value + Tree().value + Vec().value;
+  sum += Timer().value + Token().value + Transform().value + Tree().value + Triangle().value + Vec().value;
   sum += Vec2().value + Vec3().value + Vector().value + Vertex().value + World().value + Writer().value;
-  EXPECT_EQ(sum, 43);
+  EXPECT_EQ(sum, 44);
 }

@@ -117,7 +117,7 @@ TriangleMesh hull_mesh(std::span<const Point3> points) {
 
 int crossings(const AnyRay& ray, const TriangleMesh& mesh) {
   int count = 0;
-  for (const Triangle& t : mesh.triangles)
+  for (const auto& t : mesh.triangles)
     count += hits_any(ray, {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, HitRule::half_open);
   return count;
 }
@@ -156,7 +156,7 @@ TEST(Parity, OfConvexMeshesIsThatOfTheirHalfspaces) {
           << "index " << i;
     }
     // Turned inside out, and twice over.
-    for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+    for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
     const Point3 p = grid_point(e, 2);
     if (locate(solid, p) != Location::inside) continue;
     EXPECT_EQ(winding_number(mesh, p), -1);
@@ -282,7 +282,7 @@ TEST(Watertight, RealMeshesAreCrossedAsOftenInAsOut) {
     for (std::uint64_t i = 0; i < 12 * shape_cases::more; ++i) {
       Entropy e(606, i);
       const auto unit = [&] { return static_cast<double>(e.within(1024)) / 1024; };
-      const Triangle& t = mesh.triangles[e.below(mesh.triangles.size())];
+      const TriangleMesh::Triangle& t = mesh.triangles[e.below(mesh.triangles.size())];
       const Point3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]];
       const Point3 from{a.x + unit(), a.y + unit(), a.z + unit()};
       // Through a vertex, exactly, and along an edge and beyond.

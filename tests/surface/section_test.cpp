@@ -90,7 +90,7 @@ TEST(Section, ATorusGivesARingOrTwoRounds) {
 
 TEST(Section, WhatIsOpenEndsInChains) {
   TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
-  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+  std::erase_if(mesh.triangles, [&](const TriangleMesh::Triangle& t) {
     return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.vertices[v].x == 1; });
   });
   const Section cut = section(mesh, at_height(0.5));
@@ -106,7 +106,7 @@ TEST(Section, ATriangleThatIsWoundAgainstTheOthersBreaksTheContour) {
   TriangleMesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
   const Section whole = section(mesh, at_height(0.5));
   ASSERT_EQ(whole.contours.size(), 1U);
-  for (Triangle& t : mesh.triangles) {
+  for (auto& t : mesh.triangles) {
     if (mesh.vertices[t[0]].x + mesh.vertices[t[1]].x + mesh.vertices[t[2]].x == 3) {
       std::swap(t[0], t[1]);
       break;

@@ -51,9 +51,9 @@ inline TriangleMesh voxels(const std::set<Cell>& cells) {
 inline void append(TriangleMesh& mesh, const TriangleMesh& other, bool inside_out = false) {
   const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) {
-    mesh.triangles.push_back(inside_out ? Triangle{t[0] + n, t[2] + n, t[1] + n}
-                                        : Triangle{t[0] + n, t[1] + n, t[2] + n});
+  for (const auto& t : other.triangles) {
+    mesh.triangles.push_back(inside_out ? TriangleMesh::Triangle{t[0] + n, t[2] + n, t[1] + n}
+                                        : TriangleMesh::Triangle{t[0] + n, t[1] + n, t[2] + n});
   }
 }
 

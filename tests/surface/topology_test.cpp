@@ -55,8 +55,9 @@ TEST(Topology, InteriorEdgesAreSeenByTheirFirstFace) {
   const auto edges = interior_edges(find_edges(mesh));
   ASSERT_EQ(edges.size(), 6U);
   const auto has = [&](std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const Triangle& t = mesh.triangles[face];
-    return t == Triangle{a, b, c} || t == Triangle{b, c, a} || t == Triangle{c, a, b};
+    const TriangleMesh::Triangle& t = mesh.triangles[face];
+    return t == TriangleMesh::Triangle{a, b, c} || t == TriangleMesh::Triangle{b, c, a} ||
+           t == TriangleMesh::Triangle{c, a, b};
   };
   for (const auto& e : edges) {
     EXPECT_LT(e.face_c, e.face_d);

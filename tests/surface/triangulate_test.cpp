@@ -54,7 +54,7 @@ long twice_area(const Grid& g) {
 
 struct Cut {
   bool simple;
-  std::vector<Triangle> triangles;
+  std::vector<TriangleMesh::Triangle> triangles;
 };
 
 // The polygon seen along an axis, lifted to an oblique plane (the same seen along it), at a scale.
@@ -72,7 +72,7 @@ Cut cut(const Grid& g, int axis = 2, double scale = 1) {
 }
 
 // What holds of every polygon: n - 2 triangles, whose edges add up to those of the polygon.
-void expect_boundary(const Grid& g, const std::vector<Triangle>& triangles) {
+void expect_boundary(const Grid& g, const std::vector<TriangleMesh::Triangle>& triangles) {
   ASSERT_EQ(triangles.size(), g.size() - 2);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
   const auto add = [&](std::uint32_t a, std::uint32_t b, int by) { directed[std::minmax(a, b)] += a < b ? by : -by; };
@@ -201,7 +201,7 @@ TEST(Triangulate, WhatNoAxisShowsAsSimpleIsAFan) {
 TEST(Triangulate, OtherAxesHelpCrookedFaces) {
   // Seen along z or y, its larger normal components, this face crosses itself; along x it is a square.
   const std::vector<Point3> vertices{{0, 0, 0}, {10, 4, 0}, {5, 4, 4}, {100, 0, 4}};
-  std::vector<Triangle> out;
+  std::vector<TriangleMesh::Triangle> out;
   EXPECT_TRUE(triangulate_face(vertices, std::vector<std::uint32_t>{0, 1, 2, 3}, out));
   EXPECT_EQ(out.size(), 2U);
 }

@@ -22,7 +22,7 @@ TriangleMesh rod(bool with_plate) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int i = 0; i < 8; ++i)
       mesh.vertices.push_back({(i & 1) != 0 ? from + x : from, (i & 2) != 0 ? y : -y, (i & 4) != 0 ? z : -z});
-    for (const auto& [a, b, c] : {Triangle{0, 2, 1},
+    for (const auto& [a, b, c] : {TriangleMesh::Triangle{0, 2, 1},
                                   {1, 2, 3},
                                   {4, 5, 6},
                                   {5, 7, 6},

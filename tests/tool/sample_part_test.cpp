@@ -25,7 +25,7 @@ using HalfEdges = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
 
 HalfEdges half_edges(const TriangleMesh& mesh) {
   HalfEdges count;
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) ++count[{t[i], t[(i + 1) % 3]}];
   }
   return count;
@@ -45,7 +45,7 @@ long euler_characteristic(const TriangleMesh& mesh) {
 using Exact = std::array<mpq_class, 3>;
 Exact exact(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
 
-Exact normal(const TriangleMesh& mesh, const Triangle& t) {
+Exact normal(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
   const Exact a = exact(mesh.vertices[t[0]]), b = exact(mesh.vertices[t[1]]), c = exact(mesh.vertices[t[2]]);
   Exact n;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ Exact normal(const TriangleMesh& mesh, const Triangle& t) {
   return n;
 }
 
-bool has_zero_area(const TriangleMesh& mesh, const Triangle& t) {
+bool has_zero_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
   const Exact n = normal(mesh, t);
   return n[0] == 0 && n[1] == 0 && n[2] == 0;
 }
@@ -73,7 +73,7 @@ TEST(Flange, IsAClosedOrientedSurfaceOfGenusNine) {
 TEST(Flange, EnclosesAsMuchAsItsDrawingSays) {
   const TriangleMesh mesh = build_flange().mesh;
   double volume = 0;
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     const Point3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
     volume += (a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x)) / 6;
   }
@@ -95,7 +95,7 @@ TEST(Flange, LiesOnAShortLatticeAndItsFlatsAreFlat) {
   }
   // A face whose corners have one height looks straight up or down, never flipped: up on the outside tops, down at 0.
   std::map<double, std::pair<int, int>> up_and_down;
-  for (const Triangle& t : flange.mesh.triangles) {
+  for (const auto& t : flange.mesh.triangles) {
     ASSERT_FALSE(has_zero_area(flange.mesh, t));
     const double z = flange.mesh.vertices[t[0]].z;
     if (flange.mesh.vertices[t[1]].z != z || flange.mesh.vertices[t[2]].z != z) continue;
@@ -125,7 +125,7 @@ TEST(SamplePart, HasAFewThousandTriangles) {
   EXPECT_GE(mesh.triangles.size(), 3000U);
   EXPECT_LE(mesh.triangles.size(), 6000U);
   std::vector<bool> used(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) {
       ASSERT_LT(v, mesh.vertices.size());
       used[v] = true;
@@ -144,7 +144,7 @@ TEST(SamplePart, RepeatsAsManyVerticesAsItSays) {
 TEST(SamplePart, HasAsManyFacesOfZeroAreaAsItSays) {
   const TriangleMesh mesh = sample_part();
   int zero = 0, repeated_place = 0, sliver = 0;
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     const Point3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
     if (has_zero_area(mesh, t)) {
       ++zero;
@@ -195,7 +195,7 @@ TEST(SamplePart, IsTheSameBitsEverywhere) {
       mix(bits);
     }
   }
-  for (const Triangle& t : mesh.triangles) {
+  for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) mix(v);
   }
   EXPECT_EQ(hash, 11341797615059612562U);

@@ -14,9 +14,9 @@
 
 namespace plumb {
 
-using Triangle = std::array<std::uint32_t, 3>;  // counterclockwise seen from outside, where the mesh has an outside
-
 struct TriangleMesh {
+  /// The vertices of a face, counterclockwise seen from outside, where the mesh has an outside.
+  using Triangle = std::array<std::uint32_t, 3>;
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;
 };

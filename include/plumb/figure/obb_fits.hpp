@@ -26,7 +26,7 @@ Obb3 fit_obb_hull_vertices(std::span<const Point3> points);
 Obb3 fit_obb_hull_surface(std::span<const Point3> points);
 
 /// Along the principal axes of the surface of a mesh.  Throws InvalidShape for an index beyond the vertices.
-Obb3 fit_obb_surface(std::span<const Point3> vertices, std::span<const Triangle> triangles);
+Obb3 fit_obb_surface(std::span<const Point3> vertices, std::span<const TriangleMesh::Triangle> triangles);
 
 enum class PrincipalAxis : unsigned char { longest, middle, shortest, best };
 

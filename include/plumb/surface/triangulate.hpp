@@ -25,6 +25,6 @@ TriangleMesh triangulate(const PolygonMesh& mesh, std::uint64_t* fans = nullptr)
 
 /// Triangles of one face, given by its corners, put at the end of `out`.  False when it became a fan.
 bool triangulate_face(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
-                      std::vector<Triangle>& out);
+                      std::vector<TriangleMesh::Triangle>& out);
 
 }  // namespace plumb

@@ -38,7 +38,7 @@ TriangleMesh ball_mesh(int times) {
       }
       return at->second;
     };
-    std::vector<Triangle> finer;
+    std::vector<TriangleMesh::Triangle> finer;
     for (const auto& [a, b, c] : mesh.triangles) {
       const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
       finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});

@@ -34,7 +34,7 @@ RayAndMesh ray_and_mesh(const std::array<double, numbers>& q) {
   RayAndMesh made{{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}}, {}};
   for (std::size_t i = corners_at; i < numbers; i += 3) made.mesh.vertices.push_back({q[i], q[i + 1], q[i + 2]});
   for (const auto& face : octahedron_faces) {
-    Triangle corners{};
+    TriangleMesh::Triangle corners{};
     std::ranges::transform(face, corners.begin(), [](std::size_t i) { return static_cast<std::uint32_t>(i); });
     made.mesh.triangles.push_back(corners);
   }
