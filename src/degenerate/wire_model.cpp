@@ -9,7 +9,7 @@ namespace plumb::degenerate {
 
 namespace {
 
-using Place = std::array<double, 3>;
+using WirePoint = std::array<double, 3>;
 
 // Not infinite, which no reader takes.
 double finite(long double x) {
@@ -27,7 +27,7 @@ void add_box(WireFigure& figure, const Corner& corner) {
 void add_points(WireFigure& figure, const Given& g) {
   const auto dimension = static_cast<std::size_t>(g.argument.parts[0].dimension);
   for (std::size_t i = 0; i < g.numbers.size(); i += dimension) {
-    Place p{};
+    WirePoint p{};
     std::ranges::copy(g.numbers.subspan(i, dimension), p.begin());
     figure.points.push_back(p);
   }
@@ -56,7 +56,9 @@ void add_figure(WireFigure& figure, const Given& g) {
   const std::span<const double> x = g.numbers;
   const std::vector<Part>& parts = g.argument.parts;
   if (parts[0].role == Role::corners && parts[0].dimension == 3) {
-    return add_box(figure, [&](std::size_t i) { return Place{x[i & 1 ? 3 : 0], x[i & 2 ? 4 : 1], x[i & 4 ? 5 : 2]}; });
+    return add_box(figure, [&](std::size_t i) {
+      return WirePoint{x[i & 1 ? 3 : 0], x[i & 2 ? 4 : 1], x[i & 4 ? 5 : 2]};
+    });
   }
   if (parts.size() == 3 && parts[1].role == Role::frame) {  // center, axes, half extents: corners are rounded
     return add_box(figure, [&](std::size_t i) {
@@ -65,7 +67,7 @@ void add_figure(WireFigure& figure, const Given& g) {
         const long double by = (i >> axis & 1) != 0 ? x[12 + axis] : -x[12 + axis];
         for (std::size_t k = 0; k < 3; ++k) p[k] += by * x[3 + 3 * axis + k];
       }
-      return Place{finite(p[0]), finite(p[1]), finite(p[2])};
+      return WirePoint{finite(p[0]), finite(p[1]), finite(p[2])};
     });
   }
   if (parts.size() == 2 && parts[1].role == Role::vector) {  // a ray, as far as its direction

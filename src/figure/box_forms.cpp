@@ -12,31 +12,31 @@ namespace {
 using figure::within_doubles;
 
 /// From low + below to high + above.
-struct Ends {
+struct AxisDoubles {
   double low, below, high, above;
 };
-using AxisEnds = std::array<Ends, 3>;
+using BoxDoubles = std::array<AxisDoubles, 3>;
 
 constexpr std::string_view axis_names = "xyz";
 
-AxisEnds ends_of(std::string_view function, const Aabb3& box) {
+BoxDoubles ends_of(std::string_view function, const Aabb3& box) {
   figure::require_finite_parts(function, {"box.min", "box.max"}, box.min, box.max);
   const auto min = coordinates(box.min), max = coordinates(box.max);
-  AxisEnds ends{};
+  BoxDoubles ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {min[i], 0, max[i], 0};
   return ends;
 }
-AxisEnds ends_of(std::string_view function, const AabbWidths3& box) {
+BoxDoubles ends_of(std::string_view function, const AabbWidths3& box) {
   figure::require_finite_parts(function, {"box.min", "box.widths"}, box.min, box.widths);
   const auto min = coordinates(box.min), widths = coordinates(box.widths);
-  AxisEnds ends{};
+  BoxDoubles ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {min[i], 0, min[i], magnitude_of(widths[i])};
   return ends;
 }
-AxisEnds ends_of(std::string_view function, const AabbCenter3& box) {
+BoxDoubles ends_of(std::string_view function, const AabbCenter3& box) {
   figure::require_finite_parts(function, {"box.center", "box.half"}, box.center, box.half);
   const auto center = coordinates(box.center), half = coordinates(box.half);
-  AxisEnds ends{};
+  BoxDoubles ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {center[i], -magnitude_of(half[i]), center[i], magnitude_of(half[i])};
   return ends;
 }
@@ -59,7 +59,7 @@ double sum(Rounding rounding, double a, double b, double c) {
       rounding, [](auto x, auto y, auto z) { return (x + y) + z; }, a, b, c);
 }
 
-Aabb3 min_max(std::string_view function, const AxisEnds& ends) {
+Aabb3 min_max(std::string_view function, const BoxDoubles& ends) {
   std::array<double, 3> min{}, max{};
   for (std::size_t i = 0; i < 3; ++i) {
     min[i] = within_doubles(sum(Rounding::down, ends[i].low, ends[i].below, 0), function, part("min.", i));
@@ -68,7 +68,7 @@ Aabb3 min_max(std::string_view function, const AxisEnds& ends) {
   return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}};
 }
 
-AabbWidths3 min_widths(std::string_view function, const AxisEnds& ends) {
+AabbWidths3 min_widths(std::string_view function, const BoxDoubles& ends) {
   std::array<double, 3> min{}, widths{};
   for (std::size_t i = 0; i < 3; ++i) {
     min[i] = within_doubles(sum(Rounding::down, ends[i].low, ends[i].below, 0), function, part("min.", i));
@@ -77,7 +77,7 @@ AabbWidths3 min_widths(std::string_view function, const AxisEnds& ends) {
   return {{min[0], min[1], min[2]}, {widths[0], widths[1], widths[2]}};
 }
 
-AabbCenter3 center_half(std::string_view function, const AxisEnds& ends) {
+AabbCenter3 center_half(std::string_view function, const BoxDoubles& ends) {
   std::array<double, 3> center{}, half{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& [low, below, high, above] = ends[i];
@@ -102,7 +102,7 @@ Aabb3 to_aabb(const AabbWidths3& box) { return min_max("to_aabb", ends_of("to_aa
 Aabb3 to_aabb(const AabbCenter3& box) { return min_max("to_aabb", ends_of("to_aabb", box)); }
 
 AabbWidths3 to_aabb_widths(const Aabb3& box) {
-  const AxisEnds ends = ends_of("to_aabb_widths", box);
+  const BoxDoubles ends = ends_of("to_aabb_widths", box);
   require_not_empty("to_aabb_widths", box);
   return min_widths("to_aabb_widths", ends);
 }
@@ -114,7 +114,7 @@ AabbWidths3 to_aabb_widths(const AabbCenter3& box) {
 }
 
 AabbCenter3 to_aabb_center(const Aabb3& box) {
-  const AxisEnds ends = ends_of("to_aabb_center", box);
+  const BoxDoubles ends = ends_of("to_aabb_center", box);
   require_not_empty("to_aabb_center", box);
   return center_half("to_aabb_center", ends);
 }

@@ -26,9 +26,9 @@ struct Placed {
   double volume;
 };
 
-class Search {
+class BoxSearch {
  public:
-  Search(const HullModel& model, const FoundBox& start) : model_(model), starts_(model), best_(start) {
+  BoxSearch(const HullModel& model, const FoundBox& start) : model_(model), starts_(model), best_(start) {
     arcs_.reserve(model.edges.size());
     for (const HullModel::Edge& e : model.edges) {
       const Vector3 &l = model.normals[e.left], &r = model.normals[e.right];
@@ -163,6 +163,6 @@ class Search {
 
 }  // namespace
 
-FoundBox smallest_box(const HullModel& model, FoundBox start) { return Search(model, start).run(); }
+FoundBox smallest_box(const HullModel& model, FoundBox start) { return BoxSearch(model, start).run(); }
 
 }  // namespace plumb::frame

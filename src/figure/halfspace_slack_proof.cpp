@@ -10,13 +10,13 @@ namespace plumb::figure {
 namespace {
 
 constexpr std::size_t numbers = 5;  // of a place: those of a point, its slack, and w, all times w
-using Place = std::array<BigDyadic, numbers>;
+using SlackPlanes = std::array<BigDyadic, numbers>;
 
 bool is_zero(const Running& x) { return x.value == 0 && x.error == 0; }
 bool is_zero(const BigDyadic& x) { return x.sign() == Sign::zero; }
 
 /// Minors of rows by the columns taken, all columns but one for the last row: row by row, each from those of one less.
-Place minors(const std::array<Place, 4>& rows) {
+SlackPlanes minors(const std::array<SlackPlanes, 4>& rows) {
   std::array<BigDyadic, 1u << numbers> minor;
   minor[0] = BigDyadic(1.0);
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -33,13 +33,13 @@ Place minors(const std::array<Place, 4>& rows) {
       minor[taken] = std::move(sum);
     }
   }
-  Place without;
+  SlackPlanes without;
   for (unsigned k = 0; k < numbers; ++k) without[k] = std::move(minor[((1u << numbers) - 1) & ~(1u << k)]);
   return without;
 }
 
 /// In doubles with the errors of their rounding, all times one power of two.
-std::array<Running, numbers> near(const Place& place) {
+std::array<Running, numbers> near(const SlackPlanes& place) {
   std::array<double, numbers> mantissa{};
   std::array<long, numbers> exponent{};
   long most = std::numeric_limits<long>::min();

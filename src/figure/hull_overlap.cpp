@@ -15,11 +15,11 @@ namespace f = predicates;
 using gjk::Plain;
 
 /// A point of each hull.
-struct Ends {
+struct HullPair {
   Point3 a, b;
-  friend bool operator==(const Ends&, const Ends&) = default;
+  friend bool operator==(const HullPair&, const HullPair&) = default;
 };
-using Simplex = gjk::Simplex<Ends>;
+using Simplex = gjk::Simplex<HullPair>;
 
 Simplex::Corner corner(const Point3& a, const Point3& b) {
   return {{a, b}, core::vec<double>(a) - core::vec<double>(b)};
@@ -57,7 +57,7 @@ struct TripleOfDifferences {
 };
 
 /// Is the origin strictly inside of the tetrahedron of the exact differences?
-bool proves_meeting(const std::array<Ends, 4>& s) {
+bool proves_meeting(const std::array<HullPair, 4>& s) {
   return gjk::is_around_origin([&](std::size_t i, std::size_t j, std::size_t k) {
     return sign_of(TripleOfDifferences{}, s[i].a, s[i].b, s[j].a, s[j].b, s[k].a, s[k].b);
   });

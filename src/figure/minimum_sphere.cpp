@@ -65,11 +65,11 @@ Ball with(const Ball& old, const PointOf<Ball>& p) {
 }
 
 template <class Ball>
-class Search {
+class SphereSearch {
  public:
   using Point = PointOf<Ball>;
 
-  Search(std::span<const Point> points, const Extent<Point>& extent, std::vector<Ball>* history)
+  SphereSearch(std::span<const Point> points, const Extent<Point>& extent, std::vector<Ball>* history)
       : points_(points), scan_(points, scale_for(half_width(extent))), history_(history) {
     center_ = middle_of(extent);
     scan_.pass(center_);
@@ -201,7 +201,7 @@ Result minimum(std::string_view function, std::span<const PointOf<Ball>> points,
                Round Result::*round) {
   if (points.empty()) throw InvalidShape(std::string(function).append(": no points; give at least one"));
   const auto all = extent(function, points);
-  Search<Ball> search(points, all, history);
+  SphereSearch<Ball> search(points, all, history);
   std::vector<std::uint32_t> boundary = search.run();
   Result result{};
   result.exact = search.ball();

@@ -74,10 +74,10 @@ Interval relative() { return Interval(1 - 0x1p-48, 1 + 0x1p-48); }
 Interval absolute() { return Interval(-0x1p-500, 0x1p-500); }
 
 template <class Ball>
-class Search {
+class BallSearch {
  public:
   using Point = decltype(Ball::center);
-  explicit Search(std::span<const Ball> balls) : balls_(balls) {
+  explicit BallSearch(std::span<const Ball> balls) : balls_(balls) {
     // As far as doubles tell; from there exact steps go on, and mostly there is none.
     const Basis guess = guess_touched(balls);
     std::vector<RationalBall> touched;
@@ -177,7 +177,7 @@ Result minimum(std::string_view function, std::string_view name, std::span<const
     if (none != 0 || b.radius < 0)
       require_ball(function, std::string(name).append("[").append(std::to_string(i)).append("]"), b);
   }
-  Search<Ball> search(balls);
+  BallSearch<Ball> search(balls);
   Basis touched = search.run();
   Result result{};
   result.support = support_of(balls, std::move(touched), search.held().basis);

@@ -25,7 +25,7 @@ BigVector generator(const Vector3& axis, double half) {
 }
 
 // All gaps that are defined, one after another; nothing when they do not decide: some are zero, or none is defined.
-class Verdict {
+class GapVerdict {
  public:
   /// False when the question is answered.
   bool add(std::optional<Sign> gap) {
@@ -46,7 +46,7 @@ class Verdict {
 };
 
 std::optional<Relation> by_signs(const Obb3& a, const Obb3& b) {
-  Verdict verdict;
+  GapVerdict verdict;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!verdict.add(face_gap(a, b, i)) || !verdict.add(face_gap(b, a, i))) return verdict.relation();
   }
@@ -146,7 +146,7 @@ Relation relate(const Obb2& a, const Obb2& b, Asked asked) {
   const auto p =
       coordinates_of<BothPlane>(a.center, a.axes[0], a.axes[1], a.half, b.center, b.axes[0], b.axes[1], b.half);
   require_finite<BothPlane>(p, name_of(asked));
-  Verdict verdict;
+  GapVerdict verdict;
   if (!verdict.add(plane_gap(a, b, 0)) || !verdict.add(plane_gap(a, b, 1)) || !verdict.add(plane_gap(b, a, 0)) ||
       !verdict.add(plane_gap(b, a, 1)))
     return Relation::disjoint;

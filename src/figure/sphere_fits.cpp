@@ -67,7 +67,7 @@ Sphere3 of_diameter(const Point3& a, const Point3& b) {
 }
 
 /// The two ends of the points along some direction.
-struct Ends {
+struct FarthestPair {
   std::size_t first = 0, last = 0;
   double low = HUGE_VAL, high = -HUGE_VAL;
   void take(std::size_t i, double x) {
@@ -77,13 +77,13 @@ struct Ends {
 };
 
 Sphere3 of_axes(const LocalPoints& points) {
-  std::array<Ends, 3> ends;
+  std::array<FarthestPair, 3> ends;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [x, y, z] = points[i];
     ends[0].take(i, x), ends[1].take(i, y), ends[2].take(i, z);
   }
-  const auto length = [&](const Ends& e) { return squared_distance(points[e.first], points[e.last]); };
-  const Ends& e = *std::ranges::max_element(ends, {}, length);
+  const auto length = [&](const FarthestPair& e) { return squared_distance(points[e.first], points[e.last]); };
+  const FarthestPair& e = *std::ranges::max_element(ends, {}, length);
   return of_diameter(points[e.first], points[e.last]);
 }
 
@@ -104,7 +104,7 @@ Sphere3 of_largest_spread(const LocalPoints& points) {
   covariance << xx, xy, zx, xy, yy, yz, zx, yz, zz;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance / n);
   const Eigen::Vector3d way = solver.eigenvectors().col(2);
-  Ends ends;
+  FarthestPair ends;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point3 p = points[i];
     ends.take(i, p.x * way(0) + p.y * way(1) + p.z * way(2));

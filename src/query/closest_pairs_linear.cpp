@@ -15,15 +15,15 @@ template <class S>
 using PointOf = std::conditional_t<is_in_space<S>, Point3, Point2>;
 
 template <class T, class A, class B>
-[[gnu::always_inline]] inline std::optional<Places> places_over(const A& a, const B& b) {
+[[gnu::always_inline]] inline std::optional<SpotsOnLines> places_over(const A& a, const B& b) {
   Signs ask;
-  const Places places = closest_places<T>(linear<T>(a), linear<T>(b), ask);
+  const SpotsOnLines places = closest_places<T>(linear<T>(a), linear<T>(b), ask);
   if (ask.certain()) return places;
   return {};
 }
 
 template <class Point>
-[[gnu::noinline]] Places places_exactly(const Straight<Point>& a, const Straight<Point>& b) {
+[[gnu::noinline]] SpotsOnLines places_exactly(const Straight<Point>& a, const Straight<Point>& b) {
   if (const auto places = places_over<Twofold<false>>(a, b)) return *places;
   if (const auto places = places_over<Ball>(a, b)) return *places;
   return *places_over<BigDyadic>(a, b);
@@ -34,7 +34,7 @@ template <class A, class B>
 inline constexpr bool are_lines_of_plane = std::is_same_v<A, Line2>&& std::is_same_v<B, Line2>;
 
 template <class A, class B>
-[[gnu::flatten]] Places places_of(const A& a, const B& b, std::string_view function) {
+[[gnu::flatten]] SpotsOnLines places_of(const A& a, const B& b, std::string_view function) {
   if constexpr (are_lines_of_plane<A, B>) require_figures(function, a, b);
   if (const auto places = places_over<Approximate>(a, b)) [[likely]]
     return *places;
@@ -43,13 +43,14 @@ template <class A, class B>
 }
 
 template <class T, class Point>
-ClosePair<T, Point> pair_over(const Straight<Point>& a, const Straight<Point>& b, Places places) {
+ClosePair<T, Point> pair_over(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places) {
   return close_pair<T>(linear<T>(a), linear<T>(b), places);
 }
 
 /// What two doubles a number leave in doubt.
 template <class Point>
-[[gnu::noinline]] Numbers<Point> numbers_exactly(const Straight<Point>& a, const Straight<Point>& b, Places places) {
+[[gnu::noinline]] Numbers<Point> numbers_exactly(const Straight<Point>& a, const Straight<Point>& b,
+                                                 SpotsOnLines places) {
   const auto quick = pair_over<Ball>(a, b, places);
   const auto p = nearest_point(quick.a), q = nearest_point(quick.b);
   const auto d = nearest_distance(quick);
@@ -58,14 +59,14 @@ template <class Point>
   return {p ? *p : nearest_point(exact.a), q ? *q : nearest_point(exact.b), d ? *d : nearest_distance(exact)};
 }
 template <class Point>
-[[gnu::noinline]] double distance_exactly(const Straight<Point>& a, const Straight<Point>& b, Places places) {
+[[gnu::noinline]] double distance_exactly(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places) {
   if (const auto d = nearest_distance(pair_over<Ball>(a, b, places))) return *d;
   return nearest_distance(pair_over<BigDyadic>(a, b, places));
 }
 
-Feature feature(Place place) {
-  if (place == Place::start) return {FeatureKind::vertex, 0};
-  if (place == Place::end) return {FeatureKind::vertex, 1};
+Feature feature(SpotOnLine place) {
+  if (place == SpotOnLine::start) return {FeatureKind::vertex, 0};
+  if (place == SpotOnLine::end) return {FeatureKind::vertex, 1};
   return {FeatureKind::edge, 0};
 }
 
@@ -78,7 +79,7 @@ auto closest_of(const A& a, const B& b) {
     if (quickly(a, b, to)) [[likely]]
       return to;
   }
-  const Places places = places_of(a, b, name);
+  const SpotsOnLines places = places_of(a, b, name);
   to.feature_a = feature(places.a), to.feature_b = feature(places.b);
   if constexpr (is_in_space<A>) {
     if (quickly(LineAt(a), LineAt(b), places, to)) [[likely]]
@@ -93,9 +94,9 @@ auto closest_of(const A& a, const B& b) {
   return to;
 }
 
-std::optional<double> parameter(Place place, const Ball& numerator, const Ball& whole) {
-  if (place == Place::inside) return quotient(numerator, whole).nearest();
-  return place == Place::end ? 1.0 : 0.0;
+std::optional<double> parameter(SpotOnLine place, const Ball& numerator, const Ball& whole) {
+  if (place == SpotOnLine::inside) return quotient(numerator, whole).nearest();
+  return place == SpotOnLine::end ? 1.0 : 0.0;
 }
 
 }  // namespace
@@ -113,7 +114,7 @@ double distance(const A& a, const B& b, Asked asked) {
     if (quickly(a, b, quick)) [[likely]]
       return quick;
   }
-  const Places places = places_of(a, b, name_of(asked));
+  const SpotsOnLines places = places_of(a, b, name_of(asked));
   if constexpr (is_in_space<A>) {
     if (quickly(LineAt(a), LineAt(b), places, quick)) [[likely]]
       return quick;
@@ -134,7 +135,7 @@ template <class A, class B>
 requires LinearPair<A, B> std::array<double, 2> closest_parameters(const A& a, const B& b) {
   constexpr std::string_view name = "closest_parameters";
   require_figures(name, a, b);
-  const Places places = places_of(a, b, name);
+  const SpotsOnLines places = places_of(a, b, name);
   const auto quick = pair_over<Ball>(straight(a), straight(b), places);
   const auto s = parameter(places.a, quick.a.numerator, quick.a.whole);
   const auto t = parameter(places.b, quick.b.numerator, quick.b.whole);

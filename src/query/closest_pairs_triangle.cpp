@@ -16,7 +16,7 @@ template <class T, class A, class B>
 std::optional<Found<T>> found_over(const A& a, const B& b, const Shortlist& list) {
   Signs ask;
   const Body<T> p = body_of<T>(a, ask), q = body_of<T>(b, ask);
-  const auto found = Search<T>(p, q, list, ask).run();
+  const auto found = FeatureSearch<T>(p, q, list, ask).run();
   if (ask.certain()) return found;
   return {};
 }
@@ -29,16 +29,16 @@ Straight<Point3> in_one_form(const Segment3& s) { return straight(s); }
 /// The edge or vertex of this number as a line, and the place on it.
 struct OnLine {
   Straight<Point3> line;
-  Place place;
+  SpotOnLine place;
 };
 OnLine on_line(const Straight<Point3>& s, Feature f) {
-  if (f.kind == FeatureKind::edge) return {s, Place::inside};
-  return {s, f.index == 0 ? Place::start : Place::end};
+  if (f.kind == FeatureKind::edge) return {s, SpotOnLine::inside};
+  return {s, f.index == 0 ? SpotOnLine::start : SpotOnLine::end};
 }
 OnLine on_line(const Triangle3& t, Feature f) {
   const std::array corner{t.a, t.b, t.c};
   return {straight(Segment3{corner[f.index], corner[(f.index + 1) % 3]}),
-          f.kind == FeatureKind::edge ? Place::inside : Place::start};
+          f.kind == FeatureKind::edge ? SpotOnLine::inside : SpotOnLine::start};
 }
 
 const Triangle3* triangle_of(const Straight<Point3>&) { return nullptr; }
@@ -48,7 +48,7 @@ Numbers<Point3> turned(const Numbers<Point3>& n) { return {n.on_b, n.on_a, n.dis
 
 /// Of a feature that is not the face, with the face of a triangle.
 std::optional<Numbers<Point3>> numbers_on_face(const OnLine& from, const Triangle3& face) {
-  if (from.place != Place::inside) return quick_numbers(from.line.at(from.place), face);
+  if (from.place != SpotOnLine::inside) return quick_numbers(from.line.at(from.place), face);
   const auto crossing = quick_crossing(from.line, face);
   if (!crossing) return {};
   return Numbers<Point3>{*crossing, *crossing, 0};
@@ -80,11 +80,13 @@ LineAt line_at(const Triangle3& t, Feature f) {
   const std::array corner{&t.a, &t.b, &t.c};
   return {*corner[f.index], *corner[(f.index + 1) % 3]};
 }
-Place place_at(const Straight<Point3>&, Feature f) {
-  if (f.kind == FeatureKind::edge) return Place::inside;
-  return f.index == 0 ? Place::start : Place::end;
+SpotOnLine place_at(const Straight<Point3>&, Feature f) {
+  if (f.kind == FeatureKind::edge) return SpotOnLine::inside;
+  return f.index == 0 ? SpotOnLine::start : SpotOnLine::end;
 }
-Place place_at(const Triangle3&, Feature f) { return f.kind == FeatureKind::edge ? Place::inside : Place::start; }
+SpotOnLine place_at(const Triangle3&, Feature f) {
+  return f.kind == FeatureKind::edge ? SpotOnLine::inside : SpotOnLine::start;
+}
 
 /// In lanes: all but the points of an edge that crosses a face.
 template <class A, class B, class To>
@@ -93,7 +95,7 @@ bool told_quickly(const A& a, const B& b, const FeaturePair& f, To& to) {
   if (!turned && f.b != the_face)
     return quickly(line_at(a, f.a), line_at(b, f.b), {place_at(a, f.a), place_at(b, f.b)}, to);
   const OnLine from = turned ? on_line(b, f.b) : on_line(a, f.a);
-  if (from.place == Place::inside) return false;
+  if (from.place == SpotOnLine::inside) return false;
   const Point3& v = from.line.at(from.place);
   if (!quickly(v, turned ? *triangle_of(a) : *triangle_of(b), to)) return false;
   name_vertex(v, to);
@@ -105,7 +107,7 @@ template <class A, class B>
 std::optional<double> distance_between(const A& a, const B& b, const FeaturePair& f) {
   if (f.a == the_face || f.b == the_face) {
     const OnLine from = f.b == the_face ? on_line(a, f.a) : on_line(b, f.b);
-    if (from.place == Place::inside) return 0.0;
+    if (from.place == SpotOnLine::inside) return 0.0;
     const Triangle3& face = f.b == the_face ? *triangle_of(b) : *triangle_of(a);
     return quick_distance(from.line.at(from.place), face);
   }

@@ -97,8 +97,8 @@ HWY_INLINE bool on_one_line(V from, Pair d, V point, bool swap, To& to) {
 }
 
 template <class To>
-HWY_INLINE bool numbers(const LineAt& p, const LineAt& q, Places places, To& to) {
-  const bool inside_p = places.a == Place::inside, inside_q = places.b == Place::inside;
+HWY_INLINE bool numbers(const LineAt& p, const LineAt& q, SpotsOnLines places, To& to) {
+  const bool inside_p = places.a == SpotOnLine::inside, inside_q = places.b == SpotOnLine::inside;
   const V a = load(inside_p ? *p.from : p.at(places.a)), b = load(inside_q ? *q.from : q.at(places.b));
   if (inside_p && inside_q) return between_lines(a, along(p), b, along(q), to);
   if (inside_p || inside_q) {
@@ -113,20 +113,20 @@ HWY_INLINE bool numbers(const LineAt& p, const LineAt& q, Places places, To& to)
 constexpr double guard = 0x1p-800;
 
 /// Of x / whole, both off by their bounds; `given` where that is not certain.
-HWY_INLINE Place place_of(double x, double bound, double whole, double whole_bound) {
+HWY_INLINE SpotOnLine place_of(double x, double bound, double whole, double whole_bound) {
   const double less = whole - x, either = bound + whole_bound;
-  if (x < -bound) return Place::start;
-  if (less < -either) return Place::end;
-  return x > bound && less > either ? Place::inside : Place::given;
+  if (x < -bound) return SpotOnLine::start;
+  if (less < -either) return SpotOnLine::end;
+  return x > bound && less > either ? SpotOnLine::inside : SpotOnLine::given;
 }
 
-HWY_INLINE void name_features(Closest& to, Places places) {
-  const auto feature = [](Place p) -> Feature {
-    return {p == Place::inside ? FeatureKind::edge : FeatureKind::vertex, p == Place::end ? 1u : 0u};
+HWY_INLINE void name_features(Closest& to, SpotsOnLines places) {
+  const auto feature = [](SpotOnLine p) -> Feature {
+    return {p == SpotOnLine::inside ? FeatureKind::edge : FeatureKind::vertex, p == SpotOnLine::end ? 1u : 0u};
   };
   to.feature_a = feature(places.a), to.feature_b = feature(places.b);
 }
-HWY_INLINE void name_features(double&, Places) {}
+HWY_INLINE void name_features(double&, SpotsOnLines) {}
 
 /// The signs of closest_places (linear_pair.hpp) by six products; their errors are some 12 u of the bounds' terms.
 template <class To>
@@ -138,22 +138,23 @@ HWY_INLINE bool numbers(const Segment3& p, const Segment3& q, To& to) {
   if (!(fair_square(a11) && fair_square(a22) && ww <= largest_square)) return false;
   const double unsure = __builtin_fma(0x1p-47, a11 + a22 + ww, guard);
   const double unsure_whole = 0x1p-47 * a11 * a22, whole = a11 * a22 - a12 * a12;
-  const auto on_p = [&](Place end_of_q) {
-    return place_of(end_of_q == Place::end ? c1 + a12 : c1, unsure, a11, unsure);
+  const auto on_p = [&](SpotOnLine end_of_q) {
+    return place_of(end_of_q == SpotOnLine::end ? c1 + a12 : c1, unsure, a11, unsure);
   };
-  const auto on_q = [&](Place end_of_p) {
-    return place_of(end_of_p == Place::end ? a12 - c2 : -c2, unsure, a22, unsure);
+  const auto on_q = [&](SpotOnLine end_of_p) {
+    return place_of(end_of_p == SpotOnLine::end ? a12 - c2 : -c2, unsure, a22, unsure);
   };
   if (!(whole > unsure_whole)) return false;
-  Places places{place_of(c1 * a22 - a12 * c2, 0x1p-47 * a22 * (a11 + ww), whole, unsure_whole), Place::given};
-  if (places.a == Place::inside) {
+  SpotsOnLines places{place_of(c1 * a22 - a12 * c2, 0x1p-47 * a22 * (a11 + ww), whole, unsure_whole),
+                      SpotOnLine::given};
+  if (places.a == SpotOnLine::inside) {
     places.b = place_of(a12 * c1 - a11 * c2, 0x1p-47 * a11 * (a22 + ww), whole, unsure_whole);
-    if (places.b != Place::inside && places.b != Place::given) places.a = on_p(places.b);
-  } else if (places.a != Place::given) {
+    if (places.b != SpotOnLine::inside && places.b != SpotOnLine::given) places.a = on_p(places.b);
+  } else if (places.a != SpotOnLine::given) {
     places.b = on_q(places.a);
-    if (places.b != Place::inside && places.b != Place::given) places.a = on_p(places.b);
+    if (places.b != SpotOnLine::inside && places.b != SpotOnLine::given) places.a = on_p(places.b);
   }
-  if (places.a == Place::given || places.b == Place::given) return false;
+  if (places.a == SpotOnLine::given || places.b == SpotOnLine::given) return false;
   name_features(to, places);
   return numbers(LineAt(p), LineAt(q), places, to);
 }
@@ -184,7 +185,7 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::query {
 
 template <class To>
-bool quickly(const LineAt& p, const LineAt& q, Places places, To& to) {
+bool quickly(const LineAt& p, const LineAt& q, SpotsOnLines places, To& to) {
   return PLUMB_BY_LANES(quick, numbers_of(p, q, places, to));
 }
 template <class To>
@@ -196,8 +197,8 @@ bool quickly(const Segment3& p, const Segment3& q, To& to) {
   return PLUMB_BY_LANES(quick, numbers_of(p, q, to));
 }
 
-template bool quickly(const LineAt&, const LineAt&, Places, Closest&);
-template bool quickly(const LineAt&, const LineAt&, Places, double&);
+template bool quickly(const LineAt&, const LineAt&, SpotsOnLines, Closest&);
+template bool quickly(const LineAt&, const LineAt&, SpotsOnLines, double&);
 template bool quickly(const Segment3&, const Segment3&, Closest&);
 template bool quickly(const Segment3&, const Segment3&, double&);
 template bool quickly(const Point3&, const Triangle3&, Closest&);

@@ -22,11 +22,11 @@ struct LineAt {
   explicit LineAt(const Ray3& r) : from(&r.origin), to(nullptr), direction(&r.direction) {}
   explicit LineAt(const Line3& l) : from(&l.point), to(nullptr), direction(&l.direction) {}
   LineAt(const Point3& a, const Point3& b) : from(&a), to(&b), direction(nullptr) {}
-  [[nodiscard]] const Point3& at(Place place) const { return place == Place::end ? *to : *from; }
+  [[nodiscard]] const Point3& at(SpotOnLine place) const { return place == SpotOnLine::end ? *to : *from; }
 };
 
 template <class To>
-bool quickly(const LineAt& p, const LineAt& q, Places places, To& to);
+bool quickly(const LineAt& p, const LineAt& q, SpotsOnLines places, To& to);
 template <class To>
 bool quickly(const Point3& vertex, const Triangle3& face, To& to);
 /// The features as well.

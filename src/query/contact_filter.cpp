@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "plumb/certify/decide.hpp"
+#include "query/contact_wanted.hpp"
 
 namespace plumb::query::moving {
 namespace {
@@ -160,10 +161,8 @@ Crossing crossing_at_root(const Figures<Count>& f, const ContactAtRoot& close, c
   return close.crossing(time, axis);
 }
 
-enum class Asked : unsigned char { whether, when };
-
 /// All of time, halved where it does not tell, from its start on.
-template <Asked asked, std::size_t Count>
+template <ContactWanted asked, std::size_t Count>
 FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound, const ContactQuestion& question) {
   struct Piece {
     double from, to;
@@ -186,7 +185,7 @@ FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound
     const Crossing c = crossing(f, s, t);
     if (c == Crossing::apart) continue;
     const bool changes = (certain_sign(b[0], bound) & opposite(certain_sign(b[3], bound))) != 0;
-    if (asked == Asked::whether && c == Crossing::across && changes) return {Verdict::yes, {}};
+    if (asked == ContactWanted::whether && c == Crossing::across && changes) return {ContactVerdict::yes, {}};
     if (changes && (c == Crossing::across || t - s <= narrow)) {
       if (const auto bracket = bracket_of(b, bound, s, t)) {
         if (!close) close.emplace(question.kind, question.at_0, question.at_1);
@@ -195,14 +194,14 @@ FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound
                                : c == Crossing::across ? c
                                                        : crossing_at_root(f, *close, *time);
         if (there == Crossing::apart) continue;
-        if (there == Crossing::across) return {Verdict::yes, time};
-        if (asked == Asked::when) return {Verdict::unsure, {}};
+        if (there == Crossing::across) return {ContactVerdict::yes, time};
+        if (asked == ContactWanted::when) return {ContactVerdict::unsure, {}};
         doubt = true;
         continue;
       }
     }
     if (tiny || t - s <= finest || steps > most_steps) {
-      if (asked == Asked::when) return {Verdict::unsure, {}};
+      if (asked == ContactWanted::when) return {ContactVerdict::unsure, {}};
       doubt = true;
       continue;
     }
@@ -210,7 +209,7 @@ FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound
     waiting[count++] = {middle, t};
     waiting[count++] = {s, middle};
   }
-  return {doubt ? Verdict::unsure : Verdict::no, {}};
+  return {doubt ? ContactVerdict::unsure : ContactVerdict::no, {}};
 }
 
 bool coplanar(std::span<const Point3, 4> p) {
@@ -224,7 +223,7 @@ Quadratic side(const Figures<4>& f, std::size_t i) {  // of the differences ac, 
   return cross(f.differences[left[i]], f.differences[right[i]]);
 }
 
-template <Asked asked, std::size_t Count>
+template <ContactWanted asked, std::size_t Count>
 FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   const auto linear = [&](std::size_t i, std::size_t j) {
     return Linear{difference(question.at_0[i], question.at_0[j]), difference(question.at_1[i], question.at_1[j])};
@@ -247,7 +246,7 @@ FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   for (const double c : cubic) bound += c - c;
   unsigned signs = either;
   for (const double c : cubic) signs &= certain_sign(c, bound);
-  if (signs != 0) return {Verdict::no, {}};
+  if (signs != 0) return {ContactVerdict::no, {}};
   if constexpr (edges) include(m, f.differences[3] = linear(3, 1));
   f.bound = {cross_constant * product(1, m.y, m.z) + least, cross_constant * product(1, m.z, m.x) + least,
              cross_constant * product(1, m.x, m.y) + least};
@@ -259,8 +258,8 @@ FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   const auto meet_at = [&](double coefficient, std::span<const Point3, 4> p, double time) {
     return certain_sign(coefficient, bound) == 0 && crossing(f, time, time) == Crossing::across && coplanar(p);
   };
-  if (meet_at(cubic[0], question.at_0, 0)) return {Verdict::yes, Ball{0}};
-  if (asked == Asked::whether && meet_at(cubic[3], question.at_1, 1)) return {Verdict::yes, {}};
+  if (meet_at(cubic[0], question.at_0, 0)) return {ContactVerdict::yes, Ball{0}};
+  if (asked == ContactWanted::whether && meet_at(cubic[3], question.at_1, 1)) return {ContactVerdict::yes, {}};
   return search<asked>(f, cubic, bound, question);
 }
 
@@ -286,21 +285,23 @@ bool apart(std::span<const Point3, 4> p, std::span<const Point3, 4> q) {
   return (apart<Count, &Point3::x>(p, q) | apart<Count, &Point3::y>(p, q) | apart<Count, &Point3::z>(p, q)) != 0;
 }
 
-template <Asked asked>
+template <ContactWanted asked>
 FilteredContact filter(const ContactQuestion& question) {
   const std::span<const Point3, 4> p = question.at_0, q = question.at_1;
   if (question.kind == MovingKind::vertex_triangle) {
     Figures<3> f;
-    return apart<1>(p, q) ? FilteredContact{Verdict::no, {}} : decide<asked>(f, question);
+    return apart<1>(p, q) ? FilteredContact{ContactVerdict::no, {}} : decide<asked>(f, question);
   }
   Figures<4> f;
-  return apart<2>(p, q) ? FilteredContact{Verdict::no, {}} : decide<asked>(f, question);
+  return apart<2>(p, q) ? FilteredContact{ContactVerdict::no, {}} : decide<asked>(f, question);
 }
 
 }  // namespace
 
-Verdict contact_filter(const ContactQuestion& question) { return filter<Asked::whether>(question).verdict; }
+ContactVerdict contact_filter(const ContactQuestion& question) {
+  return filter<ContactWanted::whether>(question).verdict;
+}
 
-FilteredContact first_contact_filter(const ContactQuestion& question) { return filter<Asked::when>(question); }
+FilteredContact first_contact_filter(const ContactQuestion& question) { return filter<ContactWanted::when>(question); }
 
 }  // namespace plumb::query::moving

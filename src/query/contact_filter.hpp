@@ -25,13 +25,13 @@ struct ContactQuestion {
   std::array<Point3, 4> at_0, at_1;
 };
 
-enum class Verdict : unsigned char { no, yes, unsure };
+enum class ContactVerdict : unsigned char { no, yes, unsure };
 
-Verdict contact_filter(const ContactQuestion& question);
+ContactVerdict contact_filter(const ContactQuestion& question);
 
 /// Of a yes, the first contact: strictly within the triangle's face, or within both edges.
 struct FilteredContact {
-  Verdict verdict;
+  ContactVerdict verdict;
   std::optional<Ball> time;
 };
 FilteredContact first_contact_filter(const ContactQuestion& question);

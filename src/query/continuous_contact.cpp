@@ -11,7 +11,7 @@
 namespace plumb {
 namespace {
 
-using query::moving::ExactContact, query::moving::MovingKind, query::moving::Verdict;
+using query::moving::ExactContact, query::moving::MovingKind, query::moving::ContactVerdict;
 using Motion = query::moving::ContactQuestion;
 
 Motion motion_of(const Moving<Point3>& a, const Moving<Triangle3>& b) {
@@ -33,7 +33,7 @@ void require_valid(std::string_view function, const Moving<A>& a, const Moving<B
 }
 
 std::optional<ExactContact> exact_first_contact(const Motion& m, double separation) {
-  if (separation > 0 && query::moving::separation_filter(m, separation) == Verdict::no) return {};
+  if (separation > 0 && query::moving::separation_filter(m, separation) == ContactVerdict::no) return {};
   return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, separation);
 }
 
@@ -59,13 +59,13 @@ Motion valid_motion(std::string_view function, const A& a, const B& b, const Con
 template <class A, class B>
 bool meet(const A& a, const B& b, const ContactOptions& options) {
   const Motion m = valid_motion("intersects", a, b, options);
-  const Verdict verdict = query::moving::contact_filter(m);
-  if (verdict == Verdict::yes) return true;
-  if (verdict == Verdict::no && options.separation == 0) [[likely]]
+  const ContactVerdict verdict = query::moving::contact_filter(m);
+  if (verdict == ContactVerdict::yes) return true;
+  if (verdict == ContactVerdict::no && options.separation == 0) [[likely]]
     return false;
   if (options.separation > 0) {
-    const Verdict near = query::moving::separation_filter(m, options.separation);
-    if (near != Verdict::unsure) return near == Verdict::yes;
+    const ContactVerdict near = query::moving::separation_filter(m, options.separation);
+    if (near != ContactVerdict::unsure) return near == ContactVerdict::yes;
   }
   return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, options.separation).has_value();
 }
@@ -75,8 +75,8 @@ std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& opt
   const Motion m = valid_motion("first_contact", a, b, options);
   if (options.separation == 0) {
     const auto [verdict, time] = query::moving::first_contact_filter(m);
-    if (verdict == Verdict::no) return {};
-    if (const auto down = verdict == Verdict::yes ? time->rounded(Rounding::down) : std::nullopt) {
+    if (verdict == ContactVerdict::no) return {};
+    if (const auto down = verdict == ContactVerdict::yes ? time->rounded(Rounding::down) : std::nullopt) {
       const bool edges = m.kind == MovingKind::edge_edge;
       return Contact{*down,
                      {edges ? FeatureKind::edge : FeatureKind::vertex, 0},
@@ -85,7 +85,7 @@ std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& opt
   }
   if (options.separation > 0) {
     const auto [verdict, near] = query::moving::first_near_contact(m, options.separation);
-    if (verdict != Verdict::unsure) return verdict == Verdict::yes ? std::optional(near) : std::nullopt;
+    if (verdict != ContactVerdict::unsure) return verdict == ContactVerdict::yes ? std::optional(near) : std::nullopt;
   }
   const auto exact = query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, options.separation);
   if (!exact) return {};
@@ -95,7 +95,7 @@ std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& opt
 template <class A, class B>
 std::optional<Root> contact_time(const A& a, const B& b, const ContactOptions& options) {
   const Motion m = valid_motion("first_contact_time", a, b, options);
-  if (options.separation == 0 && query::moving::contact_filter(m) == Verdict::no) return {};
+  if (options.separation == 0 && query::moving::contact_filter(m) == ContactVerdict::no) return {};
   auto exact = exact_first_contact(m, options.separation);
   if (!exact) return {};
   return Root(std::make_shared<const query::IsolatedRoot>(std::move(exact->time)));

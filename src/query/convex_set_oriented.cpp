@@ -7,44 +7,44 @@
 namespace plumb::meeting {
 namespace {
 
-using Place = Vec<BigDyadic, 3>;
+using Numbers3 = Vec<BigDyadic, 3>;
 
-Place cross(const Place& a, const Place& b) {
+Numbers3 cross(const Numbers3& a, const Numbers3& b) {
   return {det2(a[1], a[2], b[1], b[2]), det2(a[2], a[0], b[2], b[0]), det2(a[0], a[1], b[0], b[1])};
 }
-BigDyadic dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Place operator-(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-bool is_zero(const Place& a) {
+BigDyadic dot(const Numbers3& a, const Numbers3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Numbers3 operator-(const Numbers3& a, const Numbers3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+bool is_zero(const Numbers3& a) {
   return a[0].sign() == Sign::zero && a[1].sign() == Sign::zero && a[2].sign() == Sign::zero;
 }
-Sign compare(const Place& a, const Place& b) {
+Sign compare(const Numbers3& a, const Numbers3& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (const Sign s = (a[axis] - b[axis]).sign(); s != Sign::zero) return s;
   }
   return Sign::zero;
 }
-Place unit(std::size_t axis) {
-  Place e{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
+Numbers3 unit(std::size_t axis) {
+  Numbers3 e{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
   e[axis] = BigDyadic(1.0);
   return e;
 }
 
 /// side * gradient . (x - on) <= 0.
-Bound<3> bound_at(const Place& gradient, const Place& on, int side) {
+Bound<3> bound_at(const Numbers3& gradient, const Numbers3& on, int side) {
   Bound<3> bound{Bound<3>::Kind::given, side};
   bound.given = std::make_shared<const Given<3>>(Given<3>{gradient, dot(gradient, on)});
   return bound;
 }
 
 /// The hull of corners that lie in one plane, on a line or at one place.
-ConvexSet<3> flat(std::vector<Place> corners) {
+ConvexSet<3> flat(std::vector<Numbers3> corners) {
   std::sort(corners.begin(), corners.end(),
-            [](const Place& a, const Place& b) { return compare(a, b) == Sign::negative; });
-  const auto equal = [](const Place& a, const Place& b) { return compare(a, b) == Sign::zero; };
+            [](const Numbers3& a, const Numbers3& b) { return compare(a, b) == Sign::negative; });
+  const auto equal = [](const Numbers3& a, const Numbers3& b) { return compare(a, b) == Sign::zero; };
   corners.erase(std::unique(corners.begin(), corners.end(), equal), corners.end());
-  const Place &first = corners.front(), &last = corners.back();
+  const Numbers3 &first = corners.front(), &last = corners.back();
   ConvexSet<3> set;
-  Place normal = unit(0);
+  Numbers3 normal = unit(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     normal = cross(last - first, corners[i] - first);
     if (!is_zero(normal)) break;
@@ -53,7 +53,7 @@ ConvexSet<3> flat(std::vector<Place> corners) {
     set.dimension = corners.size() == 1 ? 0 : 1;
     set.exact_vertices = {first, last};
     set.edges = {{.from = 0, .to = corners.size() == 1 ? 0 : 1}};
-    const Place d = last - first;
+    const Numbers3 d = last - first;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       set.bounds.push_back(bound_at(set.dimension == 0 ? unit(axis) : cross(d, unit(axis)), first, 0));
     }
@@ -68,21 +68,21 @@ ConvexSet<3> flat(std::vector<Place> corners) {
   set.bounds.push_back(bound_at(normal, first, 0));
   const Seen look = looks[static_cast<std::size_t>(set.look)];
   const std::size_t right = look.right, up = look.up;
-  const auto left_of = [&](const Place& a, const Place& b, const Place& c) {
+  const auto left_of = [&](const Numbers3& a, const Numbers3& b, const Numbers3& c) {
     return det2(b[right] - a[right], b[up] - a[up], c[right] - a[right], c[up] - a[up]).sign() == Sign::positive;
   };
-  std::vector<Place> chain;
-  const auto add = [&](const Place& p, std::size_t keep) {
+  std::vector<Numbers3> chain;
+  const auto add = [&](const Numbers3& p, std::size_t keep) {
     while (chain.size() > keep && !left_of(chain[chain.size() - 2], chain.back(), p)) chain.pop_back();
     chain.push_back(p);
   };
-  for (const Place& p : corners) add(p, 1);
+  for (const Numbers3& p : corners) add(p, 1);
   const std::size_t lower = chain.size();
   for (std::size_t i = corners.size() - 1; i-- > 0;) add(corners[i], lower);
   chain.pop_back();
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Place &a = chain[i], &b = chain[(i + 1) % chain.size()];
-    Place outward{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
+    const Numbers3 &a = chain[i], &b = chain[(i + 1) % chain.size()];
+    Numbers3 outward{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
     outward[right] = b[up] - a[up];
     outward[up] = a[right] - b[right];
     set.bounds.push_back(bound_at(outward, a, 1));
@@ -95,16 +95,16 @@ ConvexSet<3> flat(std::vector<Place> corners) {
 }  // namespace
 
 ConvexSet<3> convex_set(const Obb3& box) {
-  const Place center = made<BigDyadic, 3>(box.center);
-  std::array<Place, 3> reach;
+  const Numbers3 center = made<BigDyadic, 3>(box.center);
+  std::array<Numbers3, 3> reach;
   const std::array half{box.half.x, box.half.y, box.half.z};
   for (std::size_t i = 0; i < 3; ++i) {
     reach[i] = made<BigDyadic, 3>(box.axes[i]);
     for (BigDyadic& x : reach[i]) x = x * BigDyadic(half[i]);
   }
-  std::vector<Place> corners;
+  std::vector<Numbers3> corners;
   for (unsigned k = 0; k < 8; ++k) {
-    Place p = center;
+    Numbers3 p = center;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis)
         p[axis] = (k >> i & 1) != 0 ? p[axis] + reach[i][axis] : p[axis] - reach[i][axis];
@@ -116,7 +116,7 @@ ConvexSet<3> convex_set(const Obb3& box) {
   ConvexSet<3> set;
   set.dimension = 3;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Place normal = cross(reach[(axis + 1) % 3], reach[(axis + 2) % 3]);
+    const Numbers3 normal = cross(reach[(axis + 1) % 3], reach[(axis + 2) % 3]);
     set.bounds.push_back(bound_at(normal, corners[0], -static_cast<int>(turn)));
     set.bounds.push_back(bound_at(normal, corners[7], static_cast<int>(turn)));
     for (int k = 0; k < 8; ++k) {

@@ -20,11 +20,11 @@
 namespace plumb::query {
 
 /// `given`: the point that a line is given by, for one of two parallel lines.
-enum class Place : std::uint8_t { start, end, inside, given };
+enum class SpotOnLine : std::uint8_t { start, end, inside, given };
 
-struct Places {
-  Place a, b;
-  [[nodiscard]] Places swapped() const { return {b, a}; }
+struct SpotsOnLines {
+  SpotOnLine a, b;
+  [[nodiscard]] SpotsOnLines swapped() const { return {b, a}; }
 };
 
 /// A line, ray or segment over a number type: from + s along, 0 <= s where it starts, s <= 1 where it ends.
@@ -35,7 +35,7 @@ struct Linear {
   bool starts, ends, is_point;
   int order;  // of `along`: positive where it leads to what comes later in lexicographic order
 
-  [[nodiscard]] const Point& at(Place place) const { return place == Place::end ? to : from; }
+  [[nodiscard]] const Point& at(SpotOnLine place) const { return place == SpotOnLine::end ? to : from; }
 };
 
 inline int order_of(const Vector2& v) { return v.x != 0 ? (v.x > 0 ? 1 : -1) : (v.y > 0) - !(v.y >= 0); }
@@ -60,7 +60,7 @@ struct Straight {
   bool starts, ends, is_point;
   int order;
 
-  [[nodiscard]] const Point& at(Place place) const { return place == Place::end ? to : from; }
+  [[nodiscard]] const Point& at(SpotOnLine place) const { return place == SpotOnLine::end ? to : from; }
 };
 
 inline Straight<Point2> straight(const Segment2& s) {
@@ -92,64 +92,71 @@ requires requires(const S& s) { straight(s); }
 
 /// Where s = numerator / whole lies, whole > 0.
 template <class T, class L>
-Place place_on(const L& l, const T& numerator, const T& whole, Signs& ask) {
-  if (l.starts && ask(numerator) != Sign::positive) return Place::start;
-  if (l.ends && ask(whole - numerator) != Sign::positive) return Place::end;
-  return Place::inside;
+SpotOnLine place_on(const L& l, const T& numerator, const T& whole, Signs& ask) {
+  if (l.starts && ask(numerator) != Sign::positive) return SpotOnLine::start;
+  if (l.ends && ask(whole - numerator) != Sign::positive) return SpotOnLine::end;
+  return SpotOnLine::inside;
 }
 
 /// The place on l that is nearest to a point.
 template <class T, class Point>
-Place place_near(const Linear<VecOf<Point, T>, Point>& l, const Point& p, Signs& ask) {
-  if (l.is_point) return Place::start;
-  if (l.starts && ask(dot(between<T>(l.from, p), l.along)) != Sign::positive) return Place::start;
-  if (l.ends && ask(dot(between<T>(p, l.to), l.along)) != Sign::positive) return Place::end;
-  return Place::inside;
+SpotOnLine place_near(const Linear<VecOf<Point, T>, Point>& l, const Point& p, Signs& ask) {
+  if (l.is_point) return SpotOnLine::start;
+  if (l.starts && ask(dot(between<T>(l.from, p), l.along)) != Sign::positive) return SpotOnLine::start;
+  if (l.ends && ask(dot(between<T>(p, l.to), l.along)) != Sign::positive) return SpotOnLine::end;
+  return SpotOnLine::inside;
 }
 
 /// Of parallel p and q, neither a point.
 template <class T, class Point>
-Places parallel_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q, Signs& ask) {
+SpotsOnLines parallel_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q,
+                             Signs& ask) {
   const bool same_way = ask(dot(p.along, q.along)) == Sign::positive;
   // What of q comes first and last in the direction of p.
   const bool has_low = same_way ? q.starts : q.ends, has_high = same_way ? q.ends : q.starts;
-  const Place low = same_way ? Place::start : Place::end, high = same_way ? Place::end : Place::start;
+  const SpotOnLine low = same_way ? SpotOnLine::start : SpotOnLine::end,
+                   high = same_way ? SpotOnLine::end : SpotOnLine::start;
   // How much farther than a place of p a place of q is.
-  const auto farther = [&](Place on_p, Place on_q) { return ask(dot(between<T>(p.at(on_p), q.at(on_q)), p.along)); };
-  if (p.ends && has_low && farther(Place::end, low) != Sign::negative) return {Place::end, low};
-  if (p.starts && has_high && farther(Place::start, high) != Sign::positive) return {Place::start, high};
+  const auto farther = [&](SpotOnLine on_p, SpotOnLine on_q) {
+    return ask(dot(between<T>(p.at(on_p), q.at(on_q)), p.along));
+  };
+  if (p.ends && has_low && farther(SpotOnLine::end, low) != Sign::negative) return {SpotOnLine::end, low};
+  if (p.starts && has_high && farther(SpotOnLine::start, high) != Sign::positive) return {SpotOnLine::start, high};
   const bool lower_end = p.starts || has_low, upper_end = p.ends || has_high;
   if (lower_end && (p.order > 0 || !upper_end)) {
-    const Sign s = !has_low ? Sign::negative : !p.starts ? Sign::positive : farther(Place::start, low);
-    return {s == Sign::positive ? Place::inside : Place::start, s == Sign::negative ? Place::inside : low};
+    const Sign s = !has_low ? Sign::negative : !p.starts ? Sign::positive : farther(SpotOnLine::start, low);
+    return {s == Sign::positive ? SpotOnLine::inside : SpotOnLine::start,
+            s == Sign::negative ? SpotOnLine::inside : low};
   }
   if (upper_end) {
-    const Sign s = !has_high ? Sign::positive : !p.ends ? Sign::negative : farther(Place::end, high);
-    return {s == Sign::negative ? Place::inside : Place::end, s == Sign::positive ? Place::inside : high};
+    const Sign s = !has_high ? Sign::positive : !p.ends ? Sign::negative : farther(SpotOnLine::end, high);
+    return {s == Sign::negative ? SpotOnLine::inside : SpotOnLine::end,
+            s == Sign::positive ? SpotOnLine::inside : high};
   }
-  const Sign s = farther(Place::given, Place::given);
-  return (s == Sign::positive) == (p.order > 0) ? Places{Place::given, Place::inside}
-                                                : Places{Place::inside, Place::given};
+  const Sign s = farther(SpotOnLine::given, SpotOnLine::given);
+  return (s == Sign::positive) == (p.order > 0) ? SpotsOnLines{SpotOnLine::given, SpotOnLine::inside}
+                                                : SpotsOnLines{SpotOnLine::inside, SpotOnLine::given};
 }
 
 /// The least distance of a point within p from the line of q is at numerator / whole; where that is beyond an end, the
 /// least of all is at the end.  The distance is a convex function of both parameters (RTCD 5.1.9).
 template <class T, class Point>
-Places closest_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q, Signs& ask) {
-  if (p.is_point) return {Place::start, place_near<T>(q, p.from, ask)};
-  if (q.is_point) return {place_near<T>(p, q.from, ask), Place::start};
+SpotsOnLines closest_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q,
+                            Signs& ask) {
+  if (p.is_point) return {SpotOnLine::start, place_near<T>(q, p.from, ask)};
+  if (q.is_point) return {place_near<T>(p, q.from, ask), SpotOnLine::start};
   const auto n = cross(p.along, q.along);
   const T whole = dot(n, n);
-  if (ask(whole) != Sign::positive) return ask.certain() ? parallel_places<T>(p, q, ask) : Places{};
+  if (ask(whole) != Sign::positive) return ask.certain() ? parallel_places<T>(p, q, ask) : SpotsOnLines{};
   const auto w = between<T>(p.from, q.from);
-  const Place on_p = p.starts || p.ends ? place_on(p, dot(cross(w, q.along), n), whole, ask) : Place::inside;
-  Place on_q = Place::inside;
-  if (on_p == Place::inside) {
+  const SpotOnLine on_p = p.starts || p.ends ? place_on(p, dot(cross(w, q.along), n), whole, ask) : SpotOnLine::inside;
+  SpotOnLine on_q = SpotOnLine::inside;
+  if (on_p == SpotOnLine::inside) {
     if (q.starts || q.ends) on_q = place_on(q, dot(cross(w, p.along), n), whole, ask);
-    if (on_q == Place::inside) return {on_p, on_q};
+    if (on_q == SpotOnLine::inside) return {on_p, on_q};
   } else {
     on_q = place_near<T>(q, p.at(on_p), ask);
-    if (on_q == Place::inside) return {on_p, on_q};
+    if (on_q == SpotOnLine::inside) return {on_p, on_q};
   }
   return {place_near<T>(p, q.at(on_q), ask), on_q};
 }
@@ -165,7 +172,7 @@ template <class T>
 }
 
 template <class T, class Point>
-[[gnu::always_inline]] inline PointOn<T, Point> end_of(const Linear<VecOf<Point, T>, Point>& l, Place place) {
+[[gnu::always_inline]] inline PointOn<T, Point> end_of(const Linear<VecOf<Point, T>, Point>& l, SpotOnLine place) {
   return {l.at(place), l.along, T(0.0), T(1.0)};
 }
 
@@ -173,8 +180,8 @@ template <class T, class Point>
 template <class T, class Point>
 [[gnu::always_inline]] inline ClosePair<T, Point> close_pair(const Linear<VecOf<Point, T>, Point>& p,
                                                              const Linear<VecOf<Point, T>, Point>& q,
-                                                             const Places& places) {
-  const bool p_inside = places.a == Place::inside, q_inside = places.b == Place::inside;
+                                                             const SpotsOnLines& places) {
+  const bool p_inside = places.a == SpotOnLine::inside, q_inside = places.b == SpotOnLine::inside;
   if (p_inside && q_inside) {
     const auto n = cross(p.along, q.along);
     const auto w = between<T>(p.from, q.from);

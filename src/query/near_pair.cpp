@@ -12,9 +12,9 @@ using core::Plain;
 /// Of the difference of the hulls, by the numbers of the vertices.
 using Simplex = gjk::Simplex<std::pair<std::size_t, std::size_t>>;
 
-class Search {
+class NearPairSearch {
  public:
-  Search(std::span<const Vertex> a, std::span<const Vertex> b, double radius_a, double radius_b)
+  NearPairSearch(std::span<const Vertex> a, std::span<const Vertex> b, double radius_a, double radius_b)
       : a_(a), b_(b), reach_(Running(radius_a) + Running(radius_b)) {}
 
   std::optional<Sign> run() const {
@@ -97,7 +97,7 @@ class Search {
 }  // namespace
 
 std::optional<Sign> quick_gap(std::span<const Vertex> a, std::span<const Vertex> b, double radius_a, double radius_b) {
-  return Search(a, b, radius_a, radius_b).run();
+  return NearPairSearch(a, b, radius_a, radius_b).run();
 }
 
 }  // namespace plumb::query

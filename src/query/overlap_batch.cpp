@@ -97,7 +97,7 @@ struct Errors {
 };
 
 /// What is told: apart along some axis, or meeting along all.
-struct Told {
+struct GapMasks {
   M apart, meet;
 
   void add(V gap, V error) {
@@ -107,7 +107,7 @@ struct Told {
 };
 
 // Along the axes of the box: exact.
-Told along_axes(const Vector& low, const Vector& high, const Vector& min_of, const Vector& max_of) {
+GapMasks along_axes(const Vector& low, const Vector& high, const Vector& min_of, const Vector& max_of) {
   const Vector gaps = max(low - max_of, min_of - high);
   const V most = hn::Max(hn::Max(gaps.x, gaps.y), gaps.z);
   return {hn::Gt(most, hn::Zero(D())), hn::Lt(most, hn::Zero(D()))};
@@ -130,7 +130,7 @@ unsigned bits_of(Mask mask) {
 }
 
 // Writes the answers for `lanes` items from i on, and lists those in doubt.
-std::size_t put(const Told& told, std::size_t i, std::uint8_t* out, std::uint32_t* unsure, std::size_t count) {
+std::size_t put(const GapMasks& told, std::size_t i, std::uint8_t* out, std::uint32_t* unsure, std::size_t count) {
   const unsigned meet = bits_of(told.meet);
   for (std::size_t k = 0; k < lanes; ++k) out[i + k] = static_cast<std::uint8_t>(meet >> k & 1u);
   unsigned open = ~(meet | bits_of(told.apart)) & ((1u << lanes) - 1);
@@ -147,7 +147,7 @@ std::size_t triangles(const Aabb3& box, const double* const* at, std::size_t n, 
   std::size_t count = 0, i = 0;
   for (; i + lanes <= n; i += lanes) {
     const Vector a = load(at, 0, i), b = load(at, 3, i), c = load(at, 6, i);
-    Told told = along_axes(min(min(a, b), c), max(max(a, b), c), min_of, max_of);
+    GapMasks told = along_axes(min(min(a, b), c), max(max(a, b), c), min_of, max_of);
     if (hn::AllTrue(D(), told.apart)) {
       std::memset(out + i, 0, lanes);
       continue;
@@ -177,7 +177,7 @@ std::size_t boxes(const Segment3& s, const double* const* at, std::size_t n, std
   std::size_t count = 0, i = 0;
   for (; i + lanes <= n; i += lanes) {
     const Vector min_of = load(at, 0, i), max_of = load(at, 3, i);
-    Told told = along_axes(low, high, min_of, max_of);
+    GapMasks told = along_axes(low, high, min_of, max_of);
     if (hn::AllTrue(D(), told.apart)) {
       std::memset(out + i, 0, lanes);
       continue;

@@ -36,7 +36,7 @@ HWY_INLINE Three turned_product(const Three& a, const Three& a_turned, const Thr
 }
 
 /// What the axes say for certain: apart along one of them, below zero along all, lane by lane.
-struct Told {
+struct AxisLanes {
   Truth apart, inside;
 };
 
@@ -53,7 +53,7 @@ struct Box {
 
 /// By the gaps along the faces, exact in their signs, and what the other axes told: touching where a face is level and
 /// the box has an inside.
-HWY_INLINE std::optional<Relation> answer(const Three& face_gap, const Three& half, const Told& told) {
+HWY_INLINE std::optional<Relation> answer(const Three& face_gap, const Three& half, const AxisLanes& told) {
   const Three zero = of_all(0);
   const int apart = any(above(face_gap, zero) | told.apart), inside = all(above(zero, face_gap) & told.inside);
   if ((apart | inside) != 0) [[likely]]
@@ -64,7 +64,7 @@ HWY_INLINE std::optional<Relation> answer(const Three& face_gap, const Three& ha
 
 /// A point of what is straight, seen from the center, which is no farther than this, nor is the half extent more; and
 /// the way.  An axis parallel to the way is none to look along.
-HWY_INLINE Told across(const Three& point, const Three& way, const Three& half, const Three& most_of) {
+HWY_INLINE AxisLanes across(const Three& point, const Three& way, const Three& half, const Three& most_of) {
   const Three way_turned = turned(way), size_way = size(way), size_turned = size(way_turned);
   const Three off = turned_product(most_of, turned(most_of), size_way, size_turned);
   const Three bound = plus_product(of_all(guard), of_all(error<StraightBesideBox>), off);
@@ -82,30 +82,30 @@ HWY_INLINE Told across(const Three& point, const Three& way, const Three& half, 
   return answer(face_gap, box.half, across(from_min + from_max, way, box.half, most_of));
 }
 
-template <Reach reach>
+template <LinearKind reach>
 HWY_INLINE std::optional<Relation> unbounded_aabb(const Point3& from, const Vector3& direction, const Aabb3& b) {
   const Box box(b);
   const Three p = loaded(from), way = loaded(direction), from_min = p - box.min, from_max = p - box.max;
   const Three most_of = size(from_min) + size(from_max), zero = of_all(0), none = of_all(-1);
   if (!box.is_sound(most_of + size(way))) return {};
-  const Told told = across(from_min + from_max, way, box.half, most_of);
-  if (reach == Reach::line) return all(is_zero(way)) ? std::nullopt : answer(none, box.half, told);
+  const AxisLanes told = across(from_min + from_max, way, box.half, most_of);
+  if (reach == LinearKind::line) return all(is_zero(way)) ? std::nullopt : answer(none, box.half, told);
   const Three face_gap =
       larger(chosen(above(zero, way), none, from_max), chosen(above(way, zero), none, zero - from_min));
   return answer(face_gap, box.half, told);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Ray3& r, const Aabb3& b) {
-  return unbounded_aabb<Reach::ray>(r.origin, r.direction, b);
+  return unbounded_aabb<LinearKind::ray>(r.origin, r.direction, b);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Line3& l, const Aabb3& b) {
-  return unbounded_aabb<Reach::line>(l.point, l.direction, b);
+  return unbounded_aabb<LinearKind::line>(l.point, l.direction, b);
 }
 
 /// Of a triangle, seen from the center twice as large as its edges are, along the cross products with all edges.
-HWY_INLINE Told across(const std::array<Three, 3>& corner, const std::array<Three, 3>& edge, const Three& half,
-                       const Three& normal, const Three& bound, bool skip_parallel) {
+HWY_INLINE AxisLanes across(const std::array<Three, 3>& corner, const std::array<Three, 3>& edge, const Three& half,
+                            const Three& normal, const Three& bound, bool skip_parallel) {
   const Three half_turned = turned(half), size_n = size(normal), zero = of_all(0), minus_bound = zero - bound;
-  Told told{above(zero, zero), above(of_all(1), zero)};
+  AxisLanes told{above(zero, zero), above(of_all(1), zero)};
   for (std::size_t i = 0; i < 3; ++i) {
     const Three edge_turned = turned(edge[i]), size_edge = size(edge[i]), size_turned = size(edge_turned);
     const Three reach = turned_product(half, half_turned, size_edge, size_turned);
@@ -141,7 +141,7 @@ HWY_INLINE double normal_gap(const Three& normal, const Three& corner, const Thr
 
   const Three normal = crossed(edge[0], turned(edge[0]), edge[1], turned(edge[1]));
   const Three of_planes = most_of * turned(most_of);  // in the order of cross products
-  const Told told = across(corner, edge, box.half, normal, of_all(error<EdgeBesideBox>) * of_planes, true);
+  const AxisLanes told = across(corner, edge, box.half, normal, of_all(error<EdgeBesideBox>) * of_planes, true);
   const double gap = normal_gap(normal, corner[0], box.half);
   const double off = error<NormalBesideBox> * x_of(of_planes * turned_back(most_of));
   if (gap > off) return Relation::disjoint;
@@ -181,14 +181,14 @@ struct Sizes {
   [[nodiscard]] HWY_INLINE Three planes() const { return turned_product(all, turned(all), points, turned(points)); }
 };
 
-template <Reach reach>
+template <LinearKind reach>
 HWY_INLINE std::optional<Relation> straight_obb(const Three& p, const Three& way, const Obb3& b) {
   const Oriented box(b);
   const Three from = p - box.center, size_way = size(way);
   const Sizes sizes(box, size(from) + size_way);
   if (!all(above(of_all(greatest), sizes.all + box.of_normals))) return {};
   // Of a segment the middle, else the origin; twice.
-  const Three point = box.seen(reach == Reach::segment ? (from + from) + way : from + from), d = box.seen(way);
+  const Three point = box.seen(reach == LinearKind::segment ? (from + from) + way : from + from), d = box.seen(way);
   const Three zero = of_all(0), off = of_all(straight_face_error) * sizes.all;
   const Three off_edges = plus_product(of_all(guard), of_all(straight_edge_error), sizes.planes());
   const Three d_turned = turned(d), size_d = size(d), size_turned = size(d_turned);
@@ -196,10 +196,10 @@ HWY_INLINE std::optional<Relation> straight_obb(const Three& p, const Three& way
                     turned_product(box.half, turned(box.half), size_d, size_turned);
   Truth apart = above(gap, off_edges), inside = above(zero - off_edges, gap);
   const Three beside = size(point) - box.half;
-  if (reach == Reach::segment) {
+  if (reach == LinearKind::segment) {
     const Three face_gap = beside - size_d;
     apart = apart | above(face_gap, off), inside = inside & above(zero - off, face_gap);
-  } else if (reach == Reach::ray) {
+  } else if (reach == LinearKind::ray) {
     const Three ahead = chosen(above(d, zero), point, zero - point) - box.half;
     const Truth certain = above(size_d, off);
     apart = apart | (above(ahead, off) & certain);
@@ -212,13 +212,13 @@ HWY_INLINE std::optional<Relation> straight_obb(const Three& p, const Three& way
 }
 [[maybe_unused]] std::optional<Relation> relation(const Segment3& s, const Obb3& b) {
   const Three p = loaded(s.a);
-  return straight_obb<Reach::segment>(p, loaded(s.b) - p, b);
+  return straight_obb<LinearKind::segment>(p, loaded(s.b) - p, b);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Ray3& r, const Obb3& b) {
-  return straight_obb<Reach::ray>(loaded(r.origin), loaded(r.direction), b);
+  return straight_obb<LinearKind::ray>(loaded(r.origin), loaded(r.direction), b);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Line3& l, const Obb3& b) {
-  return straight_obb<Reach::line>(loaded(l.point), loaded(l.direction), b);
+  return straight_obb<LinearKind::line>(loaded(l.point), loaded(l.direction), b);
 }
 
 [[maybe_unused]] std::optional<Relation> relation(const Triangle3& t, const Obb3& b) {
@@ -235,7 +235,7 @@ HWY_INLINE std::optional<Relation> straight_obb(const Three& p, const Three& way
   if (any(above(face_gap, off))) return Relation::disjoint;
 
   const Three normal = crossed(edge[0], turned(edge[0]), edge[1], turned(edge[1]));
-  const Told told = across(corner, edge, box.half, normal, of_all(edge_error) * sizes.planes(), false);
+  const AxisLanes told = across(corner, edge, box.half, normal, of_all(edge_error) * sizes.planes(), false);
   const double gap = normal_gap(normal, corner[0], box.half);
   const double off_plane = normal_error * total(sizes.points * turned(sizes.points) * turned_back(sizes.all));
   if (any(told.apart) || gap > off_plane) return Relation::disjoint;

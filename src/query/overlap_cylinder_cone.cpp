@@ -28,7 +28,7 @@ struct Quadratic {
 
 /// A place on the line: numerator / denominator, denominator > 0.
 template <class T>
-struct Place {
+struct AxisQuotient {
   T numerator, denominator;
 };
 
@@ -74,7 +74,7 @@ class Crossing {
  private:
   Relation related() {
     const T zero = T(0.0), one = T(1.0);
-    std::optional<Place<T>> first, last;
+    std::optional<AxisQuotient<T>> first, last;
     if (has_start_) first = {zero, one};
     if (has_end_) last = {one, one};
     bool crosses_inside = true;  // do places between first and last lie strictly between the two planes?
@@ -97,22 +97,22 @@ class Crossing {
     return length == Sign::positive && crosses_inside ? Relation::overlapping : Relation::touching;
   }
 
-  Sign order(const Place<T>& p, const Place<T>& q) {
+  Sign order(const AxisQuotient<T>& p, const AxisQuotient<T>& q) {
     return ask_(p.numerator * q.denominator - q.numerator * p.denominator);
   }
-  void later(std::optional<Place<T>>& first, const Place<T>& p) {
+  void later(std::optional<AxisQuotient<T>>& first, const AxisQuotient<T>& p) {
     if (!first || order(p, *first) == Sign::positive) first = p;
   }
-  void sooner(std::optional<Place<T>>& last, const Place<T>& p) {
+  void sooner(std::optional<AxisQuotient<T>>& last, const AxisQuotient<T>& p) {
     if (!last || order(p, *last) == Sign::negative) last = p;
   }
 
   /// The sign of the least value of the surface's quadratic: at its bottom, if it has one between the ends, else at an
   /// end; without a bottom both ends are there, for the line is not level then.
-  Sign least_value(const std::optional<Place<T>>& first, const std::optional<Place<T>>& last) {
+  Sign least_value(const std::optional<AxisQuotient<T>>& first, const std::optional<AxisQuotient<T>>& last) {
     const auto& [a, b, c] = surface_;
     if (ask_(a) == Sign::positive) {
-      const Place<T> bottom{T(0.0) - b, a};
+      const AxisQuotient<T> bottom{T(0.0) - b, a};
       if (first && order(bottom, *first) != Sign::positive) return value(*first);
       if (last && order(bottom, *last) != Sign::negative) return value(*last);
       return ask_(a * c - b * b);
@@ -120,7 +120,7 @@ class Crossing {
     if (!ask_.certain()) return Sign::zero;
     return std::min(value(*first), value(*last));
   }
-  Sign value(const Place<T>& p) {
+  Sign value(const AxisQuotient<T>& p) {
     const auto& [a, b, c] = surface_;
     const auto& [n, d] = p;
     return ask_(a * n * n + (b + b) * n * d + c * d * d);

@@ -70,7 +70,7 @@ double error_bound(Pair x, Pair y, Pair z, double values) {
 }
 
 /// What is straight from p in direction d; of a segment it ends at p + d.  The pairs are d and p - t.a.
-inline std::optional<Relation> by_doubles(Reach reach, const PairOfDifferences& dw, const Triangle3& t) {
+inline std::optional<Relation> by_doubles(LinearKind reach, const PairOfDifferences& dw, const Triangle3& t) {
   using predicates::cross, predicates::dot;
   const auto edges = [](double a, double b, double c) { return Pair{c, b} - Pair{a, a}; };
   const PairOfDifferences fe{edges(t.a.x, t.b.x, t.c.x), edges(t.a.y, t.b.y, t.c.y), edges(t.a.z, t.b.z, t.c.z)};
@@ -85,11 +85,11 @@ inline std::optional<Relation> by_doubles(Reach reach, const PairOfDifferences& 
   const double all = all_at[0], at = all_at[1], u = uv[0], v = uv[1];
   const double way = std::copysign(1.0, all);  // no branch: it could not be predicted
   double least = std::min(std::min(u * way, v * way), (all - u - v) * way);
-  if (reach != Reach::line) least = std::min(least, at * way);
-  if (reach == Reach::segment) least = std::min(least, (all - at) * way);
+  if (reach != LinearKind::line) least = std::min(least, at * way);
+  if (reach == LinearKind::segment) least = std::min(least, (all - at) * way);
   if (least < -error && magnitude_of(all) > error) return Relation::disjoint;
   if (least > error) return Relation::overlapping;  // so u, v and what is left of all have one sign, and all has it
-  if (reach == Reach::segment) {  // at, and at less all, are the heights of both ends, which may tell by themselves
+  if (reach == LinearKind::segment) {  // at, and at less all, are the heights of both ends, which may tell alone
     const double to = at - all;
     if (std::min(at, to) > error || std::max(at, to) < -error) return Relation::disjoint;
   }
@@ -98,18 +98,18 @@ inline std::optional<Relation> by_doubles(Reach reach, const PairOfDifferences& 
 
 inline std::optional<Relation> by_doubles(const Segment3& s, const Triangle3& t) {
   const auto of_axis = [](double p, double q, double a) { return Pair{q, p} - Pair{p, a}; };
-  return by_doubles(Reach::segment,
+  return by_doubles(LinearKind::segment,
                     {of_axis(s.a.x, s.b.x, t.a.x), of_axis(s.a.y, s.b.y, t.a.y), of_axis(s.a.z, s.b.z, t.a.z)}, t);
 }
 
-inline std::optional<Relation> by_doubles(Reach reach, const Point3& p, const Vector3& d, const Triangle3& t) {
+inline std::optional<Relation> by_doubles(LinearKind reach, const Point3& p, const Vector3& d, const Triangle3& t) {
   return by_doubles(reach, {Pair{d.x, p.x - t.a.x}, Pair{d.y, p.y - t.a.y}, Pair{d.z, p.z - t.a.z}}, t);
 }
 inline std::optional<Relation> by_doubles(const Ray3& r, const Triangle3& t) {
-  return by_doubles(Reach::ray, r.origin, r.direction, t);
+  return by_doubles(LinearKind::ray, r.origin, r.direction, t);
 }
 inline std::optional<Relation> by_doubles(const Line3& l, const Triangle3& t) {
-  return by_doubles(Reach::line, l.point, l.direction, t);
+  return by_doubles(LinearKind::line, l.point, l.direction, t);
 }
 
 /// Which corner is alone on its side, by the bits of those below; and the two others in turn.

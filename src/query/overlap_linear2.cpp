@@ -10,17 +10,17 @@ Range range(const Linear2& a, bool along_x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double p = along_x ? a.p.x : a.p.y, q = along_x ? a.q.x : a.q.y;
   if (a.is_point()) return {p, p};
-  if (a.reach == Reach::line) return {-infinity, infinity};
-  if (a.reach == Reach::segment) return {std::min(p, q), std::max(p, q)};
+  if (a.reach == LinearKind::line) return {-infinity, infinity};
+  if (a.reach == LinearKind::segment) return {std::min(p, q), std::max(p, q)};
   const bool ahead = (along_x ? a.heads_x() : a.heads_y()) == Sign::positive;
   return ahead ? Range{p, infinity} : Range{-infinity, p};
 }
 
 // Where b's line is crossed on a, told by the sides of a's ends: positive in the relative interior.
 Sign crossing(const Linear2& a, const Linear2& b, Sign turn_from_a) {
-  if (a.reach == Reach::line) return Sign::positive;
+  if (a.reach == LinearKind::line) return Sign::positive;
   const Sign from = b.side(a.p) * turn_from_a;
-  return a.reach == Reach::ray ? from : least(from, -(b.side(a.q) * turn_from_a));
+  return a.reach == LinearKind::ray ? from : least(from, -(b.side(a.q) * turn_from_a));
 }
 
 }  // namespace

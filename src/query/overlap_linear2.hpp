@@ -14,7 +14,7 @@
 
 namespace plumb::query {
 
-enum class Reach : unsigned char { line, ray, segment };
+enum class LinearKind : unsigned char { line, ray, segment };
 
 /// (vector d, point p, point r): the side of the line from p along d on which r lies.
 struct CrossFrom {
@@ -27,12 +27,12 @@ struct CrossFrom {
 };
 
 struct Linear2 {
-  Reach reach;
+  LinearKind reach;
   bool by_points;  // the direction is that from p to q; otherwise q holds its coordinates
   Point2 p, q;
 
-  static Linear2 through(Reach reach, const Point2& p, const Point2& q) { return {reach, true, p, q}; }
-  static Linear2 along(Reach reach, const Point2& p, const Vector2& d) { return {reach, false, p, {d.x, d.y}}; }
+  static Linear2 through(LinearKind reach, const Point2& p, const Point2& q) { return {reach, true, p, q}; }
+  static Linear2 along(LinearKind reach, const Point2& p, const Vector2& d) { return {reach, false, p, {d.x, d.y}}; }
 
   [[nodiscard]] bool is_point() const { return by_points ? p == q : q.x == 0 && q.y == 0; }
   /// The sign of the direction along each axis.
@@ -44,9 +44,9 @@ struct Linear2 {
   }
 };
 
-inline Linear2 linear(const Line2& l) { return Linear2::along(Reach::line, l.point, l.direction); }
-inline Linear2 linear(const Ray2& r) { return Linear2::along(Reach::ray, r.origin, r.direction); }
-inline Linear2 linear(const Segment2& s) { return Linear2::through(Reach::segment, s.a, s.b); }
+inline Linear2 linear(const Line2& l) { return Linear2::along(LinearKind::line, l.point, l.direction); }
+inline Linear2 linear(const Ray2& r) { return Linear2::along(LinearKind::ray, r.origin, r.direction); }
+inline Linear2 linear(const Segment2& s) { return Linear2::through(LinearKind::segment, s.a, s.b); }
 
 /// Positive where the direction of b turns to the left of that of a.
 Sign turn(const Linear2& a, const Linear2& b);

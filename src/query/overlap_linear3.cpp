@@ -19,7 +19,7 @@ Sign twist(const Linear3& a, const Linear3& b) {
 }
 
 Linear3 whole_line(Linear3 a) {
-  a.reach = Reach::line;
+  a.reach = LinearKind::line;
   return a;
 }
 
@@ -73,7 +73,7 @@ Linear3 flattened(const Triangle3& t) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   };
   const auto [least, most] = std::minmax({t.a, t.b, t.c}, precedes);
-  return Linear3::through(Reach::segment, least, most);
+  return Linear3::through(LinearKind::segment, least, most);
 }
 
 Relation relate(const Linear3& a, const Linear3& b) {
@@ -92,14 +92,14 @@ Relation relate(const Linear3& a, const Triangle3& b) {
   const Sign from = height(b, a.p);
   Sign along = Sign::zero, reaches = Sign::positive;
   if (a.is_point()) return from == Sign::zero ? in_plane(a, b) : Relation::disjoint;
-  if (a.reach == Reach::segment) {
+  if (a.reach == LinearKind::segment) {
     const Sign to = height(b, a.q);
     reaches = -(from * to);
     if (reaches == Sign::negative) return Relation::disjoint;
     along = order(static_cast<double>(to), static_cast<double>(from));
   } else {
     along = rise(b, a);
-    if (a.reach == Reach::ray) reaches = -(from * along);
+    if (a.reach == LinearKind::ray) reaches = -(from * along);
     if (reaches == Sign::negative) return Relation::disjoint;
   }
   if (along == Sign::zero) return from == Sign::zero ? in_plane(a, b) : Relation::disjoint;

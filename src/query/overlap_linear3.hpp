@@ -18,21 +18,23 @@ constexpr Point2 seen(const Point3& p, std::size_t k) {
 constexpr Triangle2 seen(const Triangle3& t, std::size_t k) { return {seen(t.a, k), seen(t.b, k), seen(t.c, k)}; }
 
 struct Linear3 {
-  Reach reach;
+  LinearKind reach;
   bool by_points;  // as of Linear2
   Point3 p, q;
 
-  static Linear3 through(Reach reach, const Point3& p, const Point3& q) { return {reach, true, p, q}; }
-  static Linear3 along(Reach reach, const Point3& p, const Vector3& d) { return {reach, false, p, {d.x, d.y, d.z}}; }
+  static Linear3 through(LinearKind reach, const Point3& p, const Point3& q) { return {reach, true, p, q}; }
+  static Linear3 along(LinearKind reach, const Point3& p, const Vector3& d) {
+    return {reach, false, p, {d.x, d.y, d.z}};
+  }
 
   [[nodiscard]] Vector3 direction() const { return {q.x, q.y, q.z}; }  // unless by points
   [[nodiscard]] bool is_point() const { return by_points ? p == q : direction() == Vector3{0, 0, 0}; }
   [[nodiscard]] Linear2 seen_along(std::size_t k) const { return {reach, by_points, seen(p, k), seen(q, k)}; }
 };
 
-inline Linear3 linear(const Line3& l) { return Linear3::along(Reach::line, l.point, l.direction); }
-inline Linear3 linear(const Ray3& r) { return Linear3::along(Reach::ray, r.origin, r.direction); }
-inline Linear3 linear(const Segment3& s) { return Linear3::through(Reach::segment, s.a, s.b); }
+inline Linear3 linear(const Line3& l) { return Linear3::along(LinearKind::line, l.point, l.direction); }
+inline Linear3 linear(const Ray3& r) { return Linear3::along(LinearKind::ray, r.origin, r.direction); }
+inline Linear3 linear(const Segment3& s) { return Linear3::through(LinearKind::segment, s.a, s.b); }
 
 /// The axis along which doubles see most of the triangle.
 std::size_t likely_axis(const Triangle3& t);

@@ -118,19 +118,19 @@ struct Across {
 
 template <class T>
 struct Straight {
-  Reach reach;
+  LinearKind reach;
   Vec3<T> p, d;  // of a segment the end is p + d
   bool is_point;
 };
 
 template <class T>
 void along_axes(Gaps<T>& gaps, const Frame<T>& box, const Straight<T>& s) {
-  if (s.reach == Reach::line && !s.is_point) return;
+  if (s.reach == LinearKind::line && !s.is_point) return;
   for (std::size_t k = 0; k < 3; ++k) {
     const T &p = part(s.p, k), &d = part(s.d, k), &h = box.half_of(k);
     if (s.is_point) {
       gaps.add(magnitude(p) - h);
-    } else if (s.reach == Reach::segment) {
+    } else if (s.reach == LinearKind::segment) {
       const T q = p + d;
       gaps.add(negated(larger(p, q)) - h);
       gaps.add(negated(larger(negated(p), negated(q))) - h);

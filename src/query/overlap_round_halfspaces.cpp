@@ -84,9 +84,9 @@ Plain nearest_of_core(std::span<const Vertex> core, const Plain& q) {
   return at;
 }
 
-class Search {
+class HalfspaceSearch {
  public:
-  Search(std::span<const Side> sides, std::span<const Vertex> core, double radius)
+  HalfspaceSearch(std::span<const Side> sides, std::span<const Vertex> core, double radius)
       : sides_(sides), core_(core), radius_(radius) {}
 
   std::optional<Sign> run() const {
@@ -169,7 +169,7 @@ Relation relate_halfspaces(const Round& a, const Set& b, Asked asked) {
   require_figures(asked, a, b);
   const std::vector<Side> sides = sides_of(b);
   const auto core = vertices(a);
-  if (const auto gap = Search(sides, core, a.radius).run()) return static_cast<Relation>(-*gap);
+  if (const auto gap = HalfspaceSearch(sides, core, a.radius).run()) return static_cast<Relation>(-*gap);
   return relate_swept(core_set(a), a.radius, flat_set(b));
 }
 

@@ -21,7 +21,7 @@ using Vec = core::Vec<T>;
 /// A shape is the hull of disks or balls around centers, each of which reaches along the normal n by the root of
 /// reach / square; of a cone only the last one does.
 template <class T>
-struct Reach {
+struct ExtentAlong {
   T reach, square;  // square is above zero
 };
 
@@ -53,7 +53,7 @@ std::array<Vec<T>, 2> centers(const Cone3& c) {
 }
 
 template <class T, class Round>
-Reach<T> reach_along(const Round& round, const Vec<T>& n) {
+ExtentAlong<T> reach_along(const Round& round, const Vec<T>& n) {
   const T r = squared(T(round.radius));
   if constexpr (std::is_same_v<Round, Cylinder3> || std::is_same_v<Round, Cone3>) {  // a disk across h: |n x h| / |h|
     const auto [from, to] = centers<T>(round);
@@ -89,7 +89,7 @@ PlaneThrough<T> plane_over(const ThreePointPlane3& plane) {
 
 /// The sign of height - root of (reach / square), or of the height alone.
 template <class T>
-Sign beyond(const T& height, const Reach<T>* r, core::Question& ask) {
+Sign beyond(const T& height, const ExtentAlong<T>* r, core::Question& ask) {
   if (r == nullptr) return ask(height);
   const Sign difference = ask(squared(height) * r->square - r->reach);
   if (difference == Sign::negative) return Sign::negative;  // as |height| is the lesser
@@ -106,11 +106,11 @@ std::optional<Sides> sides_of(const Plane& plane, const Round& round) {
   core::Question ask;
   const auto p = plane_over<T>(plane);
   Sides all{Sign::positive, Sign::positive};
-  const Reach<T> reach = reach_along<T>(round, p.normal);
+  const ExtentAlong<T> reach = reach_along<T>(round, p.normal);
   bool is_point = std::is_same_v<Round, Cone3>;  // the apex
   for (const Vec<T>& center : centers<T>(round)) {
     const T height = p.height(center);
-    const Reach<T>* of_center = is_point ? nullptr : &reach;
+    const ExtentAlong<T>* of_center = is_point ? nullptr : &reach;
     all.above = std::min(all.above, beyond(height, of_center, ask));
     if constexpr (!std::is_same_v<Plane, Halfspace3>)
       all.below = std::min(all.below, beyond(T(0.0) - height, of_center, ask));
@@ -138,7 +138,7 @@ template <class Plane, class Round>
     all_below = all_below & (side < 0), some_below = some_below | (side < 0);
   }
   if (some_below && (of_halfspace || some_above)) return Relation::overlapping;
-  const Reach<Approximate> reach = reach_along<Approximate>(round, p.normal);
+  const ExtentAlong<Approximate> reach = reach_along<Approximate>(round, p.normal);
   bool all_far = all_above || all_below;
   for (std::size_t i = of_cone ? 1 : 0; i < n; ++i) {  // the apex of a cone is a point
     const int gap = (squared(heights[i]) * reach.square - reach.reach).certain_sign();

@@ -13,10 +13,10 @@ bool precedes(const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.
 // The segment or point that a triangle without area is.
 Linear2 flattened(const Triangle2& t) {
   const auto [least, most] = std::minmax({t.a, t.b, t.c}, precedes);
-  return Linear2::through(Reach::segment, least, most);
+  return Linear2::through(LinearKind::segment, least, most);
 }
 
-Linear2 flattened(const Aabb2& box) { return Linear2::through(Reach::segment, box.min, box.max); }
+Linear2 flattened(const Aabb2& box) { return Linear2::through(LinearKind::segment, box.min, box.max); }
 
 bool is_flat(const Aabb2& box) { return box.min.x == box.max.x || box.min.y == box.max.y; }
 
@@ -37,11 +37,11 @@ Sign across(const Linear2& a, const Corners& c) {
 
 // How far into the inner side of an edge a reaches.
 Sign beyond_edge(const Linear2& a, const Point2& from, const Point2& to) {
-  if (a.reach == Reach::line && !a.is_point()) return Sign::positive;  // left to the line's own normal
+  if (a.reach == LinearKind::line && !a.is_point()) return Sign::positive;  // left to the line's own normal
   const Sign s = orient2d(from, to, a.p);
   if (s == Sign::positive || a.is_point()) return s;
-  if (a.reach == Reach::segment) return most(s, orient2d(from, to, a.q));
-  return turn(Linear2::through(Reach::segment, from, to), a) == Sign::positive ? Sign::positive : s;
+  if (a.reach == LinearKind::segment) return most(s, orient2d(from, to, a.q));
+  return turn(Linear2::through(LinearKind::segment, from, to), a) == Sign::positive ? Sign::positive : s;
 }
 
 Relation relate_corners(const Linear2& a, const Corners& c) {
@@ -64,10 +64,10 @@ Sign beyond_edges(const Corners& a, const Corners& of) {
 
 Sign within(const Linear2& a, const Aabb2& box) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (a.reach == Reach::line && !a.is_point()) return Sign::positive;
+  if (a.reach == LinearKind::line && !a.is_point()) return Sign::positive;
   const auto along = [&](double p, double q, Sign heads, double from, double to) {
     if (a.is_point()) return in_range(p, p, from, to);
-    if (a.reach == Reach::segment) return in_range(std::min(p, q), std::max(p, q), from, to);
+    if (a.reach == LinearKind::segment) return in_range(std::min(p, q), std::max(p, q), from, to);
     return in_range(heads == Sign::negative ? -infinity : p, heads == Sign::positive ? infinity : p, from, to);
   };
   return least(along(a.p.x, a.q.x, a.heads_x(), box.min.x, box.max.x),

@@ -25,7 +25,7 @@ Flatness flatness(const Aabb3& box) {
                                    : flat[1] ? 1
                                              : 2)};
 }
-Linear3 flattened(const Aabb3& box) { return Linear3::through(Reach::segment, box.min, box.max); }
+Linear3 flattened(const Aabb3& box) { return Linear3::through(LinearKind::segment, box.min, box.max); }
 
 Sign heads(const Linear3& a, std::size_t k) {
   return a.by_points ? order(numbers(a.q)[k], numbers(a.p)[k]) : order(numbers(a.q)[k], 0);
@@ -35,13 +35,13 @@ Sign heads(const Linear3& a, std::size_t k) {
 Sign within(const Linear3& a, const Aabb3& box) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const bool is_point = a.is_point();
-  if (a.reach == Reach::line && !is_point) return Sign::positive;
+  if (a.reach == LinearKind::line && !is_point) return Sign::positive;
   Sign all = Sign::positive;
   for (std::size_t k = 0; k < 3; ++k) {
     const double p = numbers(a.p)[k], q = numbers(a.q)[k];
     const Sign ahead = heads(a, k);
     double low = p, high = p;
-    if (a.reach == Reach::segment) {
+    if (a.reach == LinearKind::segment) {
       low = std::min(p, q), high = std::max(p, q);
     } else if (!is_point) {
       low = ahead == Sign::negative ? -infinity : p, high = ahead == Sign::positive ? infinity : p;

@@ -16,7 +16,7 @@
 namespace plumb::query::quick {
 
 /// Where a point is in a hull: at a vertex, from which some ways are all inside and others reach beyond.
-struct Place {
+struct ExtremeFace {
   unsigned vertex = 0;
   std::array<unsigned, 3> inside{}, beyond{};  // numbers of ways
   unsigned inside_count = 0, beyond_count = 0;
@@ -24,8 +24,8 @@ struct Place {
 };
 
 template <class Hull>
-Place place_of(const Parts& parts) {
-  Place p;
+ExtremeFace place_of(const Parts& parts) {
+  ExtremeFace p;
   if constexpr (Hull::is_triangle) {
     unsigned count = 0, last = 0;
     for (unsigned i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ Place place_of(const Parts& parts) {
 
 /// From the vertex along the way, into the hull.
 template <class Hull>
-auto inward(const Hull& hull, const Place& place, unsigned way) {
+auto inward(const Hull& hull, const ExtremeFace& place, unsigned way) {
   const auto whole = hull.whole_way(way);
   const bool back = Hull::is_triangle ? way != place.vertex : (place.vertex >> way & 1) != 0;
   using N = decltype(whole.x);
@@ -72,7 +72,7 @@ struct Corner {
 
   /// `apart` is from the place of a to that of b.
   template <class A, class B>
-  Corner(const Vec3<N>& apart, const A& a, const B& b, const Place& of_a, const Place& of_b)
+  Corner(const Vec3<N>& apart, const A& a, const B& b, const ExtremeFace& of_a, const ExtremeFace& of_b)
       : at((apart + b.at(of_b.vertex)) - a.at(of_a.vertex)),
         inside{none(), none(), none(), none(), none(), none()},
         beyond(inside),

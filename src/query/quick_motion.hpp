@@ -17,28 +17,28 @@
 #include "plumb/figure/plane.hpp"
 #include "plumb/figure/round.hpp"
 #include "plumb/query/motion.hpp"
+#include "query/contact_wanted.hpp"
 #include "query/quick_hull.hpp"
 
 namespace plumb::query::quick {
 
-enum class Asked : unsigned char { whether, when };
 /// Where they start in one another, as it seems, no more is told.
-enum class Told : unsigned char { no, yes, unsure, starts };
+enum class MotionVerdict : unsigned char { no, yes, unsure, starts };
 
 struct Answer {
-  Told told = Told::unsure;
+  MotionVerdict told = MotionVerdict::unsure;
   Contact contact{};  // of a yes, where asked when
 };
 
-inline constexpr Answer no{Told::no}, unsure{Told::unsure};
-inline constexpr Answer overlap{Told::yes, {0, {FeatureKind::interior, 0}, {FeatureKind::interior, 0}}};
+inline constexpr Answer no{MotionVerdict::no}, unsure{MotionVerdict::unsure};
+inline constexpr Answer overlap{MotionVerdict::yes, {0, {FeatureKind::interior, 0}, {FeatureKind::interior, 0}}};
 
 using Pairs = Twofold<false>;
 
 /// A yes at this time, if its double is certain.
 inline Answer at(const Ball& time, Feature a, Feature b) {
   const std::optional<double> down = time.rounded(Rounding::down);
-  return down ? Answer{Told::yes, {*down, a, b}} : unsure;
+  return down ? Answer{MotionVerdict::yes, {*down, a, b}} : unsure;
 }
 inline Answer at(const Pairs& time, Feature a, Feature b) {
   const Rounded s = two_sum(time.high, time.low);
@@ -53,11 +53,11 @@ template <class T>
   return {coordinate_difference<T>(a.x, b.x), coordinate_difference<T>(a.y, b.y), coordinate_difference<T>(a.z, b.z)};
 }
 
-template <Asked asked>
+template <ContactWanted asked>
 Answer contact(const Translating<Sphere3>& a, const Translating<Sphere3>& b);
-template <Asked asked>
+template <ContactWanted asked>
 Answer contact(const Translating<Sphere3>& a, const Translating<Point3>& b);
-template <Asked asked>
+template <ContactWanted asked>
 Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b);
 /// Without reach.
 template <class Shape>
@@ -72,7 +72,7 @@ concept Flat = rank_of<Shape>
 >= 0;
 
 /// In the order of Flat, two boxes Aabb3 apart.
-template <Asked asked, Flat A, Flat B>
+template <ContactWanted asked, Flat A, Flat B>
 requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B, Aabb3>)) Answer
     contact(const Translating<A>& a, const Translating<B>& b);
 
@@ -80,7 +80,7 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
 template <class Shape>
 concept Small = !std::same_as<Shape, Plane3> && !std::same_as<Shape, ConvexPolyhedron3>;
 
-template <Asked asked, Small Shape>
+template <ContactWanted asked, Small Shape>
 Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b);
 
 template <class Shape>
@@ -90,12 +90,12 @@ concept Round = is_ball<Shape> || std::same_as<Shape, Capsule3>;
 /// One quadratic, or in the other order.
 template <class A, class B>
 concept IsBalls = (is_ball<A> && (is_ball<B> || std::same_as<B, Point3>)) || (std::same_as<A, Capsule3> && is_ball<B>);
-template <Asked asked, Round A, Small B>
+template <ContactWanted asked, Round A, Small B>
 requires(!IsBalls<A, B>) Answer contact(const Translating<A>& a, const Translating<B>& b);
 
 // Of a pair, both.
-#define PLUMB_QUICK_PAIR(A, B)                                                           \
-  template Answer contact<Asked::whether>(const Translating<A>&, const Translating<B>&); \
-  template Answer contact<Asked::when>(const Translating<A>&, const Translating<B>&);
+#define PLUMB_QUICK_PAIR(A, B)                                                                   \
+  template Answer contact<ContactWanted::whether>(const Translating<A>&, const Translating<B>&); \
+  template Answer contact<ContactWanted::when>(const Translating<A>&, const Translating<B>&);
 
 }  // namespace plumb::query::quick

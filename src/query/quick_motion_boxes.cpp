@@ -27,13 +27,13 @@ Axis axis_of(double a0, double a1, double b0, double b1, double of_a, double of_
 }
 
 /// How the ends of a lie to those of b at a time, where that is certain.
-struct Ends {
+struct EndOrder {
   bool certain = true;
   std::array<bool, 2> of_a_in_b{}, of_b_in_a{};
 };
 
-Ends ends_at(const Axis& x, double time) {
-  Ends e;
+EndOrder ends_at(const Axis& x, double time) {
+  EndOrder e;
   std::array<std::array<bool, 2>, 2> after{};  // a's end i is after b's end j
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
@@ -76,7 +76,7 @@ std::optional<Contact> features(const std::array<Axis, 3>& axes, std::size_t fir
   of_a[first] = axes[first].mirrored ? 0 : 1, of_b[first] = 1 - of_a[first];
   for (std::size_t k = 0; k < 3; ++k) {
     if (k == first) continue;
-    const Ends e = ends_at(axes[k], time);
+    const EndOrder e = ends_at(axes[k], time);
     if (!e.certain) return {};
     if (e.of_a_in_b[0] || e.of_a_in_b[1]) {
       of_a[k] = e.of_a_in_b[0] ? 0 : 1;
@@ -94,7 +94,7 @@ Answer entering(const Axis& x, const Contact& contact) {
   if (gap.error == 0 && speed.error == 0 && q > 0x1p-400 && speed.value > 0x1p-400 && speed.value < 0x1p400) {
     const Rounded p = two_product(q, speed.value);
     const double left = (gap.value - p.value) - p.error;  // its sign is right: the first difference is exact
-    return {Told::yes, {left < 0 ? Ball::next(q, -1) : q, contact.feature_a, contact.feature_b}};
+    return {MotionVerdict::yes, {left < 0 ? Ball::next(q, -1) : q, contact.feature_a, contact.feature_b}};
   }
   return at(quotient(Pairs::difference(x.b[0], x.a[1]), Pairs::difference(x.by[0], x.by[1])), contact.feature_a,
             contact.feature_b);
@@ -102,7 +102,7 @@ Answer entering(const Axis& x, const Contact& contact) {
 
 }  // namespace
 
-template <Asked asked>
+template <ContactWanted asked>
 Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   const auto& [p, q] = a.shape;
   const auto& [r, s] = b.shape;
@@ -134,10 +134,10 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   if (low(from) > high(to)) return no;
   if (first == 3) {
     if (!together) return unsure;  // a time has vanished
-    if constexpr (asked == Asked::whether) return overlap;
+    if constexpr (asked == ContactWanted::whether) return overlap;
   } else {
     if (!(high(from) <= low(to))) return unsure;
-    if constexpr (asked == Asked::whether) return {Told::yes};
+    if constexpr (asked == ContactWanted::whether) return {MotionVerdict::yes};
   }
   if (!(p.x < q.x && p.y < q.y && p.z < q.z && r.x < s.x && r.y < s.y && r.z < s.z)) return unsure;
   if (first == 3) return within ? overlap : unsure;

@@ -67,9 +67,9 @@ auto normal_of_face(const Hull& hull, std::size_t i) {
 
 /// Asks every direction that can bound the differences; false where they never meet.
 template <class A, class B>
-bool narrowed(const Search<A, B>& s, Window& window) {
-  using HullA = typename Search<A, B>::HullA;
-  using HullB = typename Search<A, B>::HullB;
+bool narrowed(const MotionSearch<A, B>& s, Window& window) {
+  using HullA = typename MotionSearch<A, B>::HullA;
+  using HullB = typename MotionSearch<A, B>::HullB;
   const auto ask = [&](const Vec3<double>& x, const Vec3<double>& y, const Facet& facet) {
     const Vec3<double> n = cross(x, y);
     // A number is off by a unit of 2^-53, so a coordinate of n by 8 of its larger term, 4 of what both may be; a dot
@@ -105,13 +105,13 @@ struct Piece {
 };
 
 /// The features of a facet of the differences.
-struct Ends {
+struct FacetEnds {
   unsigned a = 0, b = 0;  // vertices
   bool sure = true;       // the only ones that far
 };
 
 template <class N, class A, class B>
-Piece<N> piece_of(const A& a, const B& b, const Facet& facet, const Ends& ends) {
+Piece<N> piece_of(const A& a, const B& b, const Facet& facet, const FacetEnds& ends) {
   const Vec3<N> apart = between<N>(a.place, b.place);
   const auto corner = [&](unsigned of_a, unsigned of_b) { return apart + b.at(of_b) - a.at(of_a); };
   const Vec3<N> none{N(0.0), N(0.0), N(0.0)};
@@ -139,11 +139,11 @@ Crossing<N> crossing(const Piece<N>& p, const Vec3<N>& velocity) {
 }
 
 /// Does the motion surely cross the piece, surely not, or who knows?
-Told crosses(const Piece<T>& p, const Vec3<T>& velocity, bool triangle) {
+MotionVerdict crosses(const Piece<T>& p, const Vec3<T>& velocity, bool triangle) {
   const auto [gap, speed] = crossing(p, velocity);
   const int side = certain(speed), ahead = certain(gap);
-  if (ahead != 0 && certain(gap - speed) == ahead) return Told::no;
-  if (side == 0) return Told::unsure;
+  if (ahead != 0 && certain(gap - speed) == ahead) return MotionVerdict::no;
+  if (side == 0) return MotionVerdict::unsure;
   const T x = dot(p.corner, cross(velocity, p.y)), y = dot(p.corner, cross(p.x, velocity));
   bool inside = true;
   const auto ask = [&](const T& value) {
@@ -153,16 +153,16 @@ Told crosses(const Piece<T>& p, const Vec3<T>& velocity, bool triangle) {
   };
   const bool may = ask(gap) && ask(speed - gap) && ask(x) && ask(y) &&
                    (triangle ? ask((speed - x) - y) : ask(speed - x) && ask(speed - y));
-  return !may ? Told::no : inside ? Told::yes : Told::unsure;
+  return !may ? MotionVerdict::no : inside ? MotionVerdict::yes : MotionVerdict::unsure;
 }
 
 /// Over another number type, the same question.
 template <class N, class A, class B>
-Crossing<N> precisely(const Translating<A>& a, const Translating<B>& b, const Facet& facet, const Ends& ends) {
+Crossing<N> precisely(const Translating<A>& a, const Translating<B>& b, const Facet& facet, const FacetEnds& ends) {
   return crossing(piece_of<N>(hull_of<N>(a.shape), hull_of<N>(b.shape), facet, ends), velocity<N>(a.by, b.by));
 }
 
-Ends ends_of(const auto& pair, const Facet& facet, const Vec3<T>& n) {
+FacetEnds ends_of(const auto& pair, const Facet& facet, const Vec3<T>& n) {
   using A = decltype(pair.a);
   using B = decltype(pair.b);
   const bool edges = facet.kind == Kind::edges;
@@ -174,7 +174,7 @@ Ends ends_of(const auto& pair, const Facet& facet, const Vec3<T>& n) {
 }
 
 template <class A, class B>
-std::pair<Feature, Feature> features(const Facet& facet, const Ends& ends) {
+std::pair<Feature, Feature> features(const Facet& facet, const FacetEnds& ends) {
   switch (facet.kind) {
     case Kind::edges:
       return {A::edge(facet.a, ends.a), B::edge(facet.b, ends.b)};
@@ -185,7 +185,7 @@ std::pair<Feature, Feature> features(const Facet& facet, const Ends& ends) {
   }
 }
 
-template <Asked asked, class A, class B>
+template <ContactWanted asked, class A, class B>
 Answer along_facet(const Translating<A>& a, const Translating<B>& b, const auto& pair, const Facet& facet) {
   using HullA = decltype(pair.a);
   using HullB = decltype(pair.b);
@@ -193,13 +193,13 @@ Answer along_facet(const Translating<A>& a, const Translating<B>& b, const auto&
               : facet.kind == Kind::face_of_a ? normal_of_face(pair.a, facet.a)
                                               : normal_of_face(pair.b, facet.b);
   if (dot(n, pair.by).value < 0) n = {opposite(n.x), opposite(n.y), opposite(n.z)};
-  const Ends ends = ends_of(pair, facet, n);
+  const FacetEnds ends = ends_of(pair, facet, n);
   const bool triangle =
       (facet.kind == Kind::face_of_a && HullA::is_triangle) || (facet.kind == Kind::face_of_b && HullB::is_triangle);
-  const Told told = crosses(piece_of<T>(pair.a, pair.b, facet, ends), pair.by, triangle);
+  const MotionVerdict told = crosses(piece_of<T>(pair.a, pair.b, facet, ends), pair.by, triangle);
   constexpr bool flat = HullA::dimension + HullB::dimension == 2;
-  if (told != Told::yes) return {flat ? told : Told::unsure};
-  if constexpr (asked == Asked::whether) return {told};
+  if (told != MotionVerdict::yes) return {flat ? told : MotionVerdict::unsure};
+  if constexpr (asked == ContactWanted::whether) return {told};
   if (!ends.sure) return unsure;
   const std::pair<Feature, Feature> meeting = features<HullA, HullB>(facet, ends);
   const auto time = [&]<class N>(N) {
@@ -207,12 +207,12 @@ Answer along_facet(const Translating<A>& a, const Translating<B>& b, const auto&
     return at(quotient(c.gap, c.speed), meeting.first, meeting.second);
   };
   const Answer answer = time(Pairs(0.0));
-  return answer.told == Told::yes ? answer : time(Ball(0.0));
+  return answer.told == MotionVerdict::yes ? answer : time(Ball(0.0));
 }
 
 }  // namespace
 
-template <Asked asked, Flat A, Flat B>
+template <ContactWanted asked, Flat A, Flat B>
 requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B, Aabb3>)) Answer
     contact(const Translating<A>& a, const Translating<B>& b) {
   using Pair = Moved<T, A, B>;
@@ -223,11 +223,11 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
     return certain(n.x) != 0 || certain(n.y) != 0 || certain(n.z) != 0 ? no : unsure;
   } else if constexpr (dimension == 1) {
     const Pair pair(a, b);
-    return {certain(dot(cross(pair.by, pair.b.way(0)), pair.apart)) != 0 ? Told::no : Told::unsure};
+    return {certain(dot(cross(pair.by, pair.b.way(0)), pair.apart)) != 0 ? MotionVerdict::no : MotionVerdict::unsure};
   } else if constexpr (dimension == 2) {
     return along_facet<asked>(a, b, Pair(a, b), {rank_of<A> == 0 ? Kind::face_of_b : Kind::edges, 0, 0});
   } else {
-    Search<A, B> search(a, b);
+    MotionSearch<A, B> search(a, b);
     // Most that never meet are far from it.
     constexpr int sweeps = 2;
     for (int i = 0; i < sweeps; ++i) {
@@ -238,7 +238,7 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
     if (!narrowed(search, window)) return no;
     if (window.within()) return overlap;
     if (!window.open()) return unsure;
-    if (window.first().kind == Kind::none) return {Told::starts};
+    if (window.first().kind == Kind::none) return {MotionVerdict::starts};
     return along_facet<asked>(a, b, Pair(a, b), window.first());
   }
 }

@@ -41,7 +41,7 @@ struct Heights {
 
 }  // namespace
 
-template <Asked asked, Small Shape>
+template <ContactWanted asked, Small Shape>
 Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b) {
   using T = Approximate;
   constexpr bool swept = Round<Shape>;
@@ -71,7 +71,7 @@ Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b) {
   if (starts) return overlap;
   if (apart) return no;
   if (doubt || !meets) return unsure;
-  if constexpr (asked == Asked::whether) return {Told::yes};
+  if constexpr (asked == ContactWanted::whether) return {MotionVerdict::yes};
   std::size_t first = 0;
   const double way = at_start;
   for (std::size_t i = 1; i < heights.size(); ++i) {

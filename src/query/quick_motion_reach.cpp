@@ -29,20 +29,20 @@ Pairs time_of(const Corner<Pairs>& c, const Vec3<Pairs>& by, const Pairs& reach)
 }
 
 template <class N, class A, class B>
-Corner<N> corner_of(const Moved<N, A, B>& m, const Place& a, const Place& b) {
+Corner<N> corner_of(const Moved<N, A, B>& m, const ExtremeFace& a, const ExtremeFace& b) {
   return Corner<N>(m.apart, m.a, m.b, a, b);
 }
 
 template <class A, class B>
 Answer first_contact(const Translating<A>& a, const Translating<B>& b, const Moved<T, A, B>& m, const auto& search) {
-  Place of_a = place_of<typename Moved<T, A, B>::HullA>(search.of_a);
-  const Place of_b = place_of<typename Moved<T, A, B>::HullB>(search.of_b);
+  ExtremeFace of_a = place_of<typename Moved<T, A, B>::HullA>(search.of_a);
+  const ExtremeFace of_b = place_of<typename Moved<T, A, B>::HullB>(search.of_b);
   if (of_a.inside_count + of_b.inside_count > 2) return unsure;
   if (is_ball<A>) of_a.feature = {FeatureKind::face, 0};
   const Moved<Pairs, A, B> precise(a, b);
   const Answer answer =
       at(time_of(corner_of(precise, of_a, of_b), precise.by, precise.reach), of_a.feature, of_b.feature);
-  if (answer.told != Told::yes) return unsure;
+  if (answer.told != MotionVerdict::yes) return unsure;
   const double t = answer.contact.time;  // less than an ulp early
   if (!(t > 0x1p-900 && t < 1)) return unsure;
   Corner<T> then = corner_of(m, of_a, of_b);
@@ -53,9 +53,9 @@ Answer first_contact(const Translating<A>& a, const Translating<B>& b, const Mov
 
 }  // namespace
 
-template <Asked asked, Round A, Small B>
+template <ContactWanted asked, Round A, Small B>
 requires(!IsBalls<A, B>) Answer contact(const Translating<A>& a, const Translating<B>& b) {
-  Search<A, B> search(a, b);
+  MotionSearch<A, B> search(a, b);
   const double reach = search.reach;
   if (!(reach > 0)) return unsure;
   constexpr int most_sweeps = 10;
@@ -68,8 +68,8 @@ requires(!IsBalls<A, B>) Answer contact(const Translating<A>& a, const Translati
   }
   const Moved<T, A, B> m(a, b);
   if (!within_reach(m, search.of_a, search.of_b, search.time)) return unsure;
-  if constexpr (asked == Asked::whether) return {Told::yes};
-  if (!search.find_first()) return {Told::starts};
+  if constexpr (asked == ContactWanted::whether) return {MotionVerdict::yes};
+  if (!search.find_first()) return {MotionVerdict::starts};
   return first_contact(a, b, m, search);
 }
 PLUMB_QUICK_PAIR(Sphere3, Segment3)

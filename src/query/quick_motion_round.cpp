@@ -5,7 +5,7 @@ namespace plumb::query::quick {
 namespace {
 
 /// When is |d + v t|^2 <= reach^2?  Where c + 2 h t + e t^2 <= 0.
-template <Asked asked>
+template <ContactWanted asked>
 [[gnu::always_inline]] inline Answer balls(const Point3& a, const Point3& b, double of_a, double of_b,
                                            const Vector3& by_a, const Vector3& by_b, Feature feature_b) {
   // Every number is off by a unit of 2^-53, a sum of squares by 5, a dot product by 5 of the sizes of its terms: by
@@ -20,14 +20,14 @@ template <Asked asked>
   const double at_end = (c + h) + (h + e), way_at_end = h + e;
   if (at_end > 4 * doubt && way_at_end < -2 * doubt) return no;
   bool meets = at_end < -4 * doubt;
-  if (!meets || asked == Asked::when) {
+  if (!meets || asked == ContactWanted::when) {
     const double rest = h * h - e * c, off = 4 * unit * (e * all + least * (all + e + 1));
     if (rest < -off) return no;
     // Of h * h alone rest may be infinite where e * all is not.
     meets = meets || (rest > off && rest < Ball::infinity && h < -doubt && way_at_end > 2 * doubt);
   }
   if (!meets) return v.x == 0 && v.y == 0 && v.z == 0 ? no : unsure;
-  if constexpr (asked == Asked::whether) return {Told::yes};
+  if constexpr (asked == ContactWanted::whether) return {MotionVerdict::yes};
   const Vec3<Pairs> from = between<Pairs>(b, a), way = velocity<Pairs>(by_a, by_b);
   const Pairs radii = Pairs(of_a) + Pairs(of_b), left = dot(from, from) - radii * radii, half = dot(from, way);
   return at(quotient(left, root(half * half - dot(way, way) * left) - half), {FeatureKind::face, 0}, feature_b);
@@ -35,12 +35,12 @@ template <Asked asked>
 
 }  // namespace
 
-template <Asked asked>
+template <ContactWanted asked>
 Answer contact(const Translating<Sphere3>& a, const Translating<Sphere3>& b) {
   return balls<asked>(a.shape.center, b.shape.center, a.shape.radius, b.shape.radius, a.by, b.by,
                       {FeatureKind::face, 0});
 }
-template <Asked asked>
+template <ContactWanted asked>
 Answer contact(const Translating<Sphere3>& a, const Translating<Point3>& b) {
   return balls<asked>(a.shape.center, b.shape, a.shape.radius, 0, a.by, b.by, {FeatureKind::vertex, 0});
 }

@@ -70,10 +70,10 @@ template <class Wanted, class T, class Point>
 }
 
 template <class Wanted, class T, class Point>
-[[gnu::always_inline]] inline bool numbers(const Straight<Point>& a, const Straight<Point>& b, Places places,
+[[gnu::always_inline]] inline bool numbers(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places,
                                            Numbers<Point>& out) {
   const auto p = linear<T>(a), q = linear<T>(b);
-  const bool p_inside = places.a == Place::inside, q_inside = places.b == Place::inside;
+  const bool p_inside = places.a == SpotOnLine::inside, q_inside = places.b == SpotOnLine::inside;
   if (p_inside && q_inside) return both_inside<Wanted>(p, q, out);
   const Point &from = p.at(places.a), &to = q.at(places.b);
   if (!p_inside) out.on_a = told(from);
@@ -101,11 +101,13 @@ template <class T>
 }
 
 template <class Wanted, class Point>
-PLUMB_WITH_FMA bool with_fma(const Straight<Point>& a, const Straight<Point>& b, Places places, Numbers<Point>& out) {
+PLUMB_WITH_FMA bool with_fma(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places,
+                             Numbers<Point>& out) {
   return numbers<Wanted, Twofold<true>>(a, b, places, out);
 }
 template <class Wanted, class Point>
-PLUMB_WITHOUT bool without(const Straight<Point>& a, const Straight<Point>& b, Places places, Numbers<Point>& out) {
+PLUMB_WITHOUT bool without(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places,
+                           Numbers<Point>& out) {
   return numbers<Wanted, Twofold<false>>(a, b, places, out);
 }
 template <class Wanted>
@@ -138,16 +140,18 @@ std::optional<double> distance_of(const Arguments&... arguments) {
 
 }  // namespace
 
-std::optional<Numbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q, Places places) {
+std::optional<Numbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q,
+                                             SpotsOnLines places) {
   return numbers_of<PointsAndDistance, Point2>(p, q, places);
 }
-std::optional<Numbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q, Places places) {
+std::optional<Numbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q,
+                                             SpotsOnLines places) {
   return numbers_of<PointsAndDistance, Point3>(p, q, places);
 }
-std::optional<double> quick_distance(const Straight<Point2>& p, const Straight<Point2>& q, Places places) {
+std::optional<double> quick_distance(const Straight<Point2>& p, const Straight<Point2>& q, SpotsOnLines places) {
   return distance_of<Point2>(p, q, places);
 }
-std::optional<double> quick_distance(const Straight<Point3>& p, const Straight<Point3>& q, Places places) {
+std::optional<double> quick_distance(const Straight<Point3>& p, const Straight<Point3>& q, SpotsOnLines places) {
   return distance_of<Point3>(p, q, places);
 }
 

@@ -18,10 +18,10 @@ struct Numbers {
   double distance;
 };
 
-std::optional<Numbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q, Places places);
-std::optional<Numbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q, Places places);
-std::optional<double> quick_distance(const Straight<Point2>& p, const Straight<Point2>& q, Places places);
-std::optional<double> quick_distance(const Straight<Point3>& p, const Straight<Point3>& q, Places places);
+std::optional<Numbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q, SpotsOnLines places);
+std::optional<Numbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q, SpotsOnLines places);
+std::optional<double> quick_distance(const Straight<Point2>& p, const Straight<Point2>& q, SpotsOnLines places);
+std::optional<double> quick_distance(const Straight<Point3>& p, const Straight<Point3>& q, SpotsOnLines places);
 
 /// Of a vertex, which is on_a, and the face of a triangle that it projects into.
 std::optional<Numbers<Point3>> quick_numbers(const Point3& vertex, const Triangle3& face);

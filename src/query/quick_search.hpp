@@ -45,14 +45,14 @@ struct Moved {
 
 /// In plain doubles: points of both and a time, which are guesses, and directions, which are proofs.
 template <class A, class B>
-class Search : public Moved<double, A, B> {
+class MotionSearch : public Moved<double, A, B> {
   using Both = Moved<double, A, B>;
 
  public:
   using Both::a, Both::b, Both::apart, Both::by, Both::reach;
   using typename Both::HullA, typename Both::HullB;
 
-  Search(const Translating<A>& first, const Translating<B>& second) : Both(first, second), speed_(dot(by, by)) {
+  MotionSearch(const Translating<A>& first, const Translating<B>& second) : Both(first, second), speed_(dot(by, by)) {
     size = size_of(apart) + size_of(by);
     for (std::size_t i = 0; i < HullA::way_count; ++i) size += size_of(a.way(i));
     for (std::size_t i = 0; i < HullB::way_count; ++i) size += size_of(b.way(i));

@@ -49,17 +49,17 @@ Reached reached(const AxisBody<Running>& body, const core::Vec<Running>& axis, c
   return r;
 }
 
-enum class Verdict : unsigned char { apart, level, across, flat, no_axis, unsure };
+enum class AxisVerdict : unsigned char { apart, level, across, flat, no_axis, unsure };
 
-Verdict by_doubles(const AxisBody<Running>& a, const AxisBody<Running>& b, const core::Vec<Running>& axis,
-                   const Own& own_a, const Own& own_b) {
+AxisVerdict by_doubles(const AxisBody<Running>& a, const AxisBody<Running>& b, const core::Vec<Running>& axis,
+                       const Own& own_a, const Own& own_b) {
   const Reached p = reached(a, axis, own_a);
-  if (!p.certain) return Verdict::unsure;
+  if (!p.certain) return AxisVerdict::unsure;
   const Reached q = reached(b, axis, own_b);
-  if (!q.certain) return Verdict::unsure;
-  if (p.high_most < q.low_least || q.high_most < p.low_least) return Verdict::apart;
-  if (p.high_least > q.low_most && q.high_least > p.low_most) return Verdict::across;
-  return Verdict::unsure;
+  if (!q.certain) return AxisVerdict::unsure;
+  if (p.high_most < q.low_least || q.high_most < p.low_least) return AxisVerdict::apart;
+  if (p.high_least > q.low_most && q.high_least > p.low_most) return AxisVerdict::across;
+  return AxisVerdict::unsure;
 }
 
 /// Both ends exactly; nothing where the body goes on.
@@ -83,17 +83,17 @@ ExactReached reached(const AxisBody<BigDyadic>& body, const core::Vec<BigDyadic>
   return r;
 }
 
-Verdict exactly(const AxisBody<BigDyadic>& a, const AxisBody<BigDyadic>& b, const core::Vec<BigDyadic>& axis) {
+AxisVerdict exactly(const AxisBody<BigDyadic>& a, const AxisBody<BigDyadic>& b, const core::Vec<BigDyadic>& axis) {
   if (axis.x.sign() == Sign::zero && axis.y.sign() == Sign::zero && axis.z.sign() == Sign::zero)
-    return Verdict::no_axis;
+    return AxisVerdict::no_axis;
   const ExactReached p = reached(a, axis), q = reached(b, axis);
   const auto gap = [](const std::optional<BigDyadic>& low, const std::optional<BigDyadic>& high) {
     return low && high ? (*low - *high).sign() : Sign::negative;
   };
   const Sign above = gap(q.low, p.high), below = gap(p.low, q.high);
-  if (above == Sign::positive || below == Sign::positive) return Verdict::apart;
-  if (above == Sign::zero && below == Sign::zero) return Verdict::flat;
-  return above == Sign::zero || below == Sign::zero ? Verdict::level : Verdict::across;
+  if (above == Sign::positive || below == Sign::positive) return AxisVerdict::apart;
+  if (above == Sign::zero && below == Sign::zero) return AxisVerdict::flat;
+  return above == Sign::zero || below == Sign::zero ? AxisVerdict::level : AxisVerdict::across;
 }
 
 template <class Shape>
@@ -155,7 +155,7 @@ class Test {
   bool is_apart_by_middles() {
     const core::Vec<double> from = middle(near_a_), to = middle(near_b_);
     const core::Vec<Running> axis{Running(to.x - from.x), Running(to.y - from.y), Running(to.z - from.z)};
-    return by_doubles(near_a_, near_b_, axis, {}, {}) == Verdict::apart;
+    return by_doubles(near_a_, near_b_, axis, {}, {}) == AxisVerdict::apart;
   }
   static core::Vec<double> middle(const AxisBody<Running>& body) {
     core::Vec<double> sum{0, 0, 0};
@@ -168,12 +168,12 @@ class Test {
   }
 
   bool add(const core::Vec<Running>& axis, const Own& own_a, const Own& own_b, std::size_t i, std::size_t j) {
-    Verdict v = by_doubles(near_a_, near_b_, axis, own_a, own_b);
-    if (v == Verdict::unsure) v = by_integers(i, j);
-    apart_ = v == Verdict::apart;
-    flat_ = v == Verdict::flat;
-    level_ = level_ || v == Verdict::level;
-    any_ = any_ || v != Verdict::no_axis;
+    AxisVerdict v = by_doubles(near_a_, near_b_, axis, own_a, own_b);
+    if (v == AxisVerdict::unsure) v = by_integers(i, j);
+    apart_ = v == AxisVerdict::apart;
+    flat_ = v == AxisVerdict::flat;
+    level_ = level_ || v == AxisVerdict::level;
+    any_ = any_ || v != AxisVerdict::no_axis;
     return !apart_ && !flat_;
   }
   [[nodiscard]] std::optional<Relation> result() const {
@@ -182,7 +182,7 @@ class Test {
     return level_ ? Relation::touching : Relation::overlapping;
   }
 
-  Verdict by_integers(std::size_t i, std::size_t j) {
+  AxisVerdict by_integers(std::size_t i, std::size_t j) {
     if (!exact_a_) {
       exact_a_ = body<BigDyadic>(a_);
       exact_b_ = body<BigDyadic>(b_);

@@ -27,7 +27,7 @@ class Filter {
         separation_(separation),
         differences_(differences(question)) {}
 
-  Verdict answer() {
+  ContactVerdict answer() {
     Pieces waiting;
     waiting.push(0, 1);
     bool doubt = false;
@@ -35,7 +35,7 @@ class Filter {
       const auto [from, to] = waiting.pop();
       const double middle = 0.5 * (from + to);
       find_nearest(middle);
-      if (within(middle)) return Verdict::yes;
+      if (within(middle)) return ContactVerdict::yes;
       if (beyond(from, to)) continue;
       if (to - from <= finest || steps > most_steps) {
         doubt = true;
@@ -44,7 +44,7 @@ class Filter {
       waiting.push(middle, to);
       waiting.push(from, middle);
     }
-    return doubt ? Verdict::unsure : Verdict::no;
+    return doubt ? ContactVerdict::unsure : ContactVerdict::no;
   }
 
   /// The first time, and the features that are at the distance then.
@@ -60,7 +60,7 @@ class Filter {
         tried = (to - from) * next_tried;
         find_nearest(0.5 * (from + to));
         const NearContact c = first_contact_within<Figures>(question_, separation_, {from, to}, of_a_, of_b_);
-        if (c.verdict == Verdict::yes) return c;
+        if (c.verdict == ContactVerdict::yes) return c;
       }
       const double middle = 0.5 * (from + to);
       find_nearest(middle);
@@ -76,7 +76,7 @@ class Filter {
       waiting.push(middle, to);
       waiting.push(from, middle);
     }
-    return {Verdict::no, {}};
+    return {ContactVerdict::no, {}};
   }
 
  private:
@@ -152,7 +152,7 @@ class Filter {
 
 }  // namespace
 
-Verdict separation_filter(const ContactQuestion& question, double separation) {
+ContactVerdict separation_filter(const ContactQuestion& question, double separation) {
   return question.kind == MovingKind::edge_edge ? Filter<Edges>(question, separation).answer()
                                                 : Filter<VertexAndTriangle>(question, separation).answer();
 }

@@ -15,11 +15,11 @@
 
 namespace plumb::query::moving {
 
-Verdict separation_filter(const ContactQuestion& question, double separation);
+ContactVerdict separation_filter(const ContactQuestion& question, double separation);
 
 /// The first time of a yes, rounded down, and the features.
 struct NearContact {
-  Verdict verdict = Verdict::unsure;
+  ContactVerdict verdict = ContactVerdict::unsure;
   Contact contact{};
 };
 NearContact first_near_contact(const ContactQuestion& question, double separation);

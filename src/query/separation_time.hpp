@@ -16,7 +16,7 @@
 
 namespace plumb::query::moving {
 
-using quick::certain, quick::Corner, quick::Parts, quick::Place;
+using quick::certain, quick::Corner, quick::Parts, quick::ExtremeFace;
 
 template <template <class> class Figures>
 class NearFeatures {
@@ -30,10 +30,10 @@ class NearFeatures {
   [[nodiscard]] Corner<N> corner(const Figures<N>& f, const auto& when) const {
     return Corner<N>(when(f.apart), f.hull_a(when), f.hull_b(when), a, b);
   }
-  [[nodiscard]] NearContact at(double time) const { return {Verdict::yes, {time, a.feature, b.feature}}; }
+  [[nodiscard]] NearContact at(double time) const { return {ContactVerdict::yes, {time, a.feature, b.feature}}; }
 
  private:
-  Place a, b;
+  ExtremeFace a, b;
 };
 
 /// The square of the distance less the limit, times what it takes to divide by nothing.

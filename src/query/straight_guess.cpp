@@ -12,7 +12,7 @@ namespace {
 using Line = Straight<Point3>;
 using A = Approximate;
 
-Feature vertex_at(Place place) { return vertex_number(place == Place::end ? 1 : 0); }
+Feature vertex_at(SpotOnLine place) { return vertex_number(place == SpotOnLine::end ? 1 : 0); }
 
 /// What a proof asks of a shape.  The ways that lead from a vertex into the shape; the corner beside an edge.
 struct LineShape {
@@ -66,7 +66,7 @@ template <class P, class Q>
 bool prove_vertex_edge(const P& p, std::uint32_t i, const Q& q, std::uint32_t j) {
   Signs ask;
   const Edge3<A> e = linear<A>(q.edge(j));
-  if (place_near<A>(e, p.vertex(i), ask) != Place::inside || !ask.certain()) return false;
+  if (place_near<A>(e, p.vertex(i), ask) != SpotOnLine::inside || !ask.certain()) return false;
   const Vec3<A> c = cross(e.along, between<A>(e.from, p.vertex(i)));
   return p.ways(i, [&](const Vec3<A>& way) { return is_positive(dot(c, cross(e.along, way))); }) &&
          q.beside(j, e.from, [&](const Vec3<A>& way) { return is_negative(dot(c, cross(e.along, way))); });
@@ -117,15 +117,15 @@ PlainLine plain(const Line& l) {
 }
 
 struct PlainPair {
-  Places places;
+  SpotsOnLines places;
   Plain p, q;
   double square;
 };
 
-Place clamp(const PlainLine& l, double& t) {
-  if (l.starts && !(t > 0)) return t = 0, Place::start;
-  if (l.ends && !(t < 1)) return t = 1, Place::end;
-  return Place::inside;
+SpotOnLine clamp(const PlainLine& l, double& t) {
+  if (l.starts && !(t > 0)) return t = 0, SpotOnLine::start;
+  if (l.ends && !(t < 1)) return t = 1, SpotOnLine::end;
+  return SpotOnLine::inside;
 }
 
 /// As it is commonly written; of parallel lines anything.
@@ -133,10 +133,10 @@ PlainPair plain_pair(const PlainLine& l, const PlainLine& m) {
   const Plain r = l.from - m.from;
   const double b = dot(l.along, m.along), c = dot(l.along, r), f = dot(m.along, r);
   double s = (b * f - c * m.square) / (l.square * m.square - b * b);
-  Place on_l = clamp(l, s);
+  SpotOnLine on_l = clamp(l, s);
   double t = (b * s + f) / m.square;
-  const Place on_m = clamp(m, t);
-  if (on_m != Place::inside) {
+  const SpotOnLine on_m = clamp(m, t);
+  if (on_m != SpotOnLine::inside) {
     s = (b * t - c) / l.square;
     on_l = clamp(l, s);
   }
@@ -171,9 +171,9 @@ bool proved(const P& p, Feature a, const Q& q, Feature b) {
 }
 
 /// A place on edge number i of a triangle.
-Feature on_triangle(std::uint32_t i, Place place) {
-  if (place == Place::inside) return edge_number(i);
-  return vertex_number(place == Place::start ? i : (i + 1) % 3);
+Feature on_triangle(std::uint32_t i, SpotOnLine place) {
+  if (place == SpotOnLine::inside) return edge_number(i);
+  return vertex_number(place == SpotOnLine::start ? i : (i + 1) % 3);
 }
 
 /// Does the edge cross the face?  Nothing where a sign is not certain, or zero.
@@ -204,7 +204,7 @@ std::optional<FeaturePair> certain_features(const Line& a, const Triangle3& b) {
     const PlainPair c = plain_pair(l, plain(q.edge(i)));
     if (!(c.square < least)) continue;
     least = c.square;
-    best = {c.places.a == Place::inside ? edge_number(0) : vertex_at(c.places.a), on_triangle(i, c.places.b)};
+    best = {c.places.a == SpotOnLine::inside ? edge_number(0) : vertex_at(c.places.a), on_triangle(i, c.places.b)};
   }
   const PlainFace face(corner);
   for (std::uint32_t i = 0; i < 2; ++i) {

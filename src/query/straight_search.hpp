@@ -29,7 +29,7 @@ Edge3<T> point_edge(const Point3& p) {
 
 template <class T>
 bool strictly_on(const Edge3<T>& e, const Point3& p, Signs& ask) {
-  return place_near<T>(e, p, ask) == Place::inside;
+  return place_near<T>(e, p, ask) == SpotOnLine::inside;
 }
 
 /// The closest pair of two edges, if it is one alone and within both.
@@ -38,8 +38,8 @@ bool cross_within(const Edge3<T>& e, const Edge3<T>& f, Signs& ask) {
   const Vec3<T> n = cross(e.along, f.along), w = between<T>(e.from, f.from);
   const T whole = dot(n, n);
   if (ask(whole) != Sign::positive) return false;
-  return place_on(e, dot(cross(w, f.along), n), whole, ask) == Place::inside &&
-         place_on(f, dot(cross(w, e.along), n), whole, ask) == Place::inside;
+  return place_on(e, dot(cross(w, f.along), n), whole, ask) == SpotOnLine::inside &&
+         place_on(f, dot(cross(w, e.along), n), whole, ask) == SpotOnLine::inside;
 }
 
 template <class T>
@@ -128,32 +128,33 @@ inline constexpr Feature the_face{FeatureKind::face, 0};
 
 /// Those of the pairs of features that are on the list.  Nothing only where a sign was not certain.
 template <class T>
-class Search {
+class FeatureSearch {
  public:
-  Search(const Body<T>& p, const Body<T>& q, const Shortlist& list, Signs& ask)
+  FeatureSearch(const Body<T>& p, const Body<T>& q, const Shortlist& list, Signs& ask)
       : p_(p), q_(q), list_(list), ask_(ask), least_(ask) {}
 
   std::optional<Found<T>> run() {
     for_all(p_.vertex_count, q_.vertex_count, list_.vertices, [&](std::uint32_t i, std::uint32_t j) {
-      least_.see(close_pair<T>(point_edge<T>(p_.vertex[i]), point_edge<T>(q_.vertex[j]), {Place::start, Place::start}),
+      least_.see(close_pair<T>(point_edge<T>(p_.vertex[i]), point_edge<T>(q_.vertex[j]),
+                               {SpotOnLine::start, SpotOnLine::start}),
                  vertex_number(i), vertex_number(j));
     });
     for_all(p_.vertex_count, q_.edge_count, list_.vertex_edge, [&](std::uint32_t i, std::uint32_t j) {
       const auto& [edge, index] = q_.edges[j];
       if (strictly_on(edge, p_.vertex[i], ask_))
-        least_.see(close_pair<T>(point_edge<T>(p_.vertex[i]), edge, {Place::start, Place::inside}), vertex_number(i),
-                   edge_number(index));
+        least_.see(close_pair<T>(point_edge<T>(p_.vertex[i]), edge, {SpotOnLine::start, SpotOnLine::inside}),
+                   vertex_number(i), edge_number(index));
     });
     for_all(p_.edge_count, q_.vertex_count, list_.edge_vertex, [&](std::uint32_t i, std::uint32_t j) {
       const auto& [edge, index] = p_.edges[i];
       if (strictly_on(edge, q_.vertex[j], ask_))
-        least_.see(close_pair<T>(edge, point_edge<T>(q_.vertex[j]), {Place::inside, Place::start}), edge_number(index),
-                   vertex_number(j));
+        least_.see(close_pair<T>(edge, point_edge<T>(q_.vertex[j]), {SpotOnLine::inside, SpotOnLine::start}),
+                   edge_number(index), vertex_number(j));
     });
     for_all(p_.edge_count, q_.edge_count, list_.edges, [&](std::uint32_t i, std::uint32_t j) {
       const auto &e = p_.edges[i], &f = q_.edges[j];
       if (cross_within(e.edge, f.edge, ask_))
-        least_.see(close_pair<T>(e.edge, f.edge, {Place::inside, Place::inside}), edge_number(e.index),
+        least_.see(close_pair<T>(e.edge, f.edge, {SpotOnLine::inside, SpotOnLine::inside}), edge_number(e.index),
                    edge_number(f.index));
     });
     if (q_.face) {

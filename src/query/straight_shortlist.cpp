@@ -31,7 +31,7 @@ Weight vertex_edge(const Point3& v, const Edge3<A>& e) {
   Signs ask;
   const bool on = strictly_on(e, v, ask);
   if (ask.certain() && !on) return gone;
-  const auto pair = close_pair<A>(point_edge<A>(v), e, {Place::start, Place::inside});
+  const auto pair = close_pair<A>(point_edge<A>(v), e, {SpotOnLine::start, SpotOnLine::inside});
   return weight(pair.square, pair.square_whole, ask.certain());
 }
 
@@ -39,7 +39,7 @@ Weight edge_edge(const Edge3<A>& e, const Edge3<A>& f) {
   Signs ask;
   const bool cross = cross_within(e, f, ask);
   if (ask.certain() && !cross) return gone;
-  const auto pair = close_pair<A>(e, f, {Place::inside, Place::inside});
+  const auto pair = close_pair<A>(e, f, {SpotOnLine::inside, SpotOnLine::inside});
   return weight(pair.square, pair.square_whole, ask.certain());
 }
 

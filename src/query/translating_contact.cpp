@@ -166,13 +166,13 @@ std::optional<Contact> quick_contact(const std::vector<Candidate>& found, const 
   return Contact{*down, precise.feature_of_a(found[0].pair), precise.feature_of_b(found[0].pair)};
 }
 
-template <quick::Asked asked, class A, class B>
+template <ContactWanted asked, class A, class B>
 concept IsQuick = requires(const Translating<A>& a, const Translating<B>& b) {
   quick::contact<asked>(a, b);
 };
 
 /// Where doubles and pairs of them tell; invalid shapes are left to those who name what is wrong.
-template <quick::Asked asked, class A, class B>
+template <ContactWanted asked, class A, class B>
 quick::Answer quick_answer(const Translating<A>& a, const Translating<B>& b) {
   if constexpr (IsQuick<asked, A, B>) {
     if (!(is_sound(a.shape) && is_sound(b.shape) && is_real(sum_of(a.by) + sum_of(b.by)))) return quick::unsure;
@@ -211,20 +211,20 @@ template <class A, class B>
 }  // namespace
 }  // namespace query
 
-using query::quick::Told;
+using query::quick::MotionVerdict;
 
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const Translating<B>& b) {
-  if (query::quick_answer<query::quick::Asked::whether>(a, b).told == Told::no) return {};
+  if (query::quick_answer<query::ContactWanted::whether>(a, b).told == MotionVerdict::no) return {};
   return query::time_of(a, b);
 }
 
 template <class A, class B>
 requires MovingPair<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const Translating<B>& b) {
-  const auto [told, contact] = query::quick_answer<query::quick::Asked::when>(a, b);
-  if (told == Told::no) return {};
-  if (told == Told::yes) return contact;
-  if (told == Told::starts && query::relation_of(a.shape, b.shape) == Relation::overlapping)
+  const auto [told, contact] = query::quick_answer<query::ContactWanted::when>(a, b);
+  if (told == MotionVerdict::no) return {};
+  if (told == MotionVerdict::yes) return contact;
+  if (told == MotionVerdict::starts && query::relation_of(a.shape, b.shape) == Relation::overlapping)
     return query::quick::overlap.contact;
   return query::contact_of(a, b);
 }
@@ -232,9 +232,9 @@ requires MovingPair<A, B> std::optional<Contact> first_contact(const Translating
 template <class A, class B>
 requires MovingPair<A, B>
 bool intersects(const Translating<A>& a, const Translating<B>& b) {
-  const Told told = query::quick_answer<query::quick::Asked::whether>(a, b).told;
-  if (told == Told::no || told == Told::yes) return told == Told::yes;
-  if (told == Told::starts && query::relation_of(a.shape, b.shape) != Relation::disjoint) return true;
+  const MotionVerdict told = query::quick_answer<query::ContactWanted::whether>(a, b).told;
+  if (told == MotionVerdict::no || told == MotionVerdict::yes) return told == MotionVerdict::yes;
+  if (told == MotionVerdict::starts && query::relation_of(a.shape, b.shape) != Relation::disjoint) return true;
   return query::meet(a, b);
 }
 

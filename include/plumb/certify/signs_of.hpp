@@ -40,7 +40,7 @@ struct Column {
 };
 
 /// What the library is told of a formula; decide_exactly is compiled by who asks.
-struct Asked {
+struct BatchFormula {
   std::string_view name;
   std::span<const int> arguments;
   std::string_view axes;
@@ -51,20 +51,20 @@ struct Asked {
 };
 
 template <Formula F>
-inline constexpr Asked asked{F::name,
-                             arguments<F>,
-                             axes<F>,
-                             argument_names<F>,
-                             tape::program<F>(),
-                             filter_constant<F>(),
-                             [](const double* coordinates) {
-                               Coordinates<F> p;
-                               for (std::size_t k = 0; k < p.size(); ++k) p[k] = coordinates[k];
-                               return decide_exactly<F>(p).sign;
-                             }};
+inline constexpr BatchFormula asked{F::name,
+                                    arguments<F>,
+                                    axes<F>,
+                                    argument_names<F>,
+                                    tape::program<F>(),
+                                    filter_constant<F>(),
+                                    [](const double* coordinates) {
+                                      Coordinates<F> p;
+                                      for (std::size_t k = 0; k < p.size(); ++k) p[k] = coordinates[k];
+                                      return decide_exactly<F>(p).sign;
+                                    }};
 
 /// The signs of all cases, one column for each coordinate.
-void decide_all(const Asked& asked, std::span<const Column> columns, std::span<Sign> out, Execution execution);
+void decide_all(const BatchFormula& asked, std::span<const Column> columns, std::span<Sign> out, Execution execution);
 
 /// A coordinate after the other in memory.
 template <class T>

@@ -60,22 +60,24 @@ HWY_INLINE std::size_t filter_against(const Side<F>& side, const double* const* 
 
 namespace {  // each formula has a file of its own
 
-using Asked = predicates::PLUMB_BATCH_FORMULA;
+using KernelFormula = predicates::PLUMB_BATCH_FORMULA;
 
 std::size_t many_points(const void*, const double* const* at, std::size_t n, signed char* out, std::uint32_t* unsure) {
-  return filter_many<Asked, ArrayOfPoints>(at, n, out, unsure);
+  return filter_many<KernelFormula, ArrayOfPoints>(at, n, out, unsure);
 }
 std::size_t many_coordinates(const void*, const double* const* at, std::size_t n, signed char* out,
                              std::uint32_t* unsure) {
-  return filter_many<Asked, ArraysOfCoordinates>(at, n, out, unsure);
+  return filter_many<KernelFormula, ArraysOfCoordinates>(at, n, out, unsure);
 }
 std::size_t points_against(const void* given, const double* const* at, std::size_t n, signed char* out,
                            std::uint32_t* unsure) {
-  return filter_against<Asked, ArrayOfPoints>(*static_cast<const Side<Asked>*>(given), at, n, out, unsure);
+  return filter_against<KernelFormula, ArrayOfPoints>(*static_cast<const Side<KernelFormula>*>(given), at, n, out,
+                                                      unsure);
 }
 std::size_t coordinates_against(const void* given, const double* const* at, std::size_t n, signed char* out,
                                 std::uint32_t* unsure) {
-  return filter_against<Asked, ArraysOfCoordinates>(*static_cast<const Side<Asked>*>(given), at, n, out, unsure);
+  return filter_against<KernelFormula, ArraysOfCoordinates>(*static_cast<const Side<KernelFormula>*>(given), at, n, out,
+                                                            unsure);
 }
 
 }  // namespace

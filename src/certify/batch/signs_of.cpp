@@ -24,12 +24,12 @@ namespace {
 HWY_EXPORT(run_tape);
 
 /// What an argument, or one of its coordinates, is called: "b", "b.y".
-std::string name_of(const Asked& asked, std::size_t coordinate, bool with_axis) {
+std::string name_of(const BatchFormula& asked, std::size_t coordinate, bool with_axis) {
   std::string name = place_of(coordinate, asked.arguments, asked.axes, asked.argument_names);
   return with_axis ? name : name.substr(0, name.find('.'));
 }
 
-void require_equal_lengths(const Asked& asked, std::span<const Column> columns, std::size_t out) {
+void require_equal_lengths(const BatchFormula& asked, std::span<const Column> columns, std::size_t out) {
   std::size_t known = columns.size();
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Column& c = columns[k];
@@ -46,7 +46,7 @@ void require_equal_lengths(const Asked& asked, std::span<const Column> columns, 
 
 }  // namespace
 
-void decide_all(const Asked& asked, std::span<const Column> columns, std::span<Sign> out, Execution execution) {
+void decide_all(const BatchFormula& asked, std::span<const Column> columns, std::span<Sign> out, Execution execution) {
   require_equal_lengths(asked, columns, out.size());
   if (out.empty()) return;
   Cases cases;

@@ -16,7 +16,7 @@ StepKind kind_of(char operation, bool left_is_plain, bool right_is_plain) {
 
 }  // namespace
 
-TapePlan::TapePlan(const Asked& asked, std::span<const Column> columns) : constant_(asked.constant) {
+TapePlan::TapePlan(const BatchFormula& asked, std::span<const Column> columns) : constant_(asked.constant) {
   const std::size_t arity = columns.size();
   for (const Column& c : columns) strides_.push_back(c.stride);
   beside_.assign(arity, 1);

@@ -44,7 +44,7 @@ struct TapeStep {
 
 class TapePlan {
  public:
-  TapePlan(const Asked& asked, std::span<const Column> columns);
+  TapePlan(const BatchFormula& asked, std::span<const Column> columns);
 
   [[nodiscard]] std::size_t arity() const { return strides_.size(); }
   [[nodiscard]] std::size_t slots() const { return slots_; }
