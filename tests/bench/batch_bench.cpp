@@ -14,6 +14,7 @@
 
 #include "bench/batch_rival.hpp"
 #include "certify/batch/take_instruction_set.hpp"
+#include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/side.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/predicates.hpp"
@@ -148,20 +149,19 @@ constexpr auto in_diametral_circle = [](auto ax, auto ay, auto bx, auto by, auto
 
 void add_own_formulas() {
   const Data& d = data();
-  const auto &f = d.flat, &s = d.solid;
+  const auto& f = d.flat;
+  const auto& s = d.solid;
   add_singly("own", "function", [&](std::size_t i) { return sign_of(in_diametral_circle, f[0][i], f[1][i], f[2][i]); });
   add_singly("own insphere", "function", [&](std::size_t i) {
     return sign_of(predicates::InSphere{}, s[0][i], s[1][i], s[2][i], s[3][i], s[4][i]);
   });
-  for (const std::string_view set : {"AVX-512", "AVX2", "SSE"}) {
-    const std::int64_t target = target_of(set);
-    if ((hwy::SupportedTargets() & target) == 0) continue;
-    add("own", set, "points", target,
+  for (const std::string_view taken : batch_instruction_sets()) {
+    add("own", taken, "points", taken,
         [&](std::vector<Sign>& out) { plumb::signs_of(in_diametral_circle, f[0], f[1], f[2], out); });
-    add("own", set, "arrays", target, [&](std::vector<Sign>& out) {
+    add("own", taken, "arrays", taken, [&](std::vector<Sign>& out) {
       plumb::signs_of(in_diametral_circle, d.flat_view(0), d.flat_view(1), d.flat_view(2), out);
     });
-    add("own insphere", set, "points", target,
+    add("own insphere", taken, "points", taken,
         [&](std::vector<Sign>& out) { plumb::signs_of(predicates::InSphere{}, s[0], s[1], s[2], s[3], s[4], out); });
   }
 }

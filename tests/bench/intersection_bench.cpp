@@ -108,13 +108,14 @@ void register_planes() {
     planes[i] = {{{0.25, 0.5, 1}, 0.125}, t};
     by_points[i] = {{{0, 0, 0.125}, {0.5, 0, 0}, {0, 0.25, 0}}, t};
   }
-  const auto n = static_cast<double>(cases);
-  const auto meet = [](const auto& a, const auto& b) { return !intersection(a, b).empty(); };
-  const auto ask = [](const auto& a, const auto& b) { return intersects(a, b); };
-  add_run("plane3-triangle3/uniform/plumb", each(planes, meet), n);
-  add_run("plane3-triangle3/uniform/intersects", each(planes, ask), n);
-  add_run("three-point-plane3-triangle3/uniform/plumb", each(by_points, meet), n);
-  add_run("three-point-plane3-triangle3/uniform/intersects", each(by_points, ask), n);
+  const auto add_all = [n = static_cast<double>(cases)](const std::string& start, const auto& pairs) {
+    add_run(start + "plumb", each(pairs, [](const auto& a, const auto& b) { return !intersection(a, b).empty(); }), n);
+    add_run(start + "intersects", each(pairs, [](const auto& a, const auto& b) { return intersects(a, b); }), n);
+    add_run(start + "cgal-epick", cgal_rounded(pairs), n);
+    add_run(start + "cgal-epeck", cgal_exact(pairs), n);
+  };
+  add_all("plane3-triangle3/uniform/", planes);
+  add_all("three-point-plane3-triangle3/uniform/", by_points);
 }
 
 /// Segments that end near one another, by the general test on doubles and by the plan's.

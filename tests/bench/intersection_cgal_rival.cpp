@@ -18,6 +18,8 @@ struct In {
   static typename K::Segment_3 of(const Segment3& s) { return {of(s.a), of(s.b)}; }
   static typename K::Triangle_2 of(const Triangle2& t) { return {of(t.a), of(t.b), of(t.c)}; }
   static typename K::Triangle_3 of(const Triangle3& t) { return {of(t.a), of(t.b), of(t.c)}; }
+  static typename K::Plane_3 of(const Plane3& p) { return {p.normal.x, p.normal.y, p.normal.z, -p.offset}; }
+  static typename K::Plane_3 of(const ThreePointPlane3& p) { return {of(p.a), of(p.b), of(p.c)}; }
   static typename K::Iso_cuboid_3 of(const Aabb3& b) { return {of(b.min), of(b.max)}; }
 };
 
@@ -56,10 +58,14 @@ Run cgal_rounded(const Pairs<Triangle2, Triangle2>& pairs) { return run<Rounded>
 Run cgal_rounded(const Pairs<Segment3, Triangle3>& pairs) { return run<Rounded>(pairs); }
 Run cgal_rounded(const Pairs<Triangle3, Triangle3>& pairs) { return run<Rounded>(pairs); }
 Run cgal_rounded(const Pairs<Triangle3, Aabb3>& pairs) { return run<Rounded>(pairs); }
+Run cgal_rounded(const Pairs<Plane3, Triangle3>& pairs) { return run<Rounded>(pairs); }
+Run cgal_rounded(const Pairs<ThreePointPlane3, Triangle3>& pairs) { return run<Rounded>(pairs); }
 Run cgal_exact(const Pairs<Segment2, Segment2>& pairs) { return run<Exact>(pairs); }
 Run cgal_exact(const Pairs<Triangle2, Triangle2>& pairs) { return run<Exact>(counterclockwise(pairs)); }
 Run cgal_exact(const Pairs<Segment3, Triangle3>& pairs) { return run<Exact>(pairs); }
 Run cgal_exact(const Pairs<Triangle3, Triangle3>& pairs) { return run<Exact>(pairs); }
 Run cgal_exact(const Pairs<Triangle3, Aabb3>& pairs) { return run<Exact>(pairs); }
+Run cgal_exact(const Pairs<Plane3, Triangle3>& pairs) { return run<Exact>(pairs); }
+Run cgal_exact(const Pairs<ThreePointPlane3, Triangle3>& pairs) { return run<Exact>(pairs); }
 
 }  // namespace plumb::bench

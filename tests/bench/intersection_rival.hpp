@@ -7,6 +7,7 @@
 
 #include "plumb/figure/box.hpp"
 #include "plumb/figure/linear.hpp"
+#include "plumb/figure/plane.hpp"
 #include "plumb/figure/simplex.hpp"
 
 namespace plumb::bench {
@@ -23,11 +24,15 @@ Run cgal_rounded(const Pairs<Triangle2, Triangle2>& pairs);
 Run cgal_rounded(const Pairs<Segment3, Triangle3>& pairs);
 Run cgal_rounded(const Pairs<Triangle3, Triangle3>& pairs);
 Run cgal_rounded(const Pairs<Triangle3, Aabb3>& pairs);
+Run cgal_rounded(const Pairs<Plane3, Triangle3>& pairs);
+Run cgal_rounded(const Pairs<ThreePointPlane3, Triangle3>& pairs);
 Run cgal_exact(const Pairs<Segment2, Segment2>& pairs);
 Run cgal_exact(const Pairs<Triangle2, Triangle2>& pairs);
 Run cgal_exact(const Pairs<Segment3, Triangle3>& pairs);
 Run cgal_exact(const Pairs<Triangle3, Triangle3>& pairs);
 Run cgal_exact(const Pairs<Triangle3, Aabb3>& pairs);
+Run cgal_exact(const Pairs<Plane3, Triangle3>& pairs);
+Run cgal_exact(const Pairs<ThreePointPlane3, Triangle3>& pairs);
 
 /// As commonly written: signed areas or volumes compared with zero, then the parameter.
 bool crossing_in_doubles(const Segment2& s, const Segment2& t, Point2& at);

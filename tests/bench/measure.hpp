@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <plumb/predicates/manifest.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,12 @@ inline std::vector<double> inputs(std::string_view predicate, std::size_t arity,
   return all;
 }
 
+/// The same, as many coordinates as F takes.
+template <Formula F>
+std::vector<double> inputs(const std::string& name) {
+  return inputs(F::name, arity<F>, F::dimension, name);
+}
+
 template <Formula F>
 std::vector<Coordinates<F>> sets_of(const std::vector<double>& all) {
   std::vector<Coordinates<F>> sets(cases);
@@ -74,6 +81,15 @@ void add_each(const std::string& inputs_name, const std::string& method, std::ve
     for (const Coordinates<F>& p : *sets) sum += static_cast<long>(take(p));
     return sum;
   });
+}
+
+/// Calls register_one with each of the four.
+template <class Register>
+bool register_classics(Register register_one) {
+#define PLUMB_REGISTER(formula) register_one(predicates::formula{});
+  PLUMB_CLASSICS(PLUMB_REGISTER)
+#undef PLUMB_REGISTER
+  return true;
 }
 
 /// The sign itself, so that no stage's last operations are left out as unused.

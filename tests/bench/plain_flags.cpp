@@ -11,14 +11,14 @@ int take(const Point3* p, predicates::Orient3d) { return static_cast<int>(orient
 int take(const Point2* p, predicates::InCircle) { return static_cast<int>(incircle(p[0], p[1], p[2], p[3])); }
 int take(const Point3* p, predicates::InSphere) { return static_cast<int>(insphere(p[0], p[1], p[2], p[3], p[4])); }
 
-std::vector<Point2> points_of(const std::vector<double>& x, Point2) {
-  std::vector<Point2> all;
-  for (std::size_t i = 0; i < x.size(); i += 2) all.push_back({x[i], x[i + 1]});
-  return all;
-}
-std::vector<Point3> points_of(const std::vector<double>& x, Point3) {
-  std::vector<Point3> all;
-  for (std::size_t i = 0; i < x.size(); i += 3) all.push_back({x[i], x[i + 1], x[i + 2]});
+template <class Point>
+std::vector<Point> points_of(const std::vector<double>& x) {
+  std::vector<Point> all;
+  if constexpr (std::is_same_v<Point, Point2>) {
+    for (std::size_t i = 0; i < x.size(); i += 2) all.push_back({x[i], x[i + 1]});
+  } else {
+    for (std::size_t i = 0; i < x.size(); i += 3) all.push_back({x[i], x[i + 1], x[i + 2]});
+  }
   return all;
 }
 
@@ -26,7 +26,7 @@ template <class F>
 void register_predicate() {
   using Point = std::conditional_t<F::dimension == 2, Point2, Point3>;
   for (const char* name : {"uniform", "degenerate_long"}) {
-    add(F::name, name, METHOD, [all = points_of(inputs(F::name, arity<F>, F::dimension, name), Point{})] {
+    add(F::name, name, METHOD, [all = points_of<Point>(inputs<F>(name))] {
       long sum = 0;
       const Point *p = all.data(), *end = p + all.size();
       for (; p != end; p += F::points) sum += take(p, F{});
@@ -35,12 +35,7 @@ void register_predicate() {
   }
 }
 
-[[maybe_unused]] const bool registered = [] {
-#define PLUMB_REGISTER(formula) register_predicate<predicates::formula>();
-  PLUMB_CLASSICS(PLUMB_REGISTER)
-#undef PLUMB_REGISTER
-  return true;
-}();
+[[maybe_unused]] const bool registered = register_classics([]<Formula F>(F) { register_predicate<F>(); });
 
 }  // namespace
 }  // namespace plumb::bench

@@ -5,7 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "bench/polygon_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"

@@ -21,7 +21,7 @@ template <class F, class Take>
 
 template <Formula F>
 void register_class(const std::string& name) {
-  const auto all = std::make_shared<std::vector<double>>(inputs(F::name, arity<F>, F::dimension, name));
+  const auto all = std::make_shared<std::vector<double>>(inputs<F>(name));
   const auto sets = std::make_shared<std::vector<Coordinates<F>>>(sets_of<F>(*all));
   add(F::name, name, "bare", [sets] {
     return sum_over<F>(*sets, [](const Coordinates<F>& p) { return static_cast<int>(sign_of_number(F{}(p))); });
@@ -36,12 +36,7 @@ void register_predicate() {
   for (const std::string& name : input_classes()) register_class<F>(name);
 }
 
-[[maybe_unused]] const bool registered = [] {
-#define PLUMB_REGISTER(formula) register_predicate<predicates::formula>();
-  PLUMB_CLASSICS(PLUMB_REGISTER)
-#undef PLUMB_REGISTER
-  return true;
-}();
+[[maybe_unused]] const bool registered = register_classics([]<Formula F>(F) { register_predicate<F>(); });
 
 }  // namespace
 }  // namespace plumb::bench

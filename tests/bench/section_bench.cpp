@@ -127,7 +127,7 @@ void topology(benchmark::State& state, int what) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-const bool registered = [] {
+[[maybe_unused]] const bool registered = [] {
   for (const bool grid : {false, true}) {
     for (const auto& [name, method] : {std::pair("plain", Method::plain), std::pair("plumb", Method::plumb),
                                        std::pair("plumb_oblique", Method::oblique)}) {
@@ -146,5 +146,3 @@ const bool registered = [] {
 
 }  // namespace
 }  // namespace plumb::bench
-
-BENCHMARK_MAIN();

@@ -40,17 +40,12 @@ void register_predicate() {
     if (bits <= integer::widest<F>)
       add(bits, "wide-integer", [](const C& p) { return answer(wide_integer_sign<F>(p)); });
     if (bits * degree<F>() < 1900)
-      add(bits, "expansion", [](const C& p) { return static_cast<int>(expansion_sign<F>(p)); });
+      add(bits, "expansion", [](const C& p) { return static_cast<int>(tool::trial::expansion_sign<F>(p)); });
     add(bits, "big-integer", [](const C& p) { return static_cast<int>(big_integer_sign(tape::program<F>(), p)); });
   }
 }
 
-[[maybe_unused]] const bool registered = [] {
-#define PLUMB_REGISTER(formula) register_predicate<predicates::formula>();
-  PLUMB_CLASSICS(PLUMB_REGISTER)
-#undef PLUMB_REGISTER
-  return true;
-}();
+[[maybe_unused]] const bool registered = register_classics([]<Formula F>(F) { register_predicate<F>(); });
 
 }  // namespace
 }  // namespace plumb::bench

@@ -9,7 +9,7 @@ namespace {
 
 template <Formula F, class Take>
 void add_stage(const char* stage, const std::string& name, Take take) {
-  add_each<F>(name, stage, sets_of<F>(inputs(F::name, arity<F>, F::dimension, name)), take);
+  add_each<F>(name, stage, sets_of<F>(inputs<F>(name)), take);
 }
 
 template <Formula F>
@@ -28,12 +28,7 @@ void register_predicate() {
   }
 }
 
-[[maybe_unused]] const bool registered = [] {
-#define PLUMB_REGISTER(formula) register_predicate<predicates::formula>();
-  PLUMB_CLASSICS(PLUMB_REGISTER)
-#undef PLUMB_REGISTER
-  return true;
-}();
+[[maybe_unused]] const bool registered = register_classics([]<Formula F>(F) { register_predicate<F>(); });
 
 }  // namespace
 }  // namespace plumb::bench
