@@ -42,14 +42,15 @@ function(plumb_write_pc pc_name pc_description pc_library pc_requires pc_needs)
   install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 set(needs_cxx20 " (C++20: compile with -std=c++20 or later)")
-plumb_write_pc(plumb-predicates "Exact signs of geometric predicates${needs_cxx20}" plumb_predicates "" -lgmp)
+plumb_write_pc(plumb-predicates "Exact signs of geometric predicates${needs_cxx20}" plumb_predicates ""
+  "${PLUMB_predicates_NEEDS}")
 # For C's linkers, which know nothing of C++: its library comes last.
 plumb_write_pc(plumb-classic "The classic C interface of robust predicates" plumb_classic ""
-  "-lplumb_predicates -lgmp -lstdc++")
+  "-lplumb_predicates ${PLUMB_predicates_NEEDS} -lstdc++")
 plumb_write_pc(plumb-batch "Exact signs of many cases at once${needs_cxx20}" plumb_batch
-  "plumb-predicates = ${PROJECT_VERSION}" "-lhwy -ltbb")
+  "plumb-predicates = ${PROJECT_VERSION}" "${PLUMB_batch_NEEDS}")
 plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" plumb_degenerate
   "plumb-predicates = ${PROJECT_VERSION}" "")
 plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb
   "plumb-batch = ${PROJECT_VERSION}, plumb-degenerate = ${PROJECT_VERSION}, plumb-predicates = ${PROJECT_VERSION}"
-  "-lminizip -lpugixml -lz")
+  "${PLUMB_plumb_NEEDS}")
