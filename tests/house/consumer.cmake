@@ -1,45 +1,59 @@
 # Can people use the library?  Builds and runs tests/consumer in one WAY:
 #   installed         BUILD, as it is, installed, then moved, then found by find_package; its program runs there
+#   examples          the same for docs/examples, each of which prints its expected.txt; but for those WITHOUT names, for
+#                     which this machine lacks a package
 #   add_subdirectory  the sources beside the consumer's; installs what it built to WORK/prefix_LINKAGE
 #   find_package      from WORK/prefix_LINKAGE
 #   pkg_config        from WORK/prefix_LINKAGE, by the compiler alone
-# Needs SOURCE BUILD WORK COMPILER C_COMPILER GENERATOR PKG_CONFIG LIBDIR CONFIG PROGRAM; FLAGS and LAUNCHER may be
-# empty.
+# Needs SOURCE BUILD WORK COMPILER C_COMPILER GENERATOR PKG_CONFIG LIBDIR CONFIG PROGRAM; FLAGS, LAUNCHER and WITHOUT may
+# be empty.
+cmake_minimum_required(VERSION 3.25)
 set(consumer ${SOURCE}/tests/consumer)
 set(place ${WORK}/${WAY}${LINKAGE})
 if(WAY STREQUAL "add_subdirectory")
   set(place ${WORK}/${WAY})
 endif()
 set(prefix ${WORK}/prefix_${LINKAGE})
-if(WAY STREQUAL "installed")
+if(NOT LINKAGE)
   set(prefix ${place}/moved)
 endif()
 file(REMOVE_RECURSE ${place})
 file(MAKE_DIRECTORY ${place})
 
 function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE words ERROR_VARIABLE words)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE words ERROR_VARIABLE errors)
   if(NOT status EQUAL 0)
     list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\nended with ${status}:\n${words}")
+    message(FATAL_ERROR "${command}\nended with ${status}:\n${words}${errors}")
   endif()
   set(words "${words}" PARENT_SCOPE)
 endfunction()
 
-function(run_consumer)
+# must_print(EXPECTED PROGRAM...)
+function(must_print expected)
   foreach(program IN LISTS ARGN)
     run(${program})
-    if(NOT words STREQUAL "as expected\n")
-      message(FATAL_ERROR "${program} says: ${words}")
+    if(NOT words STREQUAL expected)
+      message(FATAL_ERROR "${program} prints\n${words}\nand not\n${expected}")
     endif()
   endforeach()
 endfunction()
 
-function(build_consumer)
-  run(${CMAKE_COMMAND} -S ${consumer} -B ${place}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
+function(build_project folder)
+  run(${CMAKE_COMMAND} -S ${folder} -B ${place}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
     -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${ARGN})
   run(${CMAKE_COMMAND} --build ${place}/build)
-  run_consumer(${place}/build/consumer ${place}/build/signs_only ${place}/build/classic)
+endfunction()
+
+function(build_consumer)
+  build_project(${consumer} ${ARGN})
+  must_print("as expected\n" ${place}/build/consumer ${place}/build/signs_only ${place}/build/classic)
+endfunction()
+
+# As a package's user gets it: installed, then moved.
+function(install_build)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/first --config ${CONFIG})
+  file(RENAME ${place}/first ${prefix})
 endfunction()
 
 function(must_exist)
@@ -51,8 +65,7 @@ function(must_exist)
 endfunction()
 
 if(WAY STREQUAL "installed")
-  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/first --config ${CONFIG})
-  file(RENAME ${place}/first ${prefix})
+  install_build()
   must_exist(include/plumb/predicates.hpp include/plumb/classic.h include/plumb/predicates/orient.hpp
     ${LIBDIR}/cmake/plumb/plumb-config.cmake)
   file(GLOB_RECURSE installed RELATIVE ${prefix} ${prefix}/*)
@@ -72,6 +85,25 @@ if(WAY STREQUAL "installed")
     run(${prefix}/bin/plumb --version)
   endif()
   build_consumer(-DCMAKE_PREFIX_PATH=${prefix})
+
+elseif(WAY STREQUAL "examples")
+  set(examples ${SOURCE}/docs/examples)
+  install_build()
+  build_project(${examples} -DCMAKE_PREFIX_PATH=${prefix})
+  file(GLOB expected RELATIVE ${examples} ${examples}/*/expected.txt)
+  list(LENGTH expected many)
+  if(many LESS 6)
+    message(FATAL_ERROR "docs/examples has ${many} examples: ${expected}")
+  endif()
+  foreach(path IN LISTS expected)
+    cmake_path(GET path PARENT_PATH example)
+    if(example IN_LIST WITHOUT)
+      message("skipped: ${example}")
+      continue()
+    endif()
+    file(READ ${examples}/${path} words)
+    must_print("${words}" ${place}/build/${example})
+  endforeach()
 
 elseif(WAY STREQUAL "add_subdirectory")
   set(build_shared OFF)
@@ -101,12 +133,12 @@ elseif(WAY STREQUAL "pkg_config")
     endif()
     cmake_path(GET source STEM program)
     run(${compile} ${FLAGS} ${consumer}/${source} ${flags} -o ${place}/${program})
-    run_consumer(${place}/${program})
+    must_print("as expected\n" ${place}/${program})
   endforeach()
 endif()
 
 # Static libraries are static, and shared ones carry their version.
-if(NOT WAY STREQUAL "installed")
+if(LINKAGE)
   file(GLOB versioned ${prefix}/${LIBDIR}/libplumb_predicates.so.*.*.*)
   file(GLOB archived ${prefix}/${LIBDIR}/libplumb_predicates.a)
   if((LINKAGE STREQUAL "shared" AND (NOT versioned OR archived)) OR (LINKAGE STREQUAL "static" AND NOT archived))
