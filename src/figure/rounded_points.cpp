@@ -27,8 +27,8 @@ To each(std::string_view function, const std::array<std::string_view, 2>& names,
 
 double difference_of(double x, double y) { return (x - y) + 0.0; }
 double sum_of(double x, double y) { return (x + y) + 0.0; }
-/// The sum is halved without a rounding, but where it is beyond all doubles:
-/// there both halves are doubles.
+/// Rounded once: a sum so small that its half is rounded is exact, and where the sum is beyond all doubles both halves
+/// are doubles.
 double middle_of(double x, double y) {
   const double sum = x + y;
   return (std::isfinite(sum) ? sum / 2 : x / 2 + y / 2) + 0.0;
@@ -43,8 +43,7 @@ To sum(const A& a, const B& v) {
   return each<To>("rounded_sum", {"a", "v"}, a, v, sum_of);
 }
 
-/// By what the sum of a coordinate of a and one of b, or of its negative,
-/// loses.
+/// By what the sum of a coordinate of a and one of b, or of its negative, loses.
 template <class To, class A, class B>
 std::optional<To> without_loss(std::string_view function, std::string_view second, const A& a, const B& b,
                                double sign) {
