@@ -61,7 +61,9 @@ bool CutCorners::equal(std::uint32_t a, std::uint32_t b) const {
   return ends(a) == ends(b) || (compare(a, b, 0) == Sign::zero && compare(a, b, 1) == Sign::zero);
 }
 
-Sign CutCorners::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const { return turn(std::array{a, b, c}); }
+Sign CutCorners::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return a == b || b == c || c == a ? Sign::zero : turn(std::array{a, b, c});
+}
 
 Sign CutCorners::turn(std::span<const std::uint32_t> loop) const {
   const auto between_doubles = [this](std::uint32_t corner, std::size_t k) { return between(corner, k); };

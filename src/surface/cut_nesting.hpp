@@ -3,7 +3,8 @@
 // Laws: exact; those of contours that do not cross.  A contour lies in another where its box lies in the other's, and
 // the other winds around its first point that is off the other; two that are the same closed curve lie in one another
 // by their order, the later in the former.  The parent of a contour is the deepest of those around it.
-// Cost: boxes two by two; for those that overlap, linear in the corners of the outer one.
+// Cost: n log n in the corners, and for each pair whose boxes lie in each other a step for each edge of the outer
+// contour that lies near the height of a corner of the inner one, right of it, and a logarithm.
 #pragma once
 
 #include <span>

@@ -34,8 +34,6 @@ class CutPlane {
   [[nodiscard]] Point3 nearest(const Point3& p, const Point3& q) const;
   [[nodiscard]] ExactPoint3 exact(const Point3& p, const Point3& q) const;
 
-  /// The plane as one of a coordinate, if it is.
-  [[nodiscard]] const AxisPlane* axis_plane() const { return std::get_if<AxisPlane>(&form_); }
   /// Two axes that show the plane as it is seen from the normal's side.
   [[nodiscard]] const std::array<std::size_t, 2>& shown() const { return shown_; }
 
@@ -45,6 +43,7 @@ class CutPlane {
     Side<predicates::Orient3d> side;
   };
   void show_along(std::size_t axis, bool down);
+  [[nodiscard]] const AxisPlane* axis_plane() const { return std::get_if<AxisPlane>(&form_); }
 
   std::variant<AxisPlane, Plane3, ThroughPoints> form_;
   std::array<std::size_t, 2> shown_{};

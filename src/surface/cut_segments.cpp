@@ -12,15 +12,13 @@ namespace {
 using Edge = std::array<std::uint32_t, 2>;  // the vertex below, the vertex above
 
 /// The edges that triangles are cut at, two by two: where the segment begins, where it ends.
-std::vector<Edge> cut_edges(const TriangleMesh& mesh, const CutPlane& plane, std::span<const std::uint32_t> triangles,
-                            std::span<const Sign> sides, Section& section) {
+std::vector<Edge> cut_edges(const TriangleMesh& mesh, const PlaneSweep& sweep, std::size_t place, Section& section) {
   const Sign zero_is = section.on_plane == OnPlane::above ? Sign::positive : Sign::negative;
   std::vector<Edge> edges;
-  for (const std::uint32_t t : triangles) {
+  for (const std::uint32_t t : sweep.triangles(place)) {
     const TriangleMesh::Triangle& corners = mesh.triangles[t];
     std::array<Sign, 3> side;
-    for (std::size_t k = 0; k < 3; ++k)
-      side[k] = sides.empty() ? plane.side(mesh.vertices[corners[k]]) : sides[corners[k]];
+    for (std::size_t k = 0; k < 3; ++k) side[k] = sweep.side(corners[k], place);
     if (side == std::array{Sign::zero, Sign::zero, Sign::zero}) section.coplanar_triangles.push_back(t);
     const auto above = [&](std::size_t k) { return (side[k] == Sign::zero ? zero_is : side[k]) == Sign::positive; };
     if (above(0) == above(1) && above(1) == above(2)) continue;
@@ -98,9 +96,9 @@ std::uint64_t cancel(std::vector<std::array<std::uint32_t, 2>>& segments) {
 
 }  // namespace
 
-CutSegments cut_segments(const TriangleMesh& mesh, const CutPlane& plane, std::span<const std::uint32_t> triangles,
-                         std::span<const Sign> sides, Section& section) {
-  const std::vector<Edge> edges = cut_edges(mesh, plane, triangles, sides, section);
+CutSegments cut_segments(const TriangleMesh& mesh, const CutPlane& plane, const PlaneSweep& sweep, std::size_t place,
+                         Section& section) {
+  const std::vector<Edge> edges = cut_edges(mesh, sweep, place, section);
   CutSegments cut;
   std::vector<std::uint32_t> corner_of;
   cut.corners = number_edges(edges, corner_of);

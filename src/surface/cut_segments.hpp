@@ -8,12 +8,11 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "plumb/surface/section.hpp"
 #include "surface/cut_plane.hpp"
+#include "surface/plane_sweep.hpp"
 
 namespace plumb::surface {
 
@@ -22,8 +21,8 @@ struct CutSegments {
   std::vector<std::array<std::uint32_t, 2>> segments;  // from corner, to corner
 };
 
-/// Of the triangles named; what is counted goes to `section`.
-CutSegments cut_segments(const TriangleMesh& mesh, const CutPlane& plane, std::span<const std::uint32_t> triangles,
-                         std::span<const Sign> sides, Section& section);
+/// By the plane, which has this place in the sweep; what is counted goes to `section`.
+CutSegments cut_segments(const TriangleMesh& mesh, const CutPlane& plane, const PlaneSweep& sweep, std::size_t place,
+                         Section& section);
 
 }  // namespace plumb::surface

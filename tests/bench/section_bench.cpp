@@ -115,6 +115,19 @@ void run(benchmark::State& state, Method method, bool grid) {
       static_cast<double>(cut) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+/// Pillars through a plate, each a contour in its outline.
+void many_contours(benchmark::State& state) {
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  TriangleMesh mesh = solids::pillars(n);
+  solids::append(mesh, solids::box({0, 0, -1}, {double(n), double(n), 1}));
+  std::size_t contours = 0;
+  for (auto _ : state) contours = section(mesh, Plane3{{0, 0, 1}, 0.5}).contours.size();
+  state.counters["ns_contour"] =
+      benchmark::Counter(static_cast<double>(contours) * 1e-9,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 void topology(benchmark::State& state, int what) {
   const TriangleMesh mesh = mesh_of(static_cast<std::uint32_t>(state.range(0)), false);
   for (auto _ : state) {
@@ -138,6 +151,11 @@ void topology(benchmark::State& state, int what) {
           ->Unit(benchmark::kMillisecond);
     }
   }
+  benchmark::RegisterBenchmark("section/pillars", many_contours)
+      ->Arg(30)
+      ->Arg(100)
+      ->Arg(300)
+      ->Unit(benchmark::kMillisecond);
   for (const auto& [name, what] :
        {std::pair("find_edges", 0), std::pair("mesh_statistics", 1), std::pair("first_equal", 2)})
     benchmark::RegisterBenchmark(name, topology, what)->Arg(1000)->Unit(benchmark::kMillisecond);

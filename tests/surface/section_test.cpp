@@ -72,6 +72,46 @@ TEST(Section, ShellsLieInOneAnother) {
   EXPECT_EQ(std::ranges::count(level.contours, Sign::negative, &Contour::turn), 2);
 }
 
+TEST(Section, TheSameSurfaceTwiceLiesInItself) {
+  TriangleMesh mesh = solids::torus(3, 1, 12, 8);
+  solids::append(mesh, TriangleMesh(mesh));
+  using Depths = std::vector<std::uint32_t>;
+  for (const auto& [plane, expected] :  // a ring, and two rounds apart
+       {std::pair(at_height(0.1), Depths{0, 1, 2, 3}), std::pair(Plane3{{1, 2, 4}, 0.5}, Depths{0, 0, 1, 1})}) {
+    const Section cut = section(mesh, plane);
+    Depths depths;
+    for (const Contour& c : cut.contours) depths.push_back(c.depth);
+    std::ranges::sort(depths);
+    EXPECT_EQ(depths, expected);
+    oracle::expect_nested(mesh, cut);
+  }
+}
+
+// The contour is a comb of ten teeth that hangs from a beam: of the pillars in its box, those in the beam and in
+// teeth lie in it, those in the gaps do not.
+TEST(Section, ManyContoursLieInAJaggedOne) {
+  constexpr int teeth = 10;
+  std::vector<Point2> comb{{2 * teeth - 1, 2 * teeth}, {0, 2 * teeth}};
+  for (int k = 0; k < teeth; ++k)
+    comb.insert(comb.end(), {{2.0 * k, 0}, {2.0 * k + 1, 0}, {2.0 * k + 1, teeth}, {2.0 * k + 2, teeth}});
+  comb.resize(comb.size() - 2);
+  TriangleMesh mesh = solids::walls(comb);
+  solids::append(mesh, solids::pillars(2 * teeth - 1));
+  for (const Plane3& plane : {at_height(0.5), Plane3{{0.001, 0.002, 1}, 0.05}}) {
+    const Section cut = section(mesh, plane);
+    ASSERT_EQ(cut.contours.size(), 1 + (2 * teeth - 1) * (2 * teeth - 1));
+    const auto around = std::ranges::max_element(cut.contours, {}, [](const Contour& c) { return c.corners.size(); });
+    for (const Contour& c : cut.contours) {
+      if (&c == &*around) continue;
+      const auto x = static_cast<int>(c.corners[0].nearest.x), y = static_cast<int>(c.corners[0].nearest.y);
+      const bool is_in = y >= teeth || x % 2 == 0;
+      ASSERT_EQ(c.depth, is_in ? 1U : 0U) << x << ' ' << y;
+      ASSERT_EQ(c.parent,
+                is_in ? std::optional(static_cast<std::uint32_t>(around - cut.contours.begin())) : std::nullopt);
+    }
+  }
+}
+
 TEST(Section, ATorusGivesARingOrTwoRounds) {
   const TriangleMesh mesh = solids::torus(3, 1, 40, 20);
   const Section ring = section(mesh, at_height(0.1));
@@ -152,6 +192,8 @@ TEST(Section, ManyPlanesGiveWhatEachGives) {
     planes.emplace_back(at_height(h));
     planes.emplace_back(Plane3{{0, -1, 0}, h});
     planes.emplace_back(Plane3{{1, 1, 2}, h});
+    planes.emplace_back(Plane3{{-1, -1, -2}, h});
+    planes.emplace_back(ThreePointPlane3{{0, 0, h}, {1, 0, h}, {0, 1, h}});
   }
   const std::vector<Section> all = sections(mesh, planes);
   ASSERT_EQ(all.size(), planes.size());
@@ -161,6 +203,7 @@ TEST(Section, ManyPlanesGiveWhatEachGives) {
       for (std::size_t c = 0; c < one.contours.size(); ++c)
         EXPECT_EQ(one.contours[c].corners, all[i].contours[c].corners);
       EXPECT_EQ(one.coplanar_triangles.size(), all[i].coplanar_triangles.size());
+      EXPECT_EQ(one.cut_triangles, all[i].cut_triangles);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "plumb/figure/mesh.hpp"
@@ -60,6 +61,27 @@ inline void append(TriangleMesh& mesh, const TriangleMesh& other, bool inside_ou
 inline TriangleMesh box(const Point3& min, const Point3& max) {
   TriangleMesh mesh = voxels({{0, 0, 0}});
   for (Point3& p : mesh.vertices) p = {p.x == 0 ? min.x : max.x, p.y == 0 ? min.y : max.y, p.z == 0 ? min.z : max.z};
+  return mesh;
+}
+
+/// Over a polygon from z = -1 to 1, without a bottom and a top.
+inline TriangleMesh walls(std::span<const Point2> polygon) {
+  TriangleMesh mesh;
+  for (const Point2& p : polygon) mesh.vertices.insert(mesh.vertices.end(), {{p.x, p.y, -1}, {p.x, p.y, 1}});
+  const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (std::uint32_t i = 0; i < n; i += 2) {
+    const std::uint32_t next = (i + 2) % n;
+    mesh.triangles.insert(mesh.triangles.end(), {{i, next, next + 1}, {i, next + 1, i + 1}});
+  }
+  return mesh;
+}
+
+/// A square of n by n pillars of half the width of their cells, from the origin on, one to a cell.
+inline TriangleMesh pillars(std::uint32_t n) {
+  TriangleMesh mesh;
+  for (std::uint32_t x = 0; x < n; ++x) {
+    for (std::uint32_t y = 0; y < n; ++y) append(mesh, box({x + 0.25, y + 0.25, -1}, {x + 0.75, y + 0.75, 1}));
+  }
   return mesh;
 }
 

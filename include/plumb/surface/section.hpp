@@ -20,12 +20,12 @@
 // coplanar_triangles.
 // What is left of a mesh that is not closed, or whose triangles are wound against each other, are open chains.
 // Contours that cross each other, of a surface that crosses itself, are told as they are: law 3 holds, and one lies in
-// another when its box does, and its first corner off the other.
+// another when its box does, seen along the normal's largest coordinate, and its first corner off the other.
 // A triangle that names no vertex and a plane without a normal throw InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 8.3.4 (thick planes aside); Minetto et al. 2017 for many planes.
-// Cost: linear in the triangles, and below a microsecond for each that is cut; nesting compares the boxes of contours
-// two by two, and asks corners where one lies in another.  Many planes of one coordinate (`z = h`) look at each
-// triangle once, and at those that they cut; planes are shared out among threads.
+// Cost: linear in the triangles, and below a microsecond for each that is cut; nesting n log n in the corners, and
+// below a microsecond for each pair of contours whose boxes lie in each other.  Many planes of one normal look at each
+// vertex once, and at each triangle where they reach it; planes are shared out among threads.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,54 @@
+#include "surface/plane_sweep.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace plumb::surface {
+
+std::vector<std::vector<std::uint32_t>> planes_by_normal(std::span<const AnyPlane3> planes) {
+  std::vector<std::vector<std::uint32_t>> runs;
+  std::vector<std::uint32_t> with_normal;
+  for (std::uint32_t i = 0; i < planes.size(); ++i) {
+    if (std::holds_alternative<Plane3>(planes[i])) {
+      with_normal.push_back(i);
+    } else {
+      runs.push_back({i});
+    }
+  }
+  const auto key = [&](std::uint32_t i) {
+    const auto& [n, offset] = std::get<Plane3>(planes[i]);
+    return std::tuple(n.x, n.y, n.z, offset, i);
+  };
+  std::ranges::sort(with_normal, {}, key);
+  const Vector3* last = nullptr;
+  for (const std::uint32_t i : with_normal) {
+    const Vector3& normal = std::get<Plane3>(planes[i]).normal;
+    if (last == nullptr || !(normal == *last)) runs.emplace_back();
+    runs.back().push_back(i);
+    last = &normal;
+  }
+  return runs;
+}
+
+PlaneSweep::PlaneSweep(const TriangleMesh& mesh, std::span<const CutPlane* const> planes)
+    : ranks_(mesh.vertices.size()), triangles_(planes.size()) {
+  tbb::parallel_for(std::size_t{0}, ranks_.size(), [&](std::size_t v) {
+    const Point3& p = mesh.vertices[v];
+    const auto lies_above = [&](const CutPlane* plane) { return plane->side(p) == Sign::positive; };
+    const auto lies_in = [&](const CutPlane* plane) { return plane->side(p) == Sign::zero; };
+    const auto above = std::partition_point(planes.begin(), planes.end(), lies_above);
+    const auto up_to = std::find_if_not(above, planes.end(), lies_in);
+    ranks_[v] = {static_cast<std::uint32_t>(above - planes.begin()),
+                 static_cast<std::uint32_t>(up_to - planes.begin())};
+  });
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const std::uint32_t lowest = std::min({ranks_[a].above, ranks_[b].above, ranks_[c].above});
+    const std::uint32_t highest = std::max({ranks_[a].up_to, ranks_[b].up_to, ranks_[c].up_to});
+    for (std::uint32_t plane = lowest; plane < highest; ++plane) triangles_[plane].push_back(t);
+  }
+}
+
+}  // namespace plumb::surface
