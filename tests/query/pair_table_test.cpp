@@ -26,11 +26,6 @@ struct Stand {
 };
 
 template <class A, class B>
-concept CanRelate = requires(const A& a, const B& b) {
-  { relate(a, b) } -> std::same_as<Relation>;
-  { intersects(a, b) } -> std::same_as<bool>;
-};
-template <class A, class B>
 concept HasOwnFunction = requires(const Stand<A>& a, const Stand<B>& b) {
   { relate(a, b) } -> std::same_as<Relation>;
 };
@@ -45,7 +40,7 @@ template <class A, class B>
 void expect_as_in_table() {
   constexpr PairMethod method = method_of<A, B>;
   const bool present = method != PairMethod::absent;
-  EXPECT_EQ((CanRelate<A, B>), present) << name_of_pair<A, B>();
+  EXPECT_EQ((Relatable<A, B>), present) << name_of_pair<A, B>();
   const bool has_oracle = oracle_of(figure_kind<A>, figure_kind<B>) != PairOracle::none;
   EXPECT_TRUE(!present || has_oracle) << name_of_pair<A, B>();
   if constexpr (figure_dimension<A> == figure_dimension<B> && figure_kind<A> <= figure_kind<B>) {

@@ -2,7 +2,8 @@
 //
 // Each function below takes whatever no other function of its name takes, and refuses to compile.  So
 //   requires { relate(a, b); }
-// holds of everything; ask for the answer's type: `requires { { relate(a, b) } -> std::same_as<Relation>; }`.
+// holds of everything; generic code asks by the concept beside it, once all that may answer is included:
+//   if constexpr (Relatable<A, B>) ...
 // Cost: compile time only.
 #pragma once
 
@@ -63,6 +64,12 @@ figure::NoAnswer<T> intersects(const figure::Anything&, const figure::Anything&,
   __builtin_unreachable();
 }
 
+template <class A, class B>
+concept Relatable = requires(const A& a, const B& b) {
+  { relate(a, b) } -> figure::Answer;
+  { intersects(a, b) } -> figure::Answer;
+};
+
 template <class T = bool>
 figure::NoAnswer<T> contains(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
   static_assert(
@@ -70,5 +77,9 @@ figure::NoAnswer<T> contains(const figure::Anything&, const figure::Anything&, c
       "plumb: contains takes a figure and a point of its space, or two boxes, balls, capsules or lozenges of one kind");
   __builtin_unreachable();
 }
+template <class Outer, class Inner>
+concept Containing = requires(const Outer& outer, const Inner& inner) {
+  { contains(outer, inner) } -> figure::Answer;
+};
 
 }  // namespace plumb

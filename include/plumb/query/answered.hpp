@@ -22,6 +22,10 @@ figure::NoAnswer<T> intersection(const figure::Anything&, const figure::Anything
                 "space, the pairs of docs/intersection.md; relate takes more");
   __builtin_unreachable();
 }
+template <class A, class B>
+concept Intersectable = requires(const A& a, const B& b) {
+  { intersection(a, b) } -> figure::Answer;
+};
 
 template <class T = Hit>
 figure::NoAnswer<std::optional<T>> first_hit(const figure::Anything&, const figure::Anything&,
@@ -31,6 +35,10 @@ figure::NoAnswer<std::optional<T>> first_hit(const figure::Anything&, const figu
                 "TriangleBatch: query/ray.hpp and query/ray2.hpp list them");
   __builtin_unreachable();
 }
+template <class Straight, class Shape>
+concept Hittable = requires(const Straight& straight, const Shape& shape) {
+  { first_hit(straight, shape) } -> figure::Answer;
+};
 
 template <class T = Closest>
 figure::NoAnswer<T> closest_points(const figure::Anything&, const figure::Anything&) {
@@ -47,6 +55,11 @@ figure::NoAnswer<T> distance(const figure::Anything&, const figure::Anything&, c
                 "docs/closest.md lists the pairs; of a mesh ask its triangles");
   __builtin_unreachable();
 }
+template <class A, class B>
+concept Measurable = requires(const A& a, const B& b) {
+  { distance(a, b) } -> figure::Answer;
+  { closest_points(a, b) } -> figure::Answer;
+};
 
 template <class T = Contact>
 figure::NoAnswer<std::optional<T>> first_contact(const figure::Anything&, const figure::Anything&,
@@ -56,5 +69,9 @@ figure::NoAnswer<std::optional<T>> first_contact(const figure::Anything&, const 
                 "segments and triangles: docs/motion.md lists the pairs");
   __builtin_unreachable();
 }
+template <class A, class B>
+concept Collidable = requires(const A& a, const B& b) {
+  { first_contact(a, b) } -> figure::Answer;
+};
 
 }  // namespace plumb
