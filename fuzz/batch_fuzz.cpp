@@ -18,6 +18,7 @@
 #include "certify/batch/take_instruction_set.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/case_line.hpp"
+#include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/side.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/predicates.hpp"

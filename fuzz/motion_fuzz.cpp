@@ -1,6 +1,7 @@
 // Is the answer of the quick stages that of the exact one, whatever moves, and does it keep its laws?
 //
 // A separation of zero goes through every stage; first_contact_time and a reversed, permuted motion go other ways.
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <iostream>

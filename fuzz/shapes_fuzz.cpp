@@ -2,6 +2,7 @@
 //
 // relate in both orders, intersects in both orders, and the exact distance, which is zero just where they meet; of a
 // pair that was made to lie so, what its position promises.
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <iostream>

@@ -10,6 +10,8 @@
 // Beside them: orders, angles, distances, smallest spheres, powers, determinants, rays,
 // planes in space, separating axes, radicals, moving points (docs/predicates.md).
 // A coordinate that is NaN or infinite throws NonFinite, naming it; nothing else throws for points as given.
+// Apart, because they cost every reader time: the exceptions (arith/error.hpp), check_environment
+// (certify/environment.hpp) and the vectors that batches take (certify/instruction_set.hpp).
 // Source: RTCD 3.1.6, 11.2.
 // Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds on degenerate input
 // (docs/measurements.md).
@@ -25,9 +27,7 @@
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/determinant_sign.hpp"
 #include "plumb/certify/direction.hpp"
-#include "plumb/certify/environment.hpp"
 #include "plumb/certify/implicit.hpp"
-#include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/line_triangle.hpp"
 #include "plumb/certify/moving_points.hpp"
 #include "plumb/certify/perturbed.hpp"
@@ -44,21 +44,25 @@
 namespace plumb {
 
 /// Positive when a, b, c turn counterclockwise; zero when collinear.
+template <int = 0>
 PLUMB_CHECKABLE inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   return sign_of(predicates::Orient2d{}, a, b, c);
 }
 
 /// Positive when d lies below the plane of a, b, c, where 'above' sees them counterclockwise; zero when coplanar.
+template <int = 0>
 PLUMB_CHECKABLE inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   return sign_of(predicates::Orient3d{}, a, b, c, d);
 }
 
 /// For counterclockwise a, b, c positive when d is inside their circle; zero when cocircular (or all collinear).
+template <int = 0>
 PLUMB_CHECKABLE inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   return sign_of(predicates::InCircle{}, a, b, c, d);
 }
 
 /// For orient3d(a, b, c, d) > 0 positive when e is inside their sphere; zero when cospherical (or all coplanar).
+template <int = 0>
 PLUMB_CHECKABLE inline Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                      const Point3& e) {
   return sign_of(predicates::InSphere{}, a, b, c, d, e);

@@ -12,6 +12,13 @@
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/plan.hpp"
 
+namespace plumb {
+
+template <Formula F>
+requires in_library<F> Decision decide_exactly(const Coordinates<F>& p) { return decide_by_stages<F>(p); }
+
+}  // namespace plumb
+
 namespace plumb::catalog_part {
 
 template <Formula F>

@@ -5,8 +5,11 @@
 
 namespace plumb {
 
+template <Formula F>
+requires in_library<F> Sign decide_in_library(const Coordinates<F>& p) { return decide_here<F>(p, NoRecorder{}); }
+
 #define PLUMB_COMPILE(formula) \
-  template Sign decide<predicates::formula>(const Coordinates<predicates::formula>&, NoRecorder&&);
+  template Sign decide_in_library<predicates::formula>(const Coordinates<predicates::formula>&);
 PLUMB_PREDICATES(PLUMB_COMPILE)
 #undef PLUMB_COMPILE
 

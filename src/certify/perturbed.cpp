@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "moved_signs.hpp"
+#include "plumb/arith/error.hpp"
 
 namespace plumb::perturbation {
 namespace {

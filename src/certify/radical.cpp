@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "plumb/arith/error.hpp"
+
 namespace plumb::radical {
 namespace {
 

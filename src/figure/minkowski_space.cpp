@@ -1,5 +1,6 @@
 // From vertex to vertex of the sum along its edges: at a vertex a + b the sum looks like the cone of all edges that
 // leave a and b, of which the extreme ones are its edges.
+#include <algorithm>
 #include <unordered_map>
 
 #include "finite_parts.hpp"

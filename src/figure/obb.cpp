@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "finite_parts.hpp"
 #include "frame.hpp"

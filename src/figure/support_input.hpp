@@ -1,6 +1,7 @@
 // What do support mappings refuse, and how do their numbers look at a direction?
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,7 @@
 // Triangles, polygons and planes as what bounds them, and what is flat though it need not be.
 #include <string>
 
+#include "plumb/arith/error.hpp"
 #include "plumb/figure/convexity.hpp"
 #include "plumb/figure/hull2.hpp"
 #include "query/convex_set_parts.hpp"

@@ -1,5 +1,7 @@
 #include "separating_axes.hpp"
 
+#include <algorithm>
+
 #include "arith/running_error.hpp"
 #include "axis_body.hpp"
 #include "plumb/arith/big.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "figure/finite_parts.hpp"
 #include "plumb/certify/constructed.hpp"

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -83,7 +82,7 @@ struct Ball {
   friend Ball root(const Ball& a) {
     if (a.high == 0 && a.low == 0 && a.radius == 0) return a;
     if (!(a.high > 0x1p-900 && a.high < 0x1p900 && a.radius < a.high * 0x1p-10)) return {0, 0, infinity};
-    const double q = std::sqrt(a.high);
+    const double q = __builtin_sqrt(a.high);
     const Ball rest = a - Ball{q} * Ball{q};
     const double r = rest.high / (2 * q);
     const Ball s = Ball{q} + Ball{r};

@@ -7,7 +7,6 @@
 // Cost: 30 to 150 times the plain formula.
 #pragma once
 
-#include <cmath>
 #include <limits>
 
 #include "plumb/arith/error_free.hpp"
@@ -101,7 +100,7 @@ struct Interval {
     const auto inexact = [](double r, double x) {
       return x != 0 && !(r > 0x1p-450 && r < 0x1p450 && r * r == x && two_product(r, r).error == 0);
     };
-    const double l = a.lower > 0 ? std::sqrt(a.lower) : 0, u = a.upper > 0 ? std::sqrt(a.upper) : 0;
+    const double l = a.lower > 0 ? __builtin_sqrt(a.lower) : 0, u = a.upper > 0 ? __builtin_sqrt(a.upper) : 0;
     const double below = inexact(l, a.lower > 0 ? a.lower : 0) ? l - step(l) : l;
     return {below > 0 ? below : 0, inexact(u, a.upper > 0 ? a.upper : 0) && u < infinity ? u + step(u) : u};
   }

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
 
 namespace plumb::tape {
@@ -47,6 +46,9 @@ enum class Misuse : std::uint8_t {
   comparison
 };
 
+/// Throws std::length_error; where a formula is recorded by the compiler, it is refused by this name.
+[[noreturn]] void throw_formula_too_long();
+
 /// The largest whole number that a formula multiplies by.
 inline constexpr std::uint32_t largest_constant = 0x7fffffff;
 
@@ -59,7 +61,7 @@ struct Tape {
   bool as_written = true;        // the formula can be run over any numbers as it stands: it has + - * alone
 
   constexpr std::uint16_t write(char operation, std::uint16_t left, std::uint16_t right) {
-    if (size == Capacity) throw std::length_error("formula too long for its tape");
+    if (size == Capacity) throw_formula_too_long();
     instructions[size] = {operation, left, right};
     return static_cast<std::uint16_t>(arity + size++);
   }

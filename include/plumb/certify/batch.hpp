@@ -15,7 +15,6 @@
 
 #include <span>
 
-#include "plumb/arith/error.hpp"
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/points_view.hpp"
 #include "plumb/arith/sign.hpp"

@@ -19,12 +19,14 @@ namespace plumb {
 
 /// Positive when a, b, c turn counterclockwise for an eye that is infinitely far away in this direction.  Also: does
 /// the direction point away from the plane on the side of the normal (b - a) x (c - a)?
+template <int = 0>
 inline Sign orient_seen_from(const Vector3& direction, const Point3& a, const Point3& b, const Point3& c) {
   return decide<predicates::OrientSeenFrom>({direction.x, direction.y, direction.z,  //
                                              a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
 }
 
 /// Positive when a, b, c turn counterclockwise for this eye: when it is above their plane.
+template <int = 0>
 inline Sign orient_seen_from(const Point3& eye, const Point3& a, const Point3& b, const Point3& c) {
   return -decide<predicates::Orient3d>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, eye.x, eye.y, eye.z});
 }
@@ -32,6 +34,7 @@ inline Sign orient_seen_from(const Point3& eye, const Point3& a, const Point3& b
 /// Positive when a, b, c turn counterclockwise as seen from the side of their plane that is fixed by the plane alone:
 /// from above (+z) unless the plane is vertical, otherwise from the right (+x), otherwise, for a plane of constant y,
 /// from the front (-y).  Equal to CGAL's choice.
+template <int = 0>
 inline Sign coplanar_orientation(const Point3& a, const Point3& b, const Point3& c) {
   if ((a.z - a.z) + (b.z - b.z) + (c.z - c.z) != 0) {  // NaN: the look from above is blind to it
     throw_non_finite("coplanar_orientation", std::array{3, 3, 3},
@@ -46,6 +49,7 @@ inline Sign coplanar_orientation(const Point3& a, const Point3& b, const Point3&
 /// For points of one plane: positive when c and d lie on the same side of the line ab, negative on opposite sides, zero
 /// when d, or c, is on it.  For others: whether the half planes from ab through c and through d enclose an acute, right
 /// (zero) or obtuse angle.
+template <int = 0>
 inline Sign coplanar_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   return decide<predicates::CoplanarSide>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
 }

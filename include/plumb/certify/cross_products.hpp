@@ -15,16 +15,19 @@
 namespace plumb {
 
 /// (a x b) . (c x d): whether the planes that the two pairs span turn about an acute, right (zero) or obtuse angle.
+template <int = 0>
 inline Sign dot_of_crosses(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
   return decide<predicates::DotOfCrosses>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
 }
 
 /// (a x (b x c)) . d, which is (d x a) . (b x c).
+template <int = 0>
 inline Sign dot_of_triple_cross(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
   return dot_of_crosses(d, a, b, c);
 }
 
 /// (u x v) . (q - p): positive when q lies further than p along u x v.
+template <int = 0>
 inline Sign order_along_cross(const Vector3& u, const Vector3& v, const Point3& p, const Point3& q) {
   return decide<predicates::OrderAlongCross>({u.x, u.y, u.z, v.x, v.y, v.z, p.x, p.y, p.z, q.x, q.y, q.z});
 }

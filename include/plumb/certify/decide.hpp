@@ -6,13 +6,11 @@
 // Cost: the filter where it is sure; then as exact_stages.hpp says.
 #pragma once
 
-#include <algorithm>
 #include <type_traits>
 
 #include "plumb/certify/accepted.hpp"
 #include "plumb/certify/checked.hpp"
 #include "plumb/certify/decision.hpp"
-#include "plumb/certify/environment.hpp"
 #include "plumb/certify/exact_stages.hpp"
 #include "plumb/certify/filter_stage.hpp"
 #include "plumb/predicates/manifest.hpp"
@@ -29,8 +27,9 @@ namespace plumb {
 /// Throws as that where a coordinate is NaN or infinite, and only there.
 template <Formula F>
 void require_finite(const Coordinates<F>& p, std::string_view name = F::name) {
-  if (!std::ranges::all_of(p, [](double x) { return x - x == 0; }))
-    throw_non_finite(name, arguments<F>, p, axes<F>, argument_names<F>);
+  for (const double x : p) {
+    if (!(x - x == 0)) throw_non_finite(name, arguments<F>, p, axes<F>, argument_names<F>);
+  }
 }
 
 /// Does it pay to compile the wide integers and the interval for this formula?  For those that are asked most, by
@@ -46,9 +45,18 @@ inline constexpr bool has_wide_stages<predicates::InCircle> = true;
 template <>
 inline constexpr bool has_wide_stages<predicates::InSphere> = true;
 
-/// Exact stages in the order of their cost; for coordinates that the filter could not decide.
+/// Has the library this formula's decisions, compiled once?  Those of the manifest it has.
+template <class F>
+inline constexpr bool in_library = false;
+#define PLUMB_DECLARE(formula) \
+  template <>                  \
+  inline constexpr bool in_library<predicates::formula> = true;
+PLUMB_PREDICATES(PLUMB_DECLARE)
+#undef PLUMB_DECLARE
+
+/// Exact stages in the order of their cost.
 template <Formula F>
-[[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
+[[gnu::always_inline]] inline Decision decide_by_stages(const Coordinates<F>& p) {
   if constexpr (is_homogeneous<F>) {
     if (const auto s = integer_sign<F>(p); s.certain()) return {s.value(), Stage::integer};
   }
@@ -63,12 +71,23 @@ template <Formula F>
   return {big_integer_sign(tape::program<F>(), p), Stage::big_integer};
 }
 
-/// The sign of F at p.  The recorder is told which stage decided.
-template <Formula F, class Recorder = NoRecorder>
-PLUMB_CHECKABLE constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
-  static_assert(is_polynomial<F>());
-  static_assert(use_all_coordinates<F>());
-  assert_sound_thread();
+/// The same, in a function of its own; for coordinates that the filter could not decide.
+template <Formula F>
+[[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
+  return decide_by_stages<F>(p);
+}
+// Defined where the catalog is compiled (src/certify/catalog_entry.hpp).  A declaration for each formula would cost
+// every file that includes this one a millisecond.
+template <Formula F>
+requires in_library<F> Decision decide_exactly(const Coordinates<F>& p);
+
+/// decide below, whole, as the library has it (src/certify/compiled_signs.cpp).
+template <Formula F>
+requires in_library<F> Sign decide_in_library(const Coordinates<F>& p);
+
+/// decide below, compiled where it stands.
+template <Formula F, class Recorder>
+constexpr Sign decide_here(const Coordinates<F>& p, Recorder&& recorder) {
   if (const int s = filter<F>(p); s != 0) [[likely]] {
     recorder.decided(Stage::filter);
     return static_cast<Sign>(s);
@@ -78,18 +97,22 @@ PLUMB_CHECKABLE constexpr Sign decide(const Coordinates<F>& p, Recorder&& record
   return d.sign;
 }
 
-// The exact stages of the manifest's formulas are compiled once, into the library.
-#define PLUMB_DECLARE(formula) \
-  extern template Decision decide_exactly<predicates::formula>(const Coordinates<predicates::formula>&);
-PLUMB_PREDICATES(PLUMB_DECLARE)
-#undef PLUMB_DECLARE
+// Functions for users that ask for one sign are templates (template <int = 0>): a compiler derives the filter of those
+// that are called, and of no others.
 
-// Whole decisions as well: code that is not optimized calls them, optimized code may inline them all the same.
-#ifndef PLUMB_CHECKED
-#define PLUMB_DECLARE(formula) \
-  extern template Sign decide<predicates::formula>(const Coordinates<predicates::formula>&, NoRecorder&&);
-PLUMB_PREDICATES(PLUMB_DECLARE)
-#undef PLUMB_DECLARE
+/// The sign of F at p.  The recorder is told which stage decided.  Code that is not optimized calls the library where
+/// that has the formula, and so is no slower than a call; the answers are the same.
+template <Formula F, class Recorder = NoRecorder>
+PLUMB_CHECKABLE constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
+  static_assert(is_polynomial<F>());
+  static_assert(use_all_coordinates<F>());
+  assert_sound_thread();
+#if !defined(__OPTIMIZE__) && !defined(PLUMB_CHECKED)
+  if constexpr (in_library<F> && std::is_same_v<Recorder, NoRecorder>) {
+    if (!std::is_constant_evaluated()) return decide_in_library<F>(p);
+  }
 #endif
+  return decide_here<F>(p, recorder);
+}
 
 }  // namespace plumb

@@ -8,7 +8,6 @@
 // Cost: integer_sign 10 to 60 ns, wide_integer_sign 30 to 500 ns, big_integer_sign a microsecond or more.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -50,10 +49,12 @@ constexpr bool short_enough(const Lattice& lattice) {
 template <Formula F>
 constexpr bool wide_enough(const Lattice& lattice) {
   using Digits = LatticeDigits<arity<F>, wide_bits.back()>;
-  return lattice.exponent + lattice.bits <= Digits::most_exponent + 1 && std::ranges::any_of(wide_bits, [&](int wide) {
-           return lattice.bits <= wide && value_bits<F>(wide) < 1024 &&
-                  lattice.exponent >= Digits::least_exponent(wide);
-         });
+  if (lattice.exponent + lattice.bits > Digits::most_exponent + 1) return false;
+  for (const int wide : wide_bits) {
+    if (lattice.bits <= wide && value_bits<F>(wide) < 1024 && lattice.exponent >= Digits::least_exponent(wide))
+      return true;
+  }
+  return false;
 }
 
 /// A coordinate of which only differences to others are asked.
@@ -69,11 +70,13 @@ struct Input {
 };
 
 template <Formula F>
-inline constexpr bool enters_by_differences =
-    std::ranges::all_of(tape::of<F>.instructions, [](const tape::Instruction& i) {
-      const int inputs = (i.left < arity<F> ? 1 : 0) + (i.right < arity<F> ? 1 : 0);
-      return inputs == 0 || (inputs == 2 && i.operation == '-');
-    });
+inline constexpr bool enters_by_differences = [] {
+  for (const tape::Instruction& i : tape::of<F>.instructions) {
+    const int inputs = (i.left < arity<F> ? 1 : 0) + (i.right < arity<F> ? 1 : 0);
+    if (inputs == 1 || (inputs == 2 && i.operation != '-')) return false;
+  }
+  return true;
+}();
 
 template <Formula F, int Bits>
 [[gnu::always_inline]] inline Unsure<Sign> sign_of(const LatticeIntegers<arity<F>>& all, int zeros) {

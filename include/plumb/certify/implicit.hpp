@@ -12,8 +12,6 @@
 // Cost: a filter of 10 to 500 ns where it is sure, microseconds where it is not.
 #pragma once
 
-#include <algorithm>
-
 #include "plumb/arith/implicit_point.hpp"
 #include "plumb/arith/pose.hpp"
 #include "plumb/certify/decide.hpp"
@@ -72,7 +70,10 @@ template <class... Predicates, class... Points>
 Sign first_sign(const Points&... points) {
   std::array<double, (static_cast<std::size_t>(KindOf<Points>::numbers) + ...)> numbers;
   double* to = numbers.data();
-  ((to = std::ranges::copy(coordinates(points), to).out), ...);
+  const auto append = [&to](const auto& coordinates) {
+    for (const double x : coordinates) *to++ = x;
+  };
+  (append(coordinates(points)), ...);
   std::string_view name;
   ((name = Predicates::name), ...);
   const Question question{name, parts_of<Points...>, numbers};

@@ -33,22 +33,26 @@ struct EdgeSigns {
 
 /// Positive when the line passes the edge from a to b on its left, as seen from where the line comes; zero when line
 /// and edge lie in one plane.
+template <int = 0>
 inline Sign line_edge(const Point3& origin, const Vector3& direction, const Point3& a, const Point3& b) {
   return decide<predicates::LineEdge>({origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,  //
                                        a.x, a.y, a.z, b.x, b.y, b.z});
 }
 
 /// The same for the line from p through q.
+template <int = 0>
 inline Sign line_edge(const Point3& p, const Point3& q, const Point3& a, const Point3& b) {
   return decide<predicates::Orient3d>({p.x, p.y, p.z, q.x, q.y, q.z, a.x, a.y, a.z, b.x, b.y, b.z});
 }
 
+template <int = 0>
 inline EdgeSigns edge_signs(const Point3& origin, const Vector3& direction,  //
                             const Point3& a, const Point3& b, const Point3& c) {
   return {line_edge(origin, direction, a, b), line_edge(origin, direction, b, c), line_edge(origin, direction, c, a)};
 }
 
 /// Of the line from p through q.
+template <int = 0>
 inline EdgeSigns edge_signs(const Point3& p, const Point3& q, const Point3& a, const Point3& b, const Point3& c) {
   return {line_edge(p, q, a, b), line_edge(p, q, b, c), line_edge(p, q, c, a)};
 }

@@ -22,6 +22,7 @@
 namespace plumb {
 
 /// Signs of b0, b1, b2, b3 for four points with these positions at time 0 and at time 1.
+template <int = 0>
 inline std::array<Sign, 4> coplanarity_signs(std::span<const Point3, 4> at_0, std::span<const Point3, 4> at_1) {
   const auto still = [](std::span<const Point3, 4> p) {
     return decide<predicates::Orient3d>({p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z,  //

@@ -19,7 +19,6 @@
 
 #include <span>
 
-#include "plumb/arith/error.hpp"
 #include "plumb/arith/occurrence.hpp"
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
@@ -81,7 +80,7 @@ inline constexpr auto occurrence = [] {
 template <Formula F>
 Sign decide_span(std::span<const double> coordinates) {
   Coordinates<F> p;
-  std::copy_n(coordinates.begin(), p.size(), p.begin());
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = coordinates[i];
   return decide<F>(p);
 }
 
@@ -133,12 +132,14 @@ Sign decide(Perturbed, const Coordinates<F>& p, const Indices<F>& indices, Recor
 }
 
 /// As orient2d(a, b, c), perturbed.
+template <int = 0>
 inline Sign orient2d(Perturbed, const Indexed2& a, const Indexed2& b, const Indexed2& c) {
   return decide<predicates::Orient2d>(perturbed, {a.point.x, a.point.y, b.point.x, b.point.y, c.point.x, c.point.y},
                                       {a.index, b.index, c.index});
 }
 
 /// As orient3d(a, b, c, d), perturbed.
+template <int = 0>
 inline Sign orient3d(Perturbed, const Indexed3& a, const Indexed3& b, const Indexed3& c, const Indexed3& d) {
   return decide<predicates::Orient3d>(perturbed,
                                       {a.point.x, a.point.y, a.point.z, b.point.x, b.point.y, b.point.z,  //
@@ -147,6 +148,7 @@ inline Sign orient3d(Perturbed, const Indexed3& a, const Indexed3& b, const Inde
 }
 
 /// As incircle(a, b, c, d), perturbed.  "Inside" where orient2d(perturbed, a, b, c) is positive.
+template <int = 0>
 inline Sign incircle(Perturbed, const Indexed2& a, const Indexed2& b, const Indexed2& c, const Indexed2& d) {
   return decide<predicates::InCircle>(
       perturbed, {a.point.x, a.point.y, b.point.x, b.point.y, c.point.x, c.point.y, d.point.x, d.point.y},
@@ -154,6 +156,7 @@ inline Sign incircle(Perturbed, const Indexed2& a, const Indexed2& b, const Inde
 }
 
 /// As insphere(a, b, c, d, e), perturbed.  "Inside" where orient3d(perturbed, a, b, c, d) is positive.
+template <int = 0>
 inline Sign insphere(Perturbed, const Indexed3& a, const Indexed3& b, const Indexed3& c, const Indexed3& d,
                      const Indexed3& e) {
   return decide<predicates::InSphere>(perturbed,

@@ -10,11 +10,9 @@
 // those of the parts, and where they disagree of up to six times their degree.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <plumb/predicates/radical.hpp>
 
-#include "plumb/arith/error.hpp"
 #include "plumb/certify/decide.hpp"
 
 namespace plumb {
@@ -41,8 +39,8 @@ Sign decide_exactly(double a, double b, double c, double d, double e);
 inline Sign sign_of_radical(double a, double b, double c) {
   // A square root is rounded by u = 2^-53 of itself, the product once more: together less than 3 u |term| + 2^-1074.
   // The sum's own rounding carries no sign past the threshold, which is a double.
-  const double term = b * std::sqrt(c), value = a + term;
-  const double threshold = radical::relative * (std::fabs(a) + std::fabs(term)) + radical::absolute;
+  const double term = b * __builtin_sqrt(c), value = a + term;
+  const double threshold = radical::relative * (magnitude_of(a) + magnitude_of(term)) + radical::absolute;
   if (const int s = beyond(value, threshold); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return radical::decide_exactly(a, b, c);
@@ -51,9 +49,9 @@ inline Sign sign_of_radical(double a, double b, double c) {
 /// The sign of a + b sqrt(c) + d sqrt(e).
 inline Sign sign_of_radicals(double a, double b, double c, double d, double e) {
   // Likewise; the first sum's rounding is less than u |first|.
-  const double term = b * std::sqrt(c), other = d * std::sqrt(e), first = a + term, value = first + other;
+  const double term = b * __builtin_sqrt(c), other = d * __builtin_sqrt(e), first = a + term, value = first + other;
   const double threshold =
-      radical::relative * (std::fabs(first) + std::fabs(term) + std::fabs(other)) + radical::absolute;
+      radical::relative * (magnitude_of(first) + magnitude_of(term) + magnitude_of(other)) + radical::absolute;
   if (const int s = beyond(value, threshold); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return radical::decide_exactly(a, b, c, d, e);

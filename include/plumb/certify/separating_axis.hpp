@@ -34,6 +34,7 @@ std::optional<Sign> decide_exactly(Input p);
 /// Sign of |(cb - ca) . L| - (reach of a + reach of b) for L = u x v, where both boxes reach |half_i (w_i . L)| along L
 /// with axes w_i that are not multiples of u or v: positive when L separates the boxes, zero when they touch in their
 /// projections on L, negative when these overlap.  Nothing when L is the zero vector.
+template <int = 0>
 inline std::optional<Sign> axis_gap(const Point3& ca, const Point3& cb, const Vector3& u, const Vector3& v,
                                     const std::array<Vector3, 4>& w, const std::array<double, 4>& half) {
   const separating_axis::Input p{ca.x,

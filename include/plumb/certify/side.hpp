@@ -24,7 +24,28 @@
 
 namespace plumb {
 
+template <Formula F>
+class Side;
+
 namespace side {
+
+// Of many points, in the library plumb::batch.
+void decide_all(const Side<predicates::Orient2d>& side, std::span<const Point2> points, std::span<Sign> out,
+                Execution execution);
+void decide_all(const Side<predicates::Orient2d>& side, const Points2View& points, std::span<Sign> out,
+                Execution execution);
+void decide_all(const Side<predicates::Orient3d>& side, std::span<const Point3> points, std::span<Sign> out,
+                Execution execution);
+void decide_all(const Side<predicates::Orient3d>& side, const Points3View& points, std::span<Sign> out,
+                Execution execution);
+void decide_all(const Side<predicates::InCircle>& side, std::span<const Point2> points, std::span<Sign> out,
+                Execution execution);
+void decide_all(const Side<predicates::InCircle>& side, const Points2View& points, std::span<Sign> out,
+                Execution execution);
+void decide_all(const Side<predicates::InSphere>& side, std::span<const Point3> points, std::span<Sign> out,
+                Execution execution);
+void decide_all(const Side<predicates::InSphere>& side, const Points3View& points, std::span<Sign> out,
+                Execution execution);
 
 template <class F>
 using PointOf = std::conditional_t<F::dimension == 2, Point2, Point3>;
@@ -71,8 +92,12 @@ class Side {
   }
 
   /// out[i] is the sign for points[i].
-  void operator()(std::span<const Point> points, std::span<Sign> out, Execution execution = Execution::serial) const;
-  void operator()(const PointsView& points, std::span<Sign> out, Execution execution = Execution::serial) const;
+  void operator()(std::span<const Point> points, std::span<Sign> out, Execution execution = Execution::serial) const {
+    side::decide_all(*this, points, out, execution);
+  }
+  void operator()(const PointsView& points, std::span<Sign> out, Execution execution = Execution::serial) const {
+    side::decide_all(*this, points, out, execution);
+  }
 
   /// -1, 0 or 1, where 0 is 'unsure'.
   [[nodiscard]] int filter(const Point& p) const {
@@ -165,23 +190,5 @@ using PlaneSide = Side<predicates::Orient3d>;
 using CircleSide = Side<predicates::InCircle>;
 /// side(p) is insphere(a, b, c, d, p): for orient3d(a, b, c, d) > 0 positive inside their sphere.
 using SphereSide = Side<predicates::InSphere>;
-
-// In the library plumb::batch.
-template <>
-void LineSide::operator()(std::span<const Point2> points, std::span<Sign> out, Execution execution) const;
-template <>
-void LineSide::operator()(const Points2View& points, std::span<Sign> out, Execution execution) const;
-template <>
-void PlaneSide::operator()(std::span<const Point3> points, std::span<Sign> out, Execution execution) const;
-template <>
-void PlaneSide::operator()(const Points3View& points, std::span<Sign> out, Execution execution) const;
-template <>
-void CircleSide::operator()(std::span<const Point2> points, std::span<Sign> out, Execution execution) const;
-template <>
-void CircleSide::operator()(const Points2View& points, std::span<Sign> out, Execution execution) const;
-template <>
-void SphereSide::operator()(std::span<const Point3> points, std::span<Sign> out, Execution execution) const;
-template <>
-void SphereSide::operator()(const Points3View& points, std::span<Sign> out, Execution execution) const;
 
 }  // namespace plumb

@@ -19,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 
 #include "plumb/arith/bound.hpp"
@@ -53,6 +52,9 @@ template <Formula F>
 inline constexpr std::size_t pivot = point_at<F>(points<F> - 1);
 
 inline constexpr std::size_t most_variables = 6, most_instructions = 512;
+
+/// Throws std::logic_error; where the compiler takes a formula apart, the reason stands in the call that it refuses.
+[[noreturn]] void throw_no_form(const char* reason);
 
 struct Coefficient {
   bool present = false, negative = false;
@@ -97,11 +99,11 @@ class Separation {
     if (l.role == mixed && r.role == fixed && times) return scaled(l, r.index);
     if (l.role == fixed && r.role == mixed && times) return scaled(r, l.index);
     if (l.role == mixed && r.role == mixed && !times) return sum(l, r, operation == '-');
-    throw std::logic_error("a formula is not linear in its query point and the squares of that");
+    throw_no_form("a formula is not linear in its query point and the squares of that");
   }
 
   constexpr Form finished(const Number& result) {
-    if (result.role != Role::mixed) throw std::logic_error("a formula does not ask about its query point");
+    if (result.role != Role::mixed) throw_no_form("a formula does not ask about its query point");
     form_.coefficient = result.terms;
     return form_;
   }
@@ -111,7 +113,7 @@ class Separation {
     for (std::size_t v = 0; v < form_.variables; ++v) {
       if (form_.variable[v] == query_number) return v;
     }
-    if (form_.variables == most_variables) throw std::length_error("a formula has too many variables");
+    if (form_.variables == most_variables) throw_no_form("a formula has too many variables");
     form_.variable[form_.variables] = query_number;
     return form_.variables++;
   }

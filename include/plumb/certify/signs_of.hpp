@@ -20,7 +20,8 @@
 // batches are several times as fast.  In the library plumb::batch.
 #pragma once
 
-#include <ranges>
+#include <span>
+#include <tuple>
 
 #include "plumb/certify/batch.hpp"
 #include "plumb/certify/sign_of.hpp"
@@ -91,8 +92,8 @@ constexpr auto item_of() {
     return std::type_identity<Point2>{};
   } else if constexpr (std::is_same_v<Argument, Points3View>) {
     return std::type_identity<Point3>{};
-  } else if constexpr (std::ranges::contiguous_range<const Argument>) {
-    return std::type_identity<std::ranges::range_value_t<const Argument>>{};
+  } else if constexpr (requires(const Argument& range) { std::span(range); }) {
+    return std::type_identity<typename decltype(std::span(std::declval<const Argument&>()))::value_type>{};
   } else {
     return std::type_identity<void>{};
   }
@@ -114,8 +115,9 @@ Column* columns_of(const Argument& argument, Column* to) {
     if constexpr (HasCoordinates<Argument>) {
       first = reinterpret_cast<const double*>(&argument);
     } else {
-      first = reinterpret_cast<const double*>(std::ranges::data(argument));
-      length = std::ranges::size(argument);
+      const std::span items(argument);
+      first = reinterpret_cast<const double*>(items.data());
+      length = items.size();
     }
     for (std::size_t k = 0; k < count; ++k) *to++ = {first + k, repeated ? 0 : count, length, false};
   }

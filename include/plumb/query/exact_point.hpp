@@ -20,7 +20,6 @@
 #pragma once
 
 #include <compare>
-#include <functional>
 #include <variant>
 
 #include "plumb/arith/implicit_point.hpp"

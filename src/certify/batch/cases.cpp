@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "plumb/arith/error.hpp"
+
 namespace plumb::batch {
 namespace {
 

@@ -26,14 +26,13 @@ void incircle(const Points2View& a, const Points2View& b, const Points2View& c, 
   batch::ask_views<predicates::InCircle>(std::array{a, b, c, d}, out, batch::chosen_many_coordinates, execution);
 }
 
-template <>
-void CircleSide::operator()(std::span<const Point2> points, std::span<Sign> out, Execution execution) const {
-  batch::ask_points<predicates::InCircle>(*this, points, out, batch::chosen_points_against, execution);
+void side::decide_all(const CircleSide& side, std::span<const Point2> points, std::span<Sign> out,
+                      Execution execution) {
+  batch::ask_points<predicates::InCircle>(side, points, out, batch::chosen_points_against, execution);
 }
 
-template <>
-void CircleSide::operator()(const Points2View& points, std::span<Sign> out, Execution execution) const {
-  batch::ask_views<predicates::InCircle>(*this, points, out, batch::chosen_coordinates_against, execution);
+void side::decide_all(const CircleSide& side, const Points2View& points, std::span<Sign> out, Execution execution) {
+  batch::ask_views<predicates::InCircle>(side, points, out, batch::chosen_coordinates_against, execution);
 }
 
 }  // namespace plumb

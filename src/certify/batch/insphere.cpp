@@ -26,14 +26,13 @@ void insphere(const Points3View& a, const Points3View& b, const Points3View& c, 
   batch::ask_views<predicates::InSphere>(std::array{a, b, c, d, e}, out, batch::chosen_many_coordinates, execution);
 }
 
-template <>
-void SphereSide::operator()(std::span<const Point3> points, std::span<Sign> out, Execution execution) const {
-  batch::ask_points<predicates::InSphere>(*this, points, out, batch::chosen_points_against, execution);
+void side::decide_all(const SphereSide& side, std::span<const Point3> points, std::span<Sign> out,
+                      Execution execution) {
+  batch::ask_points<predicates::InSphere>(side, points, out, batch::chosen_points_against, execution);
 }
 
-template <>
-void SphereSide::operator()(const Points3View& points, std::span<Sign> out, Execution execution) const {
-  batch::ask_views<predicates::InSphere>(*this, points, out, batch::chosen_coordinates_against, execution);
+void side::decide_all(const SphereSide& side, const Points3View& points, std::span<Sign> out, Execution execution) {
+  batch::ask_views<predicates::InSphere>(side, points, out, batch::chosen_coordinates_against, execution);
 }
 
 }  // namespace plumb

@@ -26,14 +26,12 @@ void orient2d(const Points2View& a, const Points2View& b, const Points2View& c, 
   batch::ask_views<predicates::Orient2d>(std::array{a, b, c}, out, batch::chosen_many_coordinates, execution);
 }
 
-template <>
-void LineSide::operator()(std::span<const Point2> points, std::span<Sign> out, Execution execution) const {
-  batch::ask_points<predicates::Orient2d>(*this, points, out, batch::chosen_points_against, execution);
+void side::decide_all(const LineSide& side, std::span<const Point2> points, std::span<Sign> out, Execution execution) {
+  batch::ask_points<predicates::Orient2d>(side, points, out, batch::chosen_points_against, execution);
 }
 
-template <>
-void LineSide::operator()(const Points2View& points, std::span<Sign> out, Execution execution) const {
-  batch::ask_views<predicates::Orient2d>(*this, points, out, batch::chosen_coordinates_against, execution);
+void side::decide_all(const LineSide& side, const Points2View& points, std::span<Sign> out, Execution execution) {
+  batch::ask_views<predicates::Orient2d>(side, points, out, batch::chosen_coordinates_against, execution);
 }
 
 }  // namespace plumb

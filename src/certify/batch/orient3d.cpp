@@ -26,14 +26,12 @@ void orient3d(const Points3View& a, const Points3View& b, const Points3View& c, 
   batch::ask_views<predicates::Orient3d>(std::array{a, b, c, d}, out, batch::chosen_many_coordinates, execution);
 }
 
-template <>
-void PlaneSide::operator()(std::span<const Point3> points, std::span<Sign> out, Execution execution) const {
-  batch::ask_points<predicates::Orient3d>(*this, points, out, batch::chosen_points_against, execution);
+void side::decide_all(const PlaneSide& side, std::span<const Point3> points, std::span<Sign> out, Execution execution) {
+  batch::ask_points<predicates::Orient3d>(side, points, out, batch::chosen_points_against, execution);
 }
 
-template <>
-void PlaneSide::operator()(const Points3View& points, std::span<Sign> out, Execution execution) const {
-  batch::ask_views<predicates::Orient3d>(*this, points, out, batch::chosen_coordinates_against, execution);
+void side::decide_all(const PlaneSide& side, const Points3View& points, std::span<Sign> out, Execution execution) {
+  batch::ask_views<predicates::Orient3d>(side, points, out, batch::chosen_coordinates_against, execution);
 }
 
 }  // namespace plumb
