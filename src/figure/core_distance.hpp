@@ -61,22 +61,6 @@ Core<T> core_of(const Lozenge3& l) {
   return core_of(vec<T>(l.corner), vec<T>(l.edges[0]), vec<T>(l.edges[1]), l.edges[0] == zero, l.edges[1] == zero);
 }
 
-/// Signs, as far as they are certain.
-class Question {
- public:
-  template <class Number>  // of which sign() may be unsure
-  Sign operator()(const Number& x) {
-    const Unsure<Sign> s = x.sign();
-    certain_ = certain_ && s.certain();
-    return s.certain() ? s.value() : Sign::zero;
-  }
-  Sign operator()(const BigDyadic& x) { return x.sign(); }
-  [[nodiscard]] bool certain() const { return certain_; }
-
- private:
-  bool certain_ = true;
-};
-
 template <class T, class Ask>
 bool between(Ask& ask, const T& x, const T& most) {
   return ask(x) != Sign::negative && ask(most - x) != Sign::negative;

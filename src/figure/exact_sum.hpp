@@ -39,11 +39,8 @@ double nearest_root(const Sum& sum, double divisor = 1) {
 
 template <class Sum>
 Sign sign(const Sum& sum) {
-  const Ball quick = sum(to_ball);
-  const double size = Ball::size(quick.high);  // low is below half an ulp of high
-  if (quick.radius == 0 && quick.high == 0) return Sign::zero;
-  if (quick.radius < size * 0.5) return quick.high > 0 ? Sign::positive : Sign::negative;
-  return sum(to_big).sign();
+  const Unsure<Sign> quick = sum(to_ball).sign();
+  return quick.certain() ? quick.value() : sum(to_big).sign();
 }
 
 /// The quotients of N sums by one: lambdas give an array of N + 1 numbers, the divisor last.  `degenerate` where the

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "arith/certain.hpp"
 #include "halfspace_slack.hpp"
 #include "vec.hpp"
 
@@ -11,9 +12,6 @@ namespace {
 
 constexpr std::size_t numbers = 5;  // of a place: those of a point, its slack, and w, all times w
 using SlackPlanes = std::array<BigDyadic, numbers>;
-
-bool is_zero(const Running& x) { return x.value == 0 && x.error == 0; }
-bool is_zero(const BigDyadic& x) { return x.sign() == Sign::zero; }
 
 /// Minors of rows by the columns taken, all columns but one for the last row: row by row, each from those of one less.
 SlackPlanes minors(const std::array<SlackPlanes, 4>& rows) {
@@ -27,7 +25,7 @@ SlackPlanes minors(const std::array<SlackPlanes, 4>& rows) {
       for (unsigned k = 0; k < numbers; ++k) {
         if ((taken >> k & 1u) == 0) continue;
         const BigDyadic &entry = rows[r][k], &rest = minor[taken & ~(1u << k)];
-        if (!is_zero(entry) && !is_zero(rest)) sum = plus ? sum + entry * rest : sum - entry * rest;
+        if (!certainly_zero(entry) && !certainly_zero(rest)) sum = plus ? sum + entry * rest : sum - entry * rest;
         plus = !plus;
       }
       minor[taken] = std::move(sum);
@@ -61,7 +59,7 @@ std::array<Running, numbers> near(const SlackPlanes& place) {
 /// Certain zeros stay it.
 template <class T>
 T product(const T& a, const T& b) {
-  return is_zero(a) || is_zero(b) ? T(0.0) : a * b;
+  return certainly_zero(a) || certainly_zero(b) ? T(0.0) : a * b;
 }
 template <class T>
 T determinant(const std::array<core::Vec<T>, 3>& rows) {

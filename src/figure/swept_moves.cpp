@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arith/certain.hpp"
 #include "finite_parts.hpp"
 #include "frame.hpp"
 #include "plumb/figure/sphere.hpp"
@@ -29,7 +30,7 @@ std::vector<Vec<T>> vertices(const Lozenge3& l) {
 // Of the greatest distance of the inner core from the outer one, against the difference of the radii.
 template <class T, class Shape>
 Unsure<Sign> sign_of_excess(const Shape& outer, const Shape& inner) {
-  core::Question ask;
+  CertainSigns ask;
   const T left = T(outer.radius) - T(inner.radius), square = left * left;
   const core::Core<T> core = core::core_of<T>(outer);
   Sign most = Sign::negative;

@@ -8,30 +8,16 @@
 #include <limits>
 #include <optional>
 
+#include "arith/certain.hpp"
 #include "core_distance.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big_rounding.hpp"
 
 namespace plumb::swept {
 
-/// Signs of pairs of doubles.
-class BallQuestion {
- public:
-  Sign operator()(const Ball& x) {
-    if (x.radius == 0) return sign_of_number(x.high);
-    if (Ball::size(x.high) > 2 * (x.radius + Ball::size(x.low))) return sign_of_number(x.high);
-    certain_ = false;
-    return Sign::zero;
-  }
-  [[nodiscard]] bool certain() const { return certain_; }
-
- private:
-  bool certain_ = true;
-};
-
 template <class Shape>
 std::optional<double> quick_distance_up(const core::Vec<Ball>& point, const Shape& shape) {
-  BallQuestion ask;
+  CertainSigns ask;
   std::vector<Ball> squares;
   double least = std::numeric_limits<double>::infinity();
   const core::Core<Ball> from{{point}, {}, false};
@@ -52,7 +38,7 @@ std::optional<double> quick_distance_up(const core::Vec<Ball>& point, const Shap
 
 template <class Shape>
 double exact_distance_up(const core::Vec<BigDyadic>& point, const Shape& shape) {
-  core::Question ask;
+  CertainSigns ask;
   std::optional<std::pair<BigDyadic, BigDyadic>> least;
   const core::Core<BigDyadic> from{{point}, {}, false};
   core::visit_distances(

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "arith/certain.hpp"
 #include "core_distance.hpp"
 #include "finite_parts.hpp"
 #include "in_space.hpp"
@@ -16,7 +17,7 @@ using swept::check;
 // The distance of the cores against the sum of the radii, over numbers of type T; nothing where they do not tell.
 template <class T, class Shape>
 Unsure<Sign> sign_of_gap(const Shape& a, const Shape& b) {
-  core::Question ask;
+  CertainSigns ask;
   const T reach = T(a.radius) + T(b.radius), square = reach * reach;
   Sign least = Sign::positive;
   core::visit_distances(core::core_of<T>(a), core::core_of<T>(b), ask, [&](const T& numerator, const T& denominator) {

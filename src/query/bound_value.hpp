@@ -6,12 +6,13 @@
 // Cost: up to 25 operations.
 #pragma once
 
-#include "query/certain.hpp"
+#include "arith/certain.hpp"
+#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
 #include "query/convex_set.hpp"
 
 namespace plumb::meeting {
-
-using query::coordinate_difference, query::Signs;
 
 template <class T>
 T minus(double x, double y) {

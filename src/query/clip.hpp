@@ -88,7 +88,8 @@ Vec<T, N> along(const ConvexSet<N>& set, const Edge<N>& e) {
 template <class T, std::size_t N>
 class Clip {
  public:
-  Clip(const ConvexSet<N>& set, const Edge<N>& edge, const ConvexSet<N>& bounded_by, const SignTable& signs, Signs& ask)
+  Clip(const ConvexSet<N>& set, const Edge<N>& edge, const ConvexSet<N>& bounded_by, const SignTable& signs,
+       CertainSigns& ask)
       : set_(set), edge_(edge), other_(bounded_by), signs_(signs), ask_(ask) {}
 
   std::optional<Piece<T>> operator()() {
@@ -176,7 +177,7 @@ class Clip {
   const Edge<N>& edge_;
   const ConvexSet<N>& other_;
   const SignTable& signs_;
-  Signs& ask_;
+  CertainSigns& ask_;
 };
 
 }  // namespace plumb::meeting

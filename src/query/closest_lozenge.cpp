@@ -1,6 +1,7 @@
 // Lozenges: what is nearest of the parallelogram, and from there toward p by the radius.
 //
 // The far corners need not be doubles: the parts of the core are asked over intervals first, over integers for certain.
+#include "arith/certain.hpp"
 #include "closest_answers.hpp"
 #include "figure/core_distance.hpp"
 #include "plumb/figure/contains.hpp"
@@ -73,7 +74,7 @@ struct Nearest<Lozenge3> {
   static double radius(const Lozenge3& s) { return s.radius; }
   static Feature feature(const Lozenge3& s, const Point3& p) {
     if (locate(s, p) == Location::inside) return {FeatureKind::interior, 0};
-    core::Question quick, sure;
+    CertainSigns quick, sure;
     const std::uint32_t part = nearest_part<Interval>(s, p, quick);
     return {FeatureKind::face, quick.certain() ? part : nearest_part<BigDyadic>(s, p, sure)};
   }

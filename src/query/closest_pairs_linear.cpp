@@ -1,5 +1,6 @@
 // Lines, rays and segments against one another: places by signs over doubles, then over pairs of doubles, then over
 // integers; the numbers of the one pair of places likewise.
+#include "plumb/arith/twofold.hpp"
 #include "plumb/query/closest_pairs.hpp"
 #include "query/closest_quick_pairs.hpp"
 #include "query/figure_input.hpp"
@@ -16,7 +17,7 @@ using PointOf = std::conditional_t<is_in_space<S>, Point3, Point2>;
 
 template <class T, class A, class B>
 [[gnu::always_inline]] inline std::optional<SpotsOnLines> places_over(const A& a, const B& b) {
-  Signs ask;
+  CertainSigns ask;
   const SpotsOnLines places = closest_places<T>(linear<T>(a), linear<T>(b), ask);
   if (ask.certain()) return places;
   return {};
@@ -153,7 +154,7 @@ requires StraightPair<A, B>
   if constexpr (are_lines_of_plane<A, B>) {
     if (!is_sound(a) || !is_sound(b)) return {};
   }
-  Signs ask;
+  CertainSigns ask;
   const auto p = linear<Approximate>(straight(a)), q = linear<Approximate>(straight(b));
   const auto pair = close_pair<Approximate>(p, q, closest_places<Approximate>(p, q, ask));
   const Approximate square = Approximate(than) * Approximate(than);

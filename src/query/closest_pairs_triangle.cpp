@@ -14,7 +14,7 @@ using namespace query;
 
 template <class T, class A, class B>
 std::optional<Found<T>> found_over(const A& a, const B& b, const Shortlist& list) {
-  Signs ask;
+  CertainSigns ask;
   const Body<T> p = body_of<T>(a, ask), q = body_of<T>(b, ask);
   const auto found = FeatureSearch<T>(p, q, list, ask).run();
   if (ask.certain()) return found;
@@ -132,7 +132,7 @@ std::optional<Sign> comparison_of(const A& a, const B& b, double than) {
   const bool cross =
       (f->a == the_face && f->b.kind == FeatureKind::edge) || (f->b == the_face && f->a.kind == FeatureKind::edge);
   if (cross || than < 0) return than < 0 ? Sign::positive : than > 0 ? Sign::negative : Sign::zero;
-  Signs ask;
+  CertainSigns ask;
   const auto pair = square();
   const Sign s = ask(pair.square - Approximate(than) * Approximate(than) * pair.square_whole);
   if (!ask.certain()) return {};

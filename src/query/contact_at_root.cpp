@@ -20,8 +20,8 @@ Ball cross(const std::array<Ball, 3>& a, const std::array<Ball, 3>& b, std::size
 
 /// The sign that is certain; 0 where none is.
 int certain_sign(const Ball& x) {
-  const double reach = x.radius * (1 + 0x1p-20) + Ball::size(x.low) * (1 + 0x1p-20);
-  return static_cast<int>(x.high > reach) - static_cast<int>(x.high < -reach);
+  const Unsure<Sign> s = x.sign();
+  return s.certain() ? static_cast<int>(s.value()) : 0;
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ Corner<T, N> crossing_corner(const ConvexSet<N>& set, std::size_t edge, const Co
 }
 
 template <class T, std::size_t N>
-Sign compare_on_axis(const Corner<T, N>& a, const Corner<T, N>& b, std::size_t axis, Signs& ask) {
+Sign compare_on_axis(const Corner<T, N>& a, const Corner<T, N>& b, std::size_t axis, CertainSigns& ask) {
   const double x = a.known[axis], y = b.known[axis];
   const bool knows_x = x == x, knows_y = y == y;
   if (knows_x && knows_y) return static_cast<Sign>(static_cast<int>(x > y) - static_cast<int>(x < y));
@@ -84,7 +84,7 @@ Sign compare_on_axis(const Corner<T, N>& a, const Corner<T, N>& b, std::size_t a
 }
 
 template <class T, std::size_t N>
-Sign compare(const Corner<T, N>& a, const Corner<T, N>& b, Signs& ask) {
+Sign compare(const Corner<T, N>& a, const Corner<T, N>& b, CertainSigns& ask) {
   for (std::size_t axis = 0; axis < N; ++axis) {
     const Sign s = compare_on_axis(a, b, axis, ask);
     if (s != Sign::zero || !ask.certain()) return s;
@@ -94,7 +94,7 @@ Sign compare(const Corner<T, N>& a, const Corner<T, N>& b, Signs& ask) {
 
 /// Positive when a, b, c turn counterclockwise, as seen.
 template <class T, std::size_t N>
-Sign turn(const Corner<T, N>& a, const Corner<T, N>& b, const Corner<T, N>& c, Seen look, Signs& ask) {
+Sign turn(const Corner<T, N>& a, const Corner<T, N>& b, const Corner<T, N>& c, Seen look, CertainSigns& ask) {
   const auto [r, u] = look;
   bool known = true;
   for (const Corner<T, N>* p : {&a, &b, &c}) known = known && p->known[r] == p->known[r] && p->known[u] == p->known[u];
@@ -109,7 +109,7 @@ Sign turn(const Corner<T, N>& a, const Corner<T, N>& b, const Corner<T, N>& c, S
 
 /// Ascending, equal ones once.
 template <class T, std::size_t N>
-void sort_corners(std::vector<Corner<T, N>>& corners, Signs& ask) {
+void sort_corners(std::vector<Corner<T, N>>& corners, CertainSigns& ask) {
   std::vector<Corner<T, N>> sorted;
   sorted.reserve(corners.size());
   for (Corner<T, N>& c : corners) {
@@ -129,7 +129,7 @@ void sort_corners(std::vector<Corner<T, N>>& corners, Signs& ask) {
 
 /// Of ascending corners the extreme ones, counterclockwise from the first (Andrew 1979).
 template <class T, std::size_t N>
-std::vector<Corner<T, N>> extreme(const std::vector<Corner<T, N>>& corners, Seen look, Signs& ask) {
+std::vector<Corner<T, N>> extreme(const std::vector<Corner<T, N>>& corners, Seen look, CertainSigns& ask) {
   std::vector<std::size_t> chain;
   const auto add = [&](std::size_t i, std::size_t keep) {
     while (chain.size() > keep &&

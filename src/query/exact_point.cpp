@@ -4,11 +4,14 @@
 #include <cmath>
 #include <string>
 
+#include "arith/certain.hpp"
 #include "arith/running_error.hpp"
+#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/predicates.hpp"
-#include "query/certain.hpp"
 #include "query/exact_place.hpp"
 
 namespace plumb {
@@ -137,7 +140,7 @@ template <std::size_t N, class Value, class... Points>
     if (const Unsure<Sign> s = value(in_doubles(points.cache())...).sign(); s.certain()) return s.value();
   }
   if (!((points.cache().place() != nullptr) && ...)) {
-    Signs ask;
+    CertainSigns ask;
     const Sign s = ask(value(located(balls_of(points))...));
     if (ask.certain()) return s;
   }

@@ -92,7 +92,7 @@ requires requires(const S& s) { straight(s); }
 
 /// Where s = numerator / whole lies, whole > 0.
 template <class T, class L>
-SpotOnLine place_on(const L& l, const T& numerator, const T& whole, Signs& ask) {
+SpotOnLine place_on(const L& l, const T& numerator, const T& whole, CertainSigns& ask) {
   if (l.starts && ask(numerator) != Sign::positive) return SpotOnLine::start;
   if (l.ends && ask(whole - numerator) != Sign::positive) return SpotOnLine::end;
   return SpotOnLine::inside;
@@ -100,7 +100,7 @@ SpotOnLine place_on(const L& l, const T& numerator, const T& whole, Signs& ask) 
 
 /// The place on l that is nearest to a point.
 template <class T, class Point>
-SpotOnLine place_near(const Linear<VecOf<Point, T>, Point>& l, const Point& p, Signs& ask) {
+SpotOnLine place_near(const Linear<VecOf<Point, T>, Point>& l, const Point& p, CertainSigns& ask) {
   if (l.is_point) return SpotOnLine::start;
   if (l.starts && ask(dot(between<T>(l.from, p), l.along)) != Sign::positive) return SpotOnLine::start;
   if (l.ends && ask(dot(between<T>(p, l.to), l.along)) != Sign::positive) return SpotOnLine::end;
@@ -110,7 +110,7 @@ SpotOnLine place_near(const Linear<VecOf<Point, T>, Point>& l, const Point& p, S
 /// Of parallel p and q, neither a point.
 template <class T, class Point>
 SpotsOnLines parallel_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q,
-                             Signs& ask) {
+                             CertainSigns& ask) {
   const bool same_way = ask(dot(p.along, q.along)) == Sign::positive;
   // What of q comes first and last in the direction of p.
   const bool has_low = same_way ? q.starts : q.ends, has_high = same_way ? q.ends : q.starts;
@@ -142,7 +142,7 @@ SpotsOnLines parallel_places(const Linear<VecOf<Point, T>, Point>& p, const Line
 /// least of all is at the end.  The distance is a convex function of both parameters (RTCD 5.1.9).
 template <class T, class Point>
 SpotsOnLines closest_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q,
-                            Signs& ask) {
+                            CertainSigns& ask) {
   if (p.is_point) return {SpotOnLine::start, place_near<T>(q, p.from, ask)};
   if (q.is_point) return {place_near<T>(p, q.from, ask), SpotOnLine::start};
   const auto n = cross(p.along, q.along);

@@ -163,7 +163,7 @@ class Meeting {
 
   const ConvexSet<N>&a_, &b_;
   const SignTable &of_a_, &of_b_;
-  Signs ask_;
+  CertainSigns ask_;
   std::vector<Corner<T, N>> corners_;
 };
 

@@ -12,6 +12,7 @@
 
 #include <optional>
 
+#include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "query/moving_body.hpp"
 
@@ -23,10 +24,6 @@ struct PairIndex {
   MeetingPair kind;
   std::uint32_t a, b;
 };
-
-inline bool certainly_zero(const Running& x) { return x.value == 0 && x.error == 0; }
-inline bool certainly_zero(const Ball& x) { return x.high == 0 && x.low == 0 && x.radius == 0; }
-inline bool certainly_zero(const BigDyadic& x) { return x.sign() == Sign::zero; }
 
 /// Tells a judge the condition of a pair: first judge.not_negative(c, d) for each c + d t; then judge.not_positive(c,
 /// d, e) for c + 2 d t + e t^2, or judge.zero(c, d) where c + d t has to be zero.  Says whether there is one.

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "query/overlap_box_gaps.hpp"
 #include "query/overlap_filters.hpp"
 #include "query/overlap_shapes3.hpp"
 
@@ -11,40 +12,6 @@
 #define HWY_TARGET_INCLUDE "query/overlap_batch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-
-#ifndef PLUMB_OVERLAP_BATCH_ONCE
-#define PLUMB_OVERLAP_BATCH_ONCE
-namespace plumb::query {
-
-// Seen from the center of the box, twice as large: p' = 2 p - (min + max), as in overlap_box_gaps.hpp.
-/// Points a, b, c, min, max: along the first axis times ab, with absolute values resolved.
-struct EdgeGap {
-  static constexpr std::string_view name = "relate";
-  static constexpr int points = 5, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 15>& p) const {
-    const auto seen_from = [&](std::size_t i) { return (p[i] + p[i]) - (p[9 + i] + p[12 + i]); };
-    const auto across = (p[4] - p[1]) * (p[8] - p[5]) - (p[5] - p[2]) * (p[7] - p[4]);
-    const auto y = p[4] - p[1], z = p[5] - p[2];
-    return ((y * seen_from(2) - z * seen_from(1)) + across) - (across + (y * (p[14] - p[11]) + z * (p[13] - p[10])));
-  }
-};
-/// Along the normal.
-struct NormalGap {
-  static constexpr std::string_view name = "relate";
-  static constexpr int points = 5, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 15>& p) const {
-    using predicates::difference;
-    const auto seen_from = [&](std::size_t i) { return (p[i] + p[i]) - (p[9 + i] + p[12 + i]); };
-    const auto n = predicates::cross(difference(p, 0, 1), difference(p, 1, 2));
-    return predicates::dot(n, predicates::Triple{seen_from(0), seen_from(1), seen_from(2)}) -
-           predicates::dot(n, difference(p, 3, 4));
-  }
-};
-
-}  // namespace plumb::query
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::overlap_batch::HWY_NAMESPACE {
@@ -77,15 +44,19 @@ Vector cross(const Vector& a, const Vector& b) {
           hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
+// Seen from the center of the box, twice as large.
+using EdgeGap = query::box_gaps::EdgeBesideBox<query::box_gaps::BesideCenter>;
+using NormalGap = query::box_gaps::NormalBesideBox<query::box_gaps::BesideCenter>;
+
 // The bounds of the errors, for numbers of up to so much in each axis; NaN where a product might overflow.
 struct Errors {
   Vector planes;
   V space;
 
   explicit Errors(const Vector& most) {
-    constexpr double floor = largest_floor<query::NormalGap>, slack = 1 + 0x1p-40;
-    const V plane = hn::Set(D(), largest_threshold<query::EdgeGap>({1, 1, 1}) * slack);
-    const V of_space = hn::Set(D(), largest_threshold<query::NormalGap>({1, 1, 1}) * slack);
+    constexpr double floor = largest_floor<NormalGap>, slack = 1 + 0x1p-40;
+    const V plane = hn::Set(D(), largest_threshold<EdgeGap>({1, 1, 1}) * slack);
+    const V of_space = hn::Set(D(), largest_threshold<NormalGap>({1, 1, 1}) * slack);
     const Vector l = most + most + all(floor, floor, floor);
     const V sum = hn::Mul(hn::Add(hn::Add(l.x, l.y), l.z), hn::Set(D(), 64));
     const V cube = hn::Mul(hn::Mul(sum, sum), sum), doubt = hn::Sub(cube, cube);

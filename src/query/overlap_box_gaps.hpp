@@ -31,6 +31,13 @@ struct BesideBox {
     return (p[i] - p[9 + i % 3]) + (p[i] - p[12 + i % 3]);
   }
 };
+/// The same, in another order: the center of one box serves many points.
+struct BesideCenter : BesideBox {
+  template <class T>
+  static constexpr auto seen(const std::array<T, 15>& p, std::size_t i) {
+    return (p[i] + p[i]) - (p[9 + i % 3] + p[12 + i % 3]);
+  }
+};
 struct StraightBesideBox : BesideBox {
   template <class T>
   constexpr auto operator()(const std::array<T, 15>& p) const {
@@ -38,7 +45,9 @@ struct StraightBesideBox : BesideBox {
     return (y * seen(p, 2) - z * seen(p, 1)) - (y * (p[14] - p[11]) + z * (p[13] - p[10]));
   }
 };
-struct EdgeBesideBox : BesideBox {
+template <class Beside = BesideBox>
+struct EdgeBesideBox : Beside {
+  using Beside::seen;
   template <class T>
   constexpr auto operator()(const std::array<T, 15>& p) const {
     const auto y = p[4] - p[1], z = p[5] - p[2];
@@ -46,7 +55,9 @@ struct EdgeBesideBox : BesideBox {
     return ((y * seen(p, 2) - z * seen(p, 1)) + across) - (across + (y * (p[14] - p[11]) + z * (p[13] - p[10])));
   }
 };
-struct NormalBesideBox : BesideBox {
+template <class Beside = BesideBox>
+struct NormalBesideBox : Beside {
+  using Beside::seen;
   template <class T>
   constexpr auto operator()(const std::array<T, 15>& p) const {
     const auto n = cross(difference(p, 0, 1), difference(p, 1, 2));

@@ -141,9 +141,9 @@ HWY_INLINE double normal_gap(const Three& normal, const Three& corner, const Thr
 
   const Three normal = crossed(edge[0], turned(edge[0]), edge[1], turned(edge[1]));
   const Three of_planes = most_of * turned(most_of);  // in the order of cross products
-  const AxisLanes told = across(corner, edge, box.half, normal, of_all(error<EdgeBesideBox>) * of_planes, true);
+  const AxisLanes told = across(corner, edge, box.half, normal, of_all(error<EdgeBesideBox<>>) * of_planes, true);
   const double gap = normal_gap(normal, corner[0], box.half);
-  const double off = error<NormalBesideBox> * x_of(of_planes * turned_back(most_of));
+  const double off = error<NormalBesideBox<>> * x_of(of_planes * turned_back(most_of));
   if (gap > off) return Relation::disjoint;
   // One with equal vertices is a segment, and has no normal; across an axis it is that axis.
   if (!(gap < -off) && !any(is_zero(of_edges)) && t.a != t.b && t.b != t.c && t.c != t.a) return {};

@@ -3,12 +3,15 @@
 
 #include <optional>
 
+#include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "axis_shape.hpp"
-#include "certain.hpp"
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
 #include "figure_input.hpp"
+#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/figure/contains.hpp"
 #include "plumb/query/overlap_round.hpp"
 #include "vectors.hpp"
@@ -40,8 +43,7 @@ struct Axis {
 Axis axis_of(const Cylinder3& c) { return {c.a, c.b, c.radius, false}; }
 Axis axis_of(const Cone3& c) { return {c.apex, c.base, c.radius, true}; }
 
-/// Asks a Signs or core::Question.
-template <class T, class Ask>
+template <class T>
 class Crossing {
  public:
   Crossing(const Straight<T>& line, const Axis& axis)
@@ -126,15 +128,15 @@ class Crossing {
     return ask_(a * n * n + (b + b) * n * d + c * d * d);
   }
 
-  Ask ask_;
+  CertainSigns ask_;
   bool has_start_, has_end_;
   T height_, rise_, top_;  // of the start above the first plane, along the line, and of the second plane
   Quadratic<T> surface_;
 };
 
-template <class T, class Ask, class Line, class Round>
+template <class T, class Line, class Round>
 [[gnu::flatten]] std::optional<Relation> crossing(const Line& line, const Round& round) {
-  return Crossing<T, Ask>(straight<T>(line), axis_of(round)).relation();
+  return Crossing<T>(straight<T>(line), axis_of(round)).relation();
 }
 
 template <class Line>
@@ -193,21 +195,21 @@ Relation relate_line(const Line& line, const Round& round, Asked asked) {
   const auto [from, to, radius, is_cone] = axis_of(round);
   if (is_sound(line) && is_sound(round) && radius > 0 && from != to && !is_point(line)) [[likely]] {
     if (passes_by(line, axis_of(round))) return Relation::disjoint;
-    if (const auto r = crossing<Approximate, Signs>(line, round)) [[likely]]
+    if (const auto r = crossing<Approximate>(line, round)) [[likely]]
       return *r;
-    if (const auto r = crossing<Running, core::Question>(line, round)) return *r;
+    if (const auto r = crossing<Running>(line, round)) return *r;
   }
   require_figures(asked, line, round);
   if (from == to) return relate(line, Sphere3{from, radius});
   if (radius == 0) return relate(flat_set(line), flat_set(Segment3{from, to}));
   if (is_point(line)) return relation_of_point(start_of(line), round);
-  return *crossing<BigDyadic, Signs>(line, round);
+  return *crossing<BigDyadic>(line, round);
 }
 
 template <class Round>
 Relation relate_spanned(const ThreePointPlane3& line, const Round& round) {
   if (is_point(line)) return relation_of_point(line.a, round);
-  return *crossing<BigDyadic, Signs>(line, round);
+  return *crossing<BigDyadic>(line, round);
 }
 
 }  // namespace

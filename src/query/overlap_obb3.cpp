@@ -8,7 +8,7 @@
 // Source: RTCD 5.2.1, 5.2.9, 5.3.3, 4.4.1.
 #include <optional>
 
-#include "certain.hpp"
+#include "arith/certain.hpp"
 #include "figure/obb_quick.hpp"
 #include "figure/zonotope.hpp"
 #include "figure_input.hpp"
@@ -16,6 +16,9 @@
 #include "overlap_box_quick.hpp"
 #include "overlap_shapes3.hpp"
 #include "overlap_signs.hpp"
+#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/query/overlap_box.hpp"
 #include "vectors.hpp"
 
@@ -24,12 +27,12 @@ namespace query {
 namespace {
 
 std::optional<Sign> sign(const Approximate& x) {
-  Signs ask;
+  CertainSigns ask;
   const Sign s = ask(x);
   return ask.certain() ? std::optional(s) : std::nullopt;
 }
 std::optional<Sign> sign(const Ball& x) {
-  Signs ask;
+  CertainSigns ask;
   const Sign s = ask(x);
   return ask.certain() ? std::optional(s) : std::nullopt;
 }

@@ -1,6 +1,7 @@
 // Balls, capsules, lozenges, cylinders and cones against planes and halfspaces: how far they reach along the normal.
 #include <plumb/predicates/plane_distance.hpp>
 
+#include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "axis_shape.hpp"
 #include "exact_gap.hpp"
@@ -89,7 +90,7 @@ PlaneThrough<T> plane_over(const ThreePointPlane3& plane) {
 
 /// The sign of height - root of (reach / square), or of the height alone.
 template <class T>
-Sign beyond(const T& height, const ExtentAlong<T>* r, core::Question& ask) {
+Sign beyond(const T& height, const ExtentAlong<T>* r, CertainSigns& ask) {
   if (r == nullptr) return ask(height);
   const Sign difference = ask(squared(height) * r->square - r->reach);
   if (difference == Sign::negative) return Sign::negative;  // as |height| is the lesser
@@ -103,7 +104,7 @@ struct Sides {
 };
 template <class T, class Plane, class Round>
 std::optional<Sides> sides_of(const Plane& plane, const Round& round) {
-  core::Question ask;
+  CertainSigns ask;
   const auto p = plane_over<T>(plane);
   Sides all{Sign::positive, Sign::positive};
   const ExtentAlong<T> reach = reach_along<T>(round, p.normal);

@@ -1,4 +1,5 @@
 // Balls, capsules and lozenges against quadrilaterals and polygons, with holes or without.
+#include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "exact_gap.hpp"
 #include "figure/core_distance.hpp"
@@ -88,7 +89,7 @@ class Inside {
 
   std::span<const Segment3> edges_;
   Vec<T> from_, up_, normal_;
-  core::Question ask_;
+  CertainSigns ask_;
 };
 
 std::vector<Segment3> edges_of(std::span<const Chain3> chains) {

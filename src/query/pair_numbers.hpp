@@ -8,6 +8,8 @@
 
 #include <optional>
 
+#include "arith/certain.hpp"
+#include "plumb/arith/ball.hpp"
 #include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/rational.hpp"
 #include "query/vectors.hpp"
@@ -32,7 +34,6 @@ struct ClosePair {
   T square, square_whole;
 };
 
-inline bool is_zero(const Ball& x) { return x.high == 0 && x.radius == 0; }
 inline bool is_one(const Ball& x) { return x.high == 1 && x.low == 0 && x.radius == 0; }
 
 inline std::optional<double> moved(double base, const Ball& along, const Ball& t) {
@@ -40,14 +41,14 @@ inline std::optional<double> moved(double base, const Ball& along, const Ball& t
 }
 
 inline std::optional<Point2> nearest_point(const PointOn<Ball, Point2>& p) {
-  if (is_zero(p.numerator)) return told(p.base);
+  if (certainly_zero(p.numerator)) return told(p.base);
   const Ball t = quotient(p.numerator, p.whole);
   const auto x = moved(p.base.x, p.along.x, t), y = moved(p.base.y, p.along.y, t);
   if (!x || !y) return {};
   return Point2{*x, *y};
 }
 inline std::optional<Point3> nearest_point(const PointOn<Ball, Point3>& p) {
-  if (is_zero(p.numerator)) return told(p.base);
+  if (certainly_zero(p.numerator)) return told(p.base);
   const Ball t = quotient(p.numerator, p.whole);
   const auto x = moved(p.base.x, p.along.x, t), y = moved(p.base.y, p.along.y, t), z = moved(p.base.z, p.along.z, t);
   if (!x || !y || !z) return {};

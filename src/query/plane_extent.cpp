@@ -1,5 +1,6 @@
 #include "plane_extent.hpp"
 
+#include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "axis_body.hpp"
 #include "bounding_side.hpp"
@@ -21,28 +22,19 @@ struct Extent {
   }
 };
 
-/// Signs over doubles, as far as they are certain, or over integers.
-bool sign_of(const Running& x, Sign& sign) {
-  const Unsure<Sign> s = x.sign();
-  if (s.certain()) sign = s.value();
-  return s.certain();
-}
-bool sign_of(const BigDyadic& x, Sign& sign) {
-  sign = x.sign();
-  return true;
-}
-
 template <class T>
 std::optional<Extent> extent_of(const AxisBody<T>& body, const core::Vec<T>& normal, const T& offset) {
   Extent extent;
-  Sign sign{};
+  CertainSigns ask;
   for (std::size_t i = 0; i < body.point_count; ++i) {
-    if (!sign_of(core::dot(normal, body.points[i]) - offset, sign)) return {};
+    const Sign sign = ask(core::dot(normal, body.points[i]) - offset);
+    if (!ask.certain()) return {};
     extent.add(sign);
   }
   for (std::size_t i = 0; i < body.edge_count; ++i) {
     if (body.ends[i] == EdgeEnd::none) continue;
-    if (!sign_of(core::dot(normal, body.edges[i]), sign)) return {};
+    const Sign sign = ask(core::dot(normal, body.edges[i]));
+    if (!ask.certain()) return {};
     if (sign == Sign::zero) continue;
     extent.add(sign);
     if (body.ends[i] == EdgeEnd::both) extent.add(-sign);

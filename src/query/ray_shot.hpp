@@ -1,6 +1,6 @@
 // Ray cast: how is a line seen by shapes, over any number type?  Its parameters, and what is asked of them.
 //
-// Numbers are Approximate, Ball and BigDyadic in turn (query/certain.hpp), until all signs are certain.  A parameter is
+// Numbers are Approximate, Ball and BigDyadic in turn (arith/certain.hpp), until all signs are certain.  A parameter is
 // a quotient, or the lesser root of a quadratic; what a decision keeps of it is where it comes from, so that it can be
 // computed again in other numbers.
 #pragma once
@@ -9,8 +9,11 @@
 #include <optional>
 #include <utility>
 
+#include "arith/certain.hpp"
+#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/query/ray.hpp"
-#include "query/certain.hpp"
 #include "query/vectors.hpp"
 
 namespace plumb::query {
@@ -26,7 +29,7 @@ class RaySigns {
   [[nodiscard]] bool certain() const { return signs_.certain(); }
 
  private:
-  Signs signs_;
+  CertainSigns signs_;
 };
 
 /// Asks in one kind of number after another.

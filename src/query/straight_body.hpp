@@ -45,7 +45,7 @@ typename Body<T>::NumberedEdge no_edge() {
 }
 
 template <class T>
-Body<T> body_of(const Straight<Point3>& s, Signs&) {
+Body<T> body_of(const Straight<Point3>& s, CertainSigns&) {
   const Edge3<T> e = linear<T>(s);
   Body<T> body{{e.from, e.to}, {typename Body<T>::NumberedEdge{e, 0}, no_edge<T>(), no_edge<T>()}, 0, 0, {}};
   body.vertex_count = e.ends ? 2 : e.starts || e.is_point ? 1 : 0;
@@ -61,7 +61,7 @@ TriangleFace<T> face_of(const Triangle3& t) {
 }
 
 template <class T>
-Body<T> body_of(const Triangle3& t, Signs& ask) {
+Body<T> body_of(const Triangle3& t, CertainSigns& ask) {
   Body<T> body{{t.a, t.b, t.c}, {no_edge<T>(), no_edge<T>(), no_edge<T>()}, 3, 0, {}};
   const std::array<Segment3, 3> edges{{{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}};
   for (std::uint32_t i = 0; i < 3; ++i) {

@@ -46,11 +46,11 @@ struct TriangleShape {
 TriangleShape shape(const Triangle3& t) { return {{t.a, t.b, t.c}}; }
 
 bool is_positive(const A& x) {
-  Signs ask;
+  CertainSigns ask;
   return ask(x) == Sign::positive;
 }
 bool is_negative(const A& x) {
-  Signs ask;
+  CertainSigns ask;
   return ask(x) == Sign::negative;
 }
 
@@ -64,7 +64,7 @@ bool prove_vertices(const P& p, std::uint32_t i, const Q& q, std::uint32_t j) {
 /// The way from the foot on an edge along d to a point at w from it is (d x w) x d.
 template <class P, class Q>
 bool prove_vertex_edge(const P& p, std::uint32_t i, const Q& q, std::uint32_t j) {
-  Signs ask;
+  CertainSigns ask;
   const Edge3<A> e = linear<A>(q.edge(j));
   if (place_near<A>(e, p.vertex(i), ask) != SpotOnLine::inside || !ask.certain()) return false;
   const Vec3<A> c = cross(e.along, between<A>(e.from, p.vertex(i)));
@@ -74,7 +74,7 @@ bool prove_vertex_edge(const P& p, std::uint32_t i, const Q& q, std::uint32_t j)
 
 template <class P, class Q>
 bool prove_edges(const P& p, std::uint32_t i, const Q& q, std::uint32_t j) {
-  Signs ask;
+  CertainSigns ask;
   const Edge3<A> e = linear<A>(p.edge(i)), f = linear<A>(q.edge(j));
   if (!cross_within(e, f, ask)) return false;
   const Vec3<A> n = cross(e.along, f.along);
@@ -86,7 +86,7 @@ bool prove_edges(const P& p, std::uint32_t i, const Q& q, std::uint32_t j) {
 
 template <class P>
 bool prove_vertex_face(const P& p, std::uint32_t i, const Triangle3& t) {
-  Signs ask;
+  CertainSigns ask;
   const TriangleFace<A> face = face_of<A>(t);
   if (!projects_within(face, p.vertex(i), ask)) return false;
   const Sign above = ask(dot(face.normal, between<A>(t.a, p.vertex(i))));
@@ -178,13 +178,13 @@ Feature on_triangle(std::uint32_t i, SpotOnLine place) {
 
 /// Does the edge cross the face?  Nothing where a sign is not certain, or zero.
 std::optional<bool> crosses(const Line& line, const Triangle3& t, const TriangleFace<A>& face) {
-  Signs ask;
+  CertainSigns ask;
   const Edge3<A> e = linear<A>(line);
   const bool yes = crosses_within(e, face, dot(e.along, face.normal), ask);
   if (yes || ask.certain()) return yes;
   // Both ends on one side of the plane: no more need be known.
   if (!line.ends) return {};
-  Signs ends;
+  CertainSigns ends;
   const Sign from = ends(dot(face.normal, between<A>(t.a, line.from)));
   const Sign to = ends(dot(face.normal, between<A>(t.a, line.to)));
   if (ends.certain() && from == to) return false;

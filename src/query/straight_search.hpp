@@ -28,13 +28,13 @@ Edge3<T> point_edge(const Point3& p) {
 }
 
 template <class T>
-bool strictly_on(const Edge3<T>& e, const Point3& p, Signs& ask) {
+bool strictly_on(const Edge3<T>& e, const Point3& p, CertainSigns& ask) {
   return place_near<T>(e, p, ask) == SpotOnLine::inside;
 }
 
 /// The closest pair of two edges, if it is one alone and within both.
 template <class T>
-bool cross_within(const Edge3<T>& e, const Edge3<T>& f, Signs& ask) {
+bool cross_within(const Edge3<T>& e, const Edge3<T>& f, CertainSigns& ask) {
   const Vec3<T> n = cross(e.along, f.along), w = between<T>(e.from, f.from);
   const T whole = dot(n, n);
   if (ask(whole) != Sign::positive) return false;
@@ -43,7 +43,7 @@ bool cross_within(const Edge3<T>& e, const Edge3<T>& f, Signs& ask) {
 }
 
 template <class T>
-bool projects_within(const TriangleFace<T>& face, const Point3& p, Signs& ask) {
+bool projects_within(const TriangleFace<T>& face, const Point3& p, CertainSigns& ask) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (ask(dot(face.inward[i], between<T>(face.corner[i], p))) != Sign::positive) return false;
   }
@@ -52,7 +52,7 @@ bool projects_within(const TriangleFace<T>& face, const Point3& p, Signs& ask) {
 
 /// Does the edge cross the plane of the face strictly within both?  `rise`: that of the normal along the edge.
 template <class T>
-bool crosses_within(const Edge3<T>& e, const TriangleFace<T>& face, const T& rise, Signs& ask) {
+bool crosses_within(const Edge3<T>& e, const TriangleFace<T>& face, const T& rise, CertainSigns& ask) {
   const Sign up = ask(rise);
   if (up == Sign::zero) return false;
   if (e.starts && ask(dot(face.normal, between<T>(face.corner[0], e.from))) * up != Sign::negative) return false;
@@ -91,7 +91,7 @@ ClosePair<T, Point3> turned(const ClosePair<T, Point3>& p) {
 
 /// Which comes first in lexicographic order: negative for p.
 template <class T>
-Sign lexicographic(const PointOn<T, Point3>& p, const PointOn<T, Point3>& q, Signs& ask) {
+Sign lexicographic(const PointOn<T, Point3>& p, const PointOn<T, Point3>& q, CertainSigns& ask) {
   const auto against = [&](double p_base, const T& p_along, double q_base, const T& q_along) {
     const T from_base = coordinate_difference<T>(p_base, q_base) * p.whole * q.whole;
     return ask(from_base + (p_along * p.numerator * q.whole - q_along * q.numerator * p.whole));
@@ -106,7 +106,7 @@ Sign lexicographic(const PointOn<T, Point3>& p, const PointOn<T, Point3>& q, Sig
 template <class T>
 class Least {
  public:
-  explicit Least(Signs& ask) : ask_(ask) {}
+  explicit Least(CertainSigns& ask) : ask_(ask) {}
   void see(const ClosePair<T, Point3>& pair, Feature a, Feature b) {
     if (best_) {
       const Sign s = ask_(pair.square * best_->pair.square_whole - best_->pair.square * pair.square_whole);
@@ -118,7 +118,7 @@ class Least {
   [[nodiscard]] const std::optional<Found<T>>& best() const { return best_; }
 
  private:
-  Signs& ask_;
+  CertainSigns& ask_;
   std::optional<Found<T>> best_;
 };
 
@@ -130,7 +130,7 @@ inline constexpr Feature the_face{FeatureKind::face, 0};
 template <class T>
 class FeatureSearch {
  public:
-  FeatureSearch(const Body<T>& p, const Body<T>& q, const Shortlist& list, Signs& ask)
+  FeatureSearch(const Body<T>& p, const Body<T>& q, const Shortlist& list, CertainSigns& ask)
       : p_(p), q_(q), list_(list), ask_(ask), least_(ask) {}
 
   std::optional<Found<T>> run() {
@@ -196,7 +196,7 @@ class FeatureSearch {
   const Body<T>& p_;
   const Body<T>& q_;
   const Shortlist& list_;
-  Signs& ask_;
+  CertainSigns& ask_;
   Least<T> least_;
 };
 

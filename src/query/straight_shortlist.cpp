@@ -28,7 +28,7 @@ Weight weight(const A& n, const A& d, bool within) {
 constexpr Weight gone{0, infinity, true};
 
 Weight vertex_edge(const Point3& v, const Edge3<A>& e) {
-  Signs ask;
+  CertainSigns ask;
   const bool on = strictly_on(e, v, ask);
   if (ask.certain() && !on) return gone;
   const auto pair = close_pair<A>(point_edge<A>(v), e, {SpotOnLine::start, SpotOnLine::inside});
@@ -36,7 +36,7 @@ Weight vertex_edge(const Point3& v, const Edge3<A>& e) {
 }
 
 Weight edge_edge(const Edge3<A>& e, const Edge3<A>& f) {
-  Signs ask;
+  CertainSigns ask;
   const bool cross = cross_within(e, f, ask);
   if (ask.certain() && !cross) return gone;
   const auto pair = close_pair<A>(e, f, {SpotOnLine::inside, SpotOnLine::inside});
@@ -44,7 +44,7 @@ Weight edge_edge(const Edge3<A>& e, const Edge3<A>& f) {
 }
 
 Weight vertex_face(const Point3& v, const TriangleFace<A>& face) {
-  Signs ask;
+  CertainSigns ask;
   const bool within = projects_within(face, v, ask);
   if (ask.certain() && !within) return gone;
   const auto pair = vertex_face_pair(v, face);
@@ -52,12 +52,12 @@ Weight vertex_face(const Point3& v, const TriangleFace<A>& face) {
 }
 
 Weight edge_face(const Edge3<A>& e, const TriangleFace<A>& face) {
-  Signs ask;
+  CertainSigns ask;
   const bool crosses = crosses_within(e, face, dot(e.along, face.normal), ask);
   if (ask.certain()) return crosses ? Weight{0, 0, false} : gone;
   // A sign that is not certain matters only where the ends are not certain to lie on one side.
   if (!e.starts || !e.ends) return {};
-  Signs ends;
+  CertainSigns ends;
   const Sign from = ends(dot(face.normal, between<A>(face.corner[0], e.from)));
   const Sign to = ends(dot(face.normal, between<A>(face.corner[0], e.to)));
   return ends.certain() && from == to ? gone : Weight{};
@@ -115,7 +115,7 @@ class Weights {
 
 template <class P, class Q>
 Shortlist list_of(const P& a, const Q& b) {
-  Signs ask;
+  CertainSigns ask;
   return Weights(body_of<A>(a, ask), body_of<A>(b, ask)).list();
 }
 

@@ -7,8 +7,11 @@
 // Cost: none.
 #pragma once
 
+#include "arith/certain.hpp"
 #include "figure/vec.hpp"
-#include "query/certain.hpp"
+#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
 
 namespace plumb::query {
 

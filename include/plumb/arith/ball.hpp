@@ -16,6 +16,7 @@
 
 #include "plumb/arith/error_free.hpp"
 #include "plumb/arith/rounding.hpp"
+#include "plumb/arith/sign.hpp"
 
 namespace plumb {
 
@@ -89,6 +90,13 @@ struct Ball {
     const Ball last = a - s * s;  // the root is off by |last| / (s + root), and both are at least q (1 - 2^-9)
     const double left = size(last.high) + size(last.low) + last.radius;
     return {s.high, s.low, left == 0 ? 0 : widened(left / q) + 0x1p-1060};
+  }
+
+  /// The sign, where it is certain: |low| is at most half an ulp of high, so the exact value is beyond zero where half
+  /// of high is beyond the radius.
+  [[nodiscard]] constexpr Unsure<Sign> sign() const {
+    if (radius == 0 || size(high) * 0.5 > radius) return Unsure{sign_of_number(high)};
+    return {};
   }
 
   /// The exact value rounded as asked, where that is certain.  Never -0.

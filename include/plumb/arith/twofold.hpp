@@ -95,6 +95,12 @@ struct Twofold {
     return within(q, r, sure ? reach : Ball::infinity);
   }
 
+  /// The sign where it is certain, which it never is of zero, else 0.
+  [[nodiscard]] int certain_sign() const {
+    const double most = reach() * (1 + slack), sum = high + low;
+    return static_cast<int>(sum > most) - static_cast<int>(sum < -most);
+  }
+
   [[nodiscard]] std::optional<double> nearest() const {
     const Rounded s = two_sum(high, low);
     const double off = reach();
