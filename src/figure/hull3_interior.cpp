@@ -75,9 +75,9 @@ struct Between {
 };
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-class Columns {
+class DirectionColumns {
  public:
-  Columns(const Extents& extents, std::size_t count)
+  DirectionColumns(const Extents& extents, std::size_t count)
       : x_{extents.min.x, extents.max.x},
         y_(extents.min.y, extents.max.y, count),
         z_(extents.min.z, extents.max.z, count) {}
@@ -194,7 +194,7 @@ std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& ext
   std::vector<Node> sample = sample_of(points);
   const Start start = find_start(sample);
   if (start.dimension < 3) return all_nodes(points);
-  Columns columns(extents, points.size() < 16 * least_points ? 32 : 64);
+  DirectionColumns columns(extents, points.size() < 16 * least_points ? 32 : 64);
   if (!columns.sound()) return all_nodes(points);
   Surface hull(std::move(sample), extents);
   grow_quickhull(hull, start.simplex, false);

@@ -56,11 +56,11 @@ KDop<Vector> tight(const KDop<Vector>& k_dop, const std::array<Vector, n>& axes)
 }
 
 // Corners in turn, in two coordinates.
-using Chain = std::vector<std::array<mpq_class, 2>>;
+using RationalChain = std::vector<std::array<mpq_class, 2>>;
 
 // What of the convex chain has u x + v y <= limit.
-Chain clipped(const Chain& chain, const mpq_class& u, const mpq_class& v, const mpq_class& limit) {
-  Chain kept;
+RationalChain clipped(const RationalChain& chain, const mpq_class& u, const mpq_class& v, const mpq_class& limit) {
+  RationalChain kept;
   const auto excess = [&](const std::array<mpq_class, 2>& p) { return mpq_class(u * p[0] + v * p[1] - limit); };
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto &p = chain[i], &q = chain[(i + 1) % chain.size()];
@@ -74,7 +74,7 @@ Chain clipped(const Chain& chain, const mpq_class& u, const mpq_class& v, const 
   return kept;
 }
 
-mpq_class area_of(const Chain& chain) {
+mpq_class area_of(const RationalChain& chain) {
   mpq_class twice;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto &p = chain[i], &q = chain[(i + 1) % chain.size()];
@@ -132,10 +132,10 @@ mpq_class face_measure(const Constraints& set, std::size_t i, const std::vector<
     if (abs(normal[k]) > abs(normal[axis])) axis = k;
   }
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  Chain chain{{bounds[u].min, bounds[v].min},
-              {bounds[u].max, bounds[v].min},
-              {bounds[u].max, bounds[v].max},
-              {bounds[u].min, bounds[v].max}};
+  RationalChain chain{{bounds[u].min, bounds[v].min},
+                      {bounds[u].max, bounds[v].min},
+                      {bounds[u].max, bounds[v].max},
+                      {bounds[u].min, bounds[v].max}};
   for (std::size_t k = 0; k < set.rows.size() && !chain.empty(); ++k) {
     if (k == i) continue;
     const mpq_class factor = set.rows[k][axis] / normal[axis];
@@ -150,13 +150,13 @@ mpq_class face_measure(const Constraints& set, std::size_t i, const std::vector<
   return area_of(chain) / abs(normal[axis]);
 }
 
-constexpr mp_bitcnt_t precision = 512;
+constexpr mp_bitcnt_t root_bits = 512;
 
 // A root to far more bits than a double has; exact for squares.
 mpq_class root(const mpq_class& square) {
   const auto bits = [](const mpz_class& x) { return mpz_sizeinbase(x.get_mpz_t(), 2); };
   const std::size_t n = bits(square.get_num()), d = bits(square.get_den());
-  const mp_bitcnt_t places = precision + (d > n ? (d - n) / 2 + 1 : 0);  // of a small root as many as of a large one
+  const mp_bitcnt_t places = root_bits + (d > n ? (d - n) / 2 + 1 : 0);  // of a small root as many as of a large one
   const mpz_class scaled = (square.get_num() << (2 * places)) / square.get_den();
   mpq_class result(sqrt(scaled), mpz_class(1) << places);
   result.canonicalize();
@@ -212,7 +212,8 @@ double area(const KDop2& k_dop) {
   const Constraints set = halfspaces(k_dop);
   if (has_empty_interval(k_dop) || is_empty(set)) return 0;
   const std::vector<Span> box = bounds("area", set, 2);
-  Chain chain{{box[0].min, box[1].min}, {box[0].max, box[1].min}, {box[0].max, box[1].max}, {box[0].min, box[1].max}};
+  RationalChain chain{
+      {box[0].min, box[1].min}, {box[0].max, box[1].min}, {box[0].max, box[1].max}, {box[0].min, box[1].max}};
   for (std::size_t i = 0; i < set.rows.size(); ++i)
     chain = clipped(chain, set.rows[i][0], set.rows[i][1], set.limits[i]);
   return rounded(Rounding::nearest, area_of(chain));

@@ -62,9 +62,9 @@ struct Node {
   std::vector<std::uint32_t> ends;
 };
 
-class Walk {
+class EdgeWalk {
  public:
-  Walk(const Body& a, const Body& b) : a_(a), b_(b) {
+  EdgeWalk(const Body& a, const Body& b) : a_(a), b_(b) {
     const std::uint32_t start = found(smallest(a), smallest(b));
     settle(start, minkowski::cone(edges(start)));
     // Ends, for each pair of vertices is a node once.
@@ -168,7 +168,7 @@ class Walk {
 };
 
 MinkowskiSum3 sum(const Body& a, const Body& b) {
-  return a.vertices.empty() || b.vertices.empty() ? MinkowskiSum3{} : Walk(a, b).sum();
+  return a.vertices.empty() || b.vertices.empty() ? MinkowskiSum3{} : EdgeWalk(a, b).sum();
 }
 
 MinkowskiSum3 sum(std::span<const Point3> a, std::span<const Point3> b, const char* function, bool negated) {

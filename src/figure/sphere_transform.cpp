@@ -101,12 +101,12 @@ void require_pose(std::string_view function, const Pose& pose) {
 }
 
 /// A coordinate of the image of the center, and how far from it the exact one may be.
-struct Axis {
+struct ImageAxis {
   double value;
   Interval off;
 };
 template <class Polynomial, class... Numbers>
-Axis axis(Polynomial polynomial, Numbers... x) {
+ImageAxis axis(Polynomial polynomial, Numbers... x) {
   const double down = rounded_value(Rounding::down, polynomial, x...);
   const double up = rounded_value(Rounding::up, polynomial, x...);
   if (down == up) return {up, Interval(0)};
@@ -117,10 +117,10 @@ Axis axis(Polynomial polynomial, Numbers... x) {
   return {value, gap * Interval(0.5)};
 }
 
-Axis axis(double a, double x, double b, double y, double t) {
+ImageAxis axis(double a, double x, double b, double y, double t) {
   return axis([](auto a_, auto x_, auto b_, auto y_, auto t_) { return a_ * x_ + b_ * y_ + t_; }, a, x, b, y, t);
 }
-Axis axis(double a, double x, double b, double y, double c, double z, double t) {
+ImageAxis axis(double a, double x, double b, double y, double c, double z, double t) {
   return axis(
       [](auto a_, auto x_, auto b_, auto y_, auto c_, auto z_, auto t_) { return a_ * x_ + b_ * y_ + c_ * z_ + t_; }, a,
       x, b, y, c, z, t);

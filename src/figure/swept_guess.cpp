@@ -16,11 +16,11 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // An interval that grows, and shrinks to its middle when its ends have passed one another.
-struct Extent {
+struct BallExtent {
   double min = infinity, max = -infinity;
   void add(double from, double to) { min = std::min(min, from), max = std::max(max, to); }
   [[nodiscard]] double middle() const { return min / 2 + max / 2; }
-  [[nodiscard]] Extent ordered() const { return min <= max ? *this : Extent{middle(), middle()}; }
+  [[nodiscard]] BallExtent ordered() const { return min <= max ? *this : BallExtent{middle(), middle()}; }
 };
 
 double reach(double radius, const LocalBall& ball, double off2) {
@@ -47,7 +47,7 @@ Line line_among(const std::vector<LocalBall>& balls) {
     return {circle.center, circle.radius};
   }
   // Of disks: by the box of their extents.
-  Extent y, z;
+  BallExtent y, z;
   for (const LocalBall& b : balls) {
     y.add(b.center.y - b.radius, b.center.y + b.radius);
     z.add(b.center.z - b.radius, b.center.z + b.radius);
@@ -82,7 +82,7 @@ Shape of_least_volume(std::string_view function, const std::vector<Shape>& candi
 
 Capsule3 guess_capsule(const figure::LocalFrame& frame, const std::vector<LocalBall>& balls) {
   const Line line = line_among(balls);
-  Extent ends;  // max: the end must be there at least, for the ball before it to be reached
+  BallExtent ends;  // max: the end must be there at least, for the ball before it to be reached
   for (const LocalBall& b : balls) {
     const double y = b.center.y - line.center.x, z = b.center.z - line.center.y;
     const double h = reach(line.radius, b, y * y + z * z);
@@ -94,13 +94,13 @@ Capsule3 guess_capsule(const figure::LocalFrame& frame, const std::vector<LocalB
 }
 
 std::vector<Lozenge3> guess_lozenges(const figure::LocalFrame& frame, const std::vector<LocalBall>& balls) {
-  Extent z;
+  BallExtent z;
   for (const LocalBall& b : balls) z.add(b.center.z - b.radius, b.center.z + b.radius);
   const double height = z.middle(), radius = z.max - height;
   std::vector<Lozenge3> all;
   // Balls at a corner are beyond both edges; with 1 / sqrt(2) of the reach in each they are reached all the same.
   for (const double share : {1.0, std::numbers::sqrt2 / 2, 0.0}) {
-    Extent x, y;
+    BallExtent x, y;
     for (const LocalBall& b : balls) {
       const double off = b.center.z - height, h = share * reach(radius, b, off * off);
       x.add(b.center.x + h, b.center.x - h);

@@ -13,9 +13,10 @@
 namespace plumb {
 namespace {
 
-class Walk {
+class RegionWalk {
  public:
-  Walk(const ConvexPolyhedron3& polyhedron, const Point3& p) : polyhedron_(polyhedron), mesh_(polyhedron.mesh), p_(p) {}
+  RegionWalk(const ConvexPolyhedron3& polyhedron, const Point3& p)
+      : polyhedron_(polyhedron), mesh_(polyhedron.mesh), p_(p) {}
 
   Feature from(FeatureKind kind, std::uint32_t corner) {
     for (;;) {
@@ -181,7 +182,7 @@ Feature voronoi_region(const ConvexPolyhedron3& polyhedron, const Point3& p, std
     throw InvalidShape("voronoi_region: the polyhedron has no faces; give one made by convex_polyhedron");
   const Feature from = start.value_or(Feature{FeatureKind::interior, 0});
   const FeatureKind kind = from.kind == FeatureKind::interior ? FeatureKind::face : from.kind;
-  return Walk(polyhedron, p).from(kind, corner_of(polyhedron.mesh, from));
+  return RegionWalk(polyhedron, p).from(kind, corner_of(polyhedron.mesh, from));
 }
 
 }  // namespace plumb

@@ -36,13 +36,13 @@ Quick quick_numbers(const Foot<Ball>& f, bool distance) {
 }
 
 /// Numerators over one denominator, which is positive.
-struct Exact {
+struct ExactFoot {
   Vec<BigDyadic> at;
   BigDyadic weight;
   BigDyadic square, over;
 };
 
-Exact exact_numbers(const Foot<BigDyadic>& f) {
+ExactFoot exact_numbers(const Foot<BigDyadic>& f) {
   if (!on_carrier(f.carrier)) return {f.from, BigDyadic(1.0), f.square(), BigDyadic(1.0)};
   return {f.from * f.whole + f.along * f.part, f.whole, f.square(), f.over()};
 }
@@ -55,7 +55,7 @@ std::optional<Point3> nearest_doubles(const Vec<Ball>& v) {
   return Point3{*x, *y, *z};
 }
 
-Point3 point_by_integers(const Exact& e, const Point3& p, double radius) {
+Point3 point_by_integers(const ExactFoot& e, const Point3& p, double radius) {
   if (radius == 0) {
     const auto rounded = [&](const BigDyadic& x) { return plumb::rounded_quotient(nearest, x, e.weight); };
     return {rounded(e.at.x), rounded(e.at.y), rounded(e.at.z)};
@@ -69,7 +69,7 @@ Point3 point_by_integers(const Exact& e, const Point3& p, double radius) {
   return {rounded(e.at.x, way.x), rounded(e.at.y, way.y), rounded(e.at.z, way.z)};
 }
 
-double distance_by_integers(const Exact& e, double radius) {
+double distance_by_integers(const ExactFoot& e, double radius) {
   if (radius == 0) return plumb::rounded_root(nearest, e.square, e.over);
   return rounded_radical(nearest, BigDyadic(-radius) * e.over, BigDyadic(1.0), e.square * e.over, e.over);
 }
@@ -88,7 +88,7 @@ Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double r
   const std::optional<double> d = distance ? q.distance.nearest() : 0;
   if (at && d) [[likely]]
     return {*at, *d};
-  const Exact e = exact_numbers(exactly());
+  const ExactFoot e = exact_numbers(exactly());
   return {at ? *at : point_by_integers(e, p, radius), d ? *d : distance_by_integers(e, radius)};
 }
 

@@ -13,7 +13,7 @@ namespace query {
 namespace {
 
 template <class Point>
-using Chain = std::span<const Point>;
+using ChainView = std::span<const Point>;
 
 std::array<Point2, 4> corners(const Quadrilateral2& s) { return {s.a, s.b, s.c, s.d}; }
 std::array<Point3, 4> corners(const Quadrilateral3& s) { return {s.a, s.b, s.c, s.d}; }

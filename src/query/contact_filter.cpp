@@ -28,28 +28,32 @@ constexpr double cubic_constant = 6 * 32 * unit;
 constexpr double finest = 0x1p-24, narrow = 0x1p-8;  // pieces of time
 constexpr int most_steps = 80;
 
-struct Vec {
+struct DoubleVec {
   double x, y, z;
 };
 
-Vec difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec cross(const Vec& a, const Vec& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-double dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec half_sum(const Vec& a, const Vec& b) { return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5, (a.z + b.z) * 0.5}; }
+DoubleVec difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+DoubleVec cross(const DoubleVec& a, const DoubleVec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const DoubleVec& a, const DoubleVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+DoubleVec half_sum(const DoubleVec& a, const DoubleVec& b) {
+  return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5, (a.z + b.z) * 0.5};
+}
 
 /// A vector that moves linearly, and the Bernstein coefficients of a product of two.
 struct Linear {
-  Vec at_0, at_1;
+  DoubleVec at_0, at_1;
 };
-struct Quadratic {
-  std::array<Vec, 3> c;
+struct TimeQuadratic {
+  std::array<DoubleVec, 3> c;
 };
 using Cubic = std::array<double, 4>;
 
-Quadratic cross(const Linear& a, const Linear& b) {
+TimeQuadratic cross(const Linear& a, const Linear& b) {
   return {{cross(a.at_0, b.at_0), half_sum(cross(a.at_0, b.at_1), cross(a.at_1, b.at_0)), cross(a.at_1, b.at_1)}};
 }
-Cubic dot(const Linear& a, const Quadratic& q) {
+Cubic dot(const Linear& a, const TimeQuadratic& q) {
   return {dot(a.at_0, q.c[0]), (2 * dot(a.at_0, q.c[1]) + dot(a.at_1, q.c[0])) * (1.0 / 3),
           (dot(a.at_0, q.c[2]) + 2 * dot(a.at_1, q.c[1])) * (1.0 / 3), dot(a.at_1, q.c[2])};
 }
@@ -77,15 +81,15 @@ constexpr unsigned opposite(unsigned signs) { return (signs << 1 | signs >> 1) &
 template <std::size_t Count>
 struct Figures {
   std::array<Linear, Count> differences;
-  std::array<Quadratic, Count> sides;  // 3 for a triangle, 4 for two edges
-  Vec bound;                           // of a coefficient of a side
+  std::array<TimeQuadratic, Count> sides;  // 3 for a triangle, 4 for two edges
+  DoubleVec bound;                         // of a coefficient of a side
 };
 
 double smaller(double a, double b) { return a < b ? a : b; }
 double larger(double a, double b) { return a > b ? a : b; }
 
-void include(Vec& largest, const Linear& l) {
-  for (const Vec& v : {l.at_0, l.at_1}) {
+void include(DoubleVec& largest, const Linear& l) {
+  for (const DoubleVec& v : {l.at_0, l.at_1}) {
     largest.x = larger(largest.x, __builtin_fabs(v.x));
     largest.y = larger(largest.y, __builtin_fabs(v.y));
     largest.z = larger(largest.z, __builtin_fabs(v.z));
@@ -93,7 +97,7 @@ void include(Vec& largest, const Linear& l) {
 }
 
 /// Along one axis, over a piece.
-template <std::size_t Count, double Vec::*axis>
+template <std::size_t Count, double DoubleVec::*axis>
 Crossing crossing(const Figures<Count>& f, double s, double t) {
   std::array<unsigned, Count> side{};
   const double bound = f.bound.*axis;
@@ -115,8 +119,8 @@ Crossing crossing(const Figures<Count>& f, double s, double t) {
 template <std::size_t Count>
 Crossing crossing(const Figures<Count>& f, double s, double t) {
   bool across = false;
-  for (const Crossing c :
-       {crossing<Count, &Vec::x>(f, s, t), crossing<Count, &Vec::y>(f, s, t), crossing<Count, &Vec::z>(f, s, t)}) {
+  for (const Crossing c : {crossing<Count, &DoubleVec::x>(f, s, t), crossing<Count, &DoubleVec::y>(f, s, t),
+                           crossing<Count, &DoubleVec::z>(f, s, t)}) {
     if (c == Crossing::apart) return c;
     across |= c == Crossing::across;
   }
@@ -147,11 +151,11 @@ std::optional<Bracket> bracket_of(const Cubic& b, double bound, double from, dou
 template <std::size_t Count>
 Crossing crossing_at_root(const Figures<Count>& f, const ContactAtRoot& close, const Ball& time) {
   std::array<double, 3> size{};
-  const auto at = [&](std::size_t i, double Vec::*axis) {
-    const std::array<Vec, 3>& c = f.sides[i].c;
+  const auto at = [&](std::size_t i, double DoubleVec::*axis) {
+    const std::array<DoubleVec, 3>& c = f.sides[i].c;
     return polar(c[0].*axis, c[1].*axis, c[2].*axis, time.high, time.high);
   };
-  constexpr std::array axes{&Vec::x, &Vec::y, &Vec::z};
+  constexpr std::array axes{&DoubleVec::x, &DoubleVec::y, &DoubleVec::z};
   for (std::size_t k = 0; k < 3; ++k) {
     const double whole =
         Count == 3 ? at(0, axes[k]) + at(1, axes[k]) + at(2, axes[k]) : at(0, axes[k]) - at(1, axes[k]);
@@ -217,8 +221,8 @@ bool coplanar(std::span<const Point3, 4> p) {
                                               p[2].x, p[2].y, p[2].z, p[3].x, p[3].y, p[3].z}) == Sign::zero;
 }
 
-Quadratic side(const Figures<3>& f, std::size_t i) { return cross(f.differences[i], f.differences[(i + 1) % 3]); }
-Quadratic side(const Figures<4>& f, std::size_t i) {  // of the differences ac, ad, bc, bd
+TimeQuadratic side(const Figures<3>& f, std::size_t i) { return cross(f.differences[i], f.differences[(i + 1) % 3]); }
+TimeQuadratic side(const Figures<4>& f, std::size_t i) {  // of the differences ac, ad, bc, bd
   constexpr std::array<std::size_t, 4> left{0, 2, 0, 1}, right{1, 3, 2, 3};
   return cross(f.differences[left[i]], f.differences[right[i]]);
 }
@@ -233,7 +237,7 @@ FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   f.differences[0] = edges ? linear(2, 0) : linear(1, 0);
   f.differences[1] = edges ? linear(3, 0) : linear(2, 0);
   f.differences[2] = edges ? linear(2, 1) : linear(3, 0);
-  Vec m{0, 0, 0};
+  DoubleVec m{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) include(m, f.differences[i]);
   f.sides[0] = side(f, 0);
   const Cubic cubic = dot(f.differences[2], f.sides[0]);
@@ -251,8 +255,9 @@ FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   f.bound = {cross_constant * product(1, m.y, m.z) + least, cross_constant * product(1, m.z, m.x) + least,
              cross_constant * product(1, m.x, m.y) + least};
   for (std::size_t i = 1; i < Count; ++i) f.sides[i] = side(f, i);
-  for (const Quadratic& side : f.sides) {
-    for (const Vec& c : side.c) f.bound = {f.bound.x + (c.x - c.x), f.bound.y + (c.y - c.y), f.bound.z + (c.z - c.z)};
+  for (const TimeQuadratic& side : f.sides) {
+    for (const DoubleVec& c : side.c)
+      f.bound = {f.bound.x + (c.x - c.x), f.bound.y + (c.y - c.y), f.bound.z + (c.z - c.z)};
   }
   // In one plane at an end of time: no piece around that root would ever do.
   const auto meet_at = [&](double coefficient, std::span<const Point3, 4> p, double time) {

@@ -12,13 +12,13 @@ namespace {
 
 using namespace axes;
 using core::Plain;
-using Vertices = std::vector<Vertex>;
+using VertexList = std::vector<Vertex>;
 
-constexpr int most_steps = 48;
+constexpr int most_search_steps = 48;
 
 /// Of a line or ray, a part that goes beyond all others along an axis: it meets their hull where the whole does.
 /// Nothing where doubles do not tell.
-std::optional<Vertices> cut_to(const Vertices& others, const AxisBody<Running>& straight) {
+std::optional<VertexList> cut_to(const VertexList& others, const AxisBody<Running>& straight) {
   const Vertex &from = straight.points[0], &along = straight.edges[0];
   const std::array parts{&Vertex::x, &Vertex::y, &Vertex::z};
   const auto axis =
@@ -29,7 +29,7 @@ std::optional<Vertices> cut_to(const Vertices& others, const AxisBody<Running>& 
   for (const Vertex& v : others) reach = std::max(reach, Running::size(((v - from).*axis).lower()) * 2);
   const double t = (reach + least) / least;
   const Vertex step = along * Running(t);
-  Vertices ends{straight.ends[0] == EdgeEnd::both ? from - step : from, from + step};
+  VertexList ends{straight.ends[0] == EdgeEnd::both ? from - step : from, from + step};
   const bool forward = (along.*axis).value > 0;
   for (const Vertex& v : others) {
     const Running above = (ends[1] - v).*axis, below = (v - ends[0]).*axis;
@@ -42,7 +42,7 @@ std::optional<Vertices> cut_to(const Vertices& others, const AxisBody<Running>& 
 /// A polyhedron, climbed from vertex to vertex, or the vertices of a small figure.
 struct Hull {
   const ConvexPolyhedron3* solid = nullptr;
-  Vertices vertices = {};
+  VertexList vertices = {};
   std::uint32_t at = 0;  // the one that was found last
 
   [[nodiscard]] Vertex vertex(std::size_t i) const {
@@ -144,7 +144,7 @@ bool proves_apart(const Hull& a, const Hull& b, const Plain& along) {
 }
 
 /// Of differences of vertices.
-using Simplex = gjk::Simplex<Vertex>;
+using VertexSimplex = gjk::Simplex<Vertex>;
 
 /// Is the origin strictly inside of the tetrahedron?
 bool proves_overlap(const std::array<Vertex, 4>& s) {
@@ -159,16 +159,17 @@ bool same(const Plain& a, const Plain& b) { return a.x == b.x && a.y == b.y && a
 std::optional<Relation> relate_hulls(Hull& a, Hull& b) {
   constexpr double nothing = 0x1p-90;  // of the square of a length that is lost in the differences' roundings
   const Vertex first = a.vertex(a.at) - b.vertex(b.at);
-  Simplex simplex({first, plain(first)});
+  VertexSimplex simplex({first, plain(first)});
   Plain at = plain(first);
   double largest = core::dot(at, at), square = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_search_steps; ++step) {
     const Vertex next = farthest(a, at, -1) - farthest(b, at, 1);
     const Plain reached = plain(next);
     if (core::dot(reached, at) > 0 && proves_apart(a, b, at)) return Relation::disjoint;
     largest = std::max(largest, core::dot(reached, reached));
     const auto& c = simplex.corners();
-    if (std::ranges::any_of(c, [&](const Simplex::Corner& corner) { return same(corner.at, reached); })) return {};
+    if (std::ranges::any_of(c, [&](const VertexSimplex::Corner& corner) { return same(corner.at, reached); }))
+      return {};
     if (c.size() == 3 && proves_overlap({c[0].ends, c[1].ends, c[2].ends, next})) return Relation::overlapping;
     simplex.add({next, reached});
     if (simplex.is_full()) return {};

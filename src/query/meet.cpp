@@ -10,11 +10,11 @@ namespace {
 template <std::size_t N>
 using Common = std::conditional_t<N == 2, Intersection2, Intersection3>;
 template <std::size_t N>
-using Exact = std::conditional_t<N == 2, ExactPoint2, ExactPoint3>;
+using ExactPointOf = std::conditional_t<N == 2, ExactPoint2, ExactPoint3>;
 
 /// p + the direction times the weight's sign, which is positive.
 template <std::size_t N>
-Exact<N> beyond(const Weighted<BigDyadic, N>& p, const Vec<BigDyadic, N>& direction, bool backward) {
+ExactPointOf<N> beyond(const Weighted<BigDyadic, N>& p, const Vec<BigDyadic, N>& direction, bool backward) {
   Weighted<BigDyadic, N> q = p;
   for (std::size_t axis = 0; axis < N; ++axis) {
     const BigDyadic step = direction[axis] * p.weight;
@@ -25,9 +25,9 @@ Exact<N> beyond(const Weighted<BigDyadic, N>& p, const Vec<BigDyadic, N>& direct
 
 /// One computation in the numbers T; nothing where they cannot tell.
 template <class T, std::size_t N>
-class Meeting {
+class ConvexMeeting {
  public:
-  Meeting(const ConvexSet<N>& a, const ConvexSet<N>& b, const SignTable& of_a, const SignTable& of_b)
+  ConvexMeeting(const ConvexSet<N>& a, const ConvexSet<N>& b, const SignTable& of_a, const SignTable& of_b)
       : a_(a), b_(b), of_a_(of_a), of_b_(of_b) {}
 
   std::optional<Common<N>> operator()() { return a_.dimension <= 1 ? linear() : hull(); }
@@ -44,7 +44,7 @@ class Meeting {
     const bool to_far = piece->to.own && piece->to.index == infinity;
     if (from_far && to_far) {
       common.kind = IntersectionKind::line;
-      common.vertices = {e.point, e.named ? Exact<N>(e.second) : further(e.point, false)};
+      common.vertices = {e.point, e.named ? ExactPointOf<N>(e.second) : further(e.point, false)};
       return common;
     }
     const Corner<T, N> from = corner(0, from_far ? piece->to : piece->from);
@@ -56,7 +56,7 @@ class Meeting {
     } else if (from_far || to_far) {
       common.kind = IntersectionKind::ray;
       const bool whole = piece->from.own && e.named && to_far;
-      common.vertices.push_back(whole ? Exact<N>(e.second) : further(*first, from_far));
+      common.vertices.push_back(whole ? ExactPointOf<N>(e.second) : further(*first, from_far));
     } else {
       const auto last = corner_name(corner(0, piece->to), a_, b_);
       if (!last) return {};
@@ -67,7 +67,7 @@ class Meeting {
     return common;
   }
 
-  Exact<N> further(const Exact<N>& p, bool backward) {
+  ExactPointOf<N> further(const ExactPointOf<N>& p, bool backward) {
     const auto at = coordinates_in<BigDyadic>(p);
     if (at.weight.sign() == Sign::positive) return beyond<N>(at, along<BigDyadic, N>(a_, a_.edges[0]), backward);
     return beyond<N>(at, along<BigDyadic, N>(a_, a_.edges[0]), !backward);
@@ -174,10 +174,10 @@ Common<N> meet_sets(const ConvexSet<N>& a, const ConvexSet<N>& b) {
   SignTable of_a, of_b;
   if (!of_a.fill(b, a) || !of_b.fill(a, b)) return {};
   if (!a.is_exact() && !b.is_exact()) {
-    if (auto common = Meeting<Approximate, N>(a, b, of_a, of_b)()) return std::move(*common);
-    if (auto common = Meeting<Ball, N>(a, b, of_a, of_b)()) return std::move(*common);
+    if (auto common = ConvexMeeting<Approximate, N>(a, b, of_a, of_b)()) return std::move(*common);
+    if (auto common = ConvexMeeting<Ball, N>(a, b, of_a, of_b)()) return std::move(*common);
   }
-  return std::move(*Meeting<BigDyadic, N>(a, b, of_a, of_b)());
+  return std::move(*ConvexMeeting<BigDyadic, N>(a, b, of_a, of_b)());
 }
 
 }  // namespace

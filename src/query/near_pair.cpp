@@ -10,7 +10,7 @@ namespace {
 using core::Plain;
 
 /// Of the difference of the hulls, by the numbers of the vertices.
-using Simplex = gjk::Simplex<std::pair<std::size_t, std::size_t>>;
+using IndexSimplex = gjk::Simplex<std::pair<std::size_t, std::size_t>>;
 
 class NearPairSearch {
  public:
@@ -21,7 +21,7 @@ class NearPairSearch {
     constexpr int most_rounds = 32;
     constexpr double near = 1 - 0x1p-30, far = 1 + 0x1p-30;  // beyond them a proof is likely
     const double square = reach_.value * reach_.value;
-    Simplex simplex({{0, 0}, plain(a_[0]) - plain(b_[0])});
+    IndexSimplex simplex({{0, 0}, plain(a_[0]) - plain(b_[0])});
     for (int round = 0; round < most_rounds; ++round) {
       const Plain x = simplex.nearest();
       const double xx = core::dot(x, x);
@@ -30,7 +30,7 @@ class NearPairSearch {
       const Plain w = plain(a_[ends.first]) - plain(b_[ends.second]);
       const double least = core::dot(x, w);
       if (least > 0 && least * least > square * xx * far) return proved_far(x);
-      if (!(least < xx) || std::ranges::count(simplex.corners(), ends, &Simplex::Corner::ends) != 0) {
+      if (!(least < xx) || std::ranges::count(simplex.corners(), ends, &IndexSimplex::Corner::ends) != 0) {
         if (xx < square) return proved_near(simplex);
         return proved_far(x);
       }
@@ -55,10 +55,10 @@ class NearPairSearch {
   }
 
   // With weights w_k >= 0 the sum of w_k (a_k - b_k) over that of w_k is the way between points of the hulls.
-  [[nodiscard]] std::optional<Sign> proved_near(const Simplex& simplex) const {
+  [[nodiscard]] std::optional<Sign> proved_near(const IndexSimplex& simplex) const {
     Vertex way;
     Running whole;
-    for (const Simplex::Corner& c : simplex.corners()) {
+    for (const IndexSimplex::Corner& c : simplex.corners()) {
       if (!(c.weight >= 0)) return {};
       const Running weight(c.weight);
       way = way + (a_[c.ends.first] - b_[c.ends.second]) * weight;

@@ -41,10 +41,10 @@ struct AxisLanes {
 };
 
 /// The box, which is seen from its center, twice as large.
-struct Box {
+struct CenteredBox {
   Three min, max, half;
 
-  explicit HWY_INLINE Box(const Aabb3& b) : min(loaded(b.min)), max(loaded(b.max)), half(max - min) {}
+  explicit HWY_INLINE CenteredBox(const Aabb3& b) : min(loaded(b.min)), max(loaded(b.max)), half(max - min) {}
   /// The width of an empty box is below zero.  The sum has all numbers in it that are asked for.
   [[nodiscard]] HWY_INLINE bool is_sound(const Three& sum_of_sizes) const {
     return all(above(of_all(greatest), sum_of_sizes) & above(half, of_all(-0x1p-1074)));
@@ -74,7 +74,7 @@ HWY_INLINE AxisLanes across(const Three& point, const Three& way, const Three& h
 }
 
 [[maybe_unused]] std::optional<Relation> relation(const Segment3& s, const Aabb3& b) {
-  const Box box(b);
+  const CenteredBox box(b);
   const Three p = loaded(s.a), q = loaded(s.b), way = q - p, from_min = p - box.min, from_max = p - box.max;
   const Three most_of = size(from_min) + size(from_max);  // as large as their sum, and as the width
   if (!box.is_sound(most_of + size(way))) return {};
@@ -84,7 +84,7 @@ HWY_INLINE AxisLanes across(const Three& point, const Three& way, const Three& h
 
 template <LinearKind reach>
 HWY_INLINE std::optional<Relation> unbounded_aabb(const Point3& from, const Vector3& direction, const Aabb3& b) {
-  const Box box(b);
+  const CenteredBox box(b);
   const Three p = loaded(from), way = loaded(direction), from_min = p - box.min, from_max = p - box.max;
   const Three most_of = size(from_min) + size(from_max), zero = of_all(0), none = of_all(-1);
   if (!box.is_sound(most_of + size(way))) return {};
@@ -124,7 +124,7 @@ HWY_INLINE double normal_gap(const Three& normal, const Three& corner, const Thr
 }
 
 [[maybe_unused]] std::optional<Relation> relation(const Triangle3& t, const Aabb3& b) {
-  const Box box(b);
+  const CenteredBox box(b);
   const Three p = loaded(t.a), q = loaded(t.b), r = loaded(t.c);
   const Three face_gap = larger(smaller(smaller(p, q), r) - box.max, box.min - larger(larger(p, q), r));
   const Three p_min = p - box.min, q_min = q - box.min, r_min = r - box.min;

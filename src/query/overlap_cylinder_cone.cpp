@@ -25,7 +25,7 @@ using Vec = core::Vec<T>;
 
 /// a t^2 + 2 b t + c.
 template <class T>
-struct Quadratic {
+struct AxisQuadratic {
   T a, b, c;
 };
 
@@ -35,18 +35,18 @@ struct AxisQuotient {
   T numerator, denominator;
 };
 
-struct Axis {
+struct RoundAxis {
   Point3 from, to;
   double radius;
   bool is_cone;
 };
-Axis axis_of(const Cylinder3& c) { return {c.a, c.b, c.radius, false}; }
-Axis axis_of(const Cone3& c) { return {c.apex, c.base, c.radius, true}; }
+RoundAxis axis_of(const Cylinder3& c) { return {c.a, c.b, c.radius, false}; }
+RoundAxis axis_of(const Cone3& c) { return {c.apex, c.base, c.radius, true}; }
 
 template <class T>
-class Crossing {
+class LineThroughRound {
  public:
-  Crossing(const Straight<T>& line, const Axis& axis)
+  LineThroughRound(const Straight<T>& line, const RoundAxis& axis)
       : has_start_(line.has_start),
         has_end_(line.has_end),
         height_(T(0.0)),
@@ -131,12 +131,12 @@ class Crossing {
   CertainSigns ask_;
   bool has_start_, has_end_;
   T height_, rise_, top_;  // of the start above the first plane, along the line, and of the second plane
-  Quadratic<T> surface_;
+  AxisQuadratic<T> surface_;
 };
 
 template <class T, class Line, class Round>
 [[gnu::flatten]] std::optional<Relation> crossing(const Line& line, const Round& round) {
-  return Crossing<T>(straight<T>(line), axis_of(round)).relation();
+  return LineThroughRound<T>(straight<T>(line), axis_of(round)).relation();
 }
 
 template <class Line>
@@ -152,7 +152,7 @@ Point3 start_of(const Line& line) {
 
 /// Is it certain that the line passes by?  Beyond an end of the axis, or outside of the surface all along.
 template <class Line>
-[[gnu::flatten]] bool passes_by(const Line& line, const Axis& axis) {
+[[gnu::flatten]] bool passes_by(const Line& line, const RoundAxis& axis) {
   const Straight<Approximate> s = straight<Approximate>(line);
   const Vec<Approximate> h = between<Approximate>(axis.from, axis.to),
                          w = between<Approximate>(axis.from, start_of(line));

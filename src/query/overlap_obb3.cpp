@@ -165,10 +165,10 @@ std::optional<Relation> relate_in_frame(const Frame<T>& box, const Straight<T>& 
 
 // Of a triangle: its corners, and the edges from each to the next.
 template <class T>
-using Triple = std::array<Vec3<T>, 3>;
+using AxesOf = std::array<Vec3<T>, 3>;
 
 template <class T>
-std::optional<Relation> relate_in_frame(const Frame<T>& box, const Triple<T>& p, const Triple<T>& edges) {
+std::optional<Relation> relate_in_frame(const Frame<T>& box, const AxesOf<T>& p, const AxesOf<T>& edges) {
   Gaps<T> gaps;
   for (std::size_t k = 0; k < 3; ++k) {
     const T &a = part(p[0], k), &b = part(p[1], k), &c = part(p[2], k), &h = box.half_of(k);
@@ -212,8 +212,8 @@ class ToFrame {
 
   [[nodiscard]] std::optional<Relation> relation(const Triangle3& t) const {
     return relate_in_frame(
-        frame_, Triple<T>{point(t.a), point(t.b), point(t.c)},
-        Triple<T>{vector(between<T>(t.a, t.b)), vector(between<T>(t.b, t.c)), vector(between<T>(t.c, t.a))});
+        frame_, AxesOf<T>{point(t.a), point(t.b), point(t.c)},
+        AxesOf<T>{vector(between<T>(t.a, t.b)), vector(between<T>(t.b, t.c)), vector(between<T>(t.c, t.a))});
   }
   [[nodiscard]] std::optional<Relation> relation(const Linear3& s) const {
     const auto d = s.by_points ? between<T>(s.p, s.q) : vector_of<T>(s.direction());
@@ -222,7 +222,7 @@ class ToFrame {
 
  private:
   Point3 center_;
-  Triple<T> normals_{zero, zero, zero};
+  AxesOf<T> normals_{zero, zero, zero};
   T volume_ = T(0.0);
   Frame<T> frame_{zero};
   static inline const Vec3<T> zero{T(0.0), T(0.0), T(0.0)};
@@ -267,7 +267,7 @@ template <class T>
 struct BoxPair {
   Vec3<T> between;
   Frame<T> box;
-  Triple<T> generators;
+  AxesOf<T> generators;
 
   BoxPair(const Aabb3& a, const Obb3& b)
       : between(query::between<T>(a.min, b.center) + query::between<T>(a.max, b.center)),

@@ -12,10 +12,10 @@ namespace plumb {
 namespace query {
 namespace {
 
-using Triple = std::array<Sign, 3>;
+using SignTriple = std::array<Sign, 3>;
 
 // The least and the most of the signs that points of a shape have to a plane.
-struct Sides {
+struct PlaneSides {
   Sign low, high;
 
   void add(Sign s) {
@@ -24,7 +24,7 @@ struct Sides {
   }
 };
 
-Relation of_plane(const Sides& s) {
+Relation of_plane(const PlaneSides& s) {
   if (s.low == s.high) return s.low == Sign::zero ? Relation::overlapping : Relation::disjoint;
   return s.low * s.high == Sign::negative ? Relation::overlapping : Relation::touching;
 }
@@ -40,12 +40,12 @@ int quick_side(const Plane3& plane, const Point3& p) {
   return filter<SideOfPlane>(coordinates_of<SideOfPlane>(plane.normal, plane.offset, p));
 }
 
-Triple negated(const Triple& s) { return {-s[0], -s[1], -s[2]}; }
+SignTriple negated(const SignTriple& s) { return {-s[0], -s[1], -s[2]}; }
 
-Triple normal(const Plane3& plane) {
+SignTriple normal(const Plane3& plane) {
   return {order(plane.normal.x, 0), order(plane.normal.y, 0), order(plane.normal.z, 0)};
 }
-Triple normal(const ThreePointPlane3& plane) {
+SignTriple normal(const ThreePointPlane3& plane) {
   const auto seen_along = [&](std::size_t k) { return orient2d(seen(plane.a, k), seen(plane.b, k), seen(plane.c, k)); };
   return {seen_along(0), seen_along(1), seen_along(2)};
 }
@@ -88,13 +88,13 @@ Sign along_normal(const ThreePointPlane3& plane, const Vector3& v) {
 
 // Both sides, or the lower one as both where the upper one does not matter.
 template <class Plane>
-Sides sides(const Plane& plane, const Aabb3& box, bool both) {
-  const Triple n = normal(plane);
+PlaneSides sides(const Plane& plane, const Aabb3& box, bool both) {
+  const SignTriple n = normal(plane);
   const Sign low = side(plane, corner(box, negated(n)));
   return {low, both && low != Sign::positive ? side(plane, corner(box, n)) : low};
 }
 template <class Plane>
-Sides sides(const Plane& plane, const Obb3& box, bool both) {
+PlaneSides sides(const Plane& plane, const Obb3& box, bool both) {
   const auto outward = [&](std::size_t i, double half) {
     return along_normal(plane, box.axes[i]) == Sign::negative ? -magnitude_of(half) : magnitude_of(half);
   };
@@ -103,25 +103,25 @@ Sides sides(const Plane& plane, const Obb3& box, bool both) {
   return {low, both && low != Sign::positive ? corner_side(plane, box, by) : low};
 }
 template <class Plane>
-Sides sides(const Plane& plane, const Point3& p, bool) {
+PlaneSides sides(const Plane& plane, const Point3& p, bool) {
   const Sign s = side(plane, p);
   return {s, s};
 }
 template <class Plane>
-Sides sides(const Plane& plane, const Segment3& t, bool both) {
-  Sides s = sides(plane, t.a, both);
+PlaneSides sides(const Plane& plane, const Segment3& t, bool both) {
+  PlaneSides s = sides(plane, t.a, both);
   s.add(side(plane, t.b));
   return s;
 }
 template <class Plane>
-Sides sides(const Plane& plane, const Triangle3& t, bool both) {
-  Sides s = sides(plane, Segment3{t.a, t.b}, both);
+PlaneSides sides(const Plane& plane, const Triangle3& t, bool both) {
+  PlaneSides s = sides(plane, Segment3{t.a, t.b}, both);
   s.add(side(plane, t.c));
   return s;
 }
 template <class Plane>
-Sides sides(const Plane& plane, const Tetrahedron3& t, bool both) {
-  Sides s = sides(plane, Triangle3{t.a, t.b, t.c}, both);
+PlaneSides sides(const Plane& plane, const Tetrahedron3& t, bool both) {
+  PlaneSides s = sides(plane, Triangle3{t.a, t.b, t.c}, both);
   s.add(side(plane, t.d));
   return s;
 }
@@ -133,7 +133,7 @@ Relation relate_plane(const Plane3& plane, const Shape& s) {
 template <class Shape>
 Relation relate_plane(const ThreePointPlane3& plane, const Shape& s) {
   if (is_nothing(s)) return Relation::disjoint;
-  const Sides found = sides(plane, s, true);
+  const PlaneSides found = sides(plane, s, true);
   // Of no plane at all every sign is zero.
   if (found.low == Sign::zero && found.high == Sign::zero && !is_plane(plane))
     return relate(flat_set(plane), flat_set(s));

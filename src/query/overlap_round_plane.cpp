@@ -99,14 +99,14 @@ Sign beyond(const T& height, const ExtentAlong<T>* r, CertainSigns& ask) {
 }
 
 /// Above the plane, below it, or on both sides; zero where it touches from a side.
-struct Sides {
+struct RoundSides {
   Sign above, below;
 };
 template <class T, class Plane, class Round>
-std::optional<Sides> sides_of(const Plane& plane, const Round& round) {
+std::optional<RoundSides> sides_of(const Plane& plane, const Round& round) {
   CertainSigns ask;
   const auto p = plane_over<T>(plane);
-  Sides all{Sign::positive, Sign::positive};
+  RoundSides all{Sign::positive, Sign::positive};
   const ExtentAlong<T> reach = reach_along<T>(round, p.normal);
   bool is_point = std::is_same_v<Round, Cone3>;  // the apex
   for (const Vec<T>& center : centers<T>(round)) {
@@ -150,7 +150,7 @@ template <class Plane, class Round>
   return {};
 }
 
-Relation relation_of(const Sides& s, bool of_halfspace) {
+Relation relation_of(const RoundSides& s, bool of_halfspace) {
   return static_cast<Relation>(-(of_halfspace ? s.above : std::max(s.above, s.below)));
 }
 

@@ -6,7 +6,7 @@
 namespace plumb::query {
 namespace {
 
-using Corners = std::array<Point2, 3>;
+using TriangleCorners2 = std::array<Point2, 3>;
 
 bool precedes(const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
@@ -21,13 +21,13 @@ Linear2 flattened(const Aabb2& box) { return Linear2::through(LinearKind::segmen
 bool is_flat(const Aabb2& box) { return box.min.x == box.max.x || box.min.y == box.max.y; }
 
 // Counterclockwise.
-Corners corners(const Triangle2& t, Sign turns) {
-  return turns == Sign::positive ? Corners{t.a, t.b, t.c} : Corners{t.a, t.c, t.b};
+TriangleCorners2 corners(const Triangle2& t, Sign turns) {
+  return turns == Sign::positive ? TriangleCorners2{t.a, t.b, t.c} : TriangleCorners2{t.a, t.c, t.b};
 }
 
 // Across the line of a, the points on both sides of it: positive where the line goes through what they span.
 Sign between(Sign s, Sign t) { return least(most(s, t), -least(s, t)); }
-Sign across(const Linear2& a, const Corners& c) {
+Sign across(const Linear2& a, const TriangleCorners2& c) {
   if (a.is_point()) return Sign::positive;
   const Sign s = a.side(c[0]), t = a.side(c[1]);
   if (s * t == Sign::negative) return Sign::positive;
@@ -44,13 +44,13 @@ Sign beyond_edge(const Linear2& a, const Point2& from, const Point2& to) {
   return turn(Linear2::through(LinearKind::segment, from, to), a) == Sign::positive ? Sign::positive : s;
 }
 
-Relation relate_corners(const Linear2& a, const Corners& c) {
+Relation relate_corners(const Linear2& a, const TriangleCorners2& c) {
   Sign all = across(a, c);
   for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) all = least(all, beyond_edge(a, c[i], c[(i + 1) % 3]));
   return relation(all);
 }
 
-Sign beyond_edges(const Corners& a, const Corners& of) {
+Sign beyond_edges(const TriangleCorners2& a, const TriangleCorners2& of) {
   Sign all = Sign::positive;
   for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
     const Point2 &from = of[i], &to = of[(i + 1) % 3];
@@ -78,7 +78,7 @@ Sign within(const Linear2& a, const Aabb2& box) {
 
 Sign across(const Triangle2& a, Sign turns, const Aabb2& box) {
   if (turns == Sign::zero) return across(flattened(a), box);
-  const Corners c = corners(a, turns);
+  const TriangleCorners2 c = corners(a, turns);
   Sign all = Sign::positive;
   for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
     const Point2 &from = c[i], &to = c[(i + 1) % 3];
@@ -104,7 +104,7 @@ Relation relate(const Triangle2& a, const Triangle2& b) {
   const Sign of_a = orient2d(a.a, a.b, a.c), of_b = orient2d(b.a, b.b, b.c);
   if (of_a == Sign::zero) return relate(flattened(a), b);
   if (of_b == Sign::zero) return relate(flattened(b), a);
-  const Corners p = corners(a, of_a), q = corners(b, of_b);
+  const TriangleCorners2 p = corners(a, of_a), q = corners(b, of_b);
   const Sign first = beyond_edges(q, p);
   return first == Sign::negative ? Relation::disjoint : relation(least(first, beyond_edges(p, q)));
 }

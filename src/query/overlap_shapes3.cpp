@@ -10,17 +10,17 @@ using Numbers = std::array<double, 3>;
 constexpr Numbers numbers(const Point3& p) { return {p.x, p.y, p.z}; }
 
 // A box with an interior, or not flat along one axis alone, in which the other set extends.
-enum class Kind : unsigned char { solid, in_plane, straight };
+enum class LevelKind : unsigned char { solid, in_plane, straight };
 struct Flatness {
-  Kind kind;
+  LevelKind kind;
   std::size_t axis;  // of the plane
 };
 Flatness flatness(const Aabb3& box) {
   const std::array flat{box.min.x == box.max.x, box.min.y == box.max.y, box.min.z == box.max.z};
   const int count = flat[0] + flat[1] + flat[2];
-  return {count == 0   ? Kind::solid
-          : count == 1 ? Kind::in_plane
-                       : Kind::straight,
+  return {count == 0   ? LevelKind::solid
+          : count == 1 ? LevelKind::in_plane
+                       : LevelKind::straight,
           static_cast<std::size_t>(flat[0]   ? 0
                                    : flat[1] ? 1
                                              : 2)};
@@ -63,8 +63,8 @@ Sign beside(const Triangle3& t, const std::array<Sign, 3>& normal, const Aabb3& 
 
 Relation relate(const Linear3& a, const Aabb3& b) {
   if (is_empty(b)) return Relation::disjoint;
-  if (const auto [kind, k] = flatness(b); kind != Kind::solid) {
-    if (kind == Kind::straight) return relate(a, flattened(b));
+  if (const auto [kind, k] = flatness(b); kind != LevelKind::solid) {
+    if (kind == LevelKind::straight) return relate(a, flattened(b));
     if (heads(a, k) == Sign::zero) {
       return numbers(a.p)[k] == numbers(b.min)[k] ? relate(a.seen_along(k), seen(b, k)) : Relation::disjoint;
     }
@@ -90,8 +90,8 @@ Relation relate(const Triangle3& a, const Aabb3& b) {
     all = least(all, across(flat, normal[k], seen(b, k)));
   }
   if (all == Sign::negative) return Relation::disjoint;
-  if (const auto [kind, k] = flatness(b); kind != Kind::solid) {
-    if (kind == Kind::straight) return relate(flattened(b), a);
+  if (const auto [kind, k] = flatness(b); kind != LevelKind::solid) {
+    if (kind == LevelKind::straight) return relate(flattened(b), a);
     if (low[k] == high[k]) {
       return low[k] == numbers(b.min)[k] ? relate(seen(a, k), seen(b, k)) : Relation::disjoint;
     }

@@ -17,16 +17,16 @@ namespace plumb {
 namespace query {
 namespace {
 
-using Corners = std::array<Point3, 4>;
+using TetrahedronCorners = std::array<Point3, 4>;
 using Points = std::span<const Point3>;
 
-Corners corners(const Tetrahedron3& t, Sign turns) {
-  return turns == Sign::positive ? Corners{t.a, t.b, t.c, t.d} : Corners{t.a, t.b, t.d, t.c};
+TetrahedronCorners corners(const Tetrahedron3& t, Sign turns) {
+  return turns == Sign::positive ? TetrahedronCorners{t.a, t.b, t.c, t.d} : TetrahedronCorners{t.a, t.b, t.d, t.c};
 }
 
 // With orient3d(corners) positive: is p on the inner side of the face across corner f?
-Sign inside(const Corners& t, std::size_t f, const Point3& p) {
-  Corners moved = t;
+Sign inside(const TetrahedronCorners& t, std::size_t f, const Point3& p) {
+  TetrahedronCorners moved = t;
   moved[f] = p;
   return orient3d(moved[0], moved[1], moved[2], moved[3]);
 }
@@ -36,7 +36,7 @@ struct Faces {
   std::array<unsigned, 4> inner{};
   Sign all = Sign::positive;
 };
-Faces faces(const Corners& t, Points q) {
+Faces faces(const TetrahedronCorners& t, Points q) {
   Faces found;
   for (std::size_t f = 0; f < 4 && found.all != Sign::negative; ++f) {
     Sign here = Sign::negative;
@@ -68,7 +68,7 @@ Sign beyond_edges(const Point3& i, const Point3& j, const Point3& k, const Point
   return reach;
 }
 
-Sign beyond_edges(const Corners& t, const Faces& of, Points q) {
+Sign beyond_edges(const TetrahedronCorners& t, const Faces& of, Points q) {
   Sign all = Sign::positive;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
@@ -109,7 +109,7 @@ Relation by_faces(const Figure& a, const Tetrahedron3& b) {
 Relation by_axes(const Segment3& a, const Tetrahedron3& b) {
   const Sign turns = orient3d(b.a, b.b, b.c, b.d);
   if (turns == Sign::zero) return by_faces(a, b);
-  const Corners t = corners(b, turns);
+  const TetrahedronCorners t = corners(b, turns);
   const std::array q{a.a, a.b};
   const Faces of = faces(t, q);
   return relation(of.all == Sign::positive && !holds_one(of) ? beyond_edges(t, of, q)
@@ -120,7 +120,7 @@ Relation by_axes(const Segment3& a, const Tetrahedron3& b) {
 Relation by_axes(const Triangle3& a, const Tetrahedron3& b) {
   const Sign turns = orient3d(b.a, b.b, b.c, b.d);
   if (turns == Sign::zero) return by_faces(a, b);
-  const Corners t = corners(b, turns);
+  const TetrahedronCorners t = corners(b, turns);
   const std::array q{a.a, a.b, a.c};
   const Faces of = faces(t, q);
   if (of.all == Sign::negative) return Relation::disjoint;
@@ -140,7 +140,7 @@ Relation by_axes(const Tetrahedron3& a, const Tetrahedron3& b) {
   const Sign turns_a = orient3d(a.a, a.b, a.c, a.d), turns_b = orient3d(b.a, b.b, b.c, b.d);
   if (turns_b == Sign::zero) return by_faces(a, b);
   if (turns_a == Sign::zero) return by_faces(b, a);
-  const Corners p = corners(a, turns_a), q = corners(b, turns_b);
+  const TetrahedronCorners p = corners(a, turns_a), q = corners(b, turns_b);
   const Faces of_a = faces(p, q);
   if (of_a.all == Sign::negative || holds_one(of_a)) return relation(of_a.all);
   const Faces of_b = faces(q, p);

@@ -131,7 +131,7 @@ class PointSigns {
   const std::array<Point3, 6>& p_;
 };
 
-using Corners = std::array<double, 18>;
+using CornerNumbers = std::array<double, 18>;
 
 /// Of corners on one lattice of many bits.
 class WideSigns : public PointSigns {
@@ -191,13 +191,13 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   require_figures(asked, a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
-  const WideVolumes<6> wide(std::bit_cast<Corners>(corners));
+  const WideVolumes<6> wide(std::bit_cast<CornerNumbers>(corners));
   if (wide.is_lattice()) return relate_by(a, b, WideSigns(corners, wide));
   return relate_by(a, b, PointSigns(corners));
 }
 
 [[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Asked asked) {
-  const LatticePoints<6, 3> points(std::bit_cast<Corners>(std::array{a, b}));
+  const LatticePoints<6, 3> points(std::bit_cast<CornerNumbers>(std::array{a, b}));
   const auto ask = [&](const auto& signs) { return relate_by(a, b, signs); };
   const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, asked);
   return answer ? *answer : without_area(a, b);

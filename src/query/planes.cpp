@@ -12,26 +12,26 @@ namespace {
 
 using Row = std::array<mpq_class, 4>;  // coefficients, and the right side
 using Rows = std::vector<Row>;
-using Triple = std::array<mpq_class, 3>;
+using RationalTriple = std::array<mpq_class, 3>;
 
 void require_plane(std::string_view name, const AnyPlane3& plane) {
   std::visit([&](const auto& s) { query::require_figure("intersection", name, s); }, plane);
 }
 
-Triple of(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
-Triple operator-(const Triple& a, const Triple& b) {
+RationalTriple of(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
+RationalTriple operator-(const RationalTriple& a, const RationalTriple& b) {
   return {mpq_class(a[0] - b[0]), mpq_class(a[1] - b[1]), mpq_class(a[2] - b[2])};
 }
-Triple cross(const Triple& a, const Triple& b) {
+RationalTriple cross(const RationalTriple& a, const RationalTriple& b) {
   return {mpq_class(a[1] * b[2] - a[2] * b[1]), mpq_class(a[2] * b[0] - a[0] * b[2]),
           mpq_class(a[0] * b[1] - a[1] * b[0])};
 }
-bool is_zero(const Triple& a) { return sgn(a[0]) == 0 && sgn(a[1]) == 0 && sgn(a[2]) == 0; }
-Row through(const Triple& normal, const Triple& p) {
+bool is_zero(const RationalTriple& a) { return sgn(a[0]) == 0 && sgn(a[1]) == 0 && sgn(a[2]) == 0; }
+Row through(const RationalTriple& normal, const RationalTriple& p) {
   return {normal[0], normal[1], normal[2], mpq_class(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2])};
 }
-Triple unit(std::size_t axis) {
-  Triple e;
+RationalTriple unit(std::size_t axis) {
+  RationalTriple e;
   e[axis] = 1;
   return e;
 }
@@ -42,9 +42,9 @@ Rows equations(const AnyPlane3& plane) {
     return {{mpq_class(p->normal.x), mpq_class(p->normal.y), mpq_class(p->normal.z), mpq_class(p->offset)}};
   }
   const auto& t = std::get<ThreePointPlane3>(plane);
-  const Triple a = of(t.a), u = of(t.b) - a, v = of(t.c) - a, n = cross(u, v);
+  const RationalTriple a = of(t.a), u = of(t.b) - a, v = of(t.c) - a, n = cross(u, v);
   if (!is_zero(n)) return {through(n, a)};
-  const Triple& d = is_zero(u) ? v : u;
+  const RationalTriple& d = is_zero(u) ? v : u;
   Rows rows;
   for (std::size_t axis = 0; axis < 3; ++axis)
     rows.push_back(through(is_zero(d) ? unit(axis) : cross(d, unit(axis)), a));
@@ -86,12 +86,12 @@ FlatIntersection solution(const Reduced& r) {
   FlatIntersection flat;
   if (!r.consistent) return flat;
   flat.kind = static_cast<FlatKind>(3 - static_cast<int>(r.pivots.size()));
-  Triple at;
+  RationalTriple at;
   for (std::size_t i = 0; i < r.pivots.size(); ++i) at[r.pivots[i]] = r.rows[i][3];
   flat.point = RationalPoint3{rational(at[0]), rational(at[1]), rational(at[2])};
   for (std::size_t free = 0; free < 3; ++free) {
     if (std::find(r.pivots.begin(), r.pivots.end(), free) != r.pivots.end()) continue;
-    Triple d = unit(free);
+    RationalTriple d = unit(free);
     for (std::size_t i = 0; i < r.pivots.size(); ++i) d[r.pivots[i]] = -r.rows[i][free];
     flat.directions.push_back({rational(d[0]), rational(d[1]), rational(d[2])});
   }

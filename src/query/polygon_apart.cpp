@@ -10,16 +10,16 @@ namespace plumb::query {
 namespace {
 
 using namespace axes;
-using Vertices = std::vector<core::Vec<Running>>;
+using RunningVertices = std::vector<core::Vec<Running>>;
 
 template <class Points>
-void add_all(Vertices& all, const Points& points) {
+void add_all(RunningVertices& all, const Points& points) {
   for (const auto& p : points) all.push_back(core::vec<Running>(in_space(p)));
 }
 
 /// Whose hull holds the figure; none for what goes on without end, or lies between halfspaces.
-Vertices vertices_of(const FlatView& v) {
-  Vertices all;
+RunningVertices vertices_of(const FlatView& v) {
+  RunningVertices all;
   with_shape(v, [&](const auto& s) {
     using Shape = std::remove_cvref_t<decltype(s)>;
     if constexpr (has_body<Shape>) {
@@ -40,10 +40,10 @@ Vertices vertices_of(const FlatView& v) {
   return all;
 }
 
-bool boxes_are_apart(const Vertices& a, const Vertices& b) {
+bool boxes_are_apart(const RunningVertices& a, const RunningVertices& b) {
   for (const auto part : {&core::Vec<Running>::x, &core::Vec<Running>::y, &core::Vec<Running>::z}) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto range = [part](const Vertices& all) {
+    const auto range = [part](const RunningVertices& all) {
       std::array<double, 2> r{infinity, -infinity};
       for (const auto& v : all) r = {std::min(r[0], (v.*part).lower()), std::max(r[1], (v.*part).upper())};
       return r;
@@ -54,7 +54,7 @@ bool boxes_are_apart(const Vertices& a, const Vertices& b) {
   return false;
 }
 
-bool is_beside_plane(const std::array<Point3, 3>& span, const Vertices& others) {
+bool is_beside_plane(const std::array<Point3, 3>& span, const RunningVertices& others) {
   const auto at = [&](std::size_t i) { return core::vec<Running>(span[i]); };
   const auto normal = core::cross(at(1) - at(0), at(2) - at(0));
   const auto side = [&](const core::Vec<Running>& v) { return core::dot(normal, v - at(0)).sign(); };
@@ -67,7 +67,7 @@ bool is_beside_plane(const std::array<Point3, 3>& span, const Vertices& others) 
 }
 
 /// Nothing is known of a vertex that is beyond all doubles.
-bool are_finite(const Vertices& all) {
+bool are_finite(const RunningVertices& all) {
   double zero = 0;
   for (const auto& v : all) {
     for (const Running& x : {v.x, v.y, v.z}) zero += (x.upper() - x.upper()) + (x.lower() - x.lower());
@@ -78,7 +78,7 @@ bool are_finite(const Vertices& all) {
 }  // namespace
 
 bool are_surely_apart(const FlatView& polygon, const SpanOfPolygon& span, const FlatView& other) {
-  const Vertices others = vertices_of(other);
+  const RunningVertices others = vertices_of(other);
   if (others.empty() || !are_finite(others)) return false;
   return (span && polygon.dimension == 3 && is_beside_plane(*span, others)) ||
          boxes_are_apart(vertices_of(polygon), others);

@@ -112,11 +112,11 @@ bool holds_a_chain(const Region& a, const Region& b) {
   return std::ranges::any_of(b.chains, [&](const auto& chain) { return locate(a, chain[0]) != Location::outside; });
 }
 
-struct Box {
+struct ChainBounds {
   Exact2 min, max;
 };
-Box box_of(const Region& region) {
-  Box box{region.chains[0][0], region.chains[0][0]};
+ChainBounds box_of(const Region& region) {
+  ChainBounds box{region.chains[0][0], region.chains[0][0]};
   any_edge(region, [&](const Exact2&, const Exact2& b) {
     for (std::size_t k = 0; k < 2; ++k) {
       if (b[k] < box.min[k]) box.min[k] = b[k];
@@ -166,7 +166,7 @@ Relation relate_segment(const Region& region, const Exact2& a, const Exact2& b) 
 }
 
 Relation relate(const Region& a, const Region& b) {
-  const Box p = box_of(a), q = box_of(b);
+  const ChainBounds p = box_of(a), q = box_of(b);
   if (boxes_apart(p.min, p.max, q.min, q.max)) return Relation::disjoint;
   if (overlap_beside(a, a, b) || overlap_beside(b, a, b)) return Relation::overlapping;
   const bool meet = holds_a_chain(a, b) || holds_a_chain(b, a) || any_edge(a, [&](const Exact2& c, const Exact2& d) {

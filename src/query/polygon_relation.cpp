@@ -14,18 +14,18 @@
 namespace plumb::query {
 namespace {
 
-using Chain = std::vector<Point3>;
+using ChainCopy = std::vector<Point3>;
 
 Exact3 exact(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
 
 template <class Polygon>
-void add_chain(std::vector<Chain>& chains, const Polygon& polygon) {
+void add_chain(std::vector<ChainCopy>& chains, const Polygon& polygon) {
   chains.emplace_back();
   for (const auto& p : polygon.vertices) chains.back().push_back(in_space(p));
 }
 
-std::vector<Chain> chains_of(const FlatView& v) {
-  std::vector<Chain> chains;
+std::vector<ChainCopy> chains_of(const FlatView& v) {
+  std::vector<ChainCopy> chains;
   with_shape(v, [&](const auto& s) {
     if constexpr (requires { s.outer; }) {
       add_chain(chains, s.outer);
@@ -50,7 +50,7 @@ struct PlaneRegion {
 };
 
 /// A convex set with its relative interior, or without: a point beside others on one line.
-struct Piece {
+struct LinePiece {
   FlatSet set;
   bool has_inside;
 };
@@ -58,13 +58,13 @@ struct Piece {
 /// A figure as a region of a plane, or as convex pieces.
 struct Parts {
   std::optional<PlaneRegion> region;
-  std::vector<Piece> pieces;
+  std::vector<LinePiece> pieces;
 };
 
 /// The union of the edges of chains on one line.
-std::vector<Piece> pieces_on_line(const std::vector<Chain>& chains) {
+std::vector<LinePiece> pieces_on_line(const std::vector<ChainCopy>& chains) {
   std::vector<std::pair<Exact3, Exact3>> spans;  // of a chain, which is connected; ordered as coordinates are
-  for (const Chain& chain : chains) {
+  for (const ChainCopy& chain : chains) {
     std::vector<Exact3> all;
     for (const Point3& p : chain) all.push_back(exact(p));
     const auto [first, last] = std::ranges::minmax_element(all);
@@ -79,18 +79,19 @@ std::vector<Piece> pieces_on_line(const std::vector<Chain>& chains) {
       merged.back().second = span.second;
     }
   }
-  std::vector<Piece> pieces;
+  std::vector<LinePiece> pieces;
   for (const auto& [from, to] : merged) pieces.push_back({{{from, to}, {}, {}, {}}, merged.size() == 1 || from != to});
   return pieces;
 }
 
-PlaneRegion region_of(const std::vector<Chain>& chains, const std::vector<Point3>& all, const PlaneOfPoints& plane) {
+PlaneRegion region_of(const std::vector<ChainCopy>& chains, const std::vector<Point3>& all,
+                      const PlaneOfPoints& plane) {
   const Exact3 a = exact(all[plane.span[0]]);
   PlaneRegion r;
   r.normal = cross(exact(all[plane.span[1]]) - a, exact(all[plane.span[2]]) - a);
   r.offset = dot(r.normal, a);
   r.dropped = sgn(r.normal[2]) != 0 ? 2 : sgn(r.normal[0]) != 0 ? 0 : 1;
-  for (const Chain& chain : chains) {
+  for (const ChainCopy& chain : chains) {
     r.region.chains.emplace_back();
     for (const Point3& p : chain) r.region.chains.back().push_back(r.seen(exact(p)));
   }
@@ -99,7 +100,7 @@ PlaneRegion region_of(const std::vector<Chain>& chains, const std::vector<Point3
 
 /// The chains, and the plane that they lie in; nothing of other figures.
 struct PolygonInput {
-  std::vector<Chain> chains;
+  std::vector<ChainCopy> chains;
   std::vector<Point3> all;
   PlaneOfPoints plane;
 
@@ -112,7 +113,7 @@ PolygonInput input_of(std::string_view function, const FlatView& v) {
   PolygonInput input;
   if (!is_polygon(v)) return input;
   input.chains = chains_of(v);
-  for (const Chain& chain : input.chains) input.all.insert(input.all.end(), chain.begin(), chain.end());
+  for (const ChainCopy& chain : input.chains) input.all.insert(input.all.end(), chain.begin(), chain.end());
   input.plane = plane_of_points(input.all);
   require_planar(function, spoken(v), input.plane);
   return input;
@@ -219,7 +220,7 @@ Relation of_boundary(Relation r, bool has_inside) {
   return r == Relation::overlapping && !has_inside ? Relation::touching : r;
 }
 
-Relation relate(const PlaneRegion& r, const Piece& piece) {
+Relation relate(const PlaneRegion& r, const LinePiece& piece) {
   const PlaneSection part = section(piece.set, r.normal, r.offset);
   FlatSet2 flat;
   for (const Exact3& p : part.set.points) flat.points.push_back(r.seen(p));
@@ -264,14 +265,14 @@ Relation relate(const PlaneRegion& a, const PlaneRegion& b) {
   return query::relate(a.region, b.region);  // dropped is the same axis: that of the first part that is not zero
 }
 
-Relation relate(const Piece& a, const Piece& b) {
+Relation relate(const LinePiece& a, const LinePiece& b) {
   return of_boundary(query::relate(a.set, b.set), a.has_inside && b.has_inside);
 }
 
 template <class Part>
-Relation relate_to_pieces(const Part& part, const std::vector<Piece>& pieces) {
+Relation relate_to_pieces(const Part& part, const std::vector<LinePiece>& pieces) {
   Relation most = Relation::disjoint;
-  for (const Piece& piece : pieces) most = std::max(most, relate(part, piece));
+  for (const LinePiece& piece : pieces) most = std::max(most, relate(part, piece));
   return most;
 }
 
@@ -288,13 +289,13 @@ Relation relate_polygon(std::string_view function, const FlatView& a, const Flat
   if (p.region) return relate_to_pieces(*p.region, q.pieces);
   if (q.region) return relate_to_pieces(*q.region, p.pieces);
   Relation most = Relation::disjoint;
-  for (const Piece& piece : p.pieces) most = std::max(most, relate_to_pieces(piece, q.pieces));
+  for (const LinePiece& piece : p.pieces) most = std::max(most, relate_to_pieces(piece, q.pieces));
   return most;
 }
 
 Relation relate_convex(std::string_view function, const FlatView& polygon, const FlatSet& other) {
   const Parts p = parts_of(polygon, input_of(function, polygon));
-  const Piece piece{other, true};
+  const LinePiece piece{other, true};
   return p.region ? relate(*p.region, piece) : relate_to_pieces(piece, p.pieces);
 }
 

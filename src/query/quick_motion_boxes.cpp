@@ -8,20 +8,20 @@ namespace {
 
 // Along an axis the boxes meet from gap / speed to way / speed, quotients of differences of two numbers: each is off by
 // less than 3 units of 2^-53 of itself, and by underflow.
-constexpr double slack = 0x1p-50, least = 0x1p-1060;
+constexpr double slack = 0x1p-50, underflow = 0x1p-1060;
 
-constexpr double low(double x) { return x - magnitude_of(x) * slack - least; }
-constexpr double high(double x) { return x + magnitude_of(x) * slack + least; }
+constexpr double low(double x) { return x - magnitude_of(x) * slack - underflow; }
+constexpr double high(double x) { return x + magnitude_of(x) * slack + underflow; }
 
 /// Along one axis, the motion mirrored so that it goes upward.
-struct Axis {
+struct AxisMotion {
   std::array<double, 2> a, b;  // mirrored; from lower to upper
   std::array<double, 2> by;
   double speed;
   bool mirrored;
 };
 
-Axis axis_of(double a0, double a1, double b0, double b1, double of_a, double of_b) {
+AxisMotion axis_of(double a0, double a1, double b0, double b1, double of_a, double of_b) {
   if (of_a >= of_b) return {{a0, a1}, {b0, b1}, {of_a, of_b}, of_a - of_b, false};
   return {{-a1, -a0}, {-b1, -b0}, {-of_a, -of_b}, of_b - of_a, true};
 }
@@ -32,13 +32,13 @@ struct EndOrder {
   std::array<bool, 2> of_a_in_b{}, of_b_in_a{};
 };
 
-EndOrder ends_at(const Axis& x, double time) {
+EndOrder ends_at(const AxisMotion& x, double time) {
   EndOrder e;
   std::array<std::array<bool, 2>, 2> after{};  // a's end i is after b's end j
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       const double apart = x.b[j] - x.a[i], gone = time * x.speed;
-      const double off = (magnitude_of(apart) + gone) * slack + least;
+      const double off = (magnitude_of(apart) + gone) * slack + underflow;
       after[i][j] = gone > apart;
       e.certain &= magnitude_of(gone - apart) > off;
     }
@@ -71,7 +71,7 @@ Feature box_feature(const std::array<unsigned, 3>& part) {
 }
 
 /// The first features of two boxes that meet along one axis, and whose parts along the others are told.
-std::optional<Contact> features(const std::array<Axis, 3>& axes, std::size_t first, double time) {
+std::optional<Contact> features(const std::array<AxisMotion, 3>& axes, std::size_t first, double time) {
   std::array<unsigned, 3> of_a{2, 2, 2}, of_b{2, 2, 2};
   of_a[first] = axes[first].mirrored ? 0 : 1, of_b[first] = 1 - of_a[first];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -88,7 +88,7 @@ std::optional<Contact> features(const std::array<Axis, 3>& axes, std::size_t fir
 }
 
 /// gap / speed, rounded down.
-Answer entering(const Axis& x, const Contact& contact) {
+Answer entering(const AxisMotion& x, const Contact& contact) {
   const Rounded gap = two_sum(x.b[0], -x.a[1]), speed = two_sum(x.by[0], -x.by[1]);
   const double q = gap.value / speed.value;
   if (gap.error == 0 && speed.error == 0 && q > 0x1p-400 && speed.value > 0x1p-400 && speed.value < 0x1p400) {
@@ -142,9 +142,9 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   if (!(p.x < q.x && p.y < q.y && p.z < q.z && r.x < s.x && r.y < s.y && r.z < s.z)) return unsure;
   if (first == 3) return within ? overlap : unsure;
   if (!(low(from) > high(second))) return unsure;
-  const std::array<Axis, 3> axes{axis_of(p.x, q.x, r.x, s.x, a.by.x, b.by.x),
-                                 axis_of(p.y, q.y, r.y, s.y, a.by.y, b.by.y),
-                                 axis_of(p.z, q.z, r.z, s.z, a.by.z, b.by.z)};
+  const std::array<AxisMotion, 3> axes{axis_of(p.x, q.x, r.x, s.x, a.by.x, b.by.x),
+                                       axis_of(p.y, q.y, r.y, s.y, a.by.y, b.by.y),
+                                       axis_of(p.z, q.z, r.z, s.z, a.by.z, b.by.z)};
   const std::optional<Contact> meeting = features(axes, first, from);
   return meeting ? entering(axes[first], *meeting) : unsure;
 }

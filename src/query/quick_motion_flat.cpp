@@ -7,11 +7,11 @@ namespace plumb::query::quick {
 namespace {
 
 using T = Approximate;
-enum class Kind : unsigned char { none, face_of_a, face_of_b, edges };
+enum class FacetKind : unsigned char { none, face_of_a, face_of_b, edges };
 
 /// What bounds the differences of points of b and of a along a normal: features of both.
 struct Facet {
-  Kind kind = Kind::none;
+  FacetKind kind = FacetKind::none;
   std::size_t a = 0, b = 0;
 };
 
@@ -84,15 +84,15 @@ bool narrowed(const MotionSearch<A, B>& s, Window& window) {
   };
   for (std::size_t i = 0; i < HullA::face_count; ++i) {
     const auto [u, v] = HullA::of_face(i);
-    if (!ask(s.a.way(u), s.a.way(v), {Kind::face_of_a, i, 0})) return false;
+    if (!ask(s.a.way(u), s.a.way(v), {FacetKind::face_of_a, i, 0})) return false;
   }
   for (std::size_t i = 0; i < HullB::face_count; ++i) {
     const auto [u, v] = HullB::of_face(i);
-    if (!ask(s.b.way(u), s.b.way(v), {Kind::face_of_b, 0, i})) return false;
+    if (!ask(s.b.way(u), s.b.way(v), {FacetKind::face_of_b, 0, i})) return false;
   }
   for (std::size_t i = 0; i < HullA::way_count; ++i) {
     for (std::size_t j = 0; j < HullB::way_count; ++j) {
-      if (!ask(s.a.way(i), s.b.way(j), {Kind::edges, i, j})) return false;
+      if (!ask(s.a.way(i), s.b.way(j), {FacetKind::edges, i, j})) return false;
     }
   }
   return true;
@@ -100,7 +100,7 @@ bool narrowed(const MotionSearch<A, B>& s, Window& window) {
 
 /// A piece of the plane that the motion crosses: corner + x t + y u, t and u from 0 to 1, of a triangle t + u <= 1.
 template <class N>
-struct Piece {
+struct FacetPiece {
   Vec3<N> corner, x, y;
 };
 
@@ -111,14 +111,14 @@ struct FacetEnds {
 };
 
 template <class N, class A, class B>
-Piece<N> piece_of(const A& a, const B& b, const Facet& facet, const FacetEnds& ends) {
+FacetPiece<N> piece_of(const A& a, const B& b, const Facet& facet, const FacetEnds& ends) {
   const Vec3<N> apart = between<N>(a.place, b.place);
   const auto corner = [&](unsigned of_a, unsigned of_b) { return apart + b.at(of_b) - a.at(of_a); };
   const Vec3<N> none{N(0.0), N(0.0), N(0.0)};
-  if (facet.kind == Kind::edges) {
+  if (facet.kind == FacetKind::edges) {
     return {corner(A::upper(ends.a, facet.a), ends.b), a.whole_way(facet.a), b.whole_way(facet.b)};
   }
-  if (facet.kind == Kind::face_of_a) {
+  if (facet.kind == FacetKind::face_of_a) {
     const auto [u, v] = A::of_face(facet.a);
     if constexpr (A::is_triangle) return {corner(1, ends.b), a.way(0), none - a.way(1)};
     return {corner(A::upper(A::upper(ends.a, u), v), ends.b), a.whole_way(u), a.whole_way(v)};
@@ -129,17 +129,17 @@ Piece<N> piece_of(const A& a, const B& b, const Facet& facet, const FacetEnds& e
 }
 
 template <class N>
-struct Crossing {
+struct FacetCrossing {
   N gap, speed;
 };
 template <class N>
-Crossing<N> crossing(const Piece<N>& p, const Vec3<N>& velocity) {
+FacetCrossing<N> crossing(const FacetPiece<N>& p, const Vec3<N>& velocity) {
   const Vec3<N> n = cross(p.x, p.y);
   return {dot(p.corner, n), dot(velocity, n)};
 }
 
 /// Does the motion surely cross the piece, surely not, or who knows?
-MotionVerdict crosses(const Piece<T>& p, const Vec3<T>& velocity, bool triangle) {
+MotionVerdict crosses(const FacetPiece<T>& p, const Vec3<T>& velocity, bool triangle) {
   const auto [gap, speed] = crossing(p, velocity);
   const int side = certain(speed), ahead = certain(gap);
   if (ahead != 0 && certain(gap - speed) == ahead) return MotionVerdict::no;
@@ -158,16 +158,17 @@ MotionVerdict crosses(const Piece<T>& p, const Vec3<T>& velocity, bool triangle)
 
 /// Over another number type, the same question.
 template <class N, class A, class B>
-Crossing<N> precisely(const Translating<A>& a, const Translating<B>& b, const Facet& facet, const FacetEnds& ends) {
+FacetCrossing<N> precisely(const Translating<A>& a, const Translating<B>& b, const Facet& facet,
+                           const FacetEnds& ends) {
   return crossing(piece_of<N>(hull_of<N>(a.shape), hull_of<N>(b.shape), facet, ends), velocity<N>(a.by, b.by));
 }
 
 FacetEnds ends_of(const auto& pair, const Facet& facet, const Vec3<T>& n) {
   using A = decltype(pair.a);
   using B = decltype(pair.b);
-  const bool edges = facet.kind == Kind::edges;
-  const unsigned of_a = edges ? 1U << facet.a : facet.kind == Kind::face_of_a ? mask_of_face<A>(facet.a) : 0;
-  const unsigned of_b = edges ? 1U << facet.b : facet.kind == Kind::face_of_b ? mask_of_face<B>(facet.b) : 0;
+  const bool edges = facet.kind == FacetKind::edges;
+  const unsigned of_a = edges ? 1U << facet.a : facet.kind == FacetKind::face_of_a ? mask_of_face<A>(facet.a) : 0;
+  const unsigned of_b = edges ? 1U << facet.b : facet.kind == FacetKind::face_of_b ? mask_of_face<B>(facet.b) : 0;
   const auto [end_a, sure_a] = pair.a.farthest(n, of_a);
   const auto [end_b, sure_b] = pair.b.farthest({opposite(n.x), opposite(n.y), opposite(n.z)}, of_b);
   return {end_a, end_b, sure_a && sure_b};
@@ -176,9 +177,9 @@ FacetEnds ends_of(const auto& pair, const Facet& facet, const Vec3<T>& n) {
 template <class A, class B>
 std::pair<Feature, Feature> features(const Facet& facet, const FacetEnds& ends) {
   switch (facet.kind) {
-    case Kind::edges:
+    case FacetKind::edges:
       return {A::edge(facet.a, ends.a), B::edge(facet.b, ends.b)};
-    case Kind::face_of_a:
+    case FacetKind::face_of_a:
       return {A::face(facet.a, ends.a), B::vertex(ends.b)};
     default:
       return {A::vertex(ends.a), B::face(facet.b, ends.b)};
@@ -189,13 +190,13 @@ template <ContactWanted asked, class A, class B>
 Answer along_facet(const Translating<A>& a, const Translating<B>& b, const auto& pair, const Facet& facet) {
   using HullA = decltype(pair.a);
   using HullB = decltype(pair.b);
-  Vec3<T> n = facet.kind == Kind::edges       ? cross(pair.a.way(facet.a), pair.b.way(facet.b))
-              : facet.kind == Kind::face_of_a ? normal_of_face(pair.a, facet.a)
-                                              : normal_of_face(pair.b, facet.b);
+  Vec3<T> n = facet.kind == FacetKind::edges       ? cross(pair.a.way(facet.a), pair.b.way(facet.b))
+              : facet.kind == FacetKind::face_of_a ? normal_of_face(pair.a, facet.a)
+                                                   : normal_of_face(pair.b, facet.b);
   if (dot(n, pair.by).value < 0) n = {opposite(n.x), opposite(n.y), opposite(n.z)};
   const FacetEnds ends = ends_of(pair, facet, n);
-  const bool triangle =
-      (facet.kind == Kind::face_of_a && HullA::is_triangle) || (facet.kind == Kind::face_of_b && HullB::is_triangle);
+  const bool triangle = (facet.kind == FacetKind::face_of_a && HullA::is_triangle) ||
+                        (facet.kind == FacetKind::face_of_b && HullB::is_triangle);
   const MotionVerdict told = crosses(piece_of<T>(pair.a, pair.b, facet, ends), pair.by, triangle);
   constexpr bool flat = HullA::dimension + HullB::dimension == 2;
   if (told != MotionVerdict::yes) return {flat ? told : MotionVerdict::unsure};
@@ -203,7 +204,7 @@ Answer along_facet(const Translating<A>& a, const Translating<B>& b, const auto&
   if (!ends.sure) return unsure;
   const std::pair<Feature, Feature> meeting = features<HullA, HullB>(facet, ends);
   const auto time = [&]<class N>(N) {
-    const Crossing<N> c = precisely<N>(a, b, facet, ends);
+    const FacetCrossing<N> c = precisely<N>(a, b, facet, ends);
     return at(quotient(c.gap, c.speed), meeting.first, meeting.second);
   };
   const Answer answer = time(Pairs(0.0));
@@ -225,7 +226,7 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
     const Pair pair(a, b);
     return {certain(dot(cross(pair.by, pair.b.way(0)), pair.apart)) != 0 ? MotionVerdict::no : MotionVerdict::unsure};
   } else if constexpr (dimension == 2) {
-    return along_facet<asked>(a, b, Pair(a, b), {rank_of<A> == 0 ? Kind::face_of_b : Kind::edges, 0, 0});
+    return along_facet<asked>(a, b, Pair(a, b), {rank_of<A> == 0 ? FacetKind::face_of_b : FacetKind::edges, 0, 0});
   } else {
     MotionSearch<A, B> search(a, b);
     // Most that never meet are far from it.
@@ -238,7 +239,7 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
     if (!narrowed(search, window)) return no;
     if (window.within()) return overlap;
     if (!window.open()) return unsure;
-    if (window.first().kind == Kind::none) return {MotionVerdict::starts};
+    if (window.first().kind == FacetKind::none) return {MotionVerdict::starts};
     return along_facet<asked>(a, b, Pair(a, b), window.first());
   }
 }

@@ -15,11 +15,11 @@ namespace plumb {
 namespace query {
 namespace {
 
-constexpr std::size_t chunk = 512;
+constexpr std::size_t rays_chunk = 512;
 
 struct Chunk {
-  std::array<std::uint8_t, chunk> told;
-  std::array<double, chunk> least, most;
+  std::array<std::uint8_t, rays_chunk> told;
+  std::array<double, rays_chunk> least, most;
 };
 
 BatchRay batch_ray(const AnyRay& ray) {
@@ -35,8 +35,8 @@ void visit_hits(std::string_view function, const AnyRay& ray, const TriangleBatc
   require_ray(function, ray);
   const BatchRay lanes = batch_ray(ray);
   Chunk answers;
-  for (std::size_t from = 0; from < many.size(); from += chunk) {
-    const std::size_t n = std::min(chunk, many.size() - from);
+  for (std::size_t from = 0; from < many.size(); from += rays_chunk) {
+    const std::size_t n = std::min(rays_chunk, many.size() - from);
     std::array<const double*, 9> at{};
     for (std::size_t k = 0; k < 9; ++k) at[k] = many.numbers(k) + from;
     ask_lanes(lanes, at.data(), n, {answers.told.data(), answers.least.data(), answers.most.data()});

@@ -92,25 +92,25 @@ struct RectangleModel : FacetModel<RectangleModel> {
 };
 
 /// Corners of the face opposite to each corner, and the edges between corners.
-constexpr std::array<std::array<std::uint32_t, 3>, 4> faces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+constexpr std::array<std::array<std::uint32_t, 3>, 4> tetrahedron_faces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
 constexpr std::uint32_t edge_between(std::uint32_t p, std::uint32_t q) {
   const std::uint32_t low = p < q ? p : q, high = p < q ? q : p;
   return low == 0 ? high - 1 : low + high;  // ab ac ad, bc bd cd
 }
 
-struct Corners {
+struct BoxCorners {
   std::array<Point3, 4> at;
-  explicit Corners(const Tetrahedron3& t) : at{t.a, t.b, t.c, t.d} {}
+  explicit BoxCorners(const Tetrahedron3& t) : at{t.a, t.b, t.c, t.d} {}
 };
 
 /// Constraint i is the face opposite to corner i.
 struct SolidTetrahedronModel {
-  Corners corners;
+  BoxCorners corners;
   Sign turn;  // orient3d of the corners
 
   template <class T>
   [[nodiscard]] Vec3<T> outward(std::uint32_t face) const {
-    const auto& [p, q, r] = faces[face];
+    const auto& [p, q, r] = tetrahedron_faces[face];
     const Vec3<T> u = between<T>(corners.at[p], corners.at[q]), v = between<T>(corners.at[p], corners.at[r]);
     // (q - p) x (r - p) points away from the corner left out for even ones where a, b, c, d turn to the right.
     return (face % 2 == 0) == (turn == Sign::negative) ? cross(u, v) : cross(v, u);
@@ -119,7 +119,7 @@ struct SolidTetrahedronModel {
   template <class T>
   Linear<T> linear(const ShotLine<T>& line, std::uint32_t i, RaySigns&) const {
     const Vec3<T> out = outward<T>(i);
-    return {dot(line.origin_from(corners.at[faces[i][0]]), out), dot(line.direction, out)};
+    return {dot(line.origin_from(corners.at[tetrahedron_faces[i][0]]), out), dot(line.direction, out)};
   }
   static Feature feature(std::span<const std::uint32_t> tight) {
     if (tight.size() == 1) return {FeatureKind::face, tight[0]};
@@ -141,12 +141,12 @@ struct SolidTetrahedronModel {
 
 struct FlatTetrahedronModel : FacetModel<FlatTetrahedronModel> {
   explicit FlatTetrahedronModel(const Tetrahedron3& t) : corners(t) {}
-  Corners corners;
+  BoxCorners corners;
 
   static std::size_t facets() { return 4; }
   template <class T>
   Facet<T> facet(const ShotLine<T>& line, std::uint32_t face) const {
-    const auto& [p, q, r] = faces[face];
+    const auto& [p, q, r] = tetrahedron_faces[face];
     const Vec3<T> first = line.from_origin(corners.at[p]);
     return {3,
             {first, line.from_origin(corners.at[q]), line.from_origin(corners.at[r]), first},
@@ -180,7 +180,7 @@ std::optional<Answer> of(const AnyRay& ray, const Tetrahedron3& t) {
   require<Answer>(ray, t);
   const Sign turn = orient3d(t.a, t.b, t.c, t.d);
   if (turn != Sign::zero) {
-    const SolidTetrahedronModel model{Corners(t), turn};
+    const SolidTetrahedronModel model{BoxCorners(t), turn};
     return answer<Answer>(ray, model, clip(ray, model));
   }
   const FlatTetrahedronModel model(t);

@@ -11,7 +11,7 @@ namespace plumb::degenerate {
 
 namespace {
 
-using Corners = std::array<std::size_t, 3>;
+using FaceCorners = std::array<std::size_t, 3>;
 
 Int up_to(Int most, Entropy& entropy) { return 1 + static_cast<Int>(entropy.below(static_cast<std::uint64_t>(most))); }
 
@@ -30,7 +30,7 @@ void add_quad(Solid& solid, std::array<std::size_t, 4> q, Entropy& entropy) {
 }
 
 void reverse(Solid& solid) {
-  for (Corners& t : solid.triangles) std::swap(t[0], t[1]);
+  for (FaceCorners& t : solid.triangles) std::swap(t[0], t[1]);
 }
 
 void append(Solid& solid, const Solid& other) {
@@ -138,7 +138,7 @@ Solid sphere(Entropy& entropy) {
       if (fresh) solid.points.push_back(onto_sphere(solid.points[a] + solid.points[b]));
       return at->second;
     };
-    std::vector<Corners> finer;
+    std::vector<FaceCorners> finer;
     for (const auto& [a, b, c] : solid.triangles) {
       const std::size_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
       finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
@@ -251,7 +251,7 @@ Solid slits(Entropy& entropy) {
 Solid unwelded(Entropy& entropy) {
   Solid solid = any_simple(entropy);
   const bool all = !entropy.coin();
-  for (Corners& t : solid.triangles) {
+  for (FaceCorners& t : solid.triangles) {
     for (std::size_t& i : t) {
       if (!all && entropy.coin()) continue;
       solid.points.push_back(solid.points[i]);

@@ -15,12 +15,12 @@ namespace plumb {
 namespace query {
 namespace {
 
-struct Motion {
+struct BodyMotion {
   BodyShape shape;
   const Vector3* by;
 };
 
-struct Meeting {
+struct BodyMeeting {
   std::optional<Root> time;  // nothing: never
   Feature a, b;
 };
@@ -28,7 +28,7 @@ struct Meeting {
 /// Two bodies, and how the first moves, seen from the second.
 template <class T>
 struct MotionPair {
-  MotionPair(const Motion& of_a, const Motion& of_b)
+  MotionPair(const BodyMotion& of_a, const BodyMotion& of_b)
       : a(moving_body<T>(of_a.shape)),
         b(moving_body<T>(of_b.shape)),
         velocity(vector_of<T>(*of_a.by) - vector_of<T>(*of_b.by)) {}
@@ -91,8 +91,8 @@ bool one_is_first(const std::vector<Candidate>& found) {
 }
 
 /// The first time at which two features meet, and which.
-Meeting first_of(const std::vector<Candidate>& found, const MotionPair<BigDyadic>& exact) {
-  Meeting best;
+BodyMeeting first_of(const std::vector<Candidate>& found, const MotionPair<BigDyadic>& exact) {
+  BodyMeeting best;
   double latest = 1;  // no earlier than the best
   const auto rank = [](const Feature& a, const Feature& b) {
     return std::tuple(static_cast<int>(a.kind) + static_cast<int>(b.kind), a.kind, a.index, b.kind, b.index);
@@ -132,7 +132,7 @@ struct Outlook {
   std::vector<Candidate> found{};
 };
 
-Outlook outlook(std::string_view function, const Motion& a, const Motion& b, StartRelation at_start) {
+Outlook outlook(std::string_view function, const BodyMotion& a, const BodyMotion& b, StartRelation at_start) {
   require_finite_parts(function, {"a.by", "b.by"}, *a.by, *b.by);
   const bool some_a = check_body(function, "a.shape", a.shape), some_b = check_body(function, "b.shape", b.shape);
   if (!some_a || !some_b) return {};
@@ -147,16 +147,16 @@ Outlook outlook(std::string_view function, const Motion& a, const Motion& b, Sta
   return {false, candidates(quick, window)};
 }
 
-Meeting overlap_at_start() { return {Root(Rational(0)), {FeatureKind::interior, 0}, {FeatureKind::interior, 0}}; }
+BodyMeeting overlap_at_start() { return {Root(Rational(0)), {FeatureKind::interior, 0}, {FeatureKind::interior, 0}}; }
 
-Meeting meeting(const Outlook& out, const Motion& a, const Motion& b) {
+BodyMeeting meeting(const Outlook& out, const BodyMotion& a, const BodyMotion& b) {
   if (out.overlap) return overlap_at_start();
   if (out.found.empty()) return {};
   return first_of(out.found, MotionPair<BigDyadic>(a, b));
 }
 
 /// Where one pair of features is sure to be first and pairs of doubles tell the time.
-std::optional<Contact> quick_contact(const std::vector<Candidate>& found, const Motion& a, const Motion& b) {
+std::optional<Contact> quick_contact(const std::vector<Candidate>& found, const BodyMotion& a, const BodyMotion& b) {
   if (found.empty() || !one_is_first(found)) return {};
   const MotionPair<Ball> precise(a, b);
   PreciseTime time;
@@ -188,21 +188,21 @@ quick::Answer quick_answer(const Translating<A>& a, const Translating<B>& b) {
 // What is not told quickly, out of the way of what is.
 template <class A, class B>
 [[gnu::noinline]] std::optional<Root> time_of(const Translating<A>& a, const Translating<B>& b) {
-  const Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  const BodyMotion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
   return meeting(outlook("first_contact_time", of_a, of_b, start_relation<A, B>), of_a, of_b).time;
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> contact_of(const Translating<A>& a, const Translating<B>& b) {
-  const Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  const BodyMotion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
   const Outlook out = outlook("first_contact", of_a, of_b, start_relation<A, B>);
   if (const auto quick = quick_contact(out.found, of_a, of_b)) return quick;
-  const Meeting m = meeting(out, of_a, of_b);
+  const BodyMeeting m = meeting(out, of_a, of_b);
   if (!m.time) return {};
   return Contact{m.time->rounded(Rounding::down), m.a, m.b};
 }
 template <class A, class B>
 [[gnu::noinline]] bool meet(const Translating<A>& a, const Translating<B>& b) {
-  const Motion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
+  const BodyMotion of_a{&a.shape, &a.by}, of_b{&b.shape, &b.by};
   const Outlook out = outlook("intersects", of_a, of_b, start_relation<A, B>);
   const auto surely = [](const Candidate& c) { return c.time.certain() && c.time.latest() <= 1; };
   return out.overlap || std::ranges::any_of(out.found, surely) || meeting(out, of_a, of_b).time.has_value();
