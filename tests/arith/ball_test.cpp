@@ -137,6 +137,34 @@ TEST(BallTest, RoundsOutwardOrNotAtAll) {
   }
 }
 
+TEST(BallTest, TellsTheSignThatAllItHoldsHave) {
+  int certain = 0, unsure = 0;
+  for (std::uint64_t index = 0; index < 20'000; ++index) {
+    SCOPED_TRACE(index);
+    Entropy entropy(9, index);
+    const double high = std::ldexp(wide_coordinate(entropy), -20);
+    const double low = std::ldexp(high, -54) * (static_cast<double>(entropy.below(3)) - 1);
+    const double radius = moved_by_ulps(std::fabs(high) / (entropy.below(2) == 0 ? 1 : 2), entropy.within(3));
+    if (!(radius >= 0)) continue;
+    const Ball ball{high, low, radius};
+    const mpq_class middle = rational(high) + rational(low);
+    const int least = sgn(middle - rational(radius)), most = sgn(middle + rational(radius));
+    const Unsure<Sign> sign = ball.sign();
+    if (sign.certain()) {
+      ASSERT_EQ(static_cast<int>(sign.value()), least);
+      ASSERT_EQ(least, most);
+    }
+    if (radius < std::fabs(high) / 2) {
+      ASSERT_TRUE(sign.certain());
+    }
+    ++(sign.certain() ? certain : unsure);
+  }
+  EXPECT_GT(certain, 1000);
+  EXPECT_GT(unsure, 1000);
+  EXPECT_EQ(Ball{0.0}.sign(), Unsure{Sign::zero});
+  EXPECT_FALSE((Ball{1, 0, Ball::infinity}).sign().certain());
+}
+
 TEST(BallTest, IntegersStayExact) {
   const Ball seven{7}, three{3};
   EXPECT_EQ((seven * three - three * three * three).radius, 0);
