@@ -74,22 +74,22 @@ struct Share {
   }
 };
 
-constexpr Vector3 no_edge{0, 0, 0};
+constexpr Vector3 zero_edge{0, 0, 0};
 constexpr Sign nearer(Sign s, Sign t) { return s < t ? s : t; }
 
 /// The distance of p from the edge that starts at corner + move in direction d, against the radius.
 Sign beyond_edge(const Point3& corner, const Vector3& move, const Vector3& d, double radius, const Point3& p) {
-  if (sign_of(Ahead{}, corner, p, move, no_edge, d) != Sign::positive)
-    return sign_of(BeyondBall{}, corner, p, move, no_edge, radius);
+  if (sign_of(Ahead{}, corner, p, move, zero_edge, d) != Sign::positive)
+    return sign_of(BeyondBall{}, corner, p, move, zero_edge, radius);
   if (sign_of(Ahead{}, corner, p, move, d, d) != Sign::negative)
     return sign_of(BeyondBall{}, corner, p, move, d, radius);
-  return sign_of(BeyondRod{}, corner, p, move, no_edge, d, radius);
+  return sign_of(BeyondRod{}, corner, p, move, zero_edge, d, radius);
 }
 
 bool projects(const Point3& corner, const Vector3& u, const Vector3& v, const Point3& p) {
   const auto between = [&](const Vector3& a, const Vector3& b) {
-    return sign_of(Share{}, corner, p, no_edge, no_edge, a, b) == Sign::positive &&
-           sign_of(Share{}, corner, p, a, no_edge, a, b) == Sign::negative;
+    return sign_of(Share{}, corner, p, zero_edge, zero_edge, a, b) == Sign::positive &&
+           sign_of(Share{}, corner, p, a, zero_edge, a, b) == Sign::negative;
   };
   return between(u, v) && between(v, u);
 }
@@ -107,7 +107,7 @@ Location locate(const Lozenge3& lozenge, const Point3& p) {
   require_radius(radius, "lozenge.radius");
   if (projects(corner, u, v, p)) return location(sign_of(BeyondPlate{}, corner, p, u, v, radius));
   Sign least = Sign::positive;
-  for (const auto& [move, d] : {std::pair{no_edge, u}, {no_edge, v}, {u, v}, {v, u}}) {
+  for (const auto& [move, d] : {std::pair{zero_edge, u}, {zero_edge, v}, {u, v}, {v, u}}) {
     least = nearer(least, beyond_edge(corner, move, d, radius, p));
     if (least == Sign::negative) break;
   }

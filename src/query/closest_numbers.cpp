@@ -36,13 +36,13 @@ Quick quick_numbers(const Foot<Ball>& f, bool distance) {
 }
 
 /// Numerators over one denominator, which is positive.
-struct ExactFoot {
+struct FootIntegers {
   Vec<BigDyadic> at;
   BigDyadic weight;
   BigDyadic square, over;
 };
 
-ExactFoot exact_numbers(const Foot<BigDyadic>& f) {
+FootIntegers exact_numbers(const Foot<BigDyadic>& f) {
   if (!on_carrier(f.carrier)) return {f.from, BigDyadic(1.0), f.square(), BigDyadic(1.0)};
   return {f.from * f.whole + f.along * f.part, f.whole, f.square(), f.over()};
 }
@@ -55,7 +55,7 @@ std::optional<Point3> nearest_doubles(const Vec<Ball>& v) {
   return Point3{*x, *y, *z};
 }
 
-Point3 point_by_integers(const ExactFoot& e, const Point3& p, double radius) {
+Point3 point_by_integers(const FootIntegers& e, const Point3& p, double radius) {
   if (radius == 0) {
     const auto rounded = [&](const BigDyadic& x) { return plumb::rounded_quotient(nearest, x, e.weight); };
     return {rounded(e.at.x), rounded(e.at.y), rounded(e.at.z)};
@@ -69,14 +69,14 @@ Point3 point_by_integers(const ExactFoot& e, const Point3& p, double radius) {
   return {rounded(e.at.x, way.x), rounded(e.at.y, way.y), rounded(e.at.z, way.z)};
 }
 
-double distance_by_integers(const ExactFoot& e, double radius) {
+double distance_by_integers(const FootIntegers& e, double radius) {
   if (radius == 0) return plumb::rounded_root(nearest, e.square, e.over);
   return rounded_radical(nearest, BigDyadic(-radius) * e.over, BigDyadic(1.0), e.square * e.over, e.over);
 }
 
 }  // namespace
 
-Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius, const ExactFoot& exactly) {
+Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius, const FootIntegers& exactly) {
   if (foot.carrier == Carrier::itself) return {{p.x + 0.0, p.y + 0.0, p.z + 0.0}, 0};  // never -0
   const bool point = wanted != Wanted::distance, distance = wanted != Wanted::point;
   Quick q = quick_numbers(foot, distance || radius != 0);
@@ -88,7 +88,7 @@ Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double r
   const std::optional<double> d = distance ? q.distance.nearest() : 0;
   if (at && d) [[likely]]
     return {*at, *d};
-  const ExactFoot e = exact_numbers(exactly());
+  const FootIntegers e = exact_numbers(exactly());
   return {at ? *at : point_by_integers(e, p, radius), d ? *d : distance_by_integers(e, radius)};
 }
 
@@ -96,7 +96,7 @@ Rational rational_square(const Foot<BigDyadic>& foot) {
   return Rational(big_rational(foot.square())) / Rational(big_rational(foot.over()));
 }
 
-double rounded_part(const Foot<Ball>& foot, const ExactFoot& exactly) {
+double rounded_part(const Foot<Ball>& foot, const FootIntegers& exactly) {
   if (const std::optional<double> quick = quotient(foot.part, foot.whole).nearest()) [[likely]]
     return *quick;
   const Foot<BigDyadic> f = exactly();

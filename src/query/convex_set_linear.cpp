@@ -7,11 +7,11 @@ namespace plumb::meeting {
 namespace {
 
 template <std::size_t N>
-using BoundKind = typename Bound<N>::Kind;
+using SetBoundKind = typename Bound<N>::Kind;
 
 template <std::size_t N>
 Bound<N> on_axis(std::size_t axis, double offset, int side, int vertex = infinity) {
-  Bound<N> b{BoundKind<N>::axis, side};
+  Bound<N> b{SetBoundKind<N>::axis, side};
   b.vertex = vertex;
   b.axis = axis;
   b.offset = offset;
@@ -21,7 +21,7 @@ Bound<N> on_axis(std::size_t axis, double offset, int side, int vertex = infinit
 template <std::size_t N>
 void add_line(ConvexSet<N>& set, const Point<N>& a, const Point<N>& b) {
   for (std::size_t axis = 3; axis-- > (N == 2 ? 2 : 0);) {
-    Bound<N> bound{BoundKind<N>::line, 0};
+    Bound<N> bound{SetBoundKind<N>::line, 0};
     bound.axis = axis;
     bound.a = a;
     bound.b = b;
@@ -95,7 +95,7 @@ ConvexSet<N> directed_set(const Point<N>& p, const Vector<N>& d, bool has_end) {
     add_line<N>(set, p, edge.second);
   } else {
     for (std::size_t axis = 3; axis-- > (N == 2 ? 2 : 0);) {
-      Bound<N> bound{BoundKind<N>::toward, 0};
+      Bound<N> bound{SetBoundKind<N>::toward, 0};
       bound.axis = axis;
       bound.a = p;
       bound.direction = d;
@@ -121,19 +121,19 @@ struct Beside {  // which side of the line through a in direction d is p on?
 template <std::size_t N>
 Sign sign_at_point(const Bound<N>& b, const Point<N>& p) {
   switch (b.kind) {
-    case BoundKind<N>::axis:
+    case SetBoundKind<N>::axis:
       return sign_of_number(static_cast<int>(part(p, b.axis) > b.offset) -
                             static_cast<int>(part(p, b.axis) < b.offset));
-    case BoundKind<N>::line:
+    case SetBoundKind<N>::line:
       return orient2d(seen<N>(b.a, b.look()), seen<N>(b.b, b.look()), seen<N>(p, b.look()));
-    case BoundKind<N>::toward: {
+    case SetBoundKind<N>::toward: {
       const Vector2 d{part(b.direction, b.look().right), part(b.direction, b.look().up)};
       return sign_of(Beside{}, d, seen<N>(b.a, b.look()), seen<N>(p, b.look()));
     }
-    case BoundKind<N>::face:
+    case SetBoundKind<N>::face:
       if constexpr (N == 3) return orient3d(b.a, b.b, b.c, p);
       [[fallthrough]];
-    case BoundKind<N>::normal:
+    case SetBoundKind<N>::normal:
       if constexpr (N == 3) return side_of_plane(b.direction, b.offset, p);
       [[fallthrough]];
     default: {
