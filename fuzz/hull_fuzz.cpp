@@ -6,7 +6,7 @@
 
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/points.hpp"
-#include "plumb/figure/verify_hull.hpp"
+#include "plumb/figure/hull/verify_hull.hpp"
 
 namespace plumb::fuzz {
 namespace {

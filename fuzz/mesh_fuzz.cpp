@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "plumb/degenerate.hpp"
-#include "plumb/query/kinds.hpp"
-#include "query/foreign_functions.hpp"
+#include "plumb/query/kinds/kinds.hpp"
+#include "query/kinds/foreign_functions.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace plumb::degenerate;

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "plumb/degenerate/points.hpp"
-#include "plumb/query/ray_parity.hpp"
+#include "plumb/query/ray/parity.hpp"
 #include "plumb/surface/section.hpp"
 #include "surface/flat_contours.hpp"
 

@@ -8,9 +8,9 @@
 #include <iostream>
 #include <span>
 
-#include "plumb/figure/generated.hpp"
-#include "plumb/query/closest.hpp"
-#include "plumb/query/overlap.hpp"
+#include "plumb/figure/generated/generated.hpp"
+#include "plumb/query/closest/closest.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 namespace plumb::fuzz {
 namespace {

@@ -13,8 +13,9 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <plumb/predicates/determinant.hpp>
-#include <plumb/predicates/weight.hpp>
+
+#include "plumb/predicates/determinant.hpp"
+#include "plumb/predicates/weight.hpp"
 
 namespace plumb::predicates {
 

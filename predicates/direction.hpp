@@ -7,9 +7,10 @@
 #pragma once
 
 #include <array>
-#include <plumb/predicates/determinant.hpp>
-#include <plumb/predicates/orient.hpp>
 #include <string_view>
+
+#include "plumb/predicates/determinant.hpp"
+#include "plumb/predicates/orient.hpp"
 
 namespace plumb::predicates {
 

@@ -10,9 +10,10 @@
 #pragma once
 
 #include <array>
-#include <plumb/predicates/cross.hpp>
-#include <plumb/predicates/direction.hpp>
 #include <string_view>
+
+#include "plumb/predicates/cross.hpp"
+#include "plumb/predicates/direction.hpp"
 
 namespace plumb::predicates {
 

@@ -13,9 +13,10 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <plumb/predicates/construction.hpp>
 #include <string_view>
 #include <utility>
+
+#include "plumb/predicates/construction.hpp"
 
 namespace plumb::predicates {
 

@@ -6,8 +6,9 @@
 #pragma once
 
 #include <array>
-#include <plumb/predicates/determinant.hpp>
 #include <string_view>
+
+#include "plumb/predicates/determinant.hpp"
 
 namespace plumb::predicates {
 

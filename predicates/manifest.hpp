@@ -5,21 +5,21 @@
 // all.
 #pragma once
 
-#include <plumb/predicates/cross_products.hpp>
-#include <plumb/predicates/determinant.hpp>
-#include <plumb/predicates/direction.hpp>
-#include <plumb/predicates/distance.hpp>
-#include <plumb/predicates/in_sphere.hpp>
-#include <plumb/predicates/line_distance.hpp>
-#include <plumb/predicates/line_triangle.hpp>
-#include <plumb/predicates/moving_points.hpp>
-#include <plumb/predicates/orient.hpp>
-#include <plumb/predicates/plane_distance.hpp>
-#include <plumb/predicates/power.hpp>
-#include <plumb/predicates/radical.hpp>
-#include <plumb/predicates/ray_order.hpp>
-#include <plumb/predicates/separating_axis.hpp>
-#include <plumb/predicates/smallest_sphere.hpp>
+#include "plumb/predicates/cross_products.hpp"
+#include "plumb/predicates/determinant.hpp"
+#include "plumb/predicates/direction.hpp"
+#include "plumb/predicates/distance.hpp"
+#include "plumb/predicates/in_sphere.hpp"
+#include "plumb/predicates/line_distance.hpp"
+#include "plumb/predicates/line_triangle.hpp"
+#include "plumb/predicates/moving_points.hpp"
+#include "plumb/predicates/orient.hpp"
+#include "plumb/predicates/plane_distance.hpp"
+#include "plumb/predicates/power.hpp"
+#include "plumb/predicates/radical.hpp"
+#include "plumb/predicates/ray_order.hpp"
+#include "plumb/predicates/separating_axis.hpp"
+#include "plumb/predicates/smallest_sphere.hpp"
 
 // X(formula)
 

@@ -9,8 +9,9 @@
 #pragma once
 
 #include <array>
-#include <plumb/predicates/cross.hpp>
 #include <string_view>
+
+#include "plumb/predicates/cross.hpp"
 
 namespace plumb::predicates {
 

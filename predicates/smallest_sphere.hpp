@@ -7,8 +7,9 @@
 #pragma once
 
 #include <array>
-#include <plumb/predicates/distance.hpp>
 #include <string_view>
+
+#include "plumb/predicates/distance.hpp"
 
 namespace plumb::predicates {
 

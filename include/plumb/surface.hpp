@@ -1,7 +1,7 @@
 // The face of meshes and their files: everything in plumb/surface/.
 #pragma once
 
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/decimal.hpp"
 #include "plumb/surface/mesh_file.hpp"
 #include "plumb/surface/read_mesh.hpp"

@@ -1,4 +1,4 @@
-#include "rounded_radical.hpp"
+#include "arith/rounded_radical.hpp"
 
 #include <cmath>
 

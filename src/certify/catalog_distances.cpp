@@ -1,3 +1,3 @@
-#include "catalog_entry.hpp"
+#include "certify/catalog_entry.hpp"
 
 PLUMB_CATALOG_PART(distances, PLUMB_DISTANCES)

@@ -1,3 +1,3 @@
-#include "catalog_entry.hpp"
+#include "certify/catalog_entry.hpp"
 
 PLUMB_CATALOG_PART(radicals, PLUMB_RADICALS)

@@ -1,7 +1,7 @@
 // Every shape is, seen from a point, a flat: the point, line or plane that carries what is nearest.
 #include "plumb/certify/compare_distance.hpp"
 
-#include "finite.hpp"
+#include "certify/finite.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/certify/sign_of.hpp"
 

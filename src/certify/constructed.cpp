@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "fused.hpp"
+#include "certify/fused.hpp"
 #include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/twofold.hpp"

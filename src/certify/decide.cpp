@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "certify/refused_number.hpp"
 #include "plumb/arith/error.hpp"
-#include "refused_number.hpp"
 
 namespace plumb {
 

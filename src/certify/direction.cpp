@@ -1,6 +1,6 @@
 #include "plumb/certify/direction.hpp"
 
-#include "finite.hpp"
+#include "certify/finite.hpp"
 #include "plumb/certify/sign_of.hpp"
 
 namespace plumb {

@@ -2,7 +2,7 @@
 //
 // Coefficients are integers modulo a power of two beyond their largest value, in as many limbs as that takes; up to
 // 1024 bits no number is allocated, and no terms while they are few.
-#include "expansion.hpp"
+#include "certify/expansion.hpp"
 
 #include <algorithm>
 #include <bit>

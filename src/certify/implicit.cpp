@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "certify/refused_number.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates.hpp"
-#include "refused_number.hpp"
 
 namespace plumb::mixed {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "certify/refused_number.hpp"
 #include "plumb/certify/decide.hpp"
-#include "refused_number.hpp"
 
 namespace plumb {
 namespace {

@@ -1,9 +1,9 @@
-#include "moved_signs.hpp"
+#include "certify/moved_signs.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "expansion.hpp"
+#include "certify/expansion.hpp"
 
 namespace plumb::perturbation {
 

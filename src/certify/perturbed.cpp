@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "moved_signs.hpp"
+#include "certify/moved_signs.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb::perturbation {

@@ -2,9 +2,9 @@
 #include <map>
 #include <vector>
 
+#include "certify/proof_lines.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/certify/terms.hpp"
-#include "proof_lines.hpp"
 
 namespace plumb::proof {
 namespace {

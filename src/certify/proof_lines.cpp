@@ -1,4 +1,4 @@
-#include "proof_lines.hpp"
+#include "certify/proof_lines.hpp"
 
 namespace plumb::proof {
 

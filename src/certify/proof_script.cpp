@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "certify/proof_lines.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/certify/terms.hpp"
-#include "proof_lines.hpp"
 
 namespace plumb {
 namespace proof {

@@ -1,10 +1,10 @@
 #include "plumb/certify/ray_order.hpp"
 
 #include <algorithm>
-#include <plumb/predicates/line_triangle.hpp>
-#include <plumb/predicates/ray_order.hpp>
 
 #include "plumb/certify/decide.hpp"
+#include "plumb/predicates/line_triangle.hpp"
+#include "plumb/predicates/ray_order.hpp"
 
 namespace plumb {
 namespace {

@@ -1,8 +1,9 @@
 #include "plumb/certify/separating_axis.hpp"
 
 #include <algorithm>
-#include <plumb/predicates/cross_products.hpp>
-#include <plumb/predicates/direction.hpp>
+
+#include "plumb/predicates/cross_products.hpp"
+#include "plumb/predicates/direction.hpp"
 
 namespace plumb::separating_axis {
 namespace {

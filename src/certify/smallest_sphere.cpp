@@ -1,6 +1,6 @@
 #include "plumb/certify/smallest_sphere.hpp"
 
-#include "finite.hpp"
+#include "certify/finite.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/certify/sign_of.hpp"
 

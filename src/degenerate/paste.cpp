@@ -128,7 +128,7 @@ std::string cpp_text(const Kind& kind, std::span<const double> numbers, std::str
   std::string text = "#include <gtest/gtest.h>\n#include <math.h>\n#include <stddef.h>\n";
   const Answer exact = kind.exact(numbers);
   const bool judged = has_other_answers(kind, numbers, exact);
-  if (judged) text.append("\n#include <plumb/degenerate.hpp>\n#include <plumb/query/kinds.hpp>\n");
+  if (judged) text.append("\n#include <plumb/degenerate.hpp>\n#include <plumb/query/kinds/kinds.hpp>\n");
   text.append("\nextern \"C\" ").append(declaration).append(";\n\n// Exact: ");
   text.append(words(kind, exact)).append("\nTEST(").append(pascal(kind.name)).append(", ");
   text.append(name_of_numbers(numbers)).append(") {\n");

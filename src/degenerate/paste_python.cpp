@@ -156,7 +156,7 @@ def judge(given):
     return "right" if any(is_right(wanted) for wanted in RIGHT) else "wrong"
 )py";
 
-// By the same laws as src/query/kind_hull.hpp, in fractions.
+// By the same laws as src/query/kinds/kind_hull.hpp, in fractions.
 constexpr std::string_view kJudgeHull = R"py(
 def judge(given):
     if given is None:

@@ -1,4 +1,4 @@
-#include "assembly.hpp"
+#include "surface/assembly.hpp"
 
 #include <limits>
 

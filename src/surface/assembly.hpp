@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 
-#include "mesh_parsers.hpp"
-#include "placement.hpp"
+#include "surface/mesh_parsers.hpp"
+#include "surface/placement.hpp"
 
 namespace plumb::surface {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "plumb/figure/aabb_relation.hpp"
+#include "plumb/figure/aabb/relation.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/figure/box.hpp"
+#include "plumb/figure/basic/box.hpp"
 
 namespace plumb::surface {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "mesh_failure.hpp"
+#include "surface/mesh_failure.hpp"
 
 namespace plumb::surface {
 

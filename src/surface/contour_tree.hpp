@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/figure/aabb.hpp"
+#include "plumb/figure/aabb/aabb.hpp"
 #include "surface/cut_corners.hpp"
 
 namespace plumb::surface {

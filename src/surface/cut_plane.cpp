@@ -4,11 +4,11 @@
 #include <cmath>
 #include <functional>
 
-#include "figure/finite_parts.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/certify/constructed.hpp"
 #include "plumb/certify/rounded.hpp"
 #include "plumb/certify/side_of_plane.hpp"
-#include "plumb/query/intersection.hpp"
+#include "plumb/query/section/intersection.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "plumb/certify/side.hpp"
 #include "plumb/predicates.hpp"
-#include "plumb/query/planes.hpp"
+#include "plumb/query/section/planes.hpp"
 
 namespace plumb::surface {
 

@@ -1,4 +1,4 @@
-#include "ear_clipping.hpp"
+#include "surface/ear_clipping.hpp"
 
 #include <algorithm>
 

@@ -18,7 +18,7 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/sign.hpp"
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 
 namespace plumb::surface {
 

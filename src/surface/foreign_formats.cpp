@@ -1,9 +1,9 @@
-#include "foreign_formats.hpp"
+#include "surface/foreign_formats.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "text_lines.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -1,12 +1,12 @@
-#include "gltf_document.hpp"
+#include "surface/gltf_document.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
-#include "byte_reader.hpp"
-#include "gltf_uri.hpp"
+#include "surface/byte_reader.hpp"
+#include "surface/gltf_uri.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "assembly.hpp"
+#include "surface/assembly.hpp"
 
 namespace plumb::surface {
 

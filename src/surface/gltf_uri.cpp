@@ -1,4 +1,4 @@
-#include "gltf_uri.hpp"
+#include "surface/gltf_uri.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "gunzip.hpp"
+#include "surface/gunzip.hpp"
 
 #include <zlib.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "mesh_failure.hpp"
+#include "surface/mesh_failure.hpp"
 
 namespace plumb::surface {
 namespace {

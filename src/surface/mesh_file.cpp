@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "mesh_failure.hpp"
-#include "mesh_parsers.hpp"
-#include "text_lines.hpp"
+#include "surface/mesh_failure.hpp"
+#include "surface/mesh_parsers.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb {
 namespace {

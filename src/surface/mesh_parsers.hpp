@@ -9,10 +9,10 @@
 #include <optional>
 #include <string_view>
 
-#include "mesh_failure.hpp"
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/decimal.hpp"
 #include "plumb/surface/read_mesh.hpp"
+#include "surface/mesh_failure.hpp"
 
 namespace plumb::surface {
 

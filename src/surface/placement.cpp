@@ -1,4 +1,4 @@
-#include "placement.hpp"
+#include "surface/placement.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "ply_header.hpp"
+#include "surface/ply_header.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "text_lines.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb::surface {
 namespace {

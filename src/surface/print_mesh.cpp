@@ -1,4 +1,4 @@
-#include "print_mesh.hpp"
+#include "surface/print_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "mesh_failure.hpp"
+#include "surface/mesh_failure.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "assembly.hpp"
-#include "zip_archive.hpp"
+#include "surface/assembly.hpp"
+#include "surface/zip_archive.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "assembly.hpp"
-#include "gltf_document.hpp"
+#include "surface/assembly.hpp"
+#include "surface/gltf_document.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -9,12 +9,12 @@
 #include <memory>
 #include <string>
 
-#include "foreign_formats.hpp"
-#include "gunzip.hpp"
-#include "mesh_failure.hpp"
-#include "mesh_parsers.hpp"
 #include "plumb/surface/triangulate.hpp"
-#include "text_lines.hpp"
+#include "surface/foreign_formats.hpp"
+#include "surface/gunzip.hpp"
+#include "surface/mesh_failure.hpp"
+#include "surface/mesh_parsers.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb {
 namespace {

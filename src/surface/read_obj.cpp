@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh_parsers.hpp"
-#include "text_lines.hpp"
+#include "surface/mesh_parsers.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "byte_reader.hpp"
-#include "mesh_parsers.hpp"
-#include "ply_header.hpp"
-#include "text_lines.hpp"
+#include "surface/byte_reader.hpp"
+#include "surface/mesh_parsers.hpp"
+#include "surface/ply_header.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "byte_reader.hpp"
-#include "mesh_parsers.hpp"
 #include "plumb/surface/topology.hpp"
-#include "text_lines.hpp"
+#include "surface/byte_reader.hpp"
+#include "surface/mesh_parsers.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb::surface {
 namespace {

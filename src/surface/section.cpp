@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "figure/mesh_input.hpp"
+#include "figure/basic/mesh_input.hpp"
 #include "surface/cut_contours.hpp"
 #include "surface/cut_nesting.hpp"
 #include "surface/cut_segments.hpp"

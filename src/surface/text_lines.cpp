@@ -1,4 +1,4 @@
-#include "text_lines.hpp"
+#include "surface/text_lines.hpp"
 
 #include <charconv>
 

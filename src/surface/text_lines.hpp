@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "mesh_failure.hpp"
 #include "plumb/arith/point.hpp"
 #include "plumb/surface/decimal.hpp"
+#include "surface/mesh_failure.hpp"
 
 namespace plumb::surface {
 

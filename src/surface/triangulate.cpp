@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "ear_clipping.hpp"
 #include "plumb/predicates.hpp"
+#include "surface/ear_clipping.hpp"
 
 namespace plumb {
 namespace {

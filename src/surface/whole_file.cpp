@@ -1,4 +1,4 @@
-#include "whole_file.hpp"
+#include "surface/whole_file.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "mesh_failure.hpp"
+#include "surface/mesh_failure.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh_failure.hpp"
 #include "plumb/surface/triangulate.hpp"
-#include "print_mesh.hpp"
-#include "whole_file.hpp"
+#include "surface/mesh_failure.hpp"
+#include "surface/print_mesh.hpp"
+#include "surface/whole_file.hpp"
 
 namespace plumb {
 namespace {

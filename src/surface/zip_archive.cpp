@@ -1,4 +1,4 @@
-#include "zip_archive.hpp"
+#include "surface/zip_archive.hpp"
 
 #include <minizip/unzip.h>
 
@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-#include "mesh_failure.hpp"
-#include "text_lines.hpp"
+#include "surface/mesh_failure.hpp"
+#include "surface/text_lines.hpp"
 
 namespace plumb::surface {
 

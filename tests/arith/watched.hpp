@@ -7,9 +7,9 @@
 #include <gmpxx.h>
 
 #include <array>
-#include <plumb/predicates/manifest.hpp>
 
 #include "plumb/certify/formula.hpp"
+#include "plumb/predicates/manifest.hpp"
 
 namespace plumb {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/batch_rival.hpp"
+#include "bench/rivals/batch_rival.hpp"
 #include "certify/batch/take_instruction_set.hpp"
 #include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/side.hpp"

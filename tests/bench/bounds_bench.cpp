@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "plumb/degenerate/entropy.hpp"
-#include "plumb/figure/aabb_relation.hpp"
-#include "plumb/figure/box_batch.hpp"
-#include "plumb/figure/k_dop.hpp"
-#include "plumb/figure/sphere.hpp"
-#include "plumb/figure/swept_sphere.hpp"
+#include "plumb/figure/aabb/box_batch.hpp"
+#include "plumb/figure/aabb/relation.hpp"
+#include "plumb/figure/k_dop/k_dop.hpp"
+#include "plumb/figure/sphere/sphere.hpp"
+#include "plumb/figure/swept_sphere/swept_sphere.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "bench/ccd_rival.hpp"
+#include "bench/rivals/ccd_rival.hpp"
 #include "tool/stability/ccd_queries.hpp"
 
 namespace plumb::bench {

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/closest_rival.hpp"
+#include "bench/rivals/closest_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/ulps.hpp"
-#include "plumb/query/closest.hpp"
-#include "plumb/query/closest_batch.hpp"
+#include "plumb/query/closest/batch.hpp"
+#include "plumb/query/closest/closest.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/closest_pairs_rival.hpp"
+#include "bench/rivals/closest_pairs_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/ulps.hpp"
-#include "plumb/query/closest.hpp"
+#include "plumb/query/closest/closest.hpp"
 
 namespace plumb::bench {
 namespace {

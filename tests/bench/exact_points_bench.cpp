@@ -4,10 +4,10 @@
 // points that are equal, of different figures, at thirds of integers.
 #include <array>
 
-#include "bench/exact_points_rival.hpp"
 #include "bench/measure.hpp"
+#include "bench/rivals/exact_points_rival.hpp"
 #include "plumb/degenerate/entropy.hpp"
-#include "plumb/query/intersection.hpp"
+#include "plumb/query/section/intersection.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/hull2_rival.hpp"
-#include "bench/qhull_rival.hpp"
+#include "bench/rivals/hull2_rival.hpp"
+#include "bench/rivals/qhull_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/figure/hull2.hpp"
+#include "plumb/figure/hull/hull2.hpp"
 
 namespace plumb::bench {
 namespace {

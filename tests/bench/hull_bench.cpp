@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/hull_rival.hpp"
-#include "bench/qhull_rival.hpp"
+#include "bench/rivals/hull_rival.hpp"
+#include "bench/rivals/qhull_rival.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/figure/hull3.hpp"
+#include "plumb/figure/hull/hull3.hpp"
 
 namespace plumb::bench {
 namespace {

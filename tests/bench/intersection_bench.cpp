@@ -2,12 +2,12 @@
 // And what do integers save on lattices?  `plumb` constructs the exact set; `nearest` rounds its corners as well.
 #include <cmath>
 
-#include "bench/intersection_rival.hpp"
 #include "bench/measure.hpp"
+#include "bench/rivals/intersection_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/query/intersection.hpp"
-#include "plumb/query/lattice2.hpp"
-#include "plumb/query/overlap.hpp"
+#include "plumb/query/overlap/lattice2.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/section/intersection.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "plumb/degenerate/check.hpp"
-#include "plumb/query/kinds.hpp"
+#include "plumb/query/kinds/kinds.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/obb_rival.hpp"
+#include "bench/rivals/obb_rival.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/figure/minimum_obb.hpp"
-#include "plumb/figure/obb.hpp"
-#include "plumb/figure/obb_fits.hpp"
+#include "plumb/figure/obb/fits.hpp"
+#include "plumb/figure/obb/minimum_obb.hpp"
+#include "plumb/figure/obb/obb.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "bench/measure.hpp"
-#include "bench/overlap_rival.hpp"
-#include "plumb/figure/aabb.hpp"
-#include "plumb/figure/aabb_relation.hpp"
-#include "plumb/query/overlap.hpp"
-#include "plumb/query/overlap_batch.hpp"
+#include "bench/rivals/overlap_rival.hpp"
+#include "plumb/figure/aabb/aabb.hpp"
+#include "plumb/figure/aabb/relation.hpp"
+#include "plumb/query/overlap/batch.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/surface/read_mesh.hpp"
 
 namespace plumb::bench {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/overlap_round_rival.hpp"
+#include "bench/rivals/overlap_round_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/entropy.hpp"
-#include "plumb/query/overlap.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -1,5 +1,5 @@
-#include "bench/chart_rival.hpp"
-#include "tool/program.hpp"
+#include "bench/rivals/chart_rival.hpp"
+#include "tool/program/program.hpp"
 
 int main(int argc, char** argv) {
   plumb::bench::Rivals rivals;

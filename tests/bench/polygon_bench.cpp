@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/polygon_rival.hpp"
+#include "bench/rivals/polygon_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/figure/polygon_location.hpp"
-#include "plumb/query/convex_location.hpp"
+#include "plumb/figure/containment/polygon_location.hpp"
+#include "plumb/query/convex/location.hpp"
 
 namespace plumb::bench {
 namespace {

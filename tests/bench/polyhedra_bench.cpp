@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "plumb/figure/hull3.hpp"
-#include "plumb/figure/k_dop.hpp"
-#include "plumb/figure/polyhedron.hpp"
-#include "plumb/query/overlap.hpp"
+#include "plumb/figure/basic/polyhedron.hpp"
+#include "plumb/figure/hull/hull3.hpp"
+#include "plumb/figure/k_dop/k_dop.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "bench/cgal_rival.hpp"
 #include "bench/measure.hpp"
+#include "bench/rivals/cgal_rival.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb::bench {

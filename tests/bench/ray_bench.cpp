@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/ray_rival.hpp"
+#include "bench/rivals/ray_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/query/ray_batch.hpp"
-#include "plumb/query/ray_hits.hpp"
+#include "plumb/query/ray/batch.hpp"
+#include "plumb/query/ray/hits.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/sphere_rival.hpp"
+#include "bench/rivals/sphere_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/figure/minimum_sphere.hpp"
-#include "plumb/figure/sphere.hpp"
-#include "plumb/figure/sphere_fits.hpp"
+#include "plumb/figure/sphere/fits.hpp"
+#include "plumb/figure/sphere/minimum_sphere.hpp"
+#include "plumb/figure/sphere/sphere.hpp"
 
 namespace plumb::bench {
 namespace {

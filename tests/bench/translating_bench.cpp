@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/translating_rival.hpp"
+#include "bench/rivals/translating_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/query/translating_contact.hpp"
+#include "plumb/query/time_of_impact/translating_contact.hpp"
 
 namespace plumb::bench {
 namespace {

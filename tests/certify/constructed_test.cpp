@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "certify/implicit_cases.hpp"
+#include "certify/implicit/cases.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 

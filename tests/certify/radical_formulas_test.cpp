@@ -1,11 +1,10 @@
 // Are signs with square roots of polynomials exact?  Sums of distances, as users state them.
 #include <gtest/gtest.h>
 
-#include <plumb/predicates/cross.hpp>
-
 #include "certify/space_cases.hpp"
 #include "oracle/radicals.hpp"
 #include "plumb/certify/radical.hpp"
+#include "plumb/predicates/cross.hpp"
 
 namespace plumb::space_cases {
 namespace {

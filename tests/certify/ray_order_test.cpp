@@ -5,12 +5,12 @@
 
 #include <cmath>
 #include <limits>
-#include <plumb/predicates/line_triangle.hpp>
-#include <plumb/predicates/ray_order.hpp>
 
 #include "certify/space_cases.hpp"
 #include "oracle/space.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/predicates/line_triangle.hpp"
+#include "plumb/predicates/ray_order.hpp"
 
 namespace plumb::space_cases {
 namespace {

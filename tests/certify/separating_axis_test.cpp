@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <limits>
-#include <plumb/predicates/cross_products.hpp>
 
 #include "certify/space_cases.hpp"
 #include "oracle/space.hpp"
+#include "plumb/predicates/cross_products.hpp"
 
 namespace plumb::space_cases {
 namespace {

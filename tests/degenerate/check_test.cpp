@@ -12,7 +12,7 @@
 
 #include "plumb/degenerate/paste.hpp"
 #include "plumb/degenerate/shrink_case.hpp"
-#include "plumb/query/kinds.hpp"
+#include "plumb/query/kinds/kinds.hpp"
 
 namespace plumb::degenerate {
 namespace {

@@ -11,7 +11,7 @@
 #include "plumb/degenerate/check.hpp"
 #include "plumb/degenerate/paste.hpp"
 #include "plumb/degenerate/ulps.hpp"
-#include "plumb/query/kinds.hpp"
+#include "plumb/query/kinds/kinds.hpp"
 
 namespace plumb::degenerate {
 namespace {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "plumb/degenerate/fuzz_target.hpp"
-#include "plumb/query/kinds.hpp"
+#include "plumb/query/kinds/kinds.hpp"
 
 namespace {
 

@@ -76,7 +76,7 @@ std::optional<bool> looked_up(const std::string& line) {
 std::string placed(std::string line) {
   const std::pair<std::string_view, std::string_view> places[]{
       {"cmake --install build/demo ", "cmake --install " PLUMB_BINARY_DIR " "},
-      {"$HOME/src/plumb", PLUMB_SOURCE_DIR " -DPLUMB_BUILD_INCLUDE=" PLUMB_BINARY_DIR "/include"},
+      {"$HOME/src/plumb", PLUMB_SOURCE_DIR},
       {"-DCMAKE_PREFIX_PATH=", "-DCMAKE_CXX_FLAGS='" PLUMB_SANITIZE_FLAGS "' -DCMAKE_PREFIX_PATH="},
       {"$HOME/plumb", "$PWD/installed"},
       {"g++ -std", PLUMB_CXX " " PLUMB_SANITIZE_FLAGS " -std"}};

@@ -111,7 +111,7 @@ elseif(WAY STREQUAL "add_subdirectory")
     set(build_shared ON)
   endif()
   build_consumer(-DPLUMB_BESIDE=${SOURCE} -DBUILD_SHARED_LIBS=${build_shared} -DPLUMB_INSTALL=ON
-    -DCMAKE_BUILD_TYPE=${CONFIG} -DPLUMB_BUILD_INCLUDE=${BUILD}/include)
+    -DCMAKE_BUILD_TYPE=${CONFIG})
   file(REMOVE_RECURSE ${prefix})
   run(${CMAKE_COMMAND} --install ${place}/build --prefix ${prefix})
 

@@ -30,7 +30,7 @@ class SmallTree : public testing::Test {
         write(name, "");
       }
     }
-    write("predicates/orient.hpp", "#include <array>\n#include <plumb/predicates/determinant.hpp>\n");
+    write("predicates/orient.hpp", "#include <array>\n#include \"plumb/predicates/determinant.hpp\"\n");
     write("predicates/determinant.hpp", "");
     write("include/plumb/arith/rational.hpp", "#include <gmpxx.h>\n");
     write("include/plumb/arith/sign.hpp", "#include <optional>\n");
@@ -42,12 +42,12 @@ class SmallTree : public testing::Test {
     write("include/plumb/surface.hpp", "#include \"plumb/surface/mesh.hpp\"\n");
     write("include/plumb/surface/mesh.hpp", "#include \"plumb/predicates.hpp\"\n");
     write("include/plumb/plumb.hpp", "#include \"plumb/surface.hpp\"\n");
-    write("src/surface/read.cpp", "#include \"plumb/surface/mesh.hpp\"\n#include \"parser.hpp\"\n");
+    write("src/surface/read.cpp", "#include \"plumb/surface/mesh.hpp\"\n#include \"surface/parser.hpp\"\n");
     write("src/surface/parser.hpp", "");
     write("include/plumb/classic.h", "");
     write("src/classic/classic.cpp", "#include \"plumb/classic.h\"\n#include \"plumb/certify/decide.hpp\"\n");
     write("src/install.cmake", "");
-    write("src/tool/main.cpp", "#include \"tool/report.hpp\"\n#include <fmt/core.h>\n");
+    write("src/tool/program/main.cpp", "#include \"tool/mesh/report.hpp\"\n#include <fmt/core.h>\n");
     write("tests/oracle/cgal.cpp", "#include <CGAL/Gmpq.h>\n");
     write("docs/examples/cgal/main.cpp", "#include <CGAL/enum.h>\n#include <plumb/certify/cgal_kernel.hpp>\n");
     write(".clang-format", "");
@@ -82,10 +82,10 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"src/geometry/sphere.cpp", "", "no rung"},
       {"src/sphere.cpp", "", "no rung"},
       {"predicates/orient.cpp", "", "no rung"},
-      {"predicates/circle.hpp", "#include <plumb/arith/sign.hpp>\n", "later folder"},
+      {"predicates/circle.hpp", "#include \"plumb/arith/sign.hpp\"\n", "later folder"},
       {"include/plumb/arith/filter.hpp", "# include \"plumb/certify/decide.hpp\"\n", "later folder"},
       {"include/plumb/certify/all.hpp", "#include \"plumb/plumb.hpp\"\n", "later folder"},
-      {"include/plumb/certify/mesh.hpp", "  #include <plumb/surface.hpp>\n", "later folder"},
+      {"include/plumb/certify/mesh.hpp", "  #include \"plumb/surface.hpp\"\n", "later folder"},
       {"include/plumb/surface.h", "", "no rung"},
       {"include/plumb/certify/from_c.hpp", "#include \"plumb/classic.h\"\n", "later folder"},
       {"include/plumb/certify/odd.hpp", "#include \"plumb/geometry/sphere.hpp\"\n", "no rung"},
@@ -95,21 +95,27 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"src/world/scene.cpp", "#include \"../surface/parser.hpp\"\n", "climbs"},
       {"predicates/circle.hpp", "#include <gmp.h>\n", "stays in arith"},
       {"include/plumb/certify/slow.hpp", "#include <gmpxx.h>\n", "stays in arith"},
-      {"include/plumb/figure/fit.hpp", "#include <Eigen/Dense>\n", "stays at the edge"},
-      {"include/plumb/figure/fit.hpp", "#include <fmt/core.h>\n", "the program's"},
+      {"include/plumb/figure/basic/fit.hpp", "#include <Eigen/Dense>\n", "stays at the edge"},
+      {"include/plumb/figure/basic/fit.hpp", "#include <fmt/core.h>\n", "the program's"},
       {"include/plumb/degenerate/points.hpp", "#include <rapidcheck.h>\n", "stays in its bridge"},
       {"src/certify/slow.cpp", "#include <CGAL/Gmpq.h>\n", "oracles and rivals"},
       {"include/plumb/surface/cgal.hpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
       {"docs/examples/slicer/main.cpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
-      {"src/query/roots.cpp", "#include \"plumb/arith/gmp.hpp\"\n", "for its users alone"},
+      {"src/query/body/roots.cpp", "#include \"plumb/arith/gmp.hpp\"\n", "for its users alone"},
       {"include/plumb/surface/hull.hpp", "#include \"plumb/certify/cgal_kernel.hpp\"\n", "for its users alone"},
       {"tests/certify/law_test.cpp", "#include <boost/multiprecision/gmp.hpp>\n", "oracles and rivals"},
-      {"src/tool/hull.cpp", "#include <libqhull_r/qhull_ra.h>\n", "rivals only"},
+      {"src/tool/mesh/hull.cpp", "#include <libqhull_r/qhull_ra.h>\n", "rivals only"},
       {"tests/oracle/boxes.cpp", "#include <fcl/math/bv/OBB.h>\n", "rivals only"},
       {"include/plumb/figure.hpp", "#include \"plumb/arith/rational.hpp\"\n", "brings gmpxx.h along"},
       {"src/surface/utils.hpp", "", "says nothing"},
       {"tests/tool/string_helpers.hpp", "", "says nothing"},
-      {"src/tool/long.cpp", std::string(501, '\n'), "501 lines"},
+      {"src/tool/mesh/long.cpp", std::string(501, '\n'), "501 lines"},
+      {"src/query/roots.cpp", "", "no room of query"},
+      {"src/figure/odds/roots.cpp", "", "no room of figure"},
+      {"include/plumb/query/ray/hit.hpp", "#include \"plumb/query/kinds/hit.hpp\"\n", "later room"},
+      {"src/query/body/corner.cpp", "#include \"query/ray/numbers.hpp\"\n", "later room"},
+      {"src/surface/odd.cpp", "#include \"parser.hpp\"\n", "without its folder"},
+      {"src/surface/odd.cpp", "#include <plumb/surface.hpp>\n", "in brackets"},
       {"tests/oracle/report.txt", std::string(200'001, ' '), "200001 bytes"},
   };
   for (const Case& c : cases) {
@@ -123,6 +129,13 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
     for (; folder != tree_ && fs::is_empty(folder); folder = folder.parent_path()) fs::remove(folder);
     ASSERT_THAT(breaches(tree_), testing::IsEmpty()) << "after " << c.path;
   }
+}
+
+TEST_F(SmallTree, ACrowdIsNoticed) {
+  for (std::size_t i = 0; i < most_files; ++i) write("src/world/part_" + std::to_string(i) + ".cpp", "");
+  EXPECT_THAT(breaches(tree_), testing::IsEmpty());
+  write("src/world/part_more.cpp", "");
+  EXPECT_THAT(breaches(tree_), testing::ElementsAre(Is("src/world", "61 files")));
 }
 
 TEST_F(SmallTree, EveryNameOfTheTopLevelIsNeeded) {

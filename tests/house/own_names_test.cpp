@@ -2,8 +2,8 @@
 // would make each use of it ambiguous.
 #include <gtest/gtest.h>
 
-#include <plumb/degenerate.hpp>
-#include <plumb/plumb.hpp>
+#include "plumb/degenerate.hpp"
+#include "plumb/plumb.hpp"
 
 using namespace plumb;
 

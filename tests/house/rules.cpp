@@ -21,6 +21,7 @@ struct Source {
   std::string path;  // relative to the tree, with slashes
   std::size_t lines = 0;
   std::vector<std::string> includes;  // as spelled
+  std::vector<std::string> in_brackets;
 };
 
 bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
@@ -61,7 +62,10 @@ std::vector<Source> read_sources(const fs::path& tree) {
       Source source{fs::relative(entry.path(), tree).generic_string(), 0, {}};
       std::ifstream in(entry.path());
       for (std::string line; std::getline(in, line); ++source.lines) {
-        if (auto spelled = included(line)) source.includes.push_back(*spelled);
+        if (auto spelled = included(line)) {
+          if (line.find('<') < line.find('"')) source.in_brackets.push_back(*spelled);
+          source.includes.push_back(std::move(*spelled));
+        }
       }
       sources.push_back(std::move(source));
     }
@@ -118,8 +122,8 @@ void check_folders(const fs::path& tree, std::vector<Breach>& out) {
     for (const auto& entry : fs::directory_iterator(tree / top)) {
       const std::string name = entry.path().filename().string();
       const std::string extension = entry.path().extension().string();
-      const bool known = entry.is_directory()
-                             ? rung_of(name) && name != "predicates" && (name != "tool" || top == "src")
+      const bool known = entry.is_directory() ? rung_of(name) && (name != "predicates" || entry.is_symlink()) &&
+                                                    (name != "tool" || top == "src")
                          : top == "src" ? one_of(extension, {".cmake", ".in"})
                                         : (extension == ".hpp" || name == "classic.h") && rung_of(name).has_value();
       if (!known) out.push_back({top + "/" + name, "is no rung of the ladder"});
@@ -144,6 +148,73 @@ void check_ladder(const Source& source, std::vector<Breach>& out) {
     }
     const auto other = included_rung(spelled);
     if (other && *other > *own) out.push_back({source.path, "includes " + spelled + ", of a later folder"});
+  }
+}
+
+/// The place of a path below include/plumb or src in the ladder and, within its folder, among the rooms.
+struct Place {
+  std::string folder;
+  std::string room;  // empty where the folder has none, or the file is in none
+};
+Place place_below(const std::string& path) {
+  Place place{first_part(path), {}};
+  if (!rooms.contains(place.folder)) return place;
+  const std::string rest = path.substr(std::min(place.folder.size() + 1, path.size()));
+  if (rest.find('/') != std::string::npos) place.room = first_part(rest);
+  return place;
+}
+std::optional<std::string> below_top(const std::string& path) {
+  for (const std::string top : {"include/plumb/", "src/"}) {
+    if (path.starts_with(top)) return path.substr(top.size());
+  }
+  return {};
+}
+
+std::optional<std::ptrdiff_t> rank_of(const Place& place) {
+  const std::vector<std::string>& known = rooms.at(place.folder);
+  const auto found = std::find(known.begin(), known.end(), place.room);
+  if (found == known.end()) return {};
+  return found - known.begin();
+}
+
+void check_rooms(const Source& source, std::vector<Breach>& out) {
+  const auto below = below_top(source.path);
+  if (!below || !rooms.contains(first_part(*below)) || below->ends_with("CMakeLists.txt")) return;
+  if (*below != source.path.substr(4) && first_part(*below) == "tool") return;  // of include/, where no program belongs
+  const Place own = place_below(*below);
+  const auto rank = rank_of(own);
+  if (!rank) {
+    out.push_back({source.path, "is in no room of " + own.folder});
+    return;
+  }
+  for (const std::string& spelled : source.includes) {
+    const Place other = place_below(spelled.starts_with("plumb/") ? spelled.substr(6) : spelled);
+    if (other.folder != own.folder) continue;
+    const auto other_rank = rank_of(other);
+    if (other_rank && *other_rank > *rank) out.push_back({source.path, "includes " + spelled + ", of a later room"});
+  }
+}
+
+/// One spelling, from the root of include/ or src/ or tests/, so that a search for a file finds all who include it.
+void check_spelling(const Source& source, std::vector<Breach>& out) {
+  if (!below_top(source.path) && !source.path.starts_with("predicates/")) return;
+  for (const std::string& spelled : source.in_brackets) {
+    if (spelled.starts_with("plumb/")) out.push_back({source.path, "includes <" + spelled + ">, in brackets"});
+  }
+  for (const std::string& spelled : source.includes) {
+    const bool in_quotes =
+        std::find(source.in_brackets.begin(), source.in_brackets.end(), spelled) == source.in_brackets.end();
+    if (in_quotes && spelled.find('/') == std::string::npos) {
+      out.push_back({source.path, "includes \"" + spelled + "\", without its folder"});
+    }
+  }
+}
+
+void check_crowd(const std::vector<Source>& sources, std::vector<Breach>& out) {
+  std::map<std::string, std::size_t> files;
+  for (const Source& source : sources) ++files[fs::path(source.path).parent_path().generic_string()];
+  for (const auto& [folder, count] : files) {
+    if (count > most_files) out.push_back({folder, "has " + std::to_string(count) + " files; 60 are the most"});
   }
 }
 
@@ -174,7 +245,8 @@ void check_libraries(const Source& source, std::vector<Breach>& out) {
     }
     if (!for_users) continue;
     if (is_gmp(spelled) && !path.starts_with("include/plumb/arith/")) forbid(spelled, "which stays in arith/");
-    if (library == "Eigen" && path != "include/plumb/figure/eigen.hpp") forbid(spelled, "which stays at the edge");
+    if (library == "Eigen" && path != "include/plumb/figure/basic/eigen.hpp")
+      forbid(spelled, "which stays at the edge");
     if (one_of(library, {"rapidcheck", "rapidcheck.h"}) && path != "include/plumb/degenerate/rapidcheck.hpp") {
       forbid(spelled, "which stays in its bridge");
     }
@@ -244,11 +316,14 @@ std::vector<Breach> breaches(const fs::path& tree) {
   const std::vector<Source> sources = read_sources(tree);
   for (const Source& source : sources) {
     check_ladder(source, out);
+    check_rooms(source, out);
+    check_spelling(source, out);
     check_libraries(source, out);
     if (source.lines > longest_file) {
       out.push_back({source.path, "has " + std::to_string(source.lines) + " lines; 500 are the most"});
     }
   }
+  check_crowd(sources, out);
   check_faces(sources, out);
   return out;
 }

@@ -1,11 +1,12 @@
-// Does a source tree keep the house's rules?  The top level, the ladder of folders, who may see which library, names
-// and sizes of files.
+// Does a source tree keep the house's rules?  The top level, the ladder of folders, the rooms of a folder, who may see
+// which library, how includes are spelled, names and sizes of files.
 //
 // Laws: breaches(tree) is empty exactly when every rule holds; each breach names its file and what is wrong.
 // Cost: reads every source file once.
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -22,6 +23,21 @@ inline std::ostream& operator<<(std::ostream& out, const Breach& b) { return out
 /// The folders of include/plumb and src: each may include those before it and itself.
 inline const std::vector<std::string> ladder = {"predicates", "arith", "certify", "classic", "degenerate",
                                                 "figure",     "query", "space",   "surface", "world"};
+
+/// The rooms of a folder: each may include those before it and itself.  By the alphabet but where the field's word for a
+/// thing comes too early in it or too late.
+inline const std::map<std::string, std::vector<std::string>> rooms = {
+    {"figure",
+     {"basic", "containment", "support", "hull", "measures", "minkowski", "sphere", "aabb", "k_dop", "obb",
+      "swept_sphere", "bound", "generated"}},
+    {"query", {"body", "closest", "convex", "overlap", "ray", "section", "time_of_impact", "kinds"}},
+    {"tool",
+     {"terminal", "drawing", "mesh",       "trial", "manual", "bounds",  "check", "chart",     "convert", "doctor",
+      "fuzz",     "help",    "placements", "plan",  "proof",  "section", "sign",  "stability", "vectors", "program"}},
+};
+
+/// The most source files in one folder; data may be more.
+inline constexpr std::size_t most_files = 60;
 
 inline const std::vector<std::string> top_level = {
     "CMakeLists.txt", "CMakePresets.json", "bootstrap", "include", "src", "predicates", "tests", "fuzz",

@@ -5,8 +5,8 @@
 // Cost: about 1 ms.
 #pragma once
 
-#include "plumb/figure/box.hpp"
-#include "plumb/figure/relation.hpp"
+#include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/relation.hpp"
 
 namespace plumb::oracle {
 

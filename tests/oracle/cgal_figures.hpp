@@ -5,11 +5,11 @@
 #pragma once
 
 #include "oracle/cgal_kernel.hpp"
-#include "plumb/figure/box.hpp"
-#include "plumb/figure/linear.hpp"
-#include "plumb/figure/plane.hpp"
-#include "plumb/figure/round.hpp"
-#include "plumb/figure/simplex.hpp"
+#include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/plane.hpp"
+#include "plumb/figure/basic/round.hpp"
+#include "plumb/figure/basic/simplex.hpp"
 
 namespace plumb::oracle {
 

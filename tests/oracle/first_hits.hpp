@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "plumb/query/ray.hpp"
+#include "plumb/query/ray/ray.hpp"
 
 namespace plumb::oracle {
 

@@ -10,7 +10,7 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/sign.hpp"
-#include "plumb/figure/relation.hpp"
+#include "plumb/figure/basic/relation.hpp"
 
 namespace plumb::oracle {
 

@@ -1,11 +1,11 @@
 // The formulas of the manifest over GMP's rationals.
-#include <plumb/predicates/manifest.hpp>
 #include <stdexcept>
 #include <string>
 
 #include "oracle/oracle.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/certify/formula.hpp"
+#include "plumb/predicates/manifest.hpp"
 
 namespace plumb::oracle {
 namespace {

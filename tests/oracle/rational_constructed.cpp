@@ -2,12 +2,12 @@
 #include <mpfr.h>
 
 #include <array>
-#include <plumb/predicates/in_sphere.hpp>
-#include <plumb/predicates/orient.hpp>
 #include <stdexcept>
 
 #include "oracle/constructed.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/predicates/in_sphere.hpp"
+#include "plumb/predicates/orient.hpp"
 
 namespace plumb::oracle {
 namespace {

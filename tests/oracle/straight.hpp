@@ -6,8 +6,8 @@
 #pragma once
 
 #include "plumb/arith/rational.hpp"
-#include "plumb/figure/linear.hpp"
-#include "plumb/figure/simplex.hpp"
+#include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/simplex.hpp"
 
 namespace plumb::oracle {
 

@@ -8,8 +8,8 @@
 
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/points.hpp"
-#include "plumb/figure/hull2.hpp"
-#include "plumb/figure/hull3.hpp"
+#include "plumb/figure/hull/hull2.hpp"
+#include "plumb/figure/hull/hull3.hpp"
 #include "stability/found.hpp"
 #include "tool/stability/hull_judge.hpp"
 #include "tool/stability/png.hpp"

@@ -7,7 +7,7 @@
 
 #include "tool/browser.hpp"
 #include "tool/quick_report.hpp"
-#include "tool/stability_command.hpp"
+#include "tool/stability/command.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 #include "plumb/surface/write_mesh.hpp"
 

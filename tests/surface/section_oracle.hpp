@@ -8,8 +8,8 @@
 #include <iterator>
 #include <set>
 
-#include "flat_contours.hpp"
-#include "plumb/query/ray_parity.hpp"
+#include "plumb/query/ray/parity.hpp"
+#include "surface/flat_contours.hpp"
 
 namespace plumb::oracle {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <random>
 
-#include "section_oracle.hpp"
-#include "solids.hpp"
+#include "surface/section_oracle.hpp"
+#include "surface/solids.hpp"
 
 namespace plumb {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "certify/sanitized.hpp"
 #include "plumb/surface/read_mesh.hpp"
-#include "section_oracle.hpp"
-#include "solids.hpp"
+#include "surface/section_oracle.hpp"
+#include "surface/solids.hpp"
 
 namespace plumb {
 namespace {

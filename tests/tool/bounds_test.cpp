@@ -6,8 +6,8 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/surface/write_mesh.hpp"
-#include "run_program.hpp"
-#include "tool/bounds_command.hpp"
+#include "tool/bounds/command.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 namespace {

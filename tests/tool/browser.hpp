@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "run_program.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "browser.hpp"
-#include "quick_report.hpp"
-#include "tool/chart.hpp"
+#include "tool/browser.hpp"
+#include "tool/drawing/chart.hpp"
+#include "tool/quick_report.hpp"
 
 namespace plumb::tool {
 namespace {

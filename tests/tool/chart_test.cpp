@@ -1,5 +1,5 @@
 // The chart: well-formed whatever it is given, no label on another label or a marker, order on the page as in value.
-#include "tool/chart.hpp"
+#include "tool/drawing/chart.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
-#include "tool/log_axis.hpp"
+#include "tool/drawing/log_axis.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "matchers.hpp"
 #include "plumb/surface/write_mesh.hpp"
-#include "run_program.hpp"
 #include "surface/gzipped.hpp"
 #include "surface/packages.hpp"
-#include "tool/check_command.hpp"
+#include "tool/check/command.hpp"
+#include "tool/matchers.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plumb/certify/catalog.hpp"
-#include "run_program.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "matchers.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "plumb/surface/write_mesh.hpp"
-#include "run_program.hpp"
+#include "tool/matchers.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -1,5 +1,5 @@
 // Which decisions are asked: ascending, none twice, spread over all, and not in step with any pattern of their order.
-#include "tool/decision_sample.hpp"
+#include "tool/mesh/decision_sample.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz_commands.hpp"
+#include "tool/fuzz_commands.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "matchers.hpp"
-#include "run_program.hpp"
+#include "tool/matchers.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "fuzz_commands.hpp"
-#include "plumb/query/kinds.hpp"
-#include "tool/fuzz/fuzz_drawing.hpp"
+#include "plumb/query/kinds/kinds.hpp"
+#include "tool/fuzz/drawing.hpp"
+#include "tool/fuzz_commands.hpp"
 
 namespace plumb::tool {
 namespace {

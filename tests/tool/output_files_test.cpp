@@ -1,5 +1,5 @@
 // Outputs arrive whole, only when the run succeeded, and never in the place of what was not asked to be replaced.
-#include "tool/output_files.hpp"
+#include "tool/terminal/output_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 #include <set>
 
 #include "plumb/arith/error.hpp"
-#include "run_program.hpp"
-#include "tool/held_signals.hpp"
-#include "tool/mesh_name.hpp"
-#include "tool/write_folder.hpp"
+#include "tool/run_program.hpp"
+#include "tool/terminal/held_signals.hpp"
+#include "tool/terminal/mesh_name.hpp"
+#include "tool/terminal/write_folder.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -14,10 +14,10 @@
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/predicates/manifest.hpp"
 #include "plumb/surface/write_mesh.hpp"
-#include "run_program.hpp"
-#include "tool/lattice_savings.hpp"
-#include "tool/plan_command.hpp"
-#include "tool/snap.hpp"
+#include "tool/mesh/snap.hpp"
+#include "tool/plan/command.hpp"
+#include "tool/plan/lattice_savings.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 namespace {

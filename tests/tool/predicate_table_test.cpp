@@ -7,7 +7,7 @@
 #include <map>
 
 #include "plumb/certify/catalog.hpp"
-#include "tool/meanings.hpp"
+#include "tool/manual/meanings.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -60,7 +60,7 @@ TEST(PredicateTable, HasEveryPredicateAndNoOther) {
   std::map<std::string, std::string> rows = rows_of_page();
   std::string wrong;
   for (const CatalogEntry& e : catalog()) {
-    EXPECT_FALSE(meaning_of(e.name).empty()) << e.name << " lacks a sentence in src/tool/meanings.cpp";
+    EXPECT_FALSE(meaning_of(e.name).empty()) << e.name << " lacks a sentence in src/tool/manual/meanings.cpp";
     const std::string should = row_of(e);
     const std::string row = rows[std::string(e.name)];
     const bool says_of_cgal = row.size() > should.size() + 4;

@@ -6,7 +6,7 @@
 
 #include "plumb/certify/catalog.hpp"
 #include "plumb/certify/proof_script.hpp"
-#include "run_program.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 namespace {

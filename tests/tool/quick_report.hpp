@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "matchers.hpp"
-#include "run_program.hpp"
+#include "tool/matchers.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 

@@ -1,6 +1,6 @@
 // The embedded part: the clean flange is a closed solid on a short lattice, and the turned one has exactly the defects
 // that its header lists.
-#include "tool/sample_part.hpp"
+#include "tool/mesh/sample_part.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "tool/flange.hpp"
+#include "tool/mesh/flange.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "matchers.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/surface/write_mesh.hpp"
-#include "run_program.hpp"
 #include "surface/solids.hpp"
-#include "tool/decimal_range.hpp"
-#include "tool/section_view.hpp"
+#include "tool/matchers.hpp"
+#include "tool/run_program.hpp"
+#include "tool/section/view.hpp"
+#include "tool/terminal/decimal_range.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "run_program.hpp"
-#include "tool/suggestion.hpp"
+#include "tool/run_program.hpp"
+#include "tool/terminal/suggestion.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "plumb/certify/case_line.hpp"
 #include "plumb/certify/catalog.hpp"
-#include "run_program.hpp"
+#include "tool/run_program.hpp"
 
 namespace plumb::tool {
 namespace {

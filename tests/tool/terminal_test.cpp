@@ -1,5 +1,5 @@
 // What the program says and shows: the progress bar, the doctor's report, files that cannot be written.
-#include "tool/terminal.hpp"
+#include "tool/terminal/terminal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
-#include "run_program.hpp"
-#include "tool/doctor_command.hpp"
-#include "tool/progress.hpp"
+#include "tool/doctor/command.hpp"
+#include "tool/run_program.hpp"
+#include "tool/terminal/progress.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -1,4 +1,4 @@
-#include "tool/utf8.hpp"
+#include "tool/terminal/utf8.hpp"
 
 #include <gtest/gtest.h>
 

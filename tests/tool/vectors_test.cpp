@@ -10,11 +10,11 @@
 #include <set>
 #include <sstream>
 
-#include "plumb/query/kinds.hpp"
-#include "run_program.hpp"
+#include "plumb/query/kinds/kinds.hpp"
+#include "tool/run_program.hpp"
 #include "tool/trial/location_tests.hpp"
 #include "tool/trial/task.hpp"
-#include "tool/vectors_command.hpp"
+#include "tool/vectors/command.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -11,10 +11,10 @@
 
 #include <array>
 #include <cstddef>
-#include <plumb/predicates/distance.hpp>
-#include <plumb/predicates/plane_distance.hpp>
 
 #include "plumb/certify/sign_of.hpp"
+#include "plumb/predicates/distance.hpp"
+#include "plumb/predicates/plane_distance.hpp"
 
 namespace plumb::cgal {
 

@@ -9,11 +9,10 @@
 // Cost: one sign of degree 3 or 4, up to three of degree 2 for three points.
 #pragma once
 
-#include <plumb/predicates/cross_products.hpp>
-#include <plumb/predicates/line_triangle.hpp>
-
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/predicates/cross_products.hpp"
+#include "plumb/predicates/line_triangle.hpp"
 
 namespace plumb {
 

@@ -7,10 +7,9 @@
 // Cost: one sign of degree 3 or 4.
 #pragma once
 
-#include <plumb/predicates/cross_products.hpp>
-
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/predicates/cross_products.hpp"
 
 namespace plumb {
 

@@ -11,10 +11,9 @@
 // Cost: three signs of degree 3.
 #pragma once
 
-#include <plumb/predicates/line_triangle.hpp>
-
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/predicates/line_triangle.hpp"
 
 namespace plumb {
 

@@ -11,10 +11,11 @@
 
 #include <array>
 #include <cstddef>
-#include <plumb/predicates/homogeneous.hpp>
 #include <string_view>
 #include <tuple>
 #include <utility>
+
+#include "plumb/predicates/homogeneous.hpp"
 
 namespace plumb {
 

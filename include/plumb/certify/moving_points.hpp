@@ -13,11 +13,11 @@
 #pragma once
 
 #include <array>
-#include <plumb/predicates/moving_points.hpp>
 #include <span>
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/predicates/moving_points.hpp"
 
 namespace plumb {
 

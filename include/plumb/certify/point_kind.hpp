@@ -9,13 +9,13 @@
 
 #include <array>
 #include <concepts>
-#include <plumb/predicates/construction.hpp>
 #include <string_view>
 
 #include "plumb/arith/implicit_point.hpp"
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/pose.hpp"
 #include "plumb/certify/sign_of.hpp"
+#include "plumb/predicates/construction.hpp"
 
 namespace plumb {
 

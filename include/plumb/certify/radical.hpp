@@ -11,9 +11,9 @@
 #pragma once
 
 #include <concepts>
-#include <plumb/predicates/radical.hpp>
 
 #include "plumb/certify/decide.hpp"
+#include "plumb/predicates/radical.hpp"
 
 namespace plumb {
 

@@ -14,11 +14,11 @@
 #pragma once
 
 #include <optional>
-#include <plumb/predicates/separating_axis.hpp>
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/gap_filter.hpp"
+#include "plumb/predicates/separating_axis.hpp"
 
 namespace plumb {
 

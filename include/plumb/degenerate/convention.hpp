@@ -4,7 +4,7 @@
 //   EXPECT_TRUE(check(kind, my_inside).clean());
 //
 // Laws: (1) the exact answer is that of the convention: without its boundary a figure is its interior, relative to what
-// it spans where it spans less than the space (figure/relation.hpp), so that two figures meet where `relate` says
+// it spans where it spans less than the space (figure/basic/relation.hpp), so that two figures meet where `relate` says
 // overlapping; without its origin a ray hits where a point of it beyond the origin does, and its parameter is the
 // greatest lower bound of all such; (2) under `any` the answers under both are right, and `exact` is the closed one;
 // (3) all else of the kind stays, its name and its lines of cases too.

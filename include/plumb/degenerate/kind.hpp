@@ -3,7 +3,7 @@
 // A case is one list of numbers: argument after argument, a count before each argument that may have any number of
 // points or triangles.  An answer is a short list of numbers: the sign, 1 or 0 for yes or no, the number, the corners
 // of triangles.
-// The kinds there are: plumb/query/kinds.hpp.
+// The kinds there are: plumb/query/kinds/kinds.hpp.
 // Laws: (1) exact answers are those of real arithmetic for all finite doubles, numbers the nearest double; (2) every
 // generator's cases are valid, and the same choices make the same case; (3) judge rounds nothing: how far a number is
 // from the nearest double of the exact one is asked exactly.
@@ -110,7 +110,7 @@ enum class AnswerForm : unsigned char {
 };
 
 /// Is the boundary part of a figure?  `any`: the function promises neither, and both answers are right.  Without it a
-/// figure is its interior, as figure/relation.hpp says it of overlapping: a segment without its ends, a flat box
+/// figure is its interior, as figure/basic/relation.hpp says it of overlapping: a segment without its ends, a flat box
 /// without its rim.
 enum class Boundary : unsigned char { in, out, any };
 /// Are the ends of a segment, the origin of a ray, part of it?

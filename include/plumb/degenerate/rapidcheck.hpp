@@ -77,7 +77,7 @@ inline rc::Gen<std::vector<Point3>> any_points3(Degeneracy degeneracy, std::size
 
 namespace degenerate {
 
-/// A case of a kind (query/kinds.hpp), of any of its generators.
+/// A case of a kind (query/kinds/kinds.hpp), of any of its generators.
 inline rc::Gen<Numbers> any_case(const Kind& kind) {
   return generator_of([kind](Entropy& entropy) {
     Numbers numbers;

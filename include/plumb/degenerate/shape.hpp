@@ -1,7 +1,7 @@
 // What shapes are there to be tested, and how do their numbers lie in a row?  Kinds, and one shape of a form.
 //
 // A shape is the numbers of its struct's members in order (`layout`), so that code of any library can read it;
-// figure/generated.hpp makes the structs of them.
+// figure/generated/generated.hpp makes the structs of them.
 // Laws: (1) every number is finite, radii and half extents are not negative, nothing is empty but by the form of that
 // name; (2) polygons of space are exactly planar, axes of boxes and rectangles exactly perpendicular, none of them
 // zero, and so are edges of lozenges that are not zero; polygons do not cross themselves, unless they are flat, and

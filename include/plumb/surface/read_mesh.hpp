@@ -28,7 +28,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 
 namespace plumb {

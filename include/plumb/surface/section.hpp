@@ -34,8 +34,8 @@
 #include <vector>
 
 #include "plumb/arith/sign.hpp"
-#include "plumb/figure/mesh.hpp"
-#include "plumb/query/planes.hpp"
+#include "plumb/figure/basic/mesh.hpp"
+#include "plumb/query/section/planes.hpp"
 
 namespace plumb {
 

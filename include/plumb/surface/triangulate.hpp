@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 
 namespace plumb {
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "corpus.hpp"
+#include "tool/fuzz/corpus.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include "degenerate/fields.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate/paste.hpp"
-#include "plumb/query/kinds.hpp"
-#include "tool/terminal.hpp"
-#include "tool/write_folder.hpp"
+#include "plumb/query/kinds/kinds.hpp"
+#include "tool/terminal/terminal.hpp"
+#include "tool/terminal/write_folder.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -1,4 +1,4 @@
-#include "foreign_child.hpp"
+#include "tool/fuzz/foreign_child.hpp"
 
 #include <dlfcn.h>
 #include <elf.h>

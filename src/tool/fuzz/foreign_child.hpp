@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <string>
 
-#include "foreign_board.hpp"
 #include "plumb/degenerate/kind.hpp"
+#include "tool/fuzz/foreign_board.hpp"
 
 namespace plumb::tool {
 

@@ -1,4 +1,4 @@
-#include "foreign_judge.hpp"
+#include "tool/fuzz/foreign_judge.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "degenerate/words.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/case_line.hpp"
-#include "tool/terminal.hpp"
+#include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 namespace {

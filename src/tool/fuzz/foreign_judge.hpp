@@ -7,7 +7,7 @@
 // Cost: some 10 us an answer, beside its own.
 #pragma once
 
-#include "foreign_process.hpp"
+#include "tool/fuzz/foreign_process.hpp"
 
 namespace plumb::tool {
 

@@ -1,4 +1,4 @@
-#include "foreign_process.hpp"
+#include "tool/fuzz/foreign_process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "plumb/arith/error.hpp"
-#include "tool/terminal.hpp"
+#include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "foreign_child.hpp"
+#include "tool/fuzz/foreign_child.hpp"
 
 namespace plumb::tool {
 

@@ -1,4 +1,4 @@
-#include "own_arguments.hpp"
+#include "tool/fuzz/own_arguments.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "plumb/arith/error.hpp"
-#include "tool/terminal.hpp"
+#include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 namespace {

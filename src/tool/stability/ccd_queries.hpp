@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/query/continuous_contact.hpp"
+#include "plumb/query/time_of_impact/continuous_contact.hpp"
 
 namespace plumb::ccd {
 

@@ -28,7 +28,7 @@ struct MethodOutcome {
   bool exact = false;         // one of ours: any failure is a bug, and the laboratory exits with 1
 };
 
-/// A whole SVG with the classes of chart_style (src/tool/chart.hpp), so that it suits light and dark pages.
+/// A whole SVG with the classes of chart_style (src/tool/drawing/chart.hpp), so that it suits light and dark pages.
 struct Picture {
   std::string name;  // of the file, without folder and extension, unique: "orient2d-grid"
   std::string caption, svg;

@@ -10,8 +10,8 @@
 
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/points.hpp"
-#include "plumb/figure/hull2.hpp"
-#include "plumb/figure/hull3.hpp"
+#include "plumb/figure/hull/hull2.hpp"
+#include "plumb/figure/hull/hull3.hpp"
 #include "tool/stability/experiment.hpp"
 #include "tool/stability/hull_judge.hpp"
 #include "tool/stability/hull_picture.hpp"

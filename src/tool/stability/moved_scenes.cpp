@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "plumb/degenerate/exact.hpp"
-#include "plumb/figure/polygon_location.hpp"
-#include "plumb/query/overlap.hpp"
-#include "plumb/query/ray_hits.hpp"
+#include "plumb/figure/containment/polygon_location.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "tool/stability/float_ways.hpp"
 #include "tool/stability/posed_tests.hpp"
 #include "tool/stability/question_figures.hpp"

@@ -1,8 +1,8 @@
 // Distances between figures that meet, that are parallel, and that are far from the origin.
 #include <cmath>
 
-#include "plumb/query/closest.hpp"
-#include "plumb/query/closest_pairs.hpp"
+#include "plumb/query/closest/closest.hpp"
+#include "plumb/query/closest/pairs.hpp"
 #include "tool/stability/float_ways.hpp"
 #include "tool/stability/judged.hpp"
 #include "tool/stability/question_figures.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/figure/obb.hpp"
+#include "plumb/figure/obb/obb.hpp"
 #include "tool/stability/float_ways.hpp"
 #include "tool/stability/judged.hpp"
 #include "tool/stability/share_curves.hpp"

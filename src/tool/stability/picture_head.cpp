@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tool/chart.hpp"
+#include "tool/drawing/chart.hpp"
 
 namespace plumb::tool::stability {
 

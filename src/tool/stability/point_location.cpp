@@ -1,8 +1,8 @@
 // Points in polygons and in solids, at corners, on edges, and beside them.
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/ulps.hpp"
-#include "plumb/figure/polygon_location.hpp"
-#include "plumb/query/ray_parity.hpp"
+#include "plumb/figure/containment/polygon_location.hpp"
+#include "plumb/query/ray/parity.hpp"
 #include "tool/stability/float_ways.hpp"
 #include "tool/stability/judged.hpp"
 #include "tool/stability/sample_meshes.hpp"

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/figure/aabb_relation.hpp"
-#include "plumb/query/overlap.hpp"
-#include "tool/flange.hpp"
+#include "plumb/figure/aabb/relation.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "tool/mesh/flange.hpp"
 #include "tool/stability/float_ways.hpp"
 #include "tool/stability/posed_tests.hpp"
 #include "tool/stability/question_figures.hpp"

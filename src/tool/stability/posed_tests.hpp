@@ -9,8 +9,8 @@
 #include <span>
 
 #include "plumb/arith/pose.hpp"
-#include "plumb/figure/linear.hpp"
-#include "plumb/figure/simplex.hpp"
+#include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/simplex.hpp"
 
 namespace plumb::tool::stability {
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "plumb/arith/point.hpp"
-#include "plumb/figure/linear.hpp"
-#include "plumb/figure/simplex.hpp"
+#include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/simplex.hpp"
 
 namespace plumb::tool::stability {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "plumb/degenerate/coordinates.hpp"
-#include "plumb/query/ray_hits.hpp"
-#include "plumb/query/ray_parity.hpp"
+#include "plumb/query/ray/hits.hpp"
+#include "plumb/query/ray/parity.hpp"
 #include "tool/stability/float_ways.hpp"
 #include "tool/stability/question_figures.hpp"
 #include "tool/stability/sample_meshes.hpp"

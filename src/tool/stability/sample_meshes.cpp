@@ -8,7 +8,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/surface/read_mesh.hpp"
-#include "tool/flange.hpp"
+#include "tool/mesh/flange.hpp"
 #include "tool/trial/location_tests.hpp"
 
 namespace plumb::tool::stability {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "plumb/figure/mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 
 namespace plumb::tool::stability {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "plumb/arith/rational.hpp"
-#include "plumb/figure/linear.hpp"
+#include "plumb/figure/basic/linear.hpp"
 #include "tool/trial/contestant.hpp"
 #include "tool/trial/segment_tests.hpp"
 #include "tool/trial/vec.hpp"

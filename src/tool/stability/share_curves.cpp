@@ -7,8 +7,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "tool/chart.hpp"
-#include "tool/log_axis.hpp"
+#include "tool/drawing/chart.hpp"
+#include "tool/drawing/log_axis.hpp"
 #include "tool/stability/picture_head.hpp"
 
 namespace plumb::tool::stability {

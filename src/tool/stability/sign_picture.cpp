@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "tool/chart.hpp"
+#include "tool/drawing/chart.hpp"
 #include "tool/stability/picture_head.hpp"
 #include "tool/stability/png.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "plumb/degenerate/entropy.hpp"
-#include "plumb/figure/minimum_sphere.hpp"
+#include "plumb/figure/sphere/minimum_sphere.hpp"
 #include "tool/stability/float_ways.hpp"
 #include "tool/stability/question_figures.hpp"
 #include "tool/trial/ball_tests.hpp"

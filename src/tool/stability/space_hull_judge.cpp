@@ -3,8 +3,8 @@
 #include <map>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/figure/hull3.hpp"
-#include "plumb/figure/verify_hull.hpp"
+#include "plumb/figure/hull/hull3.hpp"
+#include "plumb/figure/hull/verify_hull.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb::tool::stability {

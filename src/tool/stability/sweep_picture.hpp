@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "plumb/figure/linear.hpp"
+#include "plumb/figure/basic/linear.hpp"
 #include "tool/stability/sweep.hpp"
 
 namespace plumb::tool::stability {

@@ -10,11 +10,10 @@
 // Cost: A twice the plain formula, B to D hundreds to thousands of ns.
 #pragma once
 
-#include <plumb/predicates/in_sphere.hpp>
-#include <plumb/predicates/orient.hpp>
-
 #include "plumb/arith/filtered.hpp"
 #include "plumb/certify/formula.hpp"
+#include "plumb/predicates/in_sphere.hpp"
+#include "plumb/predicates/orient.hpp"
 #include "tool/trial/expansion.hpp"
 
 namespace plumb::tool::trial {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumb/figure/aabb_relation.hpp"
-#include "plumb/figure/box_batch.hpp"
-#include "plumb/figure/obb.hpp"
+#include "plumb/figure/aabb/box_batch.hpp"
+#include "plumb/figure/aabb/relation.hpp"
+#include "plumb/figure/obb/obb.hpp"
 #include "tool/trial/box_tests.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/lattice_method.hpp"

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "plumb/figure/voronoi_region.hpp"
+#include "plumb/figure/containment/voronoi_region.hpp"
 
 namespace plumb::contact_judge {
 

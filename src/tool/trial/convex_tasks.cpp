@@ -2,7 +2,7 @@
 
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/rational.hpp"
-#include "query/exact_gap.hpp"
+#include "query/convex/exact_gap.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/convex_tests.hpp"
 #include "tool/trial/rational_judge.hpp"

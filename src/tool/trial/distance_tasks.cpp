@@ -1,5 +1,5 @@
-#include "plumb/query/closest.hpp"
-#include "plumb/query/closest_pairs.hpp"
+#include "plumb/query/closest/closest.hpp"
+#include "plumb/query/closest/pairs.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/distance_tests.hpp"
 #include "tool/trial/rational_judge.hpp"

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <iterator>
 
-#include "plumb/figure/hull2.hpp"
-#include "plumb/figure/hull3.hpp"
-#include "plumb/figure/minimum_sphere.hpp"
+#include "plumb/figure/hull/hull2.hpp"
+#include "plumb/figure/hull/hull3.hpp"
+#include "plumb/figure/sphere/minimum_sphere.hpp"
 #include "tool/trial/ball_tests.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/hull_tests.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "plumb/figure/polygon_location.hpp"
-#include "plumb/query/ray_parity.hpp"
+#include "plumb/figure/containment/polygon_location.hpp"
+#include "plumb/query/ray/parity.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/location_tests.hpp"
 #include "tool/trial/rational_judge.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumb/query/ray_batch.hpp"
+#include "plumb/query/ray/batch.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/location_tests.hpp"
 #include "tool/trial/rational_judge.hpp"

@@ -6,7 +6,7 @@
 
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/degenerate/points.hpp"
-#include "plumb/query/continuous_contact.hpp"
+#include "plumb/query/time_of_impact/continuous_contact.hpp"
 
 namespace plumb::moving_cases {
 

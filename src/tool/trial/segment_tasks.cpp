@@ -1,4 +1,4 @@
-#include "plumb/query/overlap.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/lattice_method.hpp"
 #include "tool/trial/rational_judge.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "plumb/query/overlap.hpp"
-#include "plumb/query/ray_batch.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/ray/batch.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/rational_judge.hpp"
 #include "tool/trial/triangle_tests.hpp"

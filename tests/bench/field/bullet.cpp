@@ -1,7 +1,7 @@
 // Bullet's functions by the C signatures of `plumb fuzz --list`, each as bullet_calls.hpp says.
 #include <LinearMath/btConvexHullComputer.h>
 
-#include "bench/bullet_calls.hpp"
+#include "bench/rivals/bullet_calls.hpp"
 
 namespace bullet = plumb::bench::bullet;
 

@@ -1,5 +1,5 @@
 // libccd's functions by the C signatures of `plumb fuzz --list`.
-#include "bench/ccd_calls.hpp"
+#include "bench/rivals/ccd_calls.hpp"
 
 using namespace plumb::bench::libccd;
 

@@ -1,5 +1,5 @@
 // FCL's functions by the C signatures of `plumb fuzz --list`; what they throw passes through.
-#include "bench/fcl_calls.hpp"
+#include "bench/rivals/fcl_calls.hpp"
 
 namespace calls = plumb::bench::fcl_calls;
 using calls::Vec;

@@ -1,5 +1,5 @@
 // Qhull's hulls by the C signature of `plumb fuzz --list`: facets in triangles (option Qt).
-#include "bench/qhull_calls.hpp"
+#include "bench/rivals/qhull_calls.hpp"
 
 extern "C" std::size_t qhull_hull(const double* points, std::size_t n, std::size_t* triangles, std::size_t capacity) {
   std::size_t count = 0;

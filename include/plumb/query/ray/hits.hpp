@@ -1,0 +1,66 @@
+// Ray test, slab test: does a ray, a segment or a line hit a triangle, a ball or an axis-aligned box?  Yes or no, at
+// the speed of doubles.
+//
+// Laws: (1) the answer of real arithmetic on closed sets, for all finite doubles: that of first_hit (query/ray/ray.hpp),
+// and of intersects (query/overlap/overlap.hpp), by which it is told.
+// (2) By HitRule::half_open a triangle is hit where the ray hits it that is moved by a vector (x, y, z) with
+// 1 >> x >> y >> z > 0, the same for all triangles; so any set of triangles is answered as one true ray answers.  Of
+// two triangles with a common edge, or of a fan about a vertex, on both sides of the ray exactly one is hit; triangles
+// parallel to the ray are not.  A closed mesh is hit an odd number of times from a point inside, an even number from
+// outside; and of two segments end to end exactly one hits what their common end lies on.
+// A negative radius throws InvalidShape, NaN and infinity NonFinite, by name.
+// Source: RTCD 5.3.2, 5.3.3 (figure 5.23), 5.3.6; the moved ray is simulation of simplicity with one vector for the
+// whole scene.
+// Cost: that of intersects (docs/overlap.md); by the half-open rule microseconds where doubles are in doubt.
+#pragma once
+
+#include "plumb/query/overlap/box.hpp"
+#include "plumb/query/overlap/round.hpp"
+#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/ray/ray.hpp"
+
+namespace plumb {
+
+namespace query {
+
+bool hits_half_open(const Ray3& ray, const Triangle3& triangle);
+bool hits_half_open(const Segment3& segment, const Triangle3& triangle);
+bool hits_half_open(const Line3& line, const Triangle3& triangle);
+
+}  // namespace query
+
+inline bool hits(const Ray3& ray, const Triangle3& triangle, HitRule rule = HitRule::closed) {
+  return rule == HitRule::closed ? relate(ray, triangle, Asked::hits) != Relation::disjoint
+                                 : query::hits_half_open(ray, triangle);
+}
+inline bool hits(const Segment3& segment, const Triangle3& triangle, HitRule rule = HitRule::closed) {
+  return rule == HitRule::closed ? relate(segment, triangle, Asked::hits) != Relation::disjoint
+                                 : query::hits_half_open(segment, triangle);
+}
+inline bool hits(const Line3& line, const Triangle3& triangle, HitRule rule = HitRule::closed) {
+  return rule == HitRule::closed ? relate(line, triangle, Asked::hits) != Relation::disjoint
+                                 : query::hits_half_open(line, triangle);
+}
+
+inline bool hits(const Ray3& ray, const Sphere3& sphere) {
+  return relate(ray, sphere, Asked::hits) != Relation::disjoint;
+}
+inline bool hits(const Segment3& segment, const Sphere3& sphere) {
+  return relate(segment, sphere, Asked::hits) != Relation::disjoint;
+}
+inline bool hits(const Line3& line, const Sphere3& sphere) {
+  return relate(line, sphere, Asked::hits) != Relation::disjoint;
+}
+
+inline bool hits(const Ray3& ray, const Aabb3& box) { return relate(ray, box, Asked::hits) != Relation::disjoint; }
+inline bool hits(const Segment3& segment, const Aabb3& box) {
+  return relate(segment, box, Asked::hits) != Relation::disjoint;
+}
+inline bool hits(const Line3& line, const Aabb3& box) { return relate(line, box, Asked::hits) != Relation::disjoint; }
+
+/// Of what is known at run time alone.
+bool hits(const AnyRay& ray, const Triangle3& triangle, HitRule rule = HitRule::closed);
+bool hits(const AnyRay& ray, const Sphere3& sphere);
+bool hits(const AnyRay& ray, const Aabb3& box);
+
+}  // namespace plumb

@@ -1,0 +1,12 @@
+#include "arith/radial_number.hpp"
+
+#include "arith/rounded_radical.hpp"
+
+namespace plumb::radial {
+
+double rounded_exactly(Rounding rounding, const Parts<BigDyadic>& p) {
+  if (p.w.sign() == Sign::zero) return plumb::rounded(rounding, p.k);
+  return rounded_radical(rounding, p.k * p.d, p.w, p.d, p.d);
+}
+
+}  // namespace plumb::radial

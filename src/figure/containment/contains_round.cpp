@@ -1,0 +1,82 @@
+// Balls, capsules, cylinders and cones.
+#include "figure/containment/contains_input.hpp"
+#include "plumb/certify/compare_distance.hpp"
+#include "plumb/certify/direction.hpp"
+#include "plumb/predicates/distance.hpp"
+
+namespace plumb {
+namespace figure_contains {
+namespace {
+
+/// For a ball of radius zero the sign is never negative: it has no inside.
+Location in_ball(const Point3& center, double radius, const Point3& p) {
+  return location(sign_of(predicates::DistanceAgainst3d{}, center, p, radius));
+}
+
+template <class Capsule, class Point>
+Location locate_in_capsule(const Capsule& capsule, const Point& p) {
+  require_numbers(Names<4>{"capsule.a", "capsule.b", "capsule.radius", "p"}, capsule.a, capsule.b, capsule.radius, p);
+  require_radius(capsule.radius, "capsule.radius");
+  return location(compare_distance_to_segment(capsule.a, capsule.b, p, capsule.radius));
+}
+
+/// Between the planes through a and b that are perpendicular to ab, for a != b.
+Location between_ends(const Point3& a, const Point3& b, const Point3& p) {
+  return both(location(compare_along_line(a, p, a, b)), location(compare_along_line(p, b, a, b)));
+}
+
+/// (apex, base, p, radius): with h from the apex to the base and w to p, the cone's surface is at |w x h| / |h| =
+/// radius (w . h) / |h|^2 from its axis; this is the difference of the squares, times |h|^4.
+struct BeyondCone {
+  static constexpr std::string_view name = "contains";
+  static constexpr std::array arguments{3, 3, 3, 1};
+  template <class T>
+  constexpr auto operator()(const std::array<T, 10>& x) const {
+    const auto h = predicates::difference(x, 0, 1), w = predicates::difference(x, 0, 2);
+    const auto across = predicates::cross(w, h);
+    const auto reach = predicates::dot(w, h) * x[9];
+    return predicates::dot(across, across) * predicates::dot(h, h) - reach * reach;
+  }
+};
+
+}  // namespace
+}  // namespace figure_contains
+
+using namespace figure_contains;
+
+Location locate(const Circle2& circle, const Point2& p) {
+  require_numbers(Names<3>{"circle.center", "circle.radius", "p"}, circle.center, circle.radius, p);
+  require_radius(circle.radius, "circle.radius");
+  return location(sign_of(predicates::DistanceAgainst2d{}, circle.center, p, circle.radius));
+}
+
+Location locate(const Sphere3& sphere, const Point3& p) {
+  require_numbers(Names<3>{"sphere.center", "sphere.radius", "p"}, sphere.center, sphere.radius, p);
+  require_radius(sphere.radius, "sphere.radius");
+  return in_ball(sphere.center, sphere.radius, p);
+}
+
+Location locate(const Capsule2& capsule, const Point2& p) { return locate_in_capsule(capsule, p); }
+Location locate(const Capsule3& capsule, const Point3& p) { return locate_in_capsule(capsule, p); }
+
+Location locate(const Cylinder3& cylinder, const Point3& p) {
+  const auto& [a, b, radius] = cylinder;
+  require_numbers(Names<4>{"cylinder.a", "cylinder.b", "cylinder.radius", "p"}, a, b, radius, p);
+  require_radius(radius, "cylinder.radius");
+  if (a == b) return in_ball(a, radius, p);
+  const Location ends = between_ends(a, b, p);
+  if (ends == Location::outside) return ends;
+  return both(ends, location(compare_distance_to_line(a, b, p, radius)));
+}
+
+Location locate(const Cone3& cone, const Point3& p) {
+  const auto& [apex, base, radius] = cone;
+  require_numbers(Names<4>{"cone.apex", "cone.base", "cone.radius", "p"}, apex, base, radius, p);
+  require_radius(radius, "cone.radius");
+  if (apex == base) return in_ball(apex, radius, p);
+  const Location ends = between_ends(apex, base, p);
+  if (ends == Location::outside) return ends;
+  return both(ends, location(sign_of(BeyondCone{}, apex, base, p, radius)));
+}
+
+}  // namespace plumb

@@ -1,0 +1,76 @@
+#include "plumb/figure/hull/hull2.hpp"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "figure/basic/finite_parts.hpp"
+#include "figure/hull/hull2_steps.hpp"
+#include "plumb/arith/error.hpp"
+
+namespace plumb {
+namespace hull2 {
+
+void sort_distinct(std::vector<Indexed>& points, Execution execution) {
+  if (execution == Execution::parallel) {
+    tbb::parallel_sort(points.begin(), points.end(), before);
+  } else {
+    std::sort(points.begin(), points.end(), before);
+  }
+  const auto equal = [](const Indexed& a, const Indexed& b) { return a.p == b.p; };
+  points.erase(std::unique(points.begin(), points.end(), equal), points.end());
+}
+
+Hull2 monotone_chain(std::span<const Indexed> points, bool all_boundary_points) {
+  const std::size_t n = points.size();
+  if (n <= 1) return {n == 0 ? -1 : 0, n == 0 ? std::vector<std::uint32_t>{} : std::vector{points[0].index}};
+  const auto dents = [all_boundary_points](const Indexed& a, const Indexed& b, const Indexed& c) {
+    const Sign s = turn(a, b, c);
+    return s == Sign::negative || (s == Sign::zero && !all_boundary_points);
+  };
+  const bool flat =
+      std::ranges::all_of(points, [&](const Indexed& p) { return turn(points[0], p, points[n - 1]) == Sign::zero; });
+  // The lower chain from the first point to the last, then the upper one back: both end in a point of the other.
+  std::vector<const Indexed*> chain;
+  const auto extend = [&](std::size_t base, const Indexed& next) {
+    while (chain.size() >= base + 2 && dents(*chain[chain.size() - 2], *chain.back(), next)) chain.pop_back();
+    chain.push_back(&next);
+  };
+  for (const Indexed& next : points) extend(0, next);
+  const std::size_t lower = chain.size();
+  if (!flat) {
+    for (std::size_t i = n - 1; i-- > 0;) extend(lower - 1, points[i]);
+    chain.pop_back();
+  }
+  Hull2 hull{flat ? 1 : 2, {}};
+  hull.vertices.reserve(chain.size());
+  for (const Indexed* p : chain) hull.vertices.push_back(p->index);
+  return hull;
+}
+
+}  // namespace hull2
+
+Hull2 convex_hull(std::span<const Point2> points, const Hull2Options& options) {
+  if (points.size() > std::numeric_limits<std::uint32_t>::max())
+    throw InvalidShape("convex_hull: more than 2^32 - 1 points; give fewer");
+  std::vector<hull2::Indexed> left = hull2::candidates(points, options);
+  if (options.method == Hull2Method::quickhull) return hull2::quickhull(std::move(left), options.all_boundary_points);
+  hull2::sort_distinct(left, options.execution);
+  return hull2::monotone_chain(left, options.all_boundary_points);
+}
+
+std::vector<std::uint32_t> extreme_points(std::span<const Point2> points, const Vector2& direction) {
+  figure::require_finite_points("extreme_points", "points", points);
+  require_finite_parts("extreme_points", {"direction"}, direction);
+  std::vector<std::uint32_t> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Sign s =
+        all.empty() ? Sign::zero : sign_of(predicates::OrderAlongDirection2d{}, points[i], points[all[0]], direction);
+    if (s == Sign::positive) all.clear();
+    if (s != Sign::negative) all.push_back(static_cast<std::uint32_t>(i));
+  }
+  return all;
+}
+
+}  // namespace plumb

@@ -1,0 +1,86 @@
+// Volume and surface area of an oriented box, rounded once.
+#include <cmath>
+
+#include "arith/vec.hpp"
+#include "figure/basic/finite_parts.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big_rounding.hpp"
+#include "plumb/figure/obb/obb.hpp"
+
+namespace plumb {
+namespace {
+
+using core::cross, core::dot, core::vec;
+
+template <class N>
+N signed_volume_of(const Obb3& box) {
+  return N(8) * (N(box.half.x) * N(box.half.y) * N(box.half.z)) *
+         dot(vec<N>(box.axes[0]), cross(vec<N>(box.axes[1]), vec<N>(box.axes[2])));
+}
+
+// The square of the area of both faces through axis i.
+template <class N>
+N squared_area(const Obb3& box, std::size_t i) {
+  const std::array half{box.half.x, box.half.y, box.half.z};
+  const auto normal = cross(vec<N>(box.axes[(i + 1) % 3]), vec<N>(box.axes[(i + 2) % 3]));
+  const N size = N(8) * (N(half[(i + 1) % 3]) * N(half[(i + 2) % 3]));
+  return size * size * dot(normal, normal);
+}
+
+void require_finite(std::string_view function, const Obb3& box) {
+  figure::require_finite_parts(function, {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half"},
+                               box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
+}
+
+// floor(2^bits root(x)), and whether that is all.
+mpz_class floor_root(const BigDyadic& x, long bits, bool& exact) {
+  mpz_class shifted = x.mantissa();
+  const long shift = x.exponent() + 2 * bits;
+  if (shift >= 0) {
+    shifted <<= static_cast<mp_bitcnt_t>(shift);
+  } else {
+    exact = exact && mpz_divisible_2exp_p(shifted.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift)) != 0;
+    shifted >>= static_cast<mp_bitcnt_t>(-shift);
+  }
+  mpz_class root, rest;
+  mpz_sqrtrem(root.get_mpz_t(), rest.get_mpz_t(), shifted.get_mpz_t());
+  exact = exact && rest == 0;
+  return root;
+}
+
+double nearest(const mpz_class& n, long bits) {
+  mpq_class x(n);
+  mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(bits));
+  return rounded(Rounding::nearest, x);
+}
+
+// A sum of roots is rational only where each root is: then enough bits are exact, and otherwise it is no double and no
+// tie, so that enough bits leave one double.
+double sum_of_roots(const std::array<BigDyadic, 3>& squares) {
+  for (long bits = 1200;; bits *= 2) {
+    bool exact = true;
+    mpz_class sum = 0;
+    for (const BigDyadic& s : squares) sum += floor_root(s, bits, exact);
+    const double low = nearest(sum, bits);
+    if (exact || nearest(sum + 3, bits) == low) return low;
+  }
+}
+
+}  // namespace
+
+double volume(const Obb3& box) {
+  require_finite("volume", box);
+  const auto quick = signed_volume_of<Ball>(box).nearest();
+  return std::fabs(quick ? *quick : rounded(Rounding::nearest, signed_volume_of<BigDyadic>(box)));
+}
+
+double surface_area(const Obb3& box) {
+  require_finite("surface_area", box);
+  const Ball quick =
+      root(squared_area<Ball>(box, 0)) + (root(squared_area<Ball>(box, 1)) + root(squared_area<Ball>(box, 2)));
+  if (const auto area = quick.nearest()) return *area;
+  return sum_of_roots(
+      {squared_area<BigDyadic>(box, 0), squared_area<BigDyadic>(box, 1), squared_area<BigDyadic>(box, 2)});
+}
+
+}  // namespace plumb

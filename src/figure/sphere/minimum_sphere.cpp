@@ -1,0 +1,225 @@
+#include "plumb/figure/sphere/minimum_sphere.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "figure/sphere/point_scan.hpp"
+#include "plumb/arith/error.hpp"
+
+namespace plumb {
+namespace spheres {
+namespace {
+
+template <class Point>
+bool before(const Point& a, const Point& b) {
+  if (a.x != b.x) return a.x < b.x;
+  if (a.y != b.y) return a.y < b.y;
+  if constexpr (requires { a.z; }) return a.z < b.z;
+  return false;
+}
+
+template <class Ball>
+std::size_t size(const Ball& ball) {
+  return static_cast<std::size_t>(ball.count);
+}
+
+/// The ball is the smallest that contains its points, none of which could be left out: its center lies within their
+/// simplex.  So it is where each point is strictly outside the ball of the others: the center is then on the point's
+/// side of them.  Points that span no ball fail, for zero is not outside.
+template <class Ball>
+bool rests_on_all(const Ball& ball) {
+  if (ball.count <= 2) return true;
+  for (std::size_t out = 0; out < size(ball); ++out) {
+    Ball rest{{}, ball.count - 1};
+    for (std::size_t i = 0, to = 0; i < size(ball); ++i) {
+      if (i != out) rest.points[to++] = ball.points[i];
+    }
+    if (side(rest, ball.points[out]) != Sign::negative) return false;
+  }
+  return true;
+}
+
+/// The smallest ball of the points of this one and of p, which is outside it: p lies on it, and what else does is found
+/// by looking at all choices, the smaller first.
+template <class Ball>
+Ball with(const Ball& old, const PointOf<Ball>& p) {
+  const unsigned all = (1u << size(old)) - 1;
+  for (int count = 2; count <= dimension<Ball> + 1; ++count) {
+    for (unsigned chosen = 1; chosen <= all; ++chosen) {
+      Ball ball{{p}, 1};
+      for (std::size_t i = 0; i < size(old); ++i) {
+        if ((chosen >> i & 1) != 0 && ball.count < count) ball.points[size(ball)] = old.points[i], ++ball.count;
+      }
+      if (std::popcount(chosen) + 1 != count) continue;
+      bool holds = true;
+      for (std::size_t i = 0; i < size(old) && holds; ++i) {
+        holds = (chosen >> i & 1) != 0 || side(ball, old.points[i]) != Sign::negative;
+      }
+      if (holds && rests_on_all(ball)) return ball;
+    }
+  }
+  std::abort();  // finitely many points always have a smallest ball
+}
+
+template <class Ball>
+class SphereSearch {
+ public:
+  using Point = PointOf<Ball>;
+
+  SphereSearch(std::span<const Point> points, const Extent<Point>& extent, std::vector<Ball>* history)
+      : points_(points), scan_(points, scale_for(half_width(extent))), history_(history) {
+    center_ = middle_of(extent);
+    scan_.pass(center_);
+    gather(-1);
+    become({{points[candidates_[0]]}, 1});
+  }
+
+  /// Indices of the points on the boundary of the smallest ball, which is then ball().
+  std::vector<std::uint32_t> run() {
+    std::vector<std::uint32_t> boundary;
+    // Ends, for each turn but the last finds a point outside, and the exact ball that takes it in is larger: of the
+    // finitely many that rest on some of the points none comes twice.
+    for (;;) {
+      climb();
+      scan_.pass(center_);
+      gather(limit_);
+      if (!candidates_.empty() && outside(candidates_[0])) continue;
+      // The farthest one is not outside; nearly always no other is.
+      boundary.clear();
+      const bool all = scan_.from(limit_, center_, [&](std::size_t i) {
+        const Sign s = fine_side(points_[i]);
+        if (s == Sign::zero) boundary.push_back(static_cast<std::uint32_t>(i));
+        if (s == Sign::negative) candidates_.assign(1, i);
+        return s != Sign::negative;
+      });
+      if (all) return boundary;
+    }
+  }
+
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] const Point& center() const { return center_; }
+  PointScan<Point>& scan() { return scan_; }
+
+ private:
+  static constexpr std::size_t most_candidates = 64;
+
+  /// As side, for many points that lie off the boundary by ulps.
+  Sign fine_side(const Point& p) {
+    if (!fine_) fine_ = fine_ball(ball_);
+    const int s = fine_->side(p);
+    return s != 0 ? static_cast<Sign>(s) : side(ball_, p);
+  }
+
+  [[nodiscard]] bool outside(std::size_t i) const { return side(ball_, points_[i]) == Sign::negative; }
+
+  void gather(double limit) {
+    candidates_.clear();
+    scan_.farthest(center_, limit, most_candidates, candidates_);
+  }
+
+  /// Takes the farthest candidate in, as long as it is outside; ends as run() does.
+  void climb() {
+    for (;;) {
+      std::size_t farthest = 0;
+      double most = limit_;
+      for (const std::size_t i : candidates_) {
+        const double s = scan_.distance(center_, i);
+        if (s > most) most = s, farthest = i;
+      }
+      if (!(most > limit_) || !outside(farthest)) {
+        // Doubles may place another one behind it that is outside by less than they see.
+        const auto other = std::ranges::find_if(
+            candidates_, [&](std::size_t i) { return scan_.distance(center_, i) > limit_ && outside(i); });
+        if (other == candidates_.end()) return;
+        farthest = *other;
+      }
+      become(with(ball_, points_[farthest]));
+    }
+  }
+
+  void become(const Ball& ball) {
+    ball_ = ball;
+    fine_.reset();
+    if (history_ != nullptr) history_->push_back(ball);
+    center_ = center_of(ball_);
+    // The exact center is off the rounded one by at most half an ulp in each axis; for `off` twice that is taken, and
+    // once more for its own roundings.  A point of the boundary is nearer to the rounded center by no more than that,
+    // and whoever is nearer by twice that is in the exact ball.
+    double off = 0;
+    for (const double x : coordinates(center_)) off += 2 * ulp(x);
+    const double reach = rounded_root(Rounding::down, SquaredDistance<Point>{}, center_, ball_.points[0]);
+    limit_ = scan_.within((Interval(reach) - Interval(off)).lower);
+  }
+  static double ulp(double x) {
+    const double size = std::fabs(x);
+    return size == std::numeric_limits<double>::max() ? 0x1p971
+                                                      : std::nextafter(size, std::numeric_limits<double>::max()) - size;
+  }
+
+  std::span<const Point> points_;
+  PointScan<Point> scan_;
+  std::vector<Ball>* history_;
+  Ball ball_{};
+  std::optional<FineBall<Ball>> fine_;
+  Point center_{};
+  double limit_ = -1;  // whoever is at this computed distance or nearer is in the ball
+  std::vector<std::size_t> candidates_;
+};
+
+/// One support of all that are possible, whatever the order of the input: the points in lexicographic order go around
+/// until all are in the ball of the ones taken.
+template <class Ball>
+std::vector<std::uint32_t> support_of(std::span<const PointOf<Ball>> points, std::vector<std::uint32_t> boundary,
+                                      Ball& ball) {
+  std::ranges::sort(boundary, [&](std::uint32_t a, std::uint32_t b) {
+    return before(points[a], points[b]) || (points[a] == points[b] && a < b);
+  });
+  const auto equal = [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; };
+  boundary.erase(std::unique(boundary.begin(), boundary.end(), equal), boundary.end());
+  if (boundary.size() != size(ball)) {
+    ball = {{points[boundary[0]]}, 1};
+    // Ends, for each ball is larger than the one before.
+    for (std::size_t i = 0, in = 0; in < boundary.size(); i = (i + 1) % boundary.size(), ++in) {
+      if (side(ball, points[boundary[i]]) != Sign::negative) continue;
+      ball = with(ball, points[boundary[i]]);
+      in = 0;
+    }
+    std::erase_if(boundary, [&](std::uint32_t i) {
+      return std::ranges::find(ball.points.begin(), ball.points.begin() + ball.count, points[i]) ==
+             ball.points.begin() + ball.count;
+    });
+  }
+  for (std::size_t i = 0; i < boundary.size(); ++i) ball.points[i] = points[boundary[i]];
+  return boundary;
+}
+
+template <class Result, class Round, class Ball>
+Result minimum(std::string_view function, std::span<const PointOf<Ball>> points, std::vector<Ball>* history,
+               Round Result::*round) {
+  if (points.empty()) throw InvalidShape(std::string(function).append(": no points; give at least one"));
+  const auto all = extent(function, points);
+  SphereSearch<Ball> search(points, all, history);
+  std::vector<std::uint32_t> boundary = search.run();
+  Result result{};
+  result.exact = search.ball();
+  result.support = support_of(points, std::move(boundary), result.exact);
+  const auto center = center_of(result.exact);
+  const double radius = enclosing_radius(points, search.scan(), center);
+  result.*round = {center, figure::within_doubles(radius, function, "radius")};
+  return result;
+}
+
+}  // namespace
+}  // namespace spheres
+
+MinimumCircle minimum_circle(std::span<const Point2> points, const MinimumCircleOptions& options) {
+  return spheres::minimum<MinimumCircle>("minimum_circle", points, options.history, &MinimumCircle::circle);
+}
+MinimumSphere minimum_sphere(std::span<const Point3> points, const MinimumSphereOptions& options) {
+  return spheres::minimum<MinimumSphere>("minimum_sphere", points, options.history, &MinimumSphere::sphere);
+}
+
+}  // namespace plumb

@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "figure/basic/finite_parts.hpp"
+#include "figure/sphere/ball_reach.hpp"
+#include "figure/sphere/tangent_ball.hpp"
+#include "figure/sphere/tangent_ball_guess.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/arith/interval.hpp"
+#include "plumb/certify/sign_of.hpp"
+#include "plumb/figure/sphere/minimum_sphere.hpp"
+
+namespace plumb {
+namespace spheres {
+namespace {
+
+template <class Ball>
+RationalBall rational(const Ball& ball) {
+  RationalBall to;
+  for (const double x : coordinates(ball.center)) to.center.emplace_back(x);
+  to.radius = mpq_class(ball.radius);
+  return to;
+}
+
+template <class Ball>
+bool before(const Ball& a, const Ball& b) {
+  const auto x = coordinates(a.center), y = coordinates(b.center);
+  return x < y || (x == y && a.radius < b.radius);
+}
+
+using Basis = std::vector<std::uint32_t>;
+
+struct Held {
+  Basis basis;
+  TangentBall ball;
+};
+
+/// The smallest ball around those of the basis and p, which is not within theirs: p is in its basis, and what else is
+/// is found by looking at all choices, the smaller first.
+template <class Ball>
+Held with(std::span<const Ball> balls, const Basis& old, std::uint32_t p) {
+  std::vector<RationalBall> all;
+  for (const std::uint32_t i : old) all.push_back(rational(balls[i]));
+  const RationalBall last = rational(balls[p]);
+  for (int count = 0; count <= static_cast<int>(last.center.size()); ++count) {
+    for (unsigned chosen = 0; chosen < 1u << old.size(); ++chosen) {
+      if (std::popcount(chosen) != count) continue;
+      std::vector<RationalBall> taken{last};
+      Basis basis{p};
+      for (std::size_t i = 0; i < old.size(); ++i) {
+        if ((chosen >> i & 1) != 0) taken.push_back(all[i]), basis.push_back(old[i]);
+      }
+      const auto ball = TangentBall::around(taken);
+      const auto is_within = [&](const RationalBall& b) { return ball->side(b) != Sign::negative; };
+      if (ball && std::ranges::all_of(all, is_within)) return {basis, *ball};
+    }
+  }
+  std::abort();  // finitely many balls always have a smallest one around them
+}
+
+/// Distance and radius together, in doubles: off by less than 2^-48 of it, for the sum of squares is by 5, its root and
+/// the last sum by 1 more roundings, and by 2^-500 where squares underflow.
+template <class Ball>
+double plain_reach(const decltype(Ball::center)& from, const Ball& ball) {
+  const auto a = coordinates(from), b = coordinates(ball.center);
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum) + ball.radius;
+}
+Interval relative() { return Interval(1 - 0x1p-48, 1 + 0x1p-48); }
+Interval absolute() { return Interval(-0x1p-500, 0x1p-500); }
+
+template <class Ball>
+class BallSearch {
+ public:
+  using Point = decltype(Ball::center);
+  explicit BallSearch(std::span<const Ball> balls) : balls_(balls) {
+    // As far as doubles tell; from there exact steps go on, and mostly there is none.
+    const Basis guess = guess_touched(balls);
+    std::vector<RationalBall> touched;
+    for (const std::uint32_t i : guess) touched.push_back(rational(balls[i]));
+    auto ball = TangentBall::around(touched);
+    become(ball ? Held{guess, std::move(*ball)} : with(balls, {}, guess[0]));
+  }
+
+  /// Indices of the balls that the smallest ball touches.
+  Basis run() {
+    // Ends, for each turn but the last takes in a ball that is outside, exactly, and the one around it is larger: of
+    // the finitely many that some of the balls hold none comes twice.
+    for (;;) {
+      double most = -1;
+      std::uint32_t farthest = 0;
+      for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+        const double r = plain_reach(center_, balls_[i]);
+        if (r > most) most = r, farthest = i;
+      }
+      if (side(farthest) == Sign::negative) {
+        become(with(balls_, held_.basis, farthest));
+        continue;
+      }
+      Basis touched;
+      if (look_at_all(touched)) return touched;
+    }
+  }
+
+  [[nodiscard]] const Held& held() const { return held_; }
+  [[nodiscard]] const Point& center() const { return center_; }
+
+ private:
+  [[nodiscard]] Sign side(std::uint32_t i) const { return held_.ball.side(rational(balls_[i])); }
+
+  bool look_at_all(Basis& touched) {
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+      if (plain_reach(center_, balls_[i]) <= certain_) continue;
+      const Sign s = side(i);
+      if (s == Sign::zero) touched.push_back(i);
+      if (s == Sign::negative) {
+        become(with(balls_, held_.basis, i));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void become(Held held) {
+    held_ = std::move(held);
+    auto c = coordinates(center_);
+    double off = 0;  // twice what the rounded center may be off the exact one, and more
+    for (std::size_t a = 0; a < c.size(); ++a) {
+      c[a] = held_.ball.center(a);
+      off += 2 * (std::fabs(c[a]) * 0x1p-52 + 0x1p-1074);
+    }
+    center_ = std::apply([](auto... x) { return Point{x...}; }, c);
+    // The exact radius is that of a touched ball: off the plain reach by its error and by what the center is off.
+    const Interval reach(plain_reach(center_, balls_[held_.basis[0]]));
+    const Interval sure = reach * relative() + absolute() - Interval(off);
+    certain_ = sure.lower > 0 ? (quotient(Interval(sure.lower), relative()) + absolute()).lower : -1;
+  }
+
+  std::span<const Ball> balls_;
+  Held held_;
+  Point center_{};
+  double certain_ = -1;  // a ball of this plain reach or less is within
+};
+
+/// As of points: the touched ones in their order go around until all are within.
+template <class Ball>
+Basis support_of(std::span<const Ball> balls, Basis touched, const Basis& basis) {
+  std::ranges::sort(touched, [&](std::uint32_t a, std::uint32_t b) {
+    return before(balls[a], balls[b]) || (balls[a] == balls[b] && a < b);
+  });
+  const auto equal = [&](std::uint32_t a, std::uint32_t b) { return balls[a] == balls[b]; };
+  touched.erase(std::unique(touched.begin(), touched.end(), equal), touched.end());
+  if (touched.size() == basis.size()) return touched;
+  Held held = with(balls, {}, touched[0]);
+  // Ends, for each ball is larger than the one before.
+  for (std::size_t i = 0, in = 0; in < touched.size(); i = (i + 1) % touched.size(), ++in) {
+    if (held.ball.side(rational(balls[touched[i]])) != Sign::negative) continue;
+    held = with(balls, held.basis, touched[i]);
+    in = 0;
+  }
+  std::ranges::sort(held.basis, [&](std::uint32_t a, std::uint32_t b) { return before(balls[a], balls[b]); });
+  return held.basis;
+}
+
+template <class Result, class Ball>
+Result minimum(std::string_view function, std::string_view name, std::span<const Ball> balls, Ball Result::*round) {
+  if (balls.empty())
+    throw InvalidShape(std::string(function).append(": no ").append(name).append("; give at least one"));
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Ball& b = balls[i];
+    double none = b.radius - b.radius;
+    for (const double x : coordinates(b.center)) none += x - x;
+    if (none != 0 || b.radius < 0)
+      require_ball(function, std::string(name).append("[").append(std::to_string(i)).append("]"), b);
+  }
+  BallSearch<Ball> search(balls);
+  Basis touched = search.run();
+  Result result{};
+  result.support = support_of(balls, std::move(touched), search.held().basis);
+  const auto& center = search.center();
+  double most = 0, radius = 0;
+  for (const Ball& b : balls) most = std::max(most, plain_reach(center, b));
+  const double least = most < HUGE_VAL ? most * (1 - 0x1p-46) - 0x1p-490 : 0;  // who is below is not the farthest
+  for (const Ball& b : balls) {
+    if (plain_reach(center, b) >= least) radius = std::max(radius, reach(center, b));
+  }
+  result.*round = {center, figure::within_doubles(radius, function, "radius")};
+  return result;
+}
+
+}  // namespace
+}  // namespace spheres
+
+MinimumCircleOfCircles minimum_circle(std::span<const Circle2> circles) {
+  return spheres::minimum("minimum_circle", "circles", circles, &MinimumCircleOfCircles::circle);
+}
+MinimumSphereOfSpheres minimum_sphere(std::span<const Sphere3> spheres) {
+  return spheres::minimum("minimum_sphere", "spheres", spheres, &MinimumSphereOfSpheres::sphere);
+}
+
+}  // namespace plumb

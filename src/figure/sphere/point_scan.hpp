@@ -1,0 +1,235 @@
+// Extreme points: which points lie far from a center?  Passes of plain doubles over all points, with certain limits for
+// what they say.
+//
+// Laws: what a pass computes is |cp|^2 times the square of a power of two, rounded; within() and rivals() turn it into
+// certain statements, by the error constant that is derived from the formula.  Points are finite.
+// Cost: a pass 1 to 2 ns a point, or what memory allows.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "figure/basic/finite_parts.hpp"
+#include "figure/sphere/spanned_ball.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/error_free.hpp"
+#include "plumb/arith/interval.hpp"
+#include "plumb/certify/rounded.hpp"
+
+namespace plumb::spheres {
+
+/// |cp|^2 k^2.
+struct ScaledDistance2 {
+  static constexpr std::string_view name = "scaled_distance";
+  static constexpr std::array arguments{2, 2, 1};
+  template <class T>
+  constexpr auto operator()(const std::array<T, 5>& p) const {
+    const auto d = predicates::difference2(p, 0, 1);
+    return predicates::squared(predicates::Pair{d.x * p[4], d.y * p[4]});
+  }
+};
+struct ScaledDistance3 {
+  static constexpr std::string_view name = "scaled_distance";
+  static constexpr std::array arguments{3, 3, 1};
+  template <class T>
+  constexpr auto operator()(const std::array<T, 7>& p) const {
+    return predicates::squared(predicates::scaled(predicates::difference(p, 0, 1), p[6]));
+  }
+};
+
+template <class Point>
+struct Extent {
+  Point min, max;
+};
+
+/// The extent of the points, for which there is at least one.  Throws NonFinite naming function and point.
+template <class Point>
+Extent<Point> extent(std::string_view function, std::span<const Point> points) {
+  Extent<Point> e{points[0], points[0]};
+  double zero = 0;
+  const auto take = [&](double Point::*axis) {
+    double least = points[0].*axis, most = least, not_real = 0;
+    for (const Point& p : points) {
+      const double x = p.*axis;
+      least = x < least ? x : least;
+      most = x > most ? x : most;
+      not_real += x - x;
+    }
+    e.min.*axis = least, e.max.*axis = most, zero += not_real;
+  };
+  take(&Point::x), take(&Point::y);
+  if constexpr (requires { &Point::z; }) take(&Point::z);
+  if (zero != 0) figure::require_finite_points(function, "points", points);
+  return e;
+}
+
+inline Point2 middle_of(const Extent<Point2>& e) {
+  return {std::midpoint(e.min.x, e.max.x), std::midpoint(e.min.y, e.max.y)};
+}
+inline Point3 middle_of(const Extent<Point3>& e) {
+  return {std::midpoint(e.min.x, e.max.x), std::midpoint(e.min.y, e.max.y), std::midpoint(e.min.z, e.max.z)};
+}
+
+/// The largest half width; finite.
+inline double half_width(const Extent<Point2>& e) {
+  return std::max(e.max.x / 2 - e.min.x / 2, e.max.y / 2 - e.min.y / 2);
+}
+inline double half_width(const Extent<Point3>& e) {
+  return std::max({e.max.x / 2 - e.min.x / 2, e.max.y / 2 - e.min.y / 2, e.max.z / 2 - e.min.z / 2});
+}
+
+/// A power of two that brings this width to the order of 1; 1 where doubles need no such help.
+inline double scale_for(double width) {
+  if (width == 0 || (width > 0x1p-300 && width < 0x1p300)) return 1;
+  return std::ldexp(1.0, std::clamp(-std::ilogb(width), -1021, 1022));
+}
+
+template <class Point>
+class PointScan {
+ public:
+  static constexpr std::size_t block = 128;
+  static constexpr bool solid = std::is_same_v<Point, Point3>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  PointScan(std::span<const Point> points, double scale)
+      : points_(points), scale_(scale), most_((points.size() + block - 1) / block) {}
+
+  [[nodiscard]] double distance(const Point& c, std::size_t i) const {
+    return scale_ == 1 ? plain<false>(c, points_[i]) : plain<true>(c, points_[i]);
+  }
+
+  /// The largest distance from the center; remembers the largest of each block.
+  double pass(const Point& c) { return scale_ == 1 ? pass<false>(c) : pass<true>(c); }
+
+  /// Whoever is at this computed distance or nearer is certainly within `reach` of the center.
+  [[nodiscard]] double within(double reach) const {
+    if (!(reach > 0)) return -1;
+    const Interval k = Interval(scale_) * Interval(reach);
+    const double limit = quotient(k * k - slack(), relative()).lower;
+    return limit < infinity ? limit : std::numeric_limits<double>::max();
+  }
+
+  /// Whoever is nearer than this computed distance is certainly nearer than someone at the distance `most`.
+  [[nodiscard]] double rivals(double most) const {
+    if (!(most < infinity)) return 0;
+    const Interval m(most);
+    return quotient(m - (relative() - Interval(1)) * m - slack() - slack(), relative()).lower;
+  }
+
+  /// Calls visit(index) for every point at this computed distance or farther, until that says false.
+  template <class Visit>
+  bool from(double least, const Point& c, Visit visit) const {
+    for (std::size_t b = 0; b < most_.size(); ++b) {
+      if (!(most_[b] >= least)) continue;
+      for (std::size_t i = b * block; i < end_of(b); ++i) {
+        if (distance(c, i) >= least && !visit(i)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The farthest point of each of the `count` farthest blocks that reach beyond `limit`, the very farthest first.
+  void farthest(const Point& c, double limit, std::size_t count, std::vector<std::size_t>& into) const {
+    std::vector<std::size_t> blocks;
+    for (std::size_t b = 0; b < most_.size(); ++b) {
+      if (most_[b] > limit) blocks.push_back(b);
+    }
+    const auto farther = [&](std::size_t a, std::size_t b) {
+      return most_[a] > most_[b] || (most_[a] == most_[b] && a < b);
+    };
+    const std::size_t kept = std::min(count, blocks.size());
+    std::ranges::partial_sort(blocks, blocks.begin() + static_cast<std::ptrdiff_t>(kept), farther);
+    for (std::size_t k = 0; k < kept; ++k) {
+      std::size_t i = blocks[k] * block;
+      // Ends, for the block's largest distance is that of one of its points, computed alike from the same c.
+      while (distance(c, i) != most_[blocks[k]]) ++i;
+      into.push_back(i);
+    }
+  }
+
+ private:
+  using Formula = std::conditional_t<solid, ScaledDistance3, ScaledDistance2>;
+
+  // The filter's law: |computed - exact| <= constant * magnitude, where the magnitude is the computed sum and what its
+  // guards of 2^-968 add: below 2^-640, for differences are below 2^302.  Twice the constant pays for the roundings
+  // between that sum and this one.
+  static constexpr double constant = 2 * filter_constant<Formula>();
+  static Interval relative() { return Interval(1) + Interval(constant); }
+  static Interval slack() { return Interval(constant) * Interval(0x1p-640); }
+
+  template <bool scaled>
+  [[nodiscard]] double plain(const Point& c, const Point& p) const {
+    double x = p.x - c.x, y = p.y - c.y;
+    if constexpr (scaled) x *= scale_, y *= scale_;
+    if constexpr (solid) {
+      double z = p.z - c.z;
+      if constexpr (scaled) z *= scale_;
+      return x * x + y * y + z * z;
+    } else {
+      return x * x + y * y;
+    }
+  }
+
+  [[nodiscard]] std::size_t end_of(std::size_t b) const { return std::min(points_.size(), (b + 1) * block); }
+
+  template <bool scaled>
+  double pass(const Point& c) {
+    double all = 0;
+    for (std::size_t b = 0; b < most_.size(); ++b) {
+      std::size_t i = b * block;
+      const std::size_t end = end_of(b);
+      double m0 = 0, m1 = 0, m2 = 0, m3 = 0;
+      for (; i + 4 <= end; i += 4) {
+        const double s0 = plain<scaled>(c, points_[i]), s1 = plain<scaled>(c, points_[i + 1]);
+        const double s2 = plain<scaled>(c, points_[i + 2]), s3 = plain<scaled>(c, points_[i + 3]);
+        m0 = s0 > m0 ? s0 : m0, m1 = s1 > m1 ? s1 : m1, m2 = s2 > m2 ? s2 : m2, m3 = s3 > m3 ? s3 : m3;
+      }
+      for (; i < end; ++i) m0 = std::max(m0, plain<scaled>(c, points_[i]));
+      most_[b] = std::max(std::max(m0, m1), std::max(m2, m3));
+      all = std::max(all, most_[b]);
+    }
+    return all;
+  }
+
+  std::span<const Point> points_;
+  double scale_;
+  std::vector<double> most_;
+};
+
+/// |cp|^2 to some hundred bits.
+template <class Point>
+Ball fine_square(const Point& c, const Point& p) {
+  const auto from = coordinates(c), to = coordinates(p);
+  const auto term = [&](std::size_t a) {
+    const Rounded d = two_sum(to[a], -from[a]);
+    const Ball difference{d.value, d.error, Ball::size(d.value) <= 0x1p1022 ? 0 : Ball::infinity};
+    return difference * difference;
+  };
+  const Ball sum = term(0) + term(1);
+  if constexpr (std::is_same_v<Point, Point3>) return sum + term(2);
+  return sum;
+}
+
+/// The distance of the farthest point from the center, rounded up once; infinite beyond all doubles.
+template <class Point>
+double enclosing_radius(std::span<const Point> points, PointScan<Point>& scan, const Point& center) {
+  Ball most{-1};
+  std::vector<std::size_t> farthest;  // whoever was not certainly nearer than another
+  scan.from(scan.rivals(scan.pass(center)), center, [&](std::size_t i) {
+    const Ball square = fine_square(center, points[i]), more = square - most;
+    const int s = beyond(more.high, more.radius + Ball::size(more.high) * 0x1p-52);
+    if (s > 0 || (s == 0 && !(more.high == 0 && more.radius == 0))) farthest.push_back(i);
+    if (s > 0) most = square;
+    return true;
+  });
+  double radius = 0;
+  for (const std::size_t i : farthest)
+    radius = std::max(radius, rounded_root(Rounding::up, SquaredDistance<Point>{}, center, points[i]));
+  return radius;
+}
+
+}  // namespace plumb::spheres

@@ -1,0 +1,182 @@
+// Swept spheres that hold others: contained, merged, moved.
+#include <algorithm>
+#include <cmath>
+
+#include "arith/certain.hpp"
+#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/frame.hpp"
+#include "figure/swept_sphere/swept_guess.hpp"
+#include "figure/swept_sphere/swept_input.hpp"
+#include "figure/swept_sphere/swept_reach.hpp"
+#include "plumb/figure/sphere/sphere.hpp"
+#include "plumb/figure/swept_sphere/swept_sphere.hpp"
+
+namespace plumb {
+namespace {
+
+using core::Vec;
+using swept::check;
+
+// The corners of the core: a swept sphere lies in a convex set with all sides curved alike when its corners' balls do.
+template <class T>
+std::vector<Vec<T>> vertices(const Capsule3& c) {
+  return core::core_of<T>(c).vertices;
+}
+template <class T>
+std::vector<Vec<T>> vertices(const Lozenge3& l) {
+  return core::core_of<T>(l).vertices;
+}
+
+// Of the greatest distance of the inner core from the outer one, against the difference of the radii.
+template <class T, class Shape>
+Unsure<Sign> sign_of_excess(const Shape& outer, const Shape& inner) {
+  CertainSigns ask;
+  const T left = T(outer.radius) - T(inner.radius), square = left * left;
+  const core::Core<T> core = core::core_of<T>(outer);
+  Sign most = Sign::negative;
+  for (const Vec<T>& v : vertices<T>(inner)) {
+    Sign least = Sign::positive;
+    core::visit_distances({{v}, {}, false}, core, ask, [&](const T& numerator, const T& denominator) {
+      least = std::min(least, ask(numerator - square * denominator));
+    });
+    most = std::max(most, least);
+  }
+  return ask.certain() ? Unsure(most) : Unsure<Sign>();
+}
+
+// A core has no interior: around each of its points the distance from it grows as fast as one goes, some way.
+template <class Shape>
+bool holds(const Shape& outer, const Shape& inner) {
+  if (inner.radius > outer.radius) return false;
+  Unsure<Sign> excess = sign_of_excess<Interval>(outer, inner);
+  if (!excess.certain()) excess = sign_of_excess<BigDyadic>(outer, inner);
+  return excess.value() != Sign::positive;
+}
+
+template <class Shape>
+bool contained(const Shape& outer, const Shape& inner) {
+  check("contains", "outer", outer);
+  check("contains", "inner", inner);
+  return holds(outer, inner);
+}
+
+// The radius that `core` needs to hold the shape.
+template <class Shape>
+double radius_for(const Shape& core, const Shape& shape) {
+  double radius = 0;
+  for (std::size_t i = 0; i < vertices<Interval>(shape).size(); ++i) {
+    const double off = swept::distance_up([&]<class T>() { return vertices<T>(shape)[i]; }, core);
+    radius = std::max(radius, Interval::sum_up(off, shape.radius));
+  }
+  return radius;
+}
+
+Point3 about(const Vec<double>& v) { return {v.x, v.y, v.z}; }
+
+template <class Shape>
+std::vector<swept::LocalBall> balls(const figure::LocalFrame& frame, const Shape& a, const Shape& b) {
+  std::vector<swept::LocalBall> all;
+  for (const Shape* s : {&a, &b}) {
+    for (const Vec<double>& v : vertices<double>(*s))
+      all.push_back({frame.local(about(v)), std::ldexp(s->radius, -frame.exponent)});
+  }
+  return all;
+}
+
+std::vector<Capsule3> guesses(const figure::LocalFrame& frame, const Capsule3& a, const Capsule3& b) {
+  return {swept::guess_capsule(frame, balls(frame, a, b))};
+}
+std::vector<Lozenge3> guesses(const figure::LocalFrame& frame, const Lozenge3& a, const Lozenge3& b) {
+  return swept::guess_lozenges(frame, balls(frame, a, b));
+}
+
+std::array<Vector3, 3> directions(const Capsule3& c) {
+  return {Vector3{c.b.x - c.a.x, c.b.y - c.a.y, c.b.z - c.a.z}, {0, 0, 0}, {0, 0, 0}};
+}
+std::array<Vector3, 3> directions(const Lozenge3& l) { return {l.edges[0], l.edges[1], {0, 0, 0}}; }
+
+template <class Shape>
+Shape merged(const Shape& a, const Shape& b) {
+  check("merge", "a", a);
+  check("merge", "b", b);
+  if (holds(a, b)) return a;
+  if (holds(b, a)) return b;
+  std::vector<Point3> corners;
+  for (const Shape* s : {&a, &b}) {
+    for (const Vec<double>& v : vertices<double>(*s)) {
+      const Point3 p = about(v);
+      for (const double x : {p.x, p.y, p.z}) figure::within_doubles(x, "merge", "a corner");
+      corners.push_back(p);
+    }
+  }
+  figure::LocalFrame principal = figure::principal_frame(corners);
+  principal.exponent = std::max(principal.exponent, frame::exponent(std::max(a.radius, b.radius)));
+  std::vector<Shape> candidates;
+  for (const auto& axes : {principal.axes, directions(a), directions(b)}) {
+    figure::LocalFrame frame = principal;
+    frame.axes = frame::orthonormal(axes);
+    for (Shape& s : guesses(frame, a, b)) {
+      if (!swept::is_finite(s)) continue;
+      s.radius = std::max(radius_for(s, a), radius_for(s, b));
+      if (swept::is_finite(s)) candidates.push_back(s);
+    }
+  }
+  return swept::smallest("merge", candidates);
+}
+
+// The exact image of a point or vector, over any numbers, and in doubles about.
+template <class T>
+Vec<T> image(const Pose& pose, const Vec<T>& v, bool is_point) {
+  const auto& [c, t] = pose;
+  const Vec<T> turned = core::vec<T>(c[0]) * v.x + core::vec<T>(c[1]) * v.y + core::vec<T>(c[2]) * v.z;
+  return is_point ? turned + core::vec<T>(t) : turned;
+}
+
+Point3 near_image(const Pose& pose, const Point3& p) { return about(image(pose, core::vec<double>(p), true)); }
+Vector3 near_image(const Pose& pose, const Vector3& v) {
+  const Vec<double> r = image(pose, core::vec<double>(v), false);
+  return {r.x, r.y, r.z};
+}
+
+template <class Shape>
+Shape moved(const Shape& shape, Shape core, const Pose& pose) {
+  core.radius = 0;
+  if (!swept::is_finite(core)) return swept::smallest("transform", std::vector<Shape>{});
+  double off = 0;
+  for (std::size_t i = 0; i < vertices<Interval>(shape).size(); ++i)
+    off = std::max(off, swept::distance_up([&]<class T>() { return image(pose, vertices<T>(shape)[i], true); }, core));
+  const double stretched = shape.radius == 0 ? 0 : Interval::product_up(largest_stretch(pose), shape.radius);
+  core.radius = figure::within_doubles(off == 0 ? stretched : Interval::sum_up(off, stretched), "transform", "radius");
+  return core;
+}
+
+void check_pose(const Pose& pose) {
+  const auto& [c, t] = pose;
+  figure::require_finite_parts(
+      "transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0], c[1], c[2], t);
+}
+
+}  // namespace
+
+bool contains(const Capsule3& outer, const Capsule3& inner) { return contained(outer, inner); }
+bool contains(const Lozenge3& outer, const Lozenge3& inner) { return contained(outer, inner); }
+
+Capsule3 merge(const Capsule3& a, const Capsule3& b) { return merged(a, b); }
+Lozenge3 merge(const Lozenge3& a, const Lozenge3& b) { return merged(a, b); }
+
+Capsule3 transform(const Capsule3& capsule, const Pose& pose) {
+  check("transform", "capsule", capsule);
+  check_pose(pose);
+  return moved(capsule, {near_image(pose, capsule.a), near_image(pose, capsule.b), 0}, pose);
+}
+
+Lozenge3 transform(const Lozenge3& lozenge, const Pose& pose) {
+  check("transform", "lozenge", lozenge);
+  check_pose(pose);
+  return moved(
+      lozenge,
+      {near_image(pose, lozenge.corner), {near_image(pose, lozenge.edges[0]), near_image(pose, lozenge.edges[1])}, 0},
+      pose);
+}
+
+}  // namespace plumb

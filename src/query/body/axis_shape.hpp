@@ -1,0 +1,53 @@
+// Quadric against line: which line is asked about a cylinder or cone?  Points and ways over any number type.
+//
+// Law: with w the way from `from` and h that from `from` to `to`, the shape is 0 <= w . h <= h . h together with
+// q(w) <= 0 for the quadratic form of the surface.
+// Source: RTCD 5.3.7.
+// Cost: none.
+#pragma once
+
+#include "arith/vec.hpp"
+#include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/plane.hpp"
+#include "plumb/figure/basic/relation.hpp"
+#include "plumb/figure/basic/round.hpp"
+
+namespace plumb::query {
+
+/// All from + t along, from t = 0 where it has a start, up to t = 1 where it has an end.
+template <class T>
+struct Straight {
+  core::Vec<T> from, along;
+  bool has_start, has_end;
+};
+
+template <class T>
+Straight<T> straight(const Line3& line) {
+  return {core::vec<T>(line.point), core::vec<T>(line.direction), false, false};
+}
+template <class T>
+Straight<T> straight(const Ray3& ray) {
+  return {core::vec<T>(ray.origin), core::vec<T>(ray.direction), true, false};
+}
+template <class T>
+Straight<T> straight(const Segment3& s) {
+  const core::Vec<T> a = core::vec<T>(s.a);
+  return {a, core::vec<T>(s.b) - a, true, true};
+}
+/// Of three points on one line, which are not all equal.
+template <class T>
+Straight<T> straight(const ThreePointPlane3& line) {
+  const core::Vec<T> a = core::vec<T>(line.a);
+  return {a, core::vec<T>(line.a == line.b ? line.c : line.b) - a, false, false};
+}
+
+inline bool is_point(const Line3& line) { return line.direction == Vector3{0, 0, 0}; }
+inline bool is_point(const Ray3& ray) { return ray.direction == Vector3{0, 0, 0}; }
+inline bool is_point(const Segment3& s) { return s.a == s.b; }
+inline bool is_point(const ThreePointPlane3& plane) { return plane.a == plane.b && plane.a == plane.c; }
+
+/// Of three points on one line against a shape with an interior.
+Relation relate_spanned_line(const ThreePointPlane3& line, const Cylinder3& shape);
+Relation relate_spanned_line(const ThreePointPlane3& line, const Cone3& shape);
+
+}  // namespace plumb::query

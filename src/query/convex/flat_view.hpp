@@ -1,0 +1,33 @@
+// A figure with straight edges and flat faces whose type was forgotten: the type again, and its exact set.
+//
+// Cost: a jump.
+#pragma once
+
+#include <type_traits>
+
+#include "query/body/figure_view.hpp"
+#include "query/convex/flat_set.hpp"
+
+namespace plumb::query {
+
+/// Calls f with the figure as it was.
+template <class F>
+decltype(auto) with_shape(const FlatView& v, F f) {
+  using Answer = std::invoke_result_t<F&, const Point3&>;
+  return with_figure(v, [&f]<class Shape>(const Shape& s) -> Answer {
+    if constexpr (FlatFigure<Shape>) {
+      return f(s);
+    } else {
+      __builtin_unreachable();
+    }
+  });
+}
+
+inline bool is_polygon(const FlatView& v) {
+  return is_one_of(v.kind, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon});
+}
+
+/// The figure as an exact set; nothing of polygons.
+FlatSet flat_set(const FlatView& v);
+
+}  // namespace plumb::query

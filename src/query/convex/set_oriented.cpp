@@ -1,0 +1,130 @@
+// Oriented boxes as what bounds them: by integers, for no doubles hold their corners.
+#include <algorithm>
+
+#include "plumb/certify/direction.hpp"
+#include "query/convex/bound_value.hpp"
+
+namespace plumb::meeting {
+namespace {
+
+using Numbers3 = Vec<BigDyadic, 3>;
+
+Numbers3 cross(const Numbers3& a, const Numbers3& b) {
+  return {det2(a[1], a[2], b[1], b[2]), det2(a[2], a[0], b[2], b[0]), det2(a[0], a[1], b[0], b[1])};
+}
+BigDyadic dot(const Numbers3& a, const Numbers3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Numbers3 operator-(const Numbers3& a, const Numbers3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+bool is_zero(const Numbers3& a) {
+  return a[0].sign() == Sign::zero && a[1].sign() == Sign::zero && a[2].sign() == Sign::zero;
+}
+Sign compare(const Numbers3& a, const Numbers3& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (const Sign s = (a[axis] - b[axis]).sign(); s != Sign::zero) return s;
+  }
+  return Sign::zero;
+}
+Numbers3 unit(std::size_t axis) {
+  Numbers3 e{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
+  e[axis] = BigDyadic(1.0);
+  return e;
+}
+
+/// side * gradient . (x - on) <= 0.
+Bound<3> bound_at(const Numbers3& gradient, const Numbers3& on, int side) {
+  Bound<3> bound{Bound<3>::Kind::given, side};
+  bound.given = std::make_shared<const Given<3>>(Given<3>{gradient, dot(gradient, on)});
+  return bound;
+}
+
+/// The hull of corners that lie in one plane, on a line or at one place.
+ConvexSet<3> flat(std::vector<Numbers3> corners) {
+  std::sort(corners.begin(), corners.end(),
+            [](const Numbers3& a, const Numbers3& b) { return compare(a, b) == Sign::negative; });
+  const auto equal = [](const Numbers3& a, const Numbers3& b) { return compare(a, b) == Sign::zero; };
+  corners.erase(std::unique(corners.begin(), corners.end(), equal), corners.end());
+  const Numbers3 &first = corners.front(), &last = corners.back();
+  ConvexSet<3> set;
+  Numbers3 normal = unit(0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    normal = cross(last - first, corners[i] - first);
+    if (!is_zero(normal)) break;
+  }
+  if (corners.size() < 3 || is_zero(normal)) {
+    set.dimension = corners.size() == 1 ? 0 : 1;
+    set.exact_vertices = {first, last};
+    set.edges = {{.from = 0, .to = corners.size() == 1 ? 0 : 1}};
+    const Numbers3 d = last - first;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      set.bounds.push_back(bound_at(set.dimension == 0 ? unit(axis) : cross(d, unit(axis)), first, 0));
+    }
+    if (set.dimension == 1) {
+      set.bounds.push_back(bound_at(d, first, -1));
+      set.bounds.push_back(bound_at(d, last, 1));
+    }
+    return set;
+  }
+  set.dimension = 2;
+  set.look = normal[2].sign() != Sign::zero ? 2 : normal[0].sign() != Sign::zero ? 0 : 1;
+  set.bounds.push_back(bound_at(normal, first, 0));
+  const Seen look = looks[static_cast<std::size_t>(set.look)];
+  const std::size_t right = look.right, up = look.up;
+  const auto left_of = [&](const Numbers3& a, const Numbers3& b, const Numbers3& c) {
+    return det2(b[right] - a[right], b[up] - a[up], c[right] - a[right], c[up] - a[up]).sign() == Sign::positive;
+  };
+  std::vector<Numbers3> chain;
+  const auto add = [&](const Numbers3& p, std::size_t keep) {
+    while (chain.size() > keep && !left_of(chain[chain.size() - 2], chain.back(), p)) chain.pop_back();
+    chain.push_back(p);
+  };
+  for (const Numbers3& p : corners) add(p, 1);
+  const std::size_t lower = chain.size();
+  for (std::size_t i = corners.size() - 1; i-- > 0;) add(corners[i], lower);
+  chain.pop_back();
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Numbers3 &a = chain[i], &b = chain[(i + 1) % chain.size()];
+    Numbers3 outward{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
+    outward[right] = b[up] - a[up];
+    outward[up] = a[right] - b[right];
+    set.bounds.push_back(bound_at(outward, a, 1));
+    set.edges.push_back({.from = static_cast<int>(i), .to = static_cast<int>((i + 1) % chain.size())});
+  }
+  set.exact_vertices = std::move(chain);
+  return set;
+}
+
+}  // namespace
+
+ConvexSet<3> convex_set(const Obb3& box) {
+  const Numbers3 center = made<BigDyadic, 3>(box.center);
+  std::array<Numbers3, 3> reach;
+  const std::array half{box.half.x, box.half.y, box.half.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    reach[i] = made<BigDyadic, 3>(box.axes[i]);
+    for (BigDyadic& x : reach[i]) x = x * BigDyadic(half[i]);
+  }
+  std::vector<Numbers3> corners;
+  for (unsigned k = 0; k < 8; ++k) {
+    Numbers3 p = center;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        p[axis] = (k >> i & 1) != 0 ? p[axis] + reach[i][axis] : p[axis] - reach[i][axis];
+    }
+    corners.push_back(p);
+  }
+  const Sign turn = dot(reach[0], cross(reach[1], reach[2])).sign();
+  if (turn == Sign::zero) return flat(std::move(corners));
+  ConvexSet<3> set;
+  set.dimension = 3;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Numbers3 normal = cross(reach[(axis + 1) % 3], reach[(axis + 2) % 3]);
+    set.bounds.push_back(bound_at(normal, corners[0], -static_cast<int>(turn)));
+    set.bounds.push_back(bound_at(normal, corners[7], static_cast<int>(turn)));
+    for (int k = 0; k < 8; ++k) {
+      if ((k & 1 << axis) == 0) set.edges.push_back({.from = k, .to = k | 1 << axis});
+    }
+  }
+  set.exact_vertices = std::move(corners);
+  return set;
+}
+
+}  // namespace plumb::meeting

@@ -1,0 +1,235 @@
+// Lines, rays and segments against cylinders and cones.
+#include "plumb/query/overlap/cylinder_cone.hpp"
+
+#include <optional>
+
+#include "arith/certain.hpp"
+#include "arith/running_error.hpp"
+#include "figure/swept_sphere/core_distance.hpp"
+#include "plumb/arith/approximate.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
+#include "plumb/figure/containment/contains.hpp"
+#include "plumb/query/overlap/round.hpp"
+#include "query/body/axis_shape.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/body/vectors.hpp"
+#include "query/convex/exact_gap.hpp"
+
+namespace plumb {
+namespace query {
+namespace {
+
+template <class T>
+using Vec = core::Vec<T>;
+
+/// a t^2 + 2 b t + c.
+template <class T>
+struct AxisQuadratic {
+  T a, b, c;
+};
+
+/// A place on the line: numerator / denominator, denominator > 0.
+template <class T>
+struct AxisQuotient {
+  T numerator, denominator;
+};
+
+struct RoundAxis {
+  Point3 from, to;
+  double radius;
+  bool is_cone;
+};
+RoundAxis axis_of(const Cylinder3& c) { return {c.a, c.b, c.radius, false}; }
+RoundAxis axis_of(const Cone3& c) { return {c.apex, c.base, c.radius, true}; }
+
+template <class T>
+class LineThroughRound {
+ public:
+  LineThroughRound(const Straight<T>& line, const RoundAxis& axis)
+      : has_start_(line.has_start),
+        has_end_(line.has_end),
+        height_(T(0.0)),
+        rise_(T(0.0)),
+        top_(T(0.0)),
+        surface_{T(0.0), T(0.0), T(0.0)} {
+    const Vec<T> from = core::vec<T>(axis.from), h = core::vec<T>(axis.to) - from, w = line.from - from;
+    height_ = core::dot(w, h), rise_ = core::dot(line.along, h), top_ = core::dot(h, h);
+    const Vec<T> off = core::cross(w, h), change = core::cross(line.along, h);
+    const T r = T(axis.radius) * T(axis.radius);
+    surface_ = {core::dot(change, change), core::dot(off, change), core::dot(off, off)};
+    if (axis.is_cone) {
+      surface_ = {surface_.a * top_ - r * rise_ * rise_, surface_.b * top_ - r * height_ * rise_,
+                  surface_.c * top_ - r * height_ * height_};
+    } else {
+      surface_.c = surface_.c - r * top_;
+    }
+  }
+
+  /// Nothing where a sign is not certain.
+  std::optional<Relation> relation() {
+    const Relation r = related();
+    if (!ask_.certain()) return {};
+    return r;
+  }
+
+ private:
+  Relation related() {
+    const T zero = T(0.0), one = T(1.0);
+    std::optional<AxisQuotient<T>> first, last;
+    if (has_start_) first = {zero, one};
+    if (has_end_) last = {one, one};
+    bool crosses_inside = true;  // do places between first and last lie strictly between the two planes?
+    const Sign rises = ask_(rise_);
+    if (!ask_.certain()) return Relation::disjoint;
+    if (rises == Sign::zero) {
+      const Sign above = ask_(height_), below = ask_(top_ - height_);
+      if (above == Sign::negative || below == Sign::negative) return Relation::disjoint;
+      crosses_inside = above == Sign::positive && below == Sign::positive;
+    } else {
+      const bool up = rises == Sign::positive;
+      const T slope = up ? rise_ : zero - rise_;
+      later(first, {up ? zero - height_ : height_ - top_, slope});
+      sooner(last, {up ? top_ - height_ : height_, slope});
+    }
+    const Sign length = first && last ? order(*last, *first) : Sign::positive;
+    if (length == Sign::negative) return Relation::disjoint;
+    const Sign least = least_value(first, last);
+    if (least != Sign::negative) return least == Sign::zero ? Relation::touching : Relation::disjoint;
+    return length == Sign::positive && crosses_inside ? Relation::overlapping : Relation::touching;
+  }
+
+  Sign order(const AxisQuotient<T>& p, const AxisQuotient<T>& q) {
+    return ask_(p.numerator * q.denominator - q.numerator * p.denominator);
+  }
+  void later(std::optional<AxisQuotient<T>>& first, const AxisQuotient<T>& p) {
+    if (!first || order(p, *first) == Sign::positive) first = p;
+  }
+  void sooner(std::optional<AxisQuotient<T>>& last, const AxisQuotient<T>& p) {
+    if (!last || order(p, *last) == Sign::negative) last = p;
+  }
+
+  /// The sign of the least value of the surface's quadratic: at its bottom, if it has one between the ends, else at an
+  /// end; without a bottom both ends are there, for the line is not level then.
+  Sign least_value(const std::optional<AxisQuotient<T>>& first, const std::optional<AxisQuotient<T>>& last) {
+    const auto& [a, b, c] = surface_;
+    if (ask_(a) == Sign::positive) {
+      const AxisQuotient<T> bottom{T(0.0) - b, a};
+      if (first && order(bottom, *first) != Sign::positive) return value(*first);
+      if (last && order(bottom, *last) != Sign::negative) return value(*last);
+      return ask_(a * c - b * b);
+    }
+    if (!ask_.certain()) return Sign::zero;
+    return std::min(value(*first), value(*last));
+  }
+  Sign value(const AxisQuotient<T>& p) {
+    const auto& [a, b, c] = surface_;
+    const auto& [n, d] = p;
+    return ask_(a * n * n + (b + b) * n * d + c * d * d);
+  }
+
+  CertainSigns ask_;
+  bool has_start_, has_end_;
+  T height_, rise_, top_;  // of the start above the first plane, along the line, and of the second plane
+  AxisQuadratic<T> surface_;
+};
+
+template <class T, class Line, class Round>
+[[gnu::flatten]] std::optional<Relation> crossing(const Line& line, const Round& round) {
+  return LineThroughRound<T>(straight<T>(line), axis_of(round)).relation();
+}
+
+template <class Line>
+Point3 start_of(const Line& line) {
+  if constexpr (requires { line.point; }) {
+    return line.point;
+  } else if constexpr (requires { line.origin; }) {
+    return line.origin;
+  } else {
+    return line.a;
+  }
+}
+
+/// Is it certain that the line passes by?  Beyond an end of the axis, or outside of the surface all along.
+template <class Line>
+[[gnu::flatten]] bool passes_by(const Line& line, const RoundAxis& axis) {
+  const Straight<Approximate> s = straight<Approximate>(line);
+  const Vec<Approximate> h = between<Approximate>(axis.from, axis.to),
+                         w = between<Approximate>(axis.from, start_of(line));
+  const Approximate height = core::dot(w, h), rise = core::dot(s.along, h), top = core::dot(h, h);
+  if (s.has_start) {
+    const Approximate last = s.has_end ? height + rise : rise;  // of a ray the way that it goes
+    if (height.certain_sign() < 0 && last.certain_sign() < 0) return true;
+    if ((height - top).certain_sign() > 0 && (s.has_end ? last - top : last).certain_sign() > 0) return true;
+  }
+  const Vec<Approximate> off = core::cross(w, h), change = core::cross(s.along, h);
+  const Approximate r(axis.radius), reach = r * r;
+  Approximate a = core::dot(change, change), b = core::dot(off, change), c = core::dot(off, off);
+  if (axis.is_cone) {
+    a = a * top - reach * rise * rise, b = b * top - reach * height * rise, c = c * top - reach * height * height;
+  } else {
+    c = c - reach * top;
+  }
+  if (a.certain_sign() <= 0) return false;
+  if (s.has_start && b.certain_sign() > 0) return c.certain_sign() > 0;
+  if (s.has_end && (a + b).certain_sign() < 0) return (a + b + b + c).certain_sign() > 0;
+  return (a * c - b * b).certain_sign() > 0;
+}
+
+/// Of a shape with an interior, which a point overlaps where it is inside.
+template <class Round>
+Relation relation_of_point(const Point3& p, const Round& round) {
+  return static_cast<Relation>(locate(round, p));
+}
+
+template <class Round>
+Relation relate_point(const Point3& p, const Round& round, Asked asked) {
+  const auto [from, to, radius, is_cone] = axis_of(round);
+  require_figures(asked, p, round);
+  if (from != to && radius == 0) return relate(flat_set(p), flat_set(Segment3{from, to}));
+  return from == to ? relate(p, Sphere3{from, radius}) : relation_of_point(p, round);
+}
+
+template <class Line, class Round>
+Relation relate_line(const Line& line, const Round& round, Asked asked) {
+  const auto [from, to, radius, is_cone] = axis_of(round);
+  if (is_sound(line) && is_sound(round) && radius > 0 && from != to && !is_point(line)) [[likely]] {
+    if (passes_by(line, axis_of(round))) return Relation::disjoint;
+    if (const auto r = crossing<Approximate>(line, round)) [[likely]]
+      return *r;
+    if (const auto r = crossing<Running>(line, round)) return *r;
+  }
+  require_figures(asked, line, round);
+  if (from == to) return relate(line, Sphere3{from, radius});
+  if (radius == 0) return relate(flat_set(line), flat_set(Segment3{from, to}));
+  if (is_point(line)) return relation_of_point(start_of(line), round);
+  return *crossing<BigDyadic>(line, round);
+}
+
+template <class Round>
+Relation relate_spanned(const ThreePointPlane3& line, const Round& round) {
+  if (is_point(line)) return relation_of_point(line.a, round);
+  return *crossing<BigDyadic>(line, round);
+}
+
+}  // namespace
+
+Relation relate_spanned_line(const ThreePointPlane3& line, const Cylinder3& shape) {
+  return relate_spanned(line, shape);
+}
+Relation relate_spanned_line(const ThreePointPlane3& line, const Cone3& shape) { return relate_spanned(line, shape); }
+
+}  // namespace query
+
+using query::relate_line, query::relate_point;
+
+Relation relate(const Point3& a, const Cylinder3& b, Asked asked) { return relate_point(a, b, asked); }
+Relation relate(const Point3& a, const Cone3& b, Asked asked) { return relate_point(a, b, asked); }
+Relation relate(const Line3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Ray3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Segment3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Line3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Ray3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
+Relation relate(const Segment3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
+
+}  // namespace plumb

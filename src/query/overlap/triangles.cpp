@@ -1,0 +1,220 @@
+// Two triangles in space: by doubles; by the integers that the corners are on their common lattice; by exact signs of
+// the corners; and what has no area as the segment or point that it is.
+#include <bit>
+
+#include "certify/long_filter.hpp"
+#include "plumb/query/overlap/triangle.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/overlap/filters.hpp"
+#include "query/overlap/lattice_volumes.hpp"
+#include "query/overlap/signs.hpp"
+#include "query/overlap/triangle_signs.hpp"
+#include "query/overlap/wide_volumes.hpp"
+
+namespace plumb {
+namespace query {
+
+namespace {
+
+/// Neighbors in a mesh: where all corners that are not shared lie on one side of the other triangle's plane, nothing is
+/// in common but what the shared ones span, of which the inside is none of the triangle's.
+[[gnu::noinline]] std::optional<Relation> by_shared_corners(const Triangle3& a, const Triangle3& b,
+                                                            const std::array<double, 3>& over_a, double error_a,
+                                                            const std::array<double, 3>& over_b, double error_b) {
+  const std::array p{a.a, a.b, a.c}, q{b.a, b.b, b.c};
+  const auto touches = [](const auto& corners, const auto& others, const std::array<double, 3>& over, double error) {
+    int shared = 0, above = 0, below = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (corners[i] == others[0] || corners[i] == others[1] || corners[i] == others[2]) {
+        ++shared;
+      } else {
+        above += static_cast<int>(over[i] > error), below += static_cast<int>(over[i] < -error);
+      }
+    }
+    return shared != 0 && (shared + above == 3 || shared + below == 3) && shared != 3;
+  };
+  if (touches(q, p, over_a, error_a) || touches(p, q, over_b, error_b)) return Relation::touching;
+  return {};
+}
+
+}  // namespace
+
+std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
+  using predicates::cross, predicates::dot;
+  const Difference ab = difference(a.a, a.b), ac = difference(a.a, a.c);
+  const std::array to{difference(a.a, b.a), difference(a.a, b.b), difference(a.a, b.c)};
+  const Difference n = cross(ab, ac);
+  const std::array over_a{dot(to[0], n), dot(to[1], n), dot(to[2], n)};
+  const auto of_axis = [](Pair p, Pair q, double r) { return larger(size(p), larger(size(q), size(Pair{r, r}))); };
+  const double error = error_bound<Volume>(of_axis(Pair{ab.x, ac.x}, Pair{to[0].x, to[1].x}, to[2].x),
+                                           of_axis(Pair{ab.y, ac.y}, Pair{to[0].y, to[1].y}, to[2].y),
+                                           of_axis(Pair{ab.z, ac.z}, Pair{to[0].z, to[1].z}, to[2].z),
+                                           over_a[0] + over_a[1] + over_a[2]);
+  const auto low = [](const std::array<double, 3>& x) { return std::min(std::min(x[0], x[1]), x[2]); };
+  const auto high = [](const std::array<double, 3>& x) { return std::max(std::max(x[0], x[1]), x[2]); };
+  if (low(over_a) > error || high(over_a) < -error) return Relation::disjoint;
+  if (std::max(high(over_a), -low(over_a)) <= error) return {};  // coplanar, or nearly so
+
+  // Between any two corners lies at most twice the largest difference from one.
+  const Difference m = cross(difference(b.a, b.b), difference(b.a, b.c));
+  const std::array over_b{dot(difference(b.a, a.a), m), dot(difference(b.a, a.b), m), dot(difference(b.a, a.c), m)};
+  const double sum = over_b[0] + over_b[1] + over_b[2];
+  const double twofold = error * (8 * (1 + 0x1p-40)) + (sum - sum);
+  if (low(over_b) > twofold || high(over_b) < -twofold) return Relation::disjoint;
+
+  const auto certain = [](const std::array<double, 3>& x, double e) {
+    return std::min(std::min(magnitude_of(x[0]), magnitude_of(x[1])), magnitude_of(x[2])) > e;
+  };
+  if (!certain(over_a, error) || !certain(over_b, twofold))
+    return by_shared_corners(a, b, over_a, error, over_b, twofold);
+  const auto below = [](const std::array<double, 3>& x) {
+    return static_cast<unsigned>(x[0] < 0) | static_cast<unsigned>(x[1] < 0) << 1 |
+           static_cast<unsigned>(x[2] < 0) << 2;
+  };
+  const unsigned of_a = below(over_b), of_b = below(over_a);
+  const std::size_t i = corner_alone[of_a], j = corner_alone[of_b];
+  const bool a_above = over_b[i] > 0, b_above = over_a[j] > 0;
+  const Point3* const p[] = {&a.a, &a.b, &a.c, &a.a, &a.b};
+  const Point3* const q[] = {&b.a, &b.b, &b.c, &b.a, &b.b};
+  const auto volume = [](const Point3& k, const Point3& l, const Point3& o, const Point3& v) {
+    return dot(difference(v, k), cross(difference(v, l), difference(v, o)));
+  };
+  const std::size_t first_a = a_above ? i + 1 : i + 2, first_b = b_above ? j + 1 : j + 2;
+  const std::size_t second_a = 2 * i + 3 - first_a, second_b = 2 * j + 3 - first_b;
+  const double way = std::copysign(1.0, over_b[i]) * std::copysign(1.0, over_a[j]);
+  const double starts = way * volume(*p[i], *p[first_a], *q[j], *q[first_b]);
+  const double ends = -way * volume(*p[i], *p[second_a], *q[j], *q[second_b]);
+  const double limit = twofold + ((starts + ends) - (starts + ends)), least = std::min(starts, ends);
+  if (least > limit) return Relation::overlapping;
+  if (least < -limit) return Relation::disjoint;
+  return {};
+}
+
+namespace {
+
+/// Of corners whose coordinates take many bits.
+class PointSigns {
+ public:
+  explicit PointSigns(const std::array<Point3, 6>& p) : p_(p) {}
+
+  static constexpr bool doubles_first = true;
+  static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
+  static std::optional<Relation> straight() { return {}; }
+  [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return area(axis, 3, 4, 5); }
+  [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
+    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return static_cast<double>(area(axis, i, j, k));
+    };
+    const auto edge = [&](std::size_t i, std::size_t j, std::size_t from) {
+      return Three<double>{at(i, j, from), at(i, j, from + 1), at(i, j, from + 2)};
+    };
+    return {at(0, 1, 2),
+            at(3, 4, 5),
+            {edge(0, 1, 3), edge(1, 2, 3), edge(2, 0, 3)},
+            {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
+  }
+  [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
+    // The exponents are far apart: the sums of magnitudes tell more of those.
+    const auto at = coordinates_of<predicates::Orient3d>(p_[i], p_[j], p_[k], p_[l]);
+    if (const int s = magnitude_filter<predicates::Orient3d>(at); s != 0) return static_cast<Sign>(s);
+    if (const int s = long_filter<predicates::Orient3d>(at); s != 0) return static_cast<Sign>(s);
+    return decide_exactly<predicates::Orient3d>(at).sign;
+  }
+  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
+    return {-volume(i, i + 1, i + 2, j), -volume(i, i + 1, i + 2, j + 1), -volume(i, i + 1, i + 2, j + 2)};
+  }
+
+ private:
+  [[nodiscard]] Sign area(std::size_t axis, std::size_t i, std::size_t j, std::size_t k) const {
+    return query::orient2d(seen(p_[i], axis), seen(p_[j], axis), seen(p_[k], axis));
+  }
+  const std::array<Point3, 6>& p_;
+};
+
+using CornerNumbers = std::array<double, 18>;
+
+/// Of corners on one lattice of many bits.
+class WideSigns : public PointSigns {
+ public:
+  WideSigns(const std::array<Point3, 6>& p, const WideVolumes<6>& volumes) : PointSigns(p), volumes_(volumes) {}
+
+  [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
+    return volumes_.volume(i, j, k, l);
+  }
+  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return volumes_.over<3>(i, j); }
+
+ private:
+  const WideVolumes<6>& volumes_;
+};
+
+template <class Step>
+class LatticeSigns : public LatticeVolumes<Step, 6> {
+ public:
+  LatticeSigns(const LatticePoints<6, 3>& points, const Triangle3& a, const Triangle3& b)
+      : LatticeVolumes<Step, 6>(points), a_(a), b_(b) {}
+
+  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return this->template over<3>(i, j); }
+  [[nodiscard]] Sign turn_of_b(std::size_t axis) const {
+    return sign_of_number(this->seen_along(axis, [](const auto& at, const auto& told) {
+      const auto p = at(3), q = at(4), r = at(5);
+      return told((area(p, q) + area(q, r)) - area(p, r));
+    }));
+  }
+  [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
+    return this->seen_along(axis, [](const auto& at, const auto& told) {
+      return told_areas(triangle_areas(at(1), at(2), {at(3), at(4), at(5)}), told);
+    });
+  }
+  [[nodiscard]] std::optional<Relation> straight() const {
+    const auto axis = running_axis(this->points_);
+    if (!axis) return {};
+    return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a_), std::bit_cast<std::array<double, 9>>(b_),
+                              *axis);
+  }
+
+ private:
+  const Triangle3 &a_, &b_;
+};
+
+bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
+  const auto apart = [](const auto& p, const auto& q) { return p.second < q.first || q.second < p.first; };
+  const auto range = [](const Triangle3& t, double Point3::*at) { return std::minmax({t.a.*at, t.b.*at, t.c.*at}); };
+  return apart(range(a, &Point3::x), range(b, &Point3::x)) || apart(range(a, &Point3::y), range(b, &Point3::y)) ||
+         apart(range(a, &Point3::z), range(b, &Point3::z));
+}
+
+[[gnu::noinline]] Relation without_area(const Triangle3& a, const Triangle3& b) {
+  return telling_axis(b) == 3 ? relate(flattened(b), a) : relate(flattened(a), b);
+}
+
+[[gnu::noinline]] std::optional<Relation> by_points(const Triangle3& a, const Triangle3& b, Asked asked) {
+  require_figures(asked, a, b);
+  if (boxes_are_apart(a, b)) return Relation::disjoint;
+  const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
+  const WideVolumes<6> wide(std::bit_cast<CornerNumbers>(corners));
+  if (wide.is_lattice()) return relate_by(a, b, WideSigns(corners, wide));
+  return relate_by(a, b, PointSigns(corners));
+}
+
+[[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Asked asked) {
+  const LatticePoints<6, 3> points(std::bit_cast<CornerNumbers>(std::array{a, b}));
+  const auto ask = [&](const auto& signs) { return relate_by(a, b, signs); };
+  const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, asked);
+  return answer ? *answer : without_area(a, b);
+}
+
+}  // namespace
+
+Relation relate(const Triangle3& a, const Triangle3& b, Asked asked) {
+  if (const auto answer = by_doubles(a, b)) return *answer;
+  return by_signs(a, b, asked);
+}
+
+}  // namespace query
+
+Relation relate(const Triangle3& a, const Triangle3& b, Asked asked) {
+  assert_sound_thread();
+  return query::relate(a, b, asked);
+}
+
+}  // namespace plumb

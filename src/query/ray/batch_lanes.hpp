@@ -1,0 +1,27 @@
+// Ray cast: what do lanes of doubles say of one ray against many triangles?
+//
+// What the tests prove is said in query/ray/filters.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace plumb::query {
+
+/// Of a line from the origin along a direction.
+struct BatchRay {
+  double origin[3], direction[3];
+  bool begins, ends;
+};
+
+/// What is told of each triangle: 0 no, 1 yes, 2 nothing; and for yes and the like between which parameters it is hit.
+struct BatchTold {
+  std::uint8_t* told;
+  double *least, *most;
+};
+
+/// Of n triangles, whose numbers are at[0][i] to at[8][i]; of a segment with its rounded direction.  Whole lanes are
+/// read and told: there is room up to the next multiple of eight.
+void ask_lanes(const BatchRay& ray, const double* const* at, std::size_t n, const BatchTold& out);
+
+}  // namespace plumb::query

@@ -1,0 +1,277 @@
+// Ray cast: when does a line first meet one of several flat faces, convex and of three or four corners?
+//
+// A facet is given by its corners, seen from the ray's origin, with the numbers of its vertices and edges; corners may
+// be equal or on one line: then the facet is the union of its edges.
+// A model is facets() of them, facet<T>(line, i).
+// Laws: decided in any numbers; where a sign was not certain the answer means nothing.  The feature is that of the
+// lowest dimension, then number, that holds the point.
+// Source: RTCD 5.3.4 to 5.3.6 (figure 5.24).
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "query/ray/numbers.hpp"
+
+namespace plumb::query {
+
+template <class T>
+struct Facet {
+  std::size_t size;                           // 3 or 4
+  std::array<Vec3<T>, 4> corners;             // from the origin
+  std::array<std::uint32_t, 4> vertex, edge;  // edge i leaves corner i
+  std::uint32_t face;
+
+  [[nodiscard]] const Vec3<T>& next(std::size_t i) const { return corners[i + 1 < size ? i + 1 : 0]; }
+};
+
+template <class T>
+Vec3<T> facet_normal(const Facet<T>& f) {
+  return cross(f.corners[1] - f.corners[0], f.corners[f.size - 1] - f.corners[0]);
+}
+
+/// Positive when the line from the origin passes the edge from p to q on its left, as line_edge says.
+template <class T>
+T edge_side(const Vec3<T>& direction, const Vec3<T>& p, const Vec3<T>& q) {
+  return dot(direction, cross(q, p));
+}
+
+/// How a facet is met: by its plane, by a constraint of its plane, or along an edge.
+enum class Meeting : std::uint32_t { plane = 0, side = 4, crossing = 8, from = 12 };
+inline std::uint32_t part_of(Meeting m, std::size_t edge) {
+  return static_cast<std::uint32_t>(m) + static_cast<std::uint32_t>(edge);
+}
+inline Meeting meeting_of(const When& when) { return static_cast<Meeting>(when.part & ~3u); }
+
+template <class T>
+Time<T> plane_time(const Facet<T>& f, const Vec3<T>& direction) {
+  const Vec3<T> n = facet_normal(f);
+  return {dot(f.corners[0], n), dot(direction, n)};
+}
+/// Of a line in the facet's plane: inside of edge i.
+template <class T>
+Linear<T> side_of(const Facet<T>& f, const Vec3<T>& normal, const Vec3<T>& direction, std::size_t i) {
+  const Vec3<T> out = cross(f.next(i) - f.corners[i], normal);
+  return {T(0.0) - dot(f.corners[i], out), dot(direction, out)};
+}
+/// Of a line in one plane with the edge from p along e, not parallel to it.
+template <class T>
+Time<T> crossing_time(const Vec3<T>& p, const Vec3<T>& e, const Vec3<T>& direction) {
+  const Vec3<T> x = cross(direction, e);
+  return {dot(cross(p, e), x), dot(x, x)};
+}
+/// Of a point on the line.
+template <class T>
+Time<T> point_time(const Vec3<T>& p, const Vec3<T>& direction) {
+  return {dot(p, direction), dot(direction, direction)};
+}
+
+template <class T>
+struct Candidate {
+  Time<T> time;
+  When when;
+  bool inside;  // of the facet, strictly
+};
+
+/// The earliest so far.
+template <class T>
+struct Earliest {
+  std::optional<Candidate<T>> found;
+
+  void add(const Candidate<T>& c, RaySigns& ask) {
+    if (!found || compare(c.time, found->time, ask) == Sign::negative) found = c;
+  }
+  void add(const ShotLine<T>& line, const Time<T>& time, const When& when, RaySigns& ask) {
+    if (in_range(line.ray, time, ask)) add({time, when, false}, ask);
+  }
+};
+
+/// The edge of facet `index` as a segment, against a line of some direction.
+template <class T>
+void meet_edge(const ShotLine<T>& line, const Facet<T>& f, std::uint32_t index, std::size_t i, Earliest<T>& earliest,
+               RaySigns& ask) {
+  const Vec3<T>&p = f.corners[i], &q = f.next(i), &d = line.direction;
+  const Vec3<T> e = q - p, x = cross(d, e);
+  const auto when = [&](Meeting m, std::size_t edge) { return When{When::At::quotient, index, part_of(m, edge)}; };
+  if (!is_zero(x, ask)) {
+    if (ask(dot(cross(p, d), e)) != Sign::zero) return;  // not in one plane
+    const T along = dot(cross(p, d), x);
+    if (ask(along) == Sign::negative || ask(along - dot(x, x)) == Sign::positive) return;
+    earliest.add(line, crossing_time(p, e, d), when(Meeting::crossing, i), ask);
+    return;
+  }
+  if (!is_zero(cross(p, d), ask)) return;  // beside
+  const Time<T> from = point_time(p, d), to = point_time(q, d);
+  const bool forward = compare(from, to, ask) != Sign::positive;
+  const Time<T>&least = forward ? from : to, &most = forward ? to : from;
+  if (begins(line.ray) && ask(least.numerator) == Sign::negative) {
+    if (ask(most.numerator) != Sign::negative) earliest.add(line, time_zero<T>(), When{When::At::zero, index, 0}, ask);
+    return;
+  }
+  earliest.add(line, least, when(Meeting::from, forward ? i : i + 1 < f.size ? i + 1 : 0), ask);
+}
+
+/// For a line of some direction.
+template <class T>
+void meet_facet(const ShotLine<T>& line, const Facet<T>& f, std::uint32_t index, Earliest<T>& earliest, RaySigns& ask) {
+  const Vec3<T> normal = facet_normal(f);
+  const Vec3<T>& d = line.direction;
+  const T slope = dot(d, normal);
+  const Sign way = ask(slope);
+  if (way != Sign::zero) {
+    bool left = true, right = true, inside = true;
+    for (std::size_t i = 0; i < f.size; ++i) {
+      const Sign s = ask(edge_side(d, f.corners[i], f.next(i)));
+      left = left && s != Sign::negative;
+      right = right && s != Sign::positive;
+      inside = inside && s != Sign::zero;
+    }
+    if (!left && !right) return;
+    const Time<T> time = with_positive_denominator(dot(f.corners[0], normal), slope, way);
+    if (!in_range(line.ray, time, ask)) return;
+    const When when{ask(time.numerator) == Sign::zero ? When::At::zero : When::At::quotient, index,
+                    part_of(Meeting::plane, 0)};
+    earliest.add({time, when, inside}, ask);
+  } else if (is_zero(normal, ask)) {
+    for (std::size_t i = 0; i < f.size; ++i) meet_edge(line, f, index, i, earliest, ask);
+  } else if (ask(dot(f.corners[0], normal)) == Sign::zero) {
+    Remaining<T> left(line.ray);
+    for (std::size_t i = 0; i < f.size; ++i) {
+      if (!left.cut(side_of(f, normal, d, i), static_cast<std::uint32_t>(i), ask)) return;
+    }
+    if (left.is_empty(ask)) return;
+    const When first = left.first(ask);
+    const When when{first.at, index, part_of(Meeting::side, first.index)};
+    earliest.add({first.at == When::At::zero ? time_zero<T>() : left.lower.time, when, false}, ask);
+  }
+}
+
+/// Is the point at p / w, seen from the origin, on the segment from a to b?
+template <class T>
+bool on_segment(const Vec3<T>& p, const T& w, const Vec3<T>& a, const Vec3<T>& b, RaySigns& ask) {
+  const Vec3<T> e = b - a, v = p - times(a, w);
+  if (!is_zero(cross(v, e), ask)) return false;
+  const T square = dot(e, e), along = dot(v, e);
+  return ask(square) == Sign::positive && ask(along) != Sign::negative && ask(along - square * w) != Sign::positive;
+}
+
+/// Of the features of one facet that hold the point p / w: vertices, then edges, then the face itself.
+template <class T>
+std::optional<Feature> corner_or_edge(const Facet<T>& f, const Vec3<T>& p, const T& w, RaySigns& ask) {
+  std::optional<Feature> found;
+  const auto take = [&](FeatureKind kind, std::uint32_t number) {
+    if (!found || number < found->index) found = Feature{kind, number};
+  };
+  for (std::size_t i = 0; i < f.size; ++i) {
+    if (is_zero(p - times(f.corners[i], w), ask)) take(FeatureKind::vertex, f.vertex[i]);
+  }
+  if (found) return found;
+  for (std::size_t i = 0; i < f.size; ++i) {
+    if (on_segment(p, w, f.corners[i], f.next(i), ask)) take(FeatureKind::edge, f.edge[i]);
+  }
+  return found;
+}
+
+template <class T, class Model>
+std::optional<Decided> meet_facets(const AnyRay& ray, const Model& model, RaySigns& ask) {
+  const ShotLine<T> line(ray);
+  Earliest<T> earliest;
+  const auto size = static_cast<std::uint32_t>(model.facets());
+  for (std::uint32_t i = 0; i < size; ++i) meet_facet(line, model.template facet<T>(line, i), i, earliest, ask);
+  if (!earliest.found) return {};
+  const auto& [time, when, inside] = *earliest.found;
+  const Vec3<T> p = times(line.direction, time.numerator);
+  Feature best{FeatureKind::face, model.template facet<T>(line, when.index).face};
+  if (!inside || size > 1) {
+    for (std::uint32_t i = 0; i < size; ++i) {
+      const auto f = corner_or_edge(model.template facet<T>(line, i), p, time.denominator, ask);
+      if (f && std::pair(f->kind, f->index) < std::pair(best.kind, best.index)) best = *f;
+    }
+  }
+  return Decided{when, best, true, when.index};
+}
+
+template <class T, class Model>
+Time<T> facet_time(const ShotLine<T>& line, const Model& model, const When& when, RaySigns&) {
+  const Facet<T> f = model.template facet<T>(line, when.index);
+  const std::size_t i = when.part & 3u;
+  const Vec3<T>& d = line.direction;
+  switch (meeting_of(when)) {
+    case Meeting::plane:
+      return plane_time(f, d);
+    case Meeting::side: {
+      const Linear<T> c = side_of(f, facet_normal(f), d, i);
+      return {T(0.0) - c.constant, c.slope};
+    }
+    case Meeting::crossing:
+      return crossing_time(f.corners[i], f.next(i) - f.corners[i], d);
+    default:
+      return point_time(f.corners[i], d);
+  }
+}
+
+/// What is left of a model when it says what its facets are.
+template <class Derived>
+struct FacetModel {
+  template <class T>
+  Time<T> time(const ShotLine<T>& line, const When& when, RaySigns& ask) const {
+    return facet_time<T>(line, static_cast<const Derived&>(*this), when, ask);
+  }
+  template <class T>
+  NormalForm<T> normal(const ShotLine<T>& line, const Decided& decided, RaySigns&) const {
+    return still_normal(facet_normal(static_cast<const Derived&>(*this).template facet<T>(line, decided.normal)));
+  }
+};
+
+/// Of a ray that is a point: the first feature that holds it.
+template <class T, class Model>
+std::optional<Decided> hold_point(const AnyRay& ray, const Model& model, RaySigns& ask) {
+  const ShotLine<T> line(ray);
+  const Vec3<T> p{T(0.0), T(0.0), T(0.0)};
+  std::optional<Decided> best;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(model.facets()); ++i) {
+    const Facet<T> f = model.template facet<T>(line, i);
+    std::optional<Feature> found = corner_or_edge(f, p, T(1.0), ask);
+    const Vec3<T> normal = facet_normal(f);
+    if (!found && !is_zero(normal, ask) && ask(dot(f.corners[0], normal)) == Sign::zero) {
+      bool inside = true;
+      for (std::size_t k = 0; k < f.size; ++k)
+        inside = inside && ask(side_of(f, normal, line.direction, k).constant) != Sign::positive;
+      if (inside) found = Feature{FeatureKind::face, f.face};
+    }
+    if (found && (!best || std::pair(found->kind, found->index) < std::pair(best->feature.kind, best->feature.index)))
+      best = Decided{{When::At::zero, i, 0}, *found, true, i};
+  }
+  return best;
+}
+
+template <class Model>
+std::optional<Decided> meet(const AnyRay& ray, const Model& model) {
+  if (has_no_direction(ray)) return certainly([&]<class T>(RaySigns& ask) { return hold_point<T>(ray, model, ask); });
+  return certainly([&]<class T>(RaySigns& ask) { return meet_facets<T>(ray, model, ask); });
+}
+
+/// The sign of value, or of the first part of the gradient that is not zero: of a ray that is moved a little along x,
+/// far less along y, and less again along z.
+template <class T>
+Sign perturbed(const T& value, const Vec3<T>& gradient, RaySigns& ask) {
+  for (const T* x : {&value, &gradient.x, &gradient.y, &gradient.z}) {
+    if (const Sign s = ask(*x); s != Sign::zero) return s;
+  }
+  return Sign::zero;
+}
+
+/// Does the line from the origin, moved so, go through the facet, which its direction is not parallel to?
+template <class T>
+bool passes_perturbed(const Facet<T>& f, const Vec3<T>& direction, RaySigns& ask) {
+  Sign all = Sign::zero;
+  for (std::size_t i = 0; i < f.size; ++i) {
+    const Vec3<T>&p = f.corners[i], &q = f.next(i);
+    const Sign s = perturbed(edge_side(direction, p, q), cross(q - p, direction), ask);
+    if (s == Sign::zero || (i > 0 && s != all)) return false;
+    all = s;
+  }
+  return true;
+}
+
+}  // namespace plumb::query

@@ -1,0 +1,276 @@
+// A shape of the plane with straight edges is hit where one of them is first, or where the ray begins inside; a circle
+// as the ball about its center: the plane z = 0 rounds nothing.
+#include "plumb/query/ray/ray2.hpp"
+
+#include <tuple>
+#include <vector>
+
+#include "figure/basic/in_space.hpp"
+#include "plumb/figure/containment/contains.hpp"
+#include "plumb/figure/containment/polygon_location.hpp"
+#include "query/ray/numbers.hpp"
+
+namespace plumb {
+namespace query {
+namespace {
+
+AnyRay in_space(const AnyRay2& r) {
+  if (r.kind == AnyRay::Kind::segment) return Segment3{in_space(r.origin), in_space(r.end)};
+  const Vector3 direction{r.direction.x, r.direction.y, 0};
+  if (r.kind == AnyRay::Kind::line) return Line3{in_space(r.origin), direction};
+  return Ray3{in_space(r.origin), direction};
+}
+struct Edge2 {
+  Point2 a, b;
+  std::uint32_t at_a, at_b, number;
+};
+
+void add_chain(std::vector<Edge2>& edges, std::span<const Point2> chain) {
+  const auto first = static_cast<std::uint32_t>(edges.size()), n = static_cast<std::uint32_t>(chain.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = i + 1 < n ? i + 1 : 0;
+    edges.push_back({chain[i], chain[j], first + i, first + j, first + i});
+  }
+}
+template <class Shape>
+std::vector<Edge2> edges_of(const Shape& s) {
+  std::vector<Edge2> edges;
+  if constexpr (requires { s.outer; }) {
+    add_chain(edges, s.outer.vertices);
+    for (const Polygon2& hole : s.holes) add_chain(edges, hole.vertices);
+  } else if constexpr (requires { s.vertices; }) {
+    add_chain(edges, s.vertices);
+  } else if constexpr (requires { s.min; }) {
+    const auto& [p, q] = s;
+    if (is_empty(s)) return edges;
+    const std::array<Point2, 4> at{p, {q.x, p.y}, {p.x, q.y}, q};
+    edges = {{at[0], at[1], 0, 1, 0}, {at[2], at[3], 2, 3, 1}, {at[0], at[2], 0, 2, 2}, {at[1], at[3], 1, 3, 3}};
+  } else if constexpr (requires { s.d; }) {
+    add_chain(edges, std::array{s.a, s.b, s.c, s.d});
+  } else if constexpr (requires { s.c; }) {
+    add_chain(edges, std::array{s.a, s.b, s.c});
+  } else {
+    edges.push_back({s.a, s.b, 0, 1, 0});
+  }
+  return edges;
+}
+
+template <class T>
+T area(const Vec3<T>& u, const Vec3<T>& v) {
+  return u.x * v.y - u.y * v.x;
+}
+
+/// Met where the line crosses it, or, along it, at its ends a and b; its vertices 0 and 1, its edge 0.
+struct EdgeModel {
+  enum : std::uint32_t { crossing, at_a, at_b };
+  const Edge2& e;
+
+  template <class T>
+  Time<T> time(const ShotLine<T>& line, const When& when, RaySigns&) const {
+    const Vec3<T>& d = line.direction;
+    if (when.part != crossing) {
+      const Vec3<T> end = line.from_origin(in_space(when.part == at_a ? e.a : e.b));
+      return {dot(end, d), dot(d, d)};
+    }
+    const Vec3<T> along = between<T>(in_space(e.a), in_space(e.b));
+    return {area(line.from_origin(in_space(e.a)), along), area(d, along)};
+  }
+  /// Perpendicular, against a ray across which the edge runs to the right (0) or to the left (1).
+  template <class T>
+  NormalForm<T> normal(const ShotLine<T>&, const Decided& decided, RaySigns&) const {
+    const Vec3<T> along = between<T>(in_space(e.a), in_space(e.b));
+    const T zero(0.0);
+    return still_normal(decided.normal == 0 ? Vec3<T>{along.y, zero - along.x, zero}
+                                            : Vec3<T>{zero - along.y, along.x, zero});
+  }
+  void know(const Decided& decided, Known& known) const {
+    if (decided.feature.kind == FeatureKind::vertex) {
+      const Point2& v = decided.feature.index == 0 ? e.a : e.b;
+      known[0] = v.x, known[1] = v.y;
+    } else {
+      if (e.a.x == e.b.x) known[0] = e.a.x;
+      if (e.a.y == e.b.y) known[1] = e.a.y;
+    }
+  }
+};
+
+/// `across` is positive where the edge runs to the left across the ray, zero where along it.
+Decided met(When::At at, std::uint32_t part, const Feature& feature, Sign across) {
+  return {{at, 0, part}, feature, across != Sign::zero, across == Sign::positive ? 1u : 0u};
+}
+
+constexpr Feature inside_edge{FeatureKind::edge, 0};
+constexpr Feature end(std::uint32_t i) { return {FeatureKind::vertex, i}; }
+
+/// The ray runs along the edge's line.
+template <class T>
+std::optional<Decided> decide_along(const AnyRay& ray, const EdgeModel& model, RaySigns& ask) {
+  const ShotLine<T> line(ray);
+  const Vec3<T>& d = line.direction;
+  const Vec3<T> p = line.from_origin(in_space(model.e.a)), q = line.from_origin(in_space(model.e.b));
+  const bool ahead = ask(dot(between<T>(in_space(model.e.a), in_space(model.e.b)), d)) != Sign::negative;
+  const std::uint32_t near = ahead ? 0 : 1, far = 1 - near;
+  const Sign first = ask(dot(ahead ? p : q, d)), last = ask(dot(ahead ? q : p, d));
+  if (begins(ray) && first == Sign::negative) {
+    if (last == Sign::negative) return {};
+    return met(When::At::zero, 0, last == Sign::zero ? end(far) : inside_edge, Sign::zero);
+  }
+  const When when{When::At::quotient, 0, ahead ? EdgeModel::at_a : EdgeModel::at_b};
+  if (!in_range(ray, model.time(line, when, ask), ask)) return {};
+  return met(first == Sign::zero ? When::At::zero : when.at, when.part, end(near), Sign::zero);
+}
+
+template <class T>
+std::optional<Decided> decide_edge(const AnyRay& ray, const EdgeModel& model, RaySigns& ask) {
+  const ShotLine<T> line(ray);
+  const Vec3<T>& d = line.direction;
+  const Vec3<T> p = line.from_origin(in_space(model.e.a)), q = line.from_origin(in_space(model.e.b));
+  if (has_no_direction(ray)) {
+    if (ask(area(p, q)) != Sign::zero || ask(dot(p, q)) == Sign::positive) return {};
+    const bool at_a = ray.origin == in_space(model.e.a), at_b = ray.origin == in_space(model.e.b);
+    return met(When::At::zero, 0, at_a ? end(0) : at_b ? end(1) : inside_edge, Sign::zero);
+  }
+  const Sign a = ask(area(d, p)), b = ask(area(d, q));  // on which side of the line
+  if (a == b) return a == Sign::zero ? decide_along<T>(ray, model, ask) : std::nullopt;
+  const Sign across = b == Sign::positive || a == Sign::negative ? Sign::positive : Sign::negative;
+  const When when{When::At::quotient, 0, EdgeModel::crossing};
+  const Time<T> crossing = model.time(line, when, ask);
+  const Time<T> time = with_positive_denominator(crossing.numerator, crossing.denominator, across);
+  if (!in_range(ray, time, ask)) return {};
+  const bool at_zero = ask(time.numerator) == Sign::zero;
+  const Feature feature = a == Sign::zero ? end(0) : b == Sign::zero ? end(1) : inside_edge;
+  return met(at_zero ? When::At::zero : when.at, when.part, feature, across);
+}
+
+Feature feature_of(const Edge2& e, const Feature& f) {
+  if (f.kind == FeatureKind::edge) return {f.kind, e.number};
+  return {f.kind, f.index == 0 ? e.at_a : e.at_b};
+}
+
+/// Which edges are hit first, and where.
+class FirstEdge {
+ public:
+  explicit FirstEdge(const AnyRay2& ray) : ray_(in_space(ray)) {}
+
+  void ask(const Edge2& e) {
+    const EdgeModel model{e};
+    const auto edge = certainly([&]<class T>(RaySigns& signs) { return decide_edge<T>(ray_, model, signs); });
+    if (!edge) return;
+    const Hit at = numbers_of(ray_, model, *edge);
+    const Hit2 hit{at.t, {at.point.x, at.point.y}, feature_of(e, at.feature), {at.normal.x, at.normal.y}};
+    const int order = found_ ? compare(hit, model, *edge) : -1;
+    if (order > 0) return;
+    if (order < 0) {
+      found_ = hit, edge_ = e, decided_ = *edge;
+      return;
+    }
+    const auto rank = [](const Feature& f) { return std::tuple(f.kind, f.index); };
+    if (rank(hit.feature) < rank(found_->feature)) found_->feature = hit.feature;
+    if (found_->normal == Vector2{0, 0}) found_->normal = hit.normal;
+  }
+  [[nodiscard]] const std::optional<Hit2>& hit() const { return found_; }
+  [[nodiscard]] std::optional<RayParameter> parameter() const {
+    if (!found_) return {};
+    return parameter_of(ray_, EdgeModel{edge_}, decided_);
+  }
+
+ private:
+  /// Rounding keeps order.
+  [[nodiscard]] int compare(const Hit2& hit, const EdgeModel& model, const Decided& decided) const {
+    if (hit.t != found_->t) return hit.t < found_->t ? -1 : 1;
+    const bool corners = hit.feature.kind == FeatureKind::vertex && found_->feature.kind == FeatureKind::vertex;
+    if (corners && hit.point == found_->point) return 0;
+    const auto order = parameter_of(ray_, model, decided) <=> *parameter();
+    return order < 0 ? -1 : order > 0 ? 1 : 0;
+  }
+
+  AnyRay ray_;
+  std::optional<Hit2> found_;
+  Edge2 edge_{};
+  Decided decided_{};
+};
+
+template <class Shape>
+bool begins_inside(const AnyRay2& ray, const Shape& s) {
+  if constexpr (std::is_same_v<Shape, Segment2>) {
+    return false;
+  } else {
+    const AnyRay lifted = in_space(ray);
+    return (begins(lifted) || has_no_direction(lifted)) && locate(s, ray.origin) == Location::inside;
+  }
+}
+
+template <class Shape>
+FirstEdge first_edge(const AnyRay2& ray, const Shape& s) {
+  FirstEdge first(ray);
+  for (const Edge2& e : edges_of(s)) first.ask(e);
+  return first;
+}
+
+template <class Shape>
+void require(std::string_view function, const AnyRay2& ray, const Shape& s) {
+  switch (ray.kind) {
+    case AnyRay::Kind::ray:
+      return require_figures(function, Ray2{ray.origin, ray.direction}, s);
+    case AnyRay::Kind::segment:
+      return require_figures(function, Segment2{ray.origin, ray.end}, s);
+    default:
+      return require_figures(function, Line2{ray.origin, ray.direction}, s);
+  }
+}
+
+template <class Shape>
+std::optional<Hit2> hit_straight(const AnyRay2& ray, const Shape& s) {
+  require("first_hit", ray, s);
+  if (begins_inside(ray, s)) return Hit2{0, {ray.origin.x + 0.0, ray.origin.y + 0.0}, {FeatureKind::face, 0}, {0, 0}};
+  return first_edge(ray, s).hit();
+}
+template <class Shape>
+std::optional<RayParameter> parameter_straight(const AnyRay2& ray, const Shape& s) {
+  require("first_hit_parameter", ray, s);
+  if (begins_inside(ray, s)) return RayParameter{Rational(0.0)};
+  return first_edge(ray, s).parameter();
+}
+
+template <class Shape>
+std::optional<Hit2> hit_round(const AnyRay2& ray, const Shape& s) {
+  require("first_hit", ray, s);
+  const std::optional<Hit> hit = first_hit(in_space(ray), in_space(s));
+  if (!hit) return {};
+  const bool inside = hit->feature.kind == FeatureKind::interior;
+  return Hit2{hit->t,
+              {hit->point.x, hit->point.y},
+              {inside ? FeatureKind::face : FeatureKind::edge, hit->feature.index},
+              {hit->normal.x, hit->normal.y}};
+}
+template <class Shape>
+std::optional<RayParameter> parameter_round(const AnyRay2& ray, const Shape& s) {
+  require("first_hit_parameter", ray, s);
+  return first_hit_parameter(in_space(ray), in_space(s));
+}
+
+}  // namespace
+}  // namespace query
+
+using query::hit_straight, query::hit_round, query::parameter_straight, query::parameter_round;
+
+std::optional<Hit2> first_hit(const AnyRay2& r, const Segment2& s) { return hit_straight(r, s); }
+std::optional<Hit2> first_hit(const AnyRay2& r, const Triangle2& s) { return hit_straight(r, s); }
+std::optional<Hit2> first_hit(const AnyRay2& r, const Aabb2& s) { return hit_straight(r, s); }
+std::optional<Hit2> first_hit(const AnyRay2& r, const Quadrilateral2& s) { return hit_straight(r, s); }
+std::optional<Hit2> first_hit(const AnyRay2& r, const Polygon2& s) { return hit_straight(r, s); }
+std::optional<Hit2> first_hit(const AnyRay2& r, const HoledPolygon2& s) { return hit_straight(r, s); }
+std::optional<Hit2> first_hit(const AnyRay2& r, const Circle2& s) { return hit_round(r, s); }
+std::optional<Hit2> first_hit(const AnyRay2& r, const Capsule2& s) { return hit_round(r, s); }
+
+using Parameter = std::optional<RayParameter>;
+Parameter first_hit_parameter(const AnyRay2& r, const Segment2& s) { return parameter_straight(r, s); }
+Parameter first_hit_parameter(const AnyRay2& r, const Triangle2& s) { return parameter_straight(r, s); }
+Parameter first_hit_parameter(const AnyRay2& r, const Aabb2& s) { return parameter_straight(r, s); }
+Parameter first_hit_parameter(const AnyRay2& r, const Quadrilateral2& s) { return parameter_straight(r, s); }
+Parameter first_hit_parameter(const AnyRay2& r, const Polygon2& s) { return parameter_straight(r, s); }
+Parameter first_hit_parameter(const AnyRay2& r, const HoledPolygon2& s) { return parameter_straight(r, s); }
+Parameter first_hit_parameter(const AnyRay2& r, const Circle2& s) { return parameter_round(r, s); }
+Parameter first_hit_parameter(const AnyRay2& r, const Capsule2& s) { return parameter_round(r, s); }
+
+}  // namespace plumb

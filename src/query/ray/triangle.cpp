@@ -1,0 +1,87 @@
+// Triangles, by both rules.
+//
+// By the half-open rule the whole ray is moved by a vector (x, y, z) with 1 >> x >> y >> z > 0, the same one for all
+// triangles.  The moved ray misses every edge that is not parallel to it, and has neither end in a plane that is not:
+// the side of the edge from p to q changes by (q - p) x d, that of the plane by -n, and neither is zero there.  So for
+// finitely many triangles there is one true ray, as near as one likes, that answers as the rule does.
+#include "plumb/query/ray/hits.hpp"
+#include "query/overlap/filters.hpp"
+#include "query/ray/facets.hpp"
+
+namespace plumb {
+namespace query {
+namespace {
+
+struct TriangleModel : FacetModel<TriangleModel> {
+  explicit TriangleModel(const Triangle3& t) : triangle(t) {}
+  const Triangle3& triangle;
+
+  static std::size_t facets() { return 1; }
+  template <class T>
+  Facet<T> facet(const ShotLine<T>& line, std::uint32_t) const {
+    const Vec3<T> a = line.from_origin(triangle.a);
+    return {3, {a, line.from_origin(triangle.b), line.from_origin(triangle.c), a}, {0, 1, 2, 0}, {0, 1, 2, 0}, 0};
+  }
+  void know(const Decided& decided, Known& known) const {
+    const auto& [a, b, c] = triangle;
+    if (a.x == b.x && b.x == c.x) known[0] = a.x;
+    if (a.y == b.y && b.y == c.y) known[1] = a.y;
+    if (a.z == b.z && b.z == c.z) known[2] = a.z;
+    if (decided.feature.kind != FeatureKind::vertex) return;
+    const Point3& p = decided.feature.index == 0 ? a : decided.feature.index == 1 ? b : c;
+    known = {p.x, p.y, p.z};
+  }
+};
+
+template <class T>
+std::optional<Decided> half_open(const AnyRay& ray, const TriangleModel& model, RaySigns& ask) {
+  const ShotLine<T> line(ray);
+  const Facet<T> f = model.facet(line, 0);
+  const Vec3<T>& d = line.direction;
+  const Vec3<T> n = facet_normal(f), shift = Vec3<T>{T(0.0), T(0.0), T(0.0)} - n;
+  const T slope = dot(d, n), above = dot(f.corners[0], n);
+  const Sign way = ask(slope);
+  if (way == Sign::zero || !passes_perturbed(f, d, ask)) return {};
+  if (begins(ray) && perturbed(above, shift, ask) != way) return {};
+  if (ends(ray) && perturbed(above - slope, shift, ask) == way) return {};
+  const Time<T> time = with_positive_denominator(above, slope, way);
+  const std::optional<Feature> feature = corner_or_edge(f, times(d, time.numerator), time.denominator, ask);
+  const bool at_zero = ask(above) == Sign::zero;
+  return Decided{{at_zero ? When::At::zero : When::At::quotient, 0, part_of(Meeting::plane, 0)},
+                 feature.value_or(Feature{FeatureKind::face, 0}),
+                 true,
+                 0};
+}
+
+template <class Answer>
+std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
+  require<Answer>(ray, triangle);
+  const TriangleModel model(triangle);
+  if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
+  return answer<Answer>(ray, model, certainly([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
+}
+
+/// What doubles tell for certain is so for every ray nearby.
+template <class A>
+bool hits_moved(const A& ray, const Triangle3& triangle) {
+  if (const auto told = by_doubles(ray, triangle)) [[likely]]
+    return *told != Relation::disjoint;
+  return of<Decided>(ray, triangle, HitRule::half_open).has_value();
+}
+
+}  // namespace
+
+bool hits_half_open(const Ray3& ray, const Triangle3& triangle) { return hits_moved(ray, triangle); }
+bool hits_half_open(const Segment3& segment, const Triangle3& triangle) { return hits_moved(segment, triangle); }
+bool hits_half_open(const Line3& line, const Triangle3& triangle) { return hits_moved(line, triangle); }
+
+}  // namespace query
+
+std::optional<Hit> first_hit(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
+  return query::of<Hit>(ray, triangle, rule);
+}
+std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
+  return query::of<RayParameter>(ray, triangle, rule);
+}
+
+}  // namespace plumb

@@ -1,0 +1,166 @@
+// Planes as equations, reduced by Gauss and Jordan over rationals.
+#include "plumb/query/section/planes.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "certify/exact_coordinates.hpp"
+#include "query/body/figure_input.hpp"
+
+namespace plumb {
+namespace {
+
+using Row = std::array<mpq_class, 4>;  // coefficients, and the right side
+using Rows = std::vector<Row>;
+using RationalTriple = std::array<mpq_class, 3>;
+
+void require_plane(std::string_view name, const AnyPlane3& plane) {
+  std::visit([&](const auto& s) { query::require_figure("intersection", name, s); }, plane);
+}
+
+RationalTriple of(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
+RationalTriple operator-(const RationalTriple& a, const RationalTriple& b) {
+  return {mpq_class(a[0] - b[0]), mpq_class(a[1] - b[1]), mpq_class(a[2] - b[2])};
+}
+RationalTriple cross(const RationalTriple& a, const RationalTriple& b) {
+  return {mpq_class(a[1] * b[2] - a[2] * b[1]), mpq_class(a[2] * b[0] - a[0] * b[2]),
+          mpq_class(a[0] * b[1] - a[1] * b[0])};
+}
+bool is_zero(const RationalTriple& a) { return sgn(a[0]) == 0 && sgn(a[1]) == 0 && sgn(a[2]) == 0; }
+Row through(const RationalTriple& normal, const RationalTriple& p) {
+  return {normal[0], normal[1], normal[2], mpq_class(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2])};
+}
+RationalTriple unit(std::size_t axis) {
+  RationalTriple e;
+  e[axis] = 1;
+  return e;
+}
+
+/// The equations of the plane: one, more where three points span none.
+Rows equations(const AnyPlane3& plane) {
+  if (const auto* p = std::get_if<Plane3>(&plane)) {
+    return {{mpq_class(p->normal.x), mpq_class(p->normal.y), mpq_class(p->normal.z), mpq_class(p->offset)}};
+  }
+  const auto& t = std::get<ThreePointPlane3>(plane);
+  const RationalTriple a = of(t.a), u = of(t.b) - a, v = of(t.c) - a, n = cross(u, v);
+  if (!is_zero(n)) return {through(n, a)};
+  const RationalTriple& d = is_zero(u) ? v : u;
+  Rows rows;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rows.push_back(through(is_zero(d) ? unit(axis) : cross(d, unit(axis)), a));
+  return rows;
+}
+
+struct Reduced {
+  std::vector<std::size_t> pivots;  // the column of each row's leading one
+  Rows rows;
+  bool consistent = true;
+};
+
+Reduced reduced(Rows rows) {
+  Reduced r;
+  for (std::size_t column = 0; column < 3; ++column) {
+    const std::size_t rank = r.pivots.size();
+    std::size_t from = rank;
+    while (from < rows.size() && sgn(rows[from][column]) == 0) ++from;
+    if (from == rows.size()) continue;
+    std::swap(rows[from], rows[rank]);
+    const mpq_class lead = rows[rank][column];
+    for (mpq_class& x : rows[rank]) x /= lead;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i == rank || sgn(rows[i][column]) == 0) continue;
+      const mpq_class factor = rows[i][column];
+      for (std::size_t k = 0; k < 4; ++k) rows[i][k] -= factor * rows[rank][k];
+    }
+    r.pivots.push_back(column);
+  }
+  for (std::size_t i = r.pivots.size(); i < rows.size(); ++i) r.consistent = r.consistent && sgn(rows[i][3]) == 0;
+  rows.resize(r.pivots.size());
+  r.rows = std::move(rows);
+  return r;
+}
+
+Rational rational(const mpq_class& x) { return Rational(BigRational{x}); }
+
+FlatIntersection solution(const Reduced& r) {
+  FlatIntersection flat;
+  if (!r.consistent) return flat;
+  flat.kind = static_cast<FlatKind>(3 - static_cast<int>(r.pivots.size()));
+  RationalTriple at;
+  for (std::size_t i = 0; i < r.pivots.size(); ++i) at[r.pivots[i]] = r.rows[i][3];
+  flat.point = RationalPoint3{rational(at[0]), rational(at[1]), rational(at[2])};
+  for (std::size_t free = 0; free < 3; ++free) {
+    if (std::find(r.pivots.begin(), r.pivots.end(), free) != r.pivots.end()) continue;
+    RationalTriple d = unit(free);
+    for (std::size_t i = 0; i < r.pivots.size(); ++i) d[r.pivots[i]] = -r.rows[i][free];
+    flat.directions.push_back({rational(d[0]), rational(d[1]), rational(d[2])});
+  }
+  return flat;
+}
+
+std::size_t rank_of(Rows rows) { return reduced(std::move(rows)).pivots.size(); }
+Row normal_of(Row row) {
+  row[3] = 0;
+  return row;
+}
+bool parallel(const Row& a, const Row& b) { return rank_of({normal_of(a), normal_of(b)}) < 2; }
+bool same(const Row& a, const Row& b) {
+  const Reduced r = reduced({a, b});
+  return r.consistent && r.pivots.size() < 2;
+}
+
+/// One row: a plane, unless it has no normal.
+bool is_plane(const Rows& rows) {
+  return rows.size() == 1 && (sgn(rows[0][0]) != 0 || sgn(rows[0][1]) != 0 || sgn(rows[0][2]) != 0);
+}
+
+std::array<Point3, 3> corners(const AnyPlane3& plane) {
+  const auto& t = std::get<ThreePointPlane3>(plane);
+  return {t.a, t.b, t.c};
+}
+
+}  // namespace
+
+Vector3 approximate(const ExactVector3& a) {
+  const Point3 p = approximate(ExactPoint3(RationalPoint3{a.x, a.y, a.z}));
+  return {p.x, p.y, p.z};
+}
+
+FlatIntersection intersection(const AnyPlane3& a, const AnyPlane3& b) {
+  std::visit([](const auto& p, const auto& q) { query::require_figures("intersection", p, q); }, a, b);
+  Rows rows = equations(a);
+  for (Row& row : equations(b)) rows.push_back(std::move(row));
+  return solution(reduced(std::move(rows)));
+}
+
+ThreePlanes intersection(const AnyPlane3& a, const AnyPlane3& b, const AnyPlane3& c) {
+  require_plane("a", a);
+  require_plane("b", b);
+  require_plane("c", c);
+  const std::array<Rows, 3> each{equations(a), equations(b), equations(c)};
+  Rows all;
+  for (const Rows& rows : each) all.insert(all.end(), rows.begin(), rows.end());
+  const Reduced r = reduced(all);
+  ThreePlanes result{PlaneArrangement::degenerate, 3, solution(r)};
+  if (!is_plane(each[0]) || !is_plane(each[1]) || !is_plane(each[2])) return result;
+  const Row &p = all[0], &q = all[1], &s = all[2];
+  const bool pq = same(p, q), ps = same(p, s), qs = same(q, s);
+  result.distinct = pq && ps ? 1 : pq || ps || qs ? 2 : 3;
+  switch (r.pivots.size()) {
+    case 3:
+      result.arrangement = PlaneArrangement::point;
+      if (a.index() == 1 && b.index() == 1 && c.index() == 1)
+        result.common.point = ThreePlanePoint3{corners(a), corners(b), corners(c)};
+      break;
+    case 2:
+      result.arrangement = r.consistent                                         ? PlaneArrangement::line
+                           : parallel(p, q) || parallel(p, s) || parallel(q, s) ? PlaneArrangement::two_parallel
+                                                                                : PlaneArrangement::prism;
+      break;
+    default:
+      result.arrangement = PlaneArrangement::parallel;
+  }
+  return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,91 @@
+// Slab test, swept bounding boxes: during which part of [0, 1] can the boxes around two features meet, one of them
+// moving?
+//
+// Laws: outside of [from, to] their distance is more than the reach.  From exact doubles or bounds of them, with what
+// the arithmetic may lose added.
+// Source: RTCD 5.5.8.
+// Cost: three quotients' worth of products.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "query/time_of_impact/moving_body.hpp"
+
+namespace plumb::query {
+
+struct FeatureBox {
+  std::array<double, 3> low, high;
+};
+
+inline FeatureBox box_of(const Vec3<Running>& v) {
+  return {{v.x.lower(), v.y.lower(), v.z.lower()}, {v.x.upper(), v.y.upper(), v.z.upper()}};
+}
+inline FeatureBox joined(FeatureBox a, const FeatureBox& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    a.low[k] = std::min(a.low[k], b.low[k]), a.high[k] = std::max(a.high[k], b.high[k]);
+  return a;
+}
+
+struct FeatureBoxes {
+  explicit FeatureBoxes(const MovingBody<Running>& body) {
+    constexpr double all = Interval::infinity;
+    vertices.reserve(body.vertices.size()), edges.reserve(body.edges.size()), faces.reserve(body.faces.size());
+    for (const auto& v : body.vertices) vertices.push_back(box_of(v));
+    for (const auto& e : body.edges) edges.push_back(joined(vertices[e.ends[0]], vertices[e.ends[1]]));
+    for (const auto& f : body.faces) {
+      FeatureBox box{{all, all, all}, {-all, -all, -all}};
+      for (const std::uint32_t c : f.corners) box = joined(box, vertices[c]);
+      faces.push_back(f.corners.empty() ? FeatureBox{{-all, -all, -all}, {all, all, all}} : box);
+    }
+  }
+  std::vector<FeatureBox> vertices, edges, faces;
+};
+
+/// The motion of the first, seen from the second, and how far both reach.
+class Slabs {
+ public:
+  Slabs(const Vec3<Running>& velocity, const Running& reach)
+      : slow_{velocity.x.lower(), velocity.y.lower(), velocity.z.lower()},
+        fast_{velocity.x.upper(), velocity.y.upper(), velocity.z.upper()},
+        reach_(reach.upper()) {}
+
+  /// From later than to: never.
+  [[nodiscard]] std::pair<double, double> times(const FeatureBox& a, const FeatureBox& b) const {
+    double from = 0, to = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double ahead = below(b.low[k], a.high[k]), behind = below(a.low[k], b.high[k]);
+      if (slow_[k] > 0) {
+        meet(ahead, fast_[k], from);
+        part(-behind, slow_[k], to);
+      } else if (fast_[k] < 0) {
+        meet(behind, -slow_[k], from);
+        part(-ahead, -fast_[k], to);
+      } else if (ahead > fast_[k] || behind > -slow_[k]) {
+        return {1, 0};
+      }
+    }
+    return {from, to};
+  }
+
+ private:
+  // For a few roundings, and for their underflow.
+  static constexpr double slack = 0x1p-50, least = 0x1p-1060;
+  static double size(double x) { return __builtin_fabs(x); }
+
+  /// No more than x - y - reach.
+  [[nodiscard]] double below(double x, double y) const {
+    return ((x - y) - reach_) - ((size(x) + size(y) + reach_) * slack + least);
+  }
+  static void meet(double gap, double speed, double& from) {
+    if (gap > 0) from = std::max(from, gap / speed * (1 - slack) - least);
+  }
+  static void part(double way, double speed, double& to) {
+    to = way < 0 ? -1 : std::min(to, way / speed * (1 + slack) + least);
+  }
+
+  std::array<double, 3> slow_, fast_;
+  double reach_;
+};
+
+}  // namespace plumb::query

@@ -1,0 +1,131 @@
+#include "query/time_of_impact/moving_body.hpp"
+
+#include <algorithm>
+
+#include "query/body/figure_input.hpp"
+
+namespace plumb::query {
+namespace {
+
+template <class T>
+class Maker {
+ public:
+  void operator()(const Point3* p) { vertices({*p}); }
+  void operator()(const Segment3* s) {
+    vertices({s->a, s->b});
+    edge(0, 1, 0);
+  }
+  void operator()(const Triangle3* t) {
+    vertices({t->a, t->b, t->c});
+    for (std::uint32_t i = 0; i < 3; ++i) edge(i, (i + 1) % 3, i);
+    face({0, 1, 2}, 0);
+  }
+  void operator()(const Aabb3* box) {
+    const auto& [low, high] = *box;
+    for (std::uint32_t i = 0; i < 8; ++i)
+      vertex({T((i & 1) != 0 ? high.x : low.x), T((i & 2) != 0 ? high.y : low.y), T((i & 4) != 0 ? high.z : low.z)});
+    box_features();
+  }
+  void operator()(const Obb3* box) {
+    const std::array<double, 3> half{box->half.x, box->half.y, box->half.z};
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      Vec3<T> v = vector_of<T>(box->center);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3<T> step = vector_of<T>(box->axes[k]) * T(half[k]);
+        v = (i >> k & 1) != 0 ? v + step : v - step;
+      }
+      vertex(v);
+    }
+    box_features();
+  }
+  void operator()(const ConvexPolyhedron3* polyhedron) {
+    const PolygonMesh& mesh = polyhedron->mesh;
+    for (const Point3& p : mesh.vertices) vertex(vector_of<T>(p));
+    for (std::uint32_t f = 0; f + 1 < mesh.first.size(); ++f) {
+      const auto corners = std::span(mesh.corners).subspan(mesh.first[f], mesh.first[f + 1] - mesh.first[f]);
+      for (std::uint32_t c = 0; c < corners.size(); ++c) {
+        const std::uint32_t from = corners[c], to = corners[(c + 1) % corners.size()];
+        // Each edge has two corners that leave it; the faces come in order, so the first one seen is the lower.
+        if (f < polyhedron->across[mesh.first[f] + c]) edge(from, to, mesh.first[f] + c);
+      }
+      face({corners.begin(), corners.end()}, f);
+    }
+  }
+  void operator()(const Sphere3* s) {
+    vertices({s->center});
+    made.vertex_features = {{FeatureKind::face, 0}};
+    made.reach = T(s->radius);
+    made.swept = s->radius > 0;
+  }
+  void operator()(const Capsule3* c) {
+    vertices({c->a, c->b});
+    edge(0, 1, 0);
+    made.reach = T(c->radius);
+    made.swept = c->radius > 0;
+  }
+  void operator()(const Plane3* p) {
+    made.faces.push_back({{}, vector_of<T>(p->normal), T(p->offset), {FeatureKind::face, 0}});
+  }
+
+  MovingBody<T> made;
+
+ private:
+  void vertex(const Vec3<T>& v) {
+    made.vertex_features.push_back({FeatureKind::vertex, static_cast<std::uint32_t>(made.vertices.size())});
+    made.vertices.push_back(v);
+  }
+  void vertices(std::initializer_list<Point3> points) {
+    for (const Point3& p : points) vertex(vector_of<T>(p));
+  }
+  void edge(std::uint32_t from, std::uint32_t to, std::uint32_t number) {
+    made.edges.push_back({{from, to}, {FeatureKind::edge, number}});
+  }
+  void face(std::vector<std::uint32_t> corners, std::uint32_t number) {
+    if (corners.size() < 3) return;  // an edge
+    const auto& v = made.vertices;
+    const Vec3<T>& first = v[corners[0]];
+    Vec3<T> normal = cross(v[corners[1]] - first, v[corners[2]] - first);
+    for (std::size_t i = 3; i < corners.size(); ++i)
+      normal = normal + cross(v[corners[i - 1]] - first, v[corners[i]] - first);
+    const T offset = dot(normal, first);
+    made.faces.push_back({std::move(corners), normal, offset, {FeatureKind::face, number}});
+  }
+  /// Bit k of a vertex's number: at the upper end of axis k.
+  void box_features() {
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t u = 1u << (axis == 0 ? 1 : 0), v = 1u << (axis == 2 ? 1 : 2), along = 1u << axis;
+      for (std::uint32_t n = 0; n < 4; ++n) {
+        const std::uint32_t from = ((n & 1) != 0 ? u : 0) | ((n & 2) != 0 ? v : 0);
+        edge(from, from | along, 4 * axis + n);
+      }
+      for (const std::uint32_t at : {0u, along}) face({at, at | u, at | u | v, at | v}, 2 * axis + (at != 0));
+    }
+  }
+};
+
+}  // namespace
+
+template <class T>
+MovingBody<T> moving_body(const BodyShape& shape) {
+  Maker<T> maker;
+  std::visit(maker, shape);
+  return std::move(maker.made);
+}
+template MovingBody<Running> moving_body(const BodyShape&);
+template MovingBody<Ball> moving_body(const BodyShape&);
+template MovingBody<BigDyadic> moving_body(const BodyShape&);
+
+bool check_body(std::string_view function, std::string_view name, const BodyShape& shape) {
+  return std::visit(
+      [&](const auto* s) {
+        require_figure(function, name, *s);
+        if constexpr (requires { s->normal; }) {
+          return s->normal != Vector3{0, 0, 0} || s->offset == 0;
+        } else {
+          return !is_nothing(*s);
+        }
+      },
+      shape);
+}
+
+}  // namespace plumb::query

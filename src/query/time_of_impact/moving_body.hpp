@@ -1,0 +1,60 @@
+// Boundary features: what are the vertices, edges and faces of a convex shape, over any number type?
+//
+// A body is all points within `reach` of the convex hull of its vertices.  Every point of the hull's boundary is in a
+// vertex, edge or face that is listed; of a flat hull every point is.
+// Laws: features are numbered as figure/containment/voronoi_region.hpp does; a ball as a whole is {face, 0}, of a capsule the ends
+// are its vertices and the rest its edge 0, a plane is {face, 0}.
+// Source: RTCD 5.5.
+// Cost: a few sums for each vertex, for oriented boxes products.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "arith/running_error.hpp"
+#include "plumb/arith/interval.hpp"
+#include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/convex_polyhedron.hpp"
+#include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/plane.hpp"
+#include "plumb/figure/basic/round.hpp"
+#include "plumb/figure/basic/simplex.hpp"
+#include "plumb/figure/containment/voronoi_region.hpp"
+#include "query/body/vectors.hpp"
+
+namespace plumb::query {
+
+using BodyShape = std::variant<const Point3*, const Segment3*, const Triangle3*, const Aabb3*, const Obb3*,
+                               const ConvexPolyhedron3*, const Sphere3*, const Capsule3*, const Plane3*>;
+
+template <class T>
+struct MovingBody {
+  struct Edge {
+    std::array<std::uint32_t, 2> ends;
+    Feature feature;
+  };
+  struct Face {
+    std::vector<std::uint32_t> corners;  // in turn, of a convex polygon; none for a plane
+    Vec3<T> normal;                      // of any length, the corners counterclockwise about it
+    T offset;                            // of its plane, normal . x = offset
+    Feature feature;
+  };
+  std::vector<Vec3<T>> vertices;
+  std::vector<Feature> vertex_features;
+  std::vector<Edge> edges;
+  std::vector<Face> faces;
+  T reach{0.0};
+  bool swept = false;  // reach > 0
+};
+
+template <class T>
+MovingBody<T> moving_body(const BodyShape& shape);
+extern template MovingBody<Running> moving_body(const BodyShape&);
+extern template MovingBody<Ball> moving_body(const BodyShape&);
+extern template MovingBody<BigDyadic> moving_body(const BodyShape&);
+
+/// Throws NonFinite and InvalidShape, naming the function and the part; says whether the shape has a point at all.
+bool check_body(std::string_view function, std::string_view name, const BodyShape& shape);
+
+}  // namespace plumb::query

@@ -1,0 +1,28 @@
+#include "tool/chart/command.hpp"
+#include "tool/manual/command.hpp"
+
+namespace plumb::tool {
+
+Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals) {
+  const auto options = std::make_shared<ChartOptions>();
+  ChartOptions& o = *options;
+  CLI::App* const parser =
+      program.add_subcommand("chart", "Hold the ways of answering geometric questions against each other.");
+  parser->add_option("--out", o.out, "Write the report into this folder, which is made where it is missing.")
+      ->type_name("DIR");
+  parser->add_flag("--quick", o.quick, "Ask little of each class: seconds instead of minutes.");
+  parser->add_option("--task", o.tasks, "Only this task; repeatable.")->allow_extra_args(false)->type_name("NAME");
+  parser->add_option("--class", o.classes, "Only inputs of this class; repeatable.")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  parser->add_option("--seed", o.seed, "Other inputs of the same classes; 2026 when not given.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  return {parser,
+          chart_manual,
+          [options, rivals] { return run_chart(*options, rivals); },
+          nullptr,
+          {{"--task", [rivals] { return task_names(rivals); }}, {"--class", [rivals] { return class_names(rivals); }}}};
+}
+
+}  // namespace plumb::tool

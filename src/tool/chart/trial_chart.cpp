@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include "tool/chart/trial_report.hpp"
+#include "tool/drawing/chart.hpp"
+
+namespace plumb::tool {
+namespace {
+
+std::string hint_of(const trial::Score& s, trial::AnswerKind kind) {
+  std::string hint = fmt::format("{}: {} of {} wrong, {} unsure, {} inconsistent; {:.3g} ns, {:.3g} allocations",
+                                 s.method, s.wrong, s.asked, s.unsure, s.inconsistent, s.ns, s.allocations);
+  if (kind == trial::AnswerKind::number)
+    hint += fmt::format("; off by {:.3g} ulps in the mean, {:.3g} at most", s.mean_ulps, s.largest_ulps);
+  return hint;
+}
+
+}  // namespace
+
+std::string trial_chart(const trial::Trial& t) {
+  const bool number = t.kind == trial::AnswerKind::number;
+  std::vector<ChartPoint> points;
+  for (const trial::Score& s : t.scores) {
+    const double part = 100 * s.share(s.unsure);
+    const std::string label =
+        s.unsure == 0 ? s.method : fmt::format("{} ({:.{}f}% unsure)", s.method, part, part < 1 ? 1 : 0);
+    points.push_back(
+        {label, s.ns, number ? s.mean_ulps : s.share(s.wrong), s.unsure == 0, s.method, hint_of(s, t.kind)});
+  }
+  const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
+  return scatter_chart({fmt::format("{}, {}", t.task, t.input), fmt::format("{}: {} cases, one thread", t.about, cases),
+                        "nanoseconds per question", number ? "mean error in ulps" : "share of wrong answers", true},
+                       points);
+}
+
+}  // namespace plumb::tool

@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+
+#include "tool/chart/trial_report.hpp"
+
+namespace plumb::tool {
+namespace {
+
+std::string percent(const trial::Score& s, std::uint64_t count) {
+  if (count == 0) return "0";
+  const double p = 100 * s.share(count);
+  return p < 0.1 ? fmt::format("{:.1g}%", p) : fmt::format("{:.1f}%", p);
+}
+
+std::string row(const trial::Score& s, trial::AnswerKind kind, const Style& style) {
+  std::string line =
+      fmt::format("  {:<16}{:>9}{:>9}{:>14}{:>11}{:>12}", s.method, percent(s, s.wrong), percent(s, s.unsure),
+                  percent(s, s.inconsistent), fmt::format("{:.3g}", s.ns), fmt::format("{:.3g}", s.allocations));
+  if (kind == trial::AnswerKind::number) line += fmt::format("{:>12.3g}{:>12.3g}", s.mean_ulps, s.largest_ulps);
+  line += "\n";
+  return s.wrong != 0 ? style.red(line) : s.unsure == 0 ? style.green(line) : line;
+}
+
+}  // namespace
+
+std::string trial_text(const trial::Trial& t, const Style& style) {
+  const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
+  std::string text = style.bold(fmt::format("{}, {}", t.task, t.input)) +
+                     fmt::format(": {} ({} cases: {})\n", t.question, cases, t.about);
+  if (t.kind == trial::AnswerKind::decision) {
+    text += fmt::format("  true answers: {} negative, {} zero or no, {} positive or yes\n", t.truths[0], t.truths[1],
+                        t.truths[2]);
+  }
+  std::string head = fmt::format("  {:<16}{:>9}{:>9}{:>14}{:>11}{:>12}", "method", "wrong", "unsure", "inconsistent",
+                                 "ns", "allocations");
+  if (t.kind == trial::AnswerKind::number) head += fmt::format("{:>12}{:>12}", "mean ulps", "most ulps");
+  text += style.bold(head) + "\n";
+  for (const trial::Score& s : t.scores) text += row(s, t.kind, style);
+  return text;
+}
+
+}  // namespace plumb::tool

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "plumb/certify/catalog.hpp"
+#include "plumb/certify/environment.hpp"
+#include "tool/check/command.hpp"
+#include "tool/check/report.hpp"
+#include "tool/check/verdict.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using nlohmann::json;
+
+json json_of(std::string_view method, const Tally& t) {
+  json j{{"method", method},
+         {"decisions", t.taken},
+         {"wrong", t.wrong()},
+         {"opposite", t.opposite},
+         {"zeros_missed", t.zeros_missed},
+         {"zeros_invented", t.zeros_invented},
+         {"unsure", t.unsure},
+         {"ns_per_decision", t.ns_per_decision()}};
+  if (t.worst.badness >= 0) {
+    j["worst"] = {{"case", t.worst.case_line},
+                  {"kind", kinds[static_cast<std::size_t>(t.worst.kind)].name},
+                  {"claimed", t.worst.claimed},
+                  {"distance_in_magnitudes", t.worst.badness}};
+  }
+  return j;
+}
+
+json json_of(const Comparison& c) {
+  json j{{"decisions", c.taken()}, {"methods", json::array()}, {"stages", json::object()}};
+  for (std::size_t m = 0; m < method_count; ++m) j["methods"].push_back(json_of(method_names[m], c.method[m]));
+  for (std::size_t i = 0; i < stage_names.size(); ++i) j["stages"][std::string(stage_names[i])] = c.stages.count[i];
+  if (c.verified != 0) j["verified"] = {{"decisions", c.verified}, {"wrong", c.refuted}};
+  return j;
+}
+
+json json_of(const LoadReport& l) {
+  return {{"format", name_of(l.format)},
+          {"encoding", name_of(l.encoding)},
+          {"bytes", l.bytes},
+          {"packed_bytes", l.packed_bytes},
+          {"vertices", l.vertices},
+          {"faces", l.faces},
+          {"polygons", l.polygons},
+          {"fans", l.fans},
+          {"dropped_faces", l.dropped_faces},
+          {"merged_vertices", l.merged_vertices},
+          {"decimals", l.decimals},
+          {"inexact_decimals", l.inexact_decimals},
+          {"largest_move", l.largest_move},
+          {"unit", l.unit},
+          {"parts", l.parts},
+          {"transformed_coordinates", l.transformed},
+          {"rounded_coordinates", l.rounded}};
+}
+
+json json_of(const MeshStatistics& m) {
+  return {{"vertices", m.vertices},
+          {"triangles", m.faces},
+          {"edges", m.edges},
+          {"boundary_edges", m.boundary_edges},
+          {"interior_edges", m.interior_edges},
+          {"non_manifold_edges", m.non_manifold_edges},
+          {"inconsistent_edges", m.inconsistent_edges},
+          {"repeated_vertices", m.repeated_vertices},
+          {"unused_vertices", m.unused_vertices},
+          {"repeated_corners", m.repeated_corners},
+          {"zero_area_triangles", m.zero_area_faces}};
+}
+
+json json_of(const Lattice& lattice) { return {{"exponent", lattice.exponent}, {"bits", lattice.bits}}; }
+
+json json_of(const MeshCheck& c) {
+  json j{{"name", c.name},
+         {"verdict", {{"mesh", mesh_verdict(c)}, {"floats", float_verdict(c)}, {"advice", advice(c)}}},
+         {"statistics", json_of(c.statistics)},
+         {"bent_faces", c.bent_faces},
+         {"lattice", json_of(c.lattice)},
+         {"edges", {{"convex", c.edges.convex}, {"flat", c.edges.flat}, {"reflex", c.edges.reflex}}},
+         {"total", json_of(c.total())},
+         {"predicates", json::array()},
+         {"kinds", json::array()}};
+  if (c.is_sampled()) {
+    const Comparison total = c.total();
+    j["sample"] = {{"of_each_kind", c.sampled_of_kind}, {"decisions", total.sampled()}, {"of", total.taken()}};
+  }
+  if (c.from_file) j["file"] = json_of(c.load);
+  for (const CatalogEntry& entry : classics()) {
+    json p = json_of(c.of_predicate(entry.name));
+    p["predicate"] = entry.name;
+    j["predicates"].push_back(std::move(p));
+  }
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    json kind = json_of(c.kind[k]);
+    kind["name"] = kinds[k].name;
+    kind["predicate"] = kinds[k].predicate;
+    kind["question"] = kinds[k].question;
+    j["kinds"].push_back(std::move(kind));
+  }
+  return j;
+}
+
+json environment(unsigned threads) {
+  const Environment e = check_environment();
+  return {{"version", e.version}, {"compiler", e.compiler},
+          {"build", e.build},     {"instruction_sets", e.instruction_sets},
+          {"sound", e.sound()},   {"threads", threads}};
+}
+
+}  // namespace
+
+json json_report(std::span<const MeshCheck> checks, std::span<const std::string> passed_over, unsigned threads) {
+  json j{{"program", "plumb check"}, {"environment", environment(threads)}, {"meshes", json::array()}};
+  j["passed_over"] = passed_over;
+  for (const MeshCheck& c : checks) j["meshes"].push_back(json_of(c));
+  return j;
+}
+
+}  // namespace plumb::tool

@@ -1,0 +1,34 @@
+// What did the check find?  The same findings as text for people and as JSON for programs.
+//
+// Laws: text and JSON hold the same numbers; nothing is written that was not measured.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "tool/check/mesh.hpp"
+#include "tool/mesh/inputs.hpp"
+#include "tool/terminal/terminal.hpp"
+
+namespace plumb::tool {
+
+/// Of the report on one mesh what each step of the check lets say: name and first line of the verdict, its other two
+/// lines, everything else.
+std::string text_opening(const MeshCheck& check, const Style& style);
+std::string text_verdict(const MeshCheck& check);
+std::string text_tables(const MeshCheck& check, const Style& style);
+
+/// What lies in the folder that was no mesh.
+std::string text_passed_over(const std::string& folder, const MeshInputs& inputs);
+
+/// The totals over several meshes; the table alone.
+std::string text_total(std::span<const MeshCheck> checks, const Style& style);
+
+nlohmann::json json_report(std::span<const MeshCheck> checks, std::span<const std::string> passed_over,
+                           unsigned threads);
+
+/// Share of wrong signs against time per decision, one point a method.
+std::string chart_svg(std::span<const MeshCheck> checks);
+
+}  // namespace plumb::tool

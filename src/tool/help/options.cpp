@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/certify/environment.hpp"
+#include "tool/manual/command.hpp"
+#include "tool/manual/parsed_options.hpp"
+#include "tool/terminal/output_files.hpp"
+#include "tool/terminal/suggestion.hpp"
+#include "tool/terminal/terminal.hpp"
+
+namespace plumb::tool {
+namespace {
+
+namespace fs = std::filesystem;
+using Commands = std::function<const std::vector<Command>&()>;
+
+struct HelpOptions {
+  std::string command;
+  bool roff = false;
+  std::optional<std::string> pages;  // a folder such as /usr/share
+};
+
+std::string roff_of(const CLI::App& program, const std::vector<Command>& commands, const Command* command) {
+  std::vector<std::string> also;
+  if (command != nullptr) {
+    also = {"plumb"};
+  } else {
+    for (const std::string& name : names_of(commands)) also.push_back("plumb-" + name);
+  }
+  return command != nullptr
+             ? roff_page(command->manual(), shown_options(*command->parser), check_environment().version, also)
+             : roff_page(program_manual(), shown_options(program), check_environment().version, also);
+}
+
+int write_pages(const fs::path& folder, const CLI::App& program, const std::vector<Command>& commands) {
+  std::vector<std::pair<fs::path, std::string>> pages{{"man/man1/plumb.1", roff_of(program, commands, nullptr)}};
+  for (const Command& c : commands)
+    pages.emplace_back(fmt::format("man/man1/plumb-{}.1", c.parser->get_name()), roff_of(program, commands, &c));
+  for (const ShellScript& s : shell_scripts) pages.emplace_back(s.place, s.script(shapes_of(program, commands)));
+  std::vector<PathAndText> files;
+  for (const auto& [name, text] : pages) {
+    std::error_code error;
+    fs::create_directories((folder / name).parent_path(), error);
+    if (error)
+      throw Error(
+          fmt::format("cannot write into {}: {}", printable((folder / name).parent_path().string()), error.message()));
+    files.push_back({folder / name, text});
+  }
+  keep_files(files);
+  say(fmt::format("{} files in {}\n", files.size(), printable(folder.string())));
+  return 0;
+}
+
+int run_help(const HelpOptions& o, const CLI::App& program, const std::vector<Command>& commands) {
+  if (o.pages) return write_pages(*o.pages, program, commands);
+  const auto named =
+      std::ranges::find_if(commands, [&](const Command& c) { return c.parser->get_name() == o.command; });
+  if (!o.command.empty() && named == commands.end()) {
+    throw Error(fmt::format("there is no command {}{}; 'plumb help' lists them", printable(o.command),
+                            suggestion(o.command, names_of(commands))));
+  }
+  const Command* const command = o.command.empty() ? nullptr : &*named;
+  if (o.roff) {
+    say(roff_of(program, commands, command));
+  } else {
+    show_page(program, command);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void show_page(const CLI::App& program, const Command* command) {
+  const Style style(stdout);
+  say(command != nullptr ? manual_page(command->manual(), shown_options(*command->parser), style)
+                         : manual_page(program_manual(), shown_options(program), style));
+}
+
+Command help_command(CLI::App& program, const Commands& commands) {
+  const auto options = std::make_shared<HelpOptions>();
+  CLI::App* const parser = program.add_subcommand("help", "Show the page of a command.");
+  parser->add_option("COMMAND", options->command, "Whose page; the program's when not given.");
+  CLI::Option* const roff = parser->add_flag("--roff", options->roff, "Print the page as source for man(1).");
+  parser
+      ->add_option("--write-pages", options->pages,
+                   "Write the manual pages of all commands, and what lets shells complete, into this folder where they "
+                   "look for them: /usr/local/share, or ~/.local/share.")
+      ->type_name("DIR")
+      ->excludes(roff);
+  return {parser,
+          help_manual,
+          [options, commands, &program] { return run_help(*options, program, commands()); },
+          nullptr,
+          {{"COMMAND", [commands] { return names_of(commands()); }}}};
+}
+
+Command completion_command(CLI::App& program, const Commands& commands) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* const parser = program.add_subcommand("completion", "Print what lets a shell complete a command line.");
+  std::vector<std::string> shells;
+  for (const ShellScript& s : shell_scripts) shells.emplace_back(s.shell);
+  parser->add_option("SHELL", *shell, "bash, zsh or fish.")->required()->check(CLI::IsMember(shells));
+  const auto run = [shell, commands, &program] {
+    say(std::ranges::find(shell_scripts, *shell, &ShellScript::shell)->script(shapes_of(program, commands())));
+    return 0;
+  };
+  return {parser, completion_manual, run};
+}
+
+}  // namespace plumb::tool

@@ -1,3 +1,0 @@
-#include "program.hpp"
-
-int main(int argc, char** argv) { return plumb::tool::run_program(argc, argv); }

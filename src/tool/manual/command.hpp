@@ -1,0 +1,56 @@
+// What is a command of the program?  A parser with its options, a page, and what runs.
+//
+// Each `<name>_options.cpp` makes one: its options stand beside nothing but each other, and their descriptions become
+// the page's, the manual's and the shells'. A new command is a function below and a line in program.cpp.
+// Law: what the parser fills lives as long as the command; the options that every command has are program.cpp's.
+// Source: none.
+// Cost: none.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tool/manual/help_text.hpp"
+#include "tool/trial/task.hpp"
+
+namespace plumb::tool {
+
+struct Command {
+  CLI::App* parser;
+  Manual (*manual)();
+  std::function<int()> run;
+  std::vector<std::string>* takes_rest = nullptr;  // what stands after "--"
+  /// What an option ("--task") or an argument ("PREDICATE") may be, for the shells; what its checks list is known.
+  std::map<std::string, std::function<std::vector<std::string>()>> choices{};
+};
+
+Command bounds_command(CLI::App& program);
+Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals);
+Command check_command(CLI::App& program);
+Command convert_command(CLI::App& program);
+Command doctor_command(CLI::App& program);
+Command completion_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
+Command fuzz_command(CLI::App& program);
+Command help_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
+Command plan_command(CLI::App& program);
+Command proof_command(CLI::App& program);
+Command section_command(CLI::App& program);
+Command sign_command(CLI::App& program);
+Command stability_command(CLI::App& program);
+Command vectors_command(CLI::App& program);
+
+/// The page of a command, or of the program, on standard output.
+void show_page(const CLI::App& program, const Command* command);
+
+/// Of the manifest.
+std::vector<std::string> predicate_names();
+
+/// Of commands that place copies of meshes; the defaults are those that the fields hold.
+void add_placements(CLI::App* parser, std::uint32_t& placements, double& refined_ns);
+
+}  // namespace plumb::tool

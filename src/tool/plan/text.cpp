@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plumb/certify/catalog.hpp"
+#include "tool/plan/command.hpp"
+#include "tool/plan/lattice_savings.hpp"
+
+namespace plumb::tool {
+namespace {
+
+std::string heading(const ScenePlan& scene, const Style& style) {
+  std::string s;
+  for (std::size_t i = 0; i < scene.names.size(); ++i) {
+    s += style.bold(printable(scene.names[i])) +
+         fmt::format(": {} vertices, {} triangles", scene.vertices[i], scene.triangles[i]);
+    if (scene.names.size() > 1)
+      s += fmt::format("; alone multiples of 2^{} of {} bits", scene.lattices[i].exponent, scene.lattices[i].bits);
+    s += '\n';
+  }
+  return s;
+}
+
+/// What a mesh would need less than the scene, where it would.
+std::string less_alone(const ScenePlan& scene) {
+  std::string s;
+  for (std::size_t i = 0; i < scene.names.size() && scene.names.size() > 1; ++i) {
+    std::string cheaper;
+    for (const CatalogEntry& e : classics()) {
+      const Arithmetic alone = arithmetic_of(e.planned_bits, scene.lattices[i].bits);
+      if (alone < arithmetic_of(e.planned_bits, scene.lattice().bits))
+        cheaper += fmt::format("{}{}: {}", cheaper.empty() ? "" : "; ", e.name, to_string(alone));
+    }
+    if (!cheaper.empty()) s += fmt::format("  alone, {} needs less: {}\n", printable(scene.names[i]), cheaper);
+  }
+  return s;
+}
+
+std::string time(double ns) { return ns == 0 ? std::string(1, '-') : fmt::format("{:.1f}", ns); }
+
+std::string predicates(const ScenePlan& scene, const Style& style) {
+  std::string s = style.bold(fmt::format("  {:<10}{:<31}{:<43}{:>7}{:>8}{:>8}{:>8}\n", "", "least exact arithmetic",
+                                         "plan", "bare ns", "decide", "batch", "plan"));
+  const std::vector<Saving> savings = lattice_savings(scene.lattice());
+  for (std::size_t k = 0; k < savings.size(); ++k) {
+    const DecisionTimes& t = scene.rows[0].times[k];
+    s += fmt::format("  {:<10}{:<31}{:<43}{:>7}{:>8}{:>8}{:>8}\n", savings[k].predicate,
+                     fmt::format("{} ({} bits)", savings[k].suffices, savings[k].value_bits), savings[k].plan,
+                     time(t.plain), time(t.decide), time(t.batch), time(t.plan));
+    if (!savings[k].skips.empty()) s += style.dim(fmt::format("  {:<10}never needs {}\n", "", savings[k].skips));
+  }
+  std::array<std::size_t, 5> needs{};
+  for (const CatalogEntry& e : catalog())
+    ++needs[static_cast<std::size_t>(arithmetic_of(e.planned_bits, scene.lattice().bits))];
+  s += fmt::format("  of all {} predicates", catalog().size());
+  for (std::size_t a = 0; a < needs.size(); ++a) {
+    if (needs[a] != 0)
+      s += fmt::format("{} {}: {}", s.ends_with("predicates") ? "," : ";", to_string(static_cast<Arithmetic>(a)),
+                       needs[a]);
+  }
+  return s + '\n';
+}
+
+std::string whole_manifest(const ScenePlan& scene, const Style& style) {
+  std::string s = style.bold(fmt::format("\n  {:<28}{:>10}  {}\n", "predicate", "value bits", "plan"));
+  for (const CatalogEntry& e : catalog()) {
+    s += fmt::format("  {:<28}{:>10}  {}\n", e.name,
+                     e.homogeneous ? std::to_string(e.value_bits(scene.lattice().bits)) : std::string(1, '-'),
+                     to_string(arithmetic_of(e.planned_bits, scene.lattice().bits)));
+  }
+  return s;
+}
+
+std::string lattices(const ScenePlan& scene, const Style& style) {
+  std::string s = style.bold(fmt::format("\n  {:>4} {:<8}{:<24}{:>8}{:>10}{:>12}", "bits", "step", "greatest move",
+                                         "merged", "collapsed", "turned over"));
+  for (const CatalogEntry& e : classics()) s += style.bold(fmt::format("  {:>15}", e.name));
+  s += '\n';
+  for (const ScenePlanRow& row : scene.rows) {
+    const bool given = row.damage.empty();
+    s += fmt::format("  {:>4} {:<8}{:<24}", row.bits, fmt::format("2^{}", row.exponent),
+                     given ? std::string("as given") : fmt::format("{}", row.greatest_move()));
+    s += given ? fmt::format("{:>8}{:>10}{:>12}", "", "", "")
+               : fmt::format("{:>8}{:>10}{:>12}", row.merged(), row.collapsed(), row.turned_over());
+    for (std::size_t k = 0; k < row.times.size(); ++k) {
+      const std::string cell =
+          fmt::format("  {:>15}", fmt::format("{} {}", short_name(row.arithmetic[k]), time(row.times[k].plan)));
+      s += row.arithmetic[k] < scene.rows[0].arithmetic[k] ? style.green(cell) : cell;
+    }
+    s += '\n';
+  }
+  if (scene.rows.size() == 1) return s;
+  return s + style.dim(
+                 "  move: of a coordinate, exactly. merged: points that were distinct. collapsed: to zero area. turned "
+                 "over: by more\n  than a right angle. ns of the plan, a decision.\n");
+}
+
+std::string volumes(const ScenePlan& scene, const Style& style) {
+  std::string s = style.bold(fmt::format("\n  {:<24}{:<10}{:>8}{:>10}{:>12}{:>12}\n", "bounding volume", "chosen",
+                                         "test ns", "overlap", "query ns", "without ns"));
+  for (const BoundPlan& b : scene.bounds) {
+    const BoundRating& r = b.rated.ratings.kinds[b.chosen];
+    const auto placements = static_cast<double>(b.rated.ratings.placements.size());
+    std::string name = printable(b.rated.name);
+    if (name.size() > 22) name = "..." + name.substr(name.size() - 19);
+    s += fmt::format("  {:<24}{:<10}{:>8.1f}{:>9.1f}%{:>12.1f}{:>12.1f}\n", name, name_of(bound_kinds[b.chosen]),
+                     r.test_ns, placements == 0 ? 0 : 100 * r.overlapping / placements, b.with_ns(), b.without_ns());
+  }
+  return s;
+}
+
+}  // namespace
+
+std::string plan_text(const ScenePlan& scene, bool all, const Style& style) {
+  const Lattice lattice = scene.lattice();
+  std::string s = heading(scene, style);
+  s += fmt::format("  {}: multiples of 2^{} of {} bits\n", scene.names.size() > 1 ? "the scene" : "coordinates",
+                   lattice.exponent, lattice.bits);
+  s += less_alone(scene) + '\n' + predicates(scene, style);
+  if (all) s += whole_manifest(scene, style);
+  return s + lattices(scene, style) + volumes(scene, style);
+}
+
+}  // namespace plumb::tool

@@ -1,0 +1,3 @@
+#include "tool/program/program.hpp"
+
+int main(int argc, char** argv) { return plumb::tool::run_program(argc, argv); }

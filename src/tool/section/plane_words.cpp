@@ -1,0 +1,58 @@
+#include "tool/section/plane_words.hpp"
+
+#include <fmt/format.h>
+
+#include "plumb/arith/error.hpp"
+#include "tool/terminal/decimal_range.hpp"
+
+namespace plumb::tool {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = text.find_first_of(separators, from);
+    parts.push_back(text.substr(from, to - from));
+    if (to == std::string_view::npos) return parts;
+    from = to + 1;
+  }
+}
+
+NamedPlane at_height(char axis, const Decimal& height) {
+  const Vector3 normal{axis == 'x' ? 1.0 : 0.0, axis == 'y' ? 1.0 : 0.0, axis == 'z' ? 1.0 : 0.0};
+  return {fmt::format("{}={}", axis, height.text), Plane3{normal, height.value}, height.exact};
+}
+
+}  // namespace
+
+std::vector<NamedPlane> planes_of(std::string_view words) {
+  const std::string what = fmt::format("--plane {}", words);
+  if (words.size() > 2 && words[1] == '=' && words[0] >= 'x' && words[0] <= 'z') {
+    const auto heights = split(words.substr(2), ":");
+    std::vector<NamedPlane> planes;
+    if (heights.size() == 1) {
+      planes.push_back(at_height(words[0], read_decimal(heights[0], what)));
+      return planes;
+    }
+    if (heights.size() != 3)
+      throw Error(fmt::format("{}: a range is start:stop:step, such as {}=0:10:0.2", what, words[0]));
+    for (const Decimal& h : decimal_range(heights[0], heights[1], heights[2], what, most_planes))
+      planes.push_back(at_height(words[0], h));
+    return planes;
+  }
+  std::vector<double> x;
+  bool exact = true;
+  for (const std::string_view part : split(words, ",;")) {
+    const Decimal number = read_decimal(part, what);
+    x.push_back(number.value);
+    exact = exact && number.exact;
+  }
+  const std::string name(words);
+  if (x.size() == 4) return {{name, Plane3{{x[0], x[1], x[2]}, x[3]}, exact}};
+  if (x.size() == 9)
+    return {{name, ThreePointPlane3{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}}, exact}};
+  throw Error(fmt::format(
+      "{}: this has {} numbers; a plane is z=HEIGHT, NX,NY,NZ,OFFSET or three points (nine numbers)", what, x.size()));
+}
+
+}  // namespace plumb::tool

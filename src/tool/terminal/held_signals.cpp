@@ -1,0 +1,32 @@
+#include "tool/terminal/held_signals.hpp"
+
+namespace plumb::tool {
+namespace {
+
+volatile std::sig_atomic_t first = 0;
+
+void note(int signal) {
+  if (first == 0) first = signal;
+}
+
+}  // namespace
+
+HeldSignals::HeldSignals() {
+  first = 0;
+  struct sigaction noting {};
+  noting.sa_handler = note;
+  noting.sa_flags = SA_RESTART;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    ::sigaction(held_[k], nullptr, &before_[k]);
+    if (before_[k].sa_handler != SIG_IGN) ::sigaction(held_[k], &noting, nullptr);  // nohup's wish stands
+  }
+}
+
+HeldSignals::~HeldSignals() {
+  for (std::size_t k = 0; k < held_.size(); ++k) ::sigaction(held_[k], &before_[k], nullptr);
+  if (first != 0) ::raise(first);
+}
+
+bool HeldSignals::arrived() { return first != 0; }
+
+}  // namespace plumb::tool

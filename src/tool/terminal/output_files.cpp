@@ -1,0 +1,189 @@
+#include "tool/terminal/output_files.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "plumb/arith/error.hpp"
+#include "tool/terminal/held_signals.hpp"
+#include "tool/terminal/mesh_name.hpp"
+#include "tool/terminal/terminal.hpp"
+
+namespace plumb::tool {
+namespace {
+
+namespace fs = std::filesystem;
+using surface::Replacing;
+using surface::StagedFile;
+
+bool same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+std::optional<struct stat> status_of(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
+}
+
+bool is_stream(const std::string& path, int stream) {
+  struct stat there {};
+  const auto here = status_of(path);
+  return here && ::fstat(stream, &there) == 0 && same(*here, there);
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  const auto status_a = status_of(a), status_b = status_of(b);
+  if (status_a && status_b) return same(*status_a, *status_b) && S_ISREG(status_a->st_mode);
+  if (status_a || status_b) return false;
+  const auto whole = [](const std::string& path) {  // of what is not there yet
+    std::error_code error;
+    return fs::weakly_canonical(fs::absolute(surface::target_of(path), error), error);
+  };
+  return whole(a) == whole(b);
+}
+
+/// A folder that is made where it is missing, and is gone again where nothing came to be in it.
+class MadeFolder {
+ public:
+  /// Throws std::system_error; of no name, makes none.
+  explicit MadeFolder(const fs::path& path) : path_(path), made_(!path.empty() && fs::create_directory(path)) {}
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+  ~MadeFolder() {
+    std::error_code holds_something;
+    if (made_) fs::remove(path_, holds_something);
+  }
+
+ private:
+  fs::path path_;
+  bool made_;
+};
+
+[[noreturn]] void refuse(const fs::path& path, const std::system_error& e) {
+  throw Error(fmt::format("cannot write {}: {}", printable(path.string()), e.code().message()));
+}
+
+}  // namespace
+
+void OutputFiles::promise(std::string_view option, const std::optional<std::string>& path) {
+  if (path) add(option, *path, Replacing::yes);
+}
+
+void OutputFiles::promise_new(std::string_view option, const std::optional<std::string>& path) {
+  if (path) add(option, *path, Replacing::no);
+}
+
+void OutputFiles::add(std::string_view option, const std::string& path, Replacing replacing) {
+  Output output{std::string(option), path, replacing, path == "-" || is_stream(path, STDOUT_FILENO)};
+  require_distinct(output);
+  if (!output.standard_output) {
+    try {
+      probe_file(path, replacing);
+    } catch (const std::system_error& e) {
+      if (e.code() != std::errc::file_exists) refuse(path, e);
+      throw Error(fmt::format("{}: {} is there already and is kept; give another name, or remove it first", option,
+                              printable(path)));
+    }
+  }
+  outlive_reader();
+  outputs_.push_back(std::move(output));
+}
+
+void OutputFiles::require_distinct(const Output& output) const {
+  const std::string file = printable(output.path);
+  for (const Output& other : outputs_) {
+    const bool both_said = output.standard_output && other.standard_output;
+    if (both_said || other.path == output.path || is_same_file(other.path, output.path))
+      throw Error(fmt::format("{} and {} name the same output", other.option, output.option));
+  }
+  if (output.standard_output) return;
+  for (const std::string& input : inputs_) {
+    if (is_same_file(input, output.path))
+      throw Error(fmt::format("{} would replace {}, which this run reads; give another name", output.option, file));
+  }
+  if (status_of(output.path) && is_stream(output.path, STDIN_FILENO) && S_ISREG(status_of(output.path)->st_mode))
+    throw Error(fmt::format("{} would replace {}, which is standard input; give another name", output.option, file));
+  if (output.replacing == Replacing::no) return;  // then nothing is replaced, and a mesh may be what is written
+  if (const std::string why = why_mesh(output.path); !why.empty()) {
+    throw Error(
+        fmt::format("{0} takes the name of the file to write, and {1} {2}, which is kept; write '{0} REPORT {1}', or "
+                    "'{0} - {1}' for standard output",
+                    output.option, file, why));
+  }
+}
+
+bool OutputFiles::wants(std::string_view option) const {
+  return std::ranges::any_of(outputs_, [&](const Output& o) { return o.option == option; });
+}
+
+bool OutputFiles::on_standard_output() const {
+  return std::ranges::any_of(outputs_, [](const Output& o) { return o.standard_output; });
+}
+
+void OutputFiles::write(std::string_view option, std::string text) {
+  for (Output& o : outputs_) {
+    if (o.option != option) continue;
+    o.text = std::move(text);
+    o.written = true;
+    return;
+  }
+}
+
+void OutputFiles::keep() {
+  std::vector<PathAndText> files;
+  for (const Output& o : outputs_) {
+    if (!o.written) continue;
+    if (o.standard_output) {
+      put_out(o.text);
+    } else {
+      files.push_back({o.path, o.text, o.replacing});
+    }
+  }
+  flush_output();
+  keep_files(files);
+}
+
+void probe_file(const fs::path& path, Replacing replacing) {
+  const HeldSignals held;
+  const StagedFile probe(path, "", replacing);
+}
+
+void probe_folder(const fs::path& folder) {
+  const HeldSignals held;
+  const MadeFolder made(folder);
+  const StagedFile probe(folder / "report", "");  // some systems' rights promise what is not so
+}
+
+void keep_files(const std::vector<PathAndText>& files, const fs::path& folder) {
+  const PathAndText* at = nullptr;
+  try {
+    std::vector<StagedFile> in_place;  // a pipe may wait for who reads: signals are obeyed meanwhile
+    std::vector<const PathAndText*> of_in_place;
+    {
+      const HeldSignals held;
+      const MadeFolder made(folder);
+      std::vector<StagedFile> staged;
+      std::vector<const PathAndText*> of_staged;
+      for (const PathAndText& file : files) {
+        at = &file;
+        StagedFile next(file.path, file.text, file.replacing);
+        (next.in_place() ? of_in_place : of_staged).push_back(at);
+        (next.in_place() ? in_place : staged).push_back(std::move(next));
+        if (HeldSignals::arrived()) return;
+      }
+      for (std::size_t k = 0; k < staged.size(); ++k) {
+        at = of_staged[k];
+        staged[k].keep();
+      }
+    }
+    for (std::size_t k = 0; k < in_place.size(); ++k) {
+      at = of_in_place[k];
+      in_place[k].keep();
+    }
+  } catch (const std::system_error& e) {
+    refuse(at != nullptr ? at->path : folder, e);
+  }
+}
+
+}  // namespace plumb::tool

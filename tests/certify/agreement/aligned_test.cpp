@@ -1,0 +1,7 @@
+#include "certify/agreement/agreement.hpp"
+
+namespace plumb::battery {
+
+INSTANTIATE_TEST_SUITE_P(All, Agreement, testing::ValuesIn(parameters_of(Shard::aligned)), name_of_test);
+
+}  // namespace plumb::battery

@@ -1,0 +1,169 @@
+// Does one line, plane, circle or sphere tell of every point what the predicate tells?  The laws of certify/side.hpp.
+#include <cmath>
+
+#include "certify/batch/cases.hpp"
+#include "plumb/arith/big.hpp"
+
+namespace plumb::batches {
+namespace {
+
+template <class F>
+Side<F> side_of(const Coordinates<F>& c) {
+  return [&]<std::size_t... P>(std::index_sequence<P...>) {
+    return Side<F>(Arrays<F>::point_of(&c[P * side::dimension<F>])...);
+  }
+  (std::make_index_sequence<side::points<F> - 1>());
+}
+
+/// Cases that share all but the last point, of one set of points.
+template <class F>
+std::vector<Coordinates<F>> one_against(Family family, std::uint64_t index, std::size_t count) {
+  constexpr std::size_t dimension = side::dimension<F>, given = arity<F> - dimension;
+  std::vector<double> all(given + count * dimension);
+  Entropy entropy(static_cast<std::uint64_t>(99 + F::points), index);
+  fill_points(family, zero_set<F>(), F::dimension, all, entropy);
+  std::vector<Coordinates<F>> cases(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::copy_n(all.begin(), given, cases[i].begin());
+    std::copy_n(&all[given + i * dimension], dimension, cases[i].begin() + given);
+  }
+  return cases;
+}
+
+TYPED_TEST(EveryFormula, TellsTheSignOfEachPoint) {
+  using F = TypeParam;
+#if defined(PLUMB_LONG_TESTS)
+  constexpr std::uint64_t sets = 20'000;
+#else
+  constexpr std::uint64_t sets = 200;
+#endif
+  for (const FamilyInfo& f : families) {
+    SCOPED_TRACE(f.name);
+    for (std::uint64_t index = 0; index < sets; ++index) {
+      const std::vector<Coordinates<F>> cases = one_against<F>(f.family, index, 20);
+      const std::vector<Sign> truth = signs_of<F>(cases);
+      const Side<F> side = side_of<F>(cases[0]);
+      std::vector<Sign> out;
+      for (const Coordinates<F>& c : cases) out.push_back(side(Arrays<F>::point_of(&c[arity<F> - side::dimension<F>])));
+      ASSERT_EQ(difference<F>(cases, truth, 0, out), "");
+    }
+  }
+}
+
+TYPED_TEST(EveryFormula, TellsTheSignsOfManyPointsAtEveryLength) {
+  using F = TypeParam;
+  constexpr std::size_t longest = 70;
+  for (const FamilyInfo& f : families) {
+    SCOPED_TRACE(f.name);
+    const std::vector<Coordinates<F>> cases = one_against<F>(f.family, 1, longest + 7);
+    const std::vector<Sign> truth = signs_of<F>(cases);
+    const Arrays<F> arrays(cases);
+    const Side<F> side = side_of<F>(cases[0]);
+    constexpr std::size_t last = side::points<F> - 1;
+    on_each_instruction_set([&] {
+      for (std::size_t n = 0; n <= longest; ++n) {
+        const std::size_t first = n * 3 % 8;
+        std::vector<Sign> out(n, Sign{7}), of_view(n, Sign{7});
+        side(arrays.points_at(last, first, n), out);
+        ASSERT_EQ(difference<F>(cases, truth, first, out), "") << n << " points";
+        side(arrays.view_at(last, first, n), of_view);
+        ASSERT_EQ(difference<F>(cases, truth, first, of_view), "") << n << " points of a view";
+      }
+    });
+  }
+}
+
+TYPED_TEST(EveryFormula, TellsTheSameSidesOnManyThreads) {
+  using F = TypeParam;
+  const std::vector<Coordinates<F>> cases = one_against<F>(Family::off_by_ulps, 5, 30'000);
+  const std::vector<Sign> truth = signs_of<F>(cases);
+  const Arrays<F> arrays(cases);
+  const Side<F> side = side_of<F>(cases[0]);
+  std::vector<Sign> out(cases.size());
+  side(arrays.points_at(side::points<F> - 1, 0, cases.size()), out, Execution::parallel);
+  EXPECT_EQ(difference<F>(cases, truth, 0, out), "");
+}
+
+// The form is the formula: both as rationals, which round nothing.
+TYPED_TEST(EveryFormula, IsTheSameNumberInItsForm) {
+  using F = TypeParam;
+  constexpr const side::Form& form = side::form_of<F>;
+  for (std::uint64_t index = 0; index < 50; ++index) {
+    const Coordinates<F> p = one_against<F>(Family::mixture, index, 1)[0];
+    const auto run = [](const auto& tape, auto number) {
+      for (std::size_t i = 0; i < tape.size; ++i) {
+        const tape::Instruction in = tape.instructions[i];
+        const auto l = number[in.left], r = number[in.right];
+        number.push_back(in.operation == '*' ? l * r : in.operation == '-' ? l - r : l + r);
+      }
+      return number;
+    };
+    using Rational = decltype(big_rational(0.0));
+    std::vector<Rational> given, query;
+    for (const double x : p) given.push_back(big_rational(x));
+    for (std::size_t a = 0; a < side::dimension<F>; ++a) {
+      query.push_back(given[arity<F> - side::dimension<F> + a] - given[side::pivot<F> * side::dimension<F> + a]);
+    }
+    const auto fixed = run(form.fixed, given), asked = run(form.query, query);
+    auto sum = big_rational(0);
+    for (std::size_t v = 0; v < form.variables; ++v) {
+      const auto term = asked[form.variable[v]] * fixed[form.coefficient[v].number];
+      sum = form.coefficient[v].negative ? sum - term : sum + term;
+    }
+    const auto value = evaluate<F>([&](std::size_t i) { return big_rational(p[i]); });
+    EXPECT_EQ((sum - value).sign(), Sign::zero);
+  }
+}
+
+// Recorded here, derived when compiled; in units of 2^-53, each a little above a whole number.
+TEST(Sides, HaveFiltersOfTheirOwn) {
+  EXPECT_EQ(std::floor(side::constant<predicates::Orient2d> * 0x1p53), 3);
+  EXPECT_EQ(std::floor(side::constant<predicates::Orient3d> * 0x1p53), 7);
+  EXPECT_EQ(std::floor(side::constant<predicates::InCircle> * 0x1p53), 10);
+  EXPECT_EQ(std::floor(side::constant<predicates::InSphere> * 0x1p53), 16);
+  EXPECT_EQ(LineSide::variables, 2u);
+  EXPECT_EQ(PlaneSide::variables, 3u);
+  EXPECT_EQ(CircleSide::variables, 3u);
+  EXPECT_EQ(SphereSide::variables, 4u);
+}
+
+TYPED_TEST(EveryFormula, FiltersAsSurelyAsTheFunction) {
+  using F = TypeParam;
+  StageCounts by_side, by_function;
+  for (std::uint64_t index = 0; index < 2000; ++index) {
+    const Coordinates<F> c = one_against<F>(Family::uniform, index, 1)[0];
+    side_of<F>(c)(Arrays<F>::point_of(&c[arity<F> - side::dimension<F>]), by_side);
+    decide<F>(c, by_function);
+  }
+  EXPECT_GE(by_side.of(Stage::filter), 1998u);
+  EXPECT_EQ(by_side.total(), by_function.total());
+}
+
+TEST(Sides, SayWhatTheyMean) {
+  const LineSide left({0, 0}, {1, 0});
+  EXPECT_EQ(left({5, 1}), Sign::positive);
+  EXPECT_EQ(left({5, -1}), Sign::negative);
+  EXPECT_EQ(left({5, 0}), Sign::zero);
+  const PlaneSide below{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(below({3, 3, -1}), Sign::positive);
+  EXPECT_EQ(below({3, 3, 1}), Sign::negative);
+  EXPECT_EQ(below({3, 3, 0}), Sign::zero);
+  const CircleSide inside{{1, 0}, {0, 1}, {-1, 0}};
+  EXPECT_EQ(inside({0, 0}), Sign::positive);
+  EXPECT_EQ(inside({0, -1}), Sign::zero);
+  EXPECT_EQ(inside({0, -2}), Sign::negative);
+  const SphereSide within{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
+  EXPECT_EQ(within({0, 0, 0}), orient3d({1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}));
+  EXPECT_EQ(within({0, 0, -1}), Sign::zero);
+}
+
+// Degenerate lines and planes are such: every point is on them.
+TEST(Sides, OfPointsThatCoincideAreZeroEverywhere) {
+  const PlaneSide plane{{1, 1, 1}, {1, 1, 1}, {2, 3, 4}};
+  EXPECT_EQ(plane({0, 5, 1e300}), Sign::zero);
+  const LineSide line({1e-320, 1}, {1e-320, 1});
+  EXPECT_EQ(line({1e308, -1e308}), Sign::zero);
+}
+
+}  // namespace
+}  // namespace plumb::batches

@@ -1,0 +1,12 @@
+// Every pair of figures with straight edges in the plane, against brute force in rationals, both ways round; and all
+// that CGAL has.
+#include "query/body/pair_laws.hpp"
+
+namespace plumb::pair_cases {
+namespace {
+
+TEST(OverlapPairs, AllFlatFiguresOfThePlaneAsBruteForce) { expect_all_as_oracle(Plane{}, 601, 60); }
+TEST(OverlapPairs, AllThatCgalHasOfThePlane) { expect_all_as_cgal(Plane{}, 1601, 60); }
+
+}  // namespace
+}  // namespace plumb::pair_cases

@@ -1,0 +1,133 @@
+// Triangles, tetrahedra and what is straight in space against a linear program in rationals.
+#include "plumb/query/overlap/triangle.hpp"
+
+#include "query/overlap/flat_lattices.hpp"
+
+namespace plumb {
+namespace {
+
+template <class Pair>
+struct OverlapTriangle : testing::Test {};
+template <class A, class B>
+struct Of {
+  using First = A;
+  using Second = B;
+};
+using Pairs = testing::Types<Of<Line3, Triangle3>, Of<Ray3, Triangle3>, Of<Segment3, Triangle3>,
+                             Of<Triangle3, Triangle3>, Of<Line3, Line3>, Of<Line3, Ray3>, Of<Line3, Segment3>,
+                             Of<Ray3, Ray3>, Of<Ray3, Segment3>, Of<Segment3, Segment3>, Of<Segment3, Tetrahedron3>,
+                             Of<Triangle3, Tetrahedron3>, Of<Tetrahedron3, Tetrahedron3>>;
+TYPED_TEST_SUITE(OverlapTriangle, Pairs);
+
+TYPED_TEST(OverlapTriangle, AgreesWithTheOracle) {
+  expect_as_oracle<typename TypeParam::First, typename TypeParam::Second>(52, 1000);
+}
+
+TEST(OverlapTriangleCases, LatticesOfEveryWidth) {
+  expect_as_oracle_on_lattices<Triangle3, Triangle3, 3>(61, 2000);
+  expect_as_oracle_on_lattices<Segment3, Triangle3, 3>(62, 2000);
+}
+
+Triangle3 turned(const Triangle3& t) { return {t.c, t.a, t.b}; }
+Triangle3 flipped(const Triangle3& t) { return {t.a, t.c, t.b}; }
+
+void expect_in_any_order(const Triangle3& a, const Triangle3& b, Relation expected) {
+  for (const Triangle3& p : {a, turned(a), turned(turned(a)), flipped(a)}) {
+    for (const Triangle3& q : {b, turned(b), turned(turned(b)), flipped(b)}) {
+      EXPECT_EQ(relate(p, q), expected);
+      EXPECT_EQ(relate(q, p), expected);
+    }
+  }
+}
+
+// At any scale, and at one for each axis: subnormal, huge, far apart; where that rounds nothing.
+void expect_relation(const Triangle3& a, const Triangle3& b, Relation expected) {
+  expect_in_any_order(a, b, expected);
+  for (const auto& scale : {std::array{0x1p-1074, 0x1p-1074, 0x1p-1074}, std::array{0x1p1018, 0x1p1018, 0x1p1018},
+                            std::array{0x1p-370, 0x1p-350, 0x1p-340}, std::array{0x1p340, 0x1p350, 0x1p330},
+                            std::array{0x1p-1074, 1.0, 0x1p1018}, std::array{0x1p1018, 0x1p-1000, 0x1p-1074}}) {
+    const double x = scale[0], y = scale[1], z = scale[2];
+    bool exact = true;
+    const auto scaled = [&](const Point3& p) {
+      const Point3 q{p.x * x, p.y * y, p.z * z};
+      exact = exact && Point3{q.x / x, q.y / y, q.z / z} == p;
+      return q;
+    };
+    const Triangle3 p{scaled(a.a), scaled(a.b), scaled(a.c)}, q{scaled(b.a), scaled(b.b), scaled(b.c)};
+    if (exact) expect_in_any_order(p, q, expected);
+  }
+}
+
+// RTCD figure 5.19: two edges of one triangle pierce the other, or one of each does; and what is between these.
+TEST(OverlapTriangleCases, WaysOfTwoTrianglesToCross) {
+  const Triangle3 floor{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}};
+  expect_relation(floor, {{1, 1, -1}, {2, 2, -1}, {2, 1, 3}}, Relation::overlapping);    // two edges of the second
+  expect_relation(floor, {{1, 1, -1}, {9, 9, -1}, {1, 1, 3}}, Relation::overlapping);    // one of each
+  expect_relation(floor, {{-9, 1, -1}, {20, 1, -1}, {1, 1, 9}}, Relation::overlapping);  // two edges of the first
+  expect_relation(floor, {{1, 1, 0}, {2, 2, 3}, {2, 1, 3}}, Relation::touching);         // a corner in the inside
+  expect_relation(floor, {{1, 1, 0}, {2, 2, 0}, {2, 1, 3}}, Relation::touching);         // an edge in the inside
+  expect_relation(floor, {{4, 4, -1}, {4, 4, 1}, {9, 9, 0}}, Relation::touching);        // edge through edge
+  expect_relation(floor, {{0, 0, 0}, {0, 0, 1}, {-1, -1, 0}}, Relation::touching);       // corner on corner
+  expect_relation(floor, {{9, 0, 0}, {9, 1, 5}, {9, 2, -5}}, Relation::disjoint);        // crosses the plane, beside
+  expect_relation(floor, {{5, 5, 0}, {5, 5, 1}, {6, 6, 0}}, Relation::disjoint);
+  expect_relation(floor, {{1, 1, 1}, {2, 2, 1}, {2, 1, 3}}, Relation::disjoint);
+}
+
+TEST(OverlapTriangleCases, TrianglesOfOnePlane) {
+  const Triangle3 t{{0, 0, 0}, {8, 0, 8}, {0, 8, 8}};
+  expect_relation(t, {{1, 1, 2}, {2, 1, 3}, {1, 2, 3}}, Relation::overlapping);    // within
+  expect_relation(t, {{-1, 3, 2}, {9, 3, 12}, {4, 4, 8}}, Relation::overlapping);  // across
+  expect_relation(t, {{4, 4, 8}, {9, 9, 18}, {9, 8, 17}}, Relation::touching);     // a corner on an edge
+  expect_relation(t, {{0, 0, 0}, {-1, 0, -1}, {0, -1, -1}}, Relation::touching);
+  expect_relation(t, {{8, 0, 8}, {0, 8, 8}, {8, 8, 16}}, Relation::touching);  // an edge for both
+  expect_relation(t, {{5, 5, 10}, {9, 9, 18}, {9, 8, 17}}, Relation::disjoint);
+  expect_relation(t, {{1, 1, 3}, {2, 1, 4}, {1, 2, 4}}, Relation::disjoint);  // parallel
+  expect_relation(t, {{1, 1, 0x1.0000000000001p1}, {2, 1, 4}, {1, 2, 4}}, Relation::disjoint);
+  expect_relation(t, {{1, 1, 2}, {2, 1, 4}, {1, 2, 4}}, Relation::touching);
+}
+
+TEST(OverlapTriangleCases, TrianglesThatAreSegmentsOrPoints) {
+  const Triangle3 t{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}};
+  expect_relation(t, {{1, 1, -1}, {1, 1, 0}, {1, 1, 1}}, Relation::overlapping);
+  expect_relation(t, {{1, 1, 1}, {1, 1, 0}, {1, 1, 0}}, Relation::touching);
+  expect_relation(t, {{1, 1, 0}, {1, 1, 0}, {1, 1, 0}}, Relation::overlapping);
+  expect_relation(t, {{0, 0, 0}, {-0.0, 0, 0}, {0, 0, 0}}, Relation::touching);
+  expect_relation({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 0, 2}, {1, 1, 1}, {2, 2, 0}}, Relation::overlapping);
+  expect_relation({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{1, 1, 1}, {1, 1, 1}, {2, 2, 0}}, Relation::touching);
+}
+
+// RTCD figure 5.24: the line passes all edges on one side, or runs through an edge or a corner.
+TEST(OverlapTriangleCases, LineRayAndSegmentThroughATriangle) {
+  const Triangle3 t{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}};
+  EXPECT_EQ(relate(Line3{{1, 1, 9}, {0, 0, 1}}, t), Relation::overlapping);
+  EXPECT_EQ(relate(Line3{{3, 3, 9}, {0, 0, -1}}, t), Relation::touching);
+  EXPECT_EQ(relate(Line3{{0, 0, 9}, {1, -1, 3}}, t), Relation::disjoint);
+  EXPECT_EQ(relate(Ray3{{1, 1, 9}, {0, 0, 1}}, t), Relation::disjoint);
+  EXPECT_EQ(relate(Ray3{{1, 1, 0}, {0, 0, 1}}, t), Relation::touching);
+  EXPECT_EQ(relate(Ray3{{1, 1, 0}, {1, 0, 0}}, t), Relation::overlapping);  // in the plane
+  EXPECT_EQ(relate(Ray3{{-1, 0, 0}, {1, 0, 0}}, t), Relation::touching);    // along an edge
+  EXPECT_EQ(relate(Ray3{{1, 1, 0}, {0, 0, 0}}, t), Relation::overlapping);  // the point it is
+  EXPECT_EQ(relate(Segment3{{1, 1, -1}, {1, 1, -0x1p-1074}}, t), Relation::disjoint);
+  EXPECT_EQ(relate(Segment3{{1, 1, -1}, {1, 1, 0x1p-1074}}, t), Relation::overlapping);
+  EXPECT_EQ(relate(Segment3{{1, 1, -1}, {1, 1, -0.0}}, t), Relation::touching);
+}
+
+TEST(OverlapTriangleCases, NamesWhatIsNoNumber) {
+  const double nan = std::nan("");
+  const Triangle3 far{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}};
+  for (const Triangle3& a :
+       {Triangle3{{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}, Triangle3{{0, 0, 0}, {1, INFINITY, 0}, {0, 1, 0}}}) {
+    try {
+      relate(far, a);
+      FAIL();
+    } catch (const NonFinite& e) {
+      EXPECT_EQ(std::string(e.what()).rfind("relate: b.b.y is ", 0), 0u) << e.what();
+    }
+    EXPECT_THROW(relate(a, far), NonFinite);
+    EXPECT_THROW(relate(Segment3{{0, 0, 5}, {1, 1, 6}}, a), NonFinite);
+    EXPECT_THROW(relate(a, Tetrahedron3{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), NonFinite);
+  }
+}
+
+}  // namespace
+}  // namespace plumb
