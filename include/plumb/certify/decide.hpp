@@ -73,7 +73,7 @@ template <Formula F>
 
 /// The same, in a function of its own; for coordinates that the filter could not decide.
 template <Formula F>
-[[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
+requires(!in_library<F>) [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
   return decide_by_stages<F>(p);
 }
 // Defined where the catalog is compiled (src/certify/catalog_entry.hpp).  A declaration for each formula would cost
