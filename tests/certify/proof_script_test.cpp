@@ -32,6 +32,11 @@ struct Own {
 
 constexpr auto focal_paraboloid = [](auto x, auto y, auto z, auto f) { return f * z - x * x - y * y; };
 constexpr auto unit_paraboloid = [](auto x, auto y, auto z) { return z - x * x - y * y; };
+constexpr auto discriminant = [](auto a, auto b, auto c) { return b * b - 4 * a * c; };
+// Whole numbers that take sums beside doublings, of a difference and of a product; an opposite.
+constexpr auto weighted = [](auto a, auto b, auto c, auto d) { return -5 * (a - b) * c + 3 * (b * d) - 14 * a * a; };
+using Discriminant = FormulaOf<decltype(discriminant), double, double, double>::Type;
+using Weighted = FormulaOf<decltype(weighted), Point2, Point2>::Type;
 using FocalParaboloid = FormulaOf<decltype(focal_paraboloid), Point3, double>::Type;
 using UnitParaboloid = FormulaOf<decltype(unit_paraboloid), Point3>::Type;
 
@@ -53,7 +58,8 @@ Claim claim_of(std::string name) {
 /// The manifest's, and a user's.
 std::vector<Claim> claims() {
   std::vector<Claim> all{claim_of<Own>("own"), claim_of<FocalParaboloid>("focal paraboloid"),
-                         claim_of<UnitParaboloid>("unit paraboloid")};
+                         claim_of<UnitParaboloid>("unit paraboloid"), claim_of<Discriminant>("discriminant"),
+                         claim_of<Weighted>("weighted")};
   for (const CatalogEntry& e : catalog()) all.push_back({std::string(e.name), e.program, e.filter_constant});
   return all;
 }
