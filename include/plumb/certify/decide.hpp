@@ -115,4 +115,13 @@ PLUMB_CHECKABLE constexpr Sign decide(const Coordinates<F>& p, Recorder&& record
   return decide_here<F>(p, recorder);
 }
 
+/// What is no formula: the compiler says so in a sentence.
+template <class F, class... Given>
+requires(!Formula<F>) Sign decide(Given&&...) {
+  static_assert(!std::is_same_v<F, F>,
+                "plumb: a formula has a `name`, and `points` and `dimension` or `arguments` (predicates/orient.hpp); a "
+                "lambda is asked by sign_of");
+  return Sign::zero;
+}
+
 }  // namespace plumb
