@@ -2,6 +2,7 @@
 // stage, and is its bound derived?
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "certify/every_stage.hpp"

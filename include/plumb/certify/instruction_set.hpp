@@ -1,6 +1,7 @@
 // Which vectors do batches take here, and how does one force others?
 //
 //   PLUMB_INSTRUCTION_SET=avx2 ./program       avx512, avx2, ssse3, neon, or none: one case after the other
+//                                              (signs_of: by what every processor of the kind has)
 //
 // For tests, measurements and reports of bugs.  What forces is the environment variable alone, read once, before the
 // first batch; the answers of a single pair that come from four lanes follow it too.

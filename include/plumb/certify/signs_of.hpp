@@ -13,17 +13,17 @@
 // (3) A NaN or an infinity throws NonFinite, which names the first such item.
 // (4) `out` must not overlap the coordinates.  There are up to 64 coordinates a case.
 //
-// The library runs the formula's tape over the vectors of the processor at hand, by filter A and its derived constant;
-// what that leaves goes to the exact stages, compiled where it is asked.
+// Filter A runs over the vectors of the processor at hand, with its derived constant; what that leaves goes to the
+// exact stages.  Both are compiled where they are asked, the filter for each width of vectors (certify/block_filter.hpp).
 // Source: RTCD 13.7; docs/batches.md.
-// Cost: on one thread about that of sign_of in a loop or somewhat more; threads share the work.  The classics' own
-// batches are several times as fast.  In the library plumb::batch.
+// Cost: a fraction of that of sign_of in a loop; threads share the work.  In the library plumb::batch.
 #pragma once
 
 #include <span>
 #include <tuple>
 
 #include "plumb/certify/batch.hpp"
+#include "plumb/certify/block_filter.hpp"
 #include "plumb/certify/sign_of.hpp"
 
 namespace plumb {
@@ -40,29 +40,23 @@ struct Column {
   bool apart;          // in an array of its own, not beside the other coordinates of its argument
 };
 
-/// What the library is told of a formula; decide_exactly is compiled by who asks.
+/// What the library is told of a formula; its stages are compiled by who asks.
 struct BatchFormula {
   std::string_view name;
   std::span<const int> arguments;
   std::string_view axes;
   std::span<const std::string_view> argument_names;
-  tape::Program program;
-  double constant;  // of filter A
+  BlockFilters filters;
   Sign (*exactly)(const double* coordinates);
 };
 
 template <Formula F>
-inline constexpr BatchFormula asked{F::name,
-                                    arguments<F>,
-                                    axes<F>,
-                                    argument_names<F>,
-                                    tape::program<F>(),
-                                    filter_constant<F>(),
-                                    [](const double* coordinates) {
-                                      Coordinates<F> p;
-                                      for (std::size_t k = 0; k < p.size(); ++k) p[k] = coordinates[k];
-                                      return decide_exactly<F>(p).sign;
-                                    }};
+inline constexpr BatchFormula asked{
+    F::name, arguments<F>, axes<F>, argument_names<F>, block_filters<F>(), [](const double* coordinates) {
+      Coordinates<F> p;
+      for (std::size_t k = 0; k < p.size(); ++k) p[k] = coordinates[k];
+      return decide_exactly<F>(p).sign;
+    }};
 
 /// The signs of all cases, one column for each coordinate.
 void decide_all(const BatchFormula& asked, std::span<const Column> columns, std::span<Sign> out, Execution execution);

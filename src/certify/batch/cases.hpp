@@ -21,9 +21,15 @@ struct Cases {
 };
 
 /// Filters n cases from their first coordinates on: writes their signs, lists the numbers of those that are unsure, and
-/// returns how many they are.  `given` is a Side, a TapePlan or nothing.
+/// returns how many they are.  `given` is a Side, AskedColumns or nothing.
 using Filter = std::size_t (*)(const void* given, const double* const* at, std::size_t n, signed char* out,
                                std::uint32_t* unsure);
+
+/// What signs_of is asked.
+struct AskedColumns {
+  const BatchFormula* asked;
+  std::span<const Column> columns;
+};
 
 struct Question {
   std::string_view name;

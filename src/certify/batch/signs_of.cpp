@@ -1,11 +1,10 @@
-// Batches of any formula, by its tape.
+// Batches of any formula, by its own filter of a block.
 #include "plumb/certify/signs_of.hpp"
 
 #include <string>
 
 #include "certify/batch/cases.hpp"
 #include "certify/batch/instruction_sets.hpp"
-#include "certify/batch/tape_plan.hpp"
 #include "certify/refused_number.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -13,7 +12,7 @@
 #include <hwy/aligned_allocator.h>
 #include <hwy/foreach_target.h>
 
-#include "certify/batch/run_tape.hpp"
+#include "certify/batch/run_blocks.hpp"
 
 #if HWY_ONCE
 #include "certify/batch/chosen_target.hpp"
@@ -21,7 +20,7 @@
 namespace plumb::batch {
 namespace {
 
-HWY_EXPORT(run_tape);
+HWY_EXPORT(run_blocks);
 
 /// What an argument, or one of its coordinates, is called: "b", "b.y".
 std::string name_of(const BatchFormula& asked, std::size_t coordinate, bool with_axis) {
@@ -55,10 +54,10 @@ void decide_all(const BatchFormula& asked, std::span<const Column> columns, std:
     cases.stride[k] = columns[k].stride;
   }
   const Question question{asked.name, asked.arguments, columns.size(), asked.exactly, asked.axes, asked.argument_names};
-  const TapePlan plan(asked, columns);
-  const Filter filter = [](const void* given, const double* const* at, std::size_t n, signed char* signs,
-                           std::uint32_t* unsure) { return PLUMB_DISPATCH(run_tape)(given, at, n, signs, unsure); };
-  decide_cases(question, cases, filter, &plan, out, execution);
+  const AskedColumns given{&asked, columns};
+  const Filter filter = [](const void* all, const double* const* at, std::size_t n, signed char* signs,
+                           std::uint32_t* unsure) { return PLUMB_DISPATCH(run_blocks)(all, at, n, signs, unsure); };
+  decide_cases(question, cases, filter, &given, out, execution);
 }
 
 }  // namespace plumb::batch

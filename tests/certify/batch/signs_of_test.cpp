@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -63,16 +65,21 @@ std::vector<batch::Column> columns_of(const Table& t, std::span<const int> argum
   return all;
 }
 
-const CatalogEntry* current = nullptr;
+/// What signs_of tells the library of a formula of the manifest.
+const batch::BatchFormula& asked_of(std::string_view name) {
+  static constexpr std::array all{
+#define PLUMB_ASKED(formula) &batch::asked<predicates::formula>,
+      PLUMB_PREDICATES(PLUMB_ASKED)
+#undef PLUMB_ASKED
+  };
+  return **std::ranges::find(all, name, [](const batch::BatchFormula* asked) { return asked->name; });
+}
 
 TEST(SignsOf, AreThoseOfEachCaseForEveryPredicateOfTheManifest) {
   constexpr std::size_t count = battery::sanitized ? 150 : 700;
   for (const CatalogEntry& e : catalog()) {
     SCOPED_TRACE(e.name);
-    current = &e;
-    const batch::Asked asked{e.name, e.arguments, e.axes, {}, e.program, e.filter_constant, [](const double* p) {
-                               return current->decide(std::span(p, current->arity())).sign;
-                             }};
+    const batch::BatchFormula& asked = asked_of(e.name);
     for (const FamilyInfo& f : families) {
       SCOPED_TRACE(f.name);
       const Table table(e.arguments, count, [&](std::span<double> p, std::size_t i) {
@@ -132,6 +139,51 @@ std::vector<std::array<double, N>> cases_of_size(Family family, std::size_t coun
     }
   }
   return cases;
+}
+
+bool same(double a, double b) { return a == b ? std::signbit(a) == std::signbit(b) : std::isnan(a) && std::isnan(b); }
+
+/// What the filter of a block says of each case, and what the filter of one case does: value and threshold.
+template <class Polynomial, std::size_t N>
+void expect_that_of_one_case(Polynomial, batch::BlockFilter filter, const std::vector<std::array<double, N>>& cases) {
+  using F = typename FormulaOf<Polynomial, std::array<double, N>>::Type;
+  alignas(64) std::array<std::array<double, batch::block>, N + 2> memory;
+  std::array<const double*, N> at;
+  for (std::size_t k = 0; k < N; ++k) at[k] = memory[k].data();
+  for (std::size_t first = 0; first + batch::block <= cases.size(); first += batch::block) {
+    for (std::size_t i = 0; i < batch::block; ++i) {
+      for (std::size_t k = 0; k < N; ++k) memory[k][i] = cases[first + i][k];
+    }
+    filter(at.data(), memory[N].data(), memory[N + 1].data());
+    for (std::size_t i = 0; i < batch::block; ++i) {
+      const Filtered one = evaluate<F>([&](std::size_t k) { return Filtered::Input{cases[first + i][k]}; });
+      const double threshold = filter_constant<F>() * one.magnitude;
+      EXPECT_TRUE(same(memory[N][i], one.value)) << first + i;
+      EXPECT_TRUE(same(memory[N + 1][i], threshold)) << first + i;
+    }
+  }
+}
+
+template <class Polynomial, std::size_t N>
+void expect_at_every_width(Polynomial f, const std::vector<std::array<double, N>>& cases) {
+  constexpr batch::BlockFilters all =
+      batch::block_filters<typename FormulaOf<Polynomial, std::array<double, N>>::Type>();
+  expect_that_of_one_case(f, all.any_processor, cases);
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) expect_that_of_one_case(f, all.avx2, cases);
+  if (__builtin_cpu_supports("avx512f")) expect_that_of_one_case(f, all.avx512, cases);
+#endif
+}
+
+TEST(SignsOf, FiltersComputeWhatTheFilterOfOneCaseDoes) {
+  for (const FamilyInfo& family : families) {
+    SCOPED_TRACE(family.name);
+    expect_at_every_width(everything, cases_of_size<6>(family.family, 640));
+    expect_at_every_width(plain_sum, cases_of_size<2>(family.family, 640));
+    expect_at_every_width(doubled, cases_of_size<2>(family.family, 640));
+    expect_at_every_width(predicates::Orient2d{}, cases_of_size<6>(family.family, 640));
+    expect_at_every_width(predicates::InCircle{}, cases_of_size<8>(family.family, 640));
+  }
 }
 
 TEST(SignsOf, TellsThoseOfAnyLambda) {
