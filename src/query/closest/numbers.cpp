@@ -76,7 +76,7 @@ double distance_by_integers(const FootIntegers& e, double radius) {
 
 }  // namespace
 
-Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius, const FootIntegers& exactly) {
+Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius, const ExactFoot& exactly) {
   if (foot.carrier == Carrier::itself) return {{p.x + 0.0, p.y + 0.0, p.z + 0.0}, 0};  // never -0
   const bool point = wanted != Wanted::distance, distance = wanted != Wanted::point;
   Quick q = quick_numbers(foot, distance || radius != 0);
@@ -96,7 +96,7 @@ Rational rational_square(const Foot<BigDyadic>& foot) {
   return Rational(big_rational(foot.square())) / Rational(big_rational(foot.over()));
 }
 
-double rounded_part(const Foot<Ball>& foot, const FootIntegers& exactly) {
+double rounded_part(const Foot<Ball>& foot, const ExactFoot& exactly) {
   if (const std::optional<double> quick = quotient(foot.part, foot.whole).nearest()) [[likely]]
     return *quick;
   const Foot<BigDyadic> f = exactly();
