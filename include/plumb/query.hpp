@@ -19,7 +19,6 @@
 #include "plumb/query/closest/pairs.hpp"
 #include "plumb/query/closest/result.hpp"
 #include "plumb/query/convex/location.hpp"
-#include "plumb/query/kinds/kinds.hpp"
 #include "plumb/query/overlap/batch.hpp"
 #include "plumb/query/overlap/box.hpp"
 #include "plumb/query/overlap/cylinder_cone.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 
 #include "surface/mesh_failure.hpp"
@@ -46,8 +47,8 @@ std::string_view name_of(MeshEncoding encoding) {
   return names[static_cast<std::size_t>(encoding)];
 }
 
-std::optional<MeshFormat> format_by_extension(const std::filesystem::path& path) {
-  const std::string extension = surface::lower_case(path.extension().string());
+std::optional<MeshFormat> format_by_extension(const std::string& path) {
+  const std::string extension = surface::lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".stl") return MeshFormat::stl;
@@ -74,7 +75,7 @@ std::optional<MeshFormat> format_by_content(std::string_view bytes) {
   return std::nullopt;
 }
 
-std::optional<MeshFormat> recognize_format(const std::filesystem::path& path, std::string_view bytes) {
+std::optional<MeshFormat> recognize_format(const std::string& path, std::string_view bytes) {
   const auto found = format_by_content(bytes);
   return found ? found : format_by_extension(path);
 }

@@ -156,16 +156,17 @@ PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_vi
   return parse_as(bytes, format, name, report, {}, bytes.size(), {});
 }
 
-PolygonMesh parse_mesh(std::string_view bytes, const std::filesystem::path& name, LoadReport* report,
+PolygonMesh parse_mesh(std::string_view bytes, const std::string& name, LoadReport* report,
                        const ReadOptions& options) {
   return parse_any(bytes, name, report, options, {});
 }
 
-PolygonMesh read_polygon_mesh(const std::filesystem::path& path, LoadReport* report, const ReadOptions& options) {
-  return parse_any(read_file(path), path, report, options, path.has_parent_path() ? path.parent_path() : ".");
+PolygonMesh read_polygon_mesh(const std::string& path, LoadReport* report, const ReadOptions& options) {
+  const std::filesystem::path file(path);
+  return parse_any(read_file(file), file, report, options, file.has_parent_path() ? file.parent_path() : ".");
 }
 
-TriangleMesh read_mesh(const std::filesystem::path& path, LoadReport* report, const ReadOptions& options) {
+TriangleMesh read_mesh(const std::string& path, LoadReport* report, const ReadOptions& options) {
   return triangulate(read_polygon_mesh(path, report, options), report ? &report->fans : nullptr);
 }
 

@@ -32,10 +32,10 @@ void require_sound(const PolygonMesh& mesh) {
                   ", expected less than " + std::to_string(mesh.vertices.size()) + ", the number of vertices");
 }
 
-MeshFormat format_to_write(const std::filesystem::path& path, const WriteOptions& options) {
+MeshFormat format_to_write(const std::string& path, const WriteOptions& options) {
   const auto format = options.format ? options.format : format_by_extension(path);
   if (!format)
-    fail_at_file(MeshFileProblem::unknown_format, path.string(),
+    fail_at_file(MeshFileProblem::unknown_format, path,
                  "the name does not tell the format, expected .obj, .off, .stl or .ply; rename it or give the format");
   return *format;
 }
@@ -73,15 +73,15 @@ std::string format_mesh(const PolygonMesh& mesh, MeshFormat format, std::optiona
   return format == MeshFormat::obj ? surface::print_obj(mesh) : surface::print_off(mesh);
 }
 
-std::string format_mesh(const PolygonMesh& mesh, const std::filesystem::path& path, const WriteOptions& options) {
-  return format_mesh(mesh, format_to_write(path, options), options.encoding, path.string());
+std::string format_mesh(const PolygonMesh& mesh, const std::string& path, const WriteOptions& options) {
+  return format_mesh(mesh, format_to_write(path, options), options.encoding, path);
 }
 
-void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh, const WriteOptions& options) {
+void write_mesh(const std::string& path, const PolygonMesh& mesh, const WriteOptions& options) {
   surface::write_whole_file(path, format_mesh(mesh, path, options));
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options) {
+void write_mesh(const std::string& path, const TriangleMesh& mesh, const WriteOptions& options) {
   write_mesh(path, to_polygons(mesh), options);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "plumb/arith/rational.hpp"
 #include "plumb/surface/read_mesh.hpp"

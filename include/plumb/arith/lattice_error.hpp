@@ -8,7 +8,6 @@
 // Cost: none where it is run when compiled.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 
 namespace plumb {
@@ -41,7 +40,7 @@ struct LatticeError {
     largest *= slack;
     inherited *= slack;
     const double error = (inherited + (largest + inherited) * 0x1p-53) * slack;
-    if (std::max(largest, error) >= lost_beyond) return lost();
+    if (largest >= lost_beyond || error >= lost_beyond) return lost();
     return {largest, error, inherited};
   }
   static constexpr LatticeError lost() { return {lost_beyond, lost_beyond, std::numeric_limits<double>::infinity()}; }

@@ -11,7 +11,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,13 +26,13 @@ std::string_view name_of(MeshFormat format);      // "OBJ"
 std::string_view name_of(MeshEncoding encoding);  // "binary little endian"
 
 /// By what follows the last dot, upper or lower case.
-std::optional<MeshFormat> format_by_extension(const std::filesystem::path& path);
+std::optional<MeshFormat> format_by_extension(const std::string& path);
 
 /// By the bytes alone.
 std::optional<MeshFormat> format_by_content(std::string_view bytes);
 
 /// What the two together say of unpacked bytes; nothing when neither knows.
-std::optional<MeshFormat> recognize_format(const std::filesystem::path& path, std::string_view bytes);
+std::optional<MeshFormat> recognize_format(const std::string& path, std::string_view bytes);
 
 enum class MeshFileProblem {
   missing,            // there is no such file

@@ -25,7 +25,7 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "plumb/figure/basic/mesh.hpp"
@@ -61,18 +61,16 @@ struct ReadOptions {
 };
 
 /// The mesh of a file, its polygons triangulated.  Throws MeshFileError.
-TriangleMesh read_mesh(const std::filesystem::path& path, LoadReport* report = nullptr,
-                       const ReadOptions& options = {});
+TriangleMesh read_mesh(const std::string& path, LoadReport* report = nullptr, const ReadOptions& options = {});
 
 /// The mesh of a file, its polygons kept.  Throws MeshFileError.
-PolygonMesh read_polygon_mesh(const std::filesystem::path& path, LoadReport* report = nullptr,
-                              const ReadOptions& options = {});
+PolygonMesh read_polygon_mesh(const std::string& path, LoadReport* report = nullptr, const ReadOptions& options = {});
 
 /// The mesh that these bytes are the file of; `name` stands for the file in errors.
 PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report = nullptr);
 
 /// The same of a file in any format, packed or not: the content tells, or the name's extension.
-PolygonMesh parse_mesh(std::string_view bytes, const std::filesystem::path& name, LoadReport* report = nullptr,
+PolygonMesh parse_mesh(std::string_view bytes, const std::string& name, LoadReport* report = nullptr,
                        const ReadOptions& options = {});
 
 }  // namespace plumb

@@ -10,7 +10,6 @@
 // Cost: linear; the file's bytes are held in memory once.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,14 +25,14 @@ struct WriteOptions {
 };
 
 /// Throws MeshFileError; NonFinite for a NaN or infinity, Error for an index out of range, in the mesh.
-void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh, const WriteOptions& options = {});
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options = {});
+void write_mesh(const std::string& path, const PolygonMesh& mesh, const WriteOptions& options = {});
+void write_mesh(const std::string& path, const TriangleMesh& mesh, const WriteOptions& options = {});
 
 /// The bytes of the file that write_mesh would write.  `name` stands for the file in errors.
 std::string format_mesh(const PolygonMesh& mesh, MeshFormat format, std::optional<MeshEncoding> encoding = {},
                         std::string_view name = "mesh");
 /// The same for a file of that name, whose extension tells the format unless the options do.
-std::string format_mesh(const PolygonMesh& mesh, const std::filesystem::path& path, const WriteOptions& options);
+std::string format_mesh(const PolygonMesh& mesh, const std::string& path, const WriteOptions& options);
 
 /// The same faces, as polygons of three corners.
 PolygonMesh to_polygons(const TriangleMesh& mesh);

@@ -78,8 +78,8 @@ unsigned Csg<Point>::evaluate(const Point& p, Rules) const {
   std::vector<unsigned> stack;
   for (const Step& s : steps_) {
     if (s.operation == Operation::leaf || s.operation == Operation::complemented_leaf) {
-      const Leaf& leaf = *leaves_[s.leaf];
-      const unsigned where = only(leaf.locate(p));
+      const Leaf& leaf = leaves_[s.leaf];
+      const unsigned where = only(leaf.locate(leaf.shape.get(), p));
       stack.push_back(s.operation == Operation::leaf ? Rules::leaf(where, leaf.regular)
                                                      : Rules::complement(where, leaf.regular));
     } else {

@@ -22,7 +22,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -64,12 +63,14 @@ bool is_regular(const Obb3& box);
 template <class Point>
 class Csg {
  public:
+  /// A shape whose type the tree need not know.
   struct Leaf {
-    std::function<Location(const Point&)> locate;
+    std::shared_ptr<const void> shape;
+    Location (*locate)(const void* shape, const Point& p);
     bool regular;
   };
 
-  explicit Csg(Leaf leaf) : steps_{{Operation::leaf, 0}}, leaves_{std::make_shared<const Leaf>(std::move(leaf))} {}
+  explicit Csg(Leaf leaf) : steps_{{Operation::leaf, 0}}, leaves_{std::move(leaf)} {}
 
   friend Csg operator|(Csg a, const Csg& b) {
     a.append(b, Operation::unite);
@@ -108,26 +109,30 @@ class Csg {
   [[nodiscard]] unsigned evaluate(const Point& p, Rules rules) const;
 
   std::vector<Step> steps_;  // operands before what combines them
-  std::vector<std::shared_ptr<const Leaf>> leaves_;
+  std::vector<Leaf> leaves_;
 };
 using Csg2 = Csg<Point2>;
 using Csg3 = Csg<Point3>;
 extern template class Csg<Point2>;
 extern template class Csg<Point3>;
 
+namespace figure {
+
+template <class Point, class Shape>
+Csg<Point> tree_of_leaf(Shape shape) {
+  static_cast<void>(locate(shape, Point{}));
+  const bool regular = is_regular(shape);
+  return Csg<Point>({std::make_shared<const Shape>(std::move(shape)),
+                     [](const void* s, const Point& p) { return locate(*static_cast<const Shape*>(s), p); }, regular});
+}
+
+}  // namespace figure
+
 /// The tree of one leaf: of any shape that locates points.
 template <class Shape>
-requires LocatesPoints<Shape, Point2> Csg2 csg(Shape shape) {
-  static_cast<void>(locate(shape, Point2{0, 0}));
-  const bool regular = is_regular(shape);
-  return Csg2({[shape = std::move(shape)](const Point2& p) { return locate(shape, p); }, regular});
-}
+requires LocatesPoints<Shape, Point2> Csg2 csg(Shape shape) { return figure::tree_of_leaf<Point2>(std::move(shape)); }
 template <class Shape>
-requires LocatesPoints<Shape, Point3> Csg3 csg(Shape shape) {
-  static_cast<void>(locate(shape, Point3{0, 0, 0}));
-  const bool regular = is_regular(shape);
-  return Csg3({[shape = std::move(shape)](const Point3& p) { return locate(shape, p); }, regular});
-}
+requires LocatesPoints<Shape, Point3> Csg3 csg(Shape shape) { return figure::tree_of_leaf<Point3>(std::move(shape)); }
 
 /// Does the closed set of the tree contain p?
 inline bool contains(const Csg2& tree, const Point2& p) { return tree.contains(p); }
