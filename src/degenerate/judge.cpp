@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "degenerate/fields.hpp"
+#include "degenerate/known_answer.hpp"
 #include "degenerate/words.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/degenerate/ulps.hpp"
@@ -49,14 +50,14 @@ Judgment judged_hit(const Answer& given, const Answer& exact, const Tolerance& t
   if (hit.verdict != Verdict::right || exact.numbers[0] == 0 || given.numbers.size() < 2) return hit;
   const double t = given.numbers[1];
   if (std::isnan(t)) return {Verdict::wrong, "hit without a parameter"};
+  if (!knows_parameter(exact)) return {};
   if (within(t, exact.numbers[1], std::span(exact.numbers).subspan(1), tolerance)) return {};
   return {Verdict::wrong, t > exact.numbers[1] ? "parameter too large" : "parameter too small"};
 }
 
 Judgment judged_by(const Answer& exact, const Kind& kind, std::span<const double> numbers, const Answer& given,
                    const Tolerance& tolerance) {
-  // Who has no answer, the judge of an own kind, finds nothing wrong.
-  if (kind.form != AnswerForm::triangles && std::isnan(exact.numbers[0])) return {};
+  if (!is_known(kind, exact)) return {};
   switch (kind.form) {
     case AnswerForm::sign:
       return judged_sign(given.numbers[0], exact.numbers[0]);

@@ -62,7 +62,11 @@ void move_once(const Kind& kind, Numbers& numbers, Entropy& entropy) {
   if (which == 5) return swap_arguments(kind, numbers, entropy);
   if (which == 6) return change_count(kind, numbers, entropy);
   std::vector<Field> fields = lengths_of(kind, numbers);
-  if (which >= 3) std::erase_if(fields, [](const Field& f) { return f.role == Role::extents; });
+  if (which >= 3) {  // of points, those of one dimension
+    std::erase_if(fields, [](const Field& f) { return f.role == Role::extents; });
+    if (fields.empty()) return;
+    if (which > 3) std::erase_if(fields, [d = fields[0].dimension](const Field& f) { return f.dimension != d; });
+  }
   if (which == 3) fields = {fields[entropy.below(fields.size())]};
   Numbers moved = gathered(numbers, fields);
   const auto dimension = static_cast<int>(fields[0].dimension);

@@ -7,6 +7,7 @@
 #include "degenerate/families_of_cases.hpp"
 #include "degenerate/fields.hpp"
 #include "degenerate/own_call.hpp"
+#include "degenerate/reserved_names.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/ulps.hpp"
@@ -43,6 +44,10 @@ void require_sense(const OwnKind& own) {
   bool made = true;
   for (const Argument& a : own.arguments) {
     if (!is_name(a.name, '_')) refuse(own, "'" + a.name + "' is no name for an argument: letters, digits and '_' are");
+    if (is_keyword_of_c_or_cpp(a.name))
+      refuse(own, a.name + " is a keyword of C or C++; give the argument another name");
+    if (std::ranges::count(own.arguments, a.name, &Argument::name) > 1)
+      refuse(own, "two arguments are called " + a.name + "; give each a name of its own");
     if (a.parts.empty()) refuse(own, a.name + " has no parts");
     if (a.any_number() && (a.parts.size() > 1 || a.parts[0].role != Role::points))
       refuse(own, a.name + ": any number there may be of points alone");

@@ -17,6 +17,7 @@ std::string obj_text(const Kind& kind, std::span<const double> numbers) {
     for (const std::array<double, 3>& p : figure.points) text.append("v ").append(joined(p, " ", decimal)).append("\n");
     for (const std::size_t dot : figure.dots) element("p", {&dot, 1});
     for (const auto& edge : figure.edges) element("l", edge);
+    for (const auto& arrow : figure.arrows) element("l", arrow);
     for (const auto& face : figure.faces) element("f", face);
     first += figure.points.size();
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "degenerate/fields.hpp"
+#include "degenerate/known_answer.hpp"
+#include "degenerate/reserved_names.hpp"
 #include "degenerate/words.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate/paste.hpp"
@@ -151,7 +153,7 @@ def judge(given):
     def is_right(wanted):
         if given is None or wanted is None:
             return given is wanted
-        return given == "yes" or within(given, wanted, wanted)
+        return "yes" in (given, wanted) or within(given, wanted, wanted)
 
     return "right" if any(is_right(wanted) for wanted in RIGHT) else "wrong"
 )py";
@@ -189,6 +191,12 @@ def judge(given):
     return "right" if volume(given) == volume(EXACT) else "wrong"
 )py";
 
+// Who judges did not know either.
+constexpr std::string_view kJudgeNothing = R"py(
+def judge(given):
+    return "right"
+)py";
+
 std::string replaced(std::string_view text, std::string_view what, std::string_view with) {
   std::string made(text);
   for (std::size_t at = 0; (at = made.find(what, at)) != std::string::npos; at += with.size()) {
@@ -198,11 +206,13 @@ std::string replaced(std::string_view text, std::string_view what, std::string_v
 }
 
 std::string python_number(double x) {
-  if (!std::isfinite(x)) return x > 0 ? "math.inf" : "-math.inf";
+  if (std::isnan(x)) return "math.nan";
+  if (std::isinf(x)) return x > 0 ? "math.inf" : "-math.inf";
   return std::string("float.fromhex(\"").append(hexadecimal(x)).append("\")");
 }
 
 std::string python_answer(const Kind& kind, const Answer& exact) {
+  if (!is_known(kind, exact)) return "math.nan";
   switch (kind.form) {
     case AnswerForm::sign:
       return decimal(exact.numbers[0]);
@@ -211,7 +221,7 @@ std::string python_answer(const Kind& kind, const Answer& exact) {
     case AnswerForm::number:
       return python_number(exact.numbers[0]);
     case AnswerForm::hit:
-      return exact.numbers[0] == 0 ? "None" : python_number(exact.numbers[1]);
+      return exact.numbers[0] == 0 ? "None" : knows_parameter(exact) ? python_number(exact.numbers[1]) : "\"yes\"";
     case AnswerForm::triangles:
       break;
   }
@@ -241,13 +251,7 @@ std::string quoted(std::string_view text) {
   return made.append("\"");
 }
 
-/// What Python has other plans for than C; the script's own names are in capitals.
-std::string variable(const std::string& name) {
-  constexpr std::array<std::string_view, 24> taken = {
-      "and", "as", "assert", "class", "def",  "del", "elif",     "except", "finally", "from",  "global", "import",
-      "in",  "is", "lambda", "len",   "list", "not", "nonlocal", "or",     "pass",    "raise", "try",    "with"};
-  return std::ranges::find(taken, name) == taken.end() ? name : name + "_";
-}
+std::string variable(const std::string& name) { return is_taken_in_python(name) ? name + "_" : name; }
 
 }  // namespace
 
@@ -301,7 +305,7 @@ std::string python_text(const Kind& kind, std::span<const double> numbers, std::
   if (kind.form == AnswerForm::number || kind.form == AnswerForm::hit) text.append(kWithin);
   text.append("\n").append(replaced(replaced(asking(kind), "ARGUMENTS", arguments), "RESULT",
                                     kind.form == AnswerForm::yes_no ? "ctypes.c_int" : "ctypes.c_double"));
-  return text.append(judging(kind.form)).append(kMain);
+  return text.append(is_known(kind, exact) ? judging(kind.form) : kJudgeNothing).append(kMain);
 }
 
 }  // namespace plumb::degenerate

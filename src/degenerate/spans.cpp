@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "degenerate/mesh_case.hpp"
+#include "plumb/arith/rational.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb::degenerate {
@@ -38,6 +39,32 @@ int spanned(std::span<const double> x) {
   return 2;
 }
 
+/// The same of any dimension: the rank of the differences, by elimination.
+int spanned_by_elimination(std::span<const double> x, std::size_t dimension) {
+  std::vector<std::vector<Rational>> rows;
+  for (std::size_t i = dimension; i < x.size(); i += dimension) {
+    std::vector<Rational>& row = rows.emplace_back();
+    for (std::size_t k = 0; k < dimension; ++k) row.push_back(Rational(x[i + k]) - Rational(x[k]));
+  }
+  std::size_t rank = 0;
+  for (std::size_t k = 0; k < dimension && rank < rows.size(); ++k) {
+    const auto pivot = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rank), rows.end(),
+                                    [k](const auto& row) { return row[k].sign() != Sign::zero; });
+    if (pivot == rows.end()) continue;
+    std::iter_swap(rows.begin() + static_cast<std::ptrdiff_t>(rank), pivot);
+    for (std::size_t i = rank + 1; i < rows.size(); ++i) {
+      const Rational times = rows[i][k] / rows[rank][k];
+      for (std::size_t j = k; j < dimension; ++j) rows[i][j] = rows[i][j] - times * rows[rank][j];
+    }
+    ++rank;
+  }
+  return static_cast<int>(rank);
+}
+
+int spanned_by_points(std::span<const double> x, std::size_t dimension) {
+  return dimension == 2 ? spanned<2>(x) : dimension == 3 ? spanned<3>(x) : spanned_by_elimination(x, dimension);
+}
+
 int spanned(const MeshCase& mesh, std::span<const std::array<std::size_t, 3>> triangles) {
   std::vector<double> corners;
   for (const auto& t : triangles) {
@@ -57,7 +84,7 @@ std::vector<Span> spans_of(const Kind& kind, std::span<const double> numbers) {
     const int most = static_cast<int>(std::min(f.dimension, (least > 0 ? least : f.count) - 1));
     switch (f.role) {
       case Role::points:
-        if (most > 0) all.push_back({std::min(f.dimension == 2 ? spanned<2>(x) : spanned<3>(x), most), most});
+        if (most > 0) all.push_back({std::min(spanned_by_points(x, f.dimension), most), most});
         break;
       case Role::vector:
         all.push_back({std::ranges::any_of(x, [](double c) { return c != 0; }) ? 1 : 0, 1});

@@ -1,7 +1,8 @@
 // How does a case look?  The points of its figures, and the edges and faces that name them.
 //
 // Laws: (1) points of the plane have z = 0; (2) what is rounded, the corners of oriented boxes and the tips of
-// directions, is finite; (3) every point of a case is there once, as the figures have it.
+// directions, is finite; (3) every point of at most three coordinates is there once, as the figures have it.  A
+// direction leads from the point before it in its argument; by itself it has no place, nor have lengths.
 // Source: none.
 // Cost: linear, and that of the exact answer where that is triangles.
 #pragma once
@@ -21,7 +22,7 @@ struct WireFigure {
   std::vector<std::size_t> dots = {};
   std::vector<std::array<std::size_t, 2>> edges = {};
   std::vector<std::vector<std::size_t>> faces = {};
-  bool directed = false;  // the edge is a ray, drawn as far as its direction
+  std::vector<std::array<std::size_t, 2>> arrows = {};  // from a point as far as its direction; the tip is no point
 };
 
 std::vector<WireFigure> wire_model(const Kind& kind, std::span<const double> numbers);

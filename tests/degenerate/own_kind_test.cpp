@@ -143,6 +143,12 @@ TEST(OwnKind, FindsNothingWhereNothingIsKnown) {
   EXPECT_TRUE(check(kind, Callable([](std::span<const double>) { return Answer(1.0); }), {.cases = 20}).clean());
 }
 
+std::vector<Argument> many(std::size_t count, const Argument& argument) {
+  std::vector<Argument> all(count, argument);
+  for (std::size_t i = 0; i < count; ++i) all[i].name += std::to_string(i);
+  return all;
+}
+
 TEST(OwnKind, IsRefusedWhereItCannotBeAsked) {
   const Exact no = [](std::span<const double>) { return Answer(0.0); };
   const auto refused = [](const OwnKind& own) -> std::string {
@@ -160,11 +166,9 @@ TEST(OwnKind, IsRefusedWhereItCannotBeAsked) {
   EXPECT_NE(refused({.name = "2d", .arguments = one, .exact = no}).find("of letters"), std::string::npos);
   EXPECT_NE(refused({.name = "n", .arguments = one, .exact = {}}).find("in `exact`"), std::string::npos);
   EXPECT_NE(refused({.name = "n", .arguments = {}, .exact = no}).find("0 arguments"), std::string::npos);
-  EXPECT_NE(refused({.name = "n", .arguments = std::vector<Argument>(13, one[0]), .exact = no}).find("1 to 12"),
+  EXPECT_NE(refused({.name = "n", .arguments = many(13, one[0]), .exact = no}).find("1 to 12"), std::string::npos);
+  EXPECT_NE(refused({.name = "n", .arguments = many(6, any_points("a", 2)), .exact = no}).find("1 to 5"),
             std::string::npos);
-  EXPECT_NE(
-      refused({.name = "n", .arguments = std::vector<Argument>(6, any_points("a", 2)), .exact = no}).find("1 to 5"),
-      std::string::npos);
   EXPECT_NE(refused({.name = "n", .arguments = {points("1a", 2)}, .exact = no}).find("no name for an argument"),
             std::string::npos);
   EXPECT_NE(
@@ -173,6 +177,94 @@ TEST(OwnKind, IsRefusedWhereItCannotBeAsked) {
   EXPECT_NE(
       refused({.name = "n", .arguments = {{"f", {{Role::frame, 3, 3}}}}, .exact = no}).find("generators of your own"),
       std::string::npos);
+}
+
+/// One argument, of which nothing is known but its parts.
+Kind of_parts(std::vector<Part> parts) {
+  return own_kind({.name = "parts",
+                   .arguments = {{"a", std::move(parts)}},
+                   .form = AnswerForm::yes_no,
+                   .exact = [](std::span<const double>) { return Answer(0.0); }});
+}
+
+TEST(OwnKind, IsWrittenAndDrawnOfWhateverParts) {
+  struct Case {
+    std::vector<Part> parts;
+    Numbers numbers;
+    std::string text, obj;
+  };
+  for (const Case& c : {
+           Case{{{Role::points, 2}, {Role::vector, 2}},
+                {1, 2, 3, 4},
+                "a = (1, 2) (3, 4)",
+                "o a\nv 1 2 0\nv 4 6 0\nl 1 2\n"},
+           Case{{{Role::points, 3}, {Role::extents, 1}}, {1, 2, 3, 4}, "a = (1, 2, 3) (4)", "o a\nv 1 2 3\np 1\n"},
+           Case{{{Role::points, 3, 2}, {Role::extents, 1}},
+                {0, 0, 0, 1, 1, 1, 4},
+                "a = (0, 0, 0) (1, 1, 1) (4)",
+                "o a\nv 0 0 0\nv 1 1 1\nl 1 2\n"},
+           Case{{{Role::corners, 2, 2}},
+                {0, 0, 2, 1},
+                "a = (0, 0) (2, 1)",
+                "o a\nv 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 1 0\nf 1 2 4 3\n"},
+           Case{{{Role::corners, 1, 2}}, {0, 2}, "a = (0) (2)", "o a\nv 0 0 0\nv 2 0 0\nl 1 2\n"},
+           Case{{{Role::points, 4}}, {1, 2, 3, 4}, "a = (1, 2, 3, 4)", "o a\n"},
+           Case{{{Role::vector, 3}}, {1, 2, 3}, "a = (1, 2, 3)", "o a\n"},
+       }) {
+    const Kind kind = of_parts(c.parts);
+    EXPECT_EQ(decimal_text(kind, c.numbers), c.text);
+    const std::string obj = obj_text(kind, c.numbers);
+    EXPECT_EQ(obj.substr(obj.find('\n') + 1), c.obj) << c.text;
+  }
+}
+
+TEST(OwnKind, IsAskedAndShrunkOfWhateverParts) {
+  for (const std::vector<Part>& parts : std::vector<std::vector<Part>>{{{Role::extents, 1}},
+                                                                       {{Role::extents, 3}},
+                                                                       {{Role::points, 1, 2}},
+                                                                       {{Role::points, 2}, {Role::points, 3, 2}},
+                                                                       {{Role::points, 9, 3}},
+                                                                       {{Role::vector, 4}}}) {
+    const Kind kind = of_parts(parts);
+    const Findings found = check(kind, [](std::span<const double>) { return Answer(1.0); }, {.cases = 60});
+    ASSERT_FALSE(found.clean());
+    for (const Finding& f : found.findings) EXPECT_EQ(flaw_of(kind, f.smallest), "") << f.generator;
+  }
+  // Of one dimension, and of four: three points of a line span less than others do.
+  EXPECT_FALSE(is_degenerate(of_parts({{Role::points, 1, 2}}), Numbers{0, 1}));
+  EXPECT_TRUE(is_degenerate(of_parts({{Role::points, 1, 2}}), Numbers{1, 1}));
+  const Kind triangle = of_parts({{Role::points, 4, 3}});
+  EXPECT_TRUE(is_degenerate(triangle, Numbers{0, 0, 0, 0, 1, 2, 3, 4, 2, 4, 6, 8}));
+  EXPECT_FALSE(is_degenerate(triangle, Numbers{0, 0, 0, 0, 1, 2, 3, 4, 2, 4, 6, 9}));
+}
+
+TEST(OwnKind, IsPastedWhereNobodyKnowsTheAnswer) {
+  for (const AnswerForm form : {AnswerForm::sign, AnswerForm::yes_no, AnswerForm::number}) {
+    const Kind kind = own_kind({.name = "open",
+                                .arguments = {points("max", 2), points("in", 2)},
+                                .form = form,
+                                .exact = [](std::span<const double>) { return Answer(std::nan("")); }});
+    const Numbers numbers{1, 2, 3, 4};
+    EXPECT_NE(cpp_text(kind, numbers, "f").find("  f(max, in);  // any answer will do\n"), std::string::npos);
+    const std::string script = python_text(kind, numbers, "f");
+    EXPECT_NE(script.find("EXACT = math.nan"), std::string::npos);
+    EXPECT_NE(script.find("def judge(given):\n    return \"right\"\n"), std::string::npos);
+    // Names that mean something else there.
+    EXPECT_NE(script.find("\nmax_ = "), std::string::npos);
+    EXPECT_NE(script.find("\nin_ = "), std::string::npos);
+  }
+}
+
+TEST(OwnKind, HasNamesThatCTakes) {
+  const auto named = [](const char* a, const char* b) {
+    return own_kind({.name = "k", .arguments = {points(a, 2), points(b, 2)}, .exact = [](std::span<const double>) {
+                       return Answer(0.0);
+                     }});
+  };
+  EXPECT_NO_THROW(named("a", "b"));
+  EXPECT_THROW(named("a", "a"), Error);
+  EXPECT_THROW(named("a", "new"), Error);
+  EXPECT_THROW(named("int", "b"), Error);
 }
 
 }  // namespace

@@ -141,25 +141,29 @@ struct Scene {
 
 Scene scene_of(const Kind& kind, const Numbers& numbers) {
   Scene scene;
-  for (const auto& argument : kind.arguments) scene.flat = scene.flat && argument.parts[0].dimension <= 2;
+  for (const degenerate::Argument& argument : kind.arguments) {
+    for (const degenerate::Part& part : argument.parts)
+      scene.flat = scene.flat && (part.dimension <= 2 || part.role == degenerate::Role::extents);
+  }
   std::size_t color = 0;
   bool points_alone = true;
   for (const WireFigure& f : wire_model(kind, numbers)) {
     const std::size_t first = scene.given.size();
-    const auto outline = [&](const auto& at, bool closed) {
-      Scene::Outline o{{}, color, closed, f.directed};
+    const auto outline = [&](const auto& at, bool closed, bool arrow = false) {
+      Scene::Outline o{{}, color, closed, arrow};
       for (const std::size_t i : at) o.at.push_back(first + i);
       scene.outlines.push_back(std::move(o));
     };
     for (const auto& face : f.faces) outline(face, true);
     for (const auto& edge : f.edges) outline(edge, false);
+    for (const auto& arrow : f.arrows) outline(arrow, false, true);
     for (std::size_t i = 0; i < f.points.size(); ++i) {
       const Place& p = f.points[i];
       scene.given.push_back(p);
       scene.exact.push_back({Rational(p[0]), Rational(p[1]), Rational(p[2])});
       scene.names.push_back(f.points.size() == 1 ? f.name : fmt::format("{}{}", f.name, i));
       scene.colors.push_back(color);
-      scene.tips.push_back(f.directed && i == 1);
+      scene.tips.push_back(std::ranges::any_of(f.arrows, [i](const auto& arrow) { return arrow[1] == i; }));
     }
     points_alone = points_alone && f.points.size() == 1;
     color = (color + 1) % 6;
