@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "degenerate/fields.hpp"
+#include "degenerate/words.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate/ulps.hpp"
@@ -57,20 +58,36 @@ double fitted(const Domain& d, double x) {
   return std::fabs(x) < d.smallest ? 0 : x;
 }
 
+/// The largest number in it but for its least magnitude: a multiple of the grid and of the last of its bits.
+double largest_in(const Domain& d) {
+  const int last_bit = highest_exponent(d.largest) - d.bits + 1;
+  const int exponent = d.grid > 0 ? std::max(last_bit, lowest_exponent(d.grid)) : last_bit;
+  return std::ldexp(std::trunc(std::ldexp(d.largest, -exponent)), exponent);
+}
+
 }  // namespace
 
-void require_sense(const Domain& d) {
-  const auto require = [](bool sense, std::string_view what) {
-    if (!sense) throw Error(std::string("domain: ").append(what));
-  };
-  const double least = std::max({d.smallest, d.grid, std::numeric_limits<double>::denorm_min()});
-  require(std::isfinite(d.largest) && d.largest > 0, "the largest magnitude must be a number above 0");
-  require(d.smallest >= 0 && d.grid >= 0, "the smallest magnitude and the grid must be 0 or more");
-  require(least <= d.largest,
-          "no number but 0 is in it: the smallest magnitude and the grid must not be beyond the largest");
-  require(d.grid == 0 || (std::isfinite(d.grid) && mantissa_length(d.grid) == 1),
-          "the grid must be a power of two, such as 0.125 or 1");
-  require(d.bits >= 1 && d.bits <= std::numeric_limits<double>::digits, "a mantissa has 1 to 53 bits");
+std::optional<DomainFlaw> flaw_of(const Domain& d) {
+  if (!(d.largest > 0) || !std::isfinite(d.largest)) return DomainFlaw{"largest", "a number above 0 is wanted"};
+  if (!(d.smallest >= 0) || !std::isfinite(d.smallest))
+    return DomainFlaw{"smallest", "0 or a number above it is wanted"};
+  if (d.grid != 0 && !(d.grid > 0 && std::isfinite(d.grid) && mantissa_length(d.grid) == 1))
+    return DomainFlaw{"grid", "a power of two is wanted, such as 0.125 or 1"};
+  if (d.bits < 1 || d.bits > std::numeric_limits<double>::digits)
+    return DomainFlaw{"bits", "a mantissa has 1 to 53 bits"};
+  const double most = largest_in(d);
+  if (most == 0) return DomainFlaw{"grid", "it is beyond the largest magnitude, so that there is no number but 0"};
+  if (most < d.smallest) {
+    return DomainFlaw{"smallest", std::string("there is no number but 0: ")
+                                      .append(decimal(most))
+                                      .append(" is the largest that the magnitude, the grid and the bits allow")};
+  }
+  return std::nullopt;
+}
+
+void require_sense(const Domain& domain) {
+  if (const auto flaw = flaw_of(domain))
+    throw Error(std::string("domain: ").append(flaw->member).append(": ").append(flaw->why));
 }
 
 bool is_in(const Domain& domain, const Kind& kind, std::span<const double> numbers) {

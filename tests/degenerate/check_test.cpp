@@ -178,9 +178,11 @@ TEST(Domain, KeepsWhatIsExactlyDegenerateWhereThereIsRoom) {
 }
 
 TEST(Domain, IsRefusedWhereItMakesNoSense) {
-  for (const Domain& d : {Domain{.largest = 0}, Domain{.largest = HUGE_VAL}, Domain{.largest = NAN},
-                          Domain{.largest = 1, .smallest = 2}, Domain{.smallest = -1}, Domain{.grid = 0.1},
-                          Domain{.largest = 1, .grid = 2}, Domain{.grid = NAN}, Domain{.bits = 0}, Domain{.bits = 54}})
+  for (const Domain& d :
+       {Domain{.largest = 0}, Domain{.largest = HUGE_VAL}, Domain{.largest = NAN}, Domain{.largest = 1, .smallest = 2},
+        Domain{.smallest = -1}, Domain{.smallest = NAN}, Domain{.largest = 7, .smallest = 5, .grid = 4},
+        Domain{.largest = 7, .smallest = 5, .bits = 1}, Domain{.grid = 0.1}, Domain{.largest = 1, .grid = 2},
+        Domain{.grid = NAN}, Domain{.bits = 0}, Domain{.bits = 54}})
     EXPECT_THROW(check(turns(), turns().exact, {.domain = d}), Error);
 }
 

@@ -261,7 +261,10 @@ TEST(FuzzCommand, RefusesWhatMakesNoSense) {
   const std::string naive = command("wrong", "naive_orient3d");
   expect_refusal(run("$PLUMB fuzz"), "--kind");
   expect_refusal(run("$PLUMB fuzz --kind orient3d --symbol f"), "--library");
-  expect_refusal(run(command("wrong", "naive_orient3d", "orient4d")), "orient3d");
+  expect_refusal(run(command("wrong", "naive_orient3d", "orient4d")),
+                 "--kind: there is no kind orient4d (did you mean orient");
+  expect_refusal(run("$PLUMB fuzz --list --kind trangle-triangle"), "(did you mean triangle-triangle?)");
+  expect_refusal(run(naive + "--answer sign"), "--argument");
   for (const char* words :
        {"--cases 0", "--cases -1", "--time 0", "--time nan", "--time 1e300", "--timeout 0", "--memory 0",
         "--relative -1", "--seed -1", "--generator odd", "--format odd", "--odd", "--case 'orient3d 1 2'",

@@ -98,7 +98,12 @@ TEST(FuzzConvention, IsDeclaredBySwitches) {
   EXPECT_THAT(run("$PLUMB fuzz --list").out,
               AllOf(HasSubstr("--boundary in|out|any"), HasSubstr("--ends closed|open|any")));
   expect_refusal(run(command("wrong", "naive_orient3d") + "--boundary out"),
-                 "boundaries make no difference to orient3d");
+                 "--boundary makes no difference to orient3d");
+  expect_refusal(run(command("wrong", "crossing_polygon", "point-in-polygon") + "--boundary out --judge " +
+                     module("wrong") + ":crossing_polygon"),
+                 "--boundary is for the judge to decide");
+  expect_refusal(run(command("wrong", "epsilon_triangles", "triangle-triangle") + "--ends open"),
+                 "--ends makes no difference to triangle-triangle");
   expect_refusal(run(command("wrong", "naive_orient3d") + "--ends odd"), "--ends");
 }
 
@@ -120,9 +125,13 @@ TEST(FuzzDomain, IsDeclaredBySwitchesAndKept) {
     }
     EXPECT_EQ(run("$PLUMB" + std::string(finding.at("again")).substr(5)).code, 1);
   }
-  for (const char* words : {"--range 0", "--range -1", "--range nan", "--grid 0.1", "--bits 0", "--bits 54",
-                            "--range 1 --smallest 2", "--range 0.25 --grid 1"})
-    expect_refusal(run(line + words), "domain: ");
+  using Refused = std::pair<const char*, const char*>;
+  for (const auto& [words, option] :
+       {Refused{"--range 0", "--range: "}, Refused{"--range -1", "--range: "}, Refused{"--range nan", "--range: "},
+        Refused{"--grid 0.1", "--grid: "}, Refused{"--bits 0", "--bits: "}, Refused{"--bits 54", "--bits: "},
+        Refused{"--range 1 --smallest 2", "--smallest: "}, Refused{"--range 0.25 --grid 1", "--grid: "},
+        Refused{"--range 7 --smallest 5 --grid 4", "--smallest: "}})
+    expect_refusal(run(line + words), option);
 }
 
 const std::string kSites =
@@ -158,6 +167,22 @@ TEST(FuzzOwnKind, IsRefusedWhereNobodyCanJudge) {
     expect_refusal(run(site + judge + "--argument " + word), "is no argument");
   expect_refusal(run(command("wrong", "nearer", "orient2d") + kSites + judge), "another name");
   expect_refusal(run(command("wrong", "hull_of_four", "hull") + judge), "many answers of hull are right");
+}
+
+TEST(FuzzOwnKind, HasConventionsOfTheJudgeAlone) {
+  const std::string judge = " --judge " + module("wrong") + ":nearer_exactly ";
+  expect_refusal(run(command("wrong", "nearer", "site") + kSites + judge + "--ends open"),
+                 "--ends is for the judge to decide");
+}
+
+/// A judge that does not tell where a ray hits leaves that to the function.
+TEST(FuzzOwnKind, IsNotHeldToWhatTheJudgeLeavesOpen) {
+  const std::string rays = command("wrong", "always_hit", "ray-triangle") + "--cases 30 --judge " + module("wrong");
+  EXPECT_EQ(run(rays + ":hit_without_parameter").code, 0);
+  const std::string one = " --case '0 0 0 0 0 1 0 0 1 1 0 0 0 0 0' --format python";
+  const Outcome o =
+      run(rays.substr(0, rays.find("--cases")) + "--judge " + module("wrong") + ":hit_without_parameter" + one);
+  EXPECT_THAT(o.out, HasSubstr("EXACT = \"yes\"")) << o.err;
 }
 
 TEST(FuzzOwnKind, IsEveryPredicateByName) {

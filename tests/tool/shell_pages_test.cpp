@@ -113,6 +113,7 @@ TEST(Completion, OfBashOffersWhatTheParserTakes) {
   EXPECT_THAT(offered({"plumb", "sign", "orient2"}), Contains("orient2d"));
   EXPECT_THAT(offered({"plumb", "help", "doc"}), ElementsAre("doctor"));
   EXPECT_THAT(offered({"plumb", "completion", ""}), ElementsAre("bash", "zsh", "fish"));
+  EXPECT_THAT(offered({"plumb", "fuzz", "--kind", "compare_distance2"}), ElementsAre("compare_distance2d"));
   EXPECT_THAT(offered({"plumb", "doctor", ""}), IsEmpty());
 }
 

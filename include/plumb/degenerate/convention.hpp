@@ -21,13 +21,9 @@ namespace plumb::degenerate {
 /// Throws Error where the convention makes no difference to the kind.
 Kind under(const Kind& kind, const Convention& convention);
 
-constexpr std::string_view name_of(Boundary boundary) {
-  constexpr std::array<std::string_view, 3> names = {"in", "out", "any"};
-  return names[static_cast<std::size_t>(boundary)];
-}
-constexpr std::string_view name_of(Ends ends) {
-  constexpr std::array<std::string_view, 3> names = {"closed", "open", "any"};
-  return names[static_cast<std::size_t>(ends)];
-}
+inline constexpr std::array<std::string_view, 3> boundary_names = {"in", "out", "any"},
+                                                 ends_names = {"closed", "open", "any"};
+constexpr std::string_view name_of(Boundary boundary) { return boundary_names[static_cast<std::size_t>(boundary)]; }
+constexpr std::string_view name_of(Ends ends) { return ends_names[static_cast<std::size_t>(ends)]; }
 
 }  // namespace plumb::degenerate

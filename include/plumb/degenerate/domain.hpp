@@ -12,6 +12,8 @@
 
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "plumb/degenerate/kind.hpp"
 
@@ -26,7 +28,14 @@ struct Domain {
   friend bool operator==(const Domain&, const Domain&) = default;
 };
 
-/// Throws Error where no number but 0 is in the domain, or it makes no sense: bounds out of order, no power of two.
+/// What makes no sense of a domain: one of its members, by name, and why.
+struct DomainFlaw {
+  std::string_view member;
+  std::string why;
+};
+/// Bounds that are none, a grid that is no power of two, and where no number but 0 is in the domain.
+std::optional<DomainFlaw> flaw_of(const Domain& domain);
+/// Throws Error where there is one.
 void require_sense(const Domain& domain);
 
 bool is_in(const Domain& domain, const Kind& kind, std::span<const double> numbers);

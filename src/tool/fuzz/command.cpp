@@ -16,6 +16,7 @@
 #include "tool/fuzz/foreign_judge.hpp"
 #include "tool/fuzz/own_arguments.hpp"
 #include "tool/fuzz/report.hpp"
+#include "tool/terminal/suggestion.hpp"
 #include "tool/terminal/terminal.hpp"
 #include "tool/terminal/write_folder.hpp"
 
@@ -31,6 +32,15 @@ constexpr std::size_t kSorts = 12;      // of failure that are kept of a generat
 constexpr double kLongest = 1e9;        // seconds; thirty years
 constexpr std::uint64_t kMostCases = 1ull << 53;
 
+/// One of those there are.
+const Kind& kind_called(const std::string& name) {
+  if (const Kind* const kind = degenerate::find_kind(name)) return *kind;
+  throw Error(
+      fmt::format("fuzz: --kind: there is no kind {}{}; 'plumb fuzz --list' names those there are, and "
+                  "--argument makes one of your own",
+                  printable(name), suggestion(name, kind_names())));
+}
+
 void list(const Kind& kind, const Style& style) {
   say(fmt::format("{}: {}\n  {};\n  {}\n", style.bold(kind.name), kind.question, kind.signature, kind.convention));
   std::string switches;
@@ -44,7 +54,7 @@ int list(const FuzzOptions& options) {
   const Style style(stdout);
   if (options.kind.empty()) {
     for (const Kind& kind : degenerate::kinds()) list(kind, style);
-    say(fmt::format("\nThe sign of any predicate is a kind too, by its name:"));
+    say("\nThe sign of any predicate is a kind too, by its name:");
     std::size_t column = 80;
     for (const Kind& kind : degenerate::predicate_kinds()) {
       if (column + kind.name.size() + 1 > 78) say("\n "), column = 1;
@@ -54,7 +64,7 @@ int list(const FuzzOptions& options) {
     say("\n");
     return 0;
   }
-  const Kind& kind = degenerate::kind_named(options.kind);
+  const Kind& kind = kind_called(options.kind);
   list(kind, style);
   say("\n");
   std::size_t width = degenerate::mutated_generator.size();
@@ -82,20 +92,27 @@ void require_sense(const FuzzOptions& o) {
   if (o.relative) require_between(*o.relative, 0, 1, "--relative");
   require_between(o.timeout, 1e-3, 1e6, "--timeout");
   require_between(static_cast<double>(o.memory_mib), 1, 1 << 20, "--memory");
-  require_sense(o.domain);
+  if (const auto flaw = flaw_of(o.domain))
+    throw Error(fmt::format("fuzz: --{}: {}", flaw->member == "largest" ? "range" : flaw->member, flaw->why));
 }
 
-template <class Choice>
-Choice choice_of(std::string_view name) {
-  using enum_type = std::underlying_type_t<Choice>;
-  for (enum_type i = 0; i < 3; ++i) {
-    if (name_of(static_cast<Choice>(i)) == name) return static_cast<Choice>(i);
-  }
-  throw Error(fmt::format("fuzz: there is no convention {}; 'plumb fuzz --help' names those there are", name));
-}
-
-degenerate::Convention convention_of(const FuzzOptions& o) {
-  return {choice_of<degenerate::Boundary>(o.boundary), choice_of<degenerate::Ends>(o.ends)};
+/// The kind under what the switches declare; one that makes no difference to it is refused.
+Kind as_declared(const Kind& kind, const FuzzOptions& o) {
+  const auto place = [](const auto& names, std::string_view name) {
+    return std::ranges::find(names, name) - names.begin();  // the parser lets no other name through
+  };
+  const degenerate::Convention declared{
+      static_cast<degenerate::Boundary>(place(degenerate::boundary_names, o.boundary)),
+      static_cast<degenerate::Ends>(place(degenerate::ends_names, o.ends))};
+  const auto require = [&](bool difference, std::string_view option) {
+    if (difference) return;
+    throw Error(fmt::format("fuzz: {} {}; leave it out", option,
+                            o.judge ? "is for the judge to decide" : "makes no difference to " + kind.name));
+  };
+  const degenerate::Convention standard;
+  require(kind.has_boundary || declared.boundary == standard.boundary, "--boundary");
+  require(kind.has_ends || declared.ends == standard.ends, "--ends");
+  return under(kind, declared);
 }
 
 /// FILE and SYMBOL.
@@ -121,11 +138,11 @@ Kind own_kind_of(const FuzzOptions& o, const ForeignLimits& limits) {
 }
 
 Kind kind_of(const FuzzOptions& o, const ForeignLimits& limits) {
-  if (!o.arguments.empty()) return own_kind_of(o, limits);
-  const Kind& kind = degenerate::kind_named(o.kind);
-  if (!o.judge) return under(kind, convention_of(o));
+  if (!o.arguments.empty()) return as_declared(own_kind_of(o, limits), o);
+  const Kind& kind = kind_called(o.kind);
+  if (!o.judge) return as_declared(kind, o);
   const auto [library, symbol] = split_judge(*o.judge);
-  return under(judged_by(kind, library, symbol, o.memory_mib, limits), convention_of(o));
+  return as_declared(judged_by(kind, library, symbol, o.memory_mib, limits), o);
 }
 
 /// The line's case; the kind's name before the numbers may be left out.
@@ -209,6 +226,14 @@ int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std:
 }
 
 }  // namespace
+
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const std::span<const Kind> all : {degenerate::kinds(), degenerate::predicate_kinds()}) {
+    for (const Kind& kind : all) names.push_back(kind.name);
+  }
+  return names;
+}
 
 int run_fuzz(const FuzzOptions& options) {
   if (options.list) return list(options);

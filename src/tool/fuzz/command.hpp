@@ -11,6 +11,9 @@
 
 namespace plumb::tool {
 
+/// All that --kind may be but a kind of the user's own, in the order of --list.
+std::vector<std::string> kind_names();
+
 int run_fuzz(const FuzzOptions& options);
 
 }  // namespace plumb::tool

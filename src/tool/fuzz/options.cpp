@@ -1,4 +1,4 @@
-#include "plumb/query/kinds/kinds.hpp"
+#include "plumb/degenerate/convention.hpp"
 #include "tool/fuzz/command.hpp"
 #include "tool/manual/command.hpp"
 
@@ -11,6 +11,9 @@ Command fuzz_command(CLI::App& program) {
       program.add_subcommand("fuzz", "Find inputs on which a function of another library is wrong.");
   const auto repeatable = [parser](const char* name, std::vector<std::string>& values, const char* about) {
     return parser->add_option(name, values, about)->allow_extra_args(false)->type_name("NAME");
+  };
+  const auto one_of = [](const auto& names) {
+    return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
   };
   parser->add_option("--kind", o.kind, "What the function is asked; --list tells the kinds.")->type_name("KIND");
   parser->add_option("--library", o.library, "The shared library that holds the function.")->type_name("FILE");
@@ -38,10 +41,10 @@ Command fuzz_command(CLI::App& program) {
   parser->add_option("--relative", o.relative, "Of numbers, allow so much of the case's largest coordinate.")
       ->type_name("X");
   parser->add_option("--boundary", o.boundary, "Figures with their boundaries (in), without (out), or either (any).")
-      ->check(CLI::IsMember({"in", "out", "any"}))
+      ->check(one_of(degenerate::boundary_names))
       ->type_name("WHICH");
   parser->add_option("--ends", o.ends, "Segments with their ends, rays with their origins: closed, open or any.")
-      ->check(CLI::IsMember({"closed", "open", "any"}))
+      ->check(one_of(degenerate::ends_names))
       ->type_name("WHICH");
   parser->add_flag("!--no-degenerate", o.domain.degenerate, "Ask no case that is degenerate.");
   parser->add_option("--range", o.domain.largest, "Ask no number of a larger magnitude.")->type_name("X");
@@ -55,19 +58,15 @@ Command fuzz_command(CLI::App& program) {
       ->type_name("NAME:WHAT");
   parser->add_option("--answer", o.answer, "Of a kind of your own: sign, yes-no or number; sign when not given.")
       ->check(CLI::IsMember({"sign", "yes-no", "number"}))
-      ->type_name("FORM");
+      ->type_name("FORM")
+      ->needs("--argument");
   parser->add_option("--timeout", o.timeout, "A call that takes longer hangs; 1 when not given.")->type_name("SECONDS");
   parser->add_option("--memory", o.memory_mib, "What the function may take; 1024 when not given.")
       ->check(CLI::NonNegativeNumber)
       ->type_name("MIB");
   for (const char* const of_many : {"--cases", "--time", "--generator", "--corpus", "--out"})
     one_case->excludes(parser->get_option(of_many));
-  const auto kinds = [] {
-    std::vector<std::string> names;
-    for (const degenerate::Kind& kind : degenerate::kinds()) names.emplace_back(kind.name);
-    return names;
-  };
-  return {parser, fuzz_manual, [options] { return run_fuzz(*options); }, nullptr, {{"--kind", kinds}}};
+  return {parser, fuzz_manual, [options] { return run_fuzz(*options); }, nullptr, {{"--kind", kind_names}}};
 }
 
 }  // namespace plumb::tool
