@@ -13,7 +13,8 @@ namespace plumb::tool {
 inline std::string browser(const Folder& folder, const std::string& url) {
   return "HOME=" + (folder / "home") +
          " timeout 120 \"$(command -v chromium-headless-shell || command -v chromium)\" --headless --no-sandbox" +
-         " --disable-gpu --enable-logging=stderr --user-data-dir=" + (folder / "profile") + " --dump-dom " + url;
+         " --disable-gpu --window-size=1200,900 --enable-logging=stderr --user-data-dir=" + (folder / "profile") +
+         " --dump-dom " + url;
 }
 
 /// Whether there is one that starts here; says so where there is none (it does not start without /proc).

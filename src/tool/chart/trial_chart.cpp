@@ -2,13 +2,15 @@
 
 #include "tool/chart/trial_report.hpp"
 #include "tool/drawing/chart.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {
 
 std::string hint_of(const trial::Score& s, trial::AnswerKind kind) {
-  std::string hint = fmt::format("{}: {} of {} wrong, {} unsure, {} inconsistent; {:.3g} ns, {:.3g} allocations",
-                                 s.method, s.wrong, s.asked, s.unsure, s.inconsistent, s.ns, s.allocations);
+  std::string hint =
+      fmt::format("{}: {} of {} wrong, {} unsure, {} inconsistent; {} ns, {} allocations", s.method, s.wrong, s.asked,
+                  s.unsure, s.inconsistent, three_digits(s.ns), three_digits(s.allocations));
   if (kind == trial::AnswerKind::number)
     hint += fmt::format("; off by {:.3g} ulps in the mean, {:.3g} at most", s.mean_ulps, s.largest_ulps);
   return hint;

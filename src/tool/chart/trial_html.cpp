@@ -7,6 +7,7 @@
 #include "tool/chart/trial_report.hpp"
 #include "tool/drawing/chart.hpp"
 #include "tool/drawing/report_page.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -32,9 +33,8 @@ std::string table(const trial::Trial& t) {
       number ? "<th scope=\"col\">mean ulps</th><th scope=\"col\">most ulps</th>" : "");
   for (const trial::Score& s : t.scores) {
     text += fmt::format(
-        "<tr data-key=\"{0}\"><td>{0}</td><td>{1}</td><td>{2}</td><td>{3}</td><td>{4}</td><td>{5:.3g}</td>"
-        "<td>{6:.3g}</td>",
-        escaped(s.method), s.wrong, s.unsure, s.inconsistent, s.asked, s.ns, s.allocations);
+        "<tr data-key=\"{0}\"><td>{0}</td><td>{1}</td><td>{2}</td><td>{3}</td><td>{4}</td><td>{5}</td><td>{6}</td>",
+        escaped(s.method), s.wrong, s.unsure, s.inconsistent, s.asked, three_digits(s.ns), three_digits(s.allocations));
     if (number) text += fmt::format("<td>{:.3g}</td><td>{:.3g}</td>", s.mean_ulps, s.largest_ulps);
     text += "</tr>\n";
   }
@@ -52,8 +52,8 @@ std::string trials_html(std::span<const trial::Trial> trials, const nlohmann::js
       fmt::format("{} cases a class, seed {}", raw.at("cases").get<std::uint64_t>(),
                   raw.at("seed").get<std::uint64_t>()),
       "The summary tells of each task and method how often it is wrong at the worst, and how long it takes. Below, "
-      "each "
-      "chart holds the methods against each other on one class of inputs; charts without a wrong answer are folded. "
+      "each chart holds the methods against each other on one class of inputs; charts without a wrong answer are "
+      "folded. "
       "What is never wrong stands in the band marked 0; a faint mark does not answer every question; the "
       "dashed line joins the methods that none beats in both. Point at a mark, or move to it by the tabulator, for its "
       "figures.",
@@ -68,7 +68,7 @@ std::string trials_html(std::span<const trial::Trial> trials, const nlohmann::js
     return names;
   });
   page.filters.push_back({"method", "Methods", methods});
-  page.body = trials_summary(trials, tasks, methods);
+  page.opening = trials_summary(trials, tasks, methods);
   for (const std::string& task : tasks) {
     std::string question, wrong, right, names;
     std::size_t folded = 0;

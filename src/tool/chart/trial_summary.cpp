@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "tool/chart/trial_report.hpp"
-#include "tool/check/verdict.hpp"
 #include "tool/drawing/chart.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -35,14 +35,13 @@ std::string cell(const std::string& method, const std::vector<Seen>& seen) {
   const bool unsure = std::ranges::any_of(seen, [](const Seen& s) { return s.score->unsure > 0; });
   const std::string worst_of =
       wrong ? fmt::format("on {} {} of {} wrong", worst.trial->input, w.wrong, w.asked) : "never wrong";
-  return fmt::format(
-      "<td data-key=\"{}\" title=\"{}: {}{}; {:.3g} to {:.3g} ns\"><span{}>{}</span><br><small>{:.3g} ns</small></td>",
-      escaped(method), escaped(method), escaped(worst_of), unsure ? "; not always sure" : "", least, most,
-      wrong ? " class=\"fails\"" : "",
-      wrong    ? percent(w.wrong, w.asked)
-      : unsure ? "0, or unsure"
-               : "0",
-      median(times));
+  return fmt::format("<td data-key=\"{}\" title=\"{}: {}{}; {} to {} ns\"><span{}>{}</span><br><small>{}</small></td>",
+                     escaped(method), escaped(method), escaped(worst_of), unsure ? "; not always sure" : "",
+                     three_digits(least), three_digits(most), wrong ? " class=\"fails\"" : "",
+                     wrong    ? percent(w.wrong, w.asked)
+                     : unsure ? "0 or ?"
+                              : "0",
+                     three_digits(median(times)));
 }
 
 }  // namespace
@@ -54,11 +53,14 @@ bool is_all_right(const Trial& t) {
 std::string trials_summary(std::span<const Trial> trials, std::span<const std::string> tasks,
                            std::span<const std::string> methods) {
   std::string html =
-      "<section>\n<h2>Summary</h2>\n<article>\n<p>The worst share of wrong answers over all classes of inputs, and the "
-      "median time of a question; a cell says on which class, and how the times differ.</p>\n"
-      "<div class=\"counts\"><table class=\"summary\">\n<tr><th scope=\"col\">task</th>";
+      "<section>\n<h2>Summary</h2>\n<article class=\"wide\">\n<p>The worst share of wrong answers over all classes of "
+      "inputs, and the "
+      "median time of a question in ns; ?: not always sure. Point at a cell for the class that is worst, and for how "
+      "the "
+      "times differ.</p>\n"
+      "<div class=\"counts\"><table class=\"summary\">\n<thead><tr><th scope=\"col\">task</th>";
   for (const std::string& m : methods) html += fmt::format("<th scope=\"col\" data-key=\"{0}\">{0}</th>", escaped(m));
-  html += "</tr>\n";
+  html += "</tr></thead>\n";
   for (const std::string& task : tasks) {
     html += fmt::format("<tr data-task=\"{0}\"><th scope=\"row\"><a href=\"#{0}\">{0}</a></th>", escaped(task));
     for (const std::string& method : methods) {

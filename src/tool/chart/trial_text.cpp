@@ -1,20 +1,15 @@
 #include <fmt/format.h>
 
 #include "tool/chart/trial_report.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {
 
-std::string percent(const trial::Score& s, std::uint64_t count) {
-  if (count == 0) return "0";
-  const double p = 100 * s.share(count);
-  return p < 0.1 ? fmt::format("{:.1g}%", p) : fmt::format("{:.1f}%", p);
-}
-
 std::string row(const trial::Score& s, trial::AnswerKind kind, const Style& style) {
-  std::string line =
-      fmt::format("  {:<16}{:>9}{:>9}{:>14}{:>11}{:>12}", s.method, percent(s, s.wrong), percent(s, s.unsure),
-                  percent(s, s.inconsistent), fmt::format("{:.3g}", s.ns), fmt::format("{:.3g}", s.allocations));
+  std::string line = fmt::format("  {:<16}{:>9}{:>9}{:>14}{:>11}{:>12}", s.method, percent(s.wrong, s.asked),
+                                 percent(s.unsure, s.asked), percent(s.inconsistent, s.asked), three_digits(s.ns),
+                                 three_digits(s.allocations));
   if (kind == trial::AnswerKind::number) line += fmt::format("{:>12.3g}{:>12.3g}", s.mean_ulps, s.largest_ulps);
   line += "\n";
   return s.wrong != 0 ? style.red(line) : s.unsure == 0 ? style.green(line) : line;

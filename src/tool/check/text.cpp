@@ -8,6 +8,7 @@
 #include "tool/check/report.hpp"
 #include "tool/check/verdict.hpp"
 #include "tool/mesh/load_text.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {

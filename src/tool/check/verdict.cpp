@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumb/certify/catalog.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -49,22 +50,6 @@ std::string wrong_predicates(const MeshCheck& c, std::size_t method) {
 }
 
 }  // namespace
-
-std::string grouped(std::uint64_t n) {
-  std::string s = std::to_string(n);
-  for (std::size_t i = s.size(); i > 3;) s.insert(i -= 3, 1, ',');
-  return s;
-}
-
-std::string plural(std::uint64_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", grouped(n), n == 1 ? one : many);
-}
-
-std::string percent(std::uint64_t part, std::uint64_t whole) {
-  if (part == 0 || whole == 0) return std::string(1, '0');
-  const double p = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  return p < 0.01 ? fmt::format("{:.1e}%", p) : fmt::format("{:.3g}%", p);
-}
 
 std::string mesh_verdict(const MeshCheck& c) {
   std::vector<std::string> said;

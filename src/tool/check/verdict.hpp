@@ -22,11 +22,4 @@ std::string float_verdict(const MeshCheck& check);
 /// "weld the repeated vertices; ...; take signs exactly, ...".
 std::string advice(const MeshCheck& check);
 
-/// 1,234,567
-std::string grouped(std::uint64_t n);
-/// "1 vertex", "2 vertices".
-std::string plural(std::uint64_t n, std::string_view one, std::string_view many);
-/// "0.13%", "2.0e-04%", "0".
-std::string percent(std::uint64_t part, std::uint64_t whole);
-
 }  // namespace plumb::tool

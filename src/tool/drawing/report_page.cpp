@@ -34,7 +34,11 @@ constexpr std::string_view kStyle = R"(<style>
   details { padding: 4px 16px 8px; background: var(--soft); border-top: 1px solid var(--line); }
   details div { overflow-x: auto; }
   .fold { border: 1px solid var(--line); border-radius: 6px; margin: 16px 0; } .fold article { background: var(--paper); }
-  .summary { white-space: nowrap; font-size: 13px; } .summary th, .summary td { vertical-align: top; padding-right: 8px; }
+  .wide { width: min(96vw, 1500px); position: relative; left: 50%; transform: translateX(-50%); }
+  .summary { font-size: 12px; line-height: 1.35; width: 100%; } .summary th, .summary td { vertical-align: top; padding-right: 7px; }
+  .summary td, .summary small { white-space: nowrap; font-size: inherit; }
+  .summary thead th { vertical-align: bottom; }
+  .summary thead th:not(:first-child) { writing-mode: vertical-rl; transform: rotate(180deg); padding: 0 0 4px; text-align: left; }
   .summary tr > :first-child { position: sticky; left: 0; background: var(--paper); }
   .drawn { stroke: currentColor; stroke-width: 1.5; stroke-linejoin: round; }
   small { color: var(--muted); } a { color: inherit; }
@@ -140,6 +144,7 @@ std::string report_page(const ReportPage& page, const nlohmann::json& raw) {
       fmt::format("</head>\n<body>\n<h1>{}</h1>\n<p class=\"about\">plumb {}, {} ({}), on {}, {}; {}</p>\n<p>{}</p>\n",
                   escaped(page.heading), text_of("version"), text_of("compiler"), text_of("flags"), text_of("machine"),
                   text_of("date"), escaped(page.settings), escaped(page.introduction));
+  html += page.opening;
   for (const PageFilter& filter : page.filters) html += fieldset(filter);
   html += page.body;
   std::string data = raw.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -26,7 +26,8 @@ struct ReportPage {
   std::string settings;      // how it was asked for: "8192 cases a class, seed 2026"
   std::string introduction;  // how the page is to be read
   std::vector<PageFilter> filters;
-  std::string body;  // HTML; the other texts are plain
+  std::string body;          // HTML, as is
+  std::string opening = {};  // what stands before the filters; the other texts are plain
 };
 
 /// `raw` was begun by origin_json.

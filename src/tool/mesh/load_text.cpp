@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tool/check/verdict.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 

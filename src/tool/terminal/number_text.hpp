@@ -1,0 +1,21 @@
+// How are counts, shares and times written for readers?  With as many digits as they need.
+//
+// Source: none; cost: none.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace plumb::tool {
+
+/// 1,234,567
+std::string grouped(std::uint64_t n);
+/// "1 vertex", "2 vertices".
+std::string plural(std::uint64_t n, std::string_view one, std::string_view many);
+/// "0.13%", "2.0e-04%", "0".
+std::string percent(std::uint64_t part, std::uint64_t whole);
+/// Three digits that count: "0.0123", "8.3", "317", "1,150", "2,340,000".  `x` is not negative.
+std::string three_digits(double x);
+
+}  // namespace plumb::tool
