@@ -66,6 +66,13 @@ TEST(Progress, IsSilentWhereNotShownAndOnShortWork) {
   EXPECT_EQ(content(folder / "bar"), "");
 }
 
+TEST(Progress, IsSilentWhereTheTerminalObeysNoEscapes) {
+  const std::string long_run = "$PLUMB chart --quick --task hull-3d >/dev/null";
+  EXPECT_THAT(run_on_terminal("NO_COLOR=1 " + long_run).out, AllOf(HasSubstr(" %  chart"), Not(HasSubstr("\033[3"))));
+  EXPECT_EQ(run_on_terminal("TERM=dumb " + long_run).out, "");
+  EXPECT_EQ(run_on_terminal("unset TERM; " + long_run).out, "");
+}
+
 TEST(Progress, SurvivesMoreStepsThanAnnounced) {
   const Folder folder;
   std::FILE* const stream = std::fopen((folder / "bar").c_str(), "w");

@@ -48,7 +48,9 @@ there is, its answers are the right ones; a kind of your own has
 t:point3x3 (three points), poly:points2+3 (any number, three at least,
 whose count follows), d:vector3, b:box3, r:length, ray:point3,vector3,
 and --answer sign, yes-no or number. Where a judge answers NaN, nothing
-is wrong; where it crashes, hangs or exits, the run ends.
+is wrong; where it crashes, hangs or exits, the run ends. Its points are
+hard ones, and degenerate together; frames of boxes and meshes are made
+for the kinds alone that are listed.
 
 With --corpus DIR the cases in that folder are asked first, also as
 starting points of changed ones, and the simplest case of each finding
@@ -84,7 +86,10 @@ replaced.)"}},
            {"ENVIRONMENT", R"(
 NO_COLOR
        When set to anything, no colors. Without it, colors are used only
-       where the output is a terminal.)"},
+       where the output is a terminal. The progress has none, and stays.
+TERM
+       Where it is not set, or is "dumb": neither colors nor progress,
+       which is otherwise shown while standard error is a terminal.)"},
            {"EXAMPLES", R"(
 plumb fuzz --list
        Which kinds of functions there are, and their signatures in C.

@@ -16,7 +16,7 @@ constexpr int kBar = 30;
 }  // namespace
 
 Progress::Progress(std::string task, std::uint64_t total)
-    : Progress(std::move(task), total, stderr, is_terminal(stderr) && !is_quiet()) {}
+    : Progress(std::move(task), total, stderr, obeys_escapes(stderr) && !is_quiet()) {}
 
 // The first drawing waits as well: what ends sooner needs no bar.
 Progress::Progress(std::string task, std::uint64_t total, std::FILE* stream, bool shown)

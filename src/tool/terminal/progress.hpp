@@ -1,7 +1,7 @@
 // How far is the work?  A bar on standard error while a long task runs, gone when it ends.
 //
 // Laws: (1) any number of threads may advance it; (2) it is drawn at most ten times a second, by whichever thread comes
-// by, and nobody waits for the drawing; (3) on a stream that is no terminal nothing is ever written; (4) its line is
+// by, and nobody waits for the drawing; (3) on a stream that obeys no escapes (terminal.hpp) nothing is ever written; (4) its line is
 // erased when it ends, however it ends.
 // Source: none.
 // Cost: an atomic addition and a look at the clock an advance, so advance by chunks.
@@ -18,7 +18,7 @@ namespace plumb::tool {
 
 class Progress {
  public:
-  /// On standard error, when that is a terminal.
+  /// On standard error, where that shows it.
   Progress(std::string task, std::uint64_t total);
   /// On this stream, when `shown`.
   Progress(std::string task, std::uint64_t total, std::FILE* stream, bool shown);

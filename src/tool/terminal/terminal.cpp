@@ -24,14 +24,16 @@ void fail_output(int error) {
 
 bool wants_color(std::FILE* stream) {
   const char* no_color = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
-  const char* term = std::getenv("TERM");          // NOLINT(concurrency-mt-unsafe)
   const bool refused = no_color != nullptr && *no_color != '\0';
-  return !colorless && !refused && term != nullptr && std::string_view(term) != "dumb" && is_terminal(stream);
+  return !colorless && !refused && obeys_escapes(stream);
 }
 
 }  // namespace
 
-bool is_terminal(std::FILE* stream) { return ::isatty(::fileno(stream)) == 1; }
+bool obeys_escapes(std::FILE* stream) {
+  const char* term = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
+  return term != nullptr && std::string_view(term) != "dumb" && ::isatty(::fileno(stream)) == 1;
+}
 
 int terminal_width(std::FILE* stream) {
   winsize size{};

@@ -1,7 +1,7 @@
 // How does the program speak?  Colors where a terminal shows them, and output that is known to have arrived.
 //
-// Laws: (1) no escape sequence reaches a stream that is no terminal, nor any stream when NO_COLOR is set to something
-// (no-color.org) or TERM is "dumb"; (2) a full disk or a closed stream is an Error, never a silent success; a
+// Laws: (1) no escape sequence reaches a stream that is no terminal, nor any stream when TERM is "dumb" or not set, and
+// no color any stream when NO_COLOR is set to something (no-color.org); (2) a full disk or a closed stream is an Error, never a silent success; a
 // reader that left ends the run quietly.
 // Source: none.
 // Cost: one system call a stream.
@@ -13,7 +13,8 @@
 
 namespace plumb::tool {
 
-bool is_terminal(std::FILE* stream);
+/// It is a terminal, and TERM is set, to another than "dumb".
+bool obeys_escapes(std::FILE* stream);
 
 /// Columns of the terminal that shows the stream; 80 where it does not say.
 int terminal_width(std::FILE* stream);
