@@ -100,18 +100,25 @@ constexpr Sign decide_here(const Coordinates<F>& p, Recorder&& recorder) {
 // Functions for users that ask for one sign are templates (template <int = 0>): a compiler derives the filter of those
 // that are called, and of no others.
 
-/// The sign of F at p.  The recorder is told which stage decided.  Code that is not optimized calls the library where
-/// that has the formula, and so is no slower than a call; the answers are the same.
+// Code that is not optimized calls the library where that has the formula, and so is no slower than a call.  Its decide
+// is a function of its own for the linker, as that which looks at the thread (checked.hpp); the answers are the same.
+#if !defined(__OPTIMIZE__) && !defined(PLUMB_CHECKED)
+#define PLUMB_CALLS_LIBRARY 1
+#define PLUMB_DECIDES [[gnu::abi_tag("called")]]
+#else
+#define PLUMB_CALLS_LIBRARY 0
+#define PLUMB_DECIDES PLUMB_CHECKABLE
+#endif
+
+/// The sign of F at p.  The recorder is told which stage decided.
 template <Formula F, class Recorder = NoRecorder>
-PLUMB_CHECKABLE constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
+PLUMB_DECIDES constexpr Sign decide(const Coordinates<F>& p, Recorder&& recorder = {}) {
   static_assert(is_polynomial<F>());
   static_assert(use_all_coordinates<F>());
   assert_sound_thread();
-#if !defined(__OPTIMIZE__) && !defined(PLUMB_CHECKED)
-  if constexpr (in_library<F> && std::is_same_v<Recorder, NoRecorder>) {
+  if constexpr (PLUMB_CALLS_LIBRARY && in_library<F> && std::is_same_v<Recorder, NoRecorder>) {
     if (!std::is_constant_evaluated()) return decide_in_library<F>(p);
   }
-#endif
   return decide_here<F>(p, recorder);
 }
 
@@ -123,5 +130,8 @@ requires(!Formula<F>) Sign decide(Given&&...) {
                 "lambda is asked by sign_of");
   return Sign::zero;
 }
+
+#undef PLUMB_CALLS_LIBRARY
+#undef PLUMB_DECIDES
 
 }  // namespace plumb

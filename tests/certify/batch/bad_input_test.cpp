@@ -1,7 +1,7 @@
 // What do batches refuse, and by which name?  Laws 2 and 3 of certify/batch.hpp, law 2 of certify/side.hpp.
 #include <limits>
 
-#include "certify/batch/cases.hpp"
+#include "certify/batch/batch_cases.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb::batches {

@@ -1,7 +1,7 @@
 // Do batches tell the signs that the predicates tell one by one?  Laws 1 and 4 of certify/batch.hpp.
 #include <cstdlib>
 
-#include "certify/batch/cases.hpp"
+#include "certify/batch/batch_cases.hpp"
 
 namespace plumb::batches {
 namespace {

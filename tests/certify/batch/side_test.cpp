@@ -1,7 +1,7 @@
 // Does one line, plane, circle or sphere tell of every point what the predicate tells?  The laws of certify/side.hpp.
 #include <cmath>
 
-#include "certify/batch/cases.hpp"
+#include "certify/batch/batch_cases.hpp"
 #include "plumb/arith/big.hpp"
 
 namespace plumb::batches {

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "certify/argument_cases.hpp"
-#include "certify/batch/cases.hpp"
+#include "certify/batch/batch_cases.hpp"
 #include "certify/sanitized.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
