@@ -1,45 +1,56 @@
-// The face of questions about two figures: everything in plumb/query/.
+// The face of questions about two figures: whether, what in common, how near, what first, and when?
 //
-// Whether they meet (overlap.hpp), what they have in common (intersection.hpp), how near they are and where
-// (closest.hpp), what a ray hits first (ray.hpp), when they meet on their way (translating_contact.hpp,
-// continuous_contact.hpp, interval_halving.hpp).
-// Source: RTCD 2.3.
+// Answers are exact; where a number is given it is the true one, rounded once.  Which pairs a question takes is a table
+// (query/body/pairs.hpp), and docs/overlap.md, closest.md, intersection.md, rays.md and motion.md print it.
+// Apart: kinds of questions, on which other people's functions are tried (query/kinds/kinds.hpp).
+// Source: RTCD 2.3, 5.
 #pragma once
 
-#include "plumb/arith/exact_distance.hpp"
-#include "plumb/arith/root.hpp"
+// Do they meet?  relate, intersects
+#include "plumb/query/overlap/batch.hpp"          // one against many
+#include "plumb/query/overlap/box.hpp"            // boxes in space with what is straight
+#include "plumb/query/overlap/cylinder_cone.hpp"  // cylinders, cones
+#include "plumb/query/overlap/lattice2.hpp"       // integers of a lattice, in a plan's arithmetic
+#include "plumb/query/overlap/overlap.hpp"        // all pairs
+#include "plumb/query/overlap/overlap2.hpp"       // in the plane
+#include "plumb/query/overlap/plane.hpp"          // planes and halfspaces
+#include "plumb/query/overlap/round.hpp"          // balls, capsules, lozenges
+#include "plumb/query/overlap/round2.hpp"         // disks and capsules of the plane
+#include "plumb/query/overlap/triangle.hpp"       // triangles in space
+
+// What have they in common?  intersection
+#include "plumb/certify/exact_point.hpp"                // a corner as it is
+#include "plumb/query/section/intersection.hpp"         // in space
+#include "plumb/query/section/intersection2.hpp"        // in the plane
+#include "plumb/query/section/intersection_result.hpp"  // nothing, a point, a segment, a polygon
+#include "plumb/query/section/planes.hpp"               // of two planes, or three
+
+// How near, and where?  closest_points, distance, compare_distance
+#include "plumb/arith/exact_distance.hpp"   // a distance as it is
+#include "plumb/query/closest/batch.hpp"    // the nearest of many
+#include "plumb/query/closest/closest.hpp"  // a point and any shape
+#include "plumb/query/closest/pairs.hpp"    // lines, rays, segments, triangles
+#include "plumb/query/closest/result.hpp"   // points, features, distance
+#include "plumb/query/convex/location.hpp"  // a point and a convex polygon, in logarithmic time
+
+// What does a ray hit first?  first_hit, hits, all_hits
+#include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
+#include "plumb/query/ray/batch.hpp"        // of many triangles or boxes
+#include "plumb/query/ray/hits.hpp"         // yes or no
+#include "plumb/query/ray/parity.hpp"       // is a point in a mesh?
+#include "plumb/query/ray/ray.hpp"          // in space
+#include "plumb/query/ray/ray2.hpp"         // in the plane
+
+// When do they meet on their way?  first_contact
+#include "plumb/arith/root.hpp"                                // a time as it is
+#include "plumb/query/time_of_impact/continuous_contact.hpp"   // vertices that move linearly
+#include "plumb/query/time_of_impact/interval_halving.hpp"     // any motion of bounded speed
+#include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
+#include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance
+#include "plumb/query/time_of_impact/translating_contact.hpp"  // convex figures along lines
+
+// What do they all take?
 #include "plumb/certify/accepted.hpp"
-#include "plumb/certify/exact_point.hpp"
-#include "plumb/certify/ray_parameter.hpp"
-#include "plumb/query/body/answered.hpp"
-#include "plumb/query/body/item_batch.hpp"
-#include "plumb/query/body/pairs.hpp"
-#include "plumb/query/closest/batch.hpp"
-#include "plumb/query/closest/closest.hpp"
-#include "plumb/query/closest/pairs.hpp"
-#include "plumb/query/closest/result.hpp"
-#include "plumb/query/convex/location.hpp"
-#include "plumb/query/overlap/batch.hpp"
-#include "plumb/query/overlap/box.hpp"
-#include "plumb/query/overlap/cylinder_cone.hpp"
-#include "plumb/query/overlap/lattice2.hpp"
-#include "plumb/query/overlap/overlap.hpp"
-#include "plumb/query/overlap/overlap2.hpp"
-#include "plumb/query/overlap/plane.hpp"
-#include "plumb/query/overlap/round.hpp"
-#include "plumb/query/overlap/round2.hpp"
-#include "plumb/query/overlap/triangle.hpp"
-#include "plumb/query/ray/batch.hpp"
-#include "plumb/query/ray/hits.hpp"
-#include "plumb/query/ray/parity.hpp"
-#include "plumb/query/ray/ray.hpp"
-#include "plumb/query/ray/ray2.hpp"
-#include "plumb/query/section/intersection.hpp"
-#include "plumb/query/section/intersection2.hpp"
-#include "plumb/query/section/intersection_result.hpp"
-#include "plumb/query/section/planes.hpp"
-#include "plumb/query/time_of_impact/continuous_contact.hpp"
-#include "plumb/query/time_of_impact/interval_halving.hpp"
-#include "plumb/query/time_of_impact/motion.hpp"
-#include "plumb/query/time_of_impact/moving_distance.hpp"
-#include "plumb/query/time_of_impact/translating_contact.hpp"
+#include "plumb/query/body/answered.hpp"    // what is said where there is no answer
+#include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
+#include "plumb/query/body/pairs.hpp"       // every pair, and the algorithm that answers it

@@ -1,11 +1,14 @@
-// The face of meshes and their files: everything in plumb/surface/.
+// The face of meshes and their files: what is in a file, is it a clean surface, and where does a plane cut it?
+//
+// Meshes are plain structs, with whatever a file from the wild has in it (docs/meshes.md).
+// Source: RTCD 2.2.1, 12.
 #pragma once
 
-#include "plumb/figure/basic/mesh.hpp"
-#include "plumb/surface/decimal.hpp"
-#include "plumb/surface/mesh_file.hpp"
-#include "plumb/surface/read_mesh.hpp"
-#include "plumb/surface/section.hpp"
-#include "plumb/surface/topology.hpp"
-#include "plumb/surface/triangulate.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/figure/basic/mesh.hpp"    // TriangleMesh, PolygonMesh
+#include "plumb/surface/decimal.hpp"      // which double a decimal is
+#include "plumb/surface/mesh_file.hpp"    // formats, and MeshFileError
+#include "plumb/surface/read_mesh.hpp"    // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
+#include "plumb/surface/section.hpp"      // contours of one plane or many
+#include "plumb/surface/topology.hpp"     // neighbors, open edges, components
+#include "plumb/surface/triangulate.hpp"  // polygons into triangles
+#include "plumb/surface/write_mesh.hpp"   // to a file, or to text
