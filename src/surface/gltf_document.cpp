@@ -118,7 +118,7 @@ std::uint64_t GltfDocument::whole(const Json& of, const std::string& key, const 
   return at->get<std::uint64_t>();
 }
 
-std::string GltfDocument::read_uri(const std::string& uri, const std::string& where) const {
+std::string GltfDocument::read_uri(const std::string& uri, const std::string& where) {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(',');
     const std::string_view head = std::string_view(uri).substr(0, comma);
@@ -138,6 +138,7 @@ std::string GltfDocument::read_uri(const std::string& uri, const std::string& wh
   auto bytes = bytes_of(*path);
   if (!bytes)
     fail(MeshFileProblem::missing, where, "names " + in_quotes(uri) + ", which cannot be read; put it beside the glTF");
+  parse_.report.files_beside.push_back(*path);
   return std::move(*bytes);
 }
 

@@ -1,10 +1,11 @@
-// What mesh does a file hold?  OBJ, OFF, STL (ASCII and binary) and PLY (ASCII, both binary byte orders).
+// What mesh does a file hold?  OBJ, OFF, STL (ASCII and binary), PLY (ASCII, both binary byte orders), 3MF, glTF and
+// GLB, each of them also packed by gzip.
 //
 // Laws: decimals become their nearest doubles, float32 widens exactly; polygons, repeated vertices and zero area stay
 // as they are in the file (STL, which has no indices, gets one vertex per distinct point, -0 and +0 being one point, in
 // the order of first use).  Indices are in range, coordinates finite, or the file is refused.  Memory is bounded by a
-// small multiple of the file's size, never by a number that the file claims; and of what packing and
-// parts make of it by the limits given.
+// small multiple of the file's size, never by a number that the file claims; and of what packing and parts make of it
+// by the limits given.
 // - 3MF: the items of the build with their components, also in parts of their own (production extension); other
 //   extensions are passed over.  Decimals become doubles, in the file's unit, which the report tells.
 // - glTF, GLB: the triangles, strips and fans of the default scene's nodes (of all, where it has no scenes), buffers in
@@ -27,6 +28,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
@@ -51,6 +53,7 @@ struct LoadReport {
   std::uint64_t parts = 0;             // meshes placed by a 3MF's build or a glTF's nodes
   std::uint64_t transformed = 0;       // coordinates that a transform other than the identity has made
   std::uint64_t rounded = 0;           // those of them whose exact value is no double
+  std::vector<std::filesystem::path> files_beside{};  // that were read as well: a glTF's buffers
 };
 
 /// How much a small file may become.  What is packed unpacks to no more than `most_bytes`, nor to more than
