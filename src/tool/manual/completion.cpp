@@ -97,7 +97,8 @@ std::string zsh_specs(const CommandShape& c) {
     for (const std::string& name : o.names) {
       const bool value = what_follows(o) != Follows::nothing;
       const std::string equals = !value ? "" : name.starts_with("--") ? "=" : "+";
-      const std::string rest = value ? fmt::format(":{}:{}", o.value, zsh_action(o)) : "";
+      const std::string rest =
+          value ? fmt::format("{}:{}:{}", o.value_optional ? ":" : "", o.value, zsh_action(o)) : "";
       specs +=
           " \\\n        " + in_quotes(fmt::format("{}{}{}[{}]{}", o.repeats ? "*" : "", name, equals, about, rest));
     }
@@ -113,7 +114,7 @@ std::string fish_line(const std::string& when, const ShownOption& o) {
   }
   switch (what_follows(o)) {
     case Follows::files:
-      line += is_positional(o) ? " -F" : " -r -F";
+      line += is_positional(o) || o.value_optional ? " -F" : " -r -F";
       break;
     case Follows::folders:
       line += " -x -a '(__fish_complete_directories)'";

@@ -1,8 +1,8 @@
 // What does the program tell of itself?  The manual pages of `plumb` and its commands, but for their options.
 //
+// Each command's `manual.cpp` holds its page; here are the program's own, and what several pages say.
 // Laws: (1) no line is wider than 80 columns once indented; (2) every predicate of the manifest is listed; (3) every
 // example of `plumb sign` prints what its text says.
-// (tests).
 // Source: none.
 // Cost: none.
 #pragma once
@@ -10,6 +10,13 @@
 #include "tool/manual/man_page.hpp"
 
 namespace plumb::tool {
+
+/// Of a command whose status may be 1; `one` says what that means.
+std::string exit_status(std::string_view one);
+
+/// The variables that every command heeds, and the one that every batch of signs does.
+std::string environment();
+std::string environment_of_batches();
 
 Manual program_manual();
 Manual bounds_manual();

@@ -40,11 +40,11 @@ std::string filled(std::string_view text, std::size_t columns) {
 std::string option_entry(const ShownOption& option, const Style& style) {
   std::string names;
   for (const std::string& name : option.names) names.append(names.empty() ? "" : ", ").append(style.bold(name));
-  if (!option.value.empty()) names.append(" ").append(option.value);
+  names += option.shown_value();
   return indented(names, 7) + filled(option.description, 14);
 }
 
-std::string section(const Section& s, const Style& style) {
+std::string section(const ManualSection& s, const Style& style) {
   std::string_view text = s.text;
   if (text.starts_with('\n')) text.remove_prefix(1);
   return fmt::format("\n{}\n{}", style.bold(s.title), indented(text, 7));
@@ -52,15 +52,20 @@ std::string section(const Section& s, const Style& style) {
 
 }  // namespace
 
+std::string ShownOption::shown_value() const {
+  if (value.empty()) return "";
+  return value_optional ? fmt::format(" [{}]", value) : " " + value;
+}
+
 std::string manual_page(const Manual& manual, std::span<const ShownOption> options, const Style& style) {
   std::string page =
       fmt::format("{}\n{}", style.bold("NAME"), indented(fmt::format("{} - {}", manual.name, manual.purpose), 7));
   page += fmt::format("\n{}\n", style.bold("SYNOPSIS"));
   for (const std::string_view s : manual.synopsis) page += indented(s, 7);
-  for (const Section& s : manual.before_options) page += section(s, style);
+  for (const ManualSection& s : manual.before_options) page += section(s, style);
   page += fmt::format("\n{}\n", style.bold("OPTIONS"));
   for (const ShownOption& option : options) page += option_entry(option, style);
-  for (const Section& s : manual.after_options) page += section(s, style);
+  for (const ManualSection& s : manual.after_options) page += section(s, style);
   return page;
 }
 

@@ -17,7 +17,7 @@
 
 namespace plumb::tool {
 
-struct Section {
+struct ManualSection {
   std::string_view title;
   std::string text;  // lines of at most 73 characters; a leading line break is passed over
 };
@@ -25,7 +25,7 @@ struct Section {
 struct Manual {
   std::string_view name, purpose;  // "plumb sign", "decide one sign exactly"
   std::vector<std::string_view> synopsis;
-  std::vector<Section> before_options, after_options;
+  std::vector<ManualSection> before_options, after_options;
 };
 
 struct ShownOption {
@@ -33,6 +33,10 @@ struct ShownOption {
   std::string value, description;      // "FILE", or nothing
   std::vector<std::string> choices{};  // for the shells: what the value may be, where that is known
   bool repeats = false;
+  bool value_optional = false;
+
+  /// " FILE", " [FILE]", or nothing: what stands behind the names.
+  [[nodiscard]] std::string shown_value() const;
 };
 
 std::string manual_page(const Manual& manual, std::span<const ShownOption> options, const Style& style);

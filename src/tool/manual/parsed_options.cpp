@@ -42,6 +42,7 @@ std::vector<ShownOption> shown_options(const CLI::App& parser) {
     for (const std::string& name : option->get_snames()) shown.names.push_back("-" + name);
     for (const std::string& name : option->get_lnames()) shown.names.push_back("--" + name);
     if (option->get_items_expected_max() > 0) shown.value = type.substr(0, type.find(':'));
+    shown.value_optional = !shown.value.empty() && option->get_expected_min() == 0;
   }
   return options;
 }

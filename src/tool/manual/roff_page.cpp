@@ -81,7 +81,7 @@ std::string block(std::span<const std::string_view> lines) {
   return text;
 }
 
-std::string section(const Section& s) {
+std::string section(const ManualSection& s) {
   std::string text;
   const std::vector<std::string_view> lines = lines_of(s.text);
   for (std::size_t begin = 0; begin < lines.size();) {
@@ -101,7 +101,10 @@ std::string section(const Section& s) {
 std::string option_entry(const ShownOption& option) {
   std::string names;
   for (const std::string& name : option.names) names.append(names.empty() ? "" : ", ").append(bold(name));
-  if (!option.value.empty()) names += fmt::format(" \\fI{}\\fR", escaped(option.value));
+  if (!option.value.empty()) {
+    const std::string value = fmt::format("\\fI{}\\fR", escaped(option.value));
+    names += option.value_optional ? " [" + value + "]" : " " + value;
+  }
   return fmt::format(".TP\n{}\n{}\n", names, escaped(option.description));
 }
 
@@ -118,10 +121,10 @@ std::string roff_page(const Manual& manual, std::span<const ShownOption> options
   page += ".nf\n";
   for (const std::string_view s : manual.synopsis) page += escaped(s) + "\n";
   page += ".fi\n";
-  for (const Section& s : manual.before_options) page += section(s);
+  for (const ManualSection& s : manual.before_options) page += section(s);
   page += ".SH OPTIONS\n";
   for (const ShownOption& option : options) page += option_entry(option);
-  for (const Section& s : manual.after_options) page += section(s);
+  for (const ManualSection& s : manual.after_options) page += section(s);
   page += ".SH SEE ALSO\n";
   for (std::size_t k = 0; k < see_also.size(); ++k)
     page += fmt::format(".BR {} (1){}\n", escaped(see_also[k]), k + 1 < see_also.size() ? "," : "");

@@ -42,7 +42,7 @@ std::string section_dxf(const SectionReport& report) {
     g.put(999, report.planes[i].name).put(0, "LAYER").put(2, layer_name(i)).put(70, 0).put(62, 7).put(6, "CONTINUOUS");
   g.put(0, "ENDTAB").put(0, "ENDSEC").put(0, "SECTION").put(2, "ENTITIES");
   for (std::size_t i = 0; i < report.planes.size(); ++i) {
-    const plumb::Section& section = report.sections[i];
+    const Section& section = report.sections[i];
     const std::string layer = layer_name(i);
     const bool level = is_level(section.plane);
     for (const Contour& contour : section.contours) {

@@ -32,7 +32,7 @@ std::string_view word(const Contour& c) {
 json section_json(const SectionReport& report) {
   json planes = json::array();
   for (std::size_t i = 0; i < report.planes.size(); ++i) {
-    const plumb::Section& section = report.sections[i];
+    const Section& section = report.sections[i];
     json contours = json::array();
     for (std::size_t k = 0; k < section.contours.size(); ++k) {
       const Contour& c = section.contours[k];

@@ -33,7 +33,7 @@ struct Frame {
 };
 
 std::string layer(const SectionReport& report, std::size_t plane) {
-  const plumb::Section& section = report.sections[plane];
+  const Section& section = report.sections[plane];
   std::string closed, open;
   for (std::size_t i = 0; i < section.contours.size(); ++i) {
     std::string& path = section.contours[i].closed ? closed : open;

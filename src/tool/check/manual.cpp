@@ -1,0 +1,94 @@
+#include "tool/manual/help_text.hpp"
+
+namespace plumb::tool {
+
+Manual check_manual() {
+  return {"plumb check",
+          "how often is floating point wrong on a mesh, and where?",
+          {"plumb check [OPTION]... [MESH]...", "plumb check --write-sample FILE"},
+          {{"DESCRIPTION", R"(
+Reads each MESH (OBJ, OFF, STL, PLY, 3MF, glTF; text or binary; also
+packed by gzip), every mesh in a folder and the folders in it, or
+standard input where MESH is '-'. Of each it opens with a verdict in
+three lines: what is wrong with the mesh, which methods then take which
+signs wrong, and what to do about both. Each line is printed as soon as
+it is known. The tables follow: the mesh's size, its lattice (the
+largest power of two that divides every coordinate, and how many bits
+the coordinates then take), repeated vertices, triangles of exactly zero
+area and non-manifold edges, then the decisions.
+
+Then it takes the decisions that mesh software takes:
+
+       orient3d, for every edge of two faces: is it convex, flat or
+       reflex, and are the vertices opposite to it coplanar with it?
+       For every face: on which side of it are sixteen fixed points
+       (the corners of the mesh's box, and eight vertices)?
+
+       insphere, for every flat edge: is it locally Delaunay in its
+       plane, that is, is one opposite vertex outside the circle of the
+       other face? For every other edge: is a neighboring vertex in the
+       sphere through its two faces?
+
+       orient2d and incircle, on the projections along the three axes:
+       how does each face turn, and is each edge locally Delaunay?
+
+Which edges are flat is decided exactly. The decisions are then taken
+by every method; the exact one is the judge. Of more than 100,000
+decisions of a kind, the methods that may be wrong or unsure are asked
+that many, drawn over the whole mesh and the same in every run; plan and
+exact always take all. --all asks every method everything.
+
+Without a MESH it checks the one that it brings along: a bolted flange,
+turned by an angle that no lattice likes, with the defects of real
+files.)"},
+           {"METHODS", R"(
+float32
+       The formula in single precision, on coordinates rounded to it.
+double
+       The same formula in double precision.
+absolute
+       As double, but a value of at most 1e-9 in magnitude is zero.
+relative
+       As double, but a value is zero when its magnitude is at most 1e-9
+       times the largest difference of a coordinate to that of the last
+       point, to the power of the formula's degree (2 for orient2d, 3
+       for orient3d, 4 for incircle, 5 for insphere).
+long-double
+       The same formula in the compiler's long double.
+interval
+       Interval arithmetic alone: never wrong, at times unsure.
+plan
+       The signs of this library with the plan of the mesh's lattice:
+       the cheapest arithmetic that is exact for all of its
+       coordinates.
+exact
+       The signs of this library: never wrong, never unsure.
+
+For each method and predicate the report counts the decisions, the
+wrong ones and their share, and of the wrong ones those of opposite
+sign, zeros missed (a zero taken for a sign) and zeros invented (a sign
+taken for zero); then unsure answers, and the nanoseconds a decision
+takes; for the exact method also the share that each stage decided. The
+worst case of each method is printed as a line that `plumb sign` takes.)"}},
+          {{"EXIT STATUS", exit_status("A sign was wrong: one of a METHOD that --fail-on-wrong names, or\n       an "
+                                       "exact one that --verify refuted.")},
+           {"ENVIRONMENT", environment()},
+           {"EXAMPLES", R"(
+plumb check part.stl --json report.json --chart chart.svg
+       The report on the terminal, as JSON and as a picture.
+
+plumb check --verify --fail-on-wrong exact part.ply
+       Exits with 1 should the exact signs ever differ from those of
+       rational arithmetic.
+
+curl --silent https://example.org/part.stl.gz | plumb check -
+       The report on what another program hands over.
+
+plumb check parts --json=report.json
+       The report on every mesh in a folder.
+
+plumb check --write-sample flange.obj
+       Writes the mesh that the program brings along.)"}}};
+}
+
+}  // namespace plumb::tool
