@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plumb/certify/catalog.hpp"
@@ -26,8 +27,10 @@ void expect_refusal(const Outcome& o, const std::string& words) {
 }
 
 TEST(Help, IsAManualPageOfEightyColumns) {
-  for (const std::string command : {"", "bounds", "chart", "check", "fuzz", "plan", "sign", "proof", "vectors",
-                                    "stability", "doctor", "help", "completion"}) {
+  std::vector<std::string> pages = commands();
+  EXPECT_GE(pages.size(), 14U);
+  pages.emplace_back("");
+  for (const std::string& command : pages) {
     const Outcome o = run("$PLUMB " + command + " --help");
     EXPECT_EQ(o.code, 0);
     EXPECT_EQ(o.err, "");
@@ -46,8 +49,8 @@ TEST(Help, IsAManualPageOfEightyColumns) {
 
 TEST(Help, TellsEveryOptionAndPredicate) {
   const std::string check = run("$PLUMB check --help").out;
-  for (const char* name : {"MESH", "--json FILE", "--chart FILE", "--threads N", "--verify", "--fail-on-wrong METHOD",
-                           "--write-sample FILE", "float32", "long-double", "interval"}) {
+  for (const char* name : {"MESH", "--json [FILE]", "--chart [FILE]", "--threads N", "--verify",
+                           "--fail-on-wrong METHOD", "--write-sample FILE", "float32", "long-double", "interval"}) {
     EXPECT_THAT(check, HasSubstr(name));
   }
   const std::string sign = run("$PLUMB sign --help").out;
@@ -89,17 +92,30 @@ TEST(Version, IsOneLine) {
   }
 }
 
+/// What is written behind `plumb`, and words of the refusal.
+using Refusals = std::vector<std::pair<std::string, std::string>>;
+
+void expect_refusals(const Refusals& refusals) {
+  for (const auto& [line, words] : refusals) {
+    SCOPED_TRACE(line);
+    expect_refusal(run("$PLUMB " + line), words);
+  }
+}
+
 TEST(Usage, IsRefusedInItsOwnWords) {
-  expect_refusal(run("$PLUMB"), "a command is needed");
-  expect_refusal(run("$PLUMB frobnicate"), "frobnicate");
-  expect_refusal(run("$PLUMB check --frobnicate"), "'plumb check --help' explains");
-  expect_refusal(run("$PLUMB check --json"), "--json");
-  expect_refusal(run("$PLUMB check --threads 0"), "--threads");
-  expect_refusal(run("$PLUMB check --threads -3"), "--threads");
-  expect_refusal(run("$PLUMB check --threads many"), "many");
-  expect_refusal(run("$PLUMB check --fail-on-wrong luck"), "luck not in");
-  expect_refusal(run("$PLUMB doctor -- now"), "doctor takes no argument now");
-  expect_refusal(run("$PLUMB sign --frobnicate orient2d"), "--frobnicate");
+  expect_refusals({{"", "a command is needed"},
+                   {"frobnicate", "frobnicate"},
+                   {"check --frobnicate", "'plumb check --help' explains"},
+                   {"check --threads", "--threads needs a value: write '--threads N'; 'plumb check --help' explains"},
+                   {"section --plane", "--plane needs a value: write '--plane PLANE'"},
+                   {"vectors --out", "--out needs a value: write '--out DIR'"},
+                   {"check --threads 0", "--threads"},
+                   {"check --threads -3", "--threads"},
+                   {"check --threads many", "many"},
+                   {"vectors --out . --seed many", "--seed = many;"},
+                   {"check --fail-on-wrong luck", "luck not in"},
+                   {"doctor -- now", "doctor takes no argument now"},
+                   {"sign --frobnicate orient2d", "--frobnicate"}});
 }
 
 TEST(Help, OfACommandIsFoundByItsName) {
@@ -116,16 +132,16 @@ TEST(Help, IsNotThatOfSomethingElse) {
 }
 
 TEST(Usage, IsSuggestedWhereItIsNear) {
-  expect_refusal(run("$PLUMB chekc part.obj"), "there is no command chekc (did you mean check?)");
-  expect_refusal(run("$PLUMB chekc --help"), "there is no command chekc (did you mean check?)");
-  expect_refusal(run("$PLUMB check --jsno r.json"), "there is no option --jsno (did you mean --json?)");
-  expect_refusal(run("$PLUMB check --jsno=r.json"), "there is no option --jsno (did you mean --json?)");
-  expect_refusal(run("$PLUMB check --fail"), "there is no option --fail (did you mean --fail-on-wrong?)");
-  expect_refusal(run("$PLUMB sign --quite orient2d"), "there is no option --quite (did you mean --quiet?)");
-  expect_refusal(run("$PLUMB --versoin"), "there is no option --versoin (did you mean --version?)");
-  expect_refusal(run("$PLUMB chart --task orient2e"), "did you mean orient2d?");
-  expect_refusal(run("$PLUMB proof orient2e"), "did you mean orient2d?");
-  expect_refusal(run("$PLUMB doctor now"), "doctor takes no argument now");
+  expect_refusals({{"chekc part.obj", "there is no command chekc (did you mean check?)"},
+                   {"chekc --help", "there is no command chekc (did you mean check?)"},
+                   {"check --jsno r.json", "there is no option --jsno (did you mean --json?)"},
+                   {"check --jsno=r.json", "there is no option --jsno (did you mean --json?)"},
+                   {"check --fail", "there is no option --fail (did you mean --fail-on-wrong?)"},
+                   {"sign --quite orient2d", "there is no option --quite (did you mean --quiet?)"},
+                   {"--versoin", "there is no option --versoin (did you mean --version?)"},
+                   {"chart --task orient2e", "did you mean orient2d?"},
+                   {"proof orient2e", "did you mean orient2d?"},
+                   {"doctor now", "doctor takes no argument now"}});
 }
 
 TEST(Usage, TakesWhatOtherToolsTake) {
@@ -140,6 +156,24 @@ TEST(Usage, TakesWhatOtherToolsTake) {
   const Folder folder;
   std::ofstream(folder / "plan") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";  // a file with a command's name
   EXPECT_EQ(run("cd " + (folder / "") + " && $PLUMB check plan").code, 0);
+}
+
+TEST(Usage, TakesNoNameOfAnOutputForStandardOutput) {
+  const Folder folder;
+  const std::string at = "cd " + (folder / "") + " && ";
+  std::ofstream(folder / "part.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const char* line : {"check part.obj --json", "check --json --verify part.obj", "check --json -- part.obj",
+                           "bounds --placements 3 part.obj --json", "section --plane z=0 part.obj --json"}) {
+    const Outcome o = run(at + "$PLUMB " + line);
+    EXPECT_EQ(o.code, 0) << line << ": " << o.err;
+    EXPECT_THAT(o.out, StartsWith("{")) << line;
+  }
+  EXPECT_EQ(run("$PLUMB proof orient2d --out").out, run("$PLUMB proof orient2d").out);
+  EXPECT_THAT(run(at + "$PLUMB section part.obj --svg --plane z=0").out, StartsWith("<svg"));
+  expect_refusal(run(at + "$PLUMB check part.obj --json --chart"), "--json and --chart name the same output");
+  expect_refusal(run(at + "$PLUMB check --json part.obj"), "--json takes the name of the file to write");
+  expect_refusal(run(at + "$PLUMB check --json . part.obj"), "--json takes the name of the file to write, and . is a");
+  EXPECT_EQ(run(at + "ls").out, "part.obj\n");
 }
 
 TEST(Quiet, LeavesTheStatusAndTheFiles) {
@@ -166,7 +200,9 @@ TEST(Doctor, FindsNothingHere) {
 TEST(Doctor, TellsWhichVectorsBatchesTake) {
   EXPECT_THAT(run("$PLUMB doctor").out,
               testing::ContainsRegex("ok   batches +[a-z0-9]+; PLUMB_INSTRUCTION_SET chooses one of .*none"));
-  EXPECT_THAT(run("PLUMB_INSTRUCTION_SET=none $PLUMB doctor").out, testing::ContainsRegex("batches +none;"));
+  EXPECT_THAT(run("PLUMB_INSTRUCTION_SET=none $PLUMB doctor").out,
+              testing::ContainsRegex("batches +none, which was asked for;"));
+  EXPECT_THAT(run("$PLUMB help doctor").out, HasSubstr("PLUMB_INSTRUCTION_SET\n"));
   const Outcome o = run("PLUMB_INSTRUCTION_SET=mmx $PLUMB doctor");
   EXPECT_EQ(o.code, 1);
   EXPECT_THAT(o.out, HasSubstr("PLUMB_INSTRUCTION_SET is \"mmx\", which this processor does not have; there are"));

@@ -1,5 +1,4 @@
-// `plumb convert` as a user meets it: coordinates that come back bit for bit,
-// what is told, and what is not replaced.
+// `plumb convert` as a user meets it: coordinates that come back bit for bit, what is told, and what is not replaced.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,12 +15,10 @@ namespace {
 
 void put(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-/// A square and a triangle, with coordinates at the ends of the doubles and
-/// decimals that are none.
+/// A square and a triangle, with coordinates at the ends of the doubles and decimals that are none.
 const char* const odd_mesh =
-    "v 0.1 0 0\nv 1e-300 1 0\nv 1 1 0.3333333333333333\nv 1 5e-324 0\nv "
-    "-0.30000000000000004 1.7976931348623157e308 "
-    "2\nf 1 2 3 4\nf 1 2 5\nf 1 2\n";
+    "v 0.1 0 0\nv 1e-300 1 0\nv 1 1 0.3333333333333333\nv 1 5e-324 0\n"
+    "v -0.30000000000000004 1.7976931348623157e308 2\nf 1 2 3 4\nf 1 2 5\nf 1 2\n";
 
 TEST(Convert, KeepsFacesAndEveryBit) {
   const Folder folder;
@@ -64,13 +61,16 @@ TEST(Convert, WritesStlAndSaysWhatItCannotHold) {
 TEST(Convert, ReplacesNothingUnlessAsked) {
   const Folder folder;
   put(folder / "a.obj", odd_mesh);
-  for (const std::string to : {"there.ply", "a.obj"}) {
-    if (to != "a.obj") put(folder / to, "mine");
-    const std::string before = content(folder / to);
-    const Outcome o = run("$PLUMB convert " + (folder / "a.obj") + " " + (folder / to));
-    EXPECT_EQ(o.code, 2);
-    EXPECT_THAT(o.err, AllOf(HasSubstr(to), HasSubstr("--overwrite")));
-    EXPECT_EQ(content(folder / to), before);
+  put(folder / "there.ply", "mine");
+  const Outcome there = run("$PLUMB convert " + (folder / "a.obj") + " " + (folder / "there.ply"));
+  EXPECT_EQ(there.code, 2);
+  EXPECT_THAT(there.err, AllOf(HasSubstr("there.ply is there already and is kept"), HasSubstr("--overwrite")));
+  EXPECT_EQ(content(folder / "there.ply"), "mine");
+  for (const std::string line : {"a.obj a.obj", "--overwrite --format stl a.obj a.obj", "--overwrite - a.obj <a.obj"}) {
+    const Outcome o = run("cd " + (folder / "") + " && $PLUMB convert " + line);
+    EXPECT_EQ(o.code, 2) << line;
+    EXPECT_THAT(o.err, HasSubstr("TO would replace a.obj")) << line;
+    EXPECT_EQ(content(folder / "a.obj"), odd_mesh);
   }
   EXPECT_EQ(run("$PLUMB convert --overwrite " + (folder / "a.obj") + " " + (folder / "there.ply")).code, 0);
   EXPECT_EQ(read_polygon_mesh(folder / "there.ply").vertices.size(), 5U);
@@ -85,6 +85,8 @@ TEST(Convert, WritesToStandardOutputAndByFormat) {
   const Outcome o = run("$PLUMB convert --format off " + (folder / "a.obj") + " -");
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.out, StartsWith("OFF\n5 2 "));
+  EXPECT_EQ(run("$PLUMB convert -q --format off " + (folder / "a.obj") + " -").out, o.out);
+  EXPECT_EQ(run("$PLUMB convert --format off " + (folder / "a.obj") + " /dev/stdout | cat").out, o.out);
   const Outcome from_input = run("$PLUMB convert - " + (folder / "c.stl"), odd_mesh);
   EXPECT_EQ(from_input.code, 0) << from_input.err;
   EXPECT_THAT(from_input.out, HasSubstr("1 face of more than three corners, triangulated"));

@@ -6,12 +6,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace plumb::tool {
 
@@ -48,6 +51,19 @@ inline Outcome run(const std::string& line, const std::string& input = "") {
   const int status = std::system(
       ("{ " + line + "\n} <" + (folder / "in") + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
+}
+
+/// Every command, as the program tells them.
+inline std::vector<std::string> commands() {
+  const std::string told = run("$PLUMB").err, before = "one of ";
+  std::vector<std::string> names;
+  std::string name;
+  for (const char c : told.substr(std::min(told.find(before) + before.size(), told.size()))) {
+    if (c == ',' || c == ';') names.push_back(std::exchange(name, ""));
+    if (c == ';') break;
+    if (c >= 'a' && c <= 'z') name += c;
+  }
+  return names;
 }
 
 /// Whether this machine has terminals to give; says so where it has none, as in a bare chroot.

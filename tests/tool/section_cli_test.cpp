@@ -108,6 +108,26 @@ TEST(Section, DrawsLayersAndAFileEach) {
   EXPECT_EQ(content(out + "/section-0008.svg"), "");
 }
 
+TEST(Section, ReplacesTheFolderOnlyWithTheFilesBesideIt) {
+  const Folder folder;
+  const std::string mesh = hollow_cube(folder), out = folder / "out";
+  const std::string line = "$PLUMB section --out " + out + " " + mesh + " --plane ";
+  EXPECT_EQ(run(line + "z=0").code, 0);
+  const std::string first = content(out + "/section-0001.svg");
+  for (const std::string fails : {"z=1 --json - >/dev/full", "z=1 --svg s.svg >/dev/full", "z=1 --dxf no/such"}) {
+    EXPECT_EQ(run(line + fails).code, 2) << fails;
+    EXPECT_EQ(content(out + "/section-0001.svg"), first) << fails;
+  }
+  EXPECT_EQ(run(line + "z=0 --plane z=1").code, 0);
+  for (const std::string name : {"/section-0001.svg", "/section-0002.svg"}) {  // this report's, and an older one's
+    const Outcome same = run(line + "z=1 --svg " + out + name);
+    EXPECT_EQ(same.code, 2);
+    EXPECT_THAT(same.err, HasSubstr("the same output"));
+    EXPECT_EQ(content(out + "/section-0001.svg"), first);
+    EXPECT_NE(content(out + "/section-0002.svg"), "");
+  }
+}
+
 TEST(Section, DxfHoldsClosedPolylines) {
   const Folder folder;
   const Outcome o = run("$PLUMB section --plane z=1.5 --plane x=2 --dxf - " + hollow_cube(folder));
@@ -139,7 +159,7 @@ TEST(Section, RoundsTheViewOfAnObliquePlaneOnce) {
   std::mt19937_64 random(5);
   const TriangleMesh mesh = solids::heap(random, 6, 9);
   const Plane3 plane{{1, 2, 3}, 1};
-  const plumb::Section cut = section(mesh, plane);
+  const Section cut = section(mesh, plane);
   const SectionView view(plane);
   int seen = 0;
   for (const Contour& c : cut.contours) {

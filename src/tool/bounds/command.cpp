@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/certify/environment.hpp"
-#include "plumb/surface/read_mesh.hpp"
 #include "tool/mesh/sample_part.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/progress.hpp"
@@ -14,9 +13,9 @@
 namespace plumb::tool {
 namespace {
 
-MeshBounds rate(std::string name, const TriangleMesh& mesh, const BoundsOptions& options) {
-  return {std::move(name), mesh.vertices.size(),
-          rate_bounds(mesh.vertices, {.placements = options.placements, .measure_times = true}), options.refined_ns};
+MeshBounds rate(const std::string& name, std::span<const Point3> vertices, const BoundsOptions& options) {
+  return {name, vertices.size(), rate_bounds(vertices, {.placements = options.placements, .measure_times = true}),
+          options.refined_ns};
 }
 
 double median(std::vector<double> numbers) {
@@ -124,46 +123,44 @@ nlohmann::json bounds_json(std::span<const MeshBounds> meshes) {
 }
 
 int run_bounds(const BoundsOptions& options) {
-  OutputFiles outputs(options.meshes);
+  const MeshInputs inputs = mesh_inputs(options.meshes);
+  OutputFiles outputs(inputs.files);
   outputs.promise("--json", options.json);
   outputs.promise("--chart", options.chart);
   const Style style(stdout);
   const bool text_wanted = !outputs.on_standard_output();  // standard output is for one of them alone
+  if (text_wanted)
+    for (const std::string& remark : inputs.remarks) say(remark);
+  std::optional<Progress> progress;  // where text is wanted, that tells how far the work is
+  if (!text_wanted) progress.emplace("bounds", inputs.files.size());
   std::vector<MeshBounds> all;
-  bool bad_input = false;
-  {
-    Progress progress("bounds", std::max<std::size_t>(options.meshes.size(), 1));
-    const auto add = [&](MeshBounds mesh) {
-      if (text_wanted) {
-        if (!all.empty()) say("\n");
-        say(bounds_text(mesh, style));
-      }
-      all.push_back(std::move(mesh));
-      progress.advance();
-    };
-    if (options.meshes.empty()) add(rate("embedded flange", sample_part(), options));
-    for (const std::string& path : options.meshes) {
-      try {
-        add(rate(path, read_mesh(path), options));
-      } catch (const MeshFileError& e) {  // the other meshes are still worth rating
-        complain(e.what());
-        bad_input = true;
-      } catch (const InvalidShape&) {
-        complain(path + ": the mesh has no vertices");
-        bad_input = true;
-      }
+  const auto add = [&](const std::string& name, std::span<const Point3> vertices) {
+    MeshBounds mesh = rate(name, vertices, options);
+    if (text_wanted) {
+      if (!all.empty()) say("\n");
+      say(bounds_text(mesh, style));
+      flush_output();
     }
-  }
+    all.push_back(std::move(mesh));
+    if (progress) progress->advance();
+  };
+  if (options.meshes.words.empty()) add("embedded flange", sample_part().vertices);
+  const bool all_good = each_mesh(inputs, options.meshes.reading(), [&](const InputMesh& input) {
+    outputs.require_not_read(input.load.files_beside);
+    add(input.name, input.mesh.vertices);
+  });
   if (text_wanted && all.size() > 1) {
     say("\n");
     say(bounds_total(all, style));
   }
   if (options.json) {
-    const std::string text = bounds_json(all).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    outputs.write("--json", text + "\n");
+    nlohmann::json report = bounds_json(all);
+    report["passed_over"] = inputs.passed_over;
+    // A file's name may be any bytes; JSON is UTF-8.
+    outputs.write("--json", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   }
   if (options.chart) outputs.write("--chart", bounds_chart(all));
-  if (bad_input) return 2;
+  if (!all_good) return 2;
   outputs.keep();
   return 0;
 }

@@ -15,12 +15,13 @@
 #include <vector>
 
 #include "plumb/figure/bound/choose_bound.hpp"
+#include "tool/mesh/inputs.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 
 struct BoundsOptions {
-  std::vector<std::string> meshes;         // none: the embedded part
+  MeshArguments meshes;                    // none: the embedded part
   std::optional<std::string> json, chart;  // "-" is standard output
   std::uint32_t placements = 400;
   double refined_ns = 1'000;  // what is asked where bounds overlap, for the expected cost of a query

@@ -7,10 +7,10 @@ Manual bounds_manual() {
           "how tight and how dear is each bounding volume on a mesh?",
           {"plumb bounds [OPTION]... [MESH]..."},
           {{"DESCRIPTION", R"(
-Reads each MESH, a file as `plumb check` reads it, and bounds its
-vertices by every kind of volume that the library fits: the smallest
-sphere, the axis-aligned box, capsule, lozenge, the oriented box of
-least volume, and k-DOPs of 14, 18 and 26 faces. Of each it says:
+Reads each MESH, files and folders as `plumb check` reads them, and
+bounds its vertices by every kind of volume that the library fits: the
+smallest sphere, the axis-aligned box, capsule, lozenge, the oriented
+box of least volume, and k-DOPs of 14, 18 and 26 faces. Of each it says:
 
 tightness
        Its volume over that of the mesh's convex hull.
@@ -34,10 +34,7 @@ the program brings along.)"}},
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,
        an output that cannot be written. What was wrong stands on
        standard error, and no output was touched.)"},
-           {"ENVIRONMENT", R"(
-NO_COLOR
-       When set to anything, no colors. Without it, colors are used only
-       where the output is a terminal.)"},
+           {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
 plumb bounds part.stl --refined 20000
        Which volume should stand before a test of 20 microseconds?

@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tool/mesh/inputs.hpp"
+
 namespace plumb::tool {
 
 /// The methods of `plumb chart` that are compared; --fail-on-wrong takes these names.
@@ -32,13 +34,12 @@ constexpr bool is_asked(std::size_t method, Asked asked) {
 }
 
 struct CheckOptions {
-  std::vector<std::string> meshes;         // files, folders, "-"; none: the embedded part
+  MeshArguments meshes;                    // none: the embedded part
   std::optional<std::string> json, chart;  // "-" is standard output
   std::optional<std::string> write_sample;
-  std::optional<std::uint32_t> unpacked_mib;  // what a packed mesh may unpack to
-  unsigned threads = 0;                       // 0: as many as the machine has
-  bool verify = false;                        // take every decision in rationals again
-  bool all = false;                           // ask the inexact methods of every decision
+  unsigned threads = 0;  // 0: as many as the machine has
+  bool verify = false;   // take every decision in rationals again
+  bool all = false;      // ask the inexact methods of every decision
   std::vector<std::string> fail_on_wrong;
 };
 

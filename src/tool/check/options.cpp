@@ -9,21 +9,12 @@ Command check_command(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
   const std::vector<std::string> methods(method_names.begin(), method_names.end());
-  parser->add_option("MESH", o.meshes,
-                     "Mesh files, folders of them, or '-' for standard input; each mesh is checked in turn.");
-  parser->add_option("--json", o.json, "Write the report as JSON; '-' is standard output.")->type_name("FILE");
-  parser->add_option("--chart", o.chart, "Draw the share of wrong signs against the time per decision, as SVG.")
-      ->type_name("FILE");
+  add_meshes(parser, o.meshes, "each mesh is checked in turn.");
+  add_output(parser, "--json", o.json, "Write the report as JSON");
+  add_output(parser, "--chart", o.chart, "Draw the share of wrong signs against the time per decision, as SVG");
   parser->add_option("--threads", o.threads, "How many threads work; as many as the machine has when not given.")
       ->check(CLI::Range(1U, 4096U))
       ->type_name("N");
-  parser
-      ->add_option(
-          "--unpacked", o.unpacked_mib,
-          "What a packed mesh may unpack to; when not given 4096, and no more than 250 times the file, of which "
-          "16 are free.")
-      ->check(CLI::Range(1U, 1U << 24))
-      ->type_name("MIB");
   parser->add_flag("--all", o.all,
                    "Ask every method of every decision; otherwise, on a big mesh, plan and exact of all and the others "
                    "of a sample.");
@@ -39,7 +30,7 @@ Command check_command(CLI::App& program) {
           "--write-sample", o.write_sample,
           "Write the mesh that the program brings along, in the format of the extension; alone, it checks nothing.")
       ->type_name("FILE");
-  return {parser, check_manual, [options] { return run_check(*options); }, &o.meshes};
+  return {parser, check_manual, [options] { return run_check(*options); }, &o.meshes.words};
 }
 
 }  // namespace plumb::tool

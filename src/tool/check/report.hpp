@@ -8,7 +8,6 @@
 #include <string>
 
 #include "tool/check/mesh.hpp"
-#include "tool/mesh/inputs.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -18,9 +17,6 @@ namespace plumb::tool {
 std::string text_opening(const MeshCheck& check, const Style& style);
 std::string text_verdict(const MeshCheck& check);
 std::string text_tables(const MeshCheck& check, const Style& style);
-
-/// What lies in the folder that was no mesh.
-std::string text_passed_over(const std::string& folder, const MeshInputs& inputs);
 
 /// The totals over several meshes; the table alone.
 std::string text_total(std::span<const MeshCheck> checks, const Style& style);

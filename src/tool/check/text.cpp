@@ -134,16 +134,6 @@ std::string text_tables(const MeshCheck& c, const Style& style) {
   return s + worst_lines(total, style) + verification_line(total, style);
 }
 
-std::string text_passed_over(const std::string& folder, const MeshInputs& inputs) {
-  constexpr std::size_t shown = 5;
-  std::string s = fmt::format("{}: {}; passed over, no meshes by their names:", printable(folder),
-                              plural(inputs.files.size(), "mesh", "meshes"));
-  for (std::size_t i = 0; i < std::min(shown, inputs.passed_over.size()); ++i)
-    s += fmt::format("{} {}", i == 0 ? "" : ",", printable(inputs.passed_over[i]));
-  if (inputs.passed_over.size() > shown) s += fmt::format(" and {} more", inputs.passed_over.size() - shown);
-  return s + "\n";
-}
-
 std::string text_total(std::span<const MeshCheck> checks, const Style& style) {
   Comparison total;
   for (const MeshCheck& c : checks) total += c.total();

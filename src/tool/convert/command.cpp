@@ -34,29 +34,23 @@ WriteOptions write_options(const ConvertOptions& options) {
 }  // namespace
 
 int run_convert(const ConvertOptions& options) {
-  if (options.files.size() != 2)
-    throw Error(
-        "convert: two files are needed, the one to read and the one to "
-        "write; 'plumb convert --help' explains");
-  const std::string &from = options.files[0], &to = options.files[1];
-  const surface::Replacing replacing = options.overwrite ? surface::Replacing::yes : surface::Replacing::no;
-  try {
-    if (to != "-") probe_file(to, replacing);
-  } catch (const std::system_error& e) {
-    if (e.code() != std::errc::file_exists) throw Error(fmt::format("{}: {}", printable(to), e.code().message()));
-    throw Error(fmt::format("{} is there already; --overwrite replaces it", printable(to)));
-  }
+  if (options.files.words.size() != 2)
+    throw Error("convert: two files are needed, the one to read and the one to write; 'plumb convert --help' explains");
+  const std::string &from = options.files.words[0], &to = options.files.words[1];
+  OutputFiles outputs({from});
+  outputs.promise_mesh("TO", to, options.overwrite ? surface::Replacing::yes : surface::Replacing::no,
+                       "give another name, or --overwrite to replace it");
   LoadReport report;
-  const PolygonMesh mesh = read_input(from, &report, {});
+  const PolygonMesh mesh = read_input(from, &report, options.files.reading());
+  outputs.require_not_read(report.files_beside);
   const WriteOptions write = write_options(options);
-  const std::string bytes = format_mesh(mesh, to, write);
-  if (to == "-") {
-    say(bytes);
-    return 0;
+  outputs.write("TO", format_mesh(mesh, to, write));
+  if (!outputs.on_standard_output()) {
+    const bool triangulated =
+        write.format.value_or(format_by_extension(to).value_or(MeshFormat::obj)) == MeshFormat::stl;
+    say(fmt::format("{} -> {}\n{}", printable(name_of_input(from)), printable(to), load_text(report, triangulated)));
   }
-  keep_files({{to, bytes, replacing}});
-  const bool triangulated = write.format.value_or(format_by_extension(to).value_or(MeshFormat::obj)) == MeshFormat::stl;
-  say(fmt::format("{} -> {}\n{}", printable(name_of_input(from)), printable(to), load_text(report, triangulated)));
+  outputs.keep();
   return 0;
 }
 

@@ -12,13 +12,13 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/surface/read_mesh.hpp"
 #include "plumb/surface/write_mesh.hpp"
+#include "tool/mesh/inputs.hpp"
 
 namespace plumb::tool {
 
 struct ConvertOptions {
-  std::vector<std::string> files;               // from, to; "-" is standard input, and standard output
+  MeshArguments files;                          // from, to; "-" is standard input, and standard output
   std::optional<std::string> format, encoding;  // of these names; otherwise what write_mesh does
   bool overwrite = false;
 };

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdlib>
+
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/instruction_set.hpp"
 
@@ -20,8 +22,10 @@ struct Batches {
 };
 Batches batches() {
   try {
-    return {fmt::format("{}; PLUMB_INSTRUCTION_SET chooses one of {}", batch_instruction_set(),
-                        fmt::join(batch_instruction_sets(), " ")),
+    const char* const asked = std::getenv("PLUMB_INSTRUCTION_SET");  // NOLINT(concurrency-mt-unsafe): never set here
+    const bool is_asked = asked != nullptr && *asked != '\0';
+    return {fmt::format("{}{}; PLUMB_INSTRUCTION_SET chooses one of {}", batch_instruction_set(),
+                        is_asked ? ", which was asked for" : "", fmt::join(batch_instruction_sets(), " ")),
             {}};
   } catch (const Error& e) {
     return {{}, e.what()};

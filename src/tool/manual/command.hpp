@@ -1,6 +1,6 @@
 // What is a command of the program?  A parser with its options, a page, and what runs.
 //
-// Each `<name>_options.cpp` makes one: its options stand beside nothing but each other, and their descriptions become
+// Each command's `options.cpp` makes one: its options stand beside nothing but each other, and their descriptions become
 // the page's, the manual's and the shells'. A new command is a function below and a line in program.cpp.
 // Law: what the parser fills lives as long as the command; the options that every command has are program.cpp's.
 // Source: none.
@@ -11,11 +11,13 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tool/manual/help_text.hpp"
+#include "tool/mesh/inputs.hpp"
 #include "tool/trial/task.hpp"
 
 namespace plumb::tool {
@@ -49,6 +51,16 @@ void show_page(const CLI::App& program, const Command* command);
 
 /// Of the manifest.
 std::vector<std::string> predicate_names();
+
+/// MESH: what a command reads, with the option that bounds it.
+void add_meshes(CLI::App* parser, MeshArguments& meshes, const std::string& about);
+
+/// The bound alone, of commands whose files are not all meshes to read.
+void add_unpacked(CLI::App* parser, std::optional<std::uint32_t>& unpacked_mib);
+
+/// An option that names the file to write; "-", and no name, is standard output.
+void add_output(CLI::App* parser, const std::string& option, std::optional<std::string>& path,
+                const std::string& about);
 
 /// Of commands that place copies of meshes; the defaults are those that the fields hold.
 void add_placements(CLI::App* parser, std::uint32_t& placements, double& refined_ns);

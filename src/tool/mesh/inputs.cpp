@@ -1,19 +1,25 @@
 #include "tool/mesh/inputs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+
+#include "tool/terminal/number_text.hpp"
+#include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& folder, const std::string& text) {
-  throw MeshFileError(MeshFileProblem::unreadable, folder, std::nullopt, std::nullopt, text);
+MeshFileError fault(const std::string& folder, const std::string& text) {
+  return {MeshFileProblem::unreadable, folder, std::nullopt, std::nullopt, text};
 }
 
 bool ends_like_a_mesh(fs::path path) {
@@ -51,23 +57,81 @@ std::string standard_input() {
   return bytes;
 }
 
-}  // namespace
-
-MeshInputs mesh_inputs(const std::string& argument) {
-  std::error_code error;
-  if (argument == "-" || !fs::is_directory(argument, error)) return {{argument}, {}};
-  fs::directory_iterator readable(argument, error);
-  if (error) fail(argument, "cannot be read: " + error.message() + "; check its permissions");
-  MeshInputs found;
-  walk(argument, found);
-  if (found.files.empty())
-    fail(argument, "this folder holds no mesh, expected files that end like one (.obj, .stl, .3mf); name another");
-  return found;
+/// "parts: 2 meshes; passed over, no meshes by their names: notes.txt".
+std::string remark(const std::string& folder, const MeshInputs& found) {
+  constexpr std::size_t shown = 5;
+  std::string text = fmt::format("{}: {}; passed over, no meshes by their names:", printable(folder),
+                                 plural(found.files.size(), "mesh", "meshes"));
+  for (std::size_t i = 0; i < std::min(shown, found.passed_over.size()); ++i)
+    text += fmt::format("{} {}", i == 0 ? "" : ",", printable(found.passed_over[i]));
+  if (found.passed_over.size() > shown) text += fmt::format(" and {} more", found.passed_over.size() - shown);
+  return text + "\n";
 }
 
-PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOptions& options) {
+void add_folder(const std::string& folder, MeshInputs& all) {
+  std::error_code error;
+  fs::directory_iterator readable(folder, error);
+  if (error) {
+    all.faults.push_back(fault(folder, "cannot be read: " + error.message() + "; check its permissions"));
+    return;
+  }
+  MeshInputs found;
+  walk(folder, found);
+  if (found.files.empty()) {
+    all.faults.push_back(
+        fault(folder, "this folder holds no mesh, expected files that end like one (.obj, .stl, .3mf); name another"));
+    return;
+  }
+  if (!found.passed_over.empty()) all.remarks.push_back(remark(folder, found));
+  all.files.insert(all.files.end(), found.files.begin(), found.files.end());
+  all.passed_over.insert(all.passed_over.end(), found.passed_over.begin(), found.passed_over.end());
+}
+
+}  // namespace
+
+ReadOptions MeshArguments::reading() const {
+  if (!unpacked_mib) return {};
+  return {std::uint64_t{*unpacked_mib} << 20, std::numeric_limits<std::uint64_t>::max()};
+}
+
+MeshInputs mesh_inputs(const MeshArguments& arguments) {
+  if (std::ranges::count(arguments.words, "-") > 1)
+    throw Error("'-' stands twice, but standard input is read once; name it once");
+  MeshInputs inputs;
+  for (const std::string& word : arguments.words) {
+    std::error_code error;
+    if (word != "-" && fs::is_directory(word, error)) {
+      add_folder(word, inputs);
+    } else {
+      inputs.files.push_back(word);
+    }
+  }
+  return inputs;
+}
+
+PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOptions& options) try {
   if (file != "-") return read_polygon_mesh(file, report, options);
-  return parse_mesh(standard_input(), std::filesystem::path(name_of_input(file)), report, options);
+  return parse_mesh(standard_input(), fs::path(name_of_input(file)), report, options);
+} catch (const MeshFileError& e) {
+  if (e.problem != MeshFileProblem::too_large) throw;
+  throw Error(fmt::format("{}; '--unpacked MIB' raises it", e.what()));
+}
+
+bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take) {
+  bool good = inputs.faults.empty();
+  for (const MeshFileError& e : inputs.faults) complain(e.what());
+  for (const std::string& file : inputs.files) {
+    InputMesh input{name_of_input(file), {}, {}};
+    try {
+      input.mesh = read_input(file, &input.load, options);
+    } catch (const Error& e) {
+      complain(e.what());
+      good = false;
+      continue;
+    }
+    take(std::move(input));
+  }
+  return good;
 }
 
 std::string name_of_input(const std::string& file) { return file == "-" ? "standard input" : file; }

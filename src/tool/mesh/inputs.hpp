@@ -1,13 +1,16 @@
-// Which meshes does a command line mean?  Files, every mesh in a folder, and standard input.
+// Which meshes does a command line mean?  Files, every mesh in a folder, and standard input: for every command alike.
 //
 // Laws: (1) a folder means the files in it and in its folders, in the order of their paths, whose names end like those
 // of meshes; what else lies there is passed over, and said so.  (2) Links to folders are not followed, so a walk ends.
-// (3) "-" is standard input, once.
+// (3) "-" is standard input, once.  (4) All arguments are looked at before the first mesh is read, so that it is known
+// what a run will read.
 // Source: none.
 // Cost: a look at each name in the folders.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,17 +18,37 @@
 
 namespace plumb::tool {
 
-/// What one argument means.
-struct MeshInputs {
-  std::vector<std::string> files;
-  std::vector<std::string> passed_over;  // in a folder: no meshes by their names, and folders that cannot be read
+/// As they were given.
+struct MeshArguments {
+  std::vector<std::string> words;             // files, folders, "-"
+  std::optional<std::uint32_t> unpacked_mib;  // what a packed mesh may unpack to, and parts may make
+
+  [[nodiscard]] ReadOptions reading() const;
 };
 
-/// Of one argument; throws MeshFileError for a folder that holds no mesh or cannot be read.
-MeshInputs mesh_inputs(const std::string& argument);
+/// What they mean.
+struct MeshInputs {
+  std::vector<std::string> files;
+  std::vector<std::string> passed_over;  // in folders: no meshes by their names, and folders that cannot be read
+  std::vector<std::string> remarks;      // the same for people, a line for each folder where there is any
+  std::vector<MeshFileError> faults;     // folders that hold no mesh or cannot be read
+};
 
-/// The mesh of a file, or of standard input for "-".  Throws MeshFileError, and Error where that cannot be read.
+/// Throws Error where standard input is named twice.
+MeshInputs mesh_inputs(const MeshArguments& arguments);
+
+/// The mesh of a file, or of standard input for "-".  Throws MeshFileError, and Error where standard input cannot be
+/// read or the mesh is larger than the options allow, naming the option that allows it.
 PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOptions& options);
+
+struct InputMesh {
+  std::string name;
+  PolygonMesh mesh;
+  LoadReport load;
+};
+
+/// Every mesh in turn.  What cannot be read is complained of and the others are still taken; false then.
+bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take);
 
 /// How an input is called: "standard input" for "-".
 std::string name_of_input(const std::string& file);

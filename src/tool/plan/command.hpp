@@ -1,7 +1,7 @@
 // `plumb plan`: what do these meshes need, as one scene and each alone, and no more?
 //
-// Laws: text, JSON and chart hold the same numbers.  Exit code 0 when done; a mesh that cannot be read or has no
-// vertices, or an output that cannot be written, throws Error: a scene without one of its meshes is another scene.
+// Laws: text, JSON and chart hold the same numbers.  Exit code 0 when done; a mesh that cannot be read or an output
+// that cannot be written throws Error: a scene without one of its meshes is another scene.
 // Source: scene_plan.hpp.
 // Cost: that of plan_scene.
 #pragma once
@@ -11,13 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "tool/mesh/inputs.hpp"
 #include "tool/plan/scene_plan.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 
 struct PlanOptions : ScenePlanOptions {
-  std::vector<std::string> meshes;         // none: the embedded part
+  MeshArguments meshes;                    // none: the embedded part
   std::optional<std::string> json, chart;  // "-" is standard output
   bool all = false;                        // list every predicate of the manifest
 };

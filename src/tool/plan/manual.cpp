@@ -7,8 +7,8 @@ Manual plan_manual() {
           "what do exact decisions on a scene need, and no more?",
           {"plumb plan [OPTION]... [MESH]..."},
           {{"DESCRIPTION", R"(
-Reads all MESHes, files as `plumb check` reads them, as one scene and
-says what exact decisions on it need, and no more:
+Reads all MESHes, files and folders as `plumb check` reads them, as one
+scene and says what exact decisions on it need, and no more:
 
 its lattice
        The largest power of two that divides every coordinate, and how
@@ -40,13 +40,10 @@ points and triangles that each lattice damages, and all kinds of
 volumes. Without a MESH it plans the one that the program brings along.)"}},
           {{"EXIT STATUS", R"(
 0      Done.
-2      Bad input: wrong usage, a file that cannot be read, is no mesh or
-       has no vertices, an output that cannot be written. What was wrong
+2      Bad input: wrong usage, a file that cannot be read, or is no
+       mesh, an output that cannot be written. What was wrong
        stands on standard error.)"},
-           {"ENVIRONMENT", R"(
-NO_COLOR
-       When set to anything, no colors. Without it, colors are used only
-       where the output is a terminal.)"},
+           {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
 plumb plan part.stl
        Would the part do with plain doubles, were it rounded to a grid?

@@ -62,6 +62,17 @@ class Program {
     return why_not_taken(parser, parser.remaining(), commands_);
   }
 
+  /// Of an option that was given nothing; the parser names it before a colon.
+  [[nodiscard]] std::string without_value(std::string_view fault) const {
+    const std::string name(fault.substr(0, fault.find(':')));
+    const Command* const c = named();
+    for (const ShownOption& o : shown_options(c != nullptr ? *c->parser : app_)) {
+      if (std::ranges::find(o.names, name) != o.names.end() && !o.value.empty())
+        return fmt::format("{0} needs a value: write '{0}{1}'", name, o.shown_value());
+    }
+    return std::string(fault);
+  }
+
   [[nodiscard]] std::string help_hint() const {
     const Command* const c = named();
     return c != nullptr ? fmt::format("'plumb {} --help' explains", c->parser->get_name()) : "'plumb help' explains";
@@ -153,6 +164,8 @@ int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try
     code = run_parsed(program, argc, argv);
   } catch (const CLI::ExtrasError&) {
     return refuse(fmt::format("{}; {}", program.extras(), program.help_hint()));
+  } catch (const CLI::ArgumentMismatch& e) {
+    return refuse(fmt::format("{}; {}", program.without_value(e.what()), program.help_hint()));
   } catch (const CLI::ParseError& e) {
     return refuse(fmt::format("{}; {}", e.what(), program.help_hint()));
   }

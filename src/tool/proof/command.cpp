@@ -54,7 +54,7 @@ int run_proof(const ProofOptions& options) {
   const CatalogEntry& e = entry_of(options.predicate);
   const ProofScale scale = options.every_scale ? ProofScale::every : ProofScale::unit;
   OutputFiles outputs;
-  outputs.promise("--out", options.out);
+  outputs.promise("--out", options.out.value_or("-"));
   outputs.write("--out", proof_script(e.name, e.program, e.filter_constant, scale));
   outputs.keep();
   return 0;

@@ -7,6 +7,7 @@
 // Cost: milliseconds.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tool/terminal/terminal.hpp"
@@ -17,7 +18,7 @@ struct ProofOptions {
   std::string predicate;
   bool every_scale = false;
   bool list = false;
-  std::string out = "-";
+  std::optional<std::string> out;  // none: standard output
 };
 
 int run_proof(const ProofOptions& options);

@@ -18,7 +18,7 @@ Command proof_command(CLI::App& program) {
   parser->add_flag("--every-scale", o.every_scale,
                    "Claim instead, of every term by itself, what holds at every scale, of an operation that errs by "
                    "2^-53 of its result and of which nothing else is known.");
-  parser->add_option("--out", o.out, "Write the script there; '-' is standard output.")->type_name("FILE");
+  add_output(parser, "--out", o.out, "Write the script there");
   parser
       ->add_flag("--list", o.list,
                  "List the predicates with what is derived from each: its degree, its operations, the number of its "

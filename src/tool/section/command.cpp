@@ -20,12 +20,13 @@ SectionReport report_of(const SectionOptions& options) {
     for (NamedPlane& plane : planes_of(words)) report.planes.push_back(std::move(plane));
     if (report.planes.size() > most_planes) throw Error(fmt::format("more than {} planes", most_planes));
   }
-  report.mesh_name = name_of_input(options.meshes.front());
-  report.mesh = triangulate(read_input(options.meshes.front(), &report.load, {}), &report.load.fans);
+  report.mesh_name = name_of_input(options.meshes.words.front());
+  report.mesh =
+      triangulate(read_input(options.meshes.words.front(), &report.load, options.meshes.reading()), &report.load.fans);
   std::vector<AnyPlane3> planes;
   for (const NamedPlane& plane : report.planes) planes.push_back(plane.plane);
   report.sections = sections(report.mesh, planes, options.below ? OnPlane::below : OnPlane::above);
-  for (const plumb::Section& section : report.sections) {
+  for (const Section& section : report.sections) {
     const SectionView view(section.plane);
     auto& drawn = report.drawn.emplace_back();
     auto& measured = report.measured.emplace_back();
@@ -43,7 +44,7 @@ struct Counted {
   double area = 0, length = 0;
 };
 
-Counted count(const plumb::Section& section, const std::vector<ContourMeasures>& measured) {
+Counted count(const Section& section, const std::vector<ContourMeasures>& measured) {
   Counted n;
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const Contour& c = section.contours[i];
@@ -55,7 +56,7 @@ Counted count(const plumb::Section& section, const std::vector<ContourMeasures>&
   return n;
 }
 
-std::string remarks(const plumb::Section& section, const Counted& n, const Style& style) {
+std::string remarks(const Section& section, const Counted& n, const Style& style) {
   std::string text;
   const auto remark = [&](std::uint64_t many, const char* what) {
     if (many != 0) text += fmt::format("{}{} {}", text.empty() ? "  " : ", ", many, what);
@@ -88,28 +89,26 @@ std::string section_text(const SectionReport& report, const Style& style) {
     open += n.open != 0;
   }
   if (inexact != 0)
-    text += fmt::format(
-        "{} of {} planes are given by decimals that are no "
-        "doubles; they stand for the nearest ones.\n",
-        inexact, report.planes.size());
+    text += fmt::format("{} of {} planes are given by decimals that are no doubles; they stand for the nearest ones.\n",
+                        inexact, report.planes.size());
   if (open != 0)
     text += fmt::format(
-        "{} of {} sections are open: the mesh has holes there, "
-        "or triangles wound against each other; "
-        "'plumb check' tells.\n",
+        "{} of {} sections are open: the mesh has holes there, or triangles wound against each other; 'plumb check' "
+        "tells.\n",
         open, report.planes.size());
   return text;
 }
 
 int run_section(const SectionOptions& options) {
-  if (options.meshes.size() != 1) throw Error("section: one MESH is needed; 'plumb section --help' explains");
+  if (options.meshes.words.size() != 1) throw Error("section: one MESH is needed; 'plumb section --help' explains");
   if (options.planes.empty()) throw Error("section: a --plane is needed, such as --plane z=1.5");
-  OutputFiles outputs(options.meshes);
+  OutputFiles outputs(options.meshes.words);
   outputs.promise("--svg", options.svg);
   outputs.promise("--dxf", options.dxf);
   outputs.promise("--json", options.json);
   if (options.out) require_report_folder(*options.out, "section", {"section-0001.svg"});
   const SectionReport report = report_of(options);
+  outputs.require_not_read(report.load.files_beside);
   if (!outputs.on_standard_output()) say(section_text(report, Style(stdout)));
   if (options.svg) outputs.write("--svg", section_svg(report));
   if (options.dxf) outputs.write("--dxf", section_dxf(report));
@@ -121,9 +120,10 @@ int run_section(const SectionOptions& options) {
     std::vector<NamedText> files;
     for (std::size_t i = 0; i < report.planes.size(); ++i)
       files.push_back({fmt::format("section-{:04}.svg", i + 1), section_svg(report, i)});
-    write_report(*options.out, "section", std::move(files));
+    write_report(*options.out, "section", std::move(files), outputs.keep_streams());
+  } else {
+    outputs.keep();
   }
-  outputs.keep();
   return 0;
 }
 

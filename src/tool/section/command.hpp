@@ -14,6 +14,7 @@
 
 #include "plumb/surface/read_mesh.hpp"
 #include "plumb/surface/section.hpp"
+#include "tool/mesh/inputs.hpp"
 #include "tool/section/plane_words.hpp"
 #include "tool/section/view.hpp"
 #include "tool/terminal/terminal.hpp"
@@ -21,7 +22,8 @@
 namespace plumb::tool {
 
 struct SectionOptions {
-  std::vector<std::string> meshes, planes;
+  MeshArguments meshes;  // one file
+  std::vector<std::string> planes;
   std::optional<std::string> svg, dxf, json, out;  // "-" is standard output
   bool below = false;                              // vertices in a plane count as below it
 };
@@ -34,7 +36,7 @@ struct SectionReport {
   LoadReport load;
   TriangleMesh mesh;
   std::vector<NamedPlane> planes;
-  std::vector<plumb::Section> sections;                 // one for each plane
+  std::vector<Section> sections;                        // one for each plane
   std::vector<std::vector<std::vector<Point2>>> drawn;  // of each section's contours, in the coordinates of its view
   std::vector<std::vector<ContourMeasures>> measured;   // likewise
 };

@@ -44,10 +44,7 @@ corner is a vertex. Areas and lengths are those of the rounded corners.)"}},
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,
        a plane without a normal, an output that cannot be written. What
        was wrong stands on standard error.)"},
-           {"ENVIRONMENT", R"(
-NO_COLOR
-       When set to anything, no colors. Without it, colors are used only
-       where the output is a terminal.)"},
+           {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
 plumb section --plane z=1.5 --svg cut.svg part.stl
        One section, drawn.

@@ -67,23 +67,23 @@ class MadeFolder {
 }  // namespace
 
 void OutputFiles::promise(std::string_view option, const std::optional<std::string>& path) {
-  if (path) add(option, *path, Replacing::yes);
+  if (path) add({std::string(option), *path, false, Replacing::yes, false}, "");
 }
 
-void OutputFiles::promise_new(std::string_view option, const std::optional<std::string>& path) {
-  if (path) add(option, *path, Replacing::no);
+void OutputFiles::promise_mesh(std::string_view option, const std::optional<std::string>& path, Replacing replacing,
+                               std::string_view mend) {
+  if (path) add({std::string(option), *path, true, replacing, false}, mend);
 }
 
-void OutputFiles::add(std::string_view option, const std::string& path, Replacing replacing) {
-  Output output{std::string(option), path, replacing, path == "-" || is_stream(path, STDOUT_FILENO)};
+void OutputFiles::add(Output output, std::string_view mend) {
+  output.standard_output = output.path == "-" || is_stream(output.path, STDOUT_FILENO);
   require_distinct(output);
   if (!output.standard_output) {
     try {
-      probe_file(path, replacing);
+      probe_file(output.path, output.replacing);
     } catch (const std::system_error& e) {
-      if (e.code() != std::errc::file_exists) refuse(path, e);
-      throw Error(fmt::format("{}: {} is there already and is kept; give another name, or remove it first", option,
-                              printable(path)));
+      if (e.code() != std::errc::file_exists) refuse(output.path, e);
+      throw Error(fmt::format("{}: {} is there already and is kept; {}", output.option, printable(output.path), mend));
     }
   }
   outlive_reader();
@@ -98,18 +98,29 @@ void OutputFiles::require_distinct(const Output& output) const {
       throw Error(fmt::format("{} and {} name the same output", other.option, output.option));
   }
   if (output.standard_output) return;
-  for (const std::string& input : inputs_) {
-    if (is_same_file(input, output.path))
-      throw Error(fmt::format("{} would replace {}, which this run reads; give another name", output.option, file));
-  }
+  for (const std::string& input : inputs_) require_other(input, output);
   if (status_of(output.path) && is_stream(output.path, STDIN_FILENO) && S_ISREG(status_of(output.path)->st_mode))
     throw Error(fmt::format("{} would replace {}, which is standard input; give another name", output.option, file));
-  if (output.replacing == Replacing::no) return;  // then nothing is replaced, and a mesh may be what is written
-  if (const std::string why = why_mesh(output.path); !why.empty()) {
+  if (output.is_mesh) return;  // and may replace one, if anything
+  std::error_code error;
+  const std::string why = fs::is_directory(output.path, error) ? "is a folder" : why_mesh(output.path);
+  if (!why.empty()) {
     throw Error(
         fmt::format("{0} takes the name of the file to write, and {1} {2}, which is kept; write '{0} REPORT {1}', or "
                     "'{0} - {1}' for standard output",
                     output.option, file, why));
+  }
+}
+
+void OutputFiles::require_other(const std::string& read, const Output& output) {
+  if (output.standard_output || !is_same_file(read, output.path)) return;
+  throw Error(fmt::format("{} would replace {}, which this run reads; give another name", output.option,
+                          printable(output.path)));
+}
+
+void OutputFiles::require_not_read(const std::vector<fs::path>& files) const {
+  for (const fs::path& file : files) {
+    for (const Output& output : outputs_) require_other(file.string(), output);
   }
 }
 
@@ -130,7 +141,9 @@ void OutputFiles::write(std::string_view option, std::string text) {
   }
 }
 
-void OutputFiles::keep() {
+void OutputFiles::keep() { keep_files(keep_streams()); }
+
+std::vector<PathAndText> OutputFiles::keep_streams() {
   std::vector<PathAndText> files;
   for (const Output& o : outputs_) {
     if (!o.written) continue;
@@ -141,7 +154,7 @@ void OutputFiles::keep() {
     }
   }
   flush_output();
-  keep_files(files);
+  return files;
 }
 
 void probe_file(const fs::path& path, Replacing replacing) {

@@ -10,7 +10,7 @@
 //
 // Laws: (1) until keep() no output's place is touched: a run that fails or is stopped leaves what was there, and
 // nothing beside it; (2) no output replaces a file that the run reads, under whatever name, nor standard input's, nor
-// one that is a mesh by its ending or its content, nor another output; what is promised as new replaces nothing; (3)
+// one that is a mesh by its ending or its content, nor another output; a mesh replaces nothing unasked; (3)
 // "-", and whatever else standard output is, is written to standard output; (4) how the files are written says
 // surface/whole_file.hpp; what cannot be written throws Error, which names option and file.
 // Source: none.
@@ -28,40 +28,48 @@
 
 namespace plumb::tool {
 
+struct PathAndText {
+  std::filesystem::path path;
+  std::string_view text;
+  surface::Replacing replacing = surface::Replacing::yes;
+};
+
 class OutputFiles {
  public:
   explicit OutputFiles(std::vector<std::string> inputs = {}) : inputs_(std::move(inputs)) {}
 
   /// What is written there is a report.
   void promise(std::string_view option, const std::optional<std::string>& path);
-  /// What is written there is the user's own kind of file, such as a mesh, and must not be there yet.
-  void promise_new(std::string_view option, const std::optional<std::string>& path);
+  /// What is written there is a mesh, and replaces only what the user said it may; else the mend is told.
+  void promise_mesh(std::string_view option, const std::optional<std::string>& path, surface::Replacing replacing,
+                    std::string_view mend = "give another name, or remove it first");
+
+  /// What turned out to be read as well; throws Error where an output would replace it.
+  void require_not_read(const std::vector<std::filesystem::path>& files) const;
 
   [[nodiscard]] bool wants(std::string_view option) const;
   /// Standard output is one output's alone.
   [[nodiscard]] bool on_standard_output() const;
   void write(std::string_view option, std::string text);
   void keep();
+  /// The same but for the files, which are left to who keeps them with others; they refer to this object.
+  [[nodiscard]] std::vector<PathAndText> keep_streams();
 
  private:
   struct Output {
     std::string option, path;
+    bool is_mesh;
     surface::Replacing replacing;
     bool standard_output;
     std::string text{};
     bool written = false;
   };
-  void add(std::string_view option, const std::string& path, surface::Replacing replacing);
+  void add(Output output, std::string_view mend);
   void require_distinct(const Output& output) const;
+  static void require_other(const std::string& read, const Output& output);
 
   std::vector<std::string> inputs_;
   std::vector<Output> outputs_;
-};
-
-struct PathAndText {
-  std::filesystem::path path;
-  std::string_view text;
-  surface::Replacing replacing = surface::Replacing::yes;
 };
 
 /// Throws std::system_error where such a file could not be kept; leaves nothing.

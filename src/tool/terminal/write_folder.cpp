@@ -19,8 +19,7 @@ namespace fs = std::filesystem;
 
 std::string list_of(std::string_view command) { return fmt::format(".plumb-{}-files", command); }
 
-/// Of an older report; only names of this folder's own files, whatever the list
-/// says.
+/// Of an older report; only names of this folder's own files, whatever the list says.
 std::set<std::string> files_of_older(const fs::path& folder, std::string_view command) {
   std::set<std::string> names;
   std::ifstream list(folder / list_of(command));
@@ -35,9 +34,16 @@ std::set<std::string> files_of_older(const fs::path& folder, std::string_view co
 void require_own(const fs::path& folder, const std::string& name, const std::set<std::string>& own) {
   if (own.contains(name) || !fs::exists(fs::symlink_status(folder / name))) return;
   throw Error(
-      fmt::format("{} is there already and is none of an older "
-                  "report's files; give another folder, or remove it",
+      fmt::format("{} is there already and is none of an older report's files; give another folder, or remove it",
                   printable((folder / name).string())));
+}
+
+void require_none_of(const std::vector<PathAndText>& others, const fs::path& path) {
+  const auto place = [](const fs::path& p) { return fs::weakly_canonical(fs::absolute(surface::target_of(p))); };
+  for (const PathAndText& other : others) {
+    if (place(other.path) == place(path))
+      throw Error(fmt::format("{} would be the same output twice; give another name", printable(other.path.string())));
+  }
 }
 
 }  // namespace
@@ -52,19 +58,21 @@ void require_report_folder(const std::string& folder, std::string_view command, 
   for (const std::string& name : names) require_own(folder, name, own);
 }
 
-void write_report(const std::string& folder, std::string_view command, std::vector<NamedText> files) {
+void write_report(const std::string& folder, std::string_view command, std::vector<NamedText> files,
+                  std::vector<PathAndText> beside) {
   std::set<std::string> stale = files_of_older(folder, command);
+  for (const std::string& name : stale) require_none_of(beside, fs::path(folder) / name);
   std::string list;
   for (const NamedText& file : files) {
     require_own(folder, file.name, stale);
+    require_none_of(beside, fs::path(folder) / file.name);
     list += file.name + '\n';
   }
   for (const NamedText& file : files) stale.erase(file.name);
   files.push_back({list_of(command), std::move(list)});
-  std::vector<PathAndText> all;
-  for (const NamedText& file : files) all.push_back({fs::path(folder) / file.name, file.text});
+  for (const NamedText& file : files) beside.push_back({fs::path(folder) / file.name, file.text});
   flush_output();  // what cannot be said is no success either
-  keep_files(all, folder);
+  keep_files(beside, folder);
   std::error_code ignored;
   for (const std::string& name : stale) fs::remove(fs::path(folder) / name, ignored);
 }
