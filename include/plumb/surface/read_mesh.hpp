@@ -53,7 +53,7 @@ struct LoadReport {
   std::uint64_t parts = 0;             // meshes placed by a 3MF's build or a glTF's nodes
   std::uint64_t transformed = 0;       // coordinates that a transform other than the identity has made
   std::uint64_t rounded = 0;           // those of them whose exact value is no double
-  std::vector<std::filesystem::path> files_beside{};  // that were read as well: a glTF's buffers
+  std::vector<std::string> files_beside{};  // that were read as well: a glTF's buffers
 };
 
 /// How much a small file may become.  What is packed unpacks to no more than `most_bytes`, nor to more than

@@ -118,9 +118,9 @@ void OutputFiles::require_other(const std::string& read, const Output& output) {
                           printable(output.path)));
 }
 
-void OutputFiles::require_not_read(const std::vector<fs::path>& files) const {
-  for (const fs::path& file : files) {
-    for (const Output& output : outputs_) require_other(file.string(), output);
+void OutputFiles::require_not_read(const std::vector<std::string>& files) const {
+  for (const std::string& file : files) {
+    for (const Output& output : outputs_) require_other(file, output);
   }
 }
 

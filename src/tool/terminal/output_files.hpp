@@ -45,7 +45,7 @@ class OutputFiles {
                     std::string_view mend = "give another name, or remove it first");
 
   /// What turned out to be read as well; throws Error where an output would replace it.
-  void require_not_read(const std::vector<std::filesystem::path>& files) const;
+  void require_not_read(const std::vector<std::string>& files) const;
 
   [[nodiscard]] bool wants(std::string_view option) const;
   /// Standard output is one output's alone.
