@@ -21,7 +21,7 @@ struct Source {
   std::string path;  // relative to the tree, with slashes
   std::size_t lines = 0;
   std::vector<std::string> includes;  // as spelled
-  std::vector<std::string> in_brackets;
+  std::vector<std::string> in_brackets{};
 };
 
 bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
