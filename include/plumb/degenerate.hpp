@@ -2,7 +2,7 @@
 //
 // Apart: the bridge to RapidCheck (degenerate/rapidcheck.hpp), which needs RapidCheck, and the kinds of questions that the
 // library answers (query/kinds/kinds.hpp).
-// Source: RTCD 11; docs/degeneracies.md, docs/fuzzing.md.
+// Source: docs/degeneracies.md, docs/fuzzing.md.
 #pragma once
 
 // Which inputs are hard?

@@ -3,8 +3,16 @@
 // Figures are plain structs of doubles and stand for exactly the sets that their numbers say; degenerate ones are figures
 // (docs/figures.md).  Questions about two of them are in plumb/query.hpp.
 // Apart: Eigen's vectors (figure/basic/eigen.hpp).
-// Source: RTCD 2.2, 3, 4.
+// Source: docs/sections.md, chapters 2 to 4.
 #pragma once
+
+// What do answers say, and what is computed beside them?
+#include "plumb/certify/accepted.hpp"             // first, so that what a compiler says of a misuse is short
+#include "plumb/figure/basic/answered.hpp"        // what is said where there is no answer
+#include "plumb/figure/basic/asked.hpp"           // what exceptions name
+#include "plumb/figure/basic/relation.hpp"        // Location, Relation
+#include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once
+#include "plumb/figure/basic/small_system.hpp"    // two to four linear equations
 
 // Which shapes are there?
 #include "plumb/figure/basic/box.hpp"                // Aabb2, Aabb3, Obb2, Obb3, Rectangle3
@@ -52,11 +60,3 @@
 #include "plumb/figure/sphere/spanned_sphere.hpp"      // through one to four points, exactly
 #include "plumb/figure/sphere/sphere.hpp"              // do two meet?  which one holds both?
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"  // capsules and lozenges
-
-// What do answers say, and what is computed beside them?
-#include "plumb/certify/accepted.hpp"             // coordinates of what formulas take
-#include "plumb/figure/basic/answered.hpp"        // what is said where there is no answer
-#include "plumb/figure/basic/asked.hpp"           // what exceptions name
-#include "plumb/figure/basic/relation.hpp"        // Location, Relation
-#include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once
-#include "plumb/figure/basic/small_system.hpp"    // two to four linear equations

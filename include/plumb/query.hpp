@@ -3,8 +3,14 @@
 // Answers are exact; where a number is given it is the true one, rounded once.  Which pairs a question takes is a table
 // (query/body/pairs.hpp), and docs/overlap.md, closest.md, intersection.md, rays.md and motion.md print it.
 // Apart: kinds of questions, on which other people's functions are tried (query/kinds/kinds.hpp).
-// Source: RTCD 2.3, 5.
+// Source: RTCD 2.3.
 #pragma once
+
+// What do they all take?
+#include "plumb/certify/accepted.hpp"       // first, so that what a compiler says of a misuse is short
+#include "plumb/query/body/answered.hpp"    // what is said where there is no answer
+#include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
+#include "plumb/query/body/pairs.hpp"       // every pair, and the algorithm that answers it
 
 // Do they meet?  relate, intersects
 #include "plumb/query/overlap/batch.hpp"          // one against many
@@ -48,9 +54,3 @@
 #include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
 #include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance
 #include "plumb/query/time_of_impact/translating_contact.hpp"  // convex figures along lines
-
-// What do they all take?
-#include "plumb/certify/accepted.hpp"
-#include "plumb/query/body/answered.hpp"    // what is said where there is no answer
-#include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
-#include "plumb/query/body/pairs.hpp"       // every pair, and the algorithm that answers it

@@ -1,7 +1,7 @@
 // The face of meshes and their files: what is in a file, is it a clean surface, and where does a plane cut it?
 //
 // Meshes are plain structs, with whatever a file from the wild has in it (docs/meshes.md).
-// Source: RTCD 2.2.1, 12.
+// Source: docs/sections.md, chapters 2 and 12.
 #pragma once
 
 #include "plumb/figure/basic/mesh.hpp"    // TriangleMesh, PolygonMesh

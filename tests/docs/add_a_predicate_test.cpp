@@ -62,8 +62,9 @@ int main() {
 )");
   // The list's part of the catalog is built anew, and takes the place of the one in the library.
   const std::string lines = "cd '" + (folder / "") +
-                            "' && " PLUMB_COMPILE " -O0 -Iinclude " PLUMB_INCLUDES " main.cpp " PLUMB_SOURCE_DIR
-                            "/src/certify/catalog_directions.cpp " PLUMB_LIBRARIES " -o main && ./main";
+                            "' && " PLUMB_COMPILE " -O0 -Iinclude " PLUMB_INCLUDES " -I" PLUMB_SOURCE_DIR
+                            "/src main.cpp " PLUMB_SOURCE_DIR "/src/certify/catalog_directions.cpp " PLUMB_LIBRARIES
+                            " -o main && ./main";
   const tool::Outcome outcome = tool::run(lines);
   EXPECT_EQ(outcome.out,
             block_for(page, "add to tests/certify/golden.txt") + "0 " + std::to_string(catalog().size() + 1) + "\n")

@@ -3,6 +3,7 @@
 // `plumb fuzz` does the same with a function of a shared library, in a process of its own (docs/fuzzing.md).
 #include <cstdio>
 #include <plumb/degenerate.hpp>
+#include <plumb/query.hpp>
 #include <plumb/query/kinds/kinds.hpp>
 
 namespace {

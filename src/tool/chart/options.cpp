@@ -15,7 +15,7 @@ Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals) {
   parser->add_option("--class", o.classes, "Only inputs of this class; repeatable.")
       ->allow_extra_args(false)
       ->type_name("NAME");
-  parser->add_option("--seed", o.seed, "Other inputs of the same classes; 2026 when not given.")->type_name("N");
+  add_seed(parser, o.seed, "Other inputs of the same classes;");
   return {parser,
           chart_manual,
           [options, rivals] { return run_chart(*options, rivals); },

@@ -23,9 +23,7 @@ Command fuzz_command(CLI::App& program) {
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   parser->add_option("--time", o.seconds, "Ask for so long.")->type_name("SECONDS");
-  parser->add_option("--seed", o.seed, "Other cases of the same generators; 2026 when not given.")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
+  add_seed(parser, o.seed, "Other cases of the same generators;");
   repeatable("--generator", o.generators, "Only cases of this generator; repeatable.");
   CLI::Option* const one_case =
       parser->add_option("--case", o.case_line, "Ask only this case, as findings are printed.")->type_name("LINE");

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -51,6 +52,9 @@ void show_page(const CLI::App& program, const Command* command);
 
 /// Of the manifest.
 std::vector<std::string> predicate_names();
+
+/// --seed: what is drawn by chance.
+void add_seed(CLI::App* parser, std::uint64_t& seed, const std::string& about);
 
 /// MESH: what a command reads, with the option that bounds it.
 void add_meshes(CLI::App* parser, MeshArguments& meshes, const std::string& about);

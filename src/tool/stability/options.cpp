@@ -13,7 +13,7 @@ Command stability_command(CLI::App& program) {
   parser->add_option("--experiment", o.experiments, "Only this experiment; repeatable.")
       ->allow_extra_args(false)
       ->type_name("NAME");
-  parser->add_option("--seed", o.settings.seed, "Other inputs of the same kinds; 2026 when not given.")->type_name("N");
+  add_seed(parser, o.settings.seed, "Other inputs of the same kinds;");
   parser->add_option("--ccd", o.settings.ccd, "Try the queries of continuous tests in this folder as well.")
       ->type_name("DIR");
   parser->add_option("--models", o.settings.models, "Try the meshes in this folder as well.")->type_name("DIR");

@@ -10,7 +10,7 @@ Command vectors_command(CLI::App& program) {
   parser->add_option("--out", o.out, "Write the files into this folder, which is made where it is missing.")
       ->required()
       ->type_name("DIR");
-  parser->add_option("--seed", o.seed, "Other cases of the same classes; 2026 when not given.")->type_name("N");
+  add_seed(parser, o.seed, "Other cases of the same classes;");
   return {parser, vectors_manual, [options] { return run_vectors(*options); }};
 }
 
