@@ -1,7 +1,7 @@
 // Which geometric decisions does mesh software take on this mesh?
 //
 // Eleven kinds, each a question put to one predicate at points of the mesh.  The same decision is then taken by every
-// method (methods.hpp) and compared (tool/check/mesh.hpp).
+// method (tool/trial/contestant.hpp) and compared (tool/check/mesh.hpp).
 // Laws: the decisions and their order depend on the mesh alone; which edges are flat is decided exactly.
 // Source: RTCD 3.1.6, 12.3, 12.4.
 // Cost: one exact orient3d an edge to begin with, then a few copies a decision.
