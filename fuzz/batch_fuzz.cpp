@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "certify/batch/take_instruction_set.hpp"
+#include "certify/case_line.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/side.hpp"
 #include "plumb/degenerate.hpp"
@@ -29,7 +29,7 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 template <class F>
-side::PointOf<F> point_of(const Coordinates<F>& c, std::size_t p) {
+certify::side::PointOf<F> point_of(const Coordinates<F>& c, std::size_t p) {
   if constexpr (F::dimension == 2) {
     return {c[2 * p], c[2 * p + 1]};
   } else {
@@ -64,8 +64,8 @@ struct Batch {
 
   /// form 0: arrays of points, 1: arrays of coordinates, 2 and 3: likewise against the first case's other points.
   void ask(unsigned form) {
-    constexpr std::size_t points = side::points<F>;
-    std::array<std::vector<side::PointOf<F>>, points> p;
+    constexpr std::size_t points = certify::side::points<F>;
+    std::array<std::vector<certify::side::PointOf<F>>, points> p;
     std::array<std::vector<double>, arity<F>> x;
     for (const Coordinates<F>& c : cases) {
       for (std::size_t k = 0; k < points; ++k) p[k].push_back(point_of<F>(c, k));
@@ -86,7 +86,8 @@ struct Batch {
     };
     const auto each = [&]<std::size_t... K>(std::index_sequence<K...>, auto argument) { batch(argument(K)...); };
     if (form == 0) {
-      each(std::make_index_sequence<points>(), [&](std::size_t k) { return std::span<const side::PointOf<F>>(p[k]); });
+      each(std::make_index_sequence<points>(),
+           [&](std::size_t k) { return std::span<const certify::side::PointOf<F>>(p[k]); });
     } else if (form == 1) {
       each(std::make_index_sequence<points>(), view);
     } else {
@@ -159,7 +160,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const unsigned choice = data[0], form = choice / 16 % 4;
   const std::size_t set = choice / 4 % 4;  // those that there are not: the best
   const std::size_t count = 1 + data[1] % 40;
-  batch::take_instruction_set(set < sets.size() ? sets[set] : std::string_view());
+  certify::batch::take_instruction_set(set < sets.size() ? sets[set] : std::string_view());
   const fuzz::Bytes rest{data + 2, size - 2};
   switch (choice % 4) {
     case 0:

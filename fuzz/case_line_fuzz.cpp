@@ -5,9 +5,9 @@
 #include <iostream>
 #include <string_view>
 
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@ namespace {
 using namespace plumb;
 
 // The tape over rationals.
-Sign replayed(const tape::Program& program, const std::vector<double>& p) {
+Sign replayed(const certify::tape::Program& program, const std::vector<double>& p) {
   std::vector<BigRational> number;
   for (const double x : p) number.push_back(big_rational(x));
-  for (const tape::Instruction& i : program.instructions) {
+  for (const certify::tape::Instruction& i : program.instructions) {
     const BigRational &l = number[i.left], &r = number[i.right];
     number.push_back(i.operation == '+' ? l + r : i.operation == '-' ? l - r : l * r);
   }

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <iostream>
 
+#include "arith/infinitesimal.hpp"
+#include "certify/case_line.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/arith/infinitesimal.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/certify/perturbed.hpp"
 #include "plumb/degenerate.hpp"
 
@@ -52,7 +52,8 @@ struct Question {
     require(s != Sign::zero, "never zero");
     require(exact == Sign::zero || s == exact, "the exact sign is kept");
     const auto by_size = order();
-    require(perturbation::expanded_sign(tape::program<F>(), true, p, by_size) == s, "the expansion agrees");
+    require(certify::perturbation::expanded_sign(certify::tape::program<F>(), true, p, by_size) == s,
+            "the expansion agrees");
     if constexpr (F::points < 5) {
       using Number = Infinitesimal<BigRational>;
       const Number value = evaluate<F>([&](std::size_t i) {

@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "certify/argument_cases.hpp"
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "plumb/certify/formula.hpp"
 #include "plumb/degenerate.hpp"
 

@@ -4,7 +4,7 @@
 // subtracts their bases first, and is as sharp far from the origin as near it.
 // Laws: moving all points of a construction by one vector moves the base and nothing else; the weight is zero exactly
 // when the construction is degenerate (parallel lines, a line parallel to the plane, planes parallel to one line).
-// Kinds are named here, with how many numbers they take; certify/mixed.hpp makes formulas of them.
+// Kinds are named here, with how many numbers they take; certify/detail/mixed.hpp makes formulas of them.
 // Source: RTCD 5.1.9.1, 5.3.1, 5.4.5; Attene 2020, "Indirect predicates for geometric constructions"; base and offset
 // kept apart: Guo and Fu 2024.  Degree of weight and offset: 2 and 3 (two lines), 3 and 4 (line and plane), 6 and 7
 // (three planes).

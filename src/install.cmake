@@ -46,7 +46,7 @@ plumb_write_pc(plumb-predicates "Exact signs of geometric predicates${needs_cxx2
   "${PLUMB_predicates_NEEDS}")
 # For C's linkers, which know nothing of C++: its library comes last.
 plumb_write_pc(plumb-classic "The classic C interface of robust predicates" plumb_classic ""
-  "-lplumb_predicates ${PLUMB_predicates_NEEDS} -lstdc++")
+  "-lplumb_predicates ${PLUMB_predicates_NEEDS} -lstdc++ -lm")
 plumb_write_pc(plumb-batch "Exact signs of many cases at once${needs_cxx20}" plumb_batch
   "plumb-predicates = ${PROJECT_VERSION}" "${PLUMB_batch_NEEDS}")
 plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" plumb_degenerate

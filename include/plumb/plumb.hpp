@@ -1,4 +1,4 @@
-// Everything: the signs, figures, and meshes with their files.  Generators of hard inputs are apart, in
+// Everything: the signs, figures, trees of many, and meshes with their files.  Generators of hard inputs are apart, in
 // plumb/degenerate.hpp.
 #pragma once
 
@@ -6,4 +6,5 @@
 #include "plumb/figure.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query.hpp"
+#include "plumb/space.hpp"
 #include "plumb/surface.hpp"

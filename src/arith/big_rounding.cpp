@@ -1,4 +1,4 @@
-#include "plumb/arith/big_rounding.hpp"
+#include "arith/big_rounding.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -46,6 +46,17 @@ class CertainSigns {
   bool certain_ = true;
 };
 
+/// -1 or 1 where the sign is certain, else 0; 0 also for what is certainly zero.
+template <class T>
+[[gnu::always_inline]] constexpr int certain_sign(const T& x) {
+  if constexpr (requires { x.certain_sign(); }) {
+    return x.certain_sign();
+  } else {
+    const Unsure<Sign> s = x.sign();
+    return s.certain() ? static_cast<int>(s.value()) : 0;
+  }
+}
+
 /// True only of what is exactly zero.
 template <class T>
 constexpr bool certainly_zero(const T& x) {

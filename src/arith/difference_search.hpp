@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace plumb::query {
+namespace plumb::arith {
 
 template <class T>
 using Triplet = std::array<T, 3>;
@@ -233,4 +233,4 @@ class DifferenceSearch {
   T whole_{}, square_{};
 };
 
-}  // namespace plumb::query
+}  // namespace plumb::arith

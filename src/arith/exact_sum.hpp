@@ -10,10 +10,10 @@
 
 #include <array>
 
+#include "arith/big_rounding.hpp"
 #include "plumb/arith/ball.hpp"
-#include "plumb/arith/big_rounding.hpp"
 
-namespace plumb::exact_sum {
+namespace plumb::arith::exact_sum {
 
 inline constexpr auto to_ball = [](double x) { return Ball{x}; };
 inline constexpr auto to_big = [](double x) { return BigDyadic(x); };
@@ -69,4 +69,4 @@ Quotients<N> nearest_quotients(const Sums& sums) {
   return found;
 }
 
-}  // namespace plumb::exact_sum
+}  // namespace plumb::arith::exact_sum

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "plumb/arith/big_rounding.hpp"
+#include "arith/big_rounding.hpp"
 
-namespace plumb::query {
+namespace plumb::arith {
 namespace {
 
 Polynomial linear(const mpz_class& root, unsigned long places) {
@@ -304,4 +304,4 @@ double rounded(Rounding rounding, IsolatedRoot r) {
   }
 }
 
-}  // namespace plumb::query
+}  // namespace plumb::arith

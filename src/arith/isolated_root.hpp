@@ -15,7 +15,7 @@
 #include "arith/polynomial.hpp"
 #include "plumb/arith/rounding.hpp"
 
-namespace plumb::query {
+namespace plumb::arith {
 
 struct IsolatedRoot {
   Polynomial polynomial;
@@ -52,4 +52,4 @@ std::optional<mpq_class> rational_value(IsolatedRoot& root);
 
 double rounded(Rounding rounding, IsolatedRoot root);
 
-}  // namespace plumb::query
+}  // namespace plumb::arith

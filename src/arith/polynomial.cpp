@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace plumb::query {
+namespace plumb::arith {
 namespace {
 
 void drop_leading_zeros(Polynomial& p) {
@@ -130,4 +130,4 @@ Variations variations(const Polynomial& p, const mpz_class& lower, const mpz_cla
   return v;
 }
 
-}  // namespace plumb::query
+}  // namespace plumb::arith

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace plumb::query {
+namespace plumb::arith {
 
 using Polynomial = std::vector<mpz_class>;
 
@@ -56,4 +56,4 @@ struct Variations {
 };
 Variations variations(const Polynomial& p, const mpz_class& lower, const mpz_class& upper, unsigned long places);
 
-}  // namespace plumb::query
+}  // namespace plumb::arith

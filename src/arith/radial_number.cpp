@@ -2,11 +2,11 @@
 
 #include "arith/rounded_radical.hpp"
 
-namespace plumb::radial {
+namespace plumb::arith::radial {
 
 double rounded_exactly(Rounding rounding, const Parts<BigDyadic>& p) {
   if (p.w.sign() == Sign::zero) return plumb::rounded(rounding, p.k);
   return rounded_radical(rounding, p.k * p.d, p.w, p.d, p.d);
 }
 
-}  // namespace plumb::radial
+}  // namespace plumb::arith::radial

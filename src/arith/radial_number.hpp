@@ -8,7 +8,7 @@
 
 #include "arith/exact_sum.hpp"
 
-namespace plumb::radial {
+namespace plumb::arith::radial {
 
 /// K + W / sqrt(D), with D > 0 unless W is zero.
 template <class T>
@@ -21,11 +21,11 @@ double rounded_exactly(Rounding rounding, const Parts<BigDyadic>& parts);
 /// Of parts that a lambda makes of a maker of numbers (exact_sum.hpp).
 template <class Make>
 double rounded(Rounding rounding, const Make& make) {
-  const Parts<Ball> quick = make(exact_sum::to_ball);
+  const Parts<Ball> quick = make(arith::exact_sum::to_ball);
   const bool plain = quick.w.high == 0 && quick.w.radius == 0;  // low is 0 then
   const Ball value = plain ? quick.k : quick.k + quotient(quick.w, root(quick.d));
   if (const auto x = value.rounded(rounding)) return *x;
-  return rounded_exactly(rounding, make(exact_sum::to_big));
+  return rounded_exactly(rounding, make(arith::exact_sum::to_big));
 }
 
-}  // namespace plumb::radial
+}  // namespace plumb::arith::radial

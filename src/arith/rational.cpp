@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "plumb/arith/big_rounding.hpp"
+#include "arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb {

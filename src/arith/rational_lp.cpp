@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace plumb::figure {
+namespace plumb::arith {
 namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -145,4 +145,4 @@ Feasible feasible(const Constraints& constraints, const std::vector<bool>& stric
   return {sign, std::move(best.at), std::move(best.deciding)};
 }
 
-}  // namespace plumb::figure
+}  // namespace plumb::arith

@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace plumb::figure {
+namespace plumb::arith {
 
 using RationalVector = std::vector<mpq_class>;
 
@@ -47,4 +47,4 @@ struct Feasible {
 };
 Feasible feasible(const Constraints& constraints, const std::vector<bool>& strictly);
 
-}  // namespace plumb::figure
+}  // namespace plumb::arith

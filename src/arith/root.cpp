@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-using query::IsolatedRoot, query::Polynomial;
+using arith::IsolatedRoot, arith::Polynomial;
 
 /// A positive multiple in integers.
 Polynomial integer_polynomial(std::span<const Rational> coefficients) {
@@ -18,7 +18,7 @@ Polynomial integer_polynomial(std::span<const Rational> coefficients) {
     const mpq_class& x = c.value().value;
     p.emplace_back(x.get_num() * (denominator / x.get_den()));
   }
-  query::make_primitive(p);
+  arith::make_primitive(p);
   return p;
 }
 
@@ -49,24 +49,24 @@ std::pair<Rational, Rational> bounds(const IsolatedRoot& root) {
 
 }  // namespace
 
-Root::Root(const Rational& x) : root_(std::make_shared<const IsolatedRoot>(query::root_at(x.value().value))) {}
+Root::Root(const Rational& x) : root_(std::make_shared<const IsolatedRoot>(arith::root_at(x.value().value))) {}
 
 std::strong_ordering operator<=>(const Root& a, const Root& b) {
   if (a.root_ == b.root_) return std::strong_ordering::equal;
-  return query::compare(*a.root_, *b.root_) <=> 0;
+  return arith::compare(*a.root_, *b.root_) <=> 0;
 }
 
 std::strong_ordering operator<=>(const Root& a, const Rational& b) {
-  return query::compare(*a.root_, b.value().value) <=> 0;
+  return arith::compare(*a.root_, b.value().value) <=> 0;
 }
 
-Sign Root::sign() const { return sign_of_number(query::compare(*root_, mpq_class(0))); }
+Sign Root::sign() const { return sign_of_number(arith::compare(*root_, mpq_class(0))); }
 
-double Root::rounded(Rounding rounding) const { return query::rounded(rounding, *root_); }
+double Root::rounded(Rounding rounding) const { return arith::rounded(rounding, *root_); }
 
 Sign Root::sign_of(std::span<const Rational> coefficients) const {
   IsolatedRoot root = *root_;
-  return sign_of_number(query::sign_at(integer_polynomial(coefficients), root));
+  return sign_of_number(arith::sign_at(integer_polynomial(coefficients), root));
 }
 
 std::vector<Rational> Root::polynomial() const {
@@ -77,7 +77,7 @@ std::vector<Rational> Root::polynomial() const {
 
 std::optional<Rational> Root::rational() const {
   IsolatedRoot root = *root_;
-  const auto x = query::rational_value(root);
+  const auto x = arith::rational_value(root);
   return x ? std::optional(Rational(BigRational{*x})) : std::nullopt;
 }
 
@@ -97,16 +97,16 @@ std::pair<Rational, Rational> Root::interval(const Rational& width) const {
   if (width.sign() != Sign::positive)
     throw Error("Root: interval: the width is " + width.text() + "; give one above zero");
   IsolatedRoot root = *root_;
-  query::refine(root, width.value().value);
+  arith::refine(root, width.value().value);
   return bounds(root);
 }
 
 std::vector<Root> real_roots(std::span<const Rational> coefficients) {
-  return held(query::isolated_roots(not_zero(coefficients)));
+  return held(arith::isolated_roots(not_zero(coefficients)));
 }
 
 std::vector<Root> real_roots(std::span<const Rational> coefficients, const Rational& from, const Rational& to) {
-  return held(query::isolated_roots(not_zero(coefficients), from.value().value, to.value().value));
+  return held(arith::isolated_roots(not_zero(coefficients), from.value().value, to.value().value));
 }
 
 }  // namespace plumb

@@ -28,7 +28,7 @@ Ball pi_ball();
 /// As a pair of doubles; of infinite radius where doubles do not reach.
 Ball ball_around(const BigBounds& bounds);
 
-namespace exact_sum {
+namespace arith::exact_sum {
 
 /// formula(number, pi, root...) / divisor, of terms that are not negative: within 1 ulp, and nearest but for rare
 /// doubt.
@@ -61,5 +61,5 @@ double sum_of_roots(std::size_t count, const Radicand& radicand, double divisor)
   return rounded_quotient(Rounding::nearest, all, BigDyadic(divisor));
 }
 
-}  // namespace exact_sum
+}  // namespace arith::exact_sum
 }  // namespace plumb

@@ -6,7 +6,7 @@
 // Cost: some microseconds.
 #pragma once
 
-#include "plumb/arith/big_rounding.hpp"
+#include "arith/big_rounding.hpp"
 
 namespace plumb {
 

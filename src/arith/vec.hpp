@@ -7,7 +7,7 @@
 
 #include "plumb/arith/point.hpp"
 
-namespace plumb::core {
+namespace plumb::arith {
 
 template <class T>
 struct Vec {
@@ -53,4 +53,4 @@ template <class T>
   return {T(v.x), T(v.y), T(0.0)};
 }
 
-}  // namespace plumb::core
+}  // namespace plumb::arith

@@ -17,7 +17,7 @@
 #include "plumb/arith/filtered.hpp"
 #include "plumb/arith/wide_int.hpp"
 
-namespace plumb::query {
+namespace plumb::arith {
 
 inline constexpr double most_error = 0x1p125;
 
@@ -48,5 +48,9 @@ constexpr Sign settled_sign(const Wrapped& x, double error) {
   if (magnitude_of(x.value) > error) return sign_of_number(x.value);
   return sign_of_number(static_cast<Int128>(x.low));
 }
+template <int Bits>
+constexpr Sign settled_sign(const WideInt<Bits>& x, double) {
+  return x.sign();
+}
 
-}  // namespace plumb::query
+}  // namespace plumb::arith

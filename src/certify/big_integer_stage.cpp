@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
-#include "plumb/certify/exact_stages.hpp"
-#include "plumb/certify/nearest_value.hpp"
+#include "certify/nearest_value.hpp"
+#include "plumb/certify/detail/exact_stages.hpp"
 
 namespace plumb {
 namespace {
@@ -129,7 +129,7 @@ class Evaluation {
 
 /// Runs the tape and returns what `finish` makes of its value, which lives no longer.
 template <class Finish>
-auto replay(tape::Program program, std::span<const double> coordinates, Finish finish) {
+auto replay(certify::tape::Program program, std::span<const double> coordinates, Finish finish) {
   Evaluation evaluation;
   const std::size_t count = coordinates.size() + program.instructions.size();
   std::array<Number, 128> few;
@@ -143,7 +143,7 @@ auto replay(tape::Program program, std::span<const double> coordinates, Finish f
   }
   Number* next = number;
   for (const double x : coordinates) *next++ = evaluation.number(odd_form(x), base);
-  for (const tape::Instruction& i : program.instructions) {
+  for (const certify::tape::Instruction& i : program.instructions) {
     const Number &l = number[i.left], &r = number[i.right];
     *next++ = i.operation == '*' ? evaluation.product(l, r) : evaluation.sum(l, r, i.operation == '-');
   }
@@ -177,13 +177,13 @@ double nearest(const Number& x) {
 
 }  // namespace
 
-Sign big_integer_sign(tape::Program program, std::span<const double> coordinates) {
+Sign big_integer_sign(certify::tape::Program program, std::span<const double> coordinates) {
   return replay(program, coordinates, [](const Number& x) {
     return static_cast<Sign>(x.size == 0 ? 0 : x.negative ? -1 : 1);
   });
 }
 
-double nearest_value(tape::Program program, std::span<const double> coordinates) {
+double nearest_value(certify::tape::Program program, std::span<const double> coordinates) {
   return replay(program, coordinates, nearest);
 }
 

@@ -1,12 +1,12 @@
-#include "plumb/certify/case_line.hpp"
+#include "certify/case_line.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 
+#include "certify/catalog.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/catalog.hpp"
 
 namespace plumb {
 namespace {

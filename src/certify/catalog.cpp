@@ -1,4 +1,4 @@
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -6,7 +6,7 @@
 namespace plumb {
 
 // The parts, each defined by its own catalog_*.cpp.
-namespace catalog_part {
+namespace certify::catalog_part {
 std::span<const CatalogEntry> classics();
 std::span<const CatalogEntry> directions();
 std::span<const CatalogEntry> distances();
@@ -15,16 +15,17 @@ std::span<const CatalogEntry> determinants();
 std::span<const CatalogEntry> rays();
 std::span<const CatalogEntry> cross_products();
 std::span<const CatalogEntry> radicals();
-}  // namespace catalog_part
+}  // namespace certify::catalog_part
 
-std::span<const CatalogEntry> classics() { return catalog().first(catalog_part::classics().size()); }
+std::span<const CatalogEntry> classics() { return catalog().first(certify::catalog_part::classics().size()); }
 
 std::span<const CatalogEntry> catalog() {
   static const std::vector<CatalogEntry> entries = [] {
     std::vector<CatalogEntry> all;
-    for (const auto part : {catalog_part::classics(), catalog_part::directions(), catalog_part::distances(),
-                            catalog_part::spheres(), catalog_part::determinants(), catalog_part::rays(),
-                            catalog_part::cross_products(), catalog_part::radicals()}) {
+    for (const auto part :
+         {certify::catalog_part::classics(), certify::catalog_part::directions(), certify::catalog_part::distances(),
+          certify::catalog_part::spheres(), certify::catalog_part::determinants(), certify::catalog_part::rays(),
+          certify::catalog_part::cross_products(), certify::catalog_part::radicals()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

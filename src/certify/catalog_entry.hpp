@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/certify/decide.hpp"
 #include "plumb/certify/plan.hpp"
 
@@ -19,7 +19,7 @@ requires in_library<F> Decision decide_exactly(const Coordinates<F>& p) { return
 
 }  // namespace plumb
 
-namespace plumb::catalog_part {
+namespace plumb::certify::catalog_part {
 
 template <Formula F>
 Coordinates<F> copy(std::span<const double> coordinates) {
@@ -37,6 +37,7 @@ constexpr bool asks(Stage stage) {
       return is_homogeneous<F>;
     case Stage::wide_integer:
       return is_homogeneous<F> && has_wide_stages<F>;
+    case Stage::long_double:
     case Stage::interval:
       return has_wide_stages<F>;
     default:
@@ -55,6 +56,9 @@ Unsure<Sign> ask(Stage stage, std::span<const double> coordinates) {
     case Stage::integer:
       if constexpr (asks<F>(Stage::integer)) return integer_sign<F>(p);
       break;
+    case Stage::long_double:
+      if constexpr (asks<F>(Stage::long_double)) return long_double_sign<F>(p);
+      break;
     case Stage::wide_integer:
       if constexpr (asks<F>(Stage::wide_integer)) return wide_integer_sign<F>(p);
       break;
@@ -62,7 +66,7 @@ Unsure<Sign> ask(Stage stage, std::span<const double> coordinates) {
       if constexpr (asks<F>(Stage::interval)) return interval_sign<F>(p);
       break;
     case Stage::big_integer:
-      return Unsure{big_integer_sign(tape::program<F>(), p)};
+      return Unsure{big_integer_sign(certify::tape::program<F>(), p)};
   }
   return {};
 }
@@ -91,7 +95,8 @@ Unsure<Sign> ask_other_filter(std::span<const double> coordinates) {
 template <Formula F>
 constexpr std::array<int, 4> planned_bits() {
   if constexpr (is_homogeneous<F>)
-    return {planned::plain_double<F>, planned::one_word_factors<F>, planned::modulo_word<F>, planned::two_words<F>};
+    return {certify::planned::plain_double<F>, certify::planned::one_word_factors<F>, certify::planned::modulo_word<F>,
+            certify::planned::two_words<F>};
   return {-1, -1, -1, -1};
 }
 
@@ -111,7 +116,7 @@ CatalogEntry entry() {
   e.filter_is_magnitude = filter_is_magnitude<F>;
   for (std::size_t i = 0; i < e.asks.size(); ++i) e.asks[i] = asks<F>(static_cast<Stage>(i));
   e.planned_bits = planned_bits<F>();
-  e.program = tape::program<F>();
+  e.program = certify::tape::program<F>();
   e.value_bits = value_bits<F>;
   e.decide = decide_with_stage<F>;
   e.ask = ask<F>;
@@ -119,16 +124,16 @@ CatalogEntry entry() {
   return e;
 }
 
-}  // namespace plumb::catalog_part
+}  // namespace plumb::certify::catalog_part
 
 #define PLUMB_CATALOG_STAGES(formula) \
   template Decision decide_exactly<predicates::formula>(const Coordinates<predicates::formula>&);
 #define PLUMB_CATALOG_ENTRY(formula) entry<predicates::formula>(),
 
-/// Compiles the exact stages of a list of the manifest, and defines catalog_part::name() as its entries.
+/// Compiles the exact stages of a list of the manifest, and defines certify::catalog_part::name() as its entries.
 #define PLUMB_CATALOG_PART(name, list)                            \
   namespace plumb {                                               \
-  list(PLUMB_CATALOG_STAGES) namespace catalog_part {             \
+  list(PLUMB_CATALOG_STAGES) namespace certify::catalog_part {    \
     std::span<const CatalogEntry> name() {                        \
       static const std::array entries{list(PLUMB_CATALOG_ENTRY)}; \
       return entries;                                             \

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "arith/big_rounding.hpp"
+#include "arith/twofold.hpp"
 #include "certify/fused.hpp"
-#include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/arith/twofold.hpp"
 #include "plumb/certify/implicit.hpp"
 
 namespace plumb {
@@ -28,10 +28,10 @@ template <class Point>
   std::array<std::span<const PointPart>, 4> arguments{};  // those before have no part in it
   const auto place = static_cast<std::size_t>(argument - 'a');
   arguments[place] = parts<Point>;
-  mixed::require_finite({question, std::span(arguments).first(place + 1), numbers});
+  certify::mixed::require_finite({question, std::span(arguments).first(place + 1), numbers});
   const auto h = homogeneous(point, [](double x) { return BigDyadic(x); });
   if constexpr (predicates::has_weight<KindOf<Point>>) {
-    if (h.weight.sign() == Sign::zero) mixed::throw_degenerate(question, argument, point);
+    if (h.weight.sign() == Sign::zero) certify::mixed::throw_degenerate(question, argument, point);
   }
   return rounded_quotient(Rounding::nearest, h.coordinate[axis], h.weight);
 }
@@ -167,14 +167,14 @@ Point3 nearest3(const Point& p) {
 }  // namespace
 
 Point2 approximate(const Point2& a) {
-  mixed::require_finite({"approximate", {&parts<Point2>, 1}, coordinates(a)});
+  certify::mixed::require_finite({"approximate", {&parts<Point2>, 1}, coordinates(a)});
   return a;
 }
 Point2 approximate(const LineLinePoint2& a) { return nearest2(a); }
 Point2 approximate(const SegmentPoint2& a) { return nearest2(a); }
 Point2 approximate(const Posed<Point2, Pose2>& a) { return nearest2(a); }
 Point3 approximate(const Point3& a) {
-  mixed::require_finite({"approximate", {&parts<Point3>, 1}, coordinates(a)});
+  certify::mixed::require_finite({"approximate", {&parts<Point3>, 1}, coordinates(a)});
   return a;
 }
 Point3 approximate(const LinePlanePoint3& a) { return nearest3(a); }

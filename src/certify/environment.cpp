@@ -6,7 +6,7 @@
 
 #include "plumb/certify/checked.hpp"
 
-namespace plumb::environment {
+namespace plumb::certify::environment {
 namespace {
 
 std::vector<std::string> instruction_sets() {
@@ -89,4 +89,4 @@ Environment inspect(bool contracts, bool fast_math) {
           PLUMB_VERSION,       compiler(),         build(),   instruction_sets()};
 }
 
-}  // namespace plumb::environment
+}  // namespace plumb::certify::environment

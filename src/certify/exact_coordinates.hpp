@@ -13,7 +13,7 @@
 #include "plumb/certify/exact_point.hpp"
 #include "plumb/certify/implicit.hpp"
 
-namespace plumb::meeting {
+namespace plumb::certify::meeting {
 
 template <class T, std::size_t N>
 using Vec = std::array<T, N>;
@@ -62,7 +62,7 @@ auto weighted(const Point& point) {
     constexpr auto n = static_cast<std::size_t>(KindOf<Point>::dimension);
     if constexpr (std::is_same_v<T, BigDyadic>) {  // integers are made of real numbers only
       constexpr std::span<const PointPart> parts{PointTraits<Point>::parts};
-      mixed::require_finite({"exact point", {&parts, 1}, coordinates(point)});
+      certify::mixed::require_finite({"exact point", {&parts, 1}, coordinates(point)});
     }
     auto h = homogeneous(point, [](double x) { return T(x); });
     return Weighted<T, n>{std::move(h.coordinate), std::move(h.weight)};
@@ -95,4 +95,4 @@ inline RationalPoint3 rational(const Weighted<BigDyadic, 3>& p) {
           rational_quotient(p.at[2], p.weight)};
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::certify::meeting

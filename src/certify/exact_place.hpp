@@ -10,14 +10,14 @@
 
 #include "certify/exact_coordinates.hpp"
 
-namespace plumb::query {
+namespace plumb::certify {
 
 template <std::size_t N>
 struct ExactPlace {
-  meeting::Weighted<BigDyadic, N> point;
+  certify::meeting::Weighted<BigDyadic, N> point;
   mutable std::atomic<std::size_t> owners{1};
 
-  explicit ExactPlace(meeting::Weighted<BigDyadic, N> p) : point(std::move(p)) {}
+  explicit ExactPlace(certify::meeting::Weighted<BigDyadic, N> p) : point(std::move(p)) {}
 };
 
 template <std::size_t N>
@@ -32,7 +32,7 @@ void release(const ExactPlace<N>* place) {
 
 /// The same point; of a weight that is not zero.
 template <std::size_t N>
-meeting::Weighted<BigDyadic, N> primitive(const meeting::Weighted<BigDyadic, N>& p) {
+certify::meeting::Weighted<BigDyadic, N> primitive(const certify::meeting::Weighted<BigDyadic, N>& p) {
   std::array<const BigDyadic*, N + 1> from;
   std::array<mpz_class, N + 1> x;
   for (std::size_t i = 0; i < N; ++i) from[i] = &p.at[i];
@@ -48,7 +48,7 @@ meeting::Weighted<BigDyadic, N> primitive(const meeting::Weighted<BigDyadic, N>&
     factor = gcd(factor, x[i]);
   }
   if (p.weight.sign() == Sign::negative) factor = -factor;
-  meeting::Weighted<BigDyadic, N> result;
+  certify::meeting::Weighted<BigDyadic, N> result;
   for (std::size_t i = 0; i <= N; ++i) {
     mpz_divexact(x[i].get_mpz_t(), x[i].get_mpz_t(), factor.get_mpz_t());
     (i < N ? result.at[i] : result.weight) = BigDyadic(std::move(x[i]));
@@ -57,10 +57,10 @@ meeting::Weighted<BigDyadic, N> primitive(const meeting::Weighted<BigDyadic, N>&
 }
 
 template <std::size_t N>
-bool are_equal(const meeting::Weighted<BigDyadic, N>& p, const meeting::Weighted<BigDyadic, N>& q) {
+bool are_equal(const certify::meeting::Weighted<BigDyadic, N>& p, const certify::meeting::Weighted<BigDyadic, N>& q) {
   bool equal = p.weight.mantissa() == q.weight.mantissa();
   for (std::size_t i = 0; i < N; ++i) equal = equal && p.at[i].mantissa() == q.at[i].mantissa();
   return equal;
 }
 
-}  // namespace plumb::query
+}  // namespace plumb::certify

@@ -4,18 +4,18 @@
 #include <cmath>
 #include <string>
 
+#include "arith/approximate.hpp"
+#include "arith/big_rounding.hpp"
 #include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "certify/exact_place.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb {
-namespace query {
+namespace certify {
 
 template const ExactPlace<2>* shared(const ExactPlace<2>*);
 template const ExactPlace<3>* shared(const ExactPlace<3>*);
@@ -24,7 +24,7 @@ template void release(const ExactPlace<3>*);
 
 namespace {
 
-using meeting::Weighted, predicates::Located, predicates::TagOne, predicates::TagZero;
+using certify::meeting::Weighted, predicates::Located, predicates::TagOne, predicates::TagZero;
 
 template <class Point>
 concept RationalPoint = std::same_as<Point, RationalPoint2> || std::same_as<Point, RationalPoint3>;
@@ -45,7 +45,7 @@ auto nearest_doubles(Asker asker, const Point& p) {
     throw_non_finite(asker.question, std::array{static_cast<int>(numbers.size())}, numbers, "xyz", names);
     return NearestDoubles<KindOf<Point>::dimension>{};
   } else if constexpr (RationalPoint<Point>) {
-    const auto x = meeting::parts(p);
+    const auto x = certify::meeting::parts(p);
     NearestDoubles<x.size()> result;
     for (std::size_t i = 0; i < x.size(); ++i) {
       result.at[i] = x[i]->rounded();
@@ -74,7 +74,7 @@ void settle_all(const char* question, const Points&... points) {
 template <std::size_t N>
 const Weighted<BigDyadic, N>& place_of(const ExactPointCache<N>& cache, const auto& point) {
   if (const auto* known = cache.place(); known != nullptr) return known->point;
-  return cache.keep(new ExactPlace<N>(primitive(meeting::coordinates_in<BigDyadic>(point)))).point;
+  return cache.keep(new ExactPlace<N>(primitive(certify::meeting::coordinates_in<BigDyadic>(point)))).point;
 }
 
 template <class T, std::size_t N>
@@ -108,7 +108,7 @@ auto balls_of(const Point& point) {
     if constexpr (GivenPoint<P>) {
       return std::apply([](auto... x) { return std::array{Ball(x)...}; }, coordinates(p));
     } else if constexpr (RationalPoint<P>) {
-      return std::apply([](const auto*... x) { return std::array{ball(*x)...}; }, meeting::parts(p));
+      return std::apply([](const auto*... x) { return std::array{ball(*x)...}; }, certify::meeting::parts(p));
     } else {
       return coordinate_balls(p);
     }
@@ -186,7 +186,7 @@ auto approximate(const Point& a) {
 template <std::size_t N, class Point>
 auto rational_of(const Point& a) {
   settle({"rational_point", 'a'}, a);
-  return meeting::rational(place_of(a.cache(), a));
+  return certify::meeting::rational(place_of(a.cache(), a));
 }
 
 template <std::size_t N, class Point>
@@ -216,33 +216,34 @@ bool is_straight(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& 
 Sign exact_order(const ExactPoint2& a, const ExactPoint2& b) { return exact_order<2>("compare_xy", a, b); }
 Sign exact_order(const ExactPoint3& a, const ExactPoint3& b) { return exact_order<3>("compare_xyz", a, b); }
 
-}  // namespace query
+}  // namespace certify
 
 Point2 approximate(const ExactPoint2& a) {
-  const auto [x, y] = query::approximate<2>(a);
+  const auto [x, y] = certify::approximate<2>(a);
   return {x, y};
 }
 Point3 approximate(const ExactPoint3& a) {
-  const auto [x, y, z] = query::approximate<3>(a);
+  const auto [x, y, z] = certify::approximate<3>(a);
   return {x, y, z};
 }
 
-RationalPoint2 rational_point(const ExactPoint2& a) { return query::rational_of<2>(a); }
-RationalPoint3 rational_point(const ExactPoint3& a) { return query::rational_of<3>(a); }
+RationalPoint2 rational_point(const ExactPoint2& a) { return certify::rational_of<2>(a); }
+RationalPoint3 rational_point(const ExactPoint3& a) { return certify::rational_of<3>(a); }
 
-std::size_t hash_value(const ExactPoint2& a) { return query::hash_of<2>(a); }
-std::size_t hash_value(const ExactPoint3& a) { return query::hash_of<3>(a); }
+std::size_t hash_value(const ExactPoint2& a) { return certify::hash_of<2>(a); }
+std::size_t hash_value(const ExactPoint3& a) { return certify::hash_of<3>(a); }
 
 Sign orient2d(const ExactPoint2& a, const ExactPoint2& b, const ExactPoint2& c) {
-  return query::sign_at<2>("orient2d", predicates::HomogeneousOrient2d{}, a, b, c);
+  return certify::sign_at<2>("orient2d", predicates::HomogeneousOrient2d{}, a, b, c);
 }
 
 Sign orient3d(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c, const ExactPoint3& d) {
-  return query::sign_at<3>("orient3d", predicates::HomogeneousOrient3d{}, a, b, c, d);
+  return certify::sign_at<3>("orient3d", predicates::HomogeneousOrient3d{}, a, b, c, d);
 }
 
 bool collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
-  return query::is_straight<0, 1>(a, b, c) && query::is_straight<1, 2>(a, b, c) && query::is_straight<2, 0>(a, b, c);
+  return certify::is_straight<0, 1>(a, b, c) && certify::is_straight<1, 2>(a, b, c) &&
+         certify::is_straight<2, 0>(a, b, c);
 }
 
 }  // namespace plumb

@@ -9,11 +9,11 @@
 #include <memory>
 #include <vector>
 
+#include "arith/infinitesimal.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/arith/infinitesimal.hpp"
 #include "plumb/arith/wide_int.hpp"
 
-namespace plumb::perturbation {
+namespace plumb::certify::perturbation {
 namespace {
 
 /// An integer modulo 2^(64 N), read as two's complement.
@@ -33,13 +33,13 @@ struct Modular {
   friend Modular operator+(const Modular& a, const Modular& b) {
     Modular r;
     std::uint8_t carry = 0;
-    for (std::size_t i = 0; i < N; ++i) r.limb[i] = wide::add(a.limb[i], b.limb[i], carry);
+    for (std::size_t i = 0; i < N; ++i) r.limb[i] = arith::wide::add(a.limb[i], b.limb[i], carry);
     return r;
   }
   friend Modular operator-(const Modular& a, const Modular& b) {
     Modular r;
     std::uint8_t borrow = 0;
-    for (std::size_t i = 0; i < N; ++i) r.limb[i] = wide::subtract(a.limb[i], b.limb[i], borrow);
+    for (std::size_t i = 0; i < N; ++i) r.limb[i] = arith::wide::subtract(a.limb[i], b.limb[i], borrow);
     return r;
   }
   friend Modular operator*(const Modular& a, const Modular& b) {
@@ -147,8 +147,8 @@ class Expansion {
   TermSpace<Number> space_;
 };
 
-struct Question {
-  tape::Program program;
+struct PerturbedFormula {
+  certify::tape::Program program;
   std::span<const double> coordinates;
   std::span<const std::uint16_t> moved;
   int bits_of_power;  // a field wide enough for any power
@@ -161,7 +161,7 @@ struct Question {
 };
 
 template <std::size_t N>
-LargestTerm by_integers(const Question& q) {
+LargestTerm by_integers(const PerturbedFormula& q) {
   using Number = Modular<N>;
   const std::size_t arity = q.coordinates.size(), count = arity + q.program.instructions.size();
   std::array<Polynomial<Number>, 128> few;
@@ -180,7 +180,7 @@ LargestTerm by_integers(const Question& q) {
     simple += q.infinitesimal(j);
   }
   Polynomial<Number>* next = value + arity;
-  for (const tape::Instruction& step : q.program.instructions) {
+  for (const certify::tape::Instruction& step : q.program.instructions) {
     const Polynomial<Number> l = value[step.left], r = value[step.right];
     *next++ = step.operation == '*'   ? expansion.product(l, r)
               : step.operation == '-' ? expansion.template sum<true>(l, r)
@@ -193,14 +193,14 @@ LargestTerm by_integers(const Question& q) {
 }
 
 /// Any coordinates, formulas and numbers of infinitesimals.
-LargestTerm by_dyadics(const Question& q) {
+LargestTerm by_dyadics(const PerturbedFormula& q) {
   using Number = Infinitesimal<BigDyadic>;
   std::vector<Number> value;
   for (const double x : q.coordinates) value.emplace_back(BigDyadic(x));
   for (std::size_t j = 0; j < q.moved.size(); ++j) {
     value[q.moved[j]] = Number::moved(BigDyadic(q.coordinates[q.moved[j]]), BigDyadic(1), j);
   }
-  for (const tape::Instruction& step : q.program.instructions) {
+  for (const certify::tape::Instruction& step : q.program.instructions) {
     const Number &l = value[step.left], &r = value[step.right];
     value.push_back(step.operation == '*' ? l * r : step.operation == '-' ? l - r : l + r);
   }
@@ -214,33 +214,33 @@ LargestTerm by_dyadics(const Question& q) {
 
 /// The highest number that replaying the program by `make` comes to.
 template <class Make>
-int highest(tape::Program program, int coordinate, Make make) {
+int highest(certify::tape::Program program, int coordinate, Make make) {
   std::vector<int> value(program.arity, coordinate);
   value.reserve(program.arity + program.instructions.size());
-  for (const tape::Instruction& step : program.instructions)
+  for (const certify::tape::Instruction& step : program.instructions)
     value.push_back(make(step, value[step.left], value[step.right]));
   return *std::ranges::max_element(value);
 }
 
 /// The highest degree that a step reaches, which no power in it exceeds.
-int highest_degree(tape::Program program) {
-  return highest(program, 1, [](const tape::Instruction& step, int l, int r) {
+int highest_degree(certify::tape::Program program) {
+  return highest(program, 1, [](const certify::tape::Instruction& step, int l, int r) {
     return step.operation == '*' ? l + r : std::max(l, r);
   });
 }
 
 /// With moved coordinates below 2^bits, no coefficient reaches 2^this.
-int coefficient_bits(tape::Program program, int bits) {
-  return highest(program, bits, [](const tape::Instruction& step, int l, int r) {
+int coefficient_bits(certify::tape::Program program, int bits) {
+  return highest(program, bits, [](const certify::tape::Instruction& step, int l, int r) {
     return step.operation == '*' ? l + r : std::max(l, r) + 1;
   });
 }
 
 }  // namespace
 
-LargestTerm largest_term(tape::Program program, bool homogeneous, std::span<const double> coordinates,
+LargestTerm largest_term(certify::tape::Program program, bool homogeneous, std::span<const double> coordinates,
                          std::span<const std::uint16_t> moved) {
-  Question q{program, coordinates, moved, 0, lattice_of(coordinates)};
+  PerturbedFormula q{program, coordinates, moved, 0, lattice_of(coordinates)};
   q.bits_of_power = static_cast<int>(std::bit_width(static_cast<unsigned>(highest_degree(program))));
   if (!homogeneous || !q.fits()) return by_dyadics(q);
   const int bits = coefficient_bits(program, q.lattice.bits + 1);
@@ -252,7 +252,7 @@ LargestTerm largest_term(tape::Program program, bool homogeneous, std::span<cons
 // One infinitesimal more at a time, and with it the larger ones, first few of them: what is left out is smaller.  A
 // term that holds the new one once is larger than any with a power of it, though larger ones were left out of those.
 // How many of the larger ones are taken doubles until it is all of them, and then the loop ends.
-Sign expanded_sign(tape::Program program, bool homogeneous, std::span<const double> coordinates,
+Sign expanded_sign(certify::tape::Program program, bool homogeneous, std::span<const double> coordinates,
                    std::span<const std::uint16_t> order, std::size_t known_zero) {
   std::vector<std::uint16_t> moved;
   for (std::size_t last = known_zero; last < order.size(); ++last) {
@@ -267,4 +267,4 @@ Sign expanded_sign(tape::Program program, bool homogeneous, std::span<const doub
   return Sign::zero;
 }
 
-}  // namespace plumb::perturbation
+}  // namespace plumb::certify::perturbation

@@ -10,7 +10,7 @@
 
 #include "plumb/certify/perturbed.hpp"
 
-namespace plumb::perturbation {
+namespace plumb::certify::perturbation {
 
 /// No term at all: the sign is zero.
 struct LargestTerm {
@@ -20,7 +20,7 @@ struct LargestTerm {
 };
 
 /// One coordinate is moved at the least.
-LargestTerm largest_term(tape::Program program, bool homogeneous, std::span<const double> coordinates,
+LargestTerm largest_term(certify::tape::Program program, bool homogeneous, std::span<const double> coordinates,
                          std::span<const std::uint16_t> moved);
 
-}  // namespace plumb::perturbation
+}  // namespace plumb::certify::perturbation

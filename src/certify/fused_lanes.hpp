@@ -16,11 +16,11 @@
 #include "certify/batch/chosen_target.hpp"
 
 #if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_STATIC_TARGET != HWY_AVX2
-namespace plumb::fused_lanes {
-inline const bool are_there = (batch::targets_or_all() & (HWY_AVX2 | HWY_AVX3)) != 0;
+namespace plumb::certify::fused_lanes {
+inline const bool are_there = (certify::batch::targets_or_all() & (HWY_AVX2 | HWY_AVX3)) != 0;
 }
 #define PLUMB_BY_LANES(space, ...) \
-  (plumb::fused_lanes::are_there ? space::N_AVX2::__VA_ARGS__ : space::HWY_NAMESPACE::__VA_ARGS__)
+  (plumb::certify::fused_lanes::are_there ? space::N_AVX2::__VA_ARGS__ : space::HWY_NAMESPACE::__VA_ARGS__)
 #else
 #define PLUMB_BY_LANES(space, ...) (space::HWY_NAMESPACE::__VA_ARGS__)
 #endif

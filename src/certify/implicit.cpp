@@ -9,7 +9,7 @@
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates.hpp"
 
-namespace plumb::mixed {
+namespace plumb::certify::mixed {
 namespace {
 
 [[noreturn]] void throw_point(std::string_view predicate, char argument, std::string_view why) {
@@ -63,4 +63,4 @@ void throw_degenerate(std::string_view predicate, char argument, const ThreePlan
                                : "its three planes are all parallel to one line");
 }
 
-}  // namespace plumb::mixed
+}  // namespace plumb::certify::mixed

@@ -75,21 +75,22 @@ LatticeIntake::LatticeIntake(const Lattice& lattice) : lattice_(lattice), stamp_
   }
   stamp_ = stamp_of(lattice);
   unit_ = std::ldexp(1.0, lattice.exponent);
-  if (lattice.bits > lattice_word::double_bits) return;
+  if (lattice.bits > arith::lattice_word::double_bits) return;
   const int lowered = lattice.exponent > highest_center ? lowering : 0;
   scale_ = std::ldexp(1.0, -lowered);
   unscale_ = std::ldexp(1.0, lowered);
-  center_ = std::ldexp(lattice_word::center, lattice.exponent - lowered);
-  rebase_ = lattice_word::center_pattern - std::bit_cast<std::uint64_t>(center_);
+  center_ = std::ldexp(arith::lattice_word::center, lattice.exponent - lowered);
+  rebase_ = arith::lattice_word::center_pattern - std::bit_cast<std::uint64_t>(center_);
 }
 
 bool LatticeIntake::take_wide(double x, std::uint64_t& word) const {
   if (!on_lattice(x, lattice_)) return false;
-  if (lattice_.bits > lattice_word::integer_bits) {
+  if (lattice_.bits > arith::lattice_word::integer_bits) {
     word = std::bit_cast<std::uint64_t>(x);
   } else {
     const OddForm f = odd_form(x);
-    word = lattice_word::of(f.mantissa == 0 ? 0 : f.mantissa * (std::int64_t{1} << (f.exponent - lattice_.exponent)));
+    word = arith::lattice_word::of(
+        f.mantissa == 0 ? 0 : f.mantissa * (std::int64_t{1} << (f.exponent - lattice_.exponent)));
   }
   return true;
 }

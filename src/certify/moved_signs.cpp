@@ -5,7 +5,7 @@
 
 #include "certify/expansion.hpp"
 
-namespace plumb::perturbation {
+namespace plumb::certify::perturbation {
 
 MovedSigns::MovedSigns(const Subject& subject, std::span<double> p, std::span<const std::uint16_t> order)
     : subject_(subject), p_(p), order_(order) {
@@ -138,4 +138,4 @@ MovedSigns::Outcome MovedSigns::by_expansion() {
   return t.simple || next ? static_cast<Outcome>(t.sign) : Outcome::unknown;
 }
 
-}  // namespace plumb::perturbation
+}  // namespace plumb::certify::perturbation

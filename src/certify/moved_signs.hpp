@@ -12,7 +12,7 @@
 
 #include "plumb/certify/perturbed.hpp"
 
-namespace plumb::perturbation {
+namespace plumb::certify::perturbation {
 
 class MovedSigns {
  public:
@@ -50,4 +50,4 @@ class MovedSigns {
   std::size_t equal_pairs_ = 0;
 };
 
-}  // namespace plumb::perturbation
+}  // namespace plumb::certify::perturbation

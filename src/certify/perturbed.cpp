@@ -10,7 +10,7 @@
 #include "certify/moved_signs.hpp"
 #include "plumb/arith/error.hpp"
 
-namespace plumb::perturbation {
+namespace plumb::certify::perturbation {
 namespace {
 
 // "b", or "argument 30" where letters have run out.
@@ -102,4 +102,4 @@ PLUMB_INSTANTIATE(InCircle)
 PLUMB_INSTANTIATE(InSphere)
 #undef PLUMB_INSTANTIATE
 
-}  // namespace plumb::perturbation
+}  // namespace plumb::certify::perturbation

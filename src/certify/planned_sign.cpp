@@ -1,11 +1,11 @@
 // Compiles the widest integers of the classic predicates over lattice words once.
-#include "plumb/certify/planned_sign.hpp"
+#include "plumb/certify/detail/planned_sign.hpp"
 
-namespace plumb::planned {
+namespace plumb::certify::planned {
 
 template Sign long_word_sign<predicates::Orient2d>(const LatticeWords<predicates::Orient2d>&);
 template Sign long_word_sign<predicates::Orient3d>(const LatticeWords<predicates::Orient3d>&);
 template Sign long_word_sign<predicates::InCircle>(const LatticeWords<predicates::InCircle>&);
 template Sign long_word_sign<predicates::InSphere>(const LatticeWords<predicates::InSphere>&);
 
-}  // namespace plumb::planned
+}  // namespace plumb::certify::planned

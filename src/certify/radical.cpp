@@ -4,7 +4,7 @@
 
 #include "plumb/arith/error.hpp"
 
-namespace plumb::radical {
+namespace plumb::certify::radical {
 namespace {
 
 using predicates::RadicalNorm, predicates::RadicalPairNorm, predicates::RadicalPairPart;
@@ -45,4 +45,4 @@ Sign decide_exactly(double a, double b, double c, double d, double e) {
              });
 }
 
-}  // namespace plumb::radical
+}  // namespace plumb::certify::radical

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-using radical::sum;
+using certify::radical::sum;
 
 /// a - sqrt(b) + sqrt(c), of which b and c are not negative.
 Sign sign_of(const Rational& a, const Rational& b, const Rational& c) {

@@ -1,17 +1,17 @@
-#include "plumb/certify/rounded.hpp"
+#include "certify/rounded.hpp"
 
 #include <vector>
 
-#include "plumb/arith/big_rounding.hpp"
+#include "arith/big_rounding.hpp"
 
-namespace plumb::rounding {
+namespace plumb::certify::rounding {
 namespace {
 
-BigDyadic value(tape::Program program, std::span<const double> coordinates) {
+BigDyadic value(certify::tape::Program program, std::span<const double> coordinates) {
   std::vector<BigDyadic> number;
   number.reserve(coordinates.size() + program.instructions.size());
   for (const double x : coordinates) number.emplace_back(x);
-  for (const tape::Instruction& i : program.instructions) {
+  for (const certify::tape::Instruction& i : program.instructions) {
     const BigDyadic &l = number[i.left], &r = number[i.right];
     number.push_back(i.operation == '*' ? l * r : i.operation == '-' ? l - r : l + r);
   }
@@ -20,11 +20,11 @@ BigDyadic value(tape::Program program, std::span<const double> coordinates) {
 
 }  // namespace
 
-double by_integers(Rounding rounding, Form form, tape::Program numerator, tape::Program denominator,
+double by_integers(Rounding rounding, Form form, certify::tape::Program numerator, certify::tape::Program denominator,
                    std::span<const double> coordinates) {
   const BigDyadic n = value(numerator, coordinates);
   const BigDyadic d = denominator.instructions.empty() ? BigDyadic(1) : value(denominator, coordinates);
   return form == Form::root ? plumb::rounded_root(rounding, n, d) : plumb::rounded_quotient(rounding, n, d);
 }
 
-}  // namespace plumb::rounding
+}  // namespace plumb::certify::rounding

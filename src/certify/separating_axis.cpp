@@ -5,7 +5,7 @@
 #include "plumb/predicates/cross_products.hpp"
 #include "plumb/predicates/direction.hpp"
 
-namespace plumb::separating_axis {
+namespace plumb::certify::separating_axis {
 namespace {
 
 using predicates::BoxGap;
@@ -43,4 +43,4 @@ std::optional<Sign> decide_exactly(Input p) {
   return decide<BoxGap>(p);
 }
 
-}  // namespace plumb::separating_axis
+}  // namespace plumb::certify::separating_axis

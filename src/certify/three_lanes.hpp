@@ -19,7 +19,7 @@
 #include "plumb/arith/point.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::three_lanes::HWY_NAMESPACE {
+namespace plumb::certify::three_lanes::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_AVX2
 
@@ -161,6 +161,6 @@ HWY_INLINE Columns cofactors(const Columns& c) {
   return {turned(crossed(c.y, y, c.z, z)), turned(crossed(c.z, z, c.x, x)), turned(crossed(c.x, x, c.y, y))};
 }
 
-}  // namespace plumb::three_lanes::HWY_NAMESPACE
+}  // namespace plumb::certify::three_lanes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/nearest_value.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/decide.hpp"
-#include "plumb/certify/nearest_value.hpp"
 
 namespace plumb {
 namespace {
@@ -45,14 +45,14 @@ bool all_finite(std::span<const double> p) {
 
 template <Formula F>
 double exact(const Coordinates<F>& p) {
-  return all_finite(p) ? nearest_value(tape::program<F>(), p) : std::numeric_limits<double>::quiet_NaN();
+  return all_finite(p) ? nearest_value(certify::tape::program<F>(), p) : std::numeric_limits<double>::quiet_NaN();
 }
 
 // The sign comes first: it takes tens of nanoseconds, and mostly what the filter leaves open is zero.
 template <Formula F>
 [[gnu::noinline]] double unsure(const Coordinates<F>& p) {
   if (!all_finite(p)) return std::numeric_limits<double>::quiet_NaN();
-  return decide_exactly<F>(p).sign == Sign::zero ? 0 : nearest_value(tape::program<F>(), p);
+  return decide_exactly<F>(p).sign == Sign::zero ? 0 : nearest_value(certify::tape::program<F>(), p);
 }
 
 template <Formula F>

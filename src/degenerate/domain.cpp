@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/case_line.hpp"
 #include "degenerate/fields.hpp"
 #include "degenerate/words.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate/ulps.hpp"
 
 namespace plumb::degenerate {

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "certify/case_line.hpp"
 #include "degenerate/mesh_case.hpp"
-#include "plumb/certify/case_line.hpp"
 
 namespace plumb::degenerate {
 

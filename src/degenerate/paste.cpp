@@ -5,10 +5,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "certify/case_line.hpp"
 #include "degenerate/fields.hpp"
 #include "degenerate/known_answer.hpp"
 #include "degenerate/words.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate/convention.hpp"
 
 namespace plumb::degenerate {

@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "certify/case_line.hpp"
 #include "degenerate/fields.hpp"
 #include "degenerate/known_answer.hpp"
 #include "degenerate/reserved_names.hpp"
 #include "degenerate/words.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate/paste.hpp"
 
 namespace plumb::degenerate {

@@ -8,29 +8,29 @@ namespace plumb {
 
 namespace {
 
-using Coordinates = std::span<double>;
+using CoordinateSpan = std::span<double>;
 
 template <class Make>
-void fill_each(Coordinates coordinates, const Make& make) {
+void fill_each(CoordinateSpan coordinates, const Make& make) {
   for (double& x : coordinates) x = make();
 }
 
-void fill_exact_short(Degeneracy degeneracy, int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_exact_short(Degeneracy degeneracy, int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   const int bits = least_exact_bits + static_cast<int>(entropy.below(15));
   fill_exact(degeneracy, dimension, bits, coordinates, entropy);
 }
 
-void fill_exact_any(Degeneracy degeneracy, int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_exact_any(Degeneracy degeneracy, int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   entropy.coin() ? fill_exact_long(degeneracy, dimension, coordinates, entropy)
                  : fill_exact_short(degeneracy, dimension, coordinates, entropy);
 }
 
-void fill_grid(Coordinates coordinates, Entropy& entropy) {
+void fill_grid(CoordinateSpan coordinates, Entropy& entropy) {
   const int bits = 1 + static_cast<int>(entropy.below(20));
   fill_each(coordinates, [&] { return grid_coordinate(entropy, bits); });
 }
 
-void fill_uniform(Coordinates coordinates, Entropy& entropy) {
+void fill_uniform(CoordinateSpan coordinates, Entropy& entropy) {
   if (entropy.coin()) {
     fill_each(coordinates, [&] { return signed_unit_coordinate(entropy); });
   } else {
@@ -39,11 +39,11 @@ void fill_uniform(Coordinates coordinates, Entropy& entropy) {
 }
 
 // Neighbors of (1/2, 1/2), and far points of the diagonal such as (12, 12) and (24, 24), which all but line up.
-void fill_near_half(int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_near_half(int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   const auto stride = static_cast<std::size_t>(dimension);
   const std::int64_t most = std::int64_t{4} << entropy.below(7);
   for (std::size_t first = 0; first + stride <= coordinates.size(); first += stride) {
-    const Coordinates point = coordinates.subspan(first, stride);
+    const CoordinateSpan point = coordinates.subspan(first, stride);
     if (entropy.below(4) == 3) {
       const auto far = static_cast<double>(entropy.below(32));
       fill_each(point, [&] { return far; });
@@ -53,7 +53,7 @@ void fill_near_half(int dimension, Coordinates coordinates, Entropy& entropy) {
   }
 }
 
-void fill_wide(Degeneracy degeneracy, int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_wide(Degeneracy degeneracy, int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   if (entropy.below(2) == 0) return fill_each(coordinates, [&] { return wide_coordinate(entropy); });
   fill_exact_long(degeneracy, dimension, coordinates, entropy);
   if (!is_flat(degeneracy)) return;
@@ -66,7 +66,7 @@ void fill_wide(Degeneracy degeneracy, int dimension, Coordinates coordinates, En
   }
 }
 
-void fill_extreme(Degeneracy degeneracy, int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_extreme(Degeneracy degeneracy, int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   const std::uint64_t kind = entropy.below(4);
   if (kind == 0) return fill_each(coordinates, [&] { return extreme_coordinate(entropy); });
   fill_exact_any(degeneracy, dimension, coordinates, entropy);
@@ -78,7 +78,7 @@ void fill_extreme(Degeneracy degeneracy, int dimension, Coordinates coordinates,
   if (kind == 3) move_by_ulps(coordinates, 2, 4, entropy);
 }
 
-void fill_repeated(Degeneracy degeneracy, int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_repeated(Degeneracy degeneracy, int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   switch (entropy.below(4)) {
     case 0:
       fill_grid(coordinates, entropy);
@@ -100,7 +100,7 @@ CoordinateClass any_class(Entropy& entropy) {
   return static_cast<CoordinateClass>(entropy.below(coordinate_class_count));
 }
 
-void fill_mixture(Degeneracy degeneracy, int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_mixture(Degeneracy degeneracy, int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   const auto stride = static_cast<std::size_t>(dimension);
   const auto fill_point = [&](std::size_t first) {
     const CoordinateClass which = any_class(entropy);
@@ -130,7 +130,7 @@ void fill_mixture(Degeneracy degeneracy, int dimension, Coordinates coordinates,
 
 }  // namespace
 
-void fill_points(Family family, Degeneracy degeneracy, int dimension, Coordinates coordinates, Entropy& entropy) {
+void fill_points(Family family, Degeneracy degeneracy, int dimension, CoordinateSpan coordinates, Entropy& entropy) {
   switch (family) {
     case Family::grid:
       return fill_grid(coordinates, entropy);

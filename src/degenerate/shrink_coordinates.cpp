@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-using Coordinates = std::vector<double>;
+using CoordinateList = std::vector<double>;
 
 // How simple a list of coordinates is: smaller is simpler.  Every accepted step lowers it, so shrinking ends.
 struct Measure {
@@ -61,16 +61,16 @@ std::vector<double> simpler(double x) {
 
 class Shrinker {
  public:
-  Shrinker(Coordinates coordinates, const FailsOnCoordinates& still_fails, std::size_t most_calls)
+  Shrinker(CoordinateList coordinates, const FailsOnCoordinates& still_fails, std::size_t most_calls)
       : current_(std::move(coordinates)),
         best_(measure(current_)),
         still_fails_(still_fails),
         calls_left_(most_calls) {}
 
-  const Coordinates& current() const { return current_; }
+  const CoordinateList& current() const { return current_; }
   bool out_of_calls() const { return calls_left_ == 0; }
 
-  bool attempt(const Coordinates& candidate) {
+  bool attempt(const CoordinateList& candidate) {
     Measure of_candidate = measure(candidate);
     if (calls_left_ == 0 || !(of_candidate < best_)) return false;
     --calls_left_;
@@ -83,7 +83,7 @@ class Shrinker {
   // The coordinates first, first + stride, ... replaced by what `change` makes of them.
   template <class Change>
   bool attempt_slice(std::size_t first, std::size_t stride, const Change& change) {
-    Coordinates candidate = current_;
+    CoordinateList candidate = current_;
     for (std::size_t i = first; i < candidate.size(); i += stride) {
       candidate[i] = change(candidate[i]);
       if (!std::isfinite(candidate[i])) return false;
@@ -92,7 +92,7 @@ class Shrinker {
   }
 
  private:
-  Coordinates current_;
+  CoordinateList current_;
   Measure best_;
   const FailsOnCoordinates& still_fails_;
   std::size_t calls_left_;
@@ -126,7 +126,7 @@ bool shrink_together(Shrinker& shrinker, std::size_t first, std::size_t stride) 
 bool shrink_one(Shrinker& shrinker, std::size_t index) {
   bool improved = false;
   const auto with = [&](double x) {
-    Coordinates candidate = shrinker.current();
+    CoordinateList candidate = shrinker.current();
     const double old = std::exchange(candidate[index], x);
     improved |= shrinker.attempt(candidate);
     // All equals at once, for failures that need them equal.
@@ -134,7 +134,7 @@ bool shrink_one(Shrinker& shrinker, std::size_t index) {
     improved |= shrinker.attempt(candidate);
   };
   for (const double x : simpler(shrinker.current()[index])) with(x);
-  const Coordinates others = shrinker.current();
+  const CoordinateList others = shrinker.current();
   for (const double x : others) with(x);
   return improved;
 }
@@ -147,7 +147,7 @@ bool merge_points(Shrinker& shrinker, std::size_t stride) {
   for (std::ptrdiff_t to = 0; to < count; ++to) {
     for (std::ptrdiff_t from = 0; from < count; ++from) {
       if (from == to) continue;
-      Coordinates candidate = shrinker.current();
+      CoordinateList candidate = shrinker.current();
       std::copy_n(candidate.begin() + from * step, step, candidate.begin() + to * step);
       improved |= shrinker.attempt(candidate);
     }

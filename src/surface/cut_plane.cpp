@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/certify/constructed.hpp"
-#include "plumb/certify/rounded.hpp"
 #include "plumb/certify/side_of_plane.hpp"
 #include "plumb/query/section/intersection.hpp"
 

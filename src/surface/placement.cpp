@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "plumb/arith/big_rounding.hpp"
-#include "plumb/certify/rounded.hpp"
+#include "arith/big_rounding.hpp"
+#include "certify/rounded.hpp"
 
 namespace plumb::surface {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "arith/samples.hpp"
+#include "certify/sanitized.hpp"
 
 namespace plumb {
 namespace {
@@ -39,7 +40,7 @@ TEST(BallTest, HoldsTheExactResultForAllPairsOfSpecialValues) {
 
 TEST(BallTest, HoldsTheExactResultOfChains) {
   int finite = 0, sharp = 0, quotients = 0;
-  for (std::uint64_t index = 0; index < 50'000; ++index) {
+  for (std::uint64_t index = 0; index < battery::fitting<std::uint64_t>(50'000); ++index) {
     SCOPED_TRACE(index);
     Entropy entropy(1, index);
     const auto draw = [&] {
@@ -73,8 +74,8 @@ TEST(BallTest, HoldsTheExactResultOfChains) {
       if (!(ball.radius < Ball::infinity)) break;
     }
   }
-  EXPECT_GT(quotients, 20'000);
-  EXPECT_GT(finite, 100'000);
+  EXPECT_GT(quotients, battery::fitting(20'000));
+  EXPECT_GT(finite, battery::fitting(100'000));
   EXPECT_GT(sharp * 10, finite * 8);
 }
 
@@ -98,7 +99,7 @@ TEST(BallTest, NearestIsTheNearestDoubleOrNothing) {
 
 TEST(BallTest, HoldsTheExactRoot) {
   int claimed = 0, sharp = 0;
-  for (std::uint64_t index = 0; index < 50'000; ++index) {
+  for (std::uint64_t index = 0; index < battery::fitting<std::uint64_t>(50'000); ++index) {
     SCOPED_TRACE(index);
     Entropy entropy(2, index);
     const double x = std::fabs(entropy.coin() ? wide_coordinate(entropy) : extreme_coordinate(entropy));
@@ -114,7 +115,7 @@ TEST(BallTest, HoldsTheExactRoot) {
     ASSERT_TRUE(to >= 0 && to * to >= most);
     sharp += r.radius <= r.high * 0x1p-90;
   }
-  EXPECT_GT(claimed, 30'000);
+  EXPECT_GT(claimed, battery::fitting(30'000));
   EXPECT_GT(sharp * 10, claimed * 9);
   EXPECT_EQ(root(Ball{49}).radius, 0);
   EXPECT_EQ(root(Ball{0}).high, 0);
@@ -139,7 +140,7 @@ TEST(BallTest, RoundsOutwardOrNotAtAll) {
 
 TEST(BallTest, TellsTheSignThatAllItHoldsHave) {
   int certain = 0, unsure = 0;
-  for (std::uint64_t index = 0; index < 20'000; ++index) {
+  for (std::uint64_t index = 0; index < battery::fitting<std::uint64_t>(20'000); ++index) {
     SCOPED_TRACE(index);
     Entropy entropy(9, index);
     const double high = std::ldexp(wide_coordinate(entropy), -20);
@@ -159,8 +160,8 @@ TEST(BallTest, TellsTheSignThatAllItHoldsHave) {
     }
     ++(sign.certain() ? certain : unsure);
   }
-  EXPECT_GT(certain, 1000);
-  EXPECT_GT(unsure, 1000);
+  EXPECT_GT(certain, battery::fitting(1000));
+  EXPECT_GT(unsure, battery::fitting(1000));
   EXPECT_EQ(Ball{0.0}.sign(), Unsure{Sign::zero});
   EXPECT_FALSE((Ball{1, 0, Ball::infinity}).sign().certain());
 }

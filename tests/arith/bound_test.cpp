@@ -4,6 +4,7 @@
 
 #include "arith/samples.hpp"
 #include "arith/watched.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/arith/filtered.hpp"
 #include "plumb/arith/largest.hpp"
 
@@ -41,7 +42,7 @@ TEST(BoundTest, IsTheRuleRoundedUpByAFewUnits) {
     const mpq_class units = exact.e * power_of_two(85);
     EXPECT_TRUE(mpq_class(static_cast<unsigned long>(bound.e)) >= units) << F::name;
     EXPECT_TRUE(mpq_class(static_cast<unsigned long>(bound.e)) <=
-                units + 6 * static_cast<int>(tape::program<F>().instructions.size()))
+                units + 6 * static_cast<int>(certify::tape::program<F>().instructions.size()))
         << F::name;
     EXPECT_LE(bound.root, bound.e);
   });
@@ -85,8 +86,8 @@ TEST(BoundTest, NoStepOfAnyFormulaErrsByMore) {
     SCOPED_TRACE(F::name);
     for (const FamilyInfo& f : families) {
       SCOPED_TRACE(f.name);
-      const Worst worst = measure<F>(f.family, 400);
-      ASSERT_GT(worst.steps, 400);  // overflow is the exception, even among extreme exponents
+      const Worst worst = measure<F>(f.family, battery::fitting(400));
+      ASSERT_GT(worst.steps, battery::fitting(400));  // overflow is the exception, even among extreme exponents
     }
   });
 }
@@ -104,7 +105,7 @@ TEST(BoundTest, TheGuardPaysForUnderflow) {
   Worst worst;
   Entropy entropy(3);
   Coordinates<predicates::InCircle> p{};
-  for (int i = 0; i < 5'000; ++i) {
+  for (int i = 0; i < battery::fitting(5'000); ++i) {
     for (double& x : p) x = std::ldexp(signed_unit_coordinate(entropy), -265 - static_cast<int>(entropy.below(8)));
     evaluate<predicates::InCircle>([&](std::size_t k) {
       return watched(Beside<Filtered::Input, Bound::Input>{{p[k]}, {}}, rational(p[k]), &worst);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "arith/watched.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb {
@@ -40,7 +41,7 @@ TEST(BitLengthTest, NoStepOfAnyFormulaNeedsMore) {
     SCOPED_TRACE(F::name);
     for (const int bits : {1, 5, 29, 53}) {
       Fits fits;
-      for (int i = 0; i < 2'000 && !testing::Test::HasFatalFailure(); ++i) {
+      for (int i = 0; i < battery::fitting(2'000) && !testing::Test::HasFatalFailure(); ++i) {
         const std::int64_t most = (std::int64_t{1} << bits) - 1;
         evaluate<F>([&](std::size_t) {
           const std::int64_t x = i % 2 == 0 ? (entropy.coin() ? most : -most) : entropy.within(most);

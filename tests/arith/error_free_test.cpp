@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "arith/samples.hpp"
+#include "certify/sanitized.hpp"
 
 namespace plumb {
 namespace {
@@ -20,7 +21,7 @@ TEST(ErrorFreeTest, SumAndErrorAreExactUnlessTheSumOverflows) {
   };
   for (const double a : special)
     for (const double b : special) check(a, b);
-  for (int i = 0; i < 200'000 && !HasFatalFailure(); ++i) {
+  for (int i = 0; i < battery::fitting(200'000) && !HasFatalFailure(); ++i) {
     const double a = samples::any_double(entropy);
     check(a, samples::any_double(entropy, a));
   }
@@ -40,16 +41,16 @@ TEST(ErrorFreeTest, ProductAndErrorAreExactInTheRange) {
   const std::vector<double> special = samples::special_values();
   for (const double a : special)
     for (const double b : special) check(a, b);
-  for (int i = 0; i < 200'000 && !HasFatalFailure(); ++i) {
+  for (int i = 0; i < battery::fitting(200'000) && !HasFatalFailure(); ++i) {
     check(samples::any_double(entropy), samples::any_double(entropy));
   }
   // The lower edge of the range, where the error is smallest.
-  for (int i = 0; i < 20'000 && !HasFatalFailure(); ++i) {
+  for (int i = 0; i < battery::fitting(20'000) && !HasFatalFailure(); ++i) {
     const auto mantissa = [&] { return 1 + static_cast<double>(entropy.bits(52)) * 0x1p-52; };
     const int e = static_cast<int>(entropy.within(950));
     check(std::ldexp(mantissa(), e), std::ldexp(mantissa(), -960 - e));
   }
-  EXPECT_GT(inside, 60'000);
+  EXPECT_GT(inside, battery::fitting(60'000));
 }
 
 static_assert(two_sum(1, 0x1p-60).error == 0x1p-60);

@@ -1,4 +1,4 @@
-#include "plumb/arith/infinitesimal.hpp"
+#include "arith/infinitesimal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "arith/samples.hpp"
+#include "certify/sanitized.hpp"
 
 namespace plumb {
 namespace {
@@ -87,7 +88,7 @@ TEST(IntervalTest, HoldsTheExactResultForAllPairsOfSpecialValues) {
 
 TEST(IntervalTest, HoldsTheExactResultOfRandomPairs) {
   Entropy entropy(1);
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < battery::fitting(100'000); ++i) {
     const double a = samples::any_double(entropy), b = samples::any_double(entropy, a);
     check_pair(a, b);
     if (HasFatalFailure()) return;
@@ -98,7 +99,7 @@ TEST(IntervalTest, HoldsTheExactResultOfRandomPairs) {
 TEST(IntervalTest, HoldsEveryResultOfContainedNumbers) {
   Entropy entropy(2);
   const double largest = std::numeric_limits<double>::max();
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < battery::fitting(100'000); ++i) {
     const auto any_interval = [&] {
       const double x = samples::any_double(entropy), y = samples::any_double(entropy, -x);
       return Interval{std::min(x, y), std::max(x, y)};
@@ -123,7 +124,7 @@ TEST(IntervalTest, HoldsEveryResultOfContainedNumbers) {
 TEST(IntervalTest, HoldsQuotientsAndRoots) {
   Entropy entropy(3);
   int finite = 0, tight_ones = 0;
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < battery::fitting(100'000); ++i) {
     const double x = samples::any_double(entropy), y = samples::any_double(entropy, -x);
     const double u = samples::any_double(entropy), v = entropy.coin() ? u : samples::any_double(entropy, -u);
     Interval a{std::min(x, y), std::max(x, y)}, b{std::min(u, v), std::max(u, v)};
@@ -144,7 +145,7 @@ TEST(IntervalTest, HoldsQuotientsAndRoots) {
     ASSERT_TRUE(r.upper == infinity || rational(r.upper) * rational(r.upper) >= rational(n)) << std::hexfloat << n;
     ASSERT_GE(r.lower, 0);
   }
-  EXPECT_GT(finite, 5'000);
+  EXPECT_GT(finite, battery::fitting(5'000));
   EXPECT_EQ(tight_ones, finite);
   EXPECT_EQ(quotient(Interval{21}, Interval{-7}).lower, -3);
   EXPECT_EQ(quotient(Interval{21}, Interval{-7}).upper, -3);

@@ -4,7 +4,8 @@
 
 #include "arith/samples.hpp"
 #include "arith/watched.hpp"
-#include "plumb/certify/filter_stage.hpp"
+#include "certify/sanitized.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 
 namespace plumb {
 namespace {
@@ -38,7 +39,7 @@ TEST(LargestMagnitudeTest, BoundsTheErrorOfEveryStep) {
       Within within;
       Entropy entropy(11, static_cast<std::uint64_t>(f.family));
       Coordinates<F> p{};
-      for (int i = 0; i < 2'000 && !testing::Test::HasFatalFailure(); ++i) {
+      for (int i = 0; i < battery::fitting(2'000) && !testing::Test::HasFatalFailure(); ++i) {
         fill_points(f.family, Degeneracy::coplanar, F::dimension, p, entropy);
         const Largest<F> largest = largest_differences<F>(p);
         evaluate<F>([&](std::size_t k) {
@@ -47,7 +48,7 @@ TEST(LargestMagnitudeTest, BoundsTheErrorOfEveryStep) {
                          &within);
         });
       }
-      ASSERT_GT(within.steps, 2'000);
+      ASSERT_GT(within.steps, battery::fitting(2'000));
     }
   });
 }
@@ -65,7 +66,7 @@ TEST(LargestMagnitudeTest, ThresholdIsNeverBelowThatOfFilterA) {
       if (!(a.magnitude < samples::infinity) || value != value) continue;
       const Largest<F> largest = largest_differences<F>(p);
       const double guards =
-          filter_constant<F>() * static_cast<double>(tape::program<F>().instructions.size()) * underflow_guard;
+          filter_constant<F>() * static_cast<double>(certify::tape::program<F>().instructions.size()) * underflow_guard;
       ASSERT_GE(largest_threshold<F>(largest) + guards, filter_constant<F>() * a.magnitude * (1 - 0x1p-45));
       // The product form and the sum over the formula are the same bound.
       if (!(magnitude_over<F>(largest) < samples::infinity)) continue;  // the product form overflows later

@@ -16,7 +16,7 @@ using namespace predicates;
 
 // Integers of at most `bits` bits: the extremes and their neighbors more often than others.
 double coordinate(Entropy& e, int bits) {
-  const double most = planned::largest_of(bits);
+  const double most = certify::planned::largest_of(bits);
   const double m =
       std::max(0.0, e.coin() ? most - static_cast<double>(e.below(3)) : std::floor(most * unit_coordinate(e)));
   return e.coin() ? m : -m;
@@ -34,8 +34,8 @@ TYPED_TEST_SUITE(LatticeErrorTest, Formulas);
 
 TYPED_TEST(LatticeErrorTest, BoundsTheErrorOfDoubles) {
   using F = TypeParam;
-  for (int bits = 0; bits <= lattice_word::double_bits; ++bits) {
-    const LatticeError bound = planned::error<F>(bits);
+  for (int bits = 0; bits <= arith::lattice_word::double_bits; ++bits) {
+    const LatticeError bound = certify::planned::error<F>(bits);
     const mpq_class most(bound.error), largest(bound.largest);
     for (std::uint64_t i = 0; i < 400; ++i) {
       Entropy e(static_cast<std::uint64_t>(bits), i);
@@ -66,7 +66,7 @@ TYPED_TEST(LatticeErrorTest, IsNoMoreCarefulThanFactorsOfTen) {  // at 40 bits, 
     for (double& x : p) x = coordinate(e, 40);
     worst = std::max(worst, mpq_class(abs(mpq_class(F{}(p)) - exact_value<F>(p))));
   }
-  const mpq_class bound(planned::error<F>(40).error);
+  const mpq_class bound(certify::planned::error<F>(40).error);
   EXPECT_TRUE(worst < bound);
   EXPECT_TRUE(100 * worst > bound);
 }

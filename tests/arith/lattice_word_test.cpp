@@ -24,12 +24,12 @@ std::int64_t any_integer(Entropy& e, int bits) {
 }
 
 TEST(LatticeWordTest, IsADoubleAndAnInteger) {
-  for (int bits = 0; bits <= lattice_word::double_bits; ++bits) {
+  for (int bits = 0; bits <= arith::lattice_word::double_bits; ++bits) {
     for (std::uint64_t i = 0; i < 1000; ++i) {
       Entropy e(static_cast<std::uint64_t>(bits), i);
       const std::int64_t a = any_integer(e, bits), b = any_integer(e, bits);
-      const std::uint64_t wa = lattice_word::of(a), wb = lattice_word::of(b);
-      ASSERT_EQ(lattice_word::integer(wa), a);
+      const std::uint64_t wa = arith::lattice_word::of(a), wb = arith::lattice_word::of(b);
+      ASSERT_EQ(arith::lattice_word::integer(wa), a);
       const WordAsDouble da{wa}, db{wb};
       ASSERT_EQ(static_cast<double>(da), static_cast<double>(a));
       ASSERT_EQ(da - db, static_cast<double>(a - b));
@@ -40,12 +40,13 @@ TEST(LatticeWordTest, IsADoubleAndAnInteger) {
 }
 
 TEST(LatticeWordTest, IsAnIntegerUpTo62Bits) {
-  for (int bits = 1; bits <= lattice_word::integer_bits; ++bits) {
+  for (int bits = 1; bits <= arith::lattice_word::integer_bits; ++bits) {
     for (std::uint64_t i = 0; i < 1000; ++i) {
       Entropy e(static_cast<std::uint64_t>(bits), i);
       const std::int64_t a = any_integer(e, bits), b = any_integer(e, bits), c = any_integer(e, bits);
-      const std::uint64_t wa = lattice_word::of(a), wb = lattice_word::of(b), wc = lattice_word::of(c);
-      using Word = WordAsInteger<lattice_word::integer_bits + 1>;
+      const std::uint64_t wa = arith::lattice_word::of(a), wb = arith::lattice_word::of(b),
+                          wc = arith::lattice_word::of(c);
+      using Word = WordAsInteger<arith::lattice_word::integer_bits + 1>;
       ASSERT_EQ((Word{wa} - Word{wb}).low64(), a - b);
       ASSERT_EQ((Word{wa} + Word{wb}).low64(), a + b);
       ASSERT_TRUE((Word{wa} * Word{wb}).low128() == Int128{a} * b);
@@ -67,7 +68,7 @@ TEST(LatticeWordTest, IsAnIntegerUpTo62Bits) {
 template <Formula F, int Bits>
 consteval bool counts_as_types() {
   using Result = decltype(evaluate<F>([](std::size_t) { return WordAsInteger<Bits>{}; }));
-  return Result::bits == planned::growth<F>(Bits - 1).bits;
+  return Result::bits == certify::planned::growth<F>(Bits - 1).bits;
 }
 #define PLUMB_COUNTS(formula) \
   static_assert(counts_as_types<predicates::formula, 2>() && counts_as_types<predicates::formula, 20>());

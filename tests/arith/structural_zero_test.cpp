@@ -4,6 +4,7 @@
 
 #include "arith/samples.hpp"
 #include "arith/watched.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/arith/filtered.hpp"
 
 namespace plumb {
@@ -27,13 +28,13 @@ TEST(StructuralZeroTest, IsCertainOfTrueZerosOnlyAtEveryStep) {
     for (const FamilyInfo& f : families) {
       Entropy entropy(5, static_cast<std::uint64_t>(f.family));
       Coordinates<F> p{};
-      for (int i = 0; i < 2'000 && !testing::Test::HasFatalFailure(); ++i) {
+      for (int i = 0; i < battery::fitting(2'000) && !testing::Test::HasFatalFailure(); ++i) {
         fill_points(f.family, Degeneracy::collinear, F::dimension, p, entropy);
         evaluate<F>([&](std::size_t k) { return watched(StructuralZero::Input{p[k]}, rational(p[k]), &honest); });
       }
     }
-    EXPECT_GT(honest.certain, 1'000);
-    EXPECT_GT(honest.zero, honest.certain);  // zeros by cancellation are left to arithmetic
+    EXPECT_GT(honest.certain, battery::fitting(1'000));
+    if (battery::reaches_rare) EXPECT_GT(honest.zero, honest.certain);  // zeros by cancellation are left to arithmetic
   });
 }
 

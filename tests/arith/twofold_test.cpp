@@ -1,12 +1,12 @@
 // Numbers that carry a bound of their error, against rationals: arith/twofold.hpp,
 // arith/approximate.hpp and arith/running_error.hpp.
-#include "plumb/arith/twofold.hpp"
+#include "arith/twofold.hpp"
 
 #include <gtest/gtest.h>
 
+#include "arith/approximate.hpp"
 #include "arith/running_error.hpp"
 #include "arith/samples.hpp"
-#include "plumb/arith/approximate.hpp"
 
 namespace plumb {
 namespace {

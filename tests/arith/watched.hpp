@@ -41,7 +41,7 @@ auto operator*(const Watched<A, Check>& a, const Watched<B, Check>& b) {
 
 template <class A, class Check>
 auto twice(const Watched<A, Check>& a) {
-  return watched(tape::doubled(a.number), mpq_class(2 * a.exact), a.check);
+  return watched(certify::tape::doubled(a.number), mpq_class(2 * a.exact), a.check);
 }
 
 /// Two number types run side by side.
@@ -53,7 +53,8 @@ struct Beside {
 
 template <class A, class B>
 constexpr auto twice(const Beside<A, B>& x) {
-  return Beside<decltype(tape::doubled(x.a)), decltype(tape::doubled(x.b))>{tape::doubled(x.a), tape::doubled(x.b)};
+  return Beside<decltype(certify::tape::doubled(x.a)), decltype(certify::tape::doubled(x.b))>{
+      certify::tape::doubled(x.a), certify::tape::doubled(x.b)};
 }
 
 template <class A, class B, class C, class D>

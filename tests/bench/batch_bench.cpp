@@ -62,7 +62,7 @@ void add(std::string_view predicate, std::string_view set, const char* method, s
          const std::function<void(std::vector<Sign>&)>& run) {
   const std::string name = std::string(predicate) + "/" + std::string(set) + "/" + method;
   benchmark::RegisterBenchmark(name.c_str(), [run, taken](benchmark::State& state) {
-    batch::take_instruction_set(taken);
+    certify::batch::take_instruction_set(taken);
     std::vector<Sign> out(in_cache);
     for (auto _ : state) {
       run(out);
@@ -71,7 +71,7 @@ void add(std::string_view predicate, std::string_view set, const char* method, s
     }
     state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * in_cache * 1e-9,
                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-    batch::take_instruction_set({});
+    certify::batch::take_instruction_set({});
   });
 }
 

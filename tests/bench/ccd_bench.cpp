@@ -13,7 +13,7 @@
 namespace plumb::bench {
 namespace {
 
-using ccd::Query;
+using tool::ccd::Query;
 
 bool plain(const Query& q) { return plain_contact(q.vertex_face, q.at_0, q.at_1); }
 
@@ -83,8 +83,8 @@ void add(const std::string& name, const std::vector<Query>& queries) {
     benchmark::RegisterBenchmark((name + "/" + method).c_str(),
                                  [=](benchmark::State& state) { run(state, queries, answer, asks_for_contact); });
   };
-  one("plumb", [](const Query& q) { return ccd::intersects(q); });
-  one("plumb_first_contact", [](const Query& q) { return ccd::first_contact(q).has_value(); });
+  one("plumb", [](const Query& q) { return tool::ccd::intersects(q); });
+  one("plumb_first_contact", [](const Query& q) { return tool::ccd::first_contact(q).has_value(); });
   one("plumb_separation", comes_near, false);
   one("plumb_first_contact_separation", first_comes_near, false);
   one("plain", plain);
@@ -92,7 +92,7 @@ void add(const std::string& name, const std::vector<Query>& queries) {
 
 const bool registered = [] {
   std::map<std::string, std::vector<Query>> scenes;
-  for (const Query& q : ccd::all_queries(PLUMB_SOURCE_DIR "/../shared/ccd")) {
+  for (const Query& q : tool::ccd::all_queries(PLUMB_SOURCE_DIR "/../shared/ccd")) {
     scenes[q.scene + (q.vertex_face ? "/vertex_face" : "/edge_edge")].push_back(q);
     scenes["all"].push_back(q);
   }

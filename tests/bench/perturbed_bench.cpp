@@ -65,7 +65,7 @@ void register_class(const std::string& name) {
   add(F::name, name, "expansion", sum_over([](const Question<F>& q) {
         std::array<std::uint16_t, arity<F>> order{};
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint16_t>(i);
-        return perturbation::expanded_sign(tape::program<F>(), true, q.p, order);
+        return certify::perturbation::expanded_sign(certify::tape::program<F>(), true, q.p, order);
       }));
 }
 

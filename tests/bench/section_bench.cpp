@@ -13,8 +13,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "figure/basic/solids.hpp"
 #include "plumb/surface.hpp"
-#include "surface/solids.hpp"
 
 namespace plumb::bench {
 namespace {

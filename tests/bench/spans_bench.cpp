@@ -36,12 +36,14 @@ void register_predicate() {
     add_each<F>(std::to_string(bits) + "_bits", way, spread<F>(bits), take);
   };
   for (const int bits : spans) {
-    if (bits <= integer::long_bits) add(bits, "integer", [](const C& p) { return answer(integer_sign<F>(p)); });
-    if (bits <= integer::widest<F>)
+    if (bits <= certify::integer::long_bits)
+      add(bits, "integer", [](const C& p) { return answer(integer_sign<F>(p)); });
+    if (bits <= certify::integer::widest<F>)
       add(bits, "wide-integer", [](const C& p) { return answer(wide_integer_sign<F>(p)); });
     if (bits * degree<F>() < 1900)
       add(bits, "expansion", [](const C& p) { return static_cast<int>(tool::trial::expansion_sign<F>(p)); });
-    add(bits, "big-integer", [](const C& p) { return static_cast<int>(big_integer_sign(tape::program<F>(), p)); });
+    add(bits, "big-integer",
+        [](const C& p) { return static_cast<int>(big_integer_sign(certify::tape::program<F>(), p)); });
   }
 }
 

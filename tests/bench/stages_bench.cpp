@@ -24,7 +24,7 @@ void register_predicate() {
     add_stage<F>("interval", class_name, [](const C& p) { return answer(interval_sign<F>(p)); });
     add_stage<F>("wide-integer", class_name, [](const C& p) { return answer(wide_integer_sign<F>(p)); });
     add_stage<F>("big-integer", class_name,
-                 [](const C& p) { return answer(Unsure{big_integer_sign(tape::program<F>(), p)}); });
+                 [](const C& p) { return answer(Unsure{big_integer_sign(certify::tape::program<F>(), p)}); });
   }
 }
 

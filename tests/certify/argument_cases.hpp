@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb::battery {

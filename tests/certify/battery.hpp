@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "certify/argument_cases.hpp"
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "certify/sanitized.hpp"
 #include "oracle/oracle.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb::battery {
@@ -24,7 +24,7 @@ namespace plumb::battery {
 #if defined(PLUMB_LONG_TESTS)
 inline constexpr std::uint64_t cases = 10'000'000;
 #else
-inline constexpr std::uint64_t cases = sanitized ? 10'000 : 100'000;
+inline constexpr std::uint64_t cases = sanitized ? 2'000 : 100'000;
 #endif
 /// Every how many cases the rationals judge (elsewhere the last stage does, which they have judged), and CGAL is asked;
 /// odd, so that the special zero sets, every fourth case, get their turn.

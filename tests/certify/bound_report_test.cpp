@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 
 namespace plumb {
 namespace {

@@ -33,7 +33,7 @@ int lies(const Stage& stage, std::initializer_list<Family> of, std::uint64_t mos
 
 constexpr auto hard = {Family::off_by_ulps, Family::near_half, Family::degenerate_long};
 constexpr auto far = {Family::extreme, Family::mixture};
-constexpr std::uint64_t some = 3'000;
+constexpr std::uint64_t some = sanitized ? 1'000 : 3'000;
 
 Unsure<Sign> of(int s) { return s == 0 ? Unsure<Sign>{} : Unsure{static_cast<Sign>(s)}; }
 
@@ -96,10 +96,12 @@ TYPED_TEST(BrokenFilters, AConstantMuchTooSmallIsCaught) {
 }
 
 TYPED_TEST(BrokenFilters, AMissingGuardIsCaught) {
+  if (!reaches_rare) GTEST_SKIP();
   EXPECT_GT(lies<TypeParam>(filter_a<TypeParam>(1, false), far, some), 0);
 }
 
 TYPED_TEST(BrokenFilters, AMissingFloorIsCaught) {
+  if (!reaches_rare) GTEST_SKIP();
   EXPECT_GT(lies<TypeParam>(filter_b<TypeParam>(1, false, true), far, some), 0);
 }
 
@@ -139,7 +141,7 @@ TYPED_TEST(BrokenFilters, IntegersCutOffInsteadOfRefusedAreCaught) {
     if (exponent <= 60) return Unsure<Sign>{};
     const auto scale = std::bit_cast<double>((2106 - exponent) << 52);
     return Unsure{evaluate<TypeParam>([&](std::size_t i) {
-                    return WideInt<integer::long_bits>{static_cast<std::int64_t>(p[i] * scale)};
+                    return WideInt<certify::integer::long_bits>{static_cast<std::int64_t>(p[i] * scale)};
                   }).sign()};
   };
   EXPECT_GT(lies<TypeParam>(stage, far, some), 10);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plumb/certify/case_line.hpp"
+#include "certify/case_line.hpp"
 
 namespace plumb::battery {
 

@@ -1,4 +1,4 @@
-#include "plumb/certify/case_line.hpp"
+#include "certify/case_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 TEST(CaseLineTest, ComesBackBitForBit) {
   for (const CatalogEntry& e : catalog()) {
     for (const FamilyInfo& f : families) {
-      for (std::uint64_t i = 0; i < 500; ++i) {
+      for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(500); ++i) {
         CaseLine c{std::string(e.name), coordinates_of(e, f.family, i), {}};
         if (i % 4 != 0) c.expected = Unsure{static_cast<Sign>(static_cast<int>(i % 4) - 2)};
         const auto back = parse_case_line(to_string(c));

@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "certify/case_line.hpp"
 #include "oracle/cgal_algorithms.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/degenerate/points.hpp"
 

@@ -6,13 +6,13 @@
 #include <limits>
 
 #include "certify/every_stage.hpp"
+#include "certify/nearest_value.hpp"
+#include "certify/rounded.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/certify/bound_report.hpp"
 #include "plumb/certify/kernel.hpp"
-#include "plumb/certify/nearest_value.hpp"
 #include "plumb/certify/perturbed.hpp"
-#include "plumb/certify/rounded.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb {
@@ -104,8 +104,8 @@ TYPED_TEST(ConstantsTest, EveryStageAgreesWithThePolynomialAsWritten) {
 
 TYPED_TEST(ConstantsTest, PlansAreExactAtTheirWidest) {
   using F = TypeParam;
-  for (const int bits :
-       {planned::plain_double<F>, planned::one_word_factors<F>, planned::modulo_word<F>, planned::two_words<F>, 60}) {
+  for (const int bits : {certify::planned::plain_double<F>, certify::planned::one_word_factors<F>,
+                         certify::planned::modulo_word<F>, certify::planned::two_words<F>, 60}) {
     if (bits < 2) continue;
     Kernel kernel(plan(Lattice{0, bits}));
     Entropy e(static_cast<std::uint64_t>(bits));
@@ -142,14 +142,15 @@ TEST(ConstantsTest, InfinitesimalsCarryConstants) {
 
 TEST(ConstantsTest, EveryConstantIsThatManyTimes) {
   const auto product = [](auto constant) {
-    tape::Tape<128> tape;
+    certify::tape::Tape<128> tape;
     tape.arity = 2;
-    const tape::Recorded<128> x{&tape, 0}, y{&tape, 1};
-    const tape::Recorded<128> result = constant * x * y;
+    const certify::tape::Recorded<128> x{&tape, 0}, y{&tape, 1};
+    const certify::tape::Recorded<128> result = constant * x * y;
     const std::uint16_t last = result.result();
     tape.size = last - 1u;
-    EXPECT_EQ(tape.misuse, tape::Misuse::none) << constant;
-    return nearest_value(tape::Program{2, std::span(tape.instructions).first(tape.size)}, std::array{1.0, 3.0});
+    EXPECT_EQ(tape.misuse, certify::tape::Misuse::none) << constant;
+    return nearest_value(certify::tape::Program{2, std::span(tape.instructions).first(tape.size)},
+                         std::array{1.0, 3.0});
   };
   for (int n = 1; n < 3'000; ++n) {
     ASSERT_EQ(product(n), 3.0 * n);
@@ -161,18 +162,18 @@ TEST(ConstantsTest, EveryConstantIsThatManyTimes) {
 
 TEST(ConstantsTest, OtherConstantsAreNotedNotTaken) {
   const auto misuse = [](auto constant) {
-    tape::Tape<128> tape;
+    certify::tape::Tape<128> tape;
     tape.arity = 1;
-    static_cast<void>(constant * tape::Recorded<128>{&tape, 0});
-    static_cast<void>(tape::Recorded<128>{&tape, 0} * constant);
+    static_cast<void>(constant * certify::tape::Recorded<128>{&tape, 0});
+    static_cast<void>(certify::tape::Recorded<128>{&tape, 0} * constant);
     return tape.misuse;
   };
-  EXPECT_EQ(misuse(2147483647u), tape::Misuse::none);
+  EXPECT_EQ(misuse(2147483647u), certify::tape::Misuse::none);
   for (const double x : {0.0, 0.5, 2147483648.0, 1e300, -1.5, std::numeric_limits<double>::infinity(),
                          std::numeric_limits<double>::quiet_NaN(), 0x1.0000000000001p4})
-    EXPECT_EQ(misuse(x), tape::Misuse::broken_constant) << x;
-  EXPECT_EQ(misuse(0), tape::Misuse::broken_constant);
-  EXPECT_EQ(misuse(1ll << 40), tape::Misuse::broken_constant);
+    EXPECT_EQ(misuse(x), certify::tape::Misuse::broken_constant) << x;
+  EXPECT_EQ(misuse(0), certify::tape::Misuse::broken_constant);
+  EXPECT_EQ(misuse(1ll << 40), certify::tape::Misuse::broken_constant);
 }
 
 // A lambda's result of one rounding, and its report.

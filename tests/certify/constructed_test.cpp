@@ -63,8 +63,8 @@ Seen check_kind() {
       if (testing::Test::HasFatalFailure()) return;
     }
   };
-  run({}, 2'000);
-  for (const FamilyInfo& info : families) run({false, info.family}, 500);
+  run({}, battery::fitting(2'000));
+  for (const FamilyInfo& info : families) run({false, info.family}, battery::fitting(500));
   return seen;
 }
 
@@ -76,7 +76,7 @@ TEST(ApproximateTest, IsTheExactPointRoundedOnce) {
     beyond += seen.beyond;
     EXPECT_GT(seen.rounded * 2, seen.points);
   }
-  EXPECT_GT(beyond, 0);
+  if (battery::reaches_rare) EXPECT_GT(beyond, 0);
   for (const Seen& seen : {check_kind<SegmentPoint2>(), check_kind<SegmentPoint3>(), check_kind<Posed<Point2, Pose2>>(),
                            check_kind<Posed<Point3>>()}) {
     EXPECT_EQ(seen.degenerate, 0);
@@ -119,7 +119,7 @@ TEST(ApproximateTest, PointsAsGivenStayAsTheyAre) {
 
 TEST(ApproximateTest, PairsOfDoublesDecideNearlyAlways) {
   int sure = 0, all = 0;
-  for (std::uint64_t index = 0; index < 20'000; ++index) {
+  for (std::uint64_t index = 0; index < battery::fitting<std::uint64_t>(20'000); ++index) {
     Entropy entropy(8, index);
     std::vector<Ball> numbers;
     for (int i = 0; i < predicates::ThreePlaneKind3::numbers; ++i)

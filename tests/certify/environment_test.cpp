@@ -59,10 +59,10 @@ TEST(EnvironmentTest, ReportsFlushedResultsAndFlushedOperands) {
 #endif
 
 TEST(EnvironmentTest, EachFaultAloneIsUnsound) {
-  const Environment good = environment::inspect(false, false);
+  const Environment good = certify::environment::inspect(false, false);
   EXPECT_TRUE(good.sound());
-  EXPECT_FALSE(environment::inspect(true, false).sound());
-  EXPECT_FALSE(environment::inspect(false, true).sound());
+  EXPECT_FALSE(certify::environment::inspect(true, false).sound());
+  EXPECT_FALSE(certify::environment::inspect(false, true).sound());
 }
 
 }  // namespace

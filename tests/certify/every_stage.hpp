@@ -11,7 +11,7 @@ namespace plumb {
 template <Formula F, class Recorder = NoRecorder>
 void expect_of_every_stage(const Coordinates<F>& p, Sign exact, Recorder&& recorder = {}) {
   EXPECT_EQ(decide<F>(p, recorder), exact);
-  EXPECT_EQ(big_integer_sign(tape::program<F>(), p), exact);
+  EXPECT_EQ(big_integer_sign(certify::tape::program<F>(), p), exact);
   for (const int s : {magnitude_filter<F>(p), largest_filter<F>(p)}) {
     if (s != 0) {
       EXPECT_EQ(static_cast<Sign>(s), exact);

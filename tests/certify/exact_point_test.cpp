@@ -87,7 +87,7 @@ void hold_order() {
       const auto compare = [](const auto& a, const auto& b) {
         EXPECT_EQ(a == b, (a <=> b) == 0);
         EXPECT_EQ(a<b, (b <=> a)> 0);
-        return static_cast<int>(query::order(a, b));
+        return static_cast<int>(certify::order(a, b));
       };
       if (!exact) {
         EXPECT_THROW(compare(Exact<P>(p), Exact<P>(q)), DegeneratePoint) << index;

@@ -1,6 +1,6 @@
-// Does Gappa prove this script, and does Coq accept the proof?  Runs the programs as a user would.
+// Does Gappa prove this script?  Runs the program as a user would.
 //
-// Law: where a program is not installed, the tests that need it say so on standard output and prove nothing.
+// Law: where it is not installed, the tests that need it say so on standard output and prove nothing.
 #pragma once
 
 #include <sys/wait.h>

@@ -14,7 +14,7 @@ std::string golden_line(const CatalogEntry& e) {
   std::ostringstream line;
   line << e.name << ' ' << e.degree << ' ' << e.program.instructions.size() << ' ' << hexadecimal(e.filter_constant);
   if (e.homogeneous) {
-    line << ' ' << e.value_bits(integer::short_bits) << ' ' << e.value_bits(integer::long_bits);
+    line << ' ' << e.value_bits(certify::integer::short_bits) << ' ' << e.value_bits(certify::integer::long_bits);
   } else {
     line << " - -";
   }

@@ -8,7 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "plumb/certify/case_line.hpp"
+#include "certify/case_line.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/certify/kernel.hpp"
 #include "plumb/degenerate.hpp"
 

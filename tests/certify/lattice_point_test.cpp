@@ -49,7 +49,7 @@ TEST(LatticePointTest, HoldsWhatTheLatticeHoldsAndNothingElse) {
   for (const Lattice& l : lattices()) {
     const Kernel kernel(l);
     const LatticeIntake intake(l);
-    for (std::uint64_t i = 0; i < 20'000; ++i) {
+    for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(20'000); ++i) {
       Entropy e(11, i);
       double x = any_coordinate(e, l);
       switch (e.below(6)) {
@@ -80,8 +80,8 @@ TEST(LatticePointTest, HoldsWhatTheLatticeHoldsAndNothingElse) {
       }
     }
   }
-  EXPECT_GT(held, 50'000u);
-  EXPECT_GT(refused, 50'000u);
+  EXPECT_GT(held, battery::fitting(50'000u));
+  EXPECT_GT(refused, battery::fitting(50'000u));
 }
 
 TEST(LatticePointTest, NamesTheArgument) {

@@ -46,7 +46,7 @@ template <class Property>
 std::string refutation(Property property) {
   rc::detail::TestParams parameters;
   parameters.seed = 20'26;
-  parameters.maxSuccess = sanitized ? 200 : 2'000;
+  parameters.maxSuccess = fitting(2'000);
   const rc::detail::TestResult result = rc::detail::checkTestable(property, rc::detail::TestMetadata(), parameters);
   rc::detail::FailureResult failure;
   if (!result.match(failure)) return result.is<rc::detail::SuccessResult>() ? "" : "too few cases";

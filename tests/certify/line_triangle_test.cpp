@@ -54,9 +54,9 @@ TEST(LineTriangleTest, AgreesWithCgalOnGrids) {
     }
   });
   std::cout << "met " << met << ", of these at an edge " << touched << ", missed " << missed << '\n';
-  EXPECT_GT(met, 1000);
-  EXPECT_GT(missed, 1000);
-  EXPECT_GT(touched, 500);
+  EXPECT_GT(met, battery::fitting(1000));
+  EXPECT_GT(missed, battery::fitting(1000));
+  EXPECT_GT(touched, battery::fitting(500));
 }
 
 TEST(LineTriangleTest, IsExactOnEveryFamily) {

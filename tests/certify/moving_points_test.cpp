@@ -111,8 +111,8 @@ TEST(MovingPointsTest, VariationsBoundTheRoots) {
     }
     if (variations == changes && variations > 0) ++full;
   });
-  for (const int n : with_variations) EXPECT_GT(n, 50);
-  EXPECT_GT(full, 500);
+  for (const int n : with_variations) EXPECT_GT(n, battery::fitting(50));
+  EXPECT_GT(full, battery::fitting(500));
 }
 
 TEST(MovingPointsTest, RefusesWhatIsNoNumber) {

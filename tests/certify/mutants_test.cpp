@@ -11,19 +11,19 @@
 
 #include "certify/battery.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/certify/exact_stages.hpp"
+#include "plumb/certify/detail/exact_stages.hpp"
 
 namespace plumb::battery {
 namespace {
 
-using Instructions = std::vector<tape::Instruction>;
+using Instructions = std::vector<certify::tape::Instruction>;
 
 struct Mutant {
   Instructions instructions;
   std::string what;
 };
 
-std::string told(std::size_t index, const tape::Instruction& i) {
+std::string told(std::size_t index, const certify::tape::Instruction& i) {
   std::ostringstream s;
   s << '#' << index << " = #" << i.left << ' ' << i.operation << " #" << i.right;
   return s.str();
@@ -31,17 +31,17 @@ std::string told(std::size_t index, const tape::Instruction& i) {
 
 // Every change of one instruction; an operand may become any other number of its kind: another coordinate for a
 // coordinate, any earlier result for a result.
-std::vector<Mutant> mutants_of(const tape::Program& program) {
+std::vector<Mutant> mutants_of(const certify::tape::Program& program) {
   std::vector<Mutant> all;
   const Instructions original(program.instructions.begin(), program.instructions.end());
   for (std::size_t at = 0; at < original.size(); ++at) {
-    const auto add = [&](const tape::Instruction& changed) {
+    const auto add = [&](const certify::tape::Instruction& changed) {
       Mutant m{original,
                told(program.arity + at, original[at]).append(" became ").append(told(program.arity + at, changed))};
       m.instructions[at] = changed;
       all.push_back(std::move(m));
     };
-    const tape::Instruction is = original[at];
+    const certify::tape::Instruction is = original[at];
     for (const char operation : {'+', '-', '*'}) {
       if (operation != is.operation) add({operation, is.left, is.right});
     }
@@ -59,8 +59,8 @@ std::vector<Mutant> mutants_of(const tape::Program& program) {
   return all;
 }
 
-mpz_class value(const tape::Program& program, std::vector<mpz_class> number) {
-  for (const tape::Instruction& i : program.instructions) {
+mpz_class value(const certify::tape::Program& program, std::vector<mpz_class> number) {
+  for (const certify::tape::Instruction& i : program.instructions) {
     const mpz_class &l = number[i.left], &r = number[i.right];
     number.push_back(i.operation == '+' ? mpz_class(l + r) : i.operation == '-' ? mpz_class(l - r) : mpz_class(l * r));
   }
@@ -69,7 +69,7 @@ mpz_class value(const tape::Program& program, std::vector<mpz_class> number) {
 
 // Are two programs one polynomial?  Of degree n at most 2^12, two that differ agree at a random point with coordinates
 // of 200 bits with probability below n / 2^200 (Schwartz and Zippel).
-bool same_polynomial(const tape::Program& a, const tape::Program& b) {
+bool same_polynomial(const certify::tape::Program& a, const certify::tape::Program& b) {
   Entropy entropy(99);
   for (int i = 0; i < 3; ++i) {
     std::vector<mpz_class> x(a.arity);
@@ -107,7 +107,7 @@ std::vector<Judged> battery_of(const CatalogEntry& e) {
   return cases_with_signs;
 }
 
-bool noticed(const tape::Program& program, const std::vector<Judged>& judged) {
+bool noticed(const certify::tape::Program& program, const std::vector<Judged>& judged) {
   return std::ranges::any_of(judged,
                              [&](const Judged& c) { return big_integer_sign(program, c.coordinates) != c.sign; });
 }
@@ -122,7 +122,7 @@ TEST_P(Mutants, AreNoticed) {
   const std::vector<Mutant> all = mutants_of(e.program);
   std::size_t killed = 0, equal = 0;
   for (const Mutant& m : all) {
-    const tape::Program program{e.program.arity, m.instructions};
+    const certify::tape::Program program{e.program.arity, m.instructions};
     if (noticed(program, judged)) {
       ++killed;
     } else if (same_polynomial(program, e.program)) {

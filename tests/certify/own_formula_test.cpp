@@ -72,7 +72,7 @@ struct Long {
     return some(a) + some(b) + some(a + b);
   }
 };
-static_assert(tape::program<Long>().instructions.size() > 256);
+static_assert(certify::tape::program<Long>().instructions.size() > 256);
 
 template <class F>
 class OwnFormulaTest : public testing::Test {};

@@ -12,11 +12,12 @@ namespace {
 using namespace lattice_cases;
 using namespace predicates;
 
-constexpr std::array ends{
-    planned::plain_double<Orient2d>,     planned::one_word_factors<Orient2d>, planned::plain_double<Orient3d>,
-    planned::one_word_factors<Orient3d>, planned::modulo_word<Orient3d>,      planned::two_words<Orient3d>,
-    planned::plain_double<InCircle>,     planned::one_word_factors<InCircle>, planned::plain_double<InSphere>,
-    planned::one_word_factors<InSphere>, planned::modulo_word<InSphere>,      planned::two_words<InSphere>};
+constexpr std::array ends{certify::planned::plain_double<Orient2d>, certify::planned::one_word_factors<Orient2d>,
+                          certify::planned::plain_double<Orient3d>, certify::planned::one_word_factors<Orient3d>,
+                          certify::planned::modulo_word<Orient3d>,  certify::planned::two_words<Orient3d>,
+                          certify::planned::plain_double<InCircle>, certify::planned::one_word_factors<InCircle>,
+                          certify::planned::plain_double<InSphere>, certify::planned::one_word_factors<InSphere>,
+                          certify::planned::modulo_word<InSphere>,  certify::planned::two_words<InSphere>};
 static_assert(ends == std::array{25, 62, 16, 30, 35, 40, 11, 29, 8, 19, 20, 23});
 
 static_assert(arithmetic_for<Orient3d>(16) == Arithmetic::plain_double);
@@ -46,10 +47,10 @@ std::uint64_t wrong_doubles(int bits) {
 
 TYPED_TEST(PlanTest, PlainDoublesAreExactToTheEnd) {
   using F = TypeParam;
-  constexpr int end = planned::plain_double<F>;
+  constexpr int end = certify::planned::plain_double<F>;
   EXPECT_EQ(wrong_doubles<F>(end), 0u);
-  EXPECT_EQ(planned::error<F>(end).root, 0);
-  EXPECT_GT(planned::error<F>(end + 1).root, 0);
+  EXPECT_EQ(certify::planned::error<F>(end).root, 0);
+  EXPECT_GT(certify::planned::error<F>(end + 1).root, 0);
   if (degree<F>() > 2) {  // products that are equal round to equal doubles: see below
     EXPECT_GT(wrong_doubles<F>(end + 4), 0u);
   }
@@ -57,12 +58,12 @@ TYPED_TEST(PlanTest, PlainDoublesAreExactToTheEnd) {
 
 // Differences 2m, 2m - 1 and 2m - 1, 2m - 2, whose determinant is -1.
 Coordinates<Orient2d> nearly_collinear(int bits) {
-  const double m = planned::largest_of(bits);
+  const double m = certify::planned::largest_of(bits);
   return {m, m - 1, m - 1, m - 2, -m, -m};
 }
 
 TEST(PlanTest, OneBitMoreAndDoublesOfOrient2dAreWrong) {
-  constexpr int end = planned::plain_double<Orient2d>;
+  constexpr int end = certify::planned::plain_double<Orient2d>;
   EXPECT_EQ(sign_of_number(Orient2d{}(nearly_collinear(end))), Sign::negative);
   EXPECT_EQ(sign_of_number(Orient2d{}(nearly_collinear(end + 1))), Sign::zero);
   for (int bits = 2; bits <= 53; ++bits) {
@@ -78,12 +79,12 @@ TYPED_TEST(PlanTest, MoreBitsAreNeverCheaper) {
 
 TYPED_TEST(PlanTest, IntegersFitTheirWords) {
   using F = TypeParam;
-  const WidthGrowth end = planned::growth<F>(planned::one_word_factors<F>);
+  const WidthGrowth end = certify::planned::growth<F>(certify::planned::one_word_factors<F>);
   EXPECT_LE(end.widest_factor, 63);
   EXPECT_LE(end.bits, 127);
-  const WidthGrowth more = planned::growth<F>(planned::one_word_factors<F> + 1);
+  const WidthGrowth more = certify::planned::growth<F>(certify::planned::one_word_factors<F> + 1);
   EXPECT_TRUE(more.widest_factor > 63 || more.bits > 127);
-  EXPECT_LT(planned::error<F>(planned::modulo_word<F>).root, 0x1p62);
+  EXPECT_LT(certify::planned::error<F>(certify::planned::modulo_word<F>).root, 0x1p62);
 }
 
 TEST(PlanTest, SaysWhatItIsCalled) {

@@ -8,10 +8,10 @@
 #include <sstream>
 #include <vector>
 
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "certify/gappa.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "plumb/certify/sign_of.hpp"
 
 namespace plumb {
@@ -42,7 +42,7 @@ using UnitParaboloid = FormulaOf<decltype(unit_paraboloid), Point3>::Type;
 
 struct Claim {
   std::string name;
-  tape::Program program;
+  certify::tape::Program program;
   double constant;
 
   [[nodiscard]] std::string script(ProofScale scale, double factor = 1) const {
@@ -52,7 +52,7 @@ struct Claim {
 
 template <Formula F>
 Claim claim_of(std::string name) {
-  return {std::move(name), tape::program<F>(), filter_constant<F>()};
+  return {std::move(name), certify::tape::program<F>(), filter_constant<F>()};
 }
 
 /// The manifest's, and a user's.
@@ -145,10 +145,10 @@ std::size_t terms_in(const std::string& script) {
 }
 
 TEST(ProofScriptTest, SpeaksForEveryTermOfADeterminant) {
-  EXPECT_EQ(count_terms(tape::program<predicates::Orient2d>()), 2);
-  EXPECT_EQ(count_terms(tape::program<predicates::Orient3d>()), 6);
-  EXPECT_EQ(count_terms(tape::program<predicates::InCircle>()), 12);
-  EXPECT_EQ(count_terms(tape::program<predicates::InSphere>()), 72);
+  EXPECT_EQ(count_terms(certify::tape::program<predicates::Orient2d>()), 2);
+  EXPECT_EQ(count_terms(certify::tape::program<predicates::Orient3d>()), 6);
+  EXPECT_EQ(count_terms(certify::tape::program<predicates::InCircle>()), 12);
+  EXPECT_EQ(count_terms(certify::tape::program<predicates::InSphere>()), 72);
   for (const CatalogEntry& e : catalog().first(4)) {
     const std::string script = proof_script(e.name, e.program, e.filter_constant, ProofScale::every);
     EXPECT_EQ(static_cast<double>(terms_in(script)), count_terms(e.program)) << e.name;
@@ -156,7 +156,7 @@ TEST(ProofScriptTest, SpeaksForEveryTermOfADeterminant) {
 }
 
 TEST(ProofScriptTest, KeepsNamesOnTheirLine) {
-  const tape::Program p = tape::program<predicates::Orient2d>();
+  const certify::tape::Program p = certify::tape::program<predicates::Orient2d>();
   EXPECT_THAT(proof_script("one\n{ 0 in [1,2] } ", p, 0x1p-50), HasSubstr("one { 0 in [1,2] }  true"));
 }
 
@@ -164,53 +164,23 @@ TEST(ProofScriptTest, RefusesWhatHasNoProof) {
   EXPECT_THROW(proof_script("nothing", {2, {}}, 0x1p-53), Error);
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double constant : {0.0, -0x1p-50, infinity, infinity - infinity}) {
-    EXPECT_THROW(proof_script("wrong", tape::program<predicates::Orient2d>(), constant), Error);
+    EXPECT_THROW(proof_script("wrong", certify::tape::program<predicates::Orient2d>(), constant), Error);
   }
   // (x0 x1 + x0 x1) squared five times has 2^32 terms, all alike.
-  std::vector<tape::Instruction> squares{{'*', 0, 1}, {'+', 2, 2}};
+  std::vector<certify::tape::Instruction> squares{{'*', 0, 1}, {'+', 2, 2}};
   for (std::uint16_t i = 3; i < 8; ++i) squares.push_back({'*', i, i});
   EXPECT_THROW(proof_script("squares", {2, squares}, 0x1p-40), Error);
   squares.pop_back();
   EXPECT_EQ(count_terms({2, squares}), 0x1p16);
   EXPECT_EQ(terms_in(proof_script("squares", {2, squares}, 0x1p-40, ProofScale::every)), 1U);
   // The fourth power of a sum of forty coordinates has 123410 different ones.
-  std::vector<tape::Instruction> power{{'*', 0, 0}};
+  std::vector<certify::tape::Instruction> power{{'*', 0, 0}};
   for (std::uint16_t i = 0; i < 40; ++i) power.push_back({'+', static_cast<std::uint16_t>(40 + i), i});
   power.push_back({'*', 80, 80});
   power.push_back({'*', 81, 81});
   EXPECT_NO_THROW(proof_script("power", {40, power}, 0x1p-40));
   EXPECT_THROW(proof_script("power", {40, power}, 0x1p-40, ProofScale::every), Error);
 }
-
-#if defined(PLUMB_LONG_TESTS)
-// Coq reads the proof that Gappa wrote down, and tells what it rests on: the axioms of Coq's real numbers, nothing
-// else.
-TEST(ProofScriptTest, CoqAcceptsTheProofsOfTheClassics) {
-  if (!gappa::is_installed()) return;
-  if (gappa::run("", "echo 'Require Import Gappa.Gappa_library.' > a.v && coqc a.v").code != 0) {
-    std::puts("SKIPPED: coqc or its Gappa library is not installed (apt-get install coq libcoq-gappa).");
-    return;
-  }
-  for (const CatalogEntry& e : catalog().first(4)) {
-    for (const ProofScale scale : both) {
-      const gappa::Answer answer =
-          gappa::run(proof_script(e.name, e.program, e.filter_constant, scale),
-                     "gappa -Bcoq claim > claim.v && ! grep -E 'Hypothesis|Axiom|Admitted|Parameter' claim.v && "
-                     "sed -n 's/^Lemma \\([a-z0-9]*\\).*/Print Assumptions \\1./p' claim.v | tail -n 1 >> claim.v && "
-                     "coqc claim.v");
-      EXPECT_EQ(answer.code, 0) << e.name << '\n' << answer.text;
-      EXPECT_THAT(answer.text, HasSubstr("Axioms:")) << e.name;
-      std::istringstream words(answer.text);
-      for (std::string word; words >> word;) {
-        if (word.find('.') == std::string::npos) continue;  // the names of axioms are qualified
-        const bool known = word == "Classical_Prop.classic" || word.starts_with("ClassicalDedekindReals.sig_") ||
-                           word.starts_with("FunctionalExtensionality.functional_extensionality");
-        EXPECT_TRUE(known) << e.name << " rests on " << word;
-      }
-    }
-  }
-}
-#endif
 
 }  // namespace
 }  // namespace plumb

@@ -68,11 +68,11 @@ Sign truth(const std::array<double, 10>& p) {
   return oracle::digits_sign({value<A>(p), value<B>(p), value<C>(p), 0, 0});
 }
 
-static_assert(is_homogeneous<radical::Norm<Length, One, SquaredDistance<1>>>);  // degree 1 beside sqrt(2)
-static_assert(is_homogeneous<radical::PairNorm<Number, One, SquaredDistance<1>, One, SquaredDistance<2>>>);
-static_assert(is_homogeneous<radical::Norm<Angle, Number, SquaredDistance<1>>>);  // 2 beside 1 + sqrt(2)
-static_assert(!is_homogeneous<radical::Norm<Angle, One, SquaredDistance<1>>>);    // 2 beside sqrt(2)
-static_assert(!is_homogeneous<radical::PairPart<Length, One, SquaredDistance<1>, Number, SquaredDistance<1>>>);
+static_assert(is_homogeneous<certify::radical::Norm<Length, One, SquaredDistance<1>>>);  // degree 1 beside sqrt(2)
+static_assert(is_homogeneous<certify::radical::PairNorm<Number, One, SquaredDistance<1>, One, SquaredDistance<2>>>);
+static_assert(is_homogeneous<certify::radical::Norm<Angle, Number, SquaredDistance<1>>>);  // 2 beside 1 + sqrt(2)
+static_assert(!is_homogeneous<certify::radical::Norm<Angle, One, SquaredDistance<1>>>);    // 2 beside sqrt(2)
+static_assert(!is_homogeneous<certify::radical::PairPart<Length, One, SquaredDistance<1>, Number, SquaredDistance<1>>>);
 
 struct Tally {
   Shares distance, ellipsoid, mixed, unlike;

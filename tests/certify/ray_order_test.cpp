@@ -76,7 +76,7 @@ TEST(RayOrderTest, AgreesWithPointsOfIntersectionOnGrids) {
   });
   EXPECT_GT(tally.order.least(), 0.02);
   EXPECT_GT(tally.at_parameter.least(), 0.02);
-  EXPECT_GT(tally.parallel, 500);
+  EXPECT_GT(tally.parallel, battery::fitting(500));
 }
 
 TEST(RayOrderTest, AgreesWithPointsOfIntersectionOnFamilies) {

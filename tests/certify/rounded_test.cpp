@@ -1,10 +1,10 @@
 // Laws of certify/rounded.hpp, against rationals: each rounding of values, quotients and roots, from hard arguments.
-#include "plumb/certify/rounded.hpp"
+#include "certify/rounded.hpp"
 
 #include <gtest/gtest.h>
 
+#include "arith/big_rounding.hpp"
 #include "arith/samples.hpp"
-#include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate.hpp"
 

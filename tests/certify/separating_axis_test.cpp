@@ -102,10 +102,10 @@ TEST(SeparatingAxisTest, FifteenAxesDecideWhetherBoxesMeet) {
   });
   std::cout << "meet " << meet << ", touch " << touch << ", apart " << apart << ", by edges alone " << by_edges_alone
             << '\n';
-  EXPECT_GT(meet, 100);
-  EXPECT_GT(touch, 20);
-  EXPECT_GT(apart, 100);
-  EXPECT_GT(by_edges_alone, 5);
+  EXPECT_GT(meet, battery::fitting(100));
+  EXPECT_GT(touch, battery::fitting(20));
+  EXPECT_GT(apart, battery::fitting(100));
+  EXPECT_GT(by_edges_alone, battery::fitting(5));
 }
 
 // |T . L| - sum of e |w . L| in rationals, from the cross product's coordinates.
@@ -152,7 +152,7 @@ TEST(SeparatingAxisTest, IsExact) {
   std::cout << "+ " << shares.of(Sign::positive) << ", 0 " << shares.of(Sign::zero) << ", - "
             << shares.of(Sign::negative) << ", zero axes " << zero_axes << '\n';
   EXPECT_GT(shares.least(), 0.1);
-  EXPECT_GT(zero_axes, 500);
+  EXPECT_GT(zero_axes, battery::fitting(500));
 }
 
 TEST(SeparatingAxisTest, RefusesWhatIsNoNumber) {

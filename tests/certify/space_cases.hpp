@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "certify/case_line.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/certify/formula.hpp"
 #include "plumb/degenerate.hpp"
 
@@ -61,20 +62,20 @@ inline std::vector<Point3> grid_points(std::size_t count, std::int64_t most, Ent
   return points;
 }
 
-/// Calls check(points) for `cases` grids of magnitude up to 1, 2 and 4, in turn.
+/// Calls check(points) for `cases` grids (fitting() of them) of magnitude up to 1, 2 and 4, in turn.
 template <class Check>
 void on_grids(std::size_t count, std::uint64_t cases, Check check) {
-  for (std::uint64_t i = 0; i < cases * more; ++i) {
+  for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(cases * more); ++i) {
     Entropy entropy(31, i);
     check(grid_points(count, std::int64_t{1} << i % 3, entropy));
   }
 }
 
-/// Calls check(points) for `cases` cases of every family, with every degeneracy in turn.
+/// Calls check(points) for `cases` cases (fitting() of them) of every family, with every degeneracy in turn.
 template <class Check>
 void on_families(std::size_t count, std::uint64_t cases, Check check) {
   for (const FamilyInfo& info : families) {
-    for (std::uint64_t i = 0; i < cases * more; ++i) {
+    for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(cases * more); ++i) {
       Entropy entropy(32, i);
       check(points3(info.family, degeneracies[i % degeneracies.size()], count, entropy));
     }

@@ -1,5 +1,5 @@
 // Do the terms of a formula add up to it?  In integers beyond any rounding, for every formula of the manifest.
-#include "plumb/certify/terms.hpp"
+#include "certify/proof/terms.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <set>
 
+#include "certify/catalog.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "plumb/degenerate/entropy.hpp"
 
-namespace plumb::terms {
+namespace plumb::certify::terms {
 namespace {
 
 using Integers = std::vector<mpz_class>;
@@ -21,13 +21,14 @@ mpz_class applied(char operation, const mpz_class& left, const mpz_class& right)
   return operation == '+' ? mpz_class(left + right) : mpz_class(left - right);
 }
 
-mpz_class value_of(const tape::Program& program, Integers x) {
-  for (const tape::Instruction& i : program.instructions) x.push_back(applied(i.operation, x[i.left], x[i.right]));
+mpz_class value_of(const certify::tape::Program& program, Integers x) {
+  for (const certify::tape::Instruction& i : program.instructions)
+    x.push_back(applied(i.operation, x[i.left], x[i.right]));
   return x.back();
 }
 
 /// Of all nodes.
-Integers values_of(const Expanded& expanded, const tape::Program& program, const Integers& x) {
+Integers values_of(const Expanded& expanded, const certify::tape::Program& program, const Integers& x) {
   Integers values;
   for (const Node& n : expanded.nodes) {
     switch (n.step) {
@@ -35,7 +36,7 @@ Integers values_of(const Expanded& expanded, const tape::Program& program, const
         values.push_back(x[n.left]);
         break;
       case Step::leaf: {
-        const tape::Instruction& i = program.instructions[n.left];
+        const certify::tape::Instruction& i = program.instructions[n.left];
         values.push_back(applied(i.operation, x[i.left], x[i.right]));
         break;
       }
@@ -95,8 +96,8 @@ TEST(TermsTest, PassEveryRoundingButTheLast) {
 
 TEST(TermsTest, HaveTheShapeOfTheirComputation) {
   // (x0 - x1)(x2 - x3) + (x0 - x1)(x0 - x1) - x4 (x0 - x3)
-  const std::vector<tape::Instruction> steps{{'-', 0, 1}, {'-', 2, 3}, {'*', 5, 6},  {'*', 5, 5},
-                                             {'+', 7, 8}, {'-', 0, 3}, {'*', 4, 10}, {'-', 9, 11}};
+  const std::vector<certify::tape::Instruction> steps{{'-', 0, 1}, {'-', 2, 3}, {'*', 5, 6},  {'*', 5, 5},
+                                                      {'+', 7, 8}, {'-', 0, 3}, {'*', 4, 10}, {'-', 9, 11}};
   const Expanded expanded = expand({5, steps});
   ASSERT_EQ(expanded.terms.size(), 3U);
   std::multiset<std::string> shapes;
@@ -106,7 +107,7 @@ TEST(TermsTest, HaveTheShapeOfTheirComputation) {
 
 TEST(TermsTest, OfOneKindAreOne) {
   // x0 x1 + x1 x0 - x0 x1
-  const std::vector<tape::Instruction> steps{{'*', 0, 1}, {'*', 1, 0}, {'+', 2, 3}, {'*', 0, 1}, {'-', 4, 5}};
+  const std::vector<certify::tape::Instruction> steps{{'*', 0, 1}, {'*', 1, 0}, {'+', 2, 3}, {'*', 0, 1}, {'-', 4, 5}};
   const Expanded expanded = expand({2, steps});
   ASSERT_EQ(expanded.terms.size(), 1U);
   EXPECT_EQ(expanded.terms.front().count, 3);
@@ -114,4 +115,4 @@ TEST(TermsTest, OfOneKindAreOne) {
 }
 
 }  // namespace
-}  // namespace plumb::terms
+}  // namespace plumb::certify::terms

@@ -6,8 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "certify/case_line.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/certify/formula.hpp"
 #include "plumb/classic.h"
 #include "plumb/degenerate/points.hpp"

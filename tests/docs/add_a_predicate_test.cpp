@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "certify/catalog.hpp"
 #include "docs/markdown.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "tool/run_program.hpp"
 
 namespace plumb::docs {
@@ -47,8 +47,8 @@ TEST(AddAPredicate, TakesTheLinesShown) {
   // Prints the new line of golden.txt as tests/certify/golden_test.cpp derives it, from the catalog where it can.
   write(folder / "main.cpp", R"(
 #include <cstdio>
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/certify/decide.hpp"
 int main() {
   const plumb::CatalogEntry& e = *plumb::find_predicate("in_diametral_circle");

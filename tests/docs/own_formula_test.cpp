@@ -51,7 +51,7 @@ TEST(OwnFormula, EveryStageIsExactOnEveryFamily) {
                                    interval_sign<Formula>(p), wide_integer_sign<Formula>(p)}) {
         ASSERT_TRUE(!s.certain() || s.value() == truth) << info.name << ' ' << i;
       }
-      ASSERT_EQ(big_integer_sign(tape::program<Formula>(), p), truth) << info.name << ' ' << i;
+      ASSERT_EQ(big_integer_sign(certify::tape::program<Formula>(), p), truth) << info.name << ' ' << i;
     }
     // Representative: insides, outsides and zeros; but of repeated points c is one (zero), or a is b (outside).
     for (std::size_t k = 0; k < signs.size(); ++k) {

@@ -5,8 +5,8 @@
 #   add_subdirectory  the sources beside the consumer's; installs what it built to WORK/prefix_LINKAGE
 #   find_package      from WORK/prefix_LINKAGE
 #   pkg_config        from WORK/prefix_LINKAGE, by the compiler alone
-# Needs SOURCE BUILD WORK COMPILER C_COMPILER GENERATOR PKG_CONFIG LIBDIR CONFIG PROGRAM; FLAGS, LAUNCHER and WITHOUT may
-# be empty.
+# Needs SOURCE BUILD WORK COMPILER C_COMPILER GENERATOR PKG_CONFIG LIBDIR CONFIG PROGRAM; FLAGS, LAUNCHER, UNITY and
+# WITHOUT may be empty.
 cmake_minimum_required(VERSION 3.25)
 set(consumer ${SOURCE}/tests/consumer)
 set(place ${WORK}/${WAY}${LINKAGE})
@@ -41,7 +41,8 @@ endfunction()
 
 function(build_project folder)
   run(${CMAKE_COMMAND} -S ${folder} -B ${place}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
-    -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${ARGN})
+    -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+    -DCMAKE_UNITY_BUILD=${UNITY} ${ARGN})
   run(${CMAKE_COMMAND} --build ${place}/build)
 endfunction()
 

@@ -38,8 +38,14 @@ class SmallTree : public testing::Test {
           "#include \"plumb/arith/sign.hpp\"\n#include \"plumb/predicates/orient.hpp\"\n");
     write("include/plumb/certify/cgal_kernel.hpp",
           "#include <CGAL/enum.h>\n#include \"plumb/certify/cgal_signs.hpp\"\n");
-    write("include/plumb/predicates.hpp", "#include \"plumb/certify/decide.hpp\"\n");
-    write("include/plumb/surface.hpp", "#include \"plumb/surface/mesh.hpp\"\n");
+    write("include/plumb/predicates.hpp",
+          "// tool/report.hpp, predicates/orient.hpp, geometry/sphere.hpp, certify/all.hpp, certify/cgal_kernel.hpp, "
+          "certify/from_c.hpp, certify/mesh.hpp, certify/odd.hpp,\n"
+          "// certify/slow.hpp, figure/basic/fit.hpp, degenerate/points.hpp, query/ray/hit.hpp\n#include "
+          "\"plumb/certify/decide.hpp\"\n");
+    write("include/plumb/certify/detail/stage.hpp",
+          "namespace plumb {\nnamespace certify {\n}  // namespace certify\n");
+    write("include/plumb/surface.hpp", "#include \"plumb/surface/mesh.hpp\"  // surface/cgal.hpp, surface/hull.hpp\n");
     write("include/plumb/surface/mesh.hpp", "#include \"plumb/predicates.hpp\"\n");
     write("include/plumb/plumb.hpp", "#include \"plumb/surface.hpp\"\n");
     write("src/surface/read.cpp", "#include \"plumb/surface/mesh.hpp\"\n#include \"surface/parser.hpp\"\n");
@@ -116,6 +122,10 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"src/query/body/corner.cpp", "#include \"query/ray/numbers.hpp\"\n", "later room"},
       {"src/surface/odd.cpp", "#include \"parser.hpp\"\n", "without its folder"},
       {"src/surface/odd.cpp", "#include <plumb/surface.hpp>\n", "in brackets"},
+      {"src/surface/odd.cpp", "namespace plumb {\nnamespace {\n}  // namespace\nnamespace mesh {\n", "plumb::mesh"},
+      {"src/surface/odd.cpp", "namespace plumb::query {\n}  // namespace plumb::query\n", "not of its folder"},
+      {"src/surface/odd.cpp", "namespace surface {\n}  // namespace surface\n", "not of its folder"},
+      {"include/plumb/surface/odd.hpp", "", "named by no face"},
       {"tests/oracle/report.txt", std::string(200'001, ' '), "200001 bytes"},
   };
   for (const Case& c : cases) {

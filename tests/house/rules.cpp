@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_file = 500;
 constexpr std::uintmax_t largest_file = 200'000;  // bytes; what is larger, a command makes
 constexpr std::string_view cgal_adaptor = "include/plumb/certify/cgal_";
+constexpr std::string_view eigen_adaptor = "include/plumb/figure/basic/eigen.hpp";
 constexpr int above_all = 1000;  // the rung of the program and of plumb.hpp
 
 struct Source {
@@ -22,6 +24,7 @@ struct Source {
   std::size_t lines = 0;
   std::vector<std::string> includes;  // as spelled
   std::vector<std::string> in_brackets{};
+  std::vector<std::string> namespaces{};  // opened at the left margin, from the outermost
 };
 
 bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
@@ -48,6 +51,21 @@ std::optional<std::string> included(std::string_view line) {
   return std::string(line.substr(1, end - 1));
 }
 
+/// Keeps the namespaces that are open, by the lines that open and close them as clang-format writes them.
+void follow_namespaces(std::string_view line, std::vector<std::string>& open, std::vector<std::string>& opened) {
+  constexpr std::string_view start = "namespace ", end = "}  // namespace ";
+  if (line.starts_with("inline ")) line.remove_prefix(7);
+  if (line.starts_with(end) && !open.empty()) {
+    open.pop_back();
+  } else if (line.starts_with(start) && line.size() > 11 && line.find(" {") != std::string_view::npos) {
+    std::string name(line.substr(start.size(), line.find(' ', start.size()) - start.size()));
+    const bool inside = !open.empty() && !open.back().empty();
+    if (name != "{") opened.push_back(inside ? open.back() + "::" + name : name);
+    const bool stays_open = line.back() != '}';
+    if (stays_open) open.push_back(name == "{" ? open.empty() ? "" : open.back() : opened.back());
+  }
+}
+
 bool is_source(const fs::path& path) {
   const std::string extension = path.extension().string();
   return one_of(extension, {".hpp", ".cpp", ".h", ".c", ".cmake", ".in"}) || path.filename() == "CMakeLists.txt";
@@ -61,7 +79,9 @@ std::vector<Source> read_sources(const fs::path& tree) {
       if (!entry.is_regular_file() || !is_source(entry.path())) continue;
       Source source{fs::relative(entry.path(), tree).generic_string(), 0, {}};
       std::ifstream in(entry.path());
+      std::vector<std::string> open;
       for (std::string line; std::getline(in, line); ++source.lines) {
+        follow_namespaces(line, open, source.namespaces);
         if (auto spelled = included(line)) {
           if (line.find('<') < line.find('"')) source.in_brackets.push_back(*spelled);
           source.includes.push_back(std::move(*spelled));
@@ -210,6 +230,39 @@ void check_spelling(const Source& source, std::vector<Breach>& out) {
   }
 }
 
+/// plumb for what users name; all else below the name of its folder.
+void check_namespaces(const Source& source, std::vector<Breach>& out) {
+  const auto below = below_top(source.path);
+  if (!below || below->find('/') == std::string::npos) return;
+  const std::string folder = first_part(*below);
+  for (const std::string& name : source.namespaces) {
+    const auto is_below = [&](const std::string& top) { return name == top || name.starts_with(top + "::"); };
+    const bool made_kind = below->starts_with("query/kinds/") && is_below("plumb::degenerate");
+    const bool adapts = (source.path.starts_with(cgal_adaptor) && (is_below("CGAL") || is_below("plumb::cgal"))) ||
+                        (source.path == eigen_adaptor && is_below("plumb::eigen"));
+    if (name == "plumb" || is_below("plumb::" + folder) || made_kind || adapts) continue;
+    out.push_back({source.path, "opens namespace " + name + ", which is not of its folder"});
+  }
+}
+
+/// What users call is found from a face; what they do not is no header of theirs, or stands under detail/.
+void check_named_by_face(const fs::path& tree, const std::vector<Source>& sources, std::vector<Breach>& out) {
+  std::string faces;
+  if (!fs::is_directory(tree / "include/plumb")) return;
+  for (const auto& entry : fs::directory_iterator(tree / "include/plumb")) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream in(entry.path());
+    faces.append(std::istreambuf_iterator<char>(in), {});
+  }
+  for (const Source& source : sources) {
+    if (!source.path.starts_with("include/plumb/")) continue;
+    const std::string name = source.path.substr(14);
+    const bool is_number = name.starts_with("arith/");  // what all of them are made of
+    if (is_number || name.find('/') == std::string::npos || name.find("/detail/") != std::string::npos) continue;
+    if (faces.find(name) == std::string::npos) out.push_back({source.path, "is named by no face"});
+  }
+}
+
 void check_crowd(const std::vector<Source>& sources, std::vector<Breach>& out) {
   std::map<std::string, std::size_t> files;
   for (const Source& source : sources) ++files[fs::path(source.path).parent_path().generic_string()];
@@ -245,8 +298,7 @@ void check_libraries(const Source& source, std::vector<Breach>& out) {
     }
     if (!for_users) continue;
     if (is_gmp(spelled) && !path.starts_with("include/plumb/arith/")) forbid(spelled, "which stays in arith/");
-    if (library == "Eigen" && path != "include/plumb/figure/basic/eigen.hpp")
-      forbid(spelled, "which stays at the edge");
+    if (library == "Eigen" && path != eigen_adaptor) forbid(spelled, "which stays at the edge");
     if (one_of(library, {"rapidcheck", "rapidcheck.h"}) && path != "include/plumb/degenerate/rapidcheck.hpp") {
       forbid(spelled, "which stays in its bridge");
     }
@@ -318,6 +370,7 @@ std::vector<Breach> breaches(const fs::path& tree) {
     check_ladder(source, out);
     check_rooms(source, out);
     check_spelling(source, out);
+    check_namespaces(source, out);
     check_libraries(source, out);
     if (source.lines > longest_file) {
       out.push_back({source.path, "has " + std::to_string(source.lines) + " lines; 500 are the most"});
@@ -325,6 +378,7 @@ std::vector<Breach> breaches(const fs::path& tree) {
   }
   check_crowd(sources, out);
   check_faces(sources, out);
+  check_named_by_face(tree, sources, out);
   return out;
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <random>
 
+#include "figure/basic/solids.hpp"
 #include "surface/section_oracle.hpp"
-#include "surface/solids.hpp"
 
 namespace plumb {
 namespace {

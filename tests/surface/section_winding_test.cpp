@@ -6,9 +6,9 @@
 #include <random>
 
 #include "certify/sanitized.hpp"
+#include "figure/basic/solids.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "surface/section_oracle.hpp"
-#include "surface/solids.hpp"
 
 namespace plumb {
 namespace {
@@ -122,6 +122,47 @@ TEST(SectionWinding, OfVoxelsIsTheirLayer) {
   EXPECT_GT(seen.touching, 0);
 }
 
+/// Of a mesh as files hold them: at three heights, the first of which is a vertex's.
+void expect_winding_at_heights(const TriangleMesh& mesh, std::mt19937_64& random) {
+  const bool closed = is_oriented_closed(mesh);
+  Point3 low = mesh.vertices[0], high = low;
+  for (const Point3& p : mesh.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double z = i == 0 ? mesh.vertices[random() % mesh.vertices.size()].z : low.z + (high.z - low.z) * i / 3.1;
+    const Plane3 plane{{0, 0, 1}, z};
+    const Section cut = section(mesh, plane);
+    EXPECT_GT(cut.cut_triangles, 50U);
+    if (!battery::sanitized && i == 0) oracle::expect_lawful(mesh, cut, {0, 1, false});
+    if (!closed) {
+      for (const Contour& c : cut.contours) EXPECT_TRUE(c.closed || !c.parent);
+      continue;
+    }
+    const auto contours = oracle::flat_contours(mesh, cut, {0, 1, false});
+    int inside = 0;
+    for (int k = 0; k < 25; ++k) {
+      std::uniform_real_distribution<double> x(low.x, high.x), y(low.y, high.y);
+      const Point3 p{x(random), y(random), std::nextafter(z, low.z)};
+      const auto in_space = winding_number(mesh, p);
+      const auto turns = oracle::winding(contours, {p.x, p.y});
+      ASSERT_TRUE(in_space && turns);
+      EXPECT_EQ(*turns, *in_space);
+      inside += *turns != 0;
+    }
+    EXPECT_GT(inside, 0);
+  }
+}
+
+TEST(SectionWinding, OfTori) {
+  std::mt19937_64 random(7);
+  const TriangleMesh ring = solids::turned(solids::torus(3, 1, 48, 24));
+  const TriangleMesh hollow = solids::turned(solids::hollow_torus(3, 1.5, 48, 24)), open = solids::torn(ring, 50);
+  EXPECT_TRUE(is_oriented_closed(ring) && is_oriented_closed(hollow) && !is_oriented_closed(open));
+  for (const TriangleMesh* const mesh : {&ring, &hollow, &open}) expect_winding_at_heights(*mesh, random);
+}
+
 TEST(SectionWinding, OfModels) {
   const std::filesystem::path folder = std::filesystem::path(PLUMB_SHARED_DIR) / "models";
   if (!std::filesystem::exists(folder)) {
@@ -131,37 +172,7 @@ TEST(SectionWinding, OfModels) {
   std::mt19937_64 random(7);
   for (const char* const name : {"cow.obj", "fandisk.obj", "spot.obj", "stanford-bunny.obj"}) {
     SCOPED_TRACE(name);
-    const TriangleMesh mesh = read_mesh(folder / name);
-    const bool closed = is_oriented_closed(mesh);
-    Point3 low = mesh.vertices[0], high = low;
-    for (const Point3& p : mesh.vertices) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    for (int i = 0; i < 3; ++i) {
-      // Through a vertex, and between all.
-      const double z = i == 0 ? mesh.vertices[random() % mesh.vertices.size()].z : low.z + (high.z - low.z) * i / 3.1;
-      const Plane3 plane{{0, 0, 1}, z};
-      const Section cut = section(mesh, plane);
-      EXPECT_GT(cut.cut_triangles, 50U);
-      if (!battery::sanitized && i == 0) oracle::expect_lawful(mesh, cut, {0, 1, false});
-      if (!closed) {
-        for (const Contour& c : cut.contours) EXPECT_TRUE(c.closed || !c.parent);
-        continue;
-      }
-      const auto contours = oracle::flat_contours(mesh, cut, {0, 1, false});
-      int inside = 0;
-      for (int k = 0; k < 25; ++k) {
-        std::uniform_real_distribution<double> x(low.x, high.x), y(low.y, high.y);
-        const Point3 p{x(random), y(random), std::nextafter(z, low.z)};
-        const auto in_space = winding_number(mesh, p);
-        const auto turns = oracle::winding(contours, {p.x, p.y});
-        ASSERT_TRUE(in_space && turns);
-        EXPECT_EQ(*turns, *in_space);
-        inside += *turns != 0;
-      }
-      EXPECT_GT(inside, 0);
-    }
+    expect_winding_at_heights(read_mesh(folder / name), random);
   }
 }
 

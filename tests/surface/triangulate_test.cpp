@@ -104,7 +104,7 @@ void expect_tiled(const Grid& g, bool flat = false) {
 TEST(Triangulate, RandomSimplePolygons) {
   std::mt19937 random(3);
   int simple = 0, straight = 0, concave = 0;
-  for (int round = 0; round < (battery::sanitized ? 20000 : 200000); ++round) {
+  for (int round = 0; round < battery::fitting(200'000); ++round) {
     Grid g(4 + random() % 6);
     for (auto& p : g) p = {static_cast<long>(random() % 5), static_cast<long>(random() % 5)};
     if (!is_simple(g)) continue;
@@ -121,7 +121,7 @@ TEST(Triangulate, RandomSimplePolygons) {
       return;
     }
   }
-  const int least = battery::sanitized ? 100 : 1000;
+  const int least = battery::fitting(1'000);
   EXPECT_GT(simple, 2 * least);
   EXPECT_GT(straight, least);
   EXPECT_GT(concave, least);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/run_program.hpp"
 
 namespace plumb::tool {

@@ -10,7 +10,7 @@ namespace plumb::tool {
 namespace {
 
 TEST(DecisionSample, IsAllWhereNoMoreAreThere) {
-  for (const std::uint64_t all : {0, 1, 17, 1000}) {
+  for (const std::uint64_t all : std::initializer_list<std::uint64_t>{0, 1, 17, 1000}) {
     const DecisionSample sample(all, 1000);
     ASSERT_EQ(sample.size(), all);
     for (std::uint64_t i = 0; i < all; ++i) EXPECT_EQ(sample.number(i), i);

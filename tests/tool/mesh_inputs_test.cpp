@@ -25,7 +25,8 @@ const std::vector<std::string> readers{"check", "plan --placements 3", "bounds -
 
 /// Those of one mesh as well, with the rest of what they need before and behind it.
 std::vector<std::string> lines_of_all(const std::string& mesh, const std::string& new_file) {
-  std::vector<std::string> lines{"section --plane z=0 " + mesh, "convert " + mesh + " " + new_file};
+  std::vector<std::string> lines{"section --plane z=0 " + mesh, "ray --ray 0,0,1,0,0,-1 " + mesh,
+                                 "convert " + mesh + " " + new_file};
   for (const std::string& reader : readers) lines.push_back(reader + " " + mesh);
   return lines;
 }

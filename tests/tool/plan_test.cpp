@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/predicates/manifest.hpp"
 #include "plumb/surface/write_mesh.hpp"
@@ -26,7 +26,7 @@ using nlohmann::json;
 using testing::AllOf, testing::HasSubstr, testing::Not, testing::StartsWith;
 
 Sign plain_double(const CatalogEntry& e, std::vector<double> number) {
-  for (const tape::Instruction& i : e.program.instructions) {
+  for (const certify::tape::Instruction& i : e.program.instructions) {
     const double l = number[i.left], r = number[i.right];
     number.push_back(i.operation == '+' ? l + r : i.operation == '-' ? l - r : l * r);
   }

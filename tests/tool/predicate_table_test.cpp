@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/manual/meanings.hpp"
 
 namespace plumb::tool {

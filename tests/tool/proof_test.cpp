@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/certify/proof_script.hpp"
 #include "tool/run_program.hpp"
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "figure/basic/solids.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/surface/write_mesh.hpp"
-#include "surface/solids.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 #include "tool/section/view.hpp"

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "tool/run_program.hpp"
 
 namespace plumb::tool {

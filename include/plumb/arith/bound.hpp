@@ -21,6 +21,7 @@ struct Bound {
   std::uint64_t e;     // bound with the value's own rounding
   std::uint64_t root;  // without its last rounding: rounding is monotone, so it cannot carry a sign past a double
 
+  static constexpr double unit = 0x1p-85;           // of e and root
   static constexpr std::uint64_t eps = 1ull << 32;  // 2^-53, half an ulp of one
 
   constexpr Bound(std::uint64_t e_, std::uint64_t root_) : e(e_), root(root_) {}

@@ -16,7 +16,7 @@
 
 namespace plumb {
 
-namespace lattice_word {
+namespace arith::lattice_word {
 
 inline constexpr double center = 0x1.8p52;
 inline constexpr auto center_pattern = std::bit_cast<std::uint64_t>(center);
@@ -28,17 +28,17 @@ constexpr std::uint64_t of(std::int64_t m) { return static_cast<std::uint64_t>(m
 constexpr std::int64_t integer(std::uint64_t word) { return static_cast<std::int64_t>(word - center_pattern); }
 constexpr double as_double(std::uint64_t word) { return std::bit_cast<double>(word); }
 
-}  // namespace lattice_word
+}  // namespace arith::lattice_word
 
 /// Doubles, for coordinates below 2^51 in magnitude.
 struct WordAsDouble {
   std::uint64_t word;
 
   friend constexpr double operator-(WordAsDouble a, WordAsDouble b) {
-    return lattice_word::as_double(a.word) - lattice_word::as_double(b.word);
+    return arith::lattice_word::as_double(a.word) - arith::lattice_word::as_double(b.word);
   }
   constexpr operator double() const {  // NOLINT: mixes as an intermediate value
-    return lattice_word::as_double(word) - lattice_word::center;
+    return arith::lattice_word::as_double(word) - arith::lattice_word::center;
   }
 };
 
@@ -48,13 +48,13 @@ struct WordAsInteger {
   std::uint64_t word;
 
   using Value = WideInt<Bits>;
-  [[nodiscard]] constexpr Value value() const { return Value{lattice_word::integer(word)}; }
+  [[nodiscard]] constexpr Value value() const { return Value{arith::lattice_word::integer(word)}; }
 
   friend constexpr Value operator-(WordAsInteger a, WordAsInteger b) {
     return Value{static_cast<std::int64_t>(a.word - b.word)};
   }
   friend constexpr Value operator+(WordAsInteger a, WordAsInteger b) {
-    return Value{lattice_word::integer(a.word) + lattice_word::integer(b.word)};
+    return Value{arith::lattice_word::integer(a.word) + arith::lattice_word::integer(b.word)};
   }
   friend constexpr auto operator*(WordAsInteger a, WordAsInteger b) { return a.value() * b.value(); }
   template <int Other>
@@ -100,7 +100,7 @@ struct WordModular {
   friend constexpr Modular operator-(WordModular a, WordModular b) { return {a.word - b.word}; }
   friend constexpr Modular operator+(WordModular a, WordModular b) { return Modular(a) + Modular(b); }
   friend constexpr Modular operator*(WordModular a, WordModular b) { return Modular(a) * Modular(b); }
-  constexpr operator Modular() const { return {word - lattice_word::center_pattern}; }  // NOLINT: as above
+  constexpr operator Modular() const { return {word - arith::lattice_word::center_pattern}; }  // NOLINT: as above
 };
 
 /// The bits of WideInt's values and of the widest factor of a product, for a formula over WideInt<Bits>.
@@ -108,7 +108,7 @@ struct WidthGrowth {
   int bits, widest_factor = 0;
 
   friend constexpr WidthGrowth operator+(WidthGrowth a, WidthGrowth b) {
-    return {wide::sum_bits(a.bits, b.bits), larger(a.widest_factor, b.widest_factor)};
+    return {arith::wide::sum_bits(a.bits, b.bits), larger(a.widest_factor, b.widest_factor)};
   }
   friend constexpr WidthGrowth operator-(WidthGrowth a, WidthGrowth b) { return a + b; }
   friend constexpr WidthGrowth operator*(WidthGrowth a, WidthGrowth b) {

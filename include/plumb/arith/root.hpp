@@ -27,7 +27,7 @@
 
 namespace plumb {
 
-namespace query {
+namespace arith {
 struct IsolatedRoot;
 }
 
@@ -36,7 +36,7 @@ class Root {
   explicit Root(const Rational& x);
   template <std::integral Integer>
   explicit Root(Integer x) : Root(Rational(x)) {}
-  explicit Root(std::shared_ptr<const query::IsolatedRoot> root) : root_(std::move(root)) {}
+  explicit Root(std::shared_ptr<const arith::IsolatedRoot> root) : root_(std::move(root)) {}
 
   friend std::strong_ordering operator<=>(const Root& a, const Root& b);
   friend bool operator==(const Root& a, const Root& b) { return (a <=> b) == std::strong_ordering::equal; }
@@ -62,7 +62,7 @@ class Root {
   [[nodiscard]] std::pair<Rational, Rational> interval(const Rational& width) const;
 
  private:
-  std::shared_ptr<const query::IsolatedRoot> root_;  // never null
+  std::shared_ptr<const arith::IsolatedRoot> root_;  // never null
 };
 
 /// All real roots; coefficients in ascending order.

@@ -60,7 +60,7 @@ struct WideInt {
   }
 };
 
-namespace wide {
+namespace arith::wide {
 
 constexpr int sum_bits(int a, int b) { return (a > b ? a : b) + 1; }
 
@@ -95,11 +95,11 @@ constexpr std::uint64_t subtract(std::uint64_t a, std::uint64_t b, std::uint8_t&
   return static_cast<std::uint64_t>(d);
 }
 
-}  // namespace wide
+}  // namespace arith::wide
 
 template <int A, int B>
-constexpr WideInt<wide::sum_bits(A, B)> operator+(const WideInt<A>& a, const WideInt<B>& b) {
-  using Result = WideInt<wide::sum_bits(A, B)>;
+constexpr WideInt<arith::wide::sum_bits(A, B)> operator+(const WideInt<A>& a, const WideInt<B>& b) {
+  using Result = WideInt<arith::wide::sum_bits(A, B)>;
   Result r;
   if constexpr (Result::limbs == 1) {
     r.limb[0] = a.limb[0] + b.limb[0];
@@ -109,14 +109,14 @@ constexpr WideInt<wide::sum_bits(A, B)> operator+(const WideInt<A>& a, const Wid
     std::uint8_t carry = 0;
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < Result::limbs; ++i)
-      r.limb[i] = wide::add(a.limb_or_extension(i), b.limb_or_extension(i), carry);
+      r.limb[i] = arith::wide::add(a.limb_or_extension(i), b.limb_or_extension(i), carry);
   }
   return r;
 }
 
 template <int A, int B>
-constexpr WideInt<wide::sum_bits(A, B)> operator-(const WideInt<A>& a, const WideInt<B>& b) {
-  using Result = WideInt<wide::sum_bits(A, B)>;
+constexpr WideInt<arith::wide::sum_bits(A, B)> operator-(const WideInt<A>& a, const WideInt<B>& b) {
+  using Result = WideInt<arith::wide::sum_bits(A, B)>;
   Result r;
   if constexpr (Result::limbs == 1) {
     r.limb[0] = a.limb[0] - b.limb[0];
@@ -126,7 +126,7 @@ constexpr WideInt<wide::sum_bits(A, B)> operator-(const WideInt<A>& a, const Wid
     std::uint8_t borrow = 0;
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < Result::limbs; ++i) {
-      r.limb[i] = wide::subtract(a.limb_or_extension(i), b.limb_or_extension(i), borrow);
+      r.limb[i] = arith::wide::subtract(a.limb_or_extension(i), b.limb_or_extension(i), borrow);
     }
   }
   return r;
@@ -159,12 +159,12 @@ constexpr WideInt<A + B> operator*(const WideInt<A>& a, const WideInt<B>& b) {
     std::uint8_t borrow = 0;
 #pragma GCC unroll 16
     for (std::size_t k = na; k < n; ++k) {
-      r.limb[k] = wide::subtract(r.limb[k], b.limb_or_extension(k - na) & a.extension(), borrow);
+      r.limb[k] = arith::wide::subtract(r.limb[k], b.limb_or_extension(k - na) & a.extension(), borrow);
     }
     borrow = 0;
 #pragma GCC unroll 16
     for (std::size_t k = nb; k < n; ++k) {
-      r.limb[k] = wide::subtract(r.limb[k], a.limb_or_extension(k - nb) & b.extension(), borrow);
+      r.limb[k] = arith::wide::subtract(r.limb[k], a.limb_or_extension(k - nb) & b.extension(), borrow);
     }
   }
   return r;
@@ -205,7 +205,7 @@ constexpr WideInt<Bits> fitting_sum(const WideInt<Bits>& a, const WideInt<Bits>&
   WideInt<Bits> r;
   std::uint8_t carry = 0;
 #pragma GCC unroll 16
-  for (std::size_t i = 0; i < r.limbs; ++i) r.limb[i] = wide::add(a.limb[i], b.limb[i], carry);
+  for (std::size_t i = 0; i < r.limbs; ++i) r.limb[i] = arith::wide::add(a.limb[i], b.limb[i], carry);
   return r;
 }
 

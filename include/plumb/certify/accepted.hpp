@@ -12,31 +12,31 @@
 #include <utility>
 
 #include "plumb/arith/point.hpp"
-#include "plumb/certify/formula_tape.hpp"
+#include "plumb/certify/detail/formula_tape.hpp"
 
 namespace plumb {
 
 /// Refuses to compile what is no polynomial; true.
 template <Formula F>
 consteval bool is_polynomial() {
-  constexpr tape::Misuse did = tape::of<F>.misuse;
-  static_assert(did != tape::Misuse::other_input,
+  constexpr certify::tape::Misuse did = certify::tape::of<F>.misuse;
+  static_assert(did != certify::tape::Misuse::other_input,
                 "plumb: a formula's call operator takes std::array<T, N> of any T, with N = points * dimension or the "
                 "sum of `arguments`");
-  static_assert(did != tape::Misuse::other_result,
+  static_assert(did != certify::tape::Misuse::other_result,
                 "plumb: a formula returns the polynomial's value, made by + - * of its coordinates");
-  static_assert(did != tape::Misuse::coordinate_returned,
+  static_assert(did != certify::tape::Misuse::coordinate_returned,
                 "plumb: a formula returns a coordinate as it is given, whose sign needs no formula");
-  static_assert(did != tape::Misuse::broken_constant,
+  static_assert(did != certify::tape::Misuse::broken_constant,
                 "plumb: a formula multiplies by whole numbers from 1 to 2^31 - 1 and their opposites (2 * x, -3.0 * "
                 "x); multiply all terms up to whole numbers, or give the constant as one more argument");
-  static_assert(did != tape::Misuse::added_constant,
+  static_assert(did != certify::tape::Misuse::added_constant,
                 "plumb: a formula adds no constants: give it as one more argument (f * f for 1, with f = 1.0)");
-  static_assert(did != tape::Misuse::division,
+  static_assert(did != certify::tape::Misuse::division,
                 "plumb: a formula does not divide: multiply by the denominator, whose sign is another formula's");
-  static_assert(did != tape::Misuse::comparison,
+  static_assert(did != certify::tape::Misuse::comparison,
                 "plumb: a formula does not compare its values: each branch is a formula of its own");
-  static_assert(did != tape::Misuse::none || !is_homogeneous<F> || term_degrees<F>().equal,
+  static_assert(did != certify::tape::Misuse::none || !is_homogeneous<F> || term_degrees<F>().equal,
                 "plumb: a formula adds terms of unequal degree: give one more argument as their factor, or say `static "
                 "constexpr bool homogeneous = false;`");
   return true;
@@ -47,7 +47,8 @@ template <Formula F, Formula... Others>
 consteval bool use_all_coordinates() {
   constexpr bool all = [] {
     for (std::size_t i = 0; i < arity<F>; ++i) {
-      if (!tape::uses<F>[i] && !(tape::uses<Others>[i] || ...)) return tape::of<F>.misuse != tape::Misuse::none;
+      if (!certify::tape::uses<F>[i] && !(certify::tape::uses<Others>[i] || ...))
+        return certify::tape::of<F>.misuse != certify::tape::Misuse::none;
     }
     return true;
   }();
@@ -117,7 +118,8 @@ struct Fit {
       return arity<Polynomial> == count;
     } else if constexpr (without_captures && count > 0) {
       return []<std::size_t... I>(std::index_sequence<I...>) {
-        return std::is_invocable_v<Polynomial, decltype((void)I, std::declval<const tape::Recorded<4096>&>())...>;
+        return std::is_invocable_v<Polynomial,
+                                   decltype((void)I, std::declval<const certify::tape::Recorded<4096>&>())...>;
       }
       (std::make_index_sequence<count>{});
     } else {

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumb/arith/tape.hpp"
+#include "plumb/certify/detail/tape.hpp"
 #include "plumb/certify/sign_of.hpp"
 
 namespace plumb {
@@ -30,11 +30,11 @@ struct BoundReport {
 };
 
 /// Throws Error from 2^32 terms on.
-BoundReport bound_report(std::string_view name, const tape::Program& program, double constant);
+BoundReport bound_report(std::string_view name, const certify::tape::Program& program, double constant);
 
 template <Formula F>
 BoundReport bound_report() {
-  return bound_report(F::name, tape::program<F>(), filter_constant<F>());
+  return bound_report(F::name, certify::tape::program<F>(), filter_constant<F>());
 }
 
 /// Of the formula that sign_of takes this polynomial for, given arguments of these types.

@@ -44,7 +44,7 @@ Bounds<3> bounds_of(std::span<const Point3> points);
 template <Formula F>
 constexpr Largest<F> largest_within(const Bounds<static_cast<std::size_t>(F::dimension)>& bounds) {
   bool sums = false, alone = false;
-  for (const tape::Instruction& i : tape::program<F>().instructions) {
+  for (const certify::tape::Instruction& i : certify::tape::program<F>().instructions) {
     const bool left = i.left < arity<F>, right = i.right < arity<F>;
     if (left && right && i.operation != '*') {
       sums |= i.operation == '+' || axis_of_input<F>(i.left) != axis_of_input<F>(i.right);

@@ -20,17 +20,17 @@
 
 namespace plumb {
 
-namespace environment {
+namespace certify::environment {
 
 /// Ends the program where the thread does not round to nearest, or flushes subnormals.
 void require_sound_thread();
 
-}  // namespace environment
+}  // namespace certify::environment
 
 /// Where PLUMB_CHECKED is defined: the thread rounds as the proofs assume.  Who calls it is PLUMB_CHECKABLE.
 PLUMB_CHECKABLE constexpr void assert_sound_thread() {
 #ifdef PLUMB_CHECKED
-  if (!std::is_constant_evaluated()) environment::require_sound_thread();
+  if (!std::is_constant_evaluated()) certify::environment::require_sound_thread();
 #endif
 }
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "plumb/arith/ball.hpp"
-#include "plumb/certify/point_kind.hpp"
+#include "plumb/certify/detail/point_kind.hpp"
 
 namespace plumb {
 

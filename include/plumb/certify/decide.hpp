@@ -11,8 +11,9 @@
 #include "plumb/certify/accepted.hpp"
 #include "plumb/certify/checked.hpp"
 #include "plumb/certify/decision.hpp"
-#include "plumb/certify/exact_stages.hpp"
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/exact_stages.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
+#include "plumb/certify/detail/long_filter.hpp"
 #include "plumb/predicates/manifest.hpp"
 
 namespace plumb {
@@ -32,7 +33,7 @@ void require_finite(const Coordinates<F>& p, std::string_view name = F::name) {
   }
 }
 
-/// Does it pay to compile the wide integers and the interval for this formula?  For those that are asked most, by
+/// Does it pay to compile long doubles, the wide integers and the interval for this formula?  For those that are asked most, by
 /// measurement (docs/measurements.md, "Stages"); the last stage serves the others without code of their own.
 template <Formula F>
 inline constexpr bool has_wide_stages = false;
@@ -62,13 +63,16 @@ template <Formula F>
   }
   require_finite<F>(p);
   if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
+  if constexpr (has_wide_stages<F>) {
+    if (const auto s = long_double_sign<F>(p); s.certain()) return {s.value(), Stage::long_double};
+  }
   if constexpr (is_homogeneous<F> && has_wide_stages<F>) {
     if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
   }
   if constexpr (has_wide_stages<F>) {
     if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
   }
-  return {big_integer_sign(tape::program<F>(), p), Stage::big_integer};
+  return {big_integer_sign(certify::tape::program<F>(), p), Stage::big_integer};
 }
 
 /// The same, in a function of its own; for coordinates that the filter could not decide.

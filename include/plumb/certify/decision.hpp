@@ -13,10 +13,10 @@
 namespace plumb {
 
 /// In the order of the chain.
-enum class Stage : std::uint8_t { filter, integer, structural_zero, wide_integer, interval, big_integer };
+enum class Stage : std::uint8_t { filter, integer, structural_zero, long_double, wide_integer, interval, big_integer };
 
-inline constexpr std::array<std::string_view, 6> stage_names{"filter",       "integer",  "structural-zero",
-                                                             "wide-integer", "interval", "big-integer"};
+inline constexpr std::array<std::string_view, 7> stage_names{
+    "filter", "integer", "structural-zero", "long-double", "wide-integer", "interval", "big-integer"};
 
 constexpr std::string_view to_string(Stage s) { return stage_names[static_cast<std::size_t>(s)]; }
 

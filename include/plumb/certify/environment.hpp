@@ -27,7 +27,7 @@ struct Environment {
   [[nodiscard]] bool sound() const { return rounds_to_nearest && keeps_subnormals && !contracts && !fast_math; }
 };
 
-namespace environment {
+namespace certify::environment {
 
 Environment inspect(bool contracts, bool fast_math);
 
@@ -46,10 +46,10 @@ bool thread_is_sound();
   return (l + o) - l != 0 || n == n;  // reassociated, the sum is exact; finite-only, a NaN equals itself
 }
 
-}  // namespace environment
+}  // namespace certify::environment
 
 [[maybe_unused]] static Environment check_environment() {
-  return environment::inspect(environment::contracts_here(), environment::fast_math_here());
+  return certify::environment::inspect(certify::environment::contracts_here(), certify::environment::fast_math_here());
 }
 
 }  // namespace plumb

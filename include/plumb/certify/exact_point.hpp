@@ -24,7 +24,7 @@
 
 #include "plumb/arith/implicit_point.hpp"
 #include "plumb/arith/rational.hpp"
-#include "plumb/certify/exact_point_cache.hpp"
+#include "plumb/certify/detail/exact_point_cache.hpp"
 
 namespace plumb {
 
@@ -48,14 +48,14 @@ class ExactPoint2 {
   ExactPoint2(RationalPoint2 p) : as_(std::move(p)) {}          // NOLINT
 
   [[nodiscard]] const Held& as() const { return as_; }
-  [[nodiscard]] const query::ExactPointCache<2>& cache() const { return cache_; }
+  [[nodiscard]] const certify::ExactPointCache<2>& cache() const { return cache_; }
 
   /// That of compare_xy: points that are held differently may be equivalent.
   friend std::weak_ordering operator<=>(const ExactPoint2& a, const ExactPoint2& b);
 
  private:
   Held as_;
-  query::ExactPointCache<2> cache_;
+  certify::ExactPointCache<2> cache_;
 };
 
 class ExactPoint3 {
@@ -70,14 +70,14 @@ class ExactPoint3 {
   ExactPoint3(RationalPoint3 p) : as_(std::move(p)) {}               // NOLINT
 
   [[nodiscard]] const Held& as() const { return as_; }
-  [[nodiscard]] const query::ExactPointCache<3>& cache() const { return cache_; }
+  [[nodiscard]] const certify::ExactPointCache<3>& cache() const { return cache_; }
 
   /// That of compare_xyz.
   friend std::weak_ordering operator<=>(const ExactPoint3& a, const ExactPoint3& b);
 
  private:
   Held as_;
-  query::ExactPointCache<3> cache_;
+  certify::ExactPointCache<3> cache_;
 };
 
 /// The nearest double of each coordinate, rounded once.
@@ -87,7 +87,7 @@ Point3 approximate(const ExactPoint3& a);
 RationalPoint2 rational_point(const ExactPoint2& a);
 RationalPoint3 rational_point(const ExactPoint3& a);
 
-namespace query {
+namespace certify {
 
 /// Where the doubles that are kept do not tell.
 Sign exact_order(const ExactPoint2& a, const ExactPoint2& b);
@@ -101,19 +101,19 @@ Sign order(const Point& a, const Point& b) {
   return exact_order(a, b);
 }
 
-}  // namespace query
+}  // namespace certify
 
 /// Lexicographic order; zero when a equals b.
-inline Sign compare_xy(const ExactPoint2& a, const ExactPoint2& b) { return query::order(a, b); }
-inline Sign compare_xyz(const ExactPoint3& a, const ExactPoint3& b) { return query::order(a, b); }
+inline Sign compare_xy(const ExactPoint2& a, const ExactPoint2& b) { return certify::order(a, b); }
+inline Sign compare_xyz(const ExactPoint3& a, const ExactPoint3& b) { return certify::order(a, b); }
 
-inline bool operator==(const ExactPoint2& a, const ExactPoint2& b) { return query::order(a, b) == Sign::zero; }
-inline bool operator==(const ExactPoint3& a, const ExactPoint3& b) { return query::order(a, b) == Sign::zero; }
+inline bool operator==(const ExactPoint2& a, const ExactPoint2& b) { return certify::order(a, b) == Sign::zero; }
+inline bool operator==(const ExactPoint3& a, const ExactPoint3& b) { return certify::order(a, b) == Sign::zero; }
 inline std::weak_ordering operator<=>(const ExactPoint2& a, const ExactPoint2& b) {
-  return static_cast<int>(query::order(a, b)) <=> 0;
+  return static_cast<int>(certify::order(a, b)) <=> 0;
 }
 inline std::weak_ordering operator<=>(const ExactPoint3& a, const ExactPoint3& b) {
-  return static_cast<int>(query::order(a, b)) <=> 0;
+  return static_cast<int>(certify::order(a, b)) <=> 0;
 }
 
 /// Of the nearest doubles, which equal points have in common; what std::hash gives.

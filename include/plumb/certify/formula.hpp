@@ -18,7 +18,7 @@
 #include "plumb/arith/bound.hpp"
 #include "plumb/arith/degree.hpp"
 #include "plumb/certify/accepted.hpp"
-#include "plumb/certify/formula_tape.hpp"
+#include "plumb/certify/detail/formula_tape.hpp"
 
 namespace plumb {
 
@@ -28,7 +28,7 @@ consteval int degree() {
   return term_degrees<F>().highest;
 }
 
-namespace tape {
+namespace certify::tape {
 
 /// x + x; a number whose doubling is better known than its sums says so by `twice`.
 template <class T>
@@ -112,15 +112,15 @@ constexpr Program program() {
   return {arity<F>, of<F>.instructions};
 }
 
-}  // namespace tape
+}  // namespace certify::tape
 
 /// F's value over these numbers.
 template <Formula F, class T>
 constexpr auto value_of(const std::array<T, arity<F>>& p) {
-  if constexpr (tape::of<F>.as_written) {
+  if constexpr (certify::tape::of<F>.as_written) {
     return F{}(p);
   } else {
-    return tape::replay<F>(p);
+    return certify::tape::replay<F>(p);
   }
 }
 
@@ -144,7 +144,7 @@ constexpr int value_bits(int bits) {
 /// roundings of the magnitude's last sum and of the product with c.
 template <Formula F>
 consteval double filter_constant() {
-  return static_cast<double>(Bound(evaluate<F>([](std::size_t) { return Bound::Input{}; })).root + 2) * 0x1p-85;
+  return static_cast<double>(Bound(evaluate<F>([](std::size_t) { return Bound::Input{}; })).root + 2) * Bound::unit;
 }
 
 }  // namespace plumb

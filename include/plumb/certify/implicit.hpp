@@ -15,11 +15,11 @@
 #include "plumb/arith/implicit_point.hpp"
 #include "plumb/arith/pose.hpp"
 #include "plumb/certify/decide.hpp"
-#include "plumb/certify/mixed.hpp"
-#include "plumb/certify/point_kind.hpp"
+#include "plumb/certify/detail/mixed.hpp"
+#include "plumb/certify/detail/point_kind.hpp"
 
 namespace plumb {
-namespace mixed {
+namespace certify::mixed {
 
 /// What a failure is told by.
 struct Question {
@@ -91,43 +91,43 @@ Sign first_sign(const Points&... points) {
   return result;
 }
 
-}  // namespace mixed
+}  // namespace certify::mixed
 
 /// Positive when a, b, c turn counterclockwise; zero when collinear.
 template <AnyPoint2 A, AnyPoint2 B, AnyPoint2 C>
 requires SomeImplicit<A, B, C> Sign orient2d(const A& a, const B& b, const C& c) {
-  return mixed::first_sign<predicates::HomogeneousOrient2d>(a, b, c);
+  return certify::mixed::first_sign<predicates::HomogeneousOrient2d>(a, b, c);
 }
 
 /// Positive when d lies below the plane of a, b, c, where 'above' sees them counterclockwise; zero when coplanar.
 template <AnyPoint3 A, AnyPoint3 B, AnyPoint3 C, AnyPoint3 D>
 requires SomeImplicit<A, B, C, D> Sign orient3d(const A& a, const B& b, const C& c, const D& d) {
-  return mixed::first_sign<predicates::HomogeneousOrient3d>(a, b, c, d);
+  return certify::mixed::first_sign<predicates::HomogeneousOrient3d>(a, b, c, d);
 }
 
 /// For counterclockwise a, b, c positive when d is inside their circle; zero when cocircular (or all collinear).
 template <AnyPoint2 A, AnyPoint2 B, AnyPoint2 C, AnyPoint2 D>
 requires SomeImplicit<A, B, C, D> Sign incircle(const A& a, const B& b, const C& c, const D& d) {
-  return mixed::first_sign<predicates::HomogeneousInCircle>(a, b, c, d);
+  return certify::mixed::first_sign<predicates::HomogeneousInCircle>(a, b, c, d);
 }
 
 /// For orient3d(a, b, c, d) > 0 positive when e is inside their sphere; zero when cospherical (or all coplanar).
 template <AnyPoint3 A, AnyPoint3 B, AnyPoint3 C, AnyPoint3 D, AnyPoint3 E>
 requires SomeImplicit<A, B, C, D, E> Sign insphere(const A& a, const B& b, const C& c, const D& d, const E& e) {
-  return mixed::first_sign<predicates::HomogeneousInSphere>(a, b, c, d, e);
+  return certify::mixed::first_sign<predicates::HomogeneousInSphere>(a, b, c, d, e);
 }
 
 /// Lexicographic order: negative when a comes before b by x, or by y where the x are equal; zero when a equals b.
 template <AnyPoint2 A, AnyPoint2 B>
 Sign compare_xy(const A& a, const B& b) {
-  return mixed::first_sign<predicates::HomogeneousOrder<0>, predicates::HomogeneousOrder<1>>(a, b);
+  return certify::mixed::first_sign<predicates::HomogeneousOrder<0>, predicates::HomogeneousOrder<1>>(a, b);
 }
 
 /// The same by x, y and z.
 template <AnyPoint3 A, AnyPoint3 B>
 Sign compare_xyz(const A& a, const B& b) {
-  return mixed::first_sign<predicates::HomogeneousOrder<0>, predicates::HomogeneousOrder<1>,
-                           predicates::HomogeneousOrder<2>>(a, b);
+  return certify::mixed::first_sign<predicates::HomogeneousOrder<0>, predicates::HomogeneousOrder<1>,
+                                    predicates::HomogeneousOrder<2>>(a, b);
 }
 
 }  // namespace plumb

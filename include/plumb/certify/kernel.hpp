@@ -17,7 +17,7 @@
 #include <tuple>
 #include <vector>
 
-#include "plumb/certify/planned_sign.hpp"
+#include "plumb/certify/detail/planned_sign.hpp"
 #include "plumb/certify/sign_of.hpp"
 
 namespace plumb {
@@ -49,7 +49,7 @@ class Kernel {
   decltype(auto) with(Action&& action) const {
     static_assert(is_polynomial<F>());
     static_assert(use_all_coordinates<F>());
-    return planned::dispatch<F>(lattice().bits, [&](auto arithmetic) -> decltype(auto) {
+    return certify::planned::dispatch<F>(lattice().bits, [&](auto arithmetic) -> decltype(auto) {
       return action(PlannedPredicate<F, arithmetic.value>(intake_));
     });
   }
@@ -59,8 +59,8 @@ class Kernel {
   [[nodiscard]] [[gnu::always_inline]] Sign sign(const LatticePoint<N>&... p) const {
     static_assert(is_polynomial<F>());
     static_assert(use_all_coordinates<F>());
-    return planned::dispatch<F>(lattice().bits,
-                                [&](auto arithmetic) { return PlannedPredicate<F, arithmetic.value>(intake_)(p...); });
+    return certify::planned::dispatch<F>(
+        lattice().bits, [&](auto arithmetic) { return PlannedPredicate<F, arithmetic.value>(intake_)(p...); });
   }
   /// The sign of F at points, vectors and numbers as given, which are checked.
   template <Formula F, HasCoordinates... Arguments>

@@ -34,7 +34,7 @@ class LatticePoint {
   LatticePoint() = default;
   friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
 
-  /// The coordinate as its lattice keeps it: lattice_word::of up to 62 bits, the double's pattern beyond.
+  /// The coordinate as its lattice keeps it: arith::lattice_word::of up to 62 bits, the double's pattern beyond.
   [[nodiscard]] constexpr const std::array<std::uint64_t, N>& words() const { return word_; }
   [[nodiscard]] constexpr std::uint64_t stamp() const { return stamp_; }
 
@@ -58,7 +58,7 @@ class LatticeIntake {
   template <std::size_t N>
   [[nodiscard]] bool take(const std::array<double, N>& coordinates, LatticePoint<N>& point) const {
     point.stamp_ = stamp_;
-    if (lattice_.bits <= lattice_word::double_bits) return take_doubles(coordinates, point.word_);
+    if (lattice_.bits <= arith::lattice_word::double_bits) return take_doubles(coordinates, point.word_);
     bool on = true;
     for (std::size_t i = 0; i < N; ++i) on &= take_wide(coordinates[i], point.word_[i]);
     return on;
@@ -66,8 +66,8 @@ class LatticeIntake {
 
   /// The double that a word of this lattice stands for.
   [[nodiscard]] double given(std::uint64_t word) const {
-    if (lattice_.bits > lattice_word::integer_bits) return std::bit_cast<double>(word);
-    return static_cast<double>(lattice_word::integer(word)) * unit_;
+    if (lattice_.bits > arith::lattice_word::integer_bits) return std::bit_cast<double>(word);
+    return static_cast<double>(arith::lattice_word::integer(word)) * unit_;
   }
 
   /// Throws what is wrong with coordinates that `take` refused, of these arguments of a formula.
@@ -87,7 +87,7 @@ class LatticeIntake {
       const double x = coordinates[i], moved = x * scale_ + center_;  // rounds to a multiple of the lattice
       off |= std::bit_cast<std::uint64_t>((moved - center_) * unscale_ - x);
       words[i] = std::bit_cast<std::uint64_t>(moved) + rebase_;
-      const std::uint64_t m = words[i] - lattice_word::center_pattern;
+      const std::uint64_t m = words[i] - arith::lattice_word::center_pattern;
       off |= (largest + m) >> (lattice_.bits + 1) | (largest - m) >> (lattice_.bits + 1);
     }
     return off == 0;

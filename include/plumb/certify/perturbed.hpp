@@ -55,14 +55,14 @@ inline constexpr bool is_alternating<predicates::InCircle> = true;
 template <>
 inline constexpr bool is_alternating<predicates::InSphere> = true;
 
-namespace perturbation {
+namespace certify::perturbation {
 
 /// What a perturbation knows of its formula.
 struct Subject {
   std::string_view name;
   std::span<const int> arguments;
   bool alternating, homogeneous;
-  tape::Program program;
+  certify::tape::Program program;
   std::span<const std::uint8_t> degree;   // of each coordinate (arith/occurrence.hpp) ...
   std::span<const std::uint64_t> beside;  // ... and with which it is multiplied; both empty beyond 64 coordinates
   Sign (*decide)(std::span<const double> coordinates);
@@ -89,7 +89,7 @@ inline constexpr Subject subject{F::name,
                                  arguments<F>,
                                  is_alternating<F>,
                                  is_homogeneous<F>,
-                                 tape::program<F>(),
+                                 certify::tape::program<F>(),
                                  occurrence<F>.degree,
                                  occurrence<F>.beside,
                                  decide_span<F>};
@@ -103,7 +103,7 @@ Sign sign_of_zero(const Subject& subject, std::span<const double> coordinates, s
 /// The same by nothing but the expansion in infinitesimals: coordinate order[0] is moved by the largest, and so on.  A
 /// hint: the expansion is known to be zero in the first `known_zero` infinitesimals alone.  Zero where the polynomial
 /// is.
-Sign expanded_sign(tape::Program program, bool homogeneous, std::span<const double> coordinates,
+Sign expanded_sign(certify::tape::Program program, bool homogeneous, std::span<const double> coordinates,
                    std::span<const std::uint16_t> order, std::size_t known_zero = 0);
 
 template <Formula F>
@@ -121,14 +121,14 @@ extern template Sign sign_of_zero<predicates::InCircle>(const Coordinates<predic
 extern template Sign sign_of_zero<predicates::InSphere>(const Coordinates<predicates::InSphere>&,
                                                         const Indices<predicates::InSphere>&);
 
-}  // namespace perturbation
+}  // namespace certify::perturbation
 
 /// The sign of F at p, perturbed; never zero.  The recorder is told which stage decided the sign before perturbation.
 template <Formula F, class Recorder = NoRecorder>
 Sign decide(Perturbed, const Coordinates<F>& p, const Indices<F>& indices, Recorder&& recorder = {}) {
   const Sign s = decide<F>(p, recorder);
   if (s != Sign::zero) return s;
-  return perturbation::sign_of_zero<F>(p, indices);
+  return certify::perturbation::sign_of_zero<F>(p, indices);
 }
 
 /// As orient2d(a, b, c), perturbed.

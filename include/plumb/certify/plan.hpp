@@ -34,7 +34,7 @@ enum class Arithmetic : std::uint8_t {
 /// "plain double", "integers to 128 bits", ...
 std::string_view to_string(Arithmetic a);
 
-namespace planned {
+namespace certify::planned {
 
 /// The most bits up to `limit` for which `holds`, which more bits do not mend; -1 when there are none.
 template <class Holds>
@@ -65,23 +65,25 @@ constexpr WidthGrowth growth(int bits) {  // a difference has one more
 }
 
 template <Formula F>
-inline constexpr int plain_double = most_bits(lattice_word::double_bits, [](int b) { return error<F>(b).root == 0; });
+inline constexpr int plain_double = most_bits(arith::lattice_word::double_bits,
+                                              [](int b) { return error<F>(b).root == 0; });
 
 template <Formula F>
-inline constexpr int one_word_factors = most_bits(lattice_word::integer_bits, [](int b) {
+inline constexpr int one_word_factors = most_bits(arith::lattice_word::integer_bits, [](int b) {
   const WidthGrowth g = growth<F>(b);
   return g.bits <= 127 && g.widest_factor <= 63;
 });
 
 // |computed| <= root leaves |exact| <= 2 root < 2^63, which its remainder modulo 2^64 tells.
 template <Formula F>
-inline constexpr int modulo_word = most_bits(lattice_word::double_bits,
+inline constexpr int modulo_word = most_bits(arith::lattice_word::double_bits,
                                              [](int b) { return error<F>(b).root < 0x1p62; });
 
 template <Formula F>
-inline constexpr int two_words = most_bits(lattice_word::double_bits, [](int b) { return growth<F>(b).bits <= 127; });
+inline constexpr int two_words = most_bits(arith::lattice_word::double_bits,
+                                           [](int b) { return growth<F>(b).bits <= 127; });
 
-}  // namespace planned
+}  // namespace certify::planned
 
 /// The arithmetic that F needs on a lattice of so many bits.
 template <Formula F>
@@ -89,10 +91,10 @@ constexpr Arithmetic arithmetic_for(int bits) {
   if constexpr (!is_homogeneous<F>) {
     return Arithmetic::chain;
   } else {
-    if (bits <= planned::plain_double<F>) return Arithmetic::plain_double;
-    if (bits <= planned::one_word_factors<F>) return Arithmetic::one_word_factors;
-    if (bits <= planned::modulo_word<F>) return Arithmetic::modulo_word;
-    if (bits <= planned::two_words<F>) return Arithmetic::two_words;
+    if (bits <= certify::planned::plain_double<F>) return Arithmetic::plain_double;
+    if (bits <= certify::planned::one_word_factors<F>) return Arithmetic::one_word_factors;
+    if (bits <= certify::planned::modulo_word<F>) return Arithmetic::modulo_word;
+    if (bits <= certify::planned::two_words<F>) return Arithmetic::two_words;
     return Arithmetic::chain;
   }
 }

@@ -23,7 +23,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumb/arith/tape.hpp"
+#include "plumb/certify/detail/tape.hpp"
 #include "plumb/certify/formula.hpp"
 
 namespace plumb {
@@ -32,16 +32,16 @@ enum class ProofScale { unit, every };
 
 /// The script that claims the bound of a formula whose filter uses this constant.  Throws Error for a tape without
 /// operations, a constant that is not positive and finite, or 2^32 terms and more (for ProofScale::every 2^16).
-std::string proof_script(std::string_view name, const tape::Program& program, double constant,
+std::string proof_script(std::string_view name, const certify::tape::Program& program, double constant,
                          ProofScale scale = ProofScale::unit);
 
 template <Formula F>
 std::string proof_script(ProofScale scale = ProofScale::unit) {
-  return proof_script(F::name, tape::program<F>(), filter_constant<F>(), scale);
+  return proof_script(F::name, certify::tape::program<F>(), filter_constant<F>(), scale);
 }
 
 /// The sum of the magnitudes of a formula's terms when every difference, and every coordinate taken by itself, has the
 /// magnitude 1: the number of its terms, each counted as often as it occurs.  Throws Error from 2^32 on.
-double count_terms(const tape::Program& program);
+double count_terms(const certify::tape::Program& program);
 
 }  // namespace plumb

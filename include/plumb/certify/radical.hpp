@@ -17,7 +17,7 @@
 
 namespace plumb {
 
-namespace radical {
+namespace certify::radical {
 
 /// Sign of x + y with the signs of both, where square(): the sign of x^2 - y^2.
 template <class Square>
@@ -33,17 +33,18 @@ inline constexpr double relative = 0x1p-51, absolute = 0x1p-1070;
 Sign decide_exactly(double a, double b, double c);
 Sign decide_exactly(double a, double b, double c, double d, double e);
 
-}  // namespace radical
+}  // namespace certify::radical
 
 /// The sign of a + b sqrt(c).
 inline Sign sign_of_radical(double a, double b, double c) {
   // A square root is rounded by u = 2^-53 of itself, the product once more: together less than 3 u |term| + 2^-1074.
   // The sum's own rounding carries no sign past the threshold, which is a double.
   const double term = b * __builtin_sqrt(c), value = a + term;
-  const double threshold = radical::relative * (magnitude_of(a) + magnitude_of(term)) + radical::absolute;
+  const double threshold =
+      certify::radical::relative * (magnitude_of(a) + magnitude_of(term)) + certify::radical::absolute;
   if (const int s = beyond(value, threshold); s != 0) [[likely]]
     return static_cast<Sign>(s);
-  return radical::decide_exactly(a, b, c);
+  return certify::radical::decide_exactly(a, b, c);
 }
 
 /// The sign of a + b sqrt(c) + d sqrt(e).
@@ -51,10 +52,11 @@ inline Sign sign_of_radicals(double a, double b, double c, double d, double e) {
   // Likewise; the first sum's rounding is less than u |first|.
   const double term = b * __builtin_sqrt(c), other = d * __builtin_sqrt(e), first = a + term, value = first + other;
   const double threshold =
-      radical::relative * (magnitude_of(first) + magnitude_of(term) + magnitude_of(other)) + radical::absolute;
+      certify::radical::relative * (magnitude_of(first) + magnitude_of(term) + magnitude_of(other)) +
+      certify::radical::absolute;
   if (const int s = beyond(value, threshold); s != 0) [[likely]]
     return static_cast<Sign>(s);
-  return radical::decide_exactly(a, b, c, d, e);
+  return certify::radical::decide_exactly(a, b, c, d, e);
 }
 
 /// In a radical of formulas: coordinate number I as it is given.  Like is any formula with the same input.
@@ -69,7 +71,7 @@ struct Given {
   }
 };
 
-namespace radical {
+namespace certify::radical {
 
 /// A factor: a formula, Given, or predicates::One.
 template <class F>
@@ -162,27 +164,31 @@ Sign sign_of_root(const std::array<double, N>& p) {
   return s;
 }
 
-}  // namespace radical
+}  // namespace certify::radical
 
 /// The sign of A + B sqrt(C) at p, for formulas of the same input.  A and C may be Given, B may be predicates::One.
-template <Formula A, radical::Factor B, Formula C>
+template <Formula A, certify::radical::Factor B, Formula C>
 Sign sign_of_radical(const Coordinates<A>& p) {
   require_finite<A>(p, "radical");
-  const Sign root = radical::sign_of_root<C>(p);
-  return radical::sum(radical::sign_of_factor<A>(p), radical::sign_of_factor<B>(p) * root,
-                      [&p] { return radical::decide_part<radical::Norm<A, B, C>>(p); });
+  const Sign root = certify::radical::sign_of_root<C>(p);
+  return certify::radical::sum(certify::radical::sign_of_factor<A>(p), certify::radical::sign_of_factor<B>(p) * root,
+                               [&p] { return certify::radical::decide_part<certify::radical::Norm<A, B, C>>(p); });
 }
 
 /// The sign of A + B sqrt(C) + D sqrt(E) at p, likewise.
-template <Formula A, radical::Factor B, Formula C, radical::Factor D, Formula E>
+template <Formula A, certify::radical::Factor B, Formula C, certify::radical::Factor D, Formula E>
 Sign sign_of_radicals(const Coordinates<A>& p) {
   require_finite<A>(p, "radical");
-  const Sign a = radical::sign_of_factor<A>(p), b = radical::sign_of_factor<B>(p) * radical::sign_of_root<C>(p),
-             d = radical::sign_of_factor<D>(p) * radical::sign_of_root<E>(p);
-  return radical::sum(radical::sum(a, b, [&p] { return radical::decide_part<radical::Norm<A, B, C>>(p); }), d, [&] {
-    return radical::sum(radical::decide_part<radical::PairPart<A, B, C, D, E>>(p), a * b,
-                        [&p] { return radical::decide_part<radical::PairNorm<A, B, C, D, E>>(p); });
-  });
+  const Sign a = certify::radical::sign_of_factor<A>(p),
+             b = certify::radical::sign_of_factor<B>(p) * certify::radical::sign_of_root<C>(p),
+             d = certify::radical::sign_of_factor<D>(p) * certify::radical::sign_of_root<E>(p);
+  return certify::radical::sum(
+      certify::radical::sum(a, b, [&p] { return certify::radical::decide_part<certify::radical::Norm<A, B, C>>(p); }),
+      d, [&] {
+        return certify::radical::sum(
+            certify::radical::decide_part<certify::radical::PairPart<A, B, C, D, E>>(p), a * b,
+            [&p] { return certify::radical::decide_part<certify::radical::PairNorm<A, B, C, D, E>>(p); });
+      });
 }
 
 }  // namespace plumb

@@ -17,19 +17,19 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
-#include "plumb/certify/gap_filter.hpp"
+#include "plumb/certify/detail/gap_filter.hpp"
 #include "plumb/predicates/separating_axis.hpp"
 
 namespace plumb {
 
-namespace separating_axis {
+namespace certify::separating_axis {
 
 using Input = Coordinates<predicates::BoxGap>;
 
 /// For what the filter leaves undecided.
 std::optional<Sign> decide_exactly(Input p);
 
-}  // namespace separating_axis
+}  // namespace certify::separating_axis
 
 /// Sign of |(cb - ca) . L| - (reach of a + reach of b) for L = u x v, where both boxes reach |half_i (w_i . L)| along L
 /// with axes w_i that are not multiples of u or v: positive when L separates the boxes, zero when they touch in their
@@ -37,37 +37,37 @@ std::optional<Sign> decide_exactly(Input p);
 template <int = 0>
 inline std::optional<Sign> axis_gap(const Point3& ca, const Point3& cb, const Vector3& u, const Vector3& v,
                                     const std::array<Vector3, 4>& w, const std::array<double, 4>& half) {
-  const separating_axis::Input p{ca.x,
-                                 ca.y,
-                                 ca.z,
-                                 cb.x,
-                                 cb.y,
-                                 cb.z,
-                                 u.x,
-                                 u.y,
-                                 u.z,
-                                 v.x,
-                                 v.y,
-                                 v.z,
-                                 w[0].x,
-                                 w[0].y,
-                                 w[0].z,
-                                 w[1].x,
-                                 w[1].y,
-                                 w[1].z,
-                                 w[2].x,
-                                 w[2].y,
-                                 w[2].z,
-                                 w[3].x,
-                                 w[3].y,
-                                 w[3].z,
-                                 magnitude_of(half[0]),
-                                 magnitude_of(half[1]),
-                                 magnitude_of(half[2]),
-                                 magnitude_of(half[3])};
+  const certify::separating_axis::Input p{ca.x,
+                                          ca.y,
+                                          ca.z,
+                                          cb.x,
+                                          cb.y,
+                                          cb.z,
+                                          u.x,
+                                          u.y,
+                                          u.z,
+                                          v.x,
+                                          v.y,
+                                          v.z,
+                                          w[0].x,
+                                          w[0].y,
+                                          w[0].z,
+                                          w[1].x,
+                                          w[1].y,
+                                          w[1].z,
+                                          w[2].x,
+                                          w[2].y,
+                                          w[2].z,
+                                          w[3].x,
+                                          w[3].y,
+                                          w[3].z,
+                                          magnitude_of(half[0]),
+                                          magnitude_of(half[1]),
+                                          magnitude_of(half[2]),
+                                          magnitude_of(half[3])};
   if (const int s = gap_filter<predicates::BoxGap>(p); s != 0) [[likely]]
     return static_cast<Sign>(s);
-  return separating_axis::decide_exactly(p);
+  return certify::separating_axis::decide_exactly(p);
 }
 
 /// Along the normal of the face of a that axis i (0, 1 or 2) points through: L = a.axes[i + 1] x a.axes[i + 2].

@@ -4,7 +4,7 @@
 // Laws: (1) Side<F>(a, b, ...)(p) is the sign of F at a, b, ..., p, for all finite doubles.  (2) What is NaN or
 //       infinite throws NonFinite by name, a given point when the object is made.  (3) An object is a value.
 // The minors of the given points are computed once, with their magnitudes.  A query is the last sum of products, with a
-// filter of its own; where that is unsure the predicate's exact stages are asked (certify/side_form.hpp).
+// filter of its own; where that is unsure the predicate's exact stages are asked (certify/detail/side_form.hpp).
 // Many points at once, side(points, out): the laws of certify/batch.hpp, and its library, plumb::batch.
 // Source: RTCD 3.1.6, 13.7; docs/batches.md.
 // Cost: to make one about twice the plain formula; a query 5 to 15 operations and its filter.
@@ -20,14 +20,14 @@
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/batch.hpp"
 #include "plumb/certify/decide.hpp"
-#include "plumb/certify/side_form.hpp"
+#include "plumb/certify/detail/side_form.hpp"
 
 namespace plumb {
 
 template <Formula F>
 class Side;
 
-namespace side {
+namespace certify::side {
 
 // Of many points, in the library plumb::batch.
 void decide_all(const Side<predicates::Orient2d>& side, std::span<const Point2> points, std::span<Sign> out,
@@ -63,15 +63,15 @@ constexpr std::array<Filtered, sizeof...(I)> zeros(std::index_sequence<I...>) {
 /// Pays for the products of a query that underflow, at once (docs/batches.md, "One against many").
 inline constexpr double floor = 0x1p-1070;
 
-}  // namespace side
+}  // namespace certify::side
 
 template <Formula F>
 class Side {
  public:
-  static constexpr std::size_t dimension = side::dimension<F>;
-  static constexpr std::size_t variables = side::form_of<F>.variables;
-  using Point = side::PointOf<F>;
-  using PointsView = side::PointsViewOf<F>;
+  static constexpr std::size_t dimension = certify::side::dimension<F>;
+  static constexpr std::size_t variables = certify::side::form_of<F>.variables;
+  using Point = certify::side::PointOf<F>;
+  using PointsView = certify::side::PointsViewOf<F>;
 
   Side(const Point& a, const Point& b) requires(F::points == 3) : Side(std::array{a, b}) {}
   Side(const Point& a, const Point& b, const Point& c) requires(F::points == 4) : Side(std::array{a, b, c}) {}
@@ -93,28 +93,28 @@ class Side {
 
   /// out[i] is the sign for points[i].
   void operator()(std::span<const Point> points, std::span<Sign> out, Execution execution = Execution::serial) const {
-    side::decide_all(*this, points, out, execution);
+    certify::side::decide_all(*this, points, out, execution);
   }
   void operator()(const PointsView& points, std::span<Sign> out, Execution execution = Execution::serial) const {
-    side::decide_all(*this, points, out, execution);
+    certify::side::decide_all(*this, points, out, execution);
   }
 
   /// -1, 0 or 1, where 0 is 'unsure'.
   [[nodiscard]] int filter(const Point& p) const {
-    const auto number = variables_at(p, std::make_index_sequence<side::form_of<F>.query.size>());
+    const auto number = variables_at(p, std::make_index_sequence<certify::side::form_of<F>.query.size>());
     double value = 0, magnitude = 0;
     for (std::size_t v = 0; v < variables; ++v) {
-      const Filtered& x = number[side::form_of<F>.variable[v]];
+      const Filtered& x = number[certify::side::form_of<F>.variable[v]];
       value = v == 0 ? x.value * coefficient_[v] : value + x.value * coefficient_[v];
       magnitude = v == 0 ? x.magnitude * magnitude_[v] : magnitude + x.magnitude * magnitude_[v];
     }
-    return beyond(value, side::constant<F> * magnitude + side::floor);
+    return beyond(value, certify::side::constant<F> * magnitude + certify::side::floor);
   }
 
   /// The coordinates of the formula, with p as the last point.
   [[nodiscard]] Coordinates<F> with_query(const Point& p) const {
     Coordinates<F> all = given_;
-    const auto q = side::numbers_of(p);
+    const auto q = certify::side::numbers_of(p);
     for (std::size_t a = 0; a < dimension; ++a) all[arity<F> - dimension + a] = q[a];
     return all;
   }
@@ -122,29 +122,29 @@ class Side {
   /// The coordinates of the given points, then zeros.
   [[nodiscard]] const Coordinates<F>& given() const { return given_; }
   /// The point that is subtracted from a query, by axis.
-  [[nodiscard]] double pivot(std::size_t axis) const { return given_[side::pivot<F> * dimension + axis]; }
+  [[nodiscard]] double pivot(std::size_t axis) const { return given_[certify::side::pivot<F> * dimension + axis]; }
   /// What variable v of the form is multiplied with, and the magnitude of that.
   [[nodiscard]] double coefficient(std::size_t v) const { return coefficient_[v]; }
   [[nodiscard]] double magnitude(std::size_t v) const { return magnitude_[v]; }
 
  private:
-  explicit Side(const std::array<Point, side::points<F> - 1>& given) {
+  explicit Side(const std::array<Point, certify::side::points<F> - 1>& given) {
     for (std::size_t i = 0; i < given.size(); ++i) {
-      const auto numbers = side::numbers_of(given[i]);
+      const auto numbers = certify::side::numbers_of(given[i]);
       for (std::size_t a = 0; a < dimension; ++a) given_[i * dimension + a] = numbers[a];
     }
     require_finite<F>(given_);
-    run_fixed(std::make_index_sequence<side::form_of<F>.fixed.size>());
+    run_fixed(std::make_index_sequence<certify::side::form_of<F>.fixed.size>());
   }
 
   /// The numbers of the query's tape: differences to the pivot, then its results.
   template <std::size_t... I>
   auto variables_at(const Point& p, std::index_sequence<I...>) const {
-    const auto q = side::numbers_of(p);
-    auto number = side::zeros(std::make_index_sequence<dimension + sizeof...(I)>());
+    const auto q = certify::side::numbers_of(p);
+    auto number = certify::side::zeros(std::make_index_sequence<dimension + sizeof...(I)>());
     for (std::size_t a = 0; a < dimension; ++a) number[a] = Filtered::Rounded{q[a] - pivot(a)};
     [[maybe_unused]] const auto run = [&]<std::size_t N>() {
-      constexpr tape::Instruction in = side::form_of<F>.query.instructions[N];
+      constexpr certify::tape::Instruction in = certify::side::form_of<F>.query.instructions[N];
       const Filtered &l = number[in.left], &r = number[in.right];
       if constexpr (in.operation == '*' && in.left < dimension && in.right < dimension) {
         number[dimension + N] = Filtered::Rounded{l.value} * Filtered::Rounded{r.value};
@@ -158,11 +158,11 @@ class Side {
 
   template <std::size_t... I>
   void run_fixed(std::index_sequence<I...>) {
-    constexpr const auto& form = side::form_of<F>;
+    constexpr const auto& form = certify::side::form_of<F>;
     // The coordinates are numbers too, but are used in differences only.
-    auto number = side::zeros(std::index_sequence<I...>());
+    auto number = certify::side::zeros(std::index_sequence<I...>());
     const auto run = [&]<std::size_t N>() {
-      constexpr tape::Instruction in = form.fixed.instructions[N];
+      constexpr certify::tape::Instruction in = form.fixed.instructions[N];
       if constexpr (in.left < arity<F>) {
         number[N] = Filtered::Rounded{given_[in.left] - given_[in.right]};
       } else {

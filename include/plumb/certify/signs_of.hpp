@@ -14,7 +14,7 @@
 // (4) `out` must not overlap the coordinates.  There are up to 64 coordinates a case.
 //
 // Filter A runs over the vectors of the processor at hand, with its derived constant; what that leaves goes to the
-// exact stages.  Both are compiled where they are asked, the filter for each width of vectors (certify/block_filter.hpp).
+// exact stages.  Both are compiled where they are asked, the filter for each width of vectors (certify/detail/block_filter.hpp).
 // Source: RTCD 13.7; docs/batches.md.
 // Cost: a fraction of that of sign_of in a loop; threads share the work.  In the library plumb::batch.
 #pragma once
@@ -23,12 +23,12 @@
 #include <tuple>
 
 #include "plumb/certify/batch.hpp"
-#include "plumb/certify/block_filter.hpp"
+#include "plumb/certify/detail/block_filter.hpp"
 #include "plumb/certify/sign_of.hpp"
 
 namespace plumb {
 
-namespace batch {
+namespace certify::batch {
 
 inline constexpr std::size_t most_coordinates = 64;
 
@@ -157,12 +157,12 @@ void ask(std::index_sequence<I...>, const Given& given, std::span<Sign> out, Exe
   }
 }
 
-}  // namespace batch
+}  // namespace certify::batch
 
 /// The signs for many cases: the arguments, the signs to write, and perhaps an Execution.
 template <class Polynomial, class... Arguments>
 void signs_of(Polynomial, Arguments&&... arguments) {
-  using Call = batch::Call<Arguments&&...>;
+  using Call = certify::batch::Call<Arguments&&...>;
   static_assert(Call::has_out,
                 "plumb: signs_of takes after the arguments a span of Sign to write to, and last perhaps an Execution");
   static_assert(
@@ -174,11 +174,12 @@ void signs_of(Polynomial, Arguments&&... arguments) {
     using F = typename decltype(Call::template formula<Polynomial>(typename Call::Items{}))::type;
     static_assert(is_polynomial<F>());
     static_assert(use_all_coordinates<F>());
-    static_assert(arity<F> <= batch::most_coordinates, "plumb: signs_of takes up to 64 coordinates a case");
+    static_assert(arity<F> <= certify::batch::most_coordinates, "plumb: signs_of takes up to 64 coordinates a case");
     const auto given = std::forward_as_tuple(arguments...);
     Execution execution = Execution::serial;
     if constexpr (Call::threads) execution = std::get<Call::count - 1>(given);
-    batch::ask<F>(std::make_index_sequence<Call::before_out>{}, given, std::get<Call::before_out>(given), execution);
+    certify::batch::ask<F>(std::make_index_sequence<Call::before_out>{}, given, std::get<Call::before_out>(given),
+                           execution);
   }
 }
 

@@ -18,7 +18,7 @@
 #include "plumb/certify/side.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::batch::HWY_NAMESPACE {
+namespace plumb::certify::batch::HWY_NAMESPACE {
 
 struct Magnified {
   V value, magnitude;
@@ -47,9 +47,9 @@ struct AgainstOne {
     Layout::template load<dimension>(at + first_coordinate, first, d);
     for (std::size_t k = 0; k < dimension; ++k) d[k] = hn::Sub(d[k], pivot[k]);
     Layout::template arrange<dimension>(d);
-    Magnified number[dimension + side::form_of<F>.query.size];
+    Magnified number[dimension + certify::side::form_of<F>.query.size];
     for (std::size_t a = 0; a < dimension; ++a) number[a] = {d[a], hn::Abs(d[a])};
-    run(number, std::make_index_sequence<side::form_of<F>.query.size>());
+    run(number, std::make_index_sequence<certify::side::form_of<F>.query.size>());
     return sum_of(number, std::make_index_sequence<variables - 1>());
   }
 
@@ -61,7 +61,7 @@ struct AgainstOne {
 
   template <std::size_t I>
   static HWY_INLINE void instruction(Magnified* number) {
-    constexpr tape::Instruction in = side::form_of<F>.query.instructions[I];
+    constexpr certify::tape::Instruction in = certify::side::form_of<F>.query.instructions[I];
     constexpr bool of_differences = in.left < dimension && in.right < dimension;
     static_assert(in.operation == '+' || (in.operation == '*' && of_differences), "a query takes sums of products");
     const Magnified &l = number[in.left], &r = number[in.right];
@@ -76,17 +76,17 @@ struct AgainstOne {
   // The magnitude alone may be fused: it rounds once where Side rounds twice, and so is no worse a bound.
   template <std::size_t... W>
   HWY_INLINE Judged sum_of(const Magnified* number, std::index_sequence<W...>) const {
-    constexpr const auto& variable = side::form_of<F>.variable;
+    constexpr const auto& variable = certify::side::form_of<F>.variable;
     V value = hn::Mul(number[variable[0]].value, coefficient[0].value);
     V magnitude = hn::Mul(number[variable[0]].magnitude, coefficient[0].magnitude);
     ((value = hn::Add(value, hn::Mul(number[variable[W + 1]].value, coefficient[W + 1].value)),
       magnitude = hn::MulAdd(number[variable[W + 1]].magnitude, coefficient[W + 1].magnitude, magnitude)),
      ...);
-    return {value, hn::MulAdd(broadcast(side::constant<F>), magnitude, broadcast(side::floor))};
+    return {value, hn::MulAdd(broadcast(certify::side::constant<F>), magnitude, broadcast(certify::side::floor))};
   }
 };
 
-}  // namespace plumb::batch::HWY_NAMESPACE
+}  // namespace plumb::certify::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // for this instruction set

@@ -10,7 +10,7 @@
 #include "certify/batch/cases.hpp"
 #include "plumb/certify/side.hpp"
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 
 template <class Point>
 inline constexpr std::size_t dimension_of = sizeof(Point) / sizeof(double);
@@ -98,26 +98,26 @@ Cases given_cases(const Side<F>& side) {
 }
 
 template <Formula F>
-void ask_points(const Side<F>& side, std::span<const side::PointOf<F>> points, std::span<Sign> out, Filter filter,
-                Execution execution) {
+void ask_points(const Side<F>& side, std::span<const certify::side::PointOf<F>> points, std::span<Sign> out,
+                Filter filter, Execution execution) {
   EqualLengths(F::name, "points", points.size()).look("out", out.size());
   if (out.empty()) return;
   Cases cases = given_cases(side);
-  set_points(cases, side::points<F> - 1, points);
+  set_points(cases, certify::side::points<F> - 1, points);
   decide_cases(question<F>, cases, filter, &side, out, execution);
 }
 
 template <Formula F>
-void ask_views(const Side<F>& side, const side::PointsViewOf<F>& points, std::span<Sign> out, Filter filter,
+void ask_views(const Side<F>& side, const certify::side::PointsViewOf<F>& points, std::span<Sign> out, Filter filter,
                Execution execution) {
   const EqualLengths lengths(F::name, "points.x", points.x.size());
   lengths.look("points.y", points.y.size());
-  if constexpr (side::dimension<F> == 3) lengths.look("points.z", points.z.size());
+  if constexpr (certify::side::dimension<F> == 3) lengths.look("points.z", points.z.size());
   lengths.look("out", out.size());
   if (out.empty()) return;
   Cases cases = given_cases(side);
-  set_axes(cases, side::points<F> - 1, points);
+  set_axes(cases, certify::side::points<F> - 1, points);
   decide_cases(question<F>, cases, filter, &side, out, execution);
 }
 
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch

@@ -11,7 +11,7 @@
 
 #include "plumb/arith/error.hpp"
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 namespace {
 
 constexpr std::size_t chunk = 2048;
@@ -20,7 +20,7 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 class Run {
  public:
-  Run(const Question& question, const Cases& cases, Filter filter, const void* given, std::span<Sign> out)
+  Run(const BatchQuestion& question, const Cases& cases, Filter filter, const void* given, std::span<Sign> out)
       : question_(question), cases_(cases), filter_(filter), given_(given), out_(out) {}
 
   [[nodiscard]] std::size_t chunks() const { return (out_.size() + chunk - 1) / chunk; }
@@ -68,7 +68,7 @@ class Run {
     return std::span(place).first(question_.arity);
   }
 
-  const Question& question_;
+  const BatchQuestion& question_;
   const Cases& cases_;
   Filter filter_;
   const void* given_;
@@ -98,8 +98,8 @@ std::size_t first_bad_in_parallel(const Run& run) {
 
 }  // namespace
 
-void decide_cases(const Question& question, const Cases& cases, Filter filter, const void* given, std::span<Sign> out,
-                  Execution execution) {
+void decide_cases(const BatchQuestion& question, const Cases& cases, Filter filter, const void* given,
+                  std::span<Sign> out, Execution execution) {
   const Run run(question, cases, filter, given, out);
   const bool alone = execution == Execution::serial || run.chunks() <= chunks_for_a_thread;
   const std::size_t bad = alone ? first_bad_serially(run) : first_bad_in_parallel(run);
@@ -120,4 +120,4 @@ void throw_unequal(std::string_view formula, std::string_view name, std::size_t 
                            .append("; give spans of equal length"));
 }
 
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch

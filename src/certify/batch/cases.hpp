@@ -13,7 +13,7 @@
 
 #include "plumb/certify/signs_of.hpp"
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 
 struct Cases {
   std::array<const double*, most_coordinates> at{};
@@ -31,7 +31,7 @@ struct AskedColumns {
   std::span<const Column> columns;
 };
 
-struct Question {
+struct BatchQuestion {
   std::string_view name;
   std::span<const int> arguments;
   std::size_t arity;
@@ -41,14 +41,14 @@ struct Question {
 };
 
 template <Formula F>
-inline constexpr Question question{F::name, arguments<F>, arity<F>, asked<F>.exactly};
+inline constexpr BatchQuestion question{F::name, arguments<F>, arity<F>, asked<F>.exactly};
 
 /// Decides all of them; out.size() is their number.
-void decide_cases(const Question& question, const Cases& cases, Filter filter, const void* given, std::span<Sign> out,
-                  Execution execution);
+void decide_cases(const BatchQuestion& question, const Cases& cases, Filter filter, const void* given,
+                  std::span<Sign> out, Execution execution);
 
 /// Throws UnequalLengths: "orient3d: c has 7 points, but a has 8; give spans of equal length".
 [[noreturn]] void throw_unequal(std::string_view formula, std::string_view name, std::size_t length,
                                 std::string_view other, std::size_t other_length);
 
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch

@@ -4,7 +4,7 @@
 // first call of all.
 #include "certify/batch/chosen_target.hpp"
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 namespace {
 
 HWY_EXPORT(many_points);
@@ -23,4 +23,4 @@ constexpr Filter chosen_coordinates_against = PLUMB_BATCH_CHOSEN(coordinates_aga
 #undef PLUMB_BATCH_CHOSEN
 
 }  // namespace
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch

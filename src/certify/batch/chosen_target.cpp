@@ -11,7 +11,7 @@
 #include "plumb/certify/instruction_set.hpp"
 
 namespace plumb {
-namespace batch {
+namespace certify::batch {
 namespace {
 
 struct Named {
@@ -24,7 +24,7 @@ constexpr std::array all{Named{"avx512", HWY_AVX3}, Named{"avx2", HWY_AVX2}, Nam
 std::int64_t present() { return hwy::SupportedTargets() | HWY_SCALAR; }
 
 /// What the environment asked for when it was first looked at; empty: nothing.
-const std::string& asked() {
+const std::string& asked_at_start() {
   static const std::string name = [] {
     const char* value = std::getenv("PLUMB_INSTRUCTION_SET");
     return std::string(value != nullptr ? value : "");
@@ -40,9 +40,10 @@ std::int64_t targets_named(std::string_view name) noexcept {
 }
 
 std::int64_t required_targets() {
-  const std::int64_t targets = targets_named(asked());
+  const std::int64_t targets = targets_named(asked_at_start());
   if (targets != 0) return targets;
-  std::string text = "PLUMB_INSTRUCTION_SET is \"" + asked() + "\", which this processor does not have; there are";
+  std::string text =
+      "PLUMB_INSTRUCTION_SET is \"" + asked_at_start() + "\", which this processor does not have; there are";
   for (const std::string_view name : batch_instruction_sets()) text.append(" ").append(name);
   throw Error(text);
 }
@@ -61,7 +62,7 @@ const hwy::ChosenTarget& chosen_target() {
 }
 
 std::int64_t targets_or_all() noexcept {
-  const std::int64_t targets = targets_named(asked());
+  const std::int64_t targets = targets_named(asked_at_start());
   return targets != 0 ? targets : present();
 }
 
@@ -70,19 +71,21 @@ void take_instruction_set(std::string_view name) {
   target().Update(name.empty() ? required_targets() : targets_named(name));
 }
 
-}  // namespace batch
+}  // namespace certify::batch
 
 std::vector<std::string_view> batch_instruction_sets() {
   std::vector<std::string_view> names;
-  for (const batch::Named& set : batch::all) {
-    if ((batch::present() & set.target) != 0) names.push_back(set.name);
+  for (const certify::batch::Named& set : certify::batch::all) {
+    if ((certify::batch::present() & set.target) != 0) names.push_back(set.name);
   }
   return names;
 }
 
 std::string_view batch_instruction_set() {
-  const std::int64_t targets = batch::required_targets();
-  return std::ranges::find_if(batch::all, [&](const batch::Named& set) { return (targets & set.target) != 0; })->name;
+  const std::int64_t targets = certify::batch::required_targets();
+  return std::ranges::find_if(certify::batch::all,
+                              [&](const certify::batch::Named& set) { return (targets & set.target) != 0; })
+      ->name;
 }
 
 }  // namespace plumb

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 
 /// Throws Error where the environment names no set of this machine.
 const hwy::ChosenTarget& chosen_target();
@@ -17,6 +17,6 @@ const hwy::ChosenTarget& chosen_target();
 /// Where the environment names none, all that the processor has.
 std::int64_t targets_or_all() noexcept;
 
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch
 
-#define PLUMB_DISPATCH(ask) (*(HWY_DISPATCH_TABLE(ask)[plumb::batch::chosen_target().GetIndex()]))
+#define PLUMB_DISPATCH(ask) (*(HWY_DISPATCH_TABLE(ask)[plumb::certify::batch::chosen_target().GetIndex()]))

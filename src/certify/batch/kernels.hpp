@@ -16,13 +16,13 @@
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::batch::HWY_NAMESPACE {
+namespace plumb::certify::batch::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
 struct ArrayOfPoints {
   template <class F>
-  static constexpr std::size_t stride = side::dimension<F>;
+  static constexpr std::size_t stride = certify::side::dimension<F>;
 };
 
 struct ArraysOfCoordinates {
@@ -81,7 +81,7 @@ std::size_t coordinates_against(const void* given, const double* const* at, std:
 }
 
 }  // namespace
-}  // namespace plumb::batch::HWY_NAMESPACE
+}  // namespace plumb::certify::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // for this instruction set

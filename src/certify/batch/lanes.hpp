@@ -20,7 +20,7 @@
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::batch::HWY_NAMESPACE {
+namespace plumb::certify::batch::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -250,7 +250,7 @@ HWY_INLINE std::size_t filter_all(const Judge& judge, const double* const* at, s
   return static_cast<std::size_t>(next - unsure);
 }
 
-}  // namespace plumb::batch::HWY_NAMESPACE
+}  // namespace plumb::certify::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // for this instruction set

@@ -20,14 +20,14 @@
 #include "certify/batch/replay_plan.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::batch::HWY_NAMESPACE {
+namespace plumb::certify::batch::HWY_NAMESPACE {
 
 // Filter A: the rules of arith/filtered.hpp.  A difference of coordinates is its own magnitude.
 template <class F, std::size_t I>
 HWY_INLINE void replay_magnitude(V* value, V* magnitude) {
   using Plan = ReplayPlan<F>;
   if constexpr (!Plan::is_difference(I)) {
-    constexpr tape::Instruction in = Plan::instruction(I);
+    constexpr certify::tape::Instruction in = Plan::instruction(I);
     constexpr std::size_t l = in.left - arity<F>, r = in.right - arity<F>;
     constexpr bool plain = Plan::is_difference(l) && Plan::is_difference(r);
     const auto size_of = [&](auto k) HWY_ATTR {
@@ -57,7 +57,7 @@ template <class F, std::size_t I>
 HWY_INLINE void replay_value(V* value) {
   using Plan = ReplayPlan<F>;
   if constexpr (!Plan::is_difference(I)) {
-    constexpr tape::Instruction in = Plan::instruction(I);
+    constexpr certify::tape::Instruction in = Plan::instruction(I);
     constexpr std::size_t l = in.left - arity<F>, r = in.right - arity<F>;
     value[I] = in.operation == '*'   ? hn::Mul(value[l], value[r])
                : in.operation == '-' ? hn::Sub(value[l], value[r])
@@ -73,7 +73,7 @@ HWY_INLINE void replay_largest(const V* largest, V* magnitude) {
     if constexpr (Plan::is_difference(I)) {
       magnitude[I] = largest[Plan::axis(I)];
     } else {
-      constexpr tape::Instruction in = Plan::instruction(I);
+      constexpr certify::tape::Instruction in = Plan::instruction(I);
       constexpr std::size_t l = Plan::like[in.left - arity<F>], r = Plan::like[in.right - arity<F>];
       magnitude[I] = in.operation == '*' ? hn::Mul(magnitude[l], magnitude[r]) : hn::Add(magnitude[l], magnitude[r]);
     }
@@ -171,7 +171,7 @@ struct ManyCases {
   }
 };
 
-}  // namespace plumb::batch::HWY_NAMESPACE
+}  // namespace plumb::certify::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // for this instruction set

@@ -6,7 +6,7 @@
 
 #include "plumb/certify/side.hpp"
 
-namespace plumb::batch::one_by_one {
+namespace plumb::certify::batch::one_by_one {
 
 /// As filter_all of lanes.hpp; `stride` is the step from a coordinate to that of the next case.
 template <class Ask>
@@ -30,12 +30,12 @@ int many(const double* const* at, std::size_t stride, std::size_t i) {
 
 template <Formula F>
 int against(const Side<F>& side, const double* const* at, std::size_t stride, std::size_t i) {
-  const double* const* query = at + arity<F> - side::dimension<F>;
-  if constexpr (side::dimension<F> == 2) {
+  const double* const* query = at + arity<F> - certify::side::dimension<F>;
+  if constexpr (certify::side::dimension<F> == 2) {
     return side.filter({query[0][i * stride], query[1][i * stride]});
   } else {
     return side.filter({query[0][i * stride], query[1][i * stride], query[2][i * stride]});
   }
 }
 
-}  // namespace plumb::batch::one_by_one
+}  // namespace plumb::certify::batch::one_by_one

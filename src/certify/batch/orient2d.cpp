@@ -18,20 +18,25 @@ namespace plumb {
 
 void orient2d(std::span<const Point2> a, std::span<const Point2> b, std::span<const Point2> c, std::span<Sign> out,
               Execution execution) {
-  batch::ask_points<predicates::Orient2d>(std::array{a, b, c}, out, batch::chosen_many_points, execution);
+  certify::batch::ask_points<predicates::Orient2d>(std::array{a, b, c}, out, certify::batch::chosen_many_points,
+                                                   execution);
 }
 
 void orient2d(const Points2View& a, const Points2View& b, const Points2View& c, std::span<Sign> out,
               Execution execution) {
-  batch::ask_views<predicates::Orient2d>(std::array{a, b, c}, out, batch::chosen_many_coordinates, execution);
+  certify::batch::ask_views<predicates::Orient2d>(std::array{a, b, c}, out, certify::batch::chosen_many_coordinates,
+                                                  execution);
 }
 
-void side::decide_all(const LineSide& side, std::span<const Point2> points, std::span<Sign> out, Execution execution) {
-  batch::ask_points<predicates::Orient2d>(side, points, out, batch::chosen_points_against, execution);
+void certify::side::decide_all(const LineSide& side, std::span<const Point2> points, std::span<Sign> out,
+                               Execution execution) {
+  certify::batch::ask_points<predicates::Orient2d>(side, points, out, certify::batch::chosen_points_against, execution);
 }
 
-void side::decide_all(const LineSide& side, const Points2View& points, std::span<Sign> out, Execution execution) {
-  batch::ask_views<predicates::Orient2d>(side, points, out, batch::chosen_coordinates_against, execution);
+void certify::side::decide_all(const LineSide& side, const Points2View& points, std::span<Sign> out,
+                               Execution execution) {
+  certify::batch::ask_views<predicates::Orient2d>(side, points, out, certify::batch::chosen_coordinates_against,
+                                                  execution);
 }
 
 }  // namespace plumb

@@ -2,7 +2,7 @@
 //
 // Law: the inputs of a formula that runs in batches are used in differences of one axis alone, so that coordinates may
 // be subtracted before x, y and z are told apart.  The four classic formulas are such.
-// Source: the tape (arith/tape.hpp).
+// Source: the tape (certify/detail/tape.hpp).
 // Cost: none at run time.
 #pragma once
 
@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 
 /// Point `left` minus point `right`: the instruction that does it, for each axis.
 template <std::size_t Dimension>
@@ -25,9 +25,11 @@ template <Formula F>
 struct ReplayPlan {
   static constexpr std::size_t dimension = static_cast<std::size_t>(F::dimension);
   static constexpr std::size_t points = static_cast<std::size_t>(F::points);
-  static constexpr std::size_t size = tape::of<F>.size;
+  static constexpr std::size_t size = certify::tape::of<F>.size;
 
-  static constexpr tape::Instruction instruction(std::size_t i) { return tape::of<F>.instructions[i]; }
+  static constexpr certify::tape::Instruction instruction(std::size_t i) {
+    return certify::tape::of<F>.instructions[i];
+  }
   static constexpr bool is_input(std::size_t number) { return number < arity<F>; }
   /// Is instruction i a difference of two coordinates?
   static constexpr bool is_difference(std::size_t i) {
@@ -37,7 +39,7 @@ struct ReplayPlan {
 
   static constexpr bool by_differences = [] {
     for (std::size_t i = 0; i < size; ++i) {
-      const tape::Instruction in = instruction(i);
+      const certify::tape::Instruction in = instruction(i);
       if (is_input(in.left) != is_input(in.right)) return false;
       if (is_difference(i) && (in.operation != '-' || in.left % dimension != in.right % dimension)) return false;
     }
@@ -81,7 +83,7 @@ struct ReplayPlan {
           if (axis(i) == axis(j)) first[i] = j;
           continue;
         }
-        const tape::Instruction a = instruction(i), b = instruction(j);
+        const certify::tape::Instruction a = instruction(i), b = instruction(j);
         const std::size_t al = first[a.left - arity<F>], ar = first[a.right - arity<F>];
         const std::size_t bl = first[b.left - arity<F>], br = first[b.right - arity<F>];
         const bool same_operands = (al == bl && ar == br) || (al == br && ar == bl);
@@ -92,4 +94,4 @@ struct ReplayPlan {
   }();
 };
 
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch

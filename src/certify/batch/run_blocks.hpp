@@ -1,4 +1,4 @@
-// What does filter A say of many cases, for a formula whose filter of a block (certify/block_filter.hpp) who asks has
+// What does filter A say of many cases, for a formula whose filter of a block (certify/detail/block_filter.hpp) who asks has
 // compiled?  The coordinates of a block go to arrays of their own where they have none, and signs come out.
 //
 // Included once for each instruction set (foreach_target.h); hence no #pragma once.
@@ -20,7 +20,7 @@
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::batch::HWY_NAMESPACE {
+namespace plumb::certify::batch::HWY_NAMESPACE {
 namespace {
 
 #if HWY_TARGET == HWY_SCALAR
@@ -154,7 +154,7 @@ std::size_t run_blocks(const void* given, const double* const* at, std::size_t n
 }
 
 }  // namespace
-}  // namespace plumb::batch::HWY_NAMESPACE
+}  // namespace plumb::certify::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // for this instruction set

@@ -17,7 +17,7 @@
 #if HWY_ONCE
 #include "certify/batch/chosen_target.hpp"
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 namespace {
 
 HWY_EXPORT(run_blocks);
@@ -53,12 +53,13 @@ void decide_all(const BatchFormula& asked, std::span<const Column> columns, std:
     cases.at[k] = columns[k].at;
     cases.stride[k] = columns[k].stride;
   }
-  const Question question{asked.name, asked.arguments, columns.size(), asked.exactly, asked.axes, asked.argument_names};
+  const BatchQuestion question{asked.name,    asked.arguments, columns.size(),
+                               asked.exactly, asked.axes,      asked.argument_names};
   const AskedColumns given{&asked, columns};
   const Filter filter = [](const void* all, const double* const* at, std::size_t n, signed char* signs,
                            std::uint32_t* unsure) { return PLUMB_DISPATCH(run_blocks)(all, at, n, signs, unsure); };
   decide_cases(question, cases, filter, &given, out, execution);
 }
 
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch
 #endif

@@ -6,9 +6,9 @@
 
 #include <string_view>
 
-namespace plumb::batch {
+namespace plumb::certify::batch {
 
 /// One of batch_instruction_sets(); empty: as the environment says.
 void take_instruction_set(std::string_view name);
 
-}  // namespace plumb::batch
+}  // namespace plumb::certify::batch

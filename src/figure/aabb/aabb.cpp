@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/certify/direction.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
 namespace {

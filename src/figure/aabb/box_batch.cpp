@@ -2,17 +2,15 @@
 
 #include <cstring>
 
+#include "certify/batch/instruction_sets.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
-
-// As for the batches of signs: those that bring something (docs/batches.md).
-#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "figure/aabb/box_batch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::box_batch::HWY_NAMESPACE {
+namespace plumb::figure::box_batch::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -81,7 +79,7 @@ void boxes(const double* const* a, const double* const* b, std::size_t n, std::u
 }
 
 // Twice the filter's constant pays for another order of the sum; 2^-960 for the guards of its four products.
-constexpr double constant = 2 * filter_constant<sphere::Gap3>();
+constexpr double constant = 2 * filter_constant<figure::sphere::Gap3>();
 
 // The number of pairs in doubt, which are listed.
 template <bool one>
@@ -122,7 +120,7 @@ std::size_t one_sphere(const double* const* a, const double* const* b, std::size
 }
 
 }  // namespace
-}  // namespace plumb::box_batch::HWY_NAMESPACE
+}  // namespace plumb::figure::box_batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -132,7 +130,7 @@ HWY_AFTER_NAMESPACE();
 #include "figure/basic/finite_parts.hpp"
 
 namespace plumb {
-namespace box_batch {
+namespace figure::box_batch {
 namespace {
 
 HWY_EXPORT(many_boxes);
@@ -172,7 +170,7 @@ void in_chunks(std::size_t n, Ask ask, Exactly exactly) {
 }
 
 }  // namespace
-}  // namespace box_batch
+}  // namespace figure::box_batch
 
 FourBoxes::FourBoxes(const std::array<Aabb3, 4>& boxes) : min_{}, max_{} {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -215,40 +213,40 @@ SphereBatch::SphereBatch(std::span<const Sphere3> spheres) {
 }
 
 void intersects(const BoxBatch& a, const BoxBatch& b, std::span<std::uint8_t> out) {
-  box_batch::require_length(a.size(), b.size(), "b", out.size());
-  const auto at_a = box_batch::numbers<6>(a), at_b = box_batch::numbers<6>(b);
-  PLUMB_DISPATCH(box_batch::many_boxes)(at_a.data(), at_b.data(), out.size(), out.data());
+  figure::box_batch::require_length(a.size(), b.size(), "b", out.size());
+  const auto at_a = figure::box_batch::numbers<6>(a), at_b = figure::box_batch::numbers<6>(b);
+  PLUMB_DISPATCH(figure::box_batch::many_boxes)(at_a.data(), at_b.data(), out.size(), out.data());
 }
 
 void intersects(const Aabb3& one, const BoxBatch& many, std::span<std::uint8_t> out) {
-  box_batch::require_length(many.size(), many.size(), "many", out.size());
+  figure::box_batch::require_length(many.size(), many.size(), "many", out.size());
   figure::require_finite_parts("intersects", {"one.min", "one.max"}, one.min, one.max);
-  const auto at = box_batch::numbers<6>(many);
+  const auto at = figure::box_batch::numbers<6>(many);
   const std::array<const double*, 6> of_one{&one.min.x, &one.min.y, &one.min.z, &one.max.x, &one.max.y, &one.max.z};
-  PLUMB_DISPATCH(box_batch::one_box)(of_one.data(), at.data(), out.size(), out.data());
+  PLUMB_DISPATCH(figure::box_batch::one_box)(of_one.data(), at.data(), out.size(), out.data());
 }
 
 void intersects(const SphereBatch& a, const SphereBatch& b, std::span<std::uint8_t> out) {
-  box_batch::require_length(a.size(), b.size(), "b", out.size());
-  box_batch::in_chunks(
+  figure::box_batch::require_length(a.size(), b.size(), "b", out.size());
+  figure::box_batch::in_chunks(
       out.size(),
       [&](std::size_t from, std::size_t n, std::uint32_t* unsure) {
-        const auto at_a = box_batch::numbers<4>(a, from), at_b = box_batch::numbers<4>(b, from);
-        return PLUMB_DISPATCH(box_batch::many_spheres)(at_a.data(), at_b.data(), n, out.data() + from, unsure);
+        const auto at_a = figure::box_batch::numbers<4>(a, from), at_b = figure::box_batch::numbers<4>(b, from);
+        return PLUMB_DISPATCH(figure::box_batch::many_spheres)(at_a.data(), at_b.data(), n, out.data() + from, unsure);
       },
       [&](std::size_t i) { out[i] = intersects(a[i], b[i]); });
 }
 
 void intersects(const Sphere3& one, const SphereBatch& many, std::span<std::uint8_t> out) {
-  box_batch::require_length(many.size(), many.size(), "many", out.size());
+  figure::box_batch::require_length(many.size(), many.size(), "many", out.size());
   figure::require_finite_parts("intersects", {"one.center", "one.radius"}, one.center, one.radius);
   if (one.radius < 0) throw InvalidShape("intersects: one.radius is negative; give zero or more");
   const std::array<const double*, 4> of_one{&one.center.x, &one.center.y, &one.center.z, &one.radius};
-  box_batch::in_chunks(
+  figure::box_batch::in_chunks(
       out.size(),
       [&](std::size_t from, std::size_t n, std::uint32_t* unsure) {
-        const auto at = box_batch::numbers<4>(many, from);
-        return PLUMB_DISPATCH(box_batch::one_sphere)(of_one.data(), at.data(), n, out.data() + from, unsure);
+        const auto at = figure::box_batch::numbers<4>(many, from);
+        return PLUMB_DISPATCH(figure::box_batch::one_sphere)(of_one.data(), at.data(), n, out.data() + from, unsure);
       },
       [&](std::size_t i) { out[i] = intersects(one, many[i]); });
 }

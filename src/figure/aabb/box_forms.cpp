@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
 namespace {
@@ -54,7 +54,7 @@ void require_not_empty(std::string_view function, const Aabb3& box) {
 
 std::string part(std::string_view name, std::size_t axis) { return std::string(name).append(1, axis_names[axis]); }
 
-double sum(Rounding rounding, double a, double b, double c) {
+double rounded_sum(Rounding rounding, double a, double b, double c) {
   return rounded_value(
       rounding, [](auto x, auto y, auto z) { return (x + y) + z; }, a, b, c);
 }
@@ -62,8 +62,8 @@ double sum(Rounding rounding, double a, double b, double c) {
 Aabb3 min_max(std::string_view function, const BoxDoubles& ends) {
   std::array<double, 3> min{}, max{};
   for (std::size_t i = 0; i < 3; ++i) {
-    min[i] = within_doubles(sum(Rounding::down, ends[i].low, ends[i].below, 0), function, part("min.", i));
-    max[i] = within_doubles(sum(Rounding::up, ends[i].high, ends[i].above, 0), function, part("max.", i));
+    min[i] = within_doubles(rounded_sum(Rounding::down, ends[i].low, ends[i].below, 0), function, part("min.", i));
+    max[i] = within_doubles(rounded_sum(Rounding::up, ends[i].high, ends[i].above, 0), function, part("max.", i));
   }
   return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}};
 }
@@ -71,8 +71,9 @@ Aabb3 min_max(std::string_view function, const BoxDoubles& ends) {
 AabbWidths3 min_widths(std::string_view function, const BoxDoubles& ends) {
   std::array<double, 3> min{}, widths{};
   for (std::size_t i = 0; i < 3; ++i) {
-    min[i] = within_doubles(sum(Rounding::down, ends[i].low, ends[i].below, 0), function, part("min.", i));
-    widths[i] = within_doubles(sum(Rounding::up, ends[i].high, ends[i].above, -min[i]), function, part("widths.", i));
+    min[i] = within_doubles(rounded_sum(Rounding::down, ends[i].low, ends[i].below, 0), function, part("min.", i));
+    widths[i] =
+        within_doubles(rounded_sum(Rounding::up, ends[i].high, ends[i].above, -min[i]), function, part("widths.", i));
   }
   return {{min[0], min[1], min[2]}, {widths[0], widths[1], widths[2]}};
 }
@@ -86,7 +87,8 @@ AabbCenter3 center_half(std::string_view function, const BoxDoubles& ends) {
             Rounding::nearest, [](auto a, auto b, auto c, auto d, auto by) { return ((a + b) + (c + d)) * by; }, low,
             below, high, above, 0.5),
         function, part("center.", i));
-    const double down = sum(Rounding::up, center[i], -low, -below), up = sum(Rounding::up, high, above, -center[i]);
+    const double down = rounded_sum(Rounding::up, center[i], -low, -below),
+                 up = rounded_sum(Rounding::up, high, above, -center[i]);
     half[i] = within_doubles(down > up ? down : up, function, part("half.", i));
   }
   return {{center[0], center[1], center[2]}, {half[0], half[1], half[2]}};

@@ -74,7 +74,7 @@ Relation relate_centers(std::string_view function, const AabbCenter3& a, const A
 
 }  // namespace
 
-namespace box {
+namespace figure::box {
 
 Relation relate_exactly(std::string_view function, const Aabb2& a, const Aabb2& b) {
   require_finite_parts(function, ab_corners, a.min, a.max, b.min, b.max);
@@ -87,7 +87,7 @@ Relation relate_exactly(std::string_view function, const Aabb3& a, const Aabb3& 
                    of_axis(a.min.z, a.max.z, b.min.z, b.max.z)});
 }
 
-}  // namespace box
+}  // namespace figure::box
 
 Relation relate(const AabbWidths3& a, const AabbWidths3& b) { return relate_widths("relate", a, b); }
 Relation relate(const AabbCenter3& a, const AabbCenter3& b) { return relate_centers("relate", a, b); }

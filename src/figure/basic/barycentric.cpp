@@ -3,15 +3,15 @@
 
 #include <cmath>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/rounded.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb {
 namespace {
 
-using namespace barycentric_form;
+using namespace figure::barycentric_form;
 
 [[noreturn]] void throw_flat(std::string_view function, std::string_view shape, std::string_view wanted) {
   throw InvalidShape(std::string(function)

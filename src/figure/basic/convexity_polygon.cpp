@@ -61,7 +61,8 @@ Course course_of(std::span<const Point2> chain) {
 PolygonConvexity chain_convexity(std::span<const Point2> chain) {
   const Course course = course_of(chain);
   if (!course.left && !course.right) return {PolygonKind::degenerate, Sign::zero, 0};
-  if (course.back || (course.left && course.right)) return {PolygonKind::concave, signed_sums::area_sign(chain), 0};
+  if (course.back || (course.left && course.right))
+    return {PolygonKind::concave, figure::signed_sums::area_sign(chain), 0};
   const Sign side = course.left ? Sign::positive : Sign::negative;
   const int turns = course.changes / 2;
   if (turns > 1) return {PolygonKind::self_winding, side, turns};
@@ -155,7 +156,7 @@ bool is_planar(const Polygon3& polygon) {
 
 Sign orientation(const Polygon2& polygon) {
   require_chain<Point2>("orientation", "polygon.vertices", polygon.vertices);
-  return signed_sums::area_sign(polygon.vertices);
+  return figure::signed_sums::area_sign(polygon.vertices);
 }
 
 }  // namespace plumb

@@ -10,7 +10,7 @@
 
 #include "plumb/arith/point.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 
 inline double dot(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 inline Vector3 cross(const Vector3& u, const Vector3& v) {
@@ -67,4 +67,4 @@ inline std::array<Vector3, 3> orthonormal(const std::array<Vector3, 3>& directio
   return {kept[0], kept[1], cross(kept[0], kept[1])};
 }
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

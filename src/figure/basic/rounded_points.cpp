@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/error_free.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
 namespace {

@@ -11,7 +11,7 @@
 #include "arith/exact_sum.hpp"
 #include "plumb/arith/point.hpp"
 
-namespace plumb::signed_sums {
+namespace plumb::figure::signed_sums {
 
 template <class T>
 struct Vector {
@@ -32,7 +32,7 @@ Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
 }
 
 template <class Maker>
-using VectorOf = Vector<exact_sum::Number<Maker>>;
+using VectorOf = Vector<arith::exact_sum::Number<Maker>>;
 
 template <class Maker, class V>
 VectorOf<Maker> vector(const Maker& number, const V& v) {
@@ -46,7 +46,7 @@ VectorOf<Maker> zero(const Maker& number) {
 /// Twice the signed area of a chain.
 template <class Maker>
 auto twice_area(const Maker& number, std::span<const Point2> chain) {
-  using T = exact_sum::Number<Maker>;
+  using T = arith::exact_sum::Number<Maker>;
   const T x = number(chain[0].x), y = number(chain[0].y);
   T sum = number(0.0), ax = number(0.0), ay = number(0.0);
   for (std::size_t i = 1; i < chain.size(); ++i) {
@@ -73,7 +73,7 @@ auto twice_vector_area(const Maker& number, std::size_t count, const At& at) {
 }
 
 inline Sign area_sign(std::span<const Point2> chain) {
-  return exact_sum::sign([&](const auto& number) { return twice_area(number, chain); });
+  return arith::exact_sum::sign([&](const auto& number) { return twice_area(number, chain); });
 }
 
-}  // namespace plumb::signed_sums
+}  // namespace plumb::figure::signed_sums

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "certify/rounded.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
 namespace {

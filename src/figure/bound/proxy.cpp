@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/rounded.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb {

@@ -5,14 +5,14 @@
 #include "figure/containment/contains_input.hpp"
 #include "figure/containment/generated_set.hpp"
 #include "plumb/certify/coplanar.hpp"
+#include "plumb/certify/detail/gap_filter.hpp"
 #include "plumb/certify/determinant_sign.hpp"
 #include "plumb/certify/direction.hpp"
-#include "plumb/certify/gap_filter.hpp"
 #include "plumb/predicates/cross.hpp"
 #include "plumb/predicates/distance.hpp"
 
 namespace plumb {
-namespace figure_contains {
+namespace figure::containment {
 namespace {
 
 constexpr Sign farther(Sign s, Sign t) { return s > t ? s : t; }
@@ -156,9 +156,9 @@ void throw_non_finite(const Aabb3& box, const Point3& p) {
   throw std::logic_error("contains: every number of the box and the point is finite");
 }
 
-}  // namespace figure_contains
+}  // namespace figure::containment
 
-using namespace figure_contains;
+using namespace figure::containment;
 
 Location locate(const AabbWidths3& box, const Point3& p) {
   require_numbers(Names<3>{"box.min", "box.widths", "p"}, box.min, box.widths, p);

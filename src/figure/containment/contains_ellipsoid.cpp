@@ -11,7 +11,7 @@
 #include "plumb/predicates/cross.hpp"
 
 namespace plumb {
-namespace figure_contains {
+namespace figure::containment {
 namespace {
 
 /// (center, p, a0, a1, a2, half).
@@ -84,9 +84,9 @@ bool in_flat_ellipsoid(const Point3& center, const Point3& p, const Axes3& axes,
 }
 
 }  // namespace
-}  // namespace figure_contains
+}  // namespace figure::containment
 
-using namespace figure_contains;
+using namespace figure::containment;
 
 Location locate(const Ellipsoid3& ellipsoid, const Point3& p) {
   const auto& [center, axes, half] = ellipsoid;

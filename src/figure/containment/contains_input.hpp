@@ -13,7 +13,7 @@
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/containment/contains.hpp"
 
-namespace plumb::figure_contains {
+namespace plumb::figure::containment {
 
 template <std::size_t N>
 using Names = std::array<std::string_view, N>;
@@ -62,4 +62,4 @@ bool in_triangle(const Point3& a, const Point3& b, const Point3& c, const Point3
 constexpr bool is_zero(const Vector2& v) { return v.x == 0 && v.y == 0; }
 constexpr bool is_zero(const Vector3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-}  // namespace plumb::figure_contains
+}  // namespace plumb::figure::containment

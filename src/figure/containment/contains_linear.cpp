@@ -4,7 +4,7 @@
 #include "plumb/certify/side_of_plane.hpp"
 
 namespace plumb {
-namespace figure_contains {
+namespace figure::containment {
 
 // The cross product of the direction and the way to p is the order of the two points along the direction turned left.
 bool on_line(const Point2& point, const Vector2& direction, const Point2& p) {
@@ -86,9 +86,9 @@ Location locate_in_intersection(const Intersection& intersection, const Point& p
 }
 
 }  // namespace
-}  // namespace figure_contains
+}  // namespace figure::containment
 
-using namespace figure_contains;
+using namespace figure::containment;
 
 Location locate(const Line2& line, const Point2& p) { return locate_on_line(line, p); }
 Location locate(const Line3& line, const Point3& p) { return locate_on_line(line, p); }

@@ -6,7 +6,7 @@
 #include "plumb/predicates/cross.hpp"
 
 namespace plumb {
-namespace figure_contains {
+namespace figure::containment {
 namespace {
 
 using predicates::argument, predicates::cross, predicates::difference, predicates::dot;
@@ -94,9 +94,9 @@ bool projects(const Point3& corner, const Vector3& u, const Vector3& v, const Po
 }
 
 }  // namespace
-}  // namespace figure_contains
+}  // namespace figure::containment
 
-using namespace figure_contains;
+using namespace figure::containment;
 
 Location locate(const Lozenge3& lozenge, const Point3& p) {
   const auto& [corner, edges, radius] = lozenge;

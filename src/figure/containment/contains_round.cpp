@@ -5,7 +5,7 @@
 #include "plumb/predicates/distance.hpp"
 
 namespace plumb {
-namespace figure_contains {
+namespace figure::containment {
 namespace {
 
 /// For a ball of radius zero the sign is never negative: it has no inside.
@@ -40,9 +40,9 @@ struct BeyondCone {
 };
 
 }  // namespace
-}  // namespace figure_contains
+}  // namespace figure::containment
 
-using namespace figure_contains;
+using namespace figure::containment;
 
 Location locate(const Circle2& circle, const Point2& p) {
   require_numbers(Names<3>{"circle.center", "circle.radius", "p"}, circle.center, circle.radius, p);

@@ -4,7 +4,7 @@
 #include "plumb/certify/direction.hpp"
 
 namespace plumb {
-namespace figure_contains {
+namespace figure::containment {
 namespace {
 
 Sign orient2d(const Point2& a, const Point2& b, const Point2& c) { return sign_of(predicates::Orient2d{}, a, b, c); }
@@ -38,9 +38,9 @@ bool in_triangle(const Point3& a, const Point3& b, const Point3& c, const Point3
   return !beyond(a, b) && !beyond(b, c) && !beyond(c, a);
 }
 
-}  // namespace figure_contains
+}  // namespace figure::containment
 
-using namespace figure_contains;
+using namespace figure::containment;
 
 Location locate(const Triangle2& triangle, const Point2& p) {
   const auto& [a, b, c] = triangle;

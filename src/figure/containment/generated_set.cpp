@@ -6,7 +6,7 @@
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates/cross_products.hpp"
 
-namespace plumb::figure_contains {
+namespace plumb::figure::containment {
 namespace {
 
 template <class Vector>
@@ -43,4 +43,4 @@ std::size_t telling_coordinates(const std::pair<Vector3, Vector3>& span) {
 
 std::size_t telling_coordinate(const Numbers& v) { return v[0] != 0 ? 0 : v[1] != 0 ? 1 : 2; }
 
-}  // namespace plumb::figure_contains
+}  // namespace plumb::figure::containment

@@ -11,7 +11,7 @@
 
 #include "plumb/arith/point.hpp"
 
-namespace plumb::figure_contains {
+namespace plumb::figure::containment {
 
 using Axes2 = std::array<Vector2, 3>;
 using Axes3 = std::array<Vector3, 3>;
@@ -42,4 +42,4 @@ Pair kept(const Numbers& x, std::size_t first) {
   return {x[first], x[(first + 1) % 3]};
 }
 
-}  // namespace plumb::figure_contains
+}  // namespace plumb::figure::containment

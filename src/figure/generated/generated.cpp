@@ -7,7 +7,7 @@
 #include "plumb/figure/aabb/box_forms.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 
-namespace plumb::generated {
+namespace plumb::figure::generated {
 
 namespace {
 
@@ -173,4 +173,4 @@ TriangleMesh made(std::span<const double> numbers) {
   return mesh;
 }
 
-}  // namespace plumb::generated
+}  // namespace plumb::figure::generated

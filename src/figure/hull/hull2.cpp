@@ -10,7 +10,7 @@
 #include "plumb/arith/error.hpp"
 
 namespace plumb {
-namespace hull2 {
+namespace figure::hull2 {
 
 void sort_distinct(std::vector<Indexed>& points, Execution execution) {
   if (execution == Execution::parallel) {
@@ -49,15 +49,16 @@ Hull2 monotone_chain(std::span<const Indexed> points, bool all_boundary_points) 
   return hull;
 }
 
-}  // namespace hull2
+}  // namespace figure::hull2
 
 Hull2 convex_hull(std::span<const Point2> points, const Hull2Options& options) {
   if (points.size() > std::numeric_limits<std::uint32_t>::max())
     throw InvalidShape("convex_hull: more than 2^32 - 1 points; give fewer");
-  std::vector<hull2::Indexed> left = hull2::candidates(points, options);
-  if (options.method == Hull2Method::quickhull) return hull2::quickhull(std::move(left), options.all_boundary_points);
-  hull2::sort_distinct(left, options.execution);
-  return hull2::monotone_chain(left, options.all_boundary_points);
+  std::vector<figure::hull2::Indexed> left = figure::hull2::candidates(points, options);
+  if (options.method == Hull2Method::quickhull)
+    return figure::hull2::quickhull(std::move(left), options.all_boundary_points);
+  figure::hull2::sort_distinct(left, options.execution);
+  return figure::hull2::monotone_chain(left, options.all_boundary_points);
 }
 
 std::vector<std::uint32_t> extreme_points(std::span<const Point2> points, const Vector2& direction) {

@@ -11,7 +11,7 @@
 #include "figure/hull/hull2_steps.hpp"
 #include "plumb/certify/side.hpp"
 
-namespace plumb::hull2 {
+namespace plumb::figure::hull2 {
 namespace {
 
 constexpr std::size_t block_size = 1 << 15;  // points of a step of the parallel loop
@@ -131,4 +131,4 @@ std::vector<Indexed> candidates(std::span<const Point2> points, const Hull2Optio
   return all;
 }
 
-}  // namespace plumb::hull2
+}  // namespace plumb::figure::hull2

@@ -3,7 +3,7 @@
 
 #include "figure/hull/hull2_steps.hpp"
 
-namespace plumb::hull2 {
+namespace plumb::figure::hull2 {
 namespace {
 
 /// Two vertices, b somewhere after a when counterclockwise, and the points to the right of ab (on it, if asked).
@@ -74,4 +74,4 @@ Hull2 quickhull(std::vector<Indexed> points, bool all_boundary_points) {
   return hull;
 }
 
-}  // namespace plumb::hull2
+}  // namespace plumb::figure::hull2

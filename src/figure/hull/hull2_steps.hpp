@@ -8,7 +8,7 @@
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/hull/hull2.hpp"
 
-namespace plumb::hull2 {
+namespace plumb::figure::hull2 {
 
 /// A point with its place in the input.
 struct Indexed {
@@ -39,4 +39,4 @@ Hull2 monotone_chain(std::span<const Indexed> points, bool all_boundary_points);
 /// Of points in any order.
 Hull2 quickhull(std::vector<Indexed> points, bool all_boundary_points);
 
-}  // namespace plumb::hull2
+}  // namespace plumb::figure::hull2

@@ -6,7 +6,7 @@
 namespace plumb {
 namespace {
 
-using hull2::Indexed;
+using figure::hull2::Indexed;
 
 bool less(const Indexed& a, const Indexed& b) { return a.p.x < b.p.x || (a.p.x == b.p.x && a.p.y < b.p.y); }
 
@@ -30,7 +30,7 @@ bool within(std::span<const Indexed> chain, const Indexed& p, Sign inner, bool a
   if (next == chain.begin()) return false;
   if (next == chain.end()) return p.p == chain.back().p && p.index >= chain.back().index;
   const Indexed &a = *(next - 1), &b = *next;
-  const Sign s = hull2::turn(a, b, p);
+  const Sign s = figure::hull2::turn(a, b, p);
   return s == Sign::zero ? may_be_on(p, a, b, all_boundary_points) : s == inner;
 }
 
@@ -71,7 +71,7 @@ std::string flaw_of(const Hull2& hull, std::span<const Point2> points, bool all)
     return "the dimension is not that of so many vertices";
   bool turns = false;
   for (std::size_t i = 0; i < (flat ? h - 2 : h); ++i) {
-    const Sign s = hull2::turn(corner[i], corner[(i + 1) % h], corner[(i + 2) % h]);
+    const Sign s = figure::hull2::turn(corner[i], corner[(i + 1) % h], corner[(i + 2) % h]);
     if (s == Sign::negative || (s == Sign::zero && !all) || (s != Sign::zero && flat))
       return named("the hull is not convex at vertex", hull.vertices[(i + 1) % h]);
     turns = turns || s == Sign::positive;

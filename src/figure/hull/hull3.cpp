@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-using namespace hull3;
+using namespace figure::hull3;
 
 Extents extents_of(std::span<const Point3> points) {
   Extents e{points.front(), points.front()};

@@ -5,7 +5,7 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "figure/hull/hull3_faces.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 namespace {
 
 /// One polygon of the hull, seen in a plane.
@@ -155,9 +155,9 @@ class AllPoints {
   static bool precedes(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
   void cut(const Outline& outline, std::span<const Id> nodes, FaceList& faces) const {
-    std::vector<hull2::Indexed> seen;
+    std::vector<figure::hull2::Indexed> seen;
     for (const Id q : nodes) seen.push_back({projected(outline.look, point(q)), surface_.nodes()[q].index});
-    hull2::sort_distinct(seen, Execution::serial);
+    figure::hull2::sort_distinct(seen, Execution::serial);
     sweep(seen, outline.flipped, faces);
   }
 
@@ -175,4 +175,4 @@ Hull3 faces_with_all_points(const Surface& surface, std::size_t input_size, bool
   return AllPoints(surface).hull(input_size, triangulate);
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

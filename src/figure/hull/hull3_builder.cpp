@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-using namespace hull3;
+using namespace figure::hull3;
 
 struct Hull3Builder::State {
   std::vector<Point3> points;

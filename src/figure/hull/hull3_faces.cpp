@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 void FaceList::fan(std::span<const std::uint32_t> polygon) {
   const auto smallest = static_cast<std::size_t>(std::ranges::min_element(polygon) - polygon.begin());
@@ -88,4 +88,4 @@ Hull3 faces_of(const Surface& surface, std::size_t input_size, const HullOptions
   return hull;
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

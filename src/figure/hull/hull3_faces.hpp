@@ -5,7 +5,7 @@
 #include "figure/hull/hull3_surface.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 /// Faces, one after the other, starting anywhere.
 class FaceList {
@@ -32,7 +32,7 @@ class FaceList {
 
 /// All points as corners: swept from the lexicographically first to the last.  The points are sorted, distinct, and not
 /// on one line; triangles are counterclockwise, or clockwise if `flipped`.
-void sweep(std::span<const hull2::Indexed> points, bool flipped, FaceList& faces);
+void sweep(std::span<const figure::hull2::Indexed> points, bool flipped, FaceList& faces);
 
 /// The faces of a surface that has grown to the hull.
 Hull3 faces_of(const Surface& surface, std::size_t input_size, const HullOptions& options);
@@ -104,4 +104,4 @@ class Outlines {
   bool any_inner_ = false;
 };
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

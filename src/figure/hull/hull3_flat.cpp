@@ -4,11 +4,11 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "figure/hull/hull3_faces.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
-void sweep(std::span<const hull2::Indexed> points, bool flipped, FaceList& faces) {
+void sweep(std::span<const figure::hull2::Indexed> points, bool flipped, FaceList& faces) {
   const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
-    return hull2::turn(points[a], points[b], points[c]);
+    return figure::hull2::turn(points[a], points[b], points[c]);
   };
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     if (flipped) std::swap(b, c);
@@ -82,15 +82,15 @@ Hull3 flat_hull(std::span<const Point3> points, int dimension, const std::array<
     hull.vertices = polygon(false);
     options.triangulate ? faces.fan(hull.vertices) : faces.polygon(hull.vertices);
   } else {
-    std::vector<hull2::Indexed> all;
+    std::vector<figure::hull2::Indexed> all;
     for (std::uint32_t i = 0; i < seen.size(); ++i) all.push_back({seen[i], i});
-    hull2::sort_distinct(all, options.execution);
+    figure::hull2::sort_distinct(all, options.execution);
     options.triangulate ? sweep(all, false, faces) : faces.polygon(polygon(true));
-    for (const hull2::Indexed& p : all) hull.vertices.push_back(p.index);
+    for (const figure::hull2::Indexed& p : all) hull.vertices.push_back(p.index);
   }
   std::ranges::sort(hull.vertices);
   faces.move_to(hull);
   return hull;
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

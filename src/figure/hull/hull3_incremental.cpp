@@ -4,7 +4,7 @@
 // its plane's normal is a combination of theirs with factors that are not negative.
 #include "figure/hull/hull3_methods.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 namespace {
 
 /// Always the same way: each place is swapped with one up to it, by the numbers of splitmix64.
@@ -157,4 +157,4 @@ void grow_incrementally(Surface& surface, const std::array<Id, 4>& simplex, bool
   ConflictGraph(surface, keep_flat).run(simplex);
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

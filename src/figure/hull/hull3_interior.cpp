@@ -18,7 +18,7 @@
 #include "figure/hull/hull3_start.hpp"
 #include "plumb/certify/sign_of.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 namespace {
 
 constexpr std::size_t least_points = 1 << 15, sample_size = 1 << 12, block_size = 1 << 15;
@@ -225,4 +225,4 @@ std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& ext
   return nodes;
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

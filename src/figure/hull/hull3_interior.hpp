@@ -4,11 +4,11 @@
 #include "figure/hull/hull3_surface.hpp"
 #include "plumb/certify/batch.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 /// Nodes for all points, in ascending order, but some that are no vertices of the hull; with all_boundary_points, that
 /// are not on its boundary.  What is left out is the same on every number of threads.
 std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& extents, bool all_boundary_points,
                               Execution execution);
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

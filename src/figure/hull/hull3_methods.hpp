@@ -6,7 +6,7 @@
 
 #include "figure/hull/hull3_surface.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 /// Always the farthest point of some face.
 void grow_quickhull(Surface& surface, const std::array<Id, 4>& simplex, bool keep_flat);
@@ -38,4 +38,4 @@ inline void hand_on_flat(Surface& surface, std::span<const Id> cone) {
   }
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 Checked::Checked(const Hull3& of, std::span<const Point3> input, const HullOptions& how)
     : hull(of), points(input), options(how) {
@@ -112,4 +112,4 @@ void Checked::match_edges() {
   }
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

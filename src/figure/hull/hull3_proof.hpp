@@ -9,7 +9,7 @@
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 using Index = std::uint32_t;
 
@@ -110,4 +110,4 @@ class Sheet {
   std::size_t cells_ = 1;
 };
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

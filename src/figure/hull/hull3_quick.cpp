@@ -4,7 +4,7 @@
 // point of a vanished face to a node above it leaves the grown hull through a new face, if at all.
 #include "figure/hull/hull3_methods.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 namespace {
 
 class Quickhull {
@@ -110,4 +110,4 @@ void grow_quickhull(Surface& surface, const std::array<Id, 4>& simplex, bool kee
   Quickhull(surface, keep_flat).run(simplex);
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

@@ -4,7 +4,7 @@
 
 #include "figure/hull/hull3_proof.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 namespace {
 
 constexpr auto place_of = [](const auto& rim_point) { return std::pair(rim_point.p.x, rim_point.p.y); };
@@ -22,24 +22,25 @@ Sheet::Sheet(const Checked& checked, Look look, Sign orientation)
   }
   require(!empty(), "no face is seen from one side");
 
-  const Index none = ~Index{0};
-  std::vector<Index> leaving(checked.points.size(), none);  // the rim's edge that leaves a point
+  const Index no_edge = ~Index{0};
+  std::vector<Index> leaving(checked.points.size(), no_edge);  // the rim's edge that leaves a point
   std::size_t count = 0;
-  Index any = none;
+  Index any = no_edge;
   for (Index c = 0; c < checked.twin.size(); ++c) {
-    if (!holds(checked.face_of[c]) || (checked.twin[c] != none && holds(checked.face_of[checked.twin[c]]))) continue;
+    if (!holds(checked.face_of[c]) || (checked.twin[c] != no_edge && holds(checked.face_of[checked.twin[c]]))) continue;
     Index& here = leaving[checked.hull.corners[c]];
-    require(here == none, "the faces seen from one side touch at point ", checked.hull.corners[c]);
+    require(here == no_edge, "the faces seen from one side touch at point ", checked.hull.corners[c]);
     here = any = c;
     ++count;
   }
-  require(any != none, "the faces seen from one side have no rim");
+  require(any != no_edge, "the faces seen from one side have no rim");
   std::vector<Point2> loop;
   for (Index c = any; rim_.size() < count;) {
     rim_.push_back(c);
     loop.push_back(projected(look, checked.at(c)));
     c = leaving[checked.hull.corners[checked.next(c)]];
-    require(c != none && (c != any || rim_.size() == count), "the rim of the faces seen from one side is not one loop");
+    require(c != no_edge && (c != any || rim_.size() == count),
+            "the rim of the faces seen from one side is not one loop");
   }
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const std::size_t before = i == 0 ? loop.size() - 1 : i - 1, after = i + 1 == loop.size() ? 0 : i + 1;
@@ -137,4 +138,4 @@ Sheet::Place Sheet::place(const Point3& point, std::size_t name) {
   throw Flaw{text_of("point ", name, " lies outside")};
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

@@ -5,7 +5,7 @@
 
 #include "plumb/certify/direction.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 namespace {
 
 bool precedes(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
@@ -58,4 +58,4 @@ Start find_start(std::span<const Node> nodes) {
   return start;
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

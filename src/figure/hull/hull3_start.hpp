@@ -6,7 +6,7 @@
 
 #include "figure/hull/hull3_surface.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 /// The first dimension + 1 of `simplex` are affinely independent; simplex[0] and [1] are the lexicographically first
 /// and last node.
@@ -17,4 +17,4 @@ struct Start {
 
 Start find_start(std::span<const Node> nodes);
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

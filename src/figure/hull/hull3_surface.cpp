@@ -1,6 +1,6 @@
 #include "figure/hull/hull3_surface.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 int Surface::exact_side(Id face, const Point3& p) const {
   const auto& v = faces_[face].vertex;
@@ -64,4 +64,4 @@ void Surface::drop_visible() {
   }
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

@@ -16,7 +16,7 @@
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/side.hpp"
 
-namespace plumb::hull3 {
+namespace plumb::figure::hull3 {
 
 using Id = std::uint32_t;
 inline constexpr Id none = ~Id{0};
@@ -32,10 +32,10 @@ struct Node {
 };
 
 struct FacePlane {
-  static_assert(side::form_of<predicates::Orient3d>.variables == 3 &&
-                side::form_of<predicates::Orient3d>.variable[0] == 0 &&
-                side::form_of<predicates::Orient3d>.variable[1] == 1 &&
-                side::form_of<predicates::Orient3d>.variable[2] == 2);
+  static_assert(certify::side::form_of<predicates::Orient3d>.variables == 3 &&
+                certify::side::form_of<predicates::Orient3d>.variable[0] == 0 &&
+                certify::side::form_of<predicates::Orient3d>.variable[1] == 1 &&
+                certify::side::form_of<predicates::Orient3d>.variable[2] == 2);
   std::array<double, 3> coefficient, pivot;
   double bound;
 
@@ -48,7 +48,7 @@ struct FacePlane {
       pivot[a] = side.pivot(a);
       magnitude = a == 0 ? d[a] * side.magnitude(a) : magnitude + d[a] * side.magnitude(a);
     }
-    bound = side::constant<predicates::Orient3d> * magnitude + side::floor;
+    bound = certify::side::constant<predicates::Orient3d> * magnitude + certify::side::floor;
   }
 
   /// As PlaneSide computes it: below zero above the face; certain beyond the bound.
@@ -165,4 +165,4 @@ void Surface::walk(Id from, Sees sees) {
   }
 }
 
-}  // namespace plumb::hull3
+}  // namespace plumb::figure::hull3

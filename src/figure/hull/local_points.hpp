@@ -10,7 +10,7 @@
 
 #include "figure/basic/frame.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 
 /// All coordinates in [-1, 1]; equal points all become zero.
 inline std::vector<Vector3> localized(std::span<const Point3> points) {
@@ -33,4 +33,4 @@ inline std::vector<Vector3> localized(std::span<const Point3> points) {
   return local;
 }
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

@@ -5,7 +5,7 @@
 
 #include "figure/hull/local_points.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 namespace {
 
 // Newell's sum over the corners.
@@ -102,4 +102,4 @@ ClimbStarts::ClimbStarts(const HullModel& model) : model_(model), start_(6 * cel
   }
 }
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

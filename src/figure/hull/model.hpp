@@ -13,7 +13,7 @@
 #include "figure/basic/frame.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 
 struct HullModel {
   struct Edge {
@@ -60,4 +60,4 @@ class ClimbStarts {
   std::vector<std::uint32_t> start_;
 };
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-using namespace hull3;
+using namespace figure::hull3;
 
 auto place_in_order(const Point3& p) { return std::tuple(p.x, p.y, p.z); }
 

@@ -62,7 +62,7 @@ T product(const T& a, const T& b) {
   return certainly_zero(a) || certainly_zero(b) ? T(0.0) : a * b;
 }
 template <class T>
-T determinant(const std::array<core::Vec<T>, 3>& rows) {
+T determinant(const std::array<arith::Vec<T>, 3>& rows) {
   const auto& [u, v, w] = rows;
   const T x = product(v.y, w.z) - product(v.z, w.y), y = product(v.z, w.x) - product(v.x, w.z),
           z = product(v.x, w.y) - product(v.y, w.x);
@@ -88,7 +88,7 @@ HalfspaceSlack::ExactRow HalfspaceSlack::exact_row(std::size_t j, std::size_t nu
 
 /// By Cramer's rule, times the determinant of all: that of the other normals.
 Running HalfspaceSlack::weight(std::size_t k) const {
-  std::array<core::Vec<Running>, 3> others;
+  std::array<arith::Vec<Running>, 3> others;
   for (std::size_t i = 0, to = 0; i < most; ++i) {
     if (i == k) continue;
     const std::size_t j = basis_[i];
@@ -103,7 +103,7 @@ Running HalfspaceSlack::weight(std::size_t k) const {
 Sign HalfspaceSlack::weight_sign(const std::array<ExactRow, most>& rows, std::size_t k) const {
   const Unsure<Sign> sign = weight(k).sign();
   if (sign.certain()) return sign.value();
-  std::array<core::Vec<BigDyadic>, 3> others;
+  std::array<arith::Vec<BigDyadic>, 3> others;
   for (std::size_t i = 0, to = 0; i < most; ++i) {
     if (i != k) others[to++] = {rows[i][0], rows[i][1], rows[i][2]};
   }

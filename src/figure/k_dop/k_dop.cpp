@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "certify/rounded.hpp"
 #include "figure/k_dop/sets.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
 namespace {

@@ -1,8 +1,8 @@
 // k-DOPs by their faces: tightened, moved, measured.
 #include <algorithm>
 
+#include "arith/big_rounding.hpp"
 #include "figure/k_dop/sets.hpp"
-#include "plumb/arith/big_rounding.hpp"
 
 namespace plumb {
 namespace {
@@ -16,15 +16,15 @@ KDop<Vector> no_points(const KDop<Vector>& k_dop) {
 }
 
 // The greatest direction . x + by, of the halfspaces' common points.
-double greatest(const RationalVector& direction, const mpq_class& by, const Constraints& halfspaces,
+double greatest(const arith::RationalVector& direction, const mpq_class& by, const arith::Constraints& halfspaces,
                 std::string_view function, const std::string& part) {
-  const Optimum farthest = maximize(direction, halfspaces);
-  if (farthest.kind != Optimum::Kind::optimal)
+  const arith::Optimum farthest = arith::maximize(direction, halfspaces);
+  if (farthest.kind != arith::Optimum::Kind::optimal)
     throw InvalidShape(std::string(function)
                            .append(": the k-DOP is unbounded along ")
                            .append(part)
                            .append("; give directions that span all of space"));
-  return within_doubles(rounded(Rounding::up, dot(direction, farthest.at) + by), function, part);
+  return within_doubles(rounded(Rounding::up, arith::dot(direction, farthest.at) + by), function, part);
 }
 
 // The interval of each direction, of the image under columns and translation.
@@ -32,14 +32,14 @@ template <class Vector, std::size_t n>
 KDop<Vector> image(std::string_view function, const KDop<Vector>& k_dop, const std::array<Vector, n>& columns,
                    const Vector& translation) {
   check(function, "k_dop", k_dop);
-  const Constraints set = halfspaces(k_dop);
+  const arith::Constraints set = halfspaces(k_dop);
   if (is_empty(set)) return no_points(k_dop);
   KDop<Vector> result{k_dop.directions, {}, {}};
   for (const Vector& d : k_dop.directions.all()) {
-    const RationalVector direction = rational(d);
-    RationalVector pulled;  // direction . (M x) = pulled . x
-    for (const Vector& column : columns) pulled.push_back(dot(direction, rational(column)));
-    const mpq_class by = dot(direction, rational(translation));
+    const arith::RationalVector direction = rational(d);
+    arith::RationalVector pulled;  // direction . (M x) = pulled . x
+    for (const Vector& column : columns) pulled.push_back(arith::dot(direction, rational(column)));
+    const mpq_class by = arith::dot(direction, rational(translation));
     const std::string part = std::string("directions[").append(std::to_string(result.max.size())).append("]");
     result.max.push_back(greatest(pulled, by, set, function, part));
     for (mpq_class& x : pulled) x = -x;
@@ -88,14 +88,14 @@ struct Span {
 };
 
 // Of each coordinate, in a set that is not empty.
-std::vector<Span> bounds(std::string_view function, const Constraints& set, std::size_t dimension) {
+std::vector<Span> bounds(std::string_view function, const arith::Constraints& set, std::size_t dimension) {
   std::vector<Span> all(dimension);
   for (std::size_t axis = 0; axis < dimension; ++axis) {
-    RationalVector direction(dimension);
+    arith::RationalVector direction(dimension);
     for (const int way : {1, -1}) {
       direction[axis] = way;
-      const Optimum farthest = maximize(direction, set);
-      if (farthest.kind != Optimum::Kind::optimal)
+      const arith::Optimum farthest = arith::maximize(direction, set);
+      if (farthest.kind != arith::Optimum::Kind::optimal)
         throw InvalidShape(
             std::string(function).append(": the k-DOP is unbounded; give directions that span all of space"));
       (way > 0 ? all[axis].max : all[axis].min) = farthest.at[axis];
@@ -105,7 +105,7 @@ std::vector<Span> bounds(std::string_view function, const Constraints& set, std:
 }
 
 // Does an earlier halfspace have the same plane and side?  A face is counted once.
-bool repeats(const Constraints& set, std::size_t i) {
+bool repeats(const arith::Constraints& set, std::size_t i) {
   const auto same = [&](std::size_t k) {
     std::size_t lead = 0;
     while (sgn(set.rows[i][lead]) == 0) ++lead;
@@ -125,8 +125,8 @@ bool repeats(const Constraints& set, std::size_t i) {
 // The face in the plane of halfspace i, seen along an axis that the plane is not parallel to: its shadow's area over
 // the size of the normal along this axis.  Times the length of the normal it is the face's area, times the limit three
 // times the volume of the cone from the origin to the face.
-mpq_class face_measure(const Constraints& set, std::size_t i, const std::vector<Span>& bounds) {
-  const RationalVector& normal = set.rows[i];
+mpq_class face_measure(const arith::Constraints& set, std::size_t i, const std::vector<Span>& bounds) {
+  const arith::RationalVector& normal = set.rows[i];
   std::size_t axis = 0;
   for (std::size_t k = 1; k < 3; ++k) {
     if (abs(normal[k]) > abs(normal[axis])) axis = k;
@@ -166,7 +166,7 @@ mpq_class root(const mpq_class& square) {
 template <class Measure>
 mpq_class sum_over_faces(std::string_view function, const KDop3& k_dop, Measure measure) {
   check(function, "k_dop", k_dop);
-  const Constraints set = halfspaces(k_dop);
+  const arith::Constraints set = halfspaces(k_dop);
   if (has_empty_interval(k_dop) || is_empty(set)) return 0;
   const std::vector<Span> box = bounds(function, set, 3);
   mpq_class sum;
@@ -185,7 +185,7 @@ KDop3 tighten(const KDop3& k_dop) {
 
 Aabb3 fit_aabb(const KDop3& k_dop) {
   check("fit_aabb", "k_dop", k_dop);
-  const Constraints set = halfspaces(k_dop);
+  const arith::Constraints set = halfspaces(k_dop);
   if (is_empty(set)) return {{1, 1, 1}, {-1, -1, -1}};
   const auto along = [&](double x, double y, double z, const char* part) {
     return greatest({x, y, z}, 0, set, "fit_aabb", part);
@@ -209,7 +209,7 @@ KDop3 transform(const KDop3& k_dop, const Pose& pose) {
 
 double area(const KDop2& k_dop) {
   check("area", "k_dop", k_dop);
-  const Constraints set = halfspaces(k_dop);
+  const arith::Constraints set = halfspaces(k_dop);
   if (has_empty_interval(k_dop) || is_empty(set)) return 0;
   const std::vector<Span> box = bounds("area", set, 2);
   RationalChain chain{
@@ -220,16 +220,16 @@ double area(const KDop2& k_dop) {
 }
 
 double volume(const KDop3& k_dop) {
-  const auto cone = [](const Constraints& set, std::size_t i, const mpq_class& measure) {
+  const auto cone = [](const arith::Constraints& set, std::size_t i, const mpq_class& measure) {
     return mpq_class(set.limits[i] * measure / 3);
   };
   return rounded(Rounding::nearest, sum_over_faces("volume", k_dop, cone));
 }
 
 double surface_area(const KDop3& k_dop) {
-  const auto face = [](const Constraints& set, std::size_t i, const mpq_class& measure) {
+  const auto face = [](const arith::Constraints& set, std::size_t i, const mpq_class& measure) {
     if (sgn(measure) == 0) return mpq_class(0);
-    return mpq_class(measure * root(dot(set.rows[i], set.rows[i])));
+    return mpq_class(measure * root(arith::dot(set.rows[i], set.rows[i])));
   };
   return rounded(Rounding::nearest, sum_over_faces("surface_area", k_dop, face));
 }

@@ -70,12 +70,12 @@ std::optional<int> sign_of_slack(const KDop<Vector>& k_dop) {
 }
 
 // Which halfspaces have slack somewhere in the set, which is not empty: those that bound its relative interior.
-std::vector<bool> with_slack(const Constraints& halfspaces) {
+std::vector<bool> with_slack(const arith::Constraints& halfspaces) {
   std::vector<bool> slack(halfspaces.rows.size(), true);
   // Ends, for each turn takes some away: where the greatest common slack is 0, the multipliers of those that were to
   // have slack sum up to 1, and those above 0 decide.
   for (;;) {
-    const Feasible found = feasible(halfspaces, slack);
+    const arith::Feasible found = arith::feasible(halfspaces, slack);
     if (found.slack != 0) return slack;
     for (const std::size_t i : found.deciding) slack[i] = false;
   }
@@ -87,18 +87,18 @@ Relation relation(std::string_view function, const KDop<Vector>& a, const KDop<V
   const KDop<Vector> both = common_part(a, b);
   const auto sign = sign_of_slack(both);
   if (sign && (*sign != 0 || (sign_of_slack(a) == 1 && sign_of_slack(b) == 1))) return static_cast<Relation>(*sign);
-  const Constraints common = halfspaces(both);
-  const int slack = feasible(common, std::vector<bool>(common.rows.size(), true)).slack;
+  const arith::Constraints common = halfspaces(both);
+  const int slack = arith::feasible(common, std::vector<bool>(common.rows.size(), true)).slack;
   if (slack != 0) return slack < 0 ? Relation::disjoint : Relation::overlapping;
   // A common point, but none inside both: the relative interiors may still meet where a set is flat.
-  Constraints all = halfspaces(a);
+  arith::Constraints all = halfspaces(a);
   std::vector<bool> strictly = with_slack(all);
-  const Constraints of_b = halfspaces(b);
+  const arith::Constraints of_b = halfspaces(b);
   const std::vector<bool> strictly_b = with_slack(of_b);
   all.rows.insert(all.rows.end(), of_b.rows.begin(), of_b.rows.end());
   all.limits.insert(all.limits.end(), of_b.limits.begin(), of_b.limits.end());
   strictly.insert(strictly.end(), strictly_b.begin(), strictly_b.end());
-  return feasible(all, strictly).slack > 0 ? Relation::overlapping : Relation::touching;
+  return arith::feasible(all, strictly).slack > 0 ? Relation::overlapping : Relation::touching;
 }
 
 template <class Vector>
@@ -125,11 +125,12 @@ bool holds(const KDop<Vector>& outer, const KDop<Vector>& inner) {
   for (std::size_t i = 0; nested && i < outer.min.size(); ++i)
     nested = outer.min[i] <= inner.min[i] && inner.max[i] <= outer.max[i];
   if (nested) return true;
-  const Constraints within = halfspaces(inner), needed = halfspaces(outer);
+  const arith::Constraints within = halfspaces(inner), needed = halfspaces(outer);
   if (is_empty(within)) return true;
   for (std::size_t i = 0; i < needed.rows.size(); ++i) {
-    const Optimum farthest = maximize(needed.rows[i], within);
-    if (farthest.kind != Optimum::Kind::optimal || dot(needed.rows[i], farthest.at) > needed.limits[i]) return false;
+    const arith::Optimum farthest = arith::maximize(needed.rows[i], within);
+    if (farthest.kind != arith::Optimum::Kind::optimal || arith::dot(needed.rows[i], farthest.at) > needed.limits[i])
+      return false;
   }
   return true;
 }

@@ -60,17 +60,17 @@ bool has_empty_interval(const KDop<Vector>& k_dop) {
 }
 
 template <class Vector>
-RationalVector rational(const Vector& v) {
+arith::RationalVector rational(const Vector& v) {
   const auto numbers = coordinates(v);
   return {numbers.begin(), numbers.end()};
 }
 
 /// Halfspace 2 i is directions[i] . x <= max[i], halfspace 2 i + 1 is -directions[i] . x <= -min[i].
 template <class Vector>
-Constraints halfspaces(const KDop<Vector>& k_dop) {
-  Constraints all;
+arith::Constraints halfspaces(const KDop<Vector>& k_dop) {
+  arith::Constraints all;
   for (std::size_t i = 0; i < k_dop.directions.size(); ++i) {
-    RationalVector normal = rational(k_dop.directions.all()[i]);
+    arith::RationalVector normal = rational(k_dop.directions.all()[i]);
     all.add(normal, k_dop.max[i]);
     for (mpq_class& x : normal) x = -x;
     all.add(std::move(normal), -k_dop.min[i]);
@@ -78,8 +78,8 @@ Constraints halfspaces(const KDop<Vector>& k_dop) {
   return all;
 }
 
-inline bool is_empty(const Constraints& halfspaces) {
-  return feasible(halfspaces, std::vector<bool>(halfspaces.rows.size(), true)).slack < 0;
+inline bool is_empty(const arith::Constraints& halfspaces) {
+  return arith::feasible(halfspaces, std::vector<bool>(halfspaces.rows.size(), true)).slack < 0;
 }
 
 }  // namespace plumb::figure

@@ -8,16 +8,16 @@
 namespace plumb {
 namespace {
 
-using exact_sum::nearest;
-using exact_sum::nearest_quotients;
-using exact_sum::nearest_root;
-using exact_sum::Number;
-using signed_sums::cross;
-using signed_sums::dot;
-using signed_sums::twice_area;
-using signed_sums::twice_vector_area;
-using signed_sums::vector;
-using signed_sums::VectorOf;
+using arith::exact_sum::nearest;
+using arith::exact_sum::nearest_quotients;
+using arith::exact_sum::nearest_root;
+using arith::exact_sum::Number;
+using figure::signed_sums::cross;
+using figure::signed_sums::dot;
+using figure::signed_sums::twice_area;
+using figure::signed_sums::twice_vector_area;
+using figure::signed_sums::vector;
+using figure::signed_sums::VectorOf;
 
 constexpr std::array<std::string_view, 3> kTriangle{"triangle.a", "triangle.b", "triangle.c"};
 constexpr std::array<std::string_view, 4> kQuadrilateral{"quadrilateral.a", "quadrilateral.b", "quadrilateral.c",
@@ -55,7 +55,7 @@ double chain_area(Chain3 chain) {
 }
 
 /// 1, or -1 for a chain that is clockwise.
-int side_of(Chain2 chain) { return signed_sums::area_sign(chain) == Sign::negative ? -1 : 1; }
+int side_of(Chain2 chain) { return figure::signed_sums::area_sign(chain) == Sign::negative ? -1 : 1; }
 
 /// What chain k of the polygon counts, so that the outer one counts as positive and the holes as negative.
 std::vector<int> weights(const HoledPolygon2& polygon) {
@@ -131,7 +131,7 @@ Point3 area_centroid(std::span<const Chain3> chains, std::span<const int> weight
     using Maker = std::decay_t<decltype(number)>;
     using V = VectorOf<Maker>;
     const V origin = vector(number, chains[0][0]), normal = vector_area(number, chains[0]);
-    V sum = signed_sums::zero(number);
+    V sum = figure::signed_sums::zero(number);
     Number<Maker> whole = number(0.0);
     for (std::size_t k = 0; k < chains.size(); ++k) {
       const V weighed = number(weights[k]) * normal;
@@ -165,7 +165,7 @@ Point3 chain_centroid(Chain3 chain) { return area_centroid(std::array{chain}, st
 std::vector<int> weights(const HoledPolygon3& polygon) {
   std::vector<int> weight{1};
   for (const Polygon3& hole : polygon.holes) {
-    weight.push_back(-static_cast<int>(exact_sum::sign([&](const auto& number) {
+    weight.push_back(-static_cast<int>(arith::exact_sum::sign([&](const auto& number) {
       return dot(vector_area(number, polygon.outer.vertices), vector_area(number, hole.vertices));
     })));
   }
@@ -251,7 +251,7 @@ double area(const HoledPolygon3& polygon) {
   const std::vector<int> weight = weights(polygon);
   return nearest_root(
       [&](const auto& number) {
-        auto sum = signed_sums::zero(number);
+        auto sum = figure::signed_sums::zero(number);
         for (std::size_t k = 0; k < chains.size(); ++k) sum = sum + number(weight[k]) * vector_area(number, chains[k]);
         return dot(sum, sum);
       },

@@ -9,14 +9,15 @@
 namespace plumb::figure {
 
 Vector3 LocalFrame::local(const Point3& p) const {
-  const Vector3 d = frame::scaled({p.x - middle.x, p.y - middle.y, p.z - middle.z}, -exponent);
-  return {frame::dot(d, axes[0]), frame::dot(d, axes[1]), frame::dot(d, axes[2])};
+  const Vector3 d = figure::frame::scaled({p.x - middle.x, p.y - middle.y, p.z - middle.z}, -exponent);
+  return {figure::frame::dot(d, axes[0]), figure::frame::dot(d, axes[1]), figure::frame::dot(d, axes[2])};
 }
 
 Vector3 LocalFrame::world_vector(const Vector3& v) const {
   const Vector3 sum =
-      frame::plus(frame::plus(frame::times(axes[0], v.x), frame::times(axes[1], v.y)), frame::times(axes[2], v.z));
-  return frame::scaled(sum, exponent);
+      figure::frame::plus(figure::frame::plus(figure::frame::times(axes[0], v.x), figure::frame::times(axes[1], v.y)),
+                          figure::frame::times(axes[2], v.z));
+  return figure::frame::scaled(sum, exponent);
 }
 
 Point3 LocalFrame::world(const Vector3& along_axes) const {
@@ -35,11 +36,11 @@ LocalFrame principal_frame(std::span<const Point3> points) {
                {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}};
   const double half = std::max({most.x / 2 - least.x / 2, most.y / 2 - least.y / 2, most.z / 2 - least.z / 2});
   if (half == 0) return f;
-  f.exponent = frame::exponent(half);
+  f.exponent = figure::frame::exponent(half);
   std::vector<Vector3> local;
   local.reserve(points.size());
   for (const Point3& p : points) local.push_back(f.local(p));
-  f.axes = frame::principal_axes(local);
+  f.axes = figure::frame::principal_axes(local);
   return f;
 }
 

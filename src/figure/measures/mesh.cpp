@@ -12,11 +12,11 @@
 namespace plumb {
 namespace {
 
-using exact_sum::Number;
-using signed_sums::cross;
-using signed_sums::dot;
-using signed_sums::vector;
-using signed_sums::VectorOf;
+using arith::exact_sum::Number;
+using figure::signed_sums::cross;
+using figure::signed_sums::dot;
+using figure::signed_sums::vector;
+using figure::signed_sums::VectorOf;
 
 /// For each vertex the smallest number of one at the same place.
 std::vector<std::uint32_t> places(const std::vector<Point3>& vertices) {
@@ -109,7 +109,7 @@ void for_each_triangle(const Maker& number, const Faces& faces, const Visit& vis
 
 template <class Mesh>
 double sum_of_volumes(const Mesh& mesh) {
-  return exact_sum::nearest(
+  return arith::exact_sum::nearest(
       [&](const auto& number) {
         using V = VectorOf<std::decay_t<decltype(number)>>;
         auto sum = number(0.0);
@@ -123,10 +123,10 @@ double sum_of_volumes(const Mesh& mesh) {
 template <class Mesh>
 Point3 volume_centroid(const Mesh& mesh) {
   if (mesh.vertices.empty()) throw InvalidShape("centroid: the mesh has no vertices; give at least one");
-  const auto found = exact_sum::nearest_quotients<3>([&](const auto& number) {
+  const auto found = arith::exact_sum::nearest_quotients<3>([&](const auto& number) {
     using T = Number<std::decay_t<decltype(number)>>;
     using V = VectorOf<std::decay_t<decltype(number)>>;
-    V sum = signed_sums::zero(number);
+    V sum = figure::signed_sums::zero(number);
     T whole = number(0.0);
     for_each_triangle(number, faces_of(mesh), [&](const V& a, const V& b, const V& c) {
       const T part = dot(a, cross(b, c));
@@ -147,11 +147,11 @@ Point3 volume_centroid(const Mesh& mesh) {
 template <class Mesh>
 double sum_of_areas(const Mesh& mesh) {
   const auto faces = faces_of(mesh);
-  return exact_sum::sum_of_roots(
+  return arith::exact_sum::sum_of_roots(
       faces.size(),
       [&](const auto& number, std::size_t f) {
         const auto corners = faces[f];
-        const auto n = signed_sums::twice_vector_area(
+        const auto n = figure::signed_sums::twice_vector_area(
             number, corners.size(), [&](std::size_t k) -> const Point3& { return faces.at(corners[k]); });
         return dot(n, n);
       },

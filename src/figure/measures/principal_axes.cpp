@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 namespace {
 
 Eigen::Vector3d eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
@@ -55,4 +55,4 @@ std::array<Vector3, 3> principal_axes_of_surface(std::span<const Vector3> vertic
   return axes_of(second - first * first.transpose() / total);
 }
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

@@ -11,7 +11,7 @@
 #include "figure/basic/frame.hpp"
 #include "plumb/figure/basic/mesh.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 
 std::array<Vector3, 3> principal_axes(std::span<const Vector3> points);
 
@@ -19,4 +19,4 @@ std::array<Vector3, 3> principal_axes(std::span<const Vector3> points);
 std::array<Vector3, 3> principal_axes_of_surface(std::span<const Vector3> vertices,
                                                  std::span<const TriangleMesh::Triangle> triangles);
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

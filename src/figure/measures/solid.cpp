@@ -10,11 +10,11 @@
 namespace plumb {
 namespace {
 
-using exact_sum::nearest;
-using exact_sum::nearly_nearest;
-using signed_sums::cross;
-using signed_sums::dot;
-using signed_sums::vector;
+using arith::exact_sum::nearest;
+using arith::exact_sum::nearly_nearest;
+using figure::signed_sums::cross;
+using figure::signed_sums::dot;
+using figure::signed_sums::vector;
 using Names1 = std::array<std::string_view, 1>;
 using Names2 = std::array<std::string_view, 2>;
 using Names3 = std::array<std::string_view, 3>;
@@ -184,7 +184,7 @@ double area(const Obb2& b) {
 double area(const Rectangle3& r) {
   require_finite_parts("area", Names4{"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half"},
                        r.center, r.axes[0], r.axes[1], r.half);
-  return exact_sum::nearest_root([&](const auto& number) {
+  return arith::exact_sum::nearest_root([&](const auto& number) {
     const auto n = number(4.0) * (number(r.half.x) * number(r.half.y)) *
                    cross(vector(number, r.axes[0]), vector(number, r.axes[1]));
     return dot(n, n);
@@ -325,7 +325,7 @@ double volume(const Ellipsoid3& e) {
     const auto spanned = dot(vector(number, e.axes[0]), cross(vector(number, e.axes[1]), vector(number, e.axes[2])));
     return number(e.half.x) * number(e.half.y) * number(e.half.z) * spanned;
   };
-  const Sign sign = exact_sum::sign(parallelepiped);
+  const Sign sign = arith::exact_sum::sign(parallelepiped);
   return nearly_nearest(
       [&](const auto& number, const auto& pi) {
         return number(sign == Sign::negative ? -4.0 : 4.0) * (pi * parallelepiped(number));

@@ -4,7 +4,7 @@
 
 #include "figure/minkowski/edges.hpp"
 
-namespace plumb::minkowski {
+namespace plumb::figure::minkowski {
 namespace {
 
 /// The triple product of three edges.
@@ -106,4 +106,4 @@ bool turns_left(const Edge& a, const Edge& b) {
   return false;
 }
 
-}  // namespace plumb::minkowski
+}  // namespace plumb::figure::minkowski

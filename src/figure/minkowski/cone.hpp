@@ -13,7 +13,7 @@
 
 #include "plumb/arith/point.hpp"
 
-namespace plumb::minkowski {
+namespace plumb::figure::minkowski {
 
 /// From a vertex of one of two bodies to a neighbor; or of both, in parallel.
 struct Edge {
@@ -30,4 +30,4 @@ Cone cone(const std::vector<Edge>& edges, std::optional<std::size_t> extreme = {
 /// Of edges that are not parallel: counterclockwise in the first of the planes xy, yz, zx in which they turn at all.
 bool turns_left(const Edge& a, const Edge& b);
 
-}  // namespace plumb::minkowski
+}  // namespace plumb::figure::minkowski

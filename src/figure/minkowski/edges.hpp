@@ -3,7 +3,7 @@
 
 #include "plumb/certify/sign_of.hpp"
 
-namespace plumb::minkowski {
+namespace plumb::figure::minkowski {
 
 /// Positive when the edge from c to d points to the left of that from a to b.
 struct EdgesTurn {
@@ -15,4 +15,4 @@ struct EdgesTurn {
   }
 };
 
-}  // namespace plumb::minkowski
+}  // namespace plumb::figure::minkowski

@@ -90,7 +90,7 @@ class Edges {
 Sign order(const Edges& a, const Edges& b) {
   if (a.done() || b.done()) return a.done() ? Sign::negative : Sign::positive;
   if (a.ascends() != b.ascends()) return a.ascends() ? Sign::positive : Sign::negative;
-  return sign_of(minkowski::EdgesTurn{}, a.from().p, a.to().p, b.from().p, b.to().p);
+  return sign_of(figure::minkowski::EdgesTurn{}, a.from().p, a.to().p, b.from().p, b.to().p);
 }
 
 MinkowskiSum2 sum(const Chain& a, const Chain& b) {

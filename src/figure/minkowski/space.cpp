@@ -12,8 +12,8 @@
 namespace plumb {
 namespace {
 
-using minkowski::Cone;
-using minkowski::Edge;
+using figure::minkowski::Cone;
+using figure::minkowski::Edge;
 
 /// The vertices of a hull, and for each the ends of its edges.
 struct Body {
@@ -66,13 +66,13 @@ class EdgeWalk {
  public:
   EdgeWalk(const Body& a, const Body& b) : a_(a), b_(b) {
     const std::uint32_t start = found(smallest(a), smallest(b));
-    settle(start, minkowski::cone(edges(start)));
+    settle(start, figure::minkowski::cone(edges(start)));
     // Ends, for each pair of vertices is a node once.
     for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
       // What was found from here is settled at once: the edge back is where its cone begins.
       for (const std::uint32_t end : std::vector(nodes_[n].ends)) {
         if (settled_[end]) continue;
-        settle(end, minkowski::cone(edges(end), edge_back(end, n)));
+        settle(end, figure::minkowski::cone(edges(end), edge_back(end, n)));
       }
     }
   }
@@ -148,9 +148,9 @@ class EdgeWalk {
   }
 
   void add_polygon(MinkowskiSum3& made) const {
-    const Cone cone = minkowski::cone(edges(0));
+    const Cone cone = figure::minkowski::cone(edges(0));
     // Every node has two ends, so that the walk comes back to where it began.
-    std::uint32_t from = 0, at = nodes_[0].ends[minkowski::turns_left(cone[0], cone[1]) ? 0 : 1];
+    std::uint32_t from = 0, at = nodes_[0].ends[figure::minkowski::turns_left(cone[0], cone[1]) ? 0 : 1];
     made.corners.push_back(0);
     while (at != 0) {
       made.corners.push_back(at);

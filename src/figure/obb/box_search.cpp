@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 namespace {
 
 // No volume is sought that is smaller by less than this part of it, nor by less than this much of the cube around.
@@ -165,4 +165,4 @@ class BoxSearch {
 
 FoundBox smallest_box(const HullModel& model, FoundBox start) { return BoxSearch(model, start).run(); }
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

@@ -15,7 +15,7 @@
 
 #include "figure/hull/model.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 
 struct FoundBox {
   std::array<Vector3, 3> axes;  // orthonormal
@@ -31,4 +31,4 @@ FoundBox turned_about_axes(const HullModel& model, FoundBox box);
 /// The best of all pairs of edges.
 FoundBox smallest_box(const HullModel& model, FoundBox start);
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

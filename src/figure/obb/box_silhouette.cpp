@@ -5,7 +5,7 @@
 #include "figure/obb/box_search.hpp"
 #include "figure/obb/calipers.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 namespace {
 
 // The convex polygon that the hull's outline fills, seen along d, in the plane of u and v, counterclockwise.  Of
@@ -62,4 +62,4 @@ FoundBox turned_about_axes(const HullModel& model, FoundBox box) {
   return box;
 }
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

@@ -12,7 +12,7 @@
 
 #include "plumb/arith/point.hpp"
 
-namespace plumb::frame {
+namespace plumb::figure::frame {
 
 struct Calipers {
   Vector2 direction{1, 0};  // of unit length
@@ -49,4 +49,4 @@ inline Calipers smallest_rectangle(std::span<const Vector2> polygon) {
   return best;
 }
 
-}  // namespace plumb::frame
+}  // namespace plumb::figure::frame

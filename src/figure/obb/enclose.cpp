@@ -4,18 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "arith/big_rounding.hpp"
 #include "arith/vec.hpp"
 #include "figure/basic/frame.hpp"
 #include "plumb/arith/ball.hpp"
-#include "plumb/arith/big_rounding.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 #include "plumb/certify/determinant_sign.hpp"
-#include "plumb/certify/filter_stage.hpp"
 #include "plumb/predicates/cross_products.hpp"
 
-namespace plumb::enclosing {
+namespace plumb::figure::enclosing {
 namespace {
 
-using core::cross, core::dot, core::Plain, core::vec, core::Vec;
+using arith::cross, arith::dot, arith::Plain, arith::vec, arith::Vec;
 using predicates::OrderAlongCross;
 
 // What the faces through one axis are measured with.
@@ -118,7 +118,8 @@ Vector3 half(const std::array<Vector3, 3>& axes, const Point3& center, std::span
     const Rough rough{cross(vec<double>(u), vec<double>(v)), center};
     // No rough distance is off by more: the magnitude of filter B, and its roundings.
     const double error = filter_constant<OrderAlongCross>() * terms * (1 + 0x1p-40) *
-                         std::max(frame::largest(u), least) * std::max(frame::largest(v), least) * apart;
+                         std::max(figure::frame::largest(u), least) * std::max(figure::frame::largest(v), least) *
+                         apart;
     double most = 0;
     for (const Point3& p : points) most = std::max(most, rough(p));
     const double enough = most - 2.0 * error - most * 0x1p-50;
@@ -150,19 +151,19 @@ Point3 center(const std::array<Vector3, 3>& axes, std::span<const Point3> points
   const Point3 start{middle(&Point3::x), middle(&Point3::y), middle(&Point3::z)};
   Vector3 by{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 normal = frame::cross(axes[(i + 1) % 3], axes[(i + 2) % 3]);
-    const double volume = frame::dot(normal, axes[i]);
+    const Vector3 normal = figure::frame::cross(axes[(i + 1) % 3], axes[(i + 2) % 3]);
+    const double volume = figure::frame::dot(normal, axes[i]);
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const Point3& p : points) {
-      const double far = frame::dot(normal, {p.x - start.x, p.y - start.y, p.z - start.z});
+      const double far = figure::frame::dot(normal, {p.x - start.x, p.y - start.y, p.z - start.z});
       least = std::min(least, far);
       most = std::max(most, far);
     }
-    by = frame::plus(by, frame::times(axes[i], (least + most) / 2 / volume));
+    by = figure::frame::plus(by, figure::frame::times(axes[i], (least + most) / 2 / volume));
   }
   const Point3 moved{start.x + by.x, start.y + by.y, start.z + by.z};
   const double finite = (moved.x - moved.x) + (moved.y - moved.y) + (moved.z - moved.z);
   return finite == 0 ? moved : start;
 }
 
-}  // namespace plumb::enclosing
+}  // namespace plumb::figure::enclosing

@@ -11,7 +11,7 @@
 #include "plumb/arith/pose.hpp"
 #include "plumb/figure/basic/box.hpp"
 
-namespace plumb::enclosing {
+namespace plumb::figure::enclosing {
 
 /// Do the axes span space, exactly?
 bool independent(const std::array<Vector3, 3>& axes);
@@ -29,4 +29,4 @@ Vector3 half(const std::array<Vector3, 3>& axes, const Point3& center, std::span
 /// A center for the points that makes half extents small; by doubles.
 Point3 center(const std::array<Vector3, 3>& axes, std::span<const Point3> points);
 
-}  // namespace plumb::enclosing
+}  // namespace plumb::figure::enclosing

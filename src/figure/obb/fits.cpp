@@ -18,7 +18,7 @@
 namespace plumb {
 namespace {
 
-using namespace frame;
+using namespace figure::frame;
 
 void require_points(std::string_view function, std::span<const Point3> points) {
   figure::require_finite_points(function, "points", points);

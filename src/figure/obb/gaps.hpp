@@ -13,11 +13,11 @@
 
 #include <algorithm>
 
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/predicates/cross.hpp"
 
-namespace plumb::obb_gaps {
+namespace plumb::figure::obb_gaps {
 
 using predicates::cross;
 using predicates::dot;
@@ -204,4 +204,4 @@ inline constexpr double error = [] {
   return 2 * filter_constant<F>() * most;
 }();
 
-}  // namespace plumb::obb_gaps
+}  // namespace plumb::figure::obb_gaps

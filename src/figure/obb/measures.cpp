@@ -1,16 +1,16 @@
 // Volume and surface area of an oriented box, rounded once.
 #include <cmath>
 
+#include "arith/big_rounding.hpp"
 #include "arith/vec.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/ball.hpp"
-#include "plumb/arith/big_rounding.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
 namespace plumb {
 namespace {
 
-using core::cross, core::dot, core::vec;
+using arith::cross, arith::dot, arith::vec;
 
 template <class N>
 N signed_volume_of(const Obb3& box) {
@@ -27,7 +27,7 @@ N squared_area(const Obb3& box, std::size_t i) {
   return size * size * dot(normal, normal);
 }
 
-void require_finite(std::string_view function, const Obb3& box) {
+void require_finite_box(std::string_view function, const Obb3& box) {
   figure::require_finite_parts(function, {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half"},
                                box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
 }
@@ -69,13 +69,13 @@ double sum_of_roots(const std::array<BigDyadic, 3>& squares) {
 }  // namespace
 
 double volume(const Obb3& box) {
-  require_finite("volume", box);
+  require_finite_box("volume", box);
   const auto quick = signed_volume_of<Ball>(box).nearest();
   return std::fabs(quick ? *quick : rounded(Rounding::nearest, signed_volume_of<BigDyadic>(box)));
 }
 
 double surface_area(const Obb3& box) {
-  require_finite("surface_area", box);
+  require_finite_box("surface_area", box);
   const Ball quick =
       root(squared_area<Ball>(box, 0)) + (root(squared_area<Ball>(box, 1)) + root(squared_area<Ball>(box, 2)));
   if (const auto area = quick.nearest()) return *area;

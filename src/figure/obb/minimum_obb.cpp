@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-using namespace frame;
+using namespace figure::frame;
 
 std::vector<Point3> vertices_of(const Hull3& hull, std::span<const Point3> points) {
   std::vector<Point3> kept;

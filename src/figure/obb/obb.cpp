@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
 #include "figure/obb/enclose.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
 namespace {
@@ -53,7 +53,7 @@ struct Extent {
     const double x = box.half.x * length(box.axes[0]), y = box.half.y * length(box.axes[1]),
                  z = box.half.z * length(box.axes[2]);
     volume = box.half.x * box.half.y * box.half.z *
-             std::fabs(frame::dot(box.axes[0], frame::cross(box.axes[1], box.axes[2])));
+             std::fabs(figure::frame::dot(box.axes[0], figure::frame::cross(box.axes[1], box.axes[2])));
     surface = x * y + y * z + z * x;
   }
   friend bool operator<(const Extent& a, const Extent& b) {
@@ -70,9 +70,10 @@ std::array<Point3, 16> near_corners(const Obb3& a, const Obb3& b) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Obb3& box = i < 8 ? a : b;
     const auto end = [&](std::size_t k, double half) {
-      return frame::times(box.axes[k], (i >> k & 1) != 0 ? half : -half);
+      return figure::frame::times(box.axes[k], (i >> k & 1) != 0 ? half : -half);
     };
-    const Vector3 way = frame::plus(end(0, box.half.x), frame::plus(end(1, box.half.y), end(2, box.half.z)));
+    const Vector3 way =
+        figure::frame::plus(end(0, box.half.x), figure::frame::plus(end(1, box.half.y), end(2, box.half.z)));
     const auto at = [&](double x, double by) { return by - by == 0 ? std::clamp(x + by, -most, most) : x; };
     all[i] = {at(box.center.x, way.x), at(box.center.y, way.y), at(box.center.z, way.z)};
   }
@@ -87,23 +88,24 @@ Axes between(const Axes& a, const Axes& b) {
     std::size_t best = 3;
     double most = -1;
     for (std::size_t j = 0; j < 3; ++j) {
-      const double along = std::fabs(frame::dot(a[i], b[j]));
+      const double along = std::fabs(figure::frame::dot(a[i], b[j]));
       if (taken[j] || !(along > most)) continue;
       best = j;
       most = along;
     }
     taken[best] = true;
-    sum[i] = frame::plus(a[i], frame::times(b[best], frame::dot(a[i], b[best]) < 0 ? -1.0 : 1.0));
+    sum[i] =
+        figure::frame::plus(a[i], figure::frame::times(b[best], figure::frame::dot(a[i], b[best]) < 0 ? -1.0 : 1.0));
   }
-  return frame::orthonormal(sum);
+  return figure::frame::orthonormal(sum);
 }
 
 // The same directions as doubles of magnitude one, right angles where they do not span space.
 Axes spanning(const Axes& axes) {
-  const Axes units{frame::unit(axes[0]), frame::unit(axes[1]), frame::unit(axes[2])};
-  const double volume = std::fabs(frame::dot(units[0], frame::cross(units[1], units[2])));
+  const Axes units{figure::frame::unit(axes[0]), figure::frame::unit(axes[1]), figure::frame::unit(axes[2])};
+  const double volume = std::fabs(figure::frame::dot(units[0], figure::frame::cross(units[1], units[2])));
   constexpr double slant = 0x1p-20;  // flatter than this a frame of right angles is tighter
-  return volume > slant && enclosing::independent(axes) ? axes : frame::orthonormal(axes);
+  return volume > slant && figure::enclosing::independent(axes) ? axes : figure::frame::orthonormal(axes);
 }
 
 }  // namespace
@@ -138,10 +140,10 @@ Obb3 fit_obb(const Axes& axes, std::span<const Point3> points) {
   require_finite_parts("fit_obb", {"axes[0]", "axes[1]", "axes[2]"}, axes[0], axes[1], axes[2]);
   require_finite_points("fit_obb", "points", points);
   if (points.empty()) throw InvalidShape("fit_obb: no points; give at least one");
-  if (!enclosing::independent(axes))
+  if (!figure::enclosing::independent(axes))
     throw InvalidShape("fit_obb: the axes lie in one plane; give three that span space");
-  const Point3 center = enclosing::center(axes, points);
-  return checked({center, axes, enclosing::half(axes, center, points)}, "fit_obb");
+  const Point3 center = figure::enclosing::center(axes, points);
+  return checked({center, axes, figure::enclosing::half(axes, center, points)}, "fit_obb");
 }
 
 Obb2 fit_obb(const std::array<Vector2, 2>& axes, std::span<const Point2> points) {
@@ -152,7 +154,7 @@ Obb2 fit_obb(const std::array<Vector2, 2>& axes, std::span<const Point2> points)
   for (const Point2& p : points) lifted.push_back({p.x, p.y, 0});
   const Axes upright{Vector3{axes[0].x, axes[0].y, 0}, Vector3{axes[1].x, axes[1].y, 0}, Vector3{0, 0, 1}};
   if (points.empty()) throw InvalidShape("fit_obb: no points; give at least one");
-  if (!enclosing::independent(upright))
+  if (!figure::enclosing::independent(upright))
     throw InvalidShape("fit_obb: the axes are parallel; give two that span the plane");
   const Obb3 box = fit_obb(upright, lifted);
   return {{box.center.x, box.center.y}, axes, {box.half.x, box.half.y}};
@@ -168,24 +170,25 @@ Obb3 merge(const Obb3& a, const Obb3& b) {
   require_finite_box("merge", "a", a);
   require_finite_box("merge", "b", b);
   const auto within = [](const Obb3& outer, const Obb3& inner) {
-    if (!enclosing::independent(outer.axes)) return false;
-    const enclosing::Body body{inner};
-    const Vector3 h = enclosing::half(outer.axes, outer.center, std::span(&body, 1));
+    if (!figure::enclosing::independent(outer.axes)) return false;
+    const figure::enclosing::Body body{inner};
+    const Vector3 h = figure::enclosing::half(outer.axes, outer.center, std::span(&body, 1));
     return h.x <= std::fabs(outer.half.x) && h.y <= std::fabs(outer.half.y) && h.z <= std::fabs(outer.half.z);
   };
   if (a == b || within(a, b)) return a;
   if (within(b, a)) return b;
   const Axes of_a = spanning(a.axes), of_b = spanning(b.axes);
-  const Axes right_a = frame::orthonormal(a.axes), right_b = frame::orthonormal(b.axes);
+  const Axes right_a = figure::frame::orthonormal(a.axes), right_b = figure::frame::orthonormal(b.axes);
   const Point3 from = halfway(a.center, {-b.center.x, -b.center.y, -b.center.z});
   const Vector3 apart{from.x, from.y, from.z};
   const auto all = near_corners(a, b);
-  const std::array bodies{enclosing::Body{a}, enclosing::Body{b}};
+  const std::array bodies{figure::enclosing::Body{a}, figure::enclosing::Body{b}};
   std::optional<Obb3> best;
-  for (const Axes& axes : {of_a, of_b, between(right_a, right_b), frame::orthonormal({apart, right_a[0], right_a[1]}),
-                           frame::orthonormal({apart, right_b[0], right_b[1]})}) {
-    const Point3 center = enclosing::center(axes, all);
-    const Obb3 box{center, axes, enclosing::half(axes, center, bodies)};
+  for (const Axes& axes :
+       {of_a, of_b, between(right_a, right_b), figure::frame::orthonormal({apart, right_a[0], right_a[1]}),
+        figure::frame::orthonormal({apart, right_b[0], right_b[1]})}) {
+    const Point3 center = figure::enclosing::center(axes, all);
+    const Obb3 box{center, axes, figure::enclosing::half(axes, center, bodies)};
     if (!best || (is_finite(box) && (!is_finite(*best) || Extent(box) < Extent(*best)))) best = box;
   }
   return checked(*best, "merge");
@@ -210,8 +213,8 @@ Obb3 transform(const Obb3& box, const Pose& pose) {
   const Axes images{image(box.axes[0]), image(box.axes[1]), image(box.axes[2])};
   (void)checked({center, images, {0, 0, 0}}, "transform");
   const Axes axes = spanning(images);
-  const enclosing::Body body{box, &pose};
-  return checked({center, axes, enclosing::half(axes, center, std::span(&body, 1))}, "transform");
+  const figure::enclosing::Body body{box, &pose};
+  return checked({center, axes, figure::enclosing::half(axes, center, std::span(&body, 1))}, "transform");
 }
 
 }  // namespace plumb

@@ -13,7 +13,7 @@
 
 #ifndef PLUMB_OBB_QUICK_ONCE
 #define PLUMB_OBB_QUICK_ONCE
-namespace plumb::obb_gaps {
+namespace plumb::figure::obb_gaps {
 
 // No power of degree nine or lower of numbers from the least to the most leaves the range of doubles, nor does its
 // product with the constant of an error.
@@ -24,15 +24,15 @@ struct Errors {
   double face_of_a, face_of_b, edges;
 };
 
-}  // namespace plumb::obb_gaps
+}  // namespace plumb::figure::obb_gaps
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::obb_quick::HWY_NAMESPACE {
+namespace plumb::figure::obb_quick::HWY_NAMESPACE {
 namespace {
 
-using namespace three_lanes::HWY_NAMESPACE;
-using namespace obb_gaps;
+using namespace certify::three_lanes::HWY_NAMESPACE;
+using namespace figure::obb_gaps;
 
 HWY_INLINE double at_least(double x, double floor) { return x > floor ? x : floor; }
 
@@ -127,17 +127,17 @@ HWY_INLINE std::optional<Relation> told(const Pair& p, const Errors& error) {
 }
 
 }  // namespace
-}  // namespace plumb::obb_quick::HWY_NAMESPACE
+}  // namespace plumb::figure::obb_quick::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace plumb {
 
 std::optional<Relation> quick_relation(const Obb3& a, const Obb3& b) {
-  return PLUMB_BY_LANES(obb_quick, relation(a, b));
+  return PLUMB_BY_LANES(figure::obb_quick, relation(a, b));
 }
 std::optional<Relation> quick_relation(const Aabb3& a, const Obb3& b) {
-  return PLUMB_BY_LANES(obb_quick, relation(a, b));
+  return PLUMB_BY_LANES(figure::obb_quick, relation(a, b));
 }
 
 }  // namespace plumb

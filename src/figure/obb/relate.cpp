@@ -4,7 +4,7 @@
 #include "figure/minkowski/zonotope.hpp"
 #include "figure/obb/gaps.hpp"
 #include "figure/obb/quick.hpp"
-#include "plumb/certify/gap_filter.hpp"
+#include "plumb/certify/detail/gap_filter.hpp"
 #include "plumb/certify/separating_axis.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/obb/obb.hpp"
@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-using obb_gaps::FaceOfA;
+using figure::obb_gaps::FaceOfA;
 
 BigDyadic product(double a, double b) { return BigDyadic(a) * BigDyadic(b); }
 BigVector difference(const Point3& from, const Point3& to) {

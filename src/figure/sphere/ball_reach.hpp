@@ -5,7 +5,7 @@
 
 #include "plumb/figure/basic/round.hpp"
 
-namespace plumb::spheres {
+namespace plumb::figure::sphere {
 
 /// Throws NonFinite and InvalidShape: "merge: a.radius is -1, ...".
 void require_ball(std::string_view function, std::string_view name, const Circle2& ball);
@@ -19,4 +19,11 @@ double reach(const Point3& from, const Sphere3& ball);
 bool holds(const Circle2& outer, const Circle2& inner);
 bool holds(const Sphere3& outer, const Sphere3& inner);
 
-}  // namespace plumb::spheres
+/// The order of balls in which equal sets of them are visited alike: by center, then by radius.
+template <class Ball>
+bool comes_first(const Ball& a, const Ball& b) {
+  const auto x = coordinates(a.center), y = coordinates(b.center);
+  return x < y || (x == y && a.radius < b.radius);
+}
+
+}  // namespace plumb::figure::sphere

@@ -9,7 +9,7 @@
 #include "plumb/arith/error.hpp"
 
 namespace plumb {
-namespace spheres {
+namespace figure::sphere {
 namespace {
 
 /// The points seen from the middle of their box, in its half widths: no sum or square of theirs leaves the doubles.
@@ -138,9 +138,9 @@ std::uint64_t next_of(std::uint64_t& state) {
 }
 
 }  // namespace
-}  // namespace spheres
+}  // namespace figure::sphere
 
-using spheres::LocalPoints;
+using figure::sphere::LocalPoints;
 
 Sphere3 fit_sphere_box(std::span<const Point3> points) {
   return LocalPoints("fit_sphere_box", points).around({0, 0, 0});
@@ -148,19 +148,19 @@ Sphere3 fit_sphere_box(std::span<const Point3> points) {
 
 Sphere3 fit_sphere_ritter(std::span<const Point3> points) {
   const LocalPoints local("fit_sphere_ritter", points);
-  return local.around(spheres::grown(spheres::of_axes(local), local).center);
+  return local.around(figure::sphere::grown(figure::sphere::of_axes(local), local).center);
 }
 
 Sphere3 fit_sphere_principal(std::span<const Point3> points) {
   const LocalPoints local("fit_sphere_principal", points);
-  return local.around(spheres::grown(spheres::of_largest_spread(local), local).center);
+  return local.around(figure::sphere::grown(figure::sphere::of_largest_spread(local), local).center);
 }
 
 Sphere3 fit_sphere_iterated_ritter(std::span<const Point3> points, const IteratedRitterOptions& options) {
   const LocalPoints local("fit_sphere_iterated_ritter", points);
   if (!(options.shrink >= 0 && options.shrink <= 1))
     throw InvalidShape("fit_sphere_iterated_ritter: options.shrink is not between 0 and 1; give a share of the radius");
-  Sphere3 best = spheres::grown(spheres::of_axes(local), local), s = best;
+  Sphere3 best = figure::sphere::grown(figure::sphere::of_axes(local), local), s = best;
   if (options.history != nullptr) options.history->push_back(local.unrounded(best));
   std::vector<Point3> moved(local.size());
   for (std::size_t i = 0; i < local.size(); ++i) moved[i] = local[i];
@@ -168,8 +168,8 @@ Sphere3 fit_sphere_iterated_ritter(std::span<const Point3> points, const Iterate
   for (int k = 0; k < options.iterations; ++k) {
     s.radius *= options.shrink;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      std::swap(moved[i], moved[i + spheres::next_of(state) % (moved.size() - i)]);
-      spheres::grow(s, moved[i]);
+      std::swap(moved[i], moved[i + figure::sphere::next_of(state) % (moved.size() - i)]);
+      figure::sphere::grow(s, moved[i]);
     }
     if (s.radius < best.radius) best = s;
     if (options.history != nullptr) options.history->push_back(local.unrounded(s));

@@ -10,7 +10,7 @@
 #include "plumb/arith/error.hpp"
 
 namespace plumb {
-namespace spheres {
+namespace figure::sphere {
 namespace {
 
 template <class Point>
@@ -213,13 +213,13 @@ Result minimum(std::string_view function, std::span<const PointOf<Ball>> points,
 }
 
 }  // namespace
-}  // namespace spheres
+}  // namespace figure::sphere
 
 MinimumCircle minimum_circle(std::span<const Point2> points, const MinimumCircleOptions& options) {
-  return spheres::minimum<MinimumCircle>("minimum_circle", points, options.history, &MinimumCircle::circle);
+  return figure::sphere::minimum<MinimumCircle>("minimum_circle", points, options.history, &MinimumCircle::circle);
 }
 MinimumSphere minimum_sphere(std::span<const Point3> points, const MinimumSphereOptions& options) {
-  return spheres::minimum<MinimumSphere>("minimum_sphere", points, options.history, &MinimumSphere::sphere);
+  return figure::sphere::minimum<MinimumSphere>("minimum_sphere", points, options.history, &MinimumSphere::sphere);
 }
 
 }  // namespace plumb

@@ -14,7 +14,7 @@
 #include "plumb/figure/sphere/minimum_sphere.hpp"
 
 namespace plumb {
-namespace spheres {
+namespace figure::sphere {
 namespace {
 
 template <class Ball>
@@ -23,12 +23,6 @@ RationalBall rational(const Ball& ball) {
   for (const double x : coordinates(ball.center)) to.center.emplace_back(x);
   to.radius = mpq_class(ball.radius);
   return to;
-}
-
-template <class Ball>
-bool before(const Ball& a, const Ball& b) {
-  const auto x = coordinates(a.center), y = coordinates(b.center);
-  return x < y || (x == y && a.radius < b.radius);
 }
 
 using Basis = std::vector<std::uint32_t>;
@@ -150,7 +144,7 @@ class BallSearch {
 template <class Ball>
 Basis support_of(std::span<const Ball> balls, Basis touched, const Basis& basis) {
   std::ranges::sort(touched, [&](std::uint32_t a, std::uint32_t b) {
-    return before(balls[a], balls[b]) || (balls[a] == balls[b] && a < b);
+    return comes_first(balls[a], balls[b]) || (balls[a] == balls[b] && a < b);
   });
   const auto equal = [&](std::uint32_t a, std::uint32_t b) { return balls[a] == balls[b]; };
   touched.erase(std::unique(touched.begin(), touched.end(), equal), touched.end());
@@ -162,7 +156,7 @@ Basis support_of(std::span<const Ball> balls, Basis touched, const Basis& basis)
     held = with(balls, held.basis, touched[i]);
     in = 0;
   }
-  std::ranges::sort(held.basis, [&](std::uint32_t a, std::uint32_t b) { return before(balls[a], balls[b]); });
+  std::ranges::sort(held.basis, [&](std::uint32_t a, std::uint32_t b) { return comes_first(balls[a], balls[b]); });
   return held.basis;
 }
 
@@ -193,13 +187,13 @@ Result minimum(std::string_view function, std::string_view name, std::span<const
 }
 
 }  // namespace
-}  // namespace spheres
+}  // namespace figure::sphere
 
 MinimumCircleOfCircles minimum_circle(std::span<const Circle2> circles) {
-  return spheres::minimum("minimum_circle", "circles", circles, &MinimumCircleOfCircles::circle);
+  return figure::sphere::minimum("minimum_circle", "circles", circles, &MinimumCircleOfCircles::circle);
 }
 MinimumSphereOfSpheres minimum_sphere(std::span<const Sphere3> spheres) {
-  return spheres::minimum("minimum_sphere", "spheres", spheres, &MinimumSphereOfSpheres::sphere);
+  return figure::sphere::minimum("minimum_sphere", "spheres", spheres, &MinimumSphereOfSpheres::sphere);
 }
 
 }  // namespace plumb

@@ -13,14 +13,14 @@
 #include <span>
 #include <vector>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/error_free.hpp"
 #include "plumb/arith/interval.hpp"
-#include "plumb/certify/rounded.hpp"
 
-namespace plumb::spheres {
+namespace plumb::figure::sphere {
 
 /// |cp|^2 k^2.
 struct ScaledDistance2 {
@@ -232,4 +232,4 @@ double enclosing_radius(std::span<const Point> points, PointScan<Point>& scan, c
   return radius;
 }
 
-}  // namespace plumb::spheres
+}  // namespace plumb::figure::sphere

@@ -9,7 +9,7 @@
 #include "plumb/predicates/orient.hpp"
 #include "plumb/predicates/smallest_sphere.hpp"
 
-namespace plumb::spheres {
+namespace plumb::figure::sphere {
 
 inline constexpr std::array<std::string_view, 2> from_center{"center", "p"};
 
@@ -87,4 +87,4 @@ FineBall<SpannedSphere3> fine_ball(const SpannedSphere3& ball);
 Point2 center_of(const SpannedCircle2& ball);
 Point3 center_of(const SpannedSphere3& ball);
 
-}  // namespace plumb::spheres
+}  // namespace plumb::figure::sphere

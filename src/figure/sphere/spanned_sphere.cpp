@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "arith/big_rounding.hpp"
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/spanned_ball.hpp"
-#include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/certify/direction.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
-namespace spheres {
+namespace figure::sphere {
 namespace {
 
 using predicates::cross, predicates::difference, predicates::difference2, predicates::dot, predicates::squared;
@@ -101,7 +101,7 @@ double first_axis(const SpannedSphere3& ball) {
 template <class Center, class Weight, class Spanned, std::size_t... I>
 Ball fine_first_axis(const Spanned& ball, std::index_sequence<I...>) {
   const auto p = coordinates_of<Center>(ball.points[I]...);
-  return quotient(rounding::ball<Center>(p), rounding::ball<Weight>(p));
+  return quotient(certify::rounding::ball<Center>(p), certify::rounding::ball<Weight>(p));
 }
 
 Ball fine_first_axis(const SpannedCircle2& ball) {
@@ -269,30 +269,30 @@ Point3 center_of(const SpannedSphere3& ball) {
   return {first_axis(ball), first_axis(second), first_axis(turned(second))};
 }
 
-}  // namespace spheres
+}  // namespace figure::sphere
 
-Location locate(const SpannedCircle2& ball, const Point2& p) { return spheres::located(ball, p); }
-Location locate(const SpannedSphere3& ball, const Point3& p) { return spheres::located(ball, p); }
+Location locate(const SpannedCircle2& ball, const Point2& p) { return figure::sphere::located(ball, p); }
+Location locate(const SpannedSphere3& ball, const Point3& p) { return figure::sphere::located(ball, p); }
 
 Point2 center(const SpannedCircle2& ball) {
-  spheres::require_spanned(ball);
-  return spheres::center_of(ball);
+  figure::sphere::require_spanned(ball);
+  return figure::sphere::center_of(ball);
 }
 Point3 center(const SpannedSphere3& ball) {
-  spheres::require_spanned(ball);
-  return spheres::center_of(ball);
+  figure::sphere::require_spanned(ball);
+  return figure::sphere::center_of(ball);
 }
 
-double radius(Rounding rounding, const SpannedCircle2& ball) { return spheres::rounded_radius(rounding, ball); }
-double radius(Rounding rounding, const SpannedSphere3& ball) { return spheres::rounded_radius(rounding, ball); }
+double radius(Rounding rounding, const SpannedCircle2& ball) { return figure::sphere::rounded_radius(rounding, ball); }
+double radius(Rounding rounding, const SpannedSphere3& ball) { return figure::sphere::rounded_radius(rounding, ball); }
 
 Sign compare_radius(const SpannedCircle2& a, const SpannedCircle2& b) {
-  return spheres::compared(spheres::square_of(a), spheres::square_of(b));
+  return figure::sphere::compared(figure::sphere::square_of(a), figure::sphere::square_of(b));
 }
 Sign compare_radius(const SpannedSphere3& a, const SpannedSphere3& b) {
-  return spheres::compared(spheres::square_of(a), spheres::square_of(b));
+  return figure::sphere::compared(figure::sphere::square_of(a), figure::sphere::square_of(b));
 }
-Sign compare_radius(const SpannedCircle2& a, double r) { return spheres::compared_with_number(a, r); }
-Sign compare_radius(const SpannedSphere3& a, double r) { return spheres::compared_with_number(a, r); }
+Sign compare_radius(const SpannedCircle2& a, double r) { return figure::sphere::compared_with_number(a, r); }
+Sign compare_radius(const SpannedSphere3& a, double r) { return figure::sphere::compared_with_number(a, r); }
 
 }  // namespace plumb

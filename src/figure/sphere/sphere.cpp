@@ -4,16 +4,16 @@
 #include <limits>
 #include <string>
 
+#include "certify/case_line.hpp"
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/ball_reach.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/interval.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/rounded.hpp"
 
 namespace plumb {
-namespace spheres {
+namespace figure::sphere {
 namespace {
 
 using predicates::squared;
@@ -79,17 +79,11 @@ Sign exact_gap(std::string_view function, const Ball& a, const Ball& b) {
   require(function, "a", a);
   require(function, "b", b);
   if constexpr (std::is_same_v<Ball, Circle2>) {
-    return decide<sphere::Gap2>({a.center.x, a.center.y, a.radius, b.center.x, b.center.y, b.radius});
+    return decide<figure::sphere::Gap2>({a.center.x, a.center.y, a.radius, b.center.x, b.center.y, b.radius});
   } else {
-    return decide<sphere::Gap3>(
+    return decide<figure::sphere::Gap3>(
         {a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius});
   }
-}
-
-template <class Ball>
-bool before(const Ball& a, const Ball& b) {
-  const auto x = coordinates(a.center), y = coordinates(b.center);
-  return x < y || (x == y && a.radius < b.radius);
 }
 
 template <class Ball>
@@ -128,7 +122,7 @@ bool is_large(const Ball& ball) {
 
 template <class Ball>
 Ball merged(std::string_view function, const Ball& one, const Ball& other) {
-  const bool swap = before(other, one);
+  const bool swap = comes_first(other, one);
   const Ball &a = swap ? other : one, &b = swap ? one : other;
   if (holds(a, b)) return a;
   if (holds(b, a)) return b;
@@ -187,35 +181,35 @@ bool holds(const Sphere3& outer, const Sphere3& inner) {
   return reaches(outer.center, outer.radius, inner.center, inner.radius);
 }
 
-}  // namespace spheres
+}  // namespace figure::sphere
 
-namespace sphere {
+namespace figure::sphere {
 
 Sign gap_exactly(std::string_view function, const Circle2& a, const Circle2& b) {
-  return spheres::exact_gap(function, a, b);
+  return figure::sphere::exact_gap(function, a, b);
 }
 Sign gap_exactly(std::string_view function, const Sphere3& a, const Sphere3& b) {
-  return spheres::exact_gap(function, a, b);
+  return figure::sphere::exact_gap(function, a, b);
 }
 
-}  // namespace sphere
+}  // namespace figure::sphere
 
 bool contains(const Circle2& outer, const Circle2& inner) {
-  spheres::require("contains", "outer", outer);
-  spheres::require("contains", "inner", inner);
-  return spheres::holds(outer, inner);
+  figure::sphere::require("contains", "outer", outer);
+  figure::sphere::require("contains", "inner", inner);
+  return figure::sphere::holds(outer, inner);
 }
 bool contains(const Sphere3& outer, const Sphere3& inner) {
-  spheres::require("contains", "outer", outer);
-  spheres::require("contains", "inner", inner);
-  return spheres::holds(outer, inner);
+  figure::sphere::require("contains", "outer", outer);
+  figure::sphere::require("contains", "inner", inner);
+  return figure::sphere::holds(outer, inner);
 }
 
-Circle2 merge(const Circle2& a, const Circle2& b) { return spheres::merged(a, b); }
-Sphere3 merge(const Sphere3& a, const Sphere3& b) { return spheres::merged(a, b); }
-Circle2 merge(const Circle2& circle, const Point2& p) { return spheres::merged("circle", circle, p); }
-Sphere3 merge(const Sphere3& sphere, const Point3& p) { return spheres::merged("sphere", sphere, p); }
-Circle2 merge(std::span<const Circle2> circles) { return spheres::merged("circles", circles); }
-Sphere3 merge(std::span<const Sphere3> spheres) { return spheres::merged("spheres", spheres); }
+Circle2 merge(const Circle2& a, const Circle2& b) { return figure::sphere::merged(a, b); }
+Sphere3 merge(const Sphere3& a, const Sphere3& b) { return figure::sphere::merged(a, b); }
+Circle2 merge(const Circle2& circle, const Point2& p) { return figure::sphere::merged("circle", circle, p); }
+Sphere3 merge(const Sphere3& sphere, const Point3& p) { return figure::sphere::merged("sphere", sphere, p); }
+Circle2 merge(std::span<const Circle2> circles) { return figure::sphere::merged("circles", circles); }
+Sphere3 merge(std::span<const Sphere3> spheres) { return figure::sphere::merged("spheres", spheres); }
 
 }  // namespace plumb

@@ -2,7 +2,7 @@
 
 #include "arith/rounded_radical.hpp"
 
-namespace plumb::spheres {
+namespace plumb::figure::sphere {
 namespace {
 
 mpq_class dot(const Rationals& u, const Rationals& v) {
@@ -110,4 +110,4 @@ double TangentBall::center(std::size_t axis) const {
                          BigDyadic(mpz_class(plain.get_den() * over)));
 }
 
-}  // namespace plumb::spheres
+}  // namespace plumb::figure::sphere

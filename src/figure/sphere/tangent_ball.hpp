@@ -15,7 +15,7 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/sign.hpp"
 
-namespace plumb::spheres {
+namespace plumb::figure::sphere {
 
 using Rationals = std::vector<mpq_class>;
 
@@ -45,4 +45,4 @@ class TangentBall {
   mpq_class p_, q_, d_;  // rho = p + q sqrt(d)
 };
 
-}  // namespace plumb::spheres
+}  // namespace plumb::figure::sphere

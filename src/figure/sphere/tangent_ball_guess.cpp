@@ -8,7 +8,7 @@
 
 #include "plumb/certify/sign_of.hpp"
 
-namespace plumb::spheres {
+namespace plumb::figure::sphere {
 namespace {
 
 constexpr int most_steps = 100;
@@ -140,4 +140,4 @@ Basis guess(std::span<const Ball> balls) {
 Basis guess_touched(std::span<const Circle2> balls) { return guess(balls); }
 Basis guess_touched(std::span<const Sphere3> balls) { return guess(balls); }
 
-}  // namespace plumb::spheres
+}  // namespace plumb::figure::sphere

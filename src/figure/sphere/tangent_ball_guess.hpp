@@ -14,10 +14,10 @@
 
 #include "plumb/figure/basic/round.hpp"
 
-namespace plumb::spheres {
+namespace plumb::figure::sphere {
 
 /// At least one of the balls, of which there is one.
 std::vector<std::uint32_t> guess_touched(std::span<const Circle2> balls);
 std::vector<std::uint32_t> guess_touched(std::span<const Sphere3> balls);
 
-}  // namespace plumb::spheres
+}  // namespace plumb::figure::sphere

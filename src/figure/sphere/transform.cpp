@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/ball_reach.hpp"
 #include "plumb/arith/interval.hpp"
-#include "plumb/certify/rounded.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
 
 namespace plumb {
-namespace spheres {
+namespace figure::sphere {
 namespace {
 
 using predicates::argument, predicates::dot, predicates::squared;
@@ -132,39 +132,40 @@ double radius_of(double stretched, double radius, const Interval& off2) {
 }
 
 }  // namespace
-}  // namespace spheres
+}  // namespace figure::sphere
 
 double largest_stretch(const Pose2& pose) {
-  spheres::require_pose("largest_stretch", pose);
-  return spheres::stretch("largest_stretch", spheres::in_space(pose));
+  figure::sphere::require_pose("largest_stretch", pose);
+  return figure::sphere::stretch("largest_stretch", figure::sphere::in_space(pose));
 }
 double largest_stretch(const Pose& pose) {
-  spheres::require_pose("largest_stretch", pose);
-  return spheres::stretch("largest_stretch", pose.columns);
+  figure::sphere::require_pose("largest_stretch", pose);
+  return figure::sphere::stretch("largest_stretch", pose.columns);
 }
 
 Circle2 transform(const Circle2& circle, const Pose2& pose) {
-  spheres::require_ball("transform", "circle", circle);
-  spheres::require_pose("transform", pose);
+  figure::sphere::require_ball("transform", "circle", circle);
+  figure::sphere::require_pose("transform", pose);
   const auto& [u, v] = pose.columns;
   const Point2& c = circle.center;
-  const auto x = spheres::axis(u.x, c.x, v.x, c.y, pose.translation.x);
-  const auto y = spheres::axis(u.y, c.x, v.y, c.y, pose.translation.y);
-  const double stretched = circle.radius == 0 ? 0 : spheres::stretch("transform", spheres::in_space(pose));
-  return {{x.value, y.value}, spheres::radius_of(stretched, circle.radius, x.off * x.off + y.off * y.off)};
+  const auto x = figure::sphere::axis(u.x, c.x, v.x, c.y, pose.translation.x);
+  const auto y = figure::sphere::axis(u.y, c.x, v.y, c.y, pose.translation.y);
+  const double stretched =
+      circle.radius == 0 ? 0 : figure::sphere::stretch("transform", figure::sphere::in_space(pose));
+  return {{x.value, y.value}, figure::sphere::radius_of(stretched, circle.radius, x.off * x.off + y.off * y.off)};
 }
 
 Sphere3 transform(const Sphere3& sphere, const Pose& pose) {
-  spheres::require_ball("transform", "sphere", sphere);
-  spheres::require_pose("transform", pose);
+  figure::sphere::require_ball("transform", "sphere", sphere);
+  figure::sphere::require_pose("transform", pose);
   const auto& [u, v, w] = pose.columns;
   const Point3& c = sphere.center;
-  const auto x = spheres::axis(u.x, c.x, v.x, c.y, w.x, c.z, pose.translation.x);
-  const auto y = spheres::axis(u.y, c.x, v.y, c.y, w.y, c.z, pose.translation.y);
-  const auto z = spheres::axis(u.z, c.x, v.z, c.y, w.z, c.z, pose.translation.z);
-  const double stretched = sphere.radius == 0 ? 0 : spheres::stretch("transform", pose.columns);
+  const auto x = figure::sphere::axis(u.x, c.x, v.x, c.y, w.x, c.z, pose.translation.x);
+  const auto y = figure::sphere::axis(u.y, c.x, v.y, c.y, w.y, c.z, pose.translation.y);
+  const auto z = figure::sphere::axis(u.z, c.x, v.z, c.y, w.z, c.z, pose.translation.z);
+  const double stretched = sphere.radius == 0 ? 0 : figure::sphere::stretch("transform", pose.columns);
   return {{x.value, y.value, z.value},
-          spheres::radius_of(stretched, sphere.radius, x.off * x.off + y.off * y.off + z.off * z.off)};
+          figure::sphere::radius_of(stretched, sphere.radius, x.off * x.off + y.off * y.off + z.off * z.off)};
 }
 
 }  // namespace plumb

@@ -48,9 +48,9 @@ Support3 of(const Point3& center, const std::array<Vector3, 3>& axes, const Vect
   const std::array<double, 3> reach{std::fabs(half.x), std::fabs(half.y), std::fabs(half.z)};
   BoxVertex ends;
   for (std::uint32_t i = 0; i < 3; ++i)
-    ends.axis(i, sign_of(predicates::Dot3d{}, axes[i], d), reach[i] == 0 || support::is_zero(axes[i]));
+    ends.axis(i, sign_of(predicates::Dot3d{}, axes[i], d), reach[i] == 0 || figure::support::is_zero(axes[i]));
   const auto coordinate = [&](double Point3::*c, double Vector3::*v) {
-    return exact_sum::nearest([&](const auto& number) {
+    return arith::exact_sum::nearest([&](const auto& number) {
       auto sum = number(center.*c);
       for (std::uint32_t i = 0; i < 3; ++i) sum = sum + number(ends.has(i) ? reach[i] : -reach[i]) * number(axes[i].*v);
       return sum;
@@ -58,14 +58,15 @@ Support3 of(const Point3& center, const std::array<Vector3, 3>& axes, const Vect
   };
   const Point3 p{coordinate(&Point3::x, &Vector3::x), coordinate(&Point3::y, &Vector3::y),
                  coordinate(&Point3::z, &Vector3::z)};
-  return {support::within_doubles(p), ends.bits, ends.unique};
+  return {figure::support::within_doubles(p), ends.bits, ends.unique};
 }
 
 }  // namespace
 
 Support2 support_point(const Aabb2& box, const Vector2& direction) {
   require_finite_parts("support_point", Names3{"box.min", "box.max", "direction"}, box.min, box.max, direction);
-  const Support3 s = of(Aabb3{support::raised(box.min), support::raised(box.max)}, support::raised(direction));
+  const Support3 s =
+      of(Aabb3{figure::support::raised(box.min), figure::support::raised(box.max)}, figure::support::raised(direction));
   return {{s.point.x, s.point.y}, s.feature, s.unique};
 }
 
@@ -80,7 +81,7 @@ Support3 support_point(const AabbWidths3& box, const Vector3& direction) {
   const BoxVertex e = aligned(direction, w.x == 0, w.y == 0, w.z == 0);
   const Point3 p{box.min.x + (e.has(0) ? std::fabs(w.x) : 0), box.min.y + (e.has(1) ? std::fabs(w.y) : 0),
                  box.min.z + (e.has(2) ? std::fabs(w.z) : 0)};
-  return {support::within_doubles(p), e.bits, e.unique};
+  return {figure::support::within_doubles(p), e.bits, e.unique};
 }
 
 Support3 support_point(const AabbCenter3& box, const Vector3& direction) {
@@ -89,14 +90,15 @@ Support3 support_point(const AabbCenter3& box, const Vector3& direction) {
   const BoxVertex e = aligned(direction, h.x == 0, h.y == 0, h.z == 0);
   const auto end = [](double center, double half, bool far) { return center + (far ? 1 : -1) * std::fabs(half); };
   const Point3 p{end(box.center.x, h.x, e.has(0)), end(box.center.y, h.y, e.has(1)), end(box.center.z, h.z, e.has(2))};
-  return {support::within_doubles(p), e.bits, e.unique};
+  return {figure::support::within_doubles(p), e.bits, e.unique};
 }
 
 Support2 support_point(const Obb2& box, const Vector2& direction) {
   require_finite_parts("support_point", {"box.center", "box.axes[0]", "box.axes[1]", "box.half", "direction"},
                        box.center, box.axes[0], box.axes[1], box.half, direction);
-  const Support3 s = of(support::raised(box.center), {support::raised(box.axes[0]), support::raised(box.axes[1])},
-                        support::raised(box.half), support::raised(direction));
+  const Support3 s = of(figure::support::raised(box.center),
+                        {figure::support::raised(box.axes[0]), figure::support::raised(box.axes[1])},
+                        figure::support::raised(box.half), figure::support::raised(direction));
   return {{s.point.x, s.point.y}, s.feature, s.unique};
 }
 
@@ -111,7 +113,7 @@ Support3 support_point(const Rectangle3& r, const Vector3& direction) {
   require_finite_parts("support_point",
                        {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half", "direction"},
                        r.center, r.axes[0], r.axes[1], r.half, direction);
-  return of(r.center, {r.axes[0], r.axes[1]}, support::raised(r.half), direction);
+  return of(r.center, {r.axes[0], r.axes[1]}, figure::support::raised(r.half), direction);
 }
 
 }  // namespace plumb

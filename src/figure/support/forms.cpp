@@ -2,7 +2,7 @@
 
 #include "plumb/certify/direction.hpp"
 
-namespace plumb::support {
+namespace plumb::figure::support {
 namespace {
 
 /// Is the direction parallel to the axis from a to b?
@@ -116,4 +116,4 @@ void require(std::string_view function, const Ellipsoid3& s, const Vector3& d) {
                        s.center, s.axes[0], s.axes[1], s.axes[2], s.half, d);
 }
 
-}  // namespace plumb::support
+}  // namespace plumb::figure::support

@@ -9,13 +9,13 @@
 #include "figure/support/input.hpp"
 #include "plumb/figure/basic/round.hpp"
 
-namespace plumb::support {
+namespace plumb::figure::support {
 
-using exact_sum::Number;
-using signed_sums::cross;
-using signed_sums::dot;
-using signed_sums::vector;
-using signed_sums::VectorOf;
+using arith::exact_sum::Number;
+using figure::signed_sums::cross;
+using figure::signed_sums::dot;
+using figure::signed_sums::vector;
+using figure::signed_sums::VectorOf;
 
 struct Choice {
   std::uint32_t feature;
@@ -62,7 +62,7 @@ VectorOf<M> core(const M& number, const Ellipsoid3& s, const Choice&) {
 /// From the core on: w / sqrt(d).
 template <class T>
 struct Rest {
-  signed_sums::Vector<T> w;
+  figure::signed_sums::Vector<T> w;
   T d;
 };
 
@@ -101,7 +101,7 @@ Rest<Number<M>> rest(const M& number, const Cone3& s, const VectorOf<M>& d) {
 template <class M>
 Rest<Number<M>> rest(const M& number, const Ellipsoid3& s, const VectorOf<M>& d) {
   const std::array<double, 3> half{s.half.x, s.half.y, s.half.z};
-  Rest<Number<M>> sum{signed_sums::zero(number), number(0.0)};
+  Rest<Number<M>> sum{figure::signed_sums::zero(number), number(0.0)};
   for (std::size_t i = 0; i < 3; ++i) {
     const VectorOf<M> axis = number(half[i]) * vector(number, s.axes[i]);
     const Number<M> g = dot(axis, d);
@@ -114,12 +114,12 @@ Rest<Number<M>> rest(const M& number, const Ellipsoid3& s, const VectorOf<M>& d)
 /// One number of the answer: `take` makes a number of a vector, its coordinate or its product with the direction.
 template <class Shape, class Take>
 double rounded(Rounding rounding, const Shape& shape, const Vector3& d, const Choice& c, const Take& take) {
-  return radial::rounded(rounding, [&](const auto& number) {
+  return arith::radial::rounded(rounding, [&](const auto& number) {
     using T = Number<std::decay_t<decltype(number)>>;
     const auto k = core(number, shape, c);
-    if (!c.round) return radial::Parts<T>{take(number, k), number(0.0), number(1.0)};
+    if (!c.round) return arith::radial::Parts<T>{take(number, k), number(0.0), number(1.0)};
     const auto r = rest(number, shape, vector(number, d));
-    return radial::Parts<T>{take(number, k), take(number, r.w), r.d};
+    return arith::radial::Parts<T>{take(number, k), take(number, r.w), r.d};
   });
 }
 
@@ -131,4 +131,4 @@ void require(std::string_view function, const Cylinder3& s, const Vector3& d);
 void require(std::string_view function, const Cone3& s, const Vector3& d);
 void require(std::string_view function, const Ellipsoid3& s, const Vector3& d);
 
-}  // namespace plumb::support
+}  // namespace plumb::figure::support

@@ -13,9 +13,9 @@
 #include "arith/vec.hpp"
 #include "plumb/arith/sign.hpp"
 
-namespace plumb::gjk {
+namespace plumb::figure::gjk {
 
-using core::Plain;
+using arith::Plain;
 
 template <class Ends>
 class Simplex {
@@ -60,7 +60,7 @@ class Simplex {
 
   [[nodiscard]] Part edge(std::size_t i, std::size_t j) const {
     const Plain &p = corners_[i].at, d = corners_[j].at - p;
-    const double along = -core::dot(p, d), square = core::dot(d, d);
+    const double along = -arith::dot(p, d), square = arith::dot(d, d);
     if (!(along > 0)) return {{i}, {1}, 1};
     if (!(along < square)) return {{j}, {1}, 1};
     const double t = along / square;
@@ -71,13 +71,13 @@ class Simplex {
   [[nodiscard]] Part triangle(std::size_t i, std::size_t j, std::size_t k) const {
     const Plain &a = corners_[i].at, &b = corners_[j].at, &c = corners_[k].at;
     const Plain ab = b - a, ac = c - a;
-    const double d1 = -core::dot(ab, a), d2 = -core::dot(ac, a);
+    const double d1 = -arith::dot(ab, a), d2 = -arith::dot(ac, a);
     if (d1 <= 0 && d2 <= 0) return {{i}, {1}, 1};
-    const double d3 = -core::dot(ab, b), d4 = -core::dot(ac, b);
+    const double d3 = -arith::dot(ab, b), d4 = -arith::dot(ac, b);
     if (d3 >= 0 && d4 <= d3) return {{j}, {1}, 1};
     const double vc = d1 * d4 - d3 * d2;
     if (vc <= 0 && d1 >= 0 && d3 <= 0) return edge(i, j);
-    const double d5 = -core::dot(ab, c), d6 = -core::dot(ac, c);
+    const double d5 = -arith::dot(ab, c), d6 = -arith::dot(ac, c);
     if (d6 >= 0 && d5 <= d6) return {{k}, {1}, 1};
     const double vb = d5 * d2 - d1 * d6;
     if (vb <= 0 && d2 >= 0 && d6 <= 0) return edge(i, k);
@@ -90,7 +90,7 @@ class Simplex {
   [[nodiscard]] double square_of(const Part& part) const {
     Plain x{0, 0, 0};
     for (std::size_t i = 0; i < part.size; ++i) x = x + corners_[part.index[i]].at * part.weight[i];
-    return core::dot(x, x);
+    return arith::dot(x, x);
   }
 
   [[nodiscard]] Part tetrahedron() const {
@@ -101,8 +101,8 @@ class Simplex {
     double sum = 0;
     bool inside = true;
     for (const auto& [i, j, k, off] : faces) {
-      const Plain &a = corners_[i].at, n = core::cross(corners_[j].at - a, corners_[k].at - a);
-      const double height = core::dot(n, corners_[off].at - a), origin = -core::dot(n, a);
+      const Plain &a = corners_[i].at, n = arith::cross(corners_[j].at - a, corners_[k].at - a);
+      const double height = arith::dot(n, corners_[off].at - a), origin = -arith::dot(n, a);
       weight[off] = height == 0 ? 0 : origin / height;
       sum += weight[off];
       if (weight[off] > 0) continue;
@@ -138,4 +138,4 @@ bool is_around_origin(TripleSign sign) {
   return first != Sign::zero && sign(2, 3, 0) == -first && sign(3, 0, 1) == first && sign(0, 1, 2) == -first;
 }
 
-}  // namespace plumb::gjk
+}  // namespace plumb::figure::gjk

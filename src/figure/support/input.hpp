@@ -10,7 +10,7 @@
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/signed_sums.hpp"
 
-namespace plumb::support {
+namespace plumb::figure::support {
 
 inline void require_radius(std::string_view function, std::string_view part, double radius) {
   if (!(radius < 0)) return;
@@ -45,4 +45,4 @@ inline Point3 within_doubles(const Point3& p) {
   return p;
 }
 
-}  // namespace plumb::support
+}  // namespace plumb::figure::support

@@ -19,9 +19,9 @@
 #include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 
-namespace plumb::near_points {
+namespace plumb::figure::near_points {
 
-using core::Plain;
+using arith::Plain;
 
 inline double sum_of_sizes(const Plain& v) { return magnitude_of(v.x) + magnitude_of(v.y) + magnitude_of(v.z); }
 
@@ -40,7 +40,7 @@ struct NearPoints {
 
   [[nodiscard]] std::optional<Sign> proof(double reach) const {
     constexpr double unsure = 0x1p-47, more = 1 + 0x1p-40, tiny = 0x1p-1060, guard = 0x1p-900, most = 0x1p250;
-    const double square = core::dot(off, off), inner = reach - unsure * (sizes + reach);
+    const double square = arith::dot(off, off), inner = reach - unsure * (sizes + reach);
     const double above = low - (unsure * sizes * sum_of_sizes(off) + guard);
     const int near = static_cast<int>(inner > 0) & static_cast<int>(square * more + guard < inner * inner);
     const int far =
@@ -51,13 +51,13 @@ struct NearPoints {
 };
 
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Triangle3& t, const Point3& center, double radius) {
-  const Plain a = core::vec<double>(t.a), ab = core::vec<double>(t.b) - a, ac = core::vec<double>(t.c) - a,
-              p = core::vec<double>(center), ap = p - a;
+  const Plain a = arith::vec<double>(t.a), ab = arith::vec<double>(t.b) - a, ac = arith::vec<double>(t.c) - a,
+              p = arith::vec<double>(center), ap = p - a;
   // Weights of the corners at the nearest point, times their sum.
   double u = 0, v = 0, w = 0;
-  const double d1 = core::dot(ab, ap), d2 = core::dot(ac, ap);
+  const double d1 = arith::dot(ab, ap), d2 = arith::dot(ac, ap);
   const Plain bp = ap - ab, cp = ap - ac;
-  const double d3 = core::dot(ab, bp), d4 = core::dot(ac, bp), d5 = core::dot(ab, cp), d6 = core::dot(ac, cp);
+  const double d3 = arith::dot(ab, bp), d4 = arith::dot(ac, bp), d5 = arith::dot(ab, cp), d6 = arith::dot(ac, cp);
   const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
   if (d1 <= 0 && d2 <= 0) {
     u = 1;
@@ -78,35 +78,37 @@ struct NearPoints {
   v *= share, w *= share;
   if (!(v >= 0 && w >= 0 && v + w <= 1 + 0x1p-51)) return {};
   const Plain off = ap - ab * v - ac * w;
-  const double back = core::dot(off, ab), other = core::dot(off, ac);
-  const double low = core::dot(off, ap) - (back > other ? (back > 0 ? back : 0) : (other > 0 ? other : 0));
+  const double back = arith::dot(off, ab), other = arith::dot(off, ac);
+  const double low = arith::dot(off, ap) - (back > other ? (back > 0 ? back : 0) : (other > 0 ? other : 0));
   return NearPoints{off, low, sum_of_sizes(ap) + (sum_of_sizes(ab) + sum_of_sizes(ac))}.proof(radius);
 }
 
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Obb3& box, const Point3& center, double radius) {
-  const Plain d = core::vec<double>(center) - core::vec<double>(box.center);
+  const Plain d = arith::vec<double>(center) - arith::vec<double>(box.center);
   const std::array half{magnitude_of(box.half.x), magnitude_of(box.half.y), magnitude_of(box.half.z)};
-  const std::array axis{core::vec<double>(box.axes[0]), core::vec<double>(box.axes[1]), core::vec<double>(box.axes[2])};
+  const std::array axis{arith::vec<double>(box.axes[0]), arith::vec<double>(box.axes[1]),
+                        arith::vec<double>(box.axes[2])};
   Plain off = d;
   double sizes = sum_of_sizes(d);
   for (std::size_t i = 0; i < 3; ++i) {
-    const double square = core::dot(axis[i], axis[i]);
-    const double t = square > 0 ? std::clamp(core::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
+    const double square = arith::dot(axis[i], axis[i]);
+    const double t = square > 0 ? std::clamp(arith::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
     off = off - axis[i] * t;
     sizes += half[i] * sum_of_sizes(axis[i]);
   }
-  double low = core::dot(off, d);
+  double low = arith::dot(off, d);
   // With the half extent first: what a product loses by underflow would grow with it.
-  for (std::size_t i = 0; i < 3; ++i) low -= magnitude_of(core::dot(off, axis[i] * half[i]));
+  for (std::size_t i = 0; i < 3; ++i) low -= magnitude_of(arith::dot(off, axis[i] * half[i]));
   return NearPoints{off, low, sizes}.proof(radius);
 }
 
 /// Of two segments pq and xy.
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Segment3& pq, const Segment3& xy, double radius_pq,
                                                       double radius_xy) {
-  const Plain p = core::vec<double>(pq.a), x = core::vec<double>(xy.a), d = core::vec<double>(pq.b) - p,
-              e = core::vec<double>(xy.b) - x, r = p - x;
-  const double a = core::dot(d, d), c = core::dot(e, e), f = core::dot(e, r), g = core::dot(d, r), b = core::dot(d, e);
+  const Plain p = arith::vec<double>(pq.a), x = arith::vec<double>(xy.a), d = arith::vec<double>(pq.b) - p,
+              e = arith::vec<double>(xy.b) - x, r = p - x;
+  const double a = arith::dot(d, d), c = arith::dot(e, e), f = arith::dot(e, r), g = arith::dot(d, r),
+               b = arith::dot(d, e);
   const double area = a * c - b * b;
   double s = area > 0 ? std::clamp((b * f - g * c) / area, 0.0, 1.0) : 0;
   double t = c > 0 ? (b * s + f) / c : 0;
@@ -118,8 +120,8 @@ struct NearPoints {
     s = a > 0 ? std::clamp((b - g) / a, 0.0, 1.0) : 0;
   }
   const Plain off = r + d * s - e * t;
-  const double up = core::dot(off, d), down = -core::dot(off, e);
-  const double low = core::dot(off, r) + (std::min(up, 0.0) + std::min(down, 0.0));
+  const double up = arith::dot(off, d), down = -arith::dot(off, e);
+  const double low = arith::dot(off, r) + (std::min(up, 0.0) + std::min(down, 0.0));
   if (!(radius_pq >= 0 && radius_xy >= 0)) return {};
   return NearPoints{off, low, sum_of_sizes(r) + (sum_of_sizes(d) + sum_of_sizes(e))}.proof(radius_pq + radius_xy);
 }
@@ -135,8 +137,8 @@ struct NearPoints {
       past(box.min.z, box.max.z, pq.a.z, pq.b.z))
     return Sign::positive;
   constexpr int most_rounds = 12;
-  const Plain p = core::vec<double>(pq.a), d = core::vec<double>(pq.b) - p;
-  const double square = core::dot(d, d);
+  const Plain p = arith::vec<double>(pq.a), d = arith::vec<double>(pq.b) - p;
+  const double square = arith::dot(d, d);
   double s = 0.5;
   for (int round = 0; round < most_rounds; ++round) {
     const Plain at = p + d * s;
@@ -147,7 +149,7 @@ struct NearPoints {
     const Plain near{corner(off.x, box.min.x, box.max.x), corner(off.y, box.min.y, box.max.y),
                      corner(off.z, box.min.z, box.max.z)};
     const Plain from_near = p - near;
-    const double along = core::dot(off, d), low = core::dot(off, from_near) + std::min(along, 0.0);
+    const double along = arith::dot(off, d), low = arith::dot(off, from_near) + std::min(along, 0.0);
     const double sizes = sum_of_sizes(from_q) + (sum_of_sizes(from_near) + sum_of_sizes(d));
     if (const auto sign = NearPoints{off, low, sizes}.proof(radius)) return sign;
     const double next = square > 0 ? std::clamp(s - along / square, 0.0, 1.0) : 0;
@@ -157,4 +159,4 @@ struct NearPoints {
   return {};
 }
 
-}  // namespace plumb::near_points
+}  // namespace plumb::figure::near_points

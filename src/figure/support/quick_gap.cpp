@@ -5,11 +5,11 @@
 
 #include "figure/support/near_points.hpp"
 #include "plumb/certify/decide.hpp"
-#include "plumb/certify/gap_filter.hpp"
+#include "plumb/certify/detail/gap_filter.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/predicates/cross.hpp"
 
-namespace plumb::swept {
+namespace plumb::figure::swept {
 namespace {
 
 using predicates::argument, predicates::difference, predicates::dot, predicates::Triple;
@@ -99,7 +99,7 @@ std::optional<Vector3> shortened(const Vector3& n) {
 
 std::optional<Sign> quick_gap(const Capsule3& a, const Capsule3& b) {
   assert_sound_thread();
-  return near_points::quick_gap(Segment3{a.a, a.b}, Segment3{b.a, b.b}, a.radius, b.radius);
+  return figure::near_points::quick_gap(Segment3{a.a, a.b}, Segment3{b.a, b.b}, a.radius, b.radius);
 }
 
 std::optional<Sign> quick_gap(const Lozenge3& a, const Lozenge3& b) {
@@ -122,4 +122,4 @@ std::optional<Sign> quick_gap(const Lozenge3& a, const Lozenge3& b) {
   return Sign::positive;
 }
 
-}  // namespace plumb::swept
+}  // namespace plumb::figure::swept

@@ -12,9 +12,9 @@
 #include "plumb/arith/sign.hpp"
 #include "plumb/figure/basic/round.hpp"
 
-namespace plumb::swept {
+namespace plumb::figure::swept {
 
 std::optional<Sign> quick_gap(const Capsule3& a, const Capsule3& b);
 std::optional<Sign> quick_gap(const Lozenge3& a, const Lozenge3& b);
 
-}  // namespace plumb::swept
+}  // namespace plumb::figure::swept

@@ -6,20 +6,20 @@ namespace {
 
 template <class Shape>
 Support3 of(const Shape& shape, const Vector3& direction) {
-  const Vector3 d = support::handy(direction);
-  const support::Choice c = support::choose(shape, d);
-  const auto nearest = [&](const auto& take) { return support::rounded(Rounding::nearest, shape, d, c, take); };
+  const Vector3 d = figure::support::handy(direction);
+  const figure::support::Choice c = figure::support::choose(shape, d);
+  const auto nearest = [&](const auto& take) { return figure::support::rounded(Rounding::nearest, shape, d, c, take); };
   const Point3 p{nearest([](const auto&, const auto& v) { return v.x; }),
                  nearest([](const auto&, const auto& v) { return v.y; }),
                  nearest([](const auto&, const auto& v) { return v.z; })};
-  return {support::within_doubles(p), c.feature, c.unique};
+  return {figure::support::within_doubles(p), c.feature, c.unique};
 }
 
 Support2 flat(const Support3& s) { return {{s.point.x, s.point.y}, s.feature, s.unique}; }
 
 template <class Shape>
 Support3 checked(const Shape& shape, const Vector3& direction) {
-  support::require("support_point", shape, direction);
+  figure::support::require("support_point", shape, direction);
   return of(shape, direction);
 }
 
@@ -27,14 +27,15 @@ Support3 checked(const Shape& shape, const Vector3& direction) {
 
 Support2 support_point(const Circle2& s, const Vector2& direction) {
   require_finite_parts("support_point", {"circle.center", "circle.radius", "direction"}, s.center, s.radius, direction);
-  support::require_radius("support_point", "circle.radius", s.radius);
-  return flat(of(Sphere3{support::raised(s.center), s.radius}, support::raised(direction)));
+  figure::support::require_radius("support_point", "circle.radius", s.radius);
+  return flat(of(Sphere3{figure::support::raised(s.center), s.radius}, figure::support::raised(direction)));
 }
 Support2 support_point(const Capsule2& s, const Vector2& direction) {
   require_finite_parts("support_point", {"capsule.a", "capsule.b", "capsule.radius", "direction"}, s.a, s.b, s.radius,
                        direction);
-  support::require_radius("support_point", "capsule.radius", s.radius);
-  return flat(of(Capsule3{support::raised(s.a), support::raised(s.b), s.radius}, support::raised(direction)));
+  figure::support::require_radius("support_point", "capsule.radius", s.radius);
+  return flat(of(Capsule3{figure::support::raised(s.a), figure::support::raised(s.b), s.radius},
+                 figure::support::raised(direction)));
 }
 
 Support3 support_point(const Sphere3& s, const Vector3& direction) { return checked(s, direction); }

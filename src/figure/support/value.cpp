@@ -1,5 +1,5 @@
+#include "certify/rounded.hpp"
 #include "figure/support/forms.hpp"
-#include "plumb/certify/rounded.hpp"
 #include "plumb/figure/support/support.hpp"
 
 namespace plumb {
@@ -11,10 +11,10 @@ double at_vertex(Rounding rounding, const Vector3& direction, const Point3& vert
 
 template <class Shape>
 double of_round(const Shape& shape, const Vector3& direction, Rounding rounding) {
-  support::require("support_value", shape, direction);
-  const support::Choice c = support::choose(shape, direction);
-  return support::rounded(rounding, shape, direction, c, [&](const auto& number, const auto& v) {
-    return signed_sums::dot(v, signed_sums::vector(number, direction));
+  figure::support::require("support_value", shape, direction);
+  const figure::support::Choice c = figure::support::choose(shape, direction);
+  return figure::support::rounded(rounding, shape, direction, c, [&](const auto& number, const auto& v) {
+    return figure::signed_sums::dot(v, figure::signed_sums::vector(number, direction));
   });
 }
 
@@ -37,11 +37,12 @@ double support_value(const Obb3& box, const Vector3& direction, Rounding roundin
   std::array<double, 3> times{};  // half_i with the sign of axes_i . direction
   for (std::size_t i = 0; i < 3; ++i)
     times[i] = sign_of(predicates::Dot3d{}, box.axes[i], direction) == Sign::negative ? -half[i] : half[i];
-  return radial::rounded(rounding, [&](const auto& number) {
-    using T = exact_sum::Number<std::decay_t<decltype(number)>>;
-    auto sum = signed_sums::vector(number, box.center);
-    for (std::size_t i = 0; i < 3; ++i) sum = sum + number(times[i]) * signed_sums::vector(number, box.axes[i]);
-    return radial::Parts<T>{signed_sums::dot(sum, signed_sums::vector(number, direction)), number(0.0), number(1.0)};
+  return arith::radial::rounded(rounding, [&](const auto& number) {
+    using T = arith::exact_sum::Number<std::decay_t<decltype(number)>>;
+    auto sum = figure::signed_sums::vector(number, box.center);
+    for (std::size_t i = 0; i < 3; ++i) sum = sum + number(times[i]) * figure::signed_sums::vector(number, box.axes[i]);
+    return arith::radial::Parts<T>{figure::signed_sums::dot(sum, figure::signed_sums::vector(number, direction)),
+                                   number(0.0), number(1.0)};
   });
 }
 

@@ -20,22 +20,23 @@
 #include "plumb/arith/interval.hpp"
 #include "plumb/figure/basic/round.hpp"
 
-namespace plumb::core {
+namespace plumb::figure::swept {
 
 template <class T>
 struct Edge {
-  Vec<T> from, along;
+  arith::Vec<T> from, along;
 };
 
 template <class T>
 struct Core {
-  std::vector<Vec<T>> vertices;
+  std::vector<arith::Vec<T>> vertices;
   std::vector<Edge<T>> edges;
   bool has_face = false;  // maybe one without area
 };
 
 template <class T>
-Core<T> core_of(const Vec<T>& corner, const Vec<T>& e, const Vec<T>& f, bool e_is_zero, bool f_is_zero) {
+Core<T> core_of(const arith::Vec<T>& corner, const arith::Vec<T>& e, const arith::Vec<T>& f, bool e_is_zero,
+                bool f_is_zero) {
   Core<T> c{{corner}, {}, !e_is_zero && !f_is_zero};
   if (!e_is_zero) c.vertices.push_back(corner + e), c.edges.push_back({corner, e});
   if (!f_is_zero) c.vertices.push_back(corner + f), c.edges.push_back({corner, f});
@@ -48,17 +49,18 @@ Core<T> core_of(const Vec<T>& corner, const Vec<T>& e, const Vec<T>& f, bool e_i
 }
 template <class T>
 Core<T> core_of(const Point3& p) {
-  return {{vec<T>(p)}, {}, false};
+  return {{arith::vec<T>(p)}, {}, false};
 }
 template <class T>
 Core<T> core_of(const Capsule3& c) {
-  const Vec<T> a = vec<T>(c.a), e = vec<T>(c.b) - a;
+  const arith::Vec<T> a = arith::vec<T>(c.a), e = arith::vec<T>(c.b) - a;
   return core_of(a, e, e, c.a == c.b, true);
 }
 template <class T>
 Core<T> core_of(const Lozenge3& l) {
   const Vector3 zero{0, 0, 0};
-  return core_of(vec<T>(l.corner), vec<T>(l.edges[0]), vec<T>(l.edges[1]), l.edges[0] == zero, l.edges[1] == zero);
+  return core_of(arith::vec<T>(l.corner), arith::vec<T>(l.edges[0]), arith::vec<T>(l.edges[1]), l.edges[0] == zero,
+                 l.edges[1] == zero);
 }
 
 template <class T, class Ask>
@@ -67,17 +69,17 @@ bool between(Ask& ask, const T& x, const T& most) {
 }
 
 template <class T, class Ask, class Visit>
-void vertex_edge(const Vec<T>& v, const Edge<T>& e, Ask& ask, Visit visit) {
-  const Vec<T> w = v - e.from, d = e.along;
+void vertex_edge(const arith::Vec<T>& v, const Edge<T>& e, Ask& ask, Visit visit) {
+  const arith::Vec<T> w = v - e.from, d = e.along;
   const T square = dot(d, d);
   if (!between(ask, dot(w, d), square)) return;
-  const Vec<T> c = cross(w, d);
+  const arith::Vec<T> c = cross(w, d);
   visit(dot(c, c), square);
 }
 
 template <class T, class Ask, class Visit>
 void edge_edge(const Edge<T>& p, const Edge<T>& q, Ask& ask, Visit visit) {
-  const Vec<T> n = cross(p.along, q.along), w = q.from - p.from;
+  const arith::Vec<T> n = cross(p.along, q.along), w = q.from - p.from;
   const T square = dot(n, n);
   if (ask(square) != Sign::positive) return;
   if (!between(ask, dot(w, cross(q.along, n)), square) || !between(ask, dot(w, cross(p.along, n)), square)) return;
@@ -87,27 +89,27 @@ void edge_edge(const Edge<T>& p, const Edge<T>& q, Ask& ask, Visit visit) {
 
 template <class T>
 struct Face {
-  Vec<T> corner, e, f, normal;
+  arith::Vec<T> corner, e, f, normal;
   T square;
 };
 
 template <class T>
 Face<T> face_of(const Core<T>& c) {
-  const Vec<T> e = c.edges[0].along, f = c.edges[1].along, n = cross(e, f);
+  const arith::Vec<T> e = c.edges[0].along, f = c.edges[1].along, n = cross(e, f);
   return {c.vertices[0], e, f, n, dot(n, n)};
 }
 
 // Is corner + w / scale in the parallelogram, as seen along its normal?
 template <class T, class Ask>
-bool projects_into(const Face<T>& face, const Vec<T>& w, const T& scale, Ask& ask) {
+bool projects_into(const Face<T>& face, const arith::Vec<T>& w, const T& scale, Ask& ask) {
   const T most = face.square * scale;
   return between(ask, dot(cross(w, face.f), face.normal), most) &&
          between(ask, dot(cross(face.e, w), face.normal), most);
 }
 
 template <class T, class Ask, class Visit>
-void vertex_face(const Vec<T>& v, const Face<T>& face, Ask& ask, Visit visit) {
-  const Vec<T> w = v - face.corner;
+void vertex_face(const arith::Vec<T>& v, const Face<T>& face, Ask& ask, Visit visit) {
+  const arith::Vec<T> w = v - face.corner;
   if (!projects_into(face, w, T(1.0), ask)) return;
   const T gap = dot(w, face.normal);
   visit(gap * gap, face.square);
@@ -115,7 +117,7 @@ void vertex_face(const Vec<T>& v, const Face<T>& face, Ask& ask, Visit visit) {
 
 template <class T, class Ask, class Visit>
 void edge_face(const Edge<T>& e, const Face<T>& face, Ask& ask, Visit visit) {
-  const Vec<T> w = e.from - face.corner;
+  const arith::Vec<T> w = e.from - face.corner;
   const T from = dot(w, face.normal), change = dot(e.along, face.normal);
   const Sign start = ask(from), end = ask(from + change);
   if (start * end == Sign::positive || (start == Sign::zero && end == Sign::zero)) return;
@@ -128,17 +130,17 @@ void edge_face(const Edge<T>& e, const Face<T>& face, Ask& ask, Visit visit) {
 /// Calls visit(numerator, denominator) for the squares of the distances that may be the least.
 template <class T, class Ask, class Visit>
 void visit_distances(const Core<T>& p, const Core<T>& q, Ask& ask, Visit visit) {
-  for (const Vec<T>& v : p.vertices) {
-    for (const Vec<T>& w : q.vertices) visit(dot(v - w, v - w), T(1.0));
+  for (const arith::Vec<T>& v : p.vertices) {
+    for (const arith::Vec<T>& w : q.vertices) visit(dot(v - w, v - w), T(1.0));
   }
   for (const auto& [a, b] : {std::pair{&p, &q}, std::pair{&q, &p}}) {
-    for (const Vec<T>& v : a->vertices) {
+    for (const arith::Vec<T>& v : a->vertices) {
       for (const Edge<T>& e : b->edges) vertex_edge(v, e, ask, visit);
     }
     if (!b->has_face) continue;
     const Face<T> face = face_of(*b);
     if (ask(face.square) != Sign::positive) continue;
-    for (const Vec<T>& v : a->vertices) vertex_face(v, face, ask, visit);
+    for (const arith::Vec<T>& v : a->vertices) vertex_face(v, face, ask, visit);
     for (const Edge<T>& e : a->edges) edge_face(e, face, ask, visit);
   }
   for (const Edge<T>& e : p.edges) {
@@ -146,4 +148,4 @@ void visit_distances(const Core<T>& p, const Core<T>& q, Ask& ask, Visit visit) 
   }
 }
 
-}  // namespace plumb::core
+}  // namespace plumb::figure::swept

@@ -16,7 +16,7 @@
 namespace plumb {
 namespace {
 
-using core::Vec;
+using arith::Vec;
 
 constexpr double largest = std::numeric_limits<double>::max();
 
@@ -55,21 +55,21 @@ struct Disk {
 
 Vec<Interval> image(const Pose& pose, const Point3& p) {
   const auto& [c, t] = pose;
-  const Vec<Interval> v = core::vec<Interval>(p);
-  return core::vec<Interval>(c[0]) * v.x + core::vec<Interval>(c[1]) * v.y + core::vec<Interval>(c[2]) * v.z +
-         core::vec<Interval>(t);
+  const Vec<Interval> v = arith::vec<Interval>(p);
+  return arith::vec<Interval>(c[0]) * v.x + arith::vec<Interval>(c[1]) * v.y + arith::vec<Interval>(c[2]) * v.z +
+         arith::vec<Interval>(t);
 }
 
 /// At both ends; all of the cylinder is between them.
 std::array<Disk, 2> disks(const Cylinder3& cylinder, const Pose& pose) {
   const auto& [a, b, radius] = cylinder;
-  const Vec<Interval> along = core::vec<Interval>(b) - core::vec<Interval>(a);
+  const Vec<Interval> along = arith::vec<Interval>(b) - arith::vec<Interval>(a);
   double most = 0;
-  for (const Vector3& c : pose.columns) most = std::max(most, frame::largest(c));
-  const int e = frame::exponent(most);
-  const auto column = [&](std::size_t k) { return scaled(core::vec<Interval>(pose.columns[k]), -e); };
+  for (const Vector3& c : pose.columns) most = std::max(most, figure::frame::largest(c));
+  const int e = figure::frame::exponent(most);
+  const auto column = [&](std::size_t k) { return scaled(arith::vec<Interval>(pose.columns[k]), -e); };
   const Disk disk{image(pose, a),
-                  scaled(along, -frame::exponent(std::min(size(along), largest))),
+                  scaled(along, -figure::frame::exponent(std::min(size(along), largest))),
                   {column(0), column(1), column(2)},
                   scaled(Interval(radius), e),
                   scaled(Interval(largest_stretch(pose)), -e)};
@@ -80,16 +80,17 @@ std::array<Disk, 2> disks(const Cylinder3& cylinder, const Pose& pose) {
 
 /// Around all disks along a direction of length about one; nothing where no double holds it.
 std::optional<Cylinder3> enclosing(std::span<const Disk> disks, const Vector3& direction, int exponent) {
-  const auto axes = frame::orthonormal({direction, {0, 0, 0}, {0, 0, 0}});
+  const auto axes = figure::frame::orthonormal({direction, {0, 0, 0}, {0, 0, 0}});
   std::vector<Circle2> across;
   double least = largest, most = -largest;
   for (const Disk& d : disks) {
     const Vector3 c = middle(scaled(d.center, -exponent));
-    const double reach = scaled(d.reach(core::vec<Interval>(axes[0])), -exponent).upper,
+    const double reach = scaled(d.reach(arith::vec<Interval>(axes[0])), -exponent).upper,
                  around = scaled(d.radius * d.stretch, -exponent).upper;
     if (!(reach < largest && around < largest)) return {};
-    across.push_back({{frame::dot(c, axes[1]), frame::dot(c, axes[2])}, around});
-    least = std::min(least, frame::dot(c, axes[0]) - reach), most = std::max(most, frame::dot(c, axes[0]) + reach);
+    across.push_back({{figure::frame::dot(c, axes[1]), figure::frame::dot(c, axes[2])}, around});
+    least = std::min(least, figure::frame::dot(c, axes[0]) - reach),
+    most = std::max(most, figure::frame::dot(c, axes[0]) + reach);
   }
   const Point2 spot = minimum_circle(across).circle.center;
   const auto end = [&](double along) {
@@ -100,7 +101,7 @@ std::optional<Cylinder3> enclosing(std::span<const Disk> disks, const Vector3& d
     return Point3{world([](const Vector3& v) { return v.x; }), world([](const Vector3& v) { return v.y; }),
                   world([](const Vector3& v) { return v.z; })};
   };
-  const auto local = [&](const Point3& p) { return scaled(core::vec<Interval>(p), -exponent); };
+  const auto local = [&](const Point3& p) { return scaled(arith::vec<Interval>(p), -exponent); };
   for (double margin = std::max(0x1p-51, std::ldexp(1.0, -1070 - exponent)); margin < 4; margin *= 4) {
     Cylinder3 c{end(least - margin), end(most + margin), 0};
     const Vec<Interval> a = local(c.a), b = local(c.b), along = b - a;
@@ -126,18 +127,19 @@ std::optional<Cylinder3> enclosing(std::span<const Disk> disks, const Vector3& d
 Cylinder3 around(std::string_view function, std::span<const Disk> disks, std::vector<Vector3> directions) {
   double most = 0;
   for (const Disk& d : disks) most = std::max({most, size(d.center), size(d.radius * d.stretch)});
-  const int exponent = frame::exponent(figure::within_doubles(most, function, "a corner"));
+  const int exponent = figure::frame::exponent(figure::within_doubles(most, function, "a corner"));
   directions.push_back({1, 0, 0});
   std::optional<Cylinder3> best;
   double best_volume = 0;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    const Vector3 u = frame::unit(directions[i]);
-    if (!(frame::largest(u) > 0) || (best && i + 1 == directions.size())) continue;
+    const Vector3 u = figure::frame::unit(directions[i]);
+    if (!(figure::frame::largest(u) > 0) || (best && i + 1 == directions.size())) continue;
     const auto c = enclosing(disks, u, exponent);
     if (!c) continue;
     const double r = std::ldexp(c->radius, -exponent),
-                 h = std::ldexp(frame::largest({c->b.x - c->a.x, c->b.y - c->a.y, c->b.z - c->a.z}), -exponent) /
-                     frame::largest(u);
+                 h = std::ldexp(figure::frame::largest({c->b.x - c->a.x, c->b.y - c->a.y, c->b.z - c->a.z}),
+                                -exponent) /
+                     figure::frame::largest(u);
     if (!best || r * r * h < best_volume) best = c, best_volume = r * r * h;
   }
   if (!best) figure::within_doubles(HUGE_VAL, function, "radius");
@@ -150,7 +152,7 @@ void check(std::string_view function, std::string_view name, const Cylinder3& c)
   const std::string a = std::string(name).append(".a"), b = std::string(name).append(".b"),
                     radius = std::string(name).append(".radius");
   figure::require_finite_parts(function, {a, b, radius}, c.a, c.b, c.radius);
-  swept::check_radius(function, name, c.radius);
+  figure::swept::check_radius(function, name, c.radius);
 }
 
 Vector3 halved_difference(const Point3& a, const Point3& b) {
@@ -161,7 +163,7 @@ Capsule3 capsule_around(const Cylinder3& c) { return {c.a, c.b, c.radius}; }
 
 /// Does a plane across the axis of one, at an end of it, leave all of the other beyond?
 bool are_parted_by_an_end(const Cylinder3& one, const Cylinder3& other, int exponent) {
-  const auto local = [&](const Point3& p) { return scaled(core::vec<Interval>(p), -exponent); };
+  const auto local = [&](const Point3& p) { return scaled(arith::vec<Interval>(p), -exponent); };
   const Vec<Interval> from = local(one.a), along = local(one.b) - from;
   const Interval length = dot(along, along);
   if (!(length.lower > 0)) return false;
@@ -181,8 +183,8 @@ bool may_overlap(const Cylinder3& a, const Cylinder3& b) {
   check("may_overlap", "b", b);
   if (!intersects(capsule_around(a), capsule_around(b))) return false;
   double most = std::max(a.radius, b.radius);
-  for (const Point3& p : {a.a, a.b, b.a, b.b}) most = std::max(most, frame::largest({p.x, p.y, p.z}));
-  const int exponent = frame::exponent(most);
+  for (const Point3& p : {a.a, a.b, b.a, b.b}) most = std::max(most, figure::frame::largest({p.x, p.y, p.z}));
+  const int exponent = figure::frame::exponent(most);
   return !are_parted_by_an_end(a, b, exponent) && !are_parted_by_an_end(b, a, exponent);
 }
 
@@ -209,14 +211,16 @@ Cylinder3 transform(const Cylinder3& cylinder, const Pose& pose) {
       "transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0], c[1], c[2], t);
   const auto all = disks(cylinder, pose);
   // Along the image of the axis; where that is a point, across the image of the disk.
-  const auto axes = frame::orthonormal({halved_difference(cylinder.a, cylinder.b), {0, 0, 0}, {0, 0, 0}});
+  const auto axes = figure::frame::orthonormal({halved_difference(cylinder.a, cylinder.b), {0, 0, 0}, {0, 0, 0}});
   const auto turned = [&pose](const Vector3& v) {
-    const auto column = [&](std::size_t k, double by) { return frame::times(frame::unit(pose.columns[k]), by); };
-    return frame::plus(frame::plus(column(0, v.x), column(1, v.y)), column(2, v.z));
+    const auto column = [&](std::size_t k, double by) {
+      return figure::frame::times(figure::frame::unit(pose.columns[k]), by);
+    };
+    return figure::frame::plus(figure::frame::plus(column(0, v.x), column(1, v.y)), column(2, v.z));
   };
   const Vector3 along = halved_difference({middle(all[0].center.x), middle(all[0].center.y), middle(all[0].center.z)},
                                           {middle(all[1].center.x), middle(all[1].center.y), middle(all[1].center.z)});
-  return around("transform", all, {along, frame::cross(turned(axes[1]), turned(axes[2]))});
+  return around("transform", all, {along, figure::frame::cross(turned(axes[1]), turned(axes[2]))});
 }
 
 }  // namespace plumb

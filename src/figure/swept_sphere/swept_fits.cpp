@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/measures/local_frame.hpp"
 #include "figure/swept_sphere/swept_guess.hpp"
 #include "figure/swept_sphere/swept_reach.hpp"
-#include "plumb/certify/rounded.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"
 
@@ -62,9 +62,9 @@ bool is_certainly_within(const Lozenge3& l, const Point3& p) {
 template <class Shape>
 bool reaches_all(std::span<const Point3> points, Shape& shape) {
   shape.radius = 0;
-  if (!swept::is_finite(shape)) return false;
+  if (!figure::swept::is_finite(shape)) return false;
   for (const Point3& p : points) {
-    if (!is_certainly_within(shape, p)) shape.radius = std::max(shape.radius, swept::distance_up(p, shape));
+    if (!is_certainly_within(shape, p)) shape.radius = std::max(shape.radius, figure::swept::distance_up(p, shape));
     if (!(shape.radius < std::numeric_limits<double>::infinity())) return false;
   }
   return true;
@@ -73,7 +73,7 @@ bool reaches_all(std::span<const Point3> points, Shape& shape) {
 template <class Shape>
 Shape smallest(std::string_view function, std::span<const Point3> points, std::vector<Shape> candidates) {
   std::erase_if(candidates, [&](Shape& s) { return !reaches_all(points, s); });
-  return swept::smallest(function, candidates);
+  return figure::swept::smallest(function, candidates);
 }
 
 void check_points(std::string_view function, std::span<const Point3> points) {
@@ -81,8 +81,8 @@ void check_points(std::string_view function, std::span<const Point3> points) {
   figure::require_finite_points(function, "points", points);
 }
 
-std::vector<swept::LocalBall> balls(const LocalFrame& frame, std::span<const Point3> points) {
-  std::vector<swept::LocalBall> all;
+std::vector<figure::swept::LocalBall> balls(const LocalFrame& frame, std::span<const Point3> points) {
+  std::vector<figure::swept::LocalBall> all;
   all.reserve(points.size());
   for (const Point3& p : points) all.push_back({frame.local(p), 0});
   return all;
@@ -123,7 +123,7 @@ bool lies_between(const Point3& p, const Point3& a, const Point3& b) {
 Capsule3 fit_capsule(std::span<const Point3> points) {
   check_points("fit_capsule", points);
   const LocalFrame frame = figure::principal_frame(points);
-  std::vector<Capsule3> candidates{swept::guess_capsule(frame, balls(frame, points))};
+  std::vector<Capsule3> candidates{figure::swept::guess_capsule(frame, balls(frame, points))};
   // The segment between the extremal points themselves: exact for points on a line.
   const auto order = [&](const Point3& p, const Point3& q) {
     return sign_of(predicates::OrderAlongDirection3d{}, p, q, frame.axes[0]) == Sign::negative;
@@ -136,7 +136,7 @@ Capsule3 fit_capsule(std::span<const Point3> points) {
 Lozenge3 fit_lozenge(std::span<const Point3> points) {
   check_points("fit_lozenge", points);
   const LocalFrame frame = figure::principal_frame(points);
-  return smallest("fit_lozenge", points, swept::guess_lozenges(frame, balls(frame, points)));
+  return smallest("fit_lozenge", points, figure::swept::guess_lozenges(frame, balls(frame, points)));
 }
 
 Cylinder3 fit_cylinder(std::span<const Point3> points) {

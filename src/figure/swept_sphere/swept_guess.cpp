@@ -10,7 +10,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
 
-namespace plumb::swept {
+namespace plumb::figure::swept {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -133,4 +133,4 @@ Lozenge3 smallest(std::string_view function, const std::vector<Lozenge3>& candid
   return of_least_volume(function, candidates);
 }
 
-}  // namespace plumb::swept
+}  // namespace plumb::figure::swept

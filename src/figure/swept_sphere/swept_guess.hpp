@@ -11,7 +11,7 @@
 #include "figure/measures/local_frame.hpp"
 #include "plumb/figure/basic/round.hpp"
 
-namespace plumb::swept {
+namespace plumb::figure::swept {
 
 /// In local coordinates of the frame.
 struct LocalBall {
@@ -31,4 +31,4 @@ bool is_finite(const Lozenge3& l);
 Capsule3 smallest(std::string_view function, const std::vector<Capsule3>& candidates);
 Lozenge3 smallest(std::string_view function, const std::vector<Lozenge3>& candidates);
 
-}  // namespace plumb::swept
+}  // namespace plumb::figure::swept

@@ -6,7 +6,7 @@
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/figure/basic/round.hpp"
 
-namespace plumb::swept {
+namespace plumb::figure::swept {
 
 /// Throws InvalidShape for a negative radius.
 inline void check_radius(std::string_view function, std::string_view name, double radius) {
@@ -29,4 +29,4 @@ inline void check(std::string_view function, std::string_view name, const Lozeng
   check_radius(function, name, l.radius);
 }
 
-}  // namespace plumb::swept
+}  // namespace plumb::figure::swept

@@ -14,17 +14,17 @@
 namespace plumb {
 namespace {
 
-using core::Vec;
-using swept::check;
+using arith::Vec;
+using figure::swept::check;
 
 // The corners of the core: a swept sphere lies in a convex set with all sides curved alike when its corners' balls do.
 template <class T>
 std::vector<Vec<T>> vertices(const Capsule3& c) {
-  return core::core_of<T>(c).vertices;
+  return figure::swept::core_of<T>(c).vertices;
 }
 template <class T>
 std::vector<Vec<T>> vertices(const Lozenge3& l) {
-  return core::core_of<T>(l).vertices;
+  return figure::swept::core_of<T>(l).vertices;
 }
 
 // Of the greatest distance of the inner core from the outer one, against the difference of the radii.
@@ -32,11 +32,11 @@ template <class T, class Shape>
 Unsure<Sign> sign_of_excess(const Shape& outer, const Shape& inner) {
   CertainSigns ask;
   const T left = T(outer.radius) - T(inner.radius), square = left * left;
-  const core::Core<T> core = core::core_of<T>(outer);
+  const figure::swept::Core<T> core = figure::swept::core_of<T>(outer);
   Sign most = Sign::negative;
   for (const Vec<T>& v : vertices<T>(inner)) {
     Sign least = Sign::positive;
-    core::visit_distances({{v}, {}, false}, core, ask, [&](const T& numerator, const T& denominator) {
+    figure::swept::visit_distances({{v}, {}, false}, core, ask, [&](const T& numerator, const T& denominator) {
       least = std::min(least, ask(numerator - square * denominator));
     });
     most = std::max(most, least);
@@ -65,7 +65,7 @@ template <class Shape>
 double radius_for(const Shape& core, const Shape& shape) {
   double radius = 0;
   for (std::size_t i = 0; i < vertices<Interval>(shape).size(); ++i) {
-    const double off = swept::distance_up([&]<class T>() { return vertices<T>(shape)[i]; }, core);
+    const double off = figure::swept::distance_up([&]<class T>() { return vertices<T>(shape)[i]; }, core);
     radius = std::max(radius, Interval::sum_up(off, shape.radius));
   }
   return radius;
@@ -74,8 +74,8 @@ double radius_for(const Shape& core, const Shape& shape) {
 Point3 about(const Vec<double>& v) { return {v.x, v.y, v.z}; }
 
 template <class Shape>
-std::vector<swept::LocalBall> balls(const figure::LocalFrame& frame, const Shape& a, const Shape& b) {
-  std::vector<swept::LocalBall> all;
+std::vector<figure::swept::LocalBall> balls(const figure::LocalFrame& frame, const Shape& a, const Shape& b) {
+  std::vector<figure::swept::LocalBall> all;
   for (const Shape* s : {&a, &b}) {
     for (const Vec<double>& v : vertices<double>(*s))
       all.push_back({frame.local(about(v)), std::ldexp(s->radius, -frame.exponent)});
@@ -84,10 +84,10 @@ std::vector<swept::LocalBall> balls(const figure::LocalFrame& frame, const Shape
 }
 
 std::vector<Capsule3> guesses(const figure::LocalFrame& frame, const Capsule3& a, const Capsule3& b) {
-  return {swept::guess_capsule(frame, balls(frame, a, b))};
+  return {figure::swept::guess_capsule(frame, balls(frame, a, b))};
 }
 std::vector<Lozenge3> guesses(const figure::LocalFrame& frame, const Lozenge3& a, const Lozenge3& b) {
-  return swept::guess_lozenges(frame, balls(frame, a, b));
+  return figure::swept::guess_lozenges(frame, balls(frame, a, b));
 }
 
 std::array<Vector3, 3> directions(const Capsule3& c) {
@@ -110,41 +110,42 @@ Shape merged(const Shape& a, const Shape& b) {
     }
   }
   figure::LocalFrame principal = figure::principal_frame(corners);
-  principal.exponent = std::max(principal.exponent, frame::exponent(std::max(a.radius, b.radius)));
+  principal.exponent = std::max(principal.exponent, figure::frame::exponent(std::max(a.radius, b.radius)));
   std::vector<Shape> candidates;
   for (const auto& axes : {principal.axes, directions(a), directions(b)}) {
     figure::LocalFrame frame = principal;
-    frame.axes = frame::orthonormal(axes);
+    frame.axes = figure::frame::orthonormal(axes);
     for (Shape& s : guesses(frame, a, b)) {
-      if (!swept::is_finite(s)) continue;
+      if (!figure::swept::is_finite(s)) continue;
       s.radius = std::max(radius_for(s, a), radius_for(s, b));
-      if (swept::is_finite(s)) candidates.push_back(s);
+      if (figure::swept::is_finite(s)) candidates.push_back(s);
     }
   }
-  return swept::smallest("merge", candidates);
+  return figure::swept::smallest("merge", candidates);
 }
 
 // The exact image of a point or vector, over any numbers, and in doubles about.
 template <class T>
 Vec<T> image(const Pose& pose, const Vec<T>& v, bool is_point) {
   const auto& [c, t] = pose;
-  const Vec<T> turned = core::vec<T>(c[0]) * v.x + core::vec<T>(c[1]) * v.y + core::vec<T>(c[2]) * v.z;
-  return is_point ? turned + core::vec<T>(t) : turned;
+  const Vec<T> turned = arith::vec<T>(c[0]) * v.x + arith::vec<T>(c[1]) * v.y + arith::vec<T>(c[2]) * v.z;
+  return is_point ? turned + arith::vec<T>(t) : turned;
 }
 
-Point3 near_image(const Pose& pose, const Point3& p) { return about(image(pose, core::vec<double>(p), true)); }
+Point3 near_image(const Pose& pose, const Point3& p) { return about(image(pose, arith::vec<double>(p), true)); }
 Vector3 near_image(const Pose& pose, const Vector3& v) {
-  const Vec<double> r = image(pose, core::vec<double>(v), false);
+  const Vec<double> r = image(pose, arith::vec<double>(v), false);
   return {r.x, r.y, r.z};
 }
 
 template <class Shape>
 Shape moved(const Shape& shape, Shape core, const Pose& pose) {
   core.radius = 0;
-  if (!swept::is_finite(core)) return swept::smallest("transform", std::vector<Shape>{});
+  if (!figure::swept::is_finite(core)) return figure::swept::smallest("transform", std::vector<Shape>{});
   double off = 0;
   for (std::size_t i = 0; i < vertices<Interval>(shape).size(); ++i)
-    off = std::max(off, swept::distance_up([&]<class T>() { return image(pose, vertices<T>(shape)[i], true); }, core));
+    off = std::max(
+        off, figure::swept::distance_up([&]<class T>() { return image(pose, vertices<T>(shape)[i], true); }, core));
   const double stretched = shape.radius == 0 ? 0 : Interval::product_up(largest_stretch(pose), shape.radius);
   core.radius = figure::within_doubles(off == 0 ? stretched : Interval::sum_up(off, stretched), "transform", "radius");
   return core;

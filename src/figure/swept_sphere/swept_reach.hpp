@@ -8,23 +8,24 @@
 #include <limits>
 #include <optional>
 
+#include "arith/big_rounding.hpp"
 #include "arith/certain.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
 #include "plumb/arith/ball.hpp"
-#include "plumb/arith/big_rounding.hpp"
 
-namespace plumb::swept {
+namespace plumb::figure::swept {
 
 template <class Shape>
-std::optional<double> quick_distance_up(const core::Vec<Ball>& point, const Shape& shape) {
+std::optional<double> quick_distance_up(const arith::Vec<Ball>& point, const Shape& shape) {
   CertainSigns ask;
   std::vector<Ball> squares;
   double least = std::numeric_limits<double>::infinity();
-  const core::Core<Ball> from{{point}, {}, false};
-  core::visit_distances(from, core::core_of<Ball>(shape), ask, [&](const Ball& numerator, const Ball& denominator) {
-    squares.push_back(quotient(numerator, denominator));
-    least = std::min(least, squares.back().high);
-  });
+  const figure::swept::Core<Ball> from{{point}, {}, false};
+  figure::swept::visit_distances(from, figure::swept::core_of<Ball>(shape), ask,
+                                 [&](const Ball& numerator, const Ball& denominator) {
+                                   squares.push_back(quotient(numerator, denominator));
+                                   least = std::min(least, squares.back().high);
+                                 });
   if (!ask.certain()) return {};
   std::optional<double> result;
   for (const Ball& square : squares) {
@@ -37,12 +38,13 @@ std::optional<double> quick_distance_up(const core::Vec<Ball>& point, const Shap
 }
 
 template <class Shape>
-double exact_distance_up(const core::Vec<BigDyadic>& point, const Shape& shape) {
+double exact_distance_up(const arith::Vec<BigDyadic>& point, const Shape& shape) {
   CertainSigns ask;
   std::optional<std::pair<BigDyadic, BigDyadic>> least;
-  const core::Core<BigDyadic> from{{point}, {}, false};
-  core::visit_distances(
-      from, core::core_of<BigDyadic>(shape), ask, [&](const BigDyadic& numerator, const BigDyadic& denominator) {
+  const figure::swept::Core<BigDyadic> from{{point}, {}, false};
+  figure::swept::visit_distances(
+      from, figure::swept::core_of<BigDyadic>(shape), ask,
+      [&](const BigDyadic& numerator, const BigDyadic& denominator) {
         if (!least || (numerator * least->second - least->first * denominator).sign() == Sign::negative)
           least.emplace(numerator, denominator);
       });
@@ -58,7 +60,7 @@ double distance_up(Make point, const Shape& shape) {
 
 template <class Shape>
 double distance_up(const Point3& p, const Shape& shape) {
-  return distance_up([&]<class T>() { return core::vec<T>(p); }, shape);
+  return distance_up([&]<class T>() { return arith::vec<T>(p); }, shape);
 }
 
-}  // namespace plumb::swept
+}  // namespace plumb::figure::swept

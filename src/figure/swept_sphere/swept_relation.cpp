@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-using swept::check;
+using figure::swept::check;
 
 // The distance of the cores against the sum of the radii, over numbers of type T; nothing where they do not tell.
 template <class T, class Shape>
@@ -20,9 +20,10 @@ Unsure<Sign> sign_of_gap(const Shape& a, const Shape& b) {
   CertainSigns ask;
   const T reach = T(a.radius) + T(b.radius), square = reach * reach;
   Sign least = Sign::positive;
-  core::visit_distances(core::core_of<T>(a), core::core_of<T>(b), ask, [&](const T& numerator, const T& denominator) {
-    least = std::min(least, ask(numerator - square * denominator));
-  });
+  figure::swept::visit_distances(figure::swept::core_of<T>(a), figure::swept::core_of<T>(b), ask,
+                                 [&](const T& numerator, const T& denominator) {
+                                   least = std::min(least, ask(numerator - square * denominator));
+                                 });
   return ask.certain() ? Unsure(least) : Unsure<Sign>();
 }
 
@@ -31,39 +32,39 @@ template <class Shape>
 bool interiors_meet(const Shape& a, const Shape& b) {
   const auto directions = [](const Shape& s) {
     if constexpr (std::is_same_v<Shape, Capsule3>) {
-      const auto of = [](const Point3& p) { return figure::RationalVector{p.x, p.y, p.z}; };
-      figure::RationalVector from = of(s.a), along = of(s.b);
+      const auto of = [](const Point3& p) { return arith::RationalVector{p.x, p.y, p.z}; };
+      arith::RationalVector from = of(s.a), along = of(s.b);
       for (std::size_t i = 0; i < 3; ++i) along[i] -= from[i];
       return std::vector{from, along};
     } else {
-      const auto of = [](const auto& p) { return figure::RationalVector{p.x, p.y, p.z}; };
+      const auto of = [](const auto& p) { return arith::RationalVector{p.x, p.y, p.z}; };
       return std::vector{of(s.corner), of(s.edges[0]), of(s.edges[1])};
     }
   };
   const auto of_a = directions(a), of_b = directions(b);
   const std::size_t n = of_a.size() - 1, variables = 2 * n;
-  figure::Constraints all;
+  arith::Constraints all;
   std::vector<bool> strictly;
-  const auto add = [&](figure::RationalVector row, mpq_class limit, bool strict) {
+  const auto add = [&](arith::RationalVector row, mpq_class limit, bool strict) {
     all.add(std::move(row), std::move(limit));
     strictly.push_back(strict);
   };
   for (std::size_t v = 0; v < variables; ++v) {
-    figure::RationalVector row(variables);
+    arith::RationalVector row(variables);
     row[v] = 1;
     add(row, 1, true);
     row[v] = -1;
     add(row, 0, true);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    figure::RationalVector row(variables);
+    arith::RationalVector row(variables);
     for (std::size_t v = 0; v < n; ++v) row[v] = of_a[v + 1][axis], row[n + v] = -of_b[v + 1][axis];
     const mpq_class apart = of_b[0][axis] - of_a[0][axis];
     add(row, apart, false);
     for (mpq_class& x : row) x = -x;
     add(std::move(row), -apart, false);
   }
-  return figure::feasible(all, strictly).slack > 0;
+  return arith::feasible(all, strictly).slack > 0;
 }
 
 template <class Shape>
@@ -76,7 +77,7 @@ Relation relation(std::string_view function, const Shape& a, const Shape& b) {
   return a.radius == 0 && b.radius == 0 && interiors_meet(a, b) ? Relation::overlapping : Relation::touching;
 }
 
-using swept::quick_gap;
+using figure::swept::quick_gap;
 
 template <class Shape>
 Relation quick_relation(std::string_view function, const Shape& a, const Shape& b) {

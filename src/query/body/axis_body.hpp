@@ -23,14 +23,14 @@ enum class EdgeEnd : unsigned char { none, one, both };  // infinite ones
 
 template <class T>
 struct AxisBody {
-  std::array<core::Vec<T>, 8> points;
-  std::array<core::Vec<T>, 6> edges;
+  std::array<arith::Vec<T>, 8> points;
+  std::array<arith::Vec<T>, 6> edges;
   std::array<EdgeEnd, 6> ends{};
   std::array<std::array<std::uint8_t, 2>, 4> faces;
   std::size_t point_count = 0, edge_count = 0, face_count = 0;
 
-  void add_point(const core::Vec<T>& p) { points[point_count++] = p; }
-  void add_edge(const core::Vec<T>& along, EdgeEnd end = EdgeEnd::none) {
+  void add_point(const arith::Vec<T>& p) { points[point_count++] = p; }
+  void add_edge(const arith::Vec<T>& along, EdgeEnd end = EdgeEnd::none) {
     ends[edge_count] = end;
     edges[edge_count++] = along;
   }
@@ -45,7 +45,7 @@ struct AxisBody {
 };
 
 template <class T>
-core::Vec<T> from_origin(const Point3& p, const Point3& origin) {
+arith::Vec<T> from_origin(const Point3& p, const Point3& origin) {
   return {T(p.x) - T(origin.x), T(p.y) - T(origin.y), T(p.z) - T(origin.z)};
 }
 
@@ -59,14 +59,14 @@ void add_edge_between(AxisBody<T>& body, const Point& a, const Point& b) {
 }
 template <class T, class Vector>
 void add_way(AxisBody<T>& body, const Vector& v, EdgeEnd end) {
-  if (v != Vector{}) body.add_edge(core::vec<T>(in_space(v)), end);
+  if (v != Vector{}) body.add_edge(arith::vec<T>(in_space(v)), end);
 }
 
 /// The points to either side of those there are.
 template <class T, class Vector>
 void add_axis(AxisBody<T>& body, const Vector& axis, double half) {
   if (half == 0 || axis == Vector{}) return;
-  const core::Vec<T> along = core::vec<T>(in_space(axis)), reach = along * T(half);
+  const arith::Vec<T> along = arith::vec<T>(in_space(axis)), reach = along * T(half);
   const std::size_t n = body.point_count;
   for (std::size_t i = 0; i < n; ++i) {
     body.add_point(body.points[i] + reach);
@@ -146,7 +146,7 @@ AxisBody<T> axis_body_of(const Shape& s, const Point3& origin) {
     }
   } else if constexpr (kind == FigureKind::aabb) {
     const Point3 min = in_space(s.min), max = in_space(s.max);
-    const core::Vec<T> low = from_origin<T>(min, origin), high = from_origin<T>(max, origin);
+    const arith::Vec<T> low = from_origin<T>(min, origin), high = from_origin<T>(max, origin);
     const std::array<bool, 3> flat{min.x == max.x, min.y == max.y, min.z == max.z};
     for (unsigned corner = 0; corner < 8; ++corner) {
       if (((corner & 1u) != 0 && flat[0]) || ((corner & 2u) != 0 && flat[1]) || ((corner & 4u) != 0 && flat[2]))

@@ -17,28 +17,28 @@ namespace plumb::query {
 /// All from + t along, from t = 0 where it has a start, up to t = 1 where it has an end.
 template <class T>
 struct Straight {
-  core::Vec<T> from, along;
+  arith::Vec<T> from, along;
   bool has_start, has_end;
 };
 
 template <class T>
 Straight<T> straight(const Line3& line) {
-  return {core::vec<T>(line.point), core::vec<T>(line.direction), false, false};
+  return {arith::vec<T>(line.point), arith::vec<T>(line.direction), false, false};
 }
 template <class T>
 Straight<T> straight(const Ray3& ray) {
-  return {core::vec<T>(ray.origin), core::vec<T>(ray.direction), true, false};
+  return {arith::vec<T>(ray.origin), arith::vec<T>(ray.direction), true, false};
 }
 template <class T>
 Straight<T> straight(const Segment3& s) {
-  const core::Vec<T> a = core::vec<T>(s.a);
-  return {a, core::vec<T>(s.b) - a, true, true};
+  const arith::Vec<T> a = arith::vec<T>(s.a);
+  return {a, arith::vec<T>(s.b) - a, true, true};
 }
 /// Of three points on one line, which are not all equal.
 template <class T>
 Straight<T> straight(const ThreePointPlane3& line) {
-  const core::Vec<T> a = core::vec<T>(line.a);
-  return {a, core::vec<T>(line.a == line.b ? line.c : line.b) - a, false, false};
+  const arith::Vec<T> a = arith::vec<T>(line.a);
+  return {a, arith::vec<T>(line.a == line.b ? line.c : line.b) - a, false, false};
 }
 
 inline bool is_point(const Line3& line) { return line.direction == Vector3{0, 0, 0}; }

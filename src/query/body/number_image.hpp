@@ -20,9 +20,9 @@ namespace plumb::query {
 /// (origin + the sum of numbers times columns) / weight.
 template <class T>
 struct Image {
-  core::Vec<T> origin{T(0.0), T(0.0), T(0.0)};
+  arith::Vec<T> origin{T(0.0), T(0.0), T(0.0)};
   T weight{1.0};
-  std::array<core::Vec<T>, 3> columns{origin, origin, origin};
+  std::array<arith::Vec<T>, 3> columns{origin, origin, origin};
   std::size_t count = 3;    // of the columns
   bool moves_only = false;  // columns are the axes
   bool has_weight = false;  // other than one
@@ -31,7 +31,7 @@ struct Image {
 /// Bounds of the numbers that a figure is the image of.
 enum class Range : unsigned char { all, from_zero, from_zero_to_one, in_sum_to_one, to_either_side };
 
-struct Numbers {
+struct ImageNumbers {
   std::size_t count;
   Range range;
 };
@@ -39,7 +39,7 @@ struct Numbers {
 /// normal . x <= limit, both small integers.
 using OwnRow = std::array<int, 4>;
 
-inline std::vector<OwnRow> rows_of(const Numbers& numbers) {
+inline std::vector<OwnRow> rows_of(const ImageNumbers& numbers) {
   std::vector<OwnRow> rows;
   OwnRow sum{0, 0, 0, 1};
   for (std::size_t k = 0; k < numbers.count && numbers.range != Range::all; ++k) {
@@ -54,7 +54,7 @@ inline std::vector<OwnRow> rows_of(const Numbers& numbers) {
 }
 
 template <class Shape>
-constexpr Numbers numbers_of() {
+constexpr ImageNumbers numbers_of() {
   switch (figure_kind<Shape>) {
     case FigureKind::line:
       return {1, Range::all};
@@ -83,7 +83,7 @@ constexpr Numbers numbers_of() {
 template <class T, class Shape>
 Image<T> image_of(const Shape& s) {
   constexpr FigureKind kind = figure_kind<Shape>;
-  const auto at = [](const auto& p) { return core::vec<T>(in_space(p)); };
+  const auto at = [](const auto& p) { return arith::vec<T>(in_space(p)); };
   Image<T> image;
   image.count = numbers_of<Shape>().count;
   if constexpr (kind == FigureKind::point) {
@@ -96,14 +96,14 @@ Image<T> image_of(const Shape& s) {
     }
     image.columns[0] = at(s.direction);
   } else if constexpr (kind == FigureKind::plane) {
-    const core::Vec<T> n = at(s.normal), zero = image.origin;
-    const core::Vec<T> unit =
-        s.normal.x != 0 ? core::Vec<T>{zero.x, T(1.0), zero.x} : core::Vec<T>{T(1.0), zero.x, zero.x};
+    const arith::Vec<T> n = at(s.normal), zero = image.origin;
+    const arith::Vec<T> unit =
+        s.normal.x != 0 ? arith::Vec<T>{zero.x, T(1.0), zero.x} : arith::Vec<T>{T(1.0), zero.x, zero.x};
     image.origin = n * T(s.offset);
-    image.weight = core::dot(n, n);
+    image.weight = arith::dot(n, n);
     image.has_weight = true;
-    image.columns[0] = core::cross(n, unit);
-    image.columns[1] = core::cross(n, image.columns[0]);
+    image.columns[0] = arith::cross(n, unit);
+    image.columns[1] = arith::cross(n, image.columns[0]);
   } else if constexpr (requires { s.a, s.b; }) {
     image.origin = at(s.a);
     image.columns[0] = at(s.b) - image.origin;
@@ -111,7 +111,7 @@ Image<T> image_of(const Shape& s) {
     if constexpr (requires { s.d; }) image.columns[2] = at(s.d) - image.origin;
   } else if constexpr (kind == FigureKind::aabb) {
     image.origin = at(s.min);
-    const core::Vec<T> width = at(s.max) - image.origin;
+    const arith::Vec<T> width = at(s.max) - image.origin;
     image.columns[0].x = width.x, image.columns[1].y = width.y, image.columns[2].z = width.z;
   } else if constexpr (requires { s.axes, s.half; }) {
     image.origin = at(s.center);
@@ -125,7 +125,7 @@ Image<T> image_of(const Shape& s) {
 template <class T>
 Image<T> moved_to(const Point3& origin) {
   Image<T> image;
-  image.origin = core::vec<T>(origin);
+  image.origin = arith::vec<T>(origin);
   image.columns[0].x = image.columns[1].y = image.columns[2].z = T(1.0);
   image.moves_only = true;
   return image;
@@ -136,7 +136,7 @@ figure::SlackRow<T> row_of(const OwnRow& row) {
   return {{number(0), number(1), number(2)}, number(3)};
 }
 /// Do all numbers in the range leave the side?
-inline bool leave(const figure::SlackRow<Running>& row, const Numbers& numbers) {
+inline bool leave(const figure::SlackRow<Running>& row, const ImageNumbers& numbers) {
   if (numbers.range == Range::all || (numbers.range == Range::from_zero && row.normal[0].lower() < 0)) return false;
   double least = 0;
   Running sum = Running(0.0) - row.limit;

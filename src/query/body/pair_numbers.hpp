@@ -8,9 +8,9 @@
 
 #include <optional>
 
+#include "arith/big_rounding.hpp"
 #include "arith/certain.hpp"
 #include "plumb/arith/ball.hpp"
-#include "plumb/arith/big_rounding.hpp"
 #include "plumb/arith/rational.hpp"
 #include "query/body/vectors.hpp"
 

@@ -7,9 +7,9 @@
 // Cost: none.
 #pragma once
 
+#include "arith/approximate.hpp"
 #include "arith/certain.hpp"
 #include "arith/vec.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 
@@ -19,10 +19,10 @@ namespace plumb::query {
 inline Point2 told(const Point2& p) { return {p.x + 0.0, p.y + 0.0}; }
 inline Point3 told(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
-using core::cross, core::dot;
+using arith::cross, arith::dot;
 
 template <class T>
-using Vec3 = core::Vec<T>;
+using Vec3 = arith::Vec<T>;
 template <class T>
 struct Vec2 {
   T x, y;

@@ -12,12 +12,9 @@
 #include <limits>
 #include <string>
 
+#include "certify/batch/instruction_sets.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "query/body/figure_input.hpp"
-
-// As for the batches of signs: those that bring something (docs/batches.md).
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/closest/batch.cpp"
 #include <hwy/foreach_target.h>

@@ -10,7 +10,7 @@
 
 namespace plumb::query {
 
-using core::cross, core::dot, core::vec, core::Vec;
+using arith::cross, arith::dot, arith::vec, arith::Vec;
 
 /// What p is nearest to: itself where it is in the shape.
 enum class Carrier : unsigned char { itself, point, line, plane };

@@ -47,7 +47,7 @@ FootIntegers exact_numbers(const Foot<BigDyadic>& f) {
   return {f.from * f.whole + f.along * f.part, f.whole, f.square(), f.over()};
 }
 
-constexpr Rounding nearest = Rounding::nearest;
+constexpr Rounding to_nearest = Rounding::nearest;
 
 std::optional<Point3> nearest_doubles(const Vec<Ball>& v) {
   const std::optional<double> x = v.x.nearest(), y = v.y.nearest(), z = v.z.nearest();
@@ -57,21 +57,21 @@ std::optional<Point3> nearest_doubles(const Vec<Ball>& v) {
 
 Point3 point_by_integers(const FootIntegers& e, const Point3& p, double radius) {
   if (radius == 0) {
-    const auto rounded = [&](const BigDyadic& x) { return plumb::rounded_quotient(nearest, x, e.weight); };
+    const auto rounded = [&](const BigDyadic& x) { return plumb::rounded_quotient(to_nearest, x, e.weight); };
     return {rounded(e.at.x), rounded(e.at.y), rounded(e.at.z)};
   }
   // With the way v to p from the foot c: c + v r / sqrt(s / o) = (c s + v r sqrt(s o)) / s.
   const Vec<BigDyadic> way = vec<BigDyadic>(p) * e.weight - e.at;
   const BigDyadic whole = e.weight * e.square, under = e.square * e.over, r(radius);
   const auto rounded = [&](const BigDyadic& at, const BigDyadic& v) {
-    return rounded_radical(nearest, at * e.square, v * r, under, whole);
+    return rounded_radical(to_nearest, at * e.square, v * r, under, whole);
   };
   return {rounded(e.at.x, way.x), rounded(e.at.y, way.y), rounded(e.at.z, way.z)};
 }
 
 double distance_by_integers(const FootIntegers& e, double radius) {
-  if (radius == 0) return plumb::rounded_root(nearest, e.square, e.over);
-  return rounded_radical(nearest, BigDyadic(-radius) * e.over, BigDyadic(1.0), e.square * e.over, e.over);
+  if (radius == 0) return plumb::rounded_root(to_nearest, e.square, e.over);
+  return rounded_radical(to_nearest, BigDyadic(-radius) * e.over, BigDyadic(1.0), e.square * e.over, e.over);
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ double rounded_part(const Foot<Ball>& foot, const ExactFoot& exactly) {
   if (const std::optional<double> quick = quotient(foot.part, foot.whole).nearest()) [[likely]]
     return *quick;
   const Foot<BigDyadic> f = exactly();
-  return plumb::rounded_quotient(nearest, f.part, f.whole);
+  return plumb::rounded_quotient(to_nearest, f.part, f.whole);
 }
 
 }  // namespace plumb::query

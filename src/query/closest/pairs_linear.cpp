@@ -1,6 +1,6 @@
 // Lines, rays and segments against one another: places by signs over doubles, then over pairs of doubles, then over
 // integers; the numbers of the one pair of places likewise.
-#include "plumb/arith/twofold.hpp"
+#include "arith/twofold.hpp"
 #include "plumb/query/closest/pairs.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/closest/linear_pair.hpp"
@@ -50,8 +50,8 @@ ClosePair<T, Point> pair_over(const Straight<Point>& a, const Straight<Point>& b
 
 /// What two doubles a number leave in doubt.
 template <class Point>
-[[gnu::noinline]] Numbers<Point> numbers_exactly(const Straight<Point>& a, const Straight<Point>& b,
-                                                 SpotsOnLines places) {
+[[gnu::noinline]] PairNumbers<Point> numbers_exactly(const Straight<Point>& a, const Straight<Point>& b,
+                                                     SpotsOnLines places) {
   const auto quick = pair_over<Ball>(a, b, places);
   const auto p = nearest_point(quick.a), q = nearest_point(quick.b);
   const auto d = nearest_distance(quick);

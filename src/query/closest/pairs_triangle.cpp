@@ -44,18 +44,18 @@ OnLine on_line(const Triangle3& t, Feature f) {
 const Triangle3* triangle_of(const Straight<Point3>&) { return nullptr; }
 const Triangle3* triangle_of(const Triangle3& t) { return &t; }
 
-Numbers<Point3> turned(const Numbers<Point3>& n) { return {n.on_b, n.on_a, n.distance}; }
+PairNumbers<Point3> turned(const PairNumbers<Point3>& n) { return {n.on_b, n.on_a, n.distance}; }
 
 /// Of a feature that is not the face, with the face of a triangle.
-std::optional<Numbers<Point3>> numbers_on_face(const OnLine& from, const Triangle3& face) {
+std::optional<PairNumbers<Point3>> numbers_on_face(const OnLine& from, const Triangle3& face) {
   if (from.place != SpotOnLine::inside) return quick_numbers(from.line.at(from.place), face);
   const auto crossing = quick_crossing(from.line, face);
   if (!crossing) return {};
-  return Numbers<Point3>{*crossing, *crossing, 0};
+  return PairNumbers<Point3>{*crossing, *crossing, 0};
 }
 
 template <class A, class B>
-std::optional<Numbers<Point3>> numbers_of(const A& a, const B& b, const FeaturePair& f) {
+std::optional<PairNumbers<Point3>> numbers_of(const A& a, const B& b, const FeaturePair& f) {
   if (f.b == the_face) return numbers_on_face(on_line(a, f.a), *triangle_of(b));
   if (f.a == the_face) {
     const auto numbers = numbers_on_face(on_line(b, f.b), *triangle_of(a));

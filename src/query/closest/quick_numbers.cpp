@@ -1,8 +1,8 @@
 // Each question is compiled twice, for processors that multiply and add at once and for others; both answer the same.
 #include "query/closest/quick_numbers.hpp"
 
+#include "arith/twofold.hpp"
 #include "certify/fused.hpp"
-#include "plumb/arith/twofold.hpp"
 
 namespace plumb::query {
 namespace {
@@ -34,7 +34,7 @@ template <class T, class V>
 /// Both strictly inside, and not parallel: in the plane they cross.
 template <class Wanted, class T>
 [[gnu::always_inline]] inline bool both_inside(const Linear<Vec2<T>, Point2>& p, const Linear<Vec2<T>, Point2>& q,
-                                               Numbers<Point2>& out) {
+                                               PairNumbers<Point2>& out) {
   out.distance = 0;
   if constexpr (std::is_same_v<Wanted, DistanceAlone>) return true;
   const auto w = between<T>(p.from, q.from);
@@ -45,7 +45,7 @@ template <class Wanted, class T>
 }
 template <class Wanted, class T>
 [[gnu::always_inline]] inline bool both_inside(const Linear<Vec3<T>, Point3>& p, const Linear<Vec3<T>, Point3>& q,
-                                               Numbers<Point3>& out) {
+                                               PairNumbers<Point3>& out) {
   const Vec3<T> w = between<T>(p.from, q.from);
   const T a = dot(p.along, p.along), b = dot(p.along, q.along), c = dot(p.along, w);
   const T e = dot(q.along, q.along), f = dot(q.along, w), whole = a * e - b * b;
@@ -71,7 +71,7 @@ template <class Wanted, class T, class Point>
 
 template <class Wanted, class T, class Point>
 [[gnu::always_inline]] inline bool numbers(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places,
-                                           Numbers<Point>& out) {
+                                           PairNumbers<Point>& out) {
   const auto p = linear<T>(a), q = linear<T>(b);
   const bool p_inside = places.a == SpotOnLine::inside, q_inside = places.b == SpotOnLine::inside;
   if (p_inside && q_inside) return both_inside<Wanted>(p, q, out);
@@ -84,7 +84,7 @@ template <class Wanted, class T, class Point>
 }
 
 template <class Wanted, class T>
-[[gnu::always_inline]] inline bool face_numbers(const Point3& v, const Triangle3& t, Numbers<Point3>& out) {
+[[gnu::always_inline]] inline bool face_numbers(const Point3& v, const Triangle3& t, PairNumbers<Point3>& out) {
   const Vec3<T> n = cross(between<T>(t.a, t.b), between<T>(t.a, t.c));
   const Vec3<T> down = n * quotient(dot(n, between<T>(v, t.a)), dot(n, n));
   bool sure = keep_length<T>(out.distance, down);
@@ -102,20 +102,20 @@ template <class T>
 
 template <class Wanted, class Point>
 PLUMB_WITH_FMA bool with_fma(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places,
-                             Numbers<Point>& out) {
+                             PairNumbers<Point>& out) {
   return numbers<Wanted, Twofold<true>>(a, b, places, out);
 }
 template <class Wanted, class Point>
 PLUMB_WITHOUT bool without(const Straight<Point>& a, const Straight<Point>& b, SpotsOnLines places,
-                           Numbers<Point>& out) {
+                           PairNumbers<Point>& out) {
   return numbers<Wanted, Twofold<false>>(a, b, places, out);
 }
 template <class Wanted>
-PLUMB_WITH_FMA bool with_fma(const Point3& v, const Triangle3& t, Numbers<Point3>& out) {
+PLUMB_WITH_FMA bool with_fma(const Point3& v, const Triangle3& t, PairNumbers<Point3>& out) {
   return face_numbers<Wanted, Twofold<true>>(v, t, out);
 }
 template <class Wanted>
-PLUMB_WITHOUT bool without(const Point3& v, const Triangle3& t, Numbers<Point3>& out) {
+PLUMB_WITHOUT bool without(const Point3& v, const Triangle3& t, PairNumbers<Point3>& out) {
   return face_numbers<Wanted, Twofold<false>>(v, t, out);
 }
 PLUMB_WITH_FMA bool with_fma(const Straight<Point3>& s, const Triangle3& t, Point3& out) {
@@ -126,8 +126,8 @@ PLUMB_WITHOUT bool without(const Straight<Point3>& s, const Triangle3& t, Point3
 }
 
 template <class Wanted, class Point, class... Arguments>
-std::optional<Numbers<Point>> numbers_of(const Arguments&... arguments) {
-  Numbers<Point> out{};
+std::optional<PairNumbers<Point>> numbers_of(const Arguments&... arguments) {
+  PairNumbers<Point> out{};
   if (has_fma ? with_fma<Wanted>(arguments..., out) : without<Wanted>(arguments..., out)) return out;
   return {};
 }
@@ -140,12 +140,12 @@ std::optional<double> distance_of(const Arguments&... arguments) {
 
 }  // namespace
 
-std::optional<Numbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q,
-                                             SpotsOnLines places) {
+std::optional<PairNumbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q,
+                                                 SpotsOnLines places) {
   return numbers_of<PointsAndDistance, Point2>(p, q, places);
 }
-std::optional<Numbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q,
-                                             SpotsOnLines places) {
+std::optional<PairNumbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q,
+                                                 SpotsOnLines places) {
   return numbers_of<PointsAndDistance, Point3>(p, q, places);
 }
 std::optional<double> quick_distance(const Straight<Point2>& p, const Straight<Point2>& q, SpotsOnLines places) {
@@ -155,7 +155,7 @@ std::optional<double> quick_distance(const Straight<Point3>& p, const Straight<P
   return distance_of<Point3>(p, q, places);
 }
 
-std::optional<Numbers<Point3>> quick_numbers(const Point3& vertex, const Triangle3& face) {
+std::optional<PairNumbers<Point3>> quick_numbers(const Point3& vertex, const Triangle3& face) {
   return numbers_of<PointsAndDistance, Point3>(vertex, face);
 }
 std::optional<double> quick_distance(const Point3& vertex, const Triangle3& face) {

@@ -13,18 +13,20 @@
 namespace plumb::query {
 
 template <class Point>
-struct Numbers {
+struct PairNumbers {
   Point on_a, on_b;
   double distance;
 };
 
-std::optional<Numbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q, SpotsOnLines places);
-std::optional<Numbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q, SpotsOnLines places);
+std::optional<PairNumbers<Point2>> quick_numbers(const Straight<Point2>& p, const Straight<Point2>& q,
+                                                 SpotsOnLines places);
+std::optional<PairNumbers<Point3>> quick_numbers(const Straight<Point3>& p, const Straight<Point3>& q,
+                                                 SpotsOnLines places);
 std::optional<double> quick_distance(const Straight<Point2>& p, const Straight<Point2>& q, SpotsOnLines places);
 std::optional<double> quick_distance(const Straight<Point3>& p, const Straight<Point3>& q, SpotsOnLines places);
 
 /// Of a vertex, which is on_a, and the face of a triangle that it projects into.
-std::optional<Numbers<Point3>> quick_numbers(const Point3& vertex, const Triangle3& face);
+std::optional<PairNumbers<Point3>> quick_numbers(const Point3& vertex, const Triangle3& face);
 std::optional<double> quick_distance(const Point3& vertex, const Triangle3& face);
 
 /// Where the line of a segment or ray meets the plane of a triangle.

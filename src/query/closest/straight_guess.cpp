@@ -158,7 +158,7 @@ struct PlainFace {
   }
 };
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 template <class P, class Q>
 bool proved(const P& p, Feature a, const Q& q, Feature b) {
@@ -198,7 +198,7 @@ std::optional<FeaturePair> certain_features(const Line& a, const Triangle3& b) {
   const TriangleShape q = shape(b);
   const PlainLine l = plain(a);
   const std::array<Plain, 3> corner{plain(b.a), plain(b.b), plain(b.c)};
-  double least = infinity;
+  double least = no_bound;
   FeaturePair best{};
   for (std::uint32_t i = 0; i < 3; ++i) {
     const PlainPair c = plain_pair(l, plain(q.edge(i)));
@@ -216,7 +216,7 @@ std::optional<FeaturePair> certain_features(const Line& a, const Triangle3& b) {
   }
   if (best.b.kind == FeatureKind::face) {
     if (prove_vertex_face(p, best.a.index, b)) return best;
-  } else if (least < infinity && proved(p, best.a, q, best.b)) {
+  } else if (least < no_bound && proved(p, best.a, q, best.b)) {
     return best;
   }
   if (crosses(a, b, face_of<A>(b)) == true) return FeaturePair{edge_number(0), the_face};
@@ -256,7 +256,7 @@ std::optional<FeaturePair> certain_features(const Triangle3& a, const Triangle3&
   const std::array<Plain, 3> corners_b{plain(b.a), plain(b.b), plain(b.c)};
   const std::array<PlainLine, 3> edges_a{plain(p.edge(0)), plain(p.edge(1)), plain(p.edge(2))};
   const std::array<PlainLine, 3> edges_b{plain(q.edge(0)), plain(q.edge(1)), plain(q.edge(2))};
-  double least = infinity;
+  double least = no_bound;
   for (std::uint32_t i = 0; i < 3; ++i) {
     for (std::uint32_t j = 0; j < 3; ++j) {
       const PlainPair c = plain_pair(edges_a[i], edges_b[j]);

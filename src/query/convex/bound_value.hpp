@@ -6,13 +6,13 @@
 // Cost: up to 25 operations.
 #pragma once
 
+#include "arith/approximate.hpp"
 #include "arith/certain.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "query/convex/set.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 
 template <class T>
 T minus(double x, double y) {
@@ -136,4 +136,4 @@ Sign vertex_sign(const ConvexSet<N>& set, std::size_t v, const Bound<N>& b) {
   return set.is_exact() ? value<BigDyadic, N>(b, set.exact_vertices[v]).sign() : value_sign(b, set.vertices[v]);
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -13,8 +13,8 @@ Side side_of_face(const PolygonMesh& mesh, std::size_t f) {
   const std::size_t first = mesh.first[f], last = mesh.first[f + 1], n = last - first;
   Side side{{}, 0, {corner(first), corner(first + n / 3), corner(first + 2 * n / 3)}};
   const auto& [a, b, c] = side.corners;
-  const core::Vec<Running> from = core::vec<Running>(*a);
-  const core::Vec<Running> normal = core::cross(core::vec<Running>(*b) - from, core::vec<Running>(*c) - from);
+  const arith::Vec<Running> from = arith::vec<Running>(*a);
+  const arith::Vec<Running> normal = arith::cross(arith::vec<Running>(*b) - from, arith::vec<Running>(*c) - from);
   if (normal.x.sign().certain() && normal.x.value != 0) return side;
   if (normal.y.sign().certain() && normal.y.value != 0) return side;
   if (normal.z.sign().certain() && normal.z.value != 0) return side;

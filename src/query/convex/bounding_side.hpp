@@ -27,27 +27,27 @@ std::vector<Side> sides_of(const FlatView& v);
 inline bool has_no_normal(const Side& side) { return side.corners[0] == nullptr && side.normal == Vector3{}; }
 
 template <class T>
-core::Vec<T> normal_of(const Side& side) {
-  if (side.corners[0] == nullptr) return core::vec<T>(side.normal);
-  const core::Vec<T> a = core::vec<T>(*side.corners[0]);
-  return core::cross(core::vec<T>(*side.corners[1]) - a, core::vec<T>(*side.corners[2]) - a);
+arith::Vec<T> normal_of(const Side& side) {
+  if (side.corners[0] == nullptr) return arith::vec<T>(side.normal);
+  const arith::Vec<T> a = arith::vec<T>(*side.corners[0]);
+  return arith::cross(arith::vec<T>(*side.corners[1]) - a, arith::vec<T>(*side.corners[2]) - a);
 }
 
 /// What the side says of the numbers.
 template <class T>
-figure::SlackRow<T> row_of(const Side& side, const core::Vec<T>& normal, const Image<T>& image) {
+figure::SlackRow<T> row_of(const Side& side, const arith::Vec<T>& normal, const Image<T>& image) {
   figure::SlackRow<T> row{{T(0.0), T(0.0), T(0.0)}, T(0.0)};
   if (side.corners[0] != nullptr) {
-    const core::Vec<T> a = core::vec<T>(*side.corners[0]);
-    row.limit = core::dot(normal, (image.has_weight ? a * image.weight : a) - image.origin);
+    const arith::Vec<T> a = arith::vec<T>(*side.corners[0]);
+    row.limit = arith::dot(normal, (image.has_weight ? a * image.weight : a) - image.origin);
   } else {
     const T offset(side.offset);
-    row.limit = (image.has_weight ? offset * image.weight : offset) - core::dot(normal, image.origin);
+    row.limit = (image.has_weight ? offset * image.weight : offset) - arith::dot(normal, image.origin);
   }
   if (image.moves_only) {
     row.normal = {normal.x, normal.y, normal.z};
   } else {
-    for (std::size_t k = 0; k < image.count; ++k) row.normal[k] = core::dot(normal, image.columns[k]);
+    for (std::size_t k = 0; k < image.count; ++k) row.normal[k] = arith::dot(normal, image.columns[k]);
   }
   return row;
 }
@@ -58,18 +58,18 @@ Sign sign_beyond(const Side& side, const Point3& p);
 class Beyond {
  public:
   explicit Beyond(const Side& side) : side_(side), normal_(normal_of<Running>(side)) {
-    if (side.corners[0] != nullptr) at_ = core::vec<Running>(*side.corners[0]);
+    if (side.corners[0] != nullptr) at_ = arith::vec<Running>(*side.corners[0]);
   }
   [[nodiscard]] Sign sign(const Point3& p) const {
-    const auto q = core::vec<Running>(p);
+    const auto q = arith::vec<Running>(p);
     const Running height =
-        side_.corners[0] != nullptr ? core::dot(normal_, q - at_) : core::dot(normal_, q) - Running(side_.offset);
+        side_.corners[0] != nullptr ? arith::dot(normal_, q - at_) : arith::dot(normal_, q) - Running(side_.offset);
     const Unsure<Sign> sign = height.sign();
     return sign.certain() ? sign.value() : sign_beyond(side_, p);
   }
 
  private:
   const Side& side_;
-  core::Vec<Running> normal_, at_{};
+  arith::Vec<Running> normal_, at_{};
 };
 }  // namespace plumb::query

@@ -8,7 +8,7 @@
 namespace plumb::query {
 namespace {
 
-using Integers = Triplet<mpz_class>;
+using Integers = arith::Triplet<mpz_class>;
 
 // What multiplies all of them into integers.
 mpz_class common_denominator(const std::vector<Exact3>& all) {
@@ -30,20 +30,20 @@ Integers times(const Exact3& v, const mpz_class& factor) {
   return r;
 }
 
-bool is_zero(const Integers& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+bool is_zero_vector(const Integers& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
 // Looks along the lines: distances are those of what is seen, times the size of all lines.
-class Look {
+class LookAlong {
  public:
   void along(Integers line) {
     see(line);
-    if (is_zero(line)) return;
-    sizes_.push_back(dot(line, line));
+    if (is_zero_vector(line)) return;
+    sizes_.push_back(arith::dot(line, line));
     lines_.push_back(std::move(line));
   }
   void see(Integers& v) const {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      const mpz_class part = dot(v, lines_[i]);
+      const mpz_class part = arith::dot(v, lines_[i]);
       for (std::size_t k = 0; k < 3; ++k) v[k] = v[k] * sizes_[i] - part * lines_[i][k];
     }
   }
@@ -59,9 +59,9 @@ class Look {
 };
 
 // The difference of the sets in integers, as seen along their lines, and by what its points are multiplied.
-Difference<mpz_class> in_integers(const FlatSet& a, const FlatSet& b, mpz_class& scale) {
-  Look look;
-  Difference<mpz_class> sets;
+arith::Difference<mpz_class> in_integers(const FlatSet& a, const FlatSet& b, mpz_class& scale) {
+  LookAlong look;
+  arith::Difference<mpz_class> sets;
   scale = lcm(common_denominator(a.points), common_denominator(b.points));
   for (const FlatSet* set : {&a, &b}) {
     for (const Exact3& line : set->lines) look.along(times(line, common_denominator({line})));
@@ -69,7 +69,7 @@ Difference<mpz_class> in_integers(const FlatSet& a, const FlatSet& b, mpz_class&
   const Integers origin = times(a.points[0], scale);  // near to them, for the sake of shorter numbers
   for (std::size_t s = 0; s < 2; ++s) {
     const FlatSet& set = s == 0 ? a : b;
-    for (const Exact3& p : set.points) look.see(sets.points[s].emplace_back(minus(times(p, scale), origin)));
+    for (const Exact3& p : set.points) look.see(sets.points[s].emplace_back(arith::minus(times(p, scale), origin)));
     for (const Exact3& d : set.directions) {
       const mpz_class factor = common_denominator({d});
       look.see(sets.directions.emplace_back(times(d, s == 0 ? factor : mpz_class(-factor))));
@@ -88,8 +88,8 @@ std::size_t longest(const std::vector<Integers>& all) {
   return bits;
 }
 
-Triplet<double> in_doubles(const Integers& v, std::size_t bits) {
-  Triplet<double> r;
+arith::Triplet<double> in_doubles(const Integers& v, std::size_t bits) {
+  arith::Triplet<double> r;
   for (std::size_t k = 0; k < 3; ++k) {
     long exponent = 0;
     const double part = mpz_get_d_2exp(&exponent, v[k].get_mpz_t());
@@ -98,8 +98,8 @@ Triplet<double> in_doubles(const Integers& v, std::size_t bits) {
   return r;
 }
 
-Difference<double> in_doubles(const Difference<mpz_class>& sets) {
-  Difference<double> r;
+arith::Difference<double> in_doubles(const arith::Difference<mpz_class>& sets) {
+  arith::Difference<double> r;
   const std::size_t bits = std::max(longest(sets.points[0]), longest(sets.points[1]));
   for (std::size_t s = 0; s < 2; ++s) {
     for (const Integers& p : sets.points[s]) r.points[s].push_back(in_doubles(p, bits));
@@ -109,10 +109,10 @@ Difference<double> in_doubles(const Difference<mpz_class>& sets) {
 }
 
 // Corners that are likely those of the nearest point.
-std::vector<DifferenceCorner> guess(const Difference<double>& sets) {
+std::vector<arith::DifferenceCorner> guess(const arith::Difference<double>& sets) {
   constexpr int most_steps = 32;
-  DifferenceSearch<double> search(sets, {{true, 0, 0}});
-  std::vector<DifferenceCorner> last = search.corners();
+  arith::DifferenceSearch<double> search(sets, {{true, 0, 0}});
+  std::vector<arith::DifferenceCorner> last = search.corners();
   for (int i = 0; i < most_steps && search.step(); ++i) last = search.corners();
   return last;
 }
@@ -129,8 +129,8 @@ Relation relation_within(const FlatSet& a, const FlatSet& b, const mpq_class& re
 std::optional<mpq_class> squared_distance(const FlatSet& a, const FlatSet& b) {
   if (a.points.empty() || b.points.empty()) return {};
   mpz_class scale;
-  const Difference<mpz_class> sets = in_integers(a, b, scale);
-  DifferenceSearch<mpz_class> search(sets, guess(in_doubles(sets)));
+  const arith::Difference<mpz_class> sets = in_integers(a, b, scale);
+  arith::DifferenceSearch<mpz_class> search(sets, guess(in_doubles(sets)));
   while (search.step()) {
   }
   const mpz_class root = search.whole() * scale;

@@ -6,7 +6,7 @@
 namespace plumb::query {
 namespace {
 
-using figure::Constraints, figure::RationalVector;
+using arith::Constraints, arith::RationalVector;
 
 /// normal . x <= offset on a, >= on b.
 class Separation {
@@ -17,13 +17,13 @@ class Separation {
   }
 
   /// All points on their sides with a gap; directions and lines need none.
-  [[nodiscard]] bool has_gap() const { return figure::feasible(rows_, is_point_).slack > 0; }
+  [[nodiscard]] bool has_gap() const { return arith::feasible(rows_, is_point_).slack > 0; }
 
   /// Not everything lies in the plane.
   [[nodiscard]] bool is_proper() const {
-    Constraints all = rows_;
+    arith::Constraints all = rows_;
     all.add(slack_, -1);
-    return figure::feasible(all, std::vector<bool>(all.rows.size(), false)).slack >= 0;
+    return arith::feasible(all, std::vector<bool>(all.rows.size(), false)).slack >= 0;
   }
 
  private:
@@ -36,15 +36,16 @@ class Separation {
     }
   }
   void add_row(const Exact3& v, int weight, int side, bool is_point) {
-    RationalVector row{mpq_class(side * v[0]), mpq_class(side * v[1]), mpq_class(side * v[2]), mpq_class(weight)};
+    arith::RationalVector row{mpq_class(side * v[0]), mpq_class(side * v[1]), mpq_class(side * v[2]),
+                              mpq_class(weight)};
     for (std::size_t k = 0; k < 4; ++k) slack_[k] += row[k];
     rows_.add(std::move(row), 0);
     is_point_.push_back(is_point);
   }
 
-  Constraints rows_;
+  arith::Constraints rows_;
   std::vector<bool> is_point_;
-  RationalVector slack_;  // the sum of all rows: lines cancel
+  arith::RationalVector slack_;  // the sum of all rows: lines cancel
 };
 
 }  // namespace

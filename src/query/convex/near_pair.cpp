@@ -7,10 +7,10 @@
 namespace plumb::query {
 namespace {
 
-using core::Plain;
+using arith::Plain;
 
 /// Of the difference of the hulls, by the numbers of the vertices.
-using IndexSimplex = gjk::Simplex<std::pair<std::size_t, std::size_t>>;
+using IndexSimplex = figure::gjk::Simplex<std::pair<std::size_t, std::size_t>>;
 
 class NearPairSearch {
  public:
@@ -24,11 +24,11 @@ class NearPairSearch {
     IndexSimplex simplex({{0, 0}, plain(a_[0]) - plain(b_[0])});
     for (int round = 0; round < most_rounds; ++round) {
       const Plain x = simplex.nearest();
-      const double xx = core::dot(x, x);
+      const double xx = arith::dot(x, x);
       if (xx < square * near) return proved_near(simplex);
       const auto ends = extremes(x);
       const Plain w = plain(a_[ends.first]) - plain(b_[ends.second]);
-      const double least = core::dot(x, w);
+      const double least = arith::dot(x, w);
       if (least > 0 && least * least > square * xx * far) return proved_far(x);
       if (!(least < xx) || std::ranges::count(simplex.corners(), ends, &IndexSimplex::Corner::ends) != 0) {
         if (xx < square) return proved_near(simplex);
@@ -44,9 +44,9 @@ class NearPairSearch {
   [[nodiscard]] std::pair<std::size_t, std::size_t> extremes(const Plain& n) const {
     const auto first = [&n](std::span<const Vertex> all, double sign) {
       std::size_t best = 0;
-      double least = sign * core::dot(n, plain(all[0]));
+      double least = sign * arith::dot(n, plain(all[0]));
       for (std::size_t i = 1; i < all.size(); ++i) {
-        const double along = sign * core::dot(n, plain(all[i]));
+        const double along = sign * arith::dot(n, plain(all[i]));
         if (along < least) best = i, least = along;
       }
       return best;
@@ -65,27 +65,27 @@ class NearPairSearch {
       whole = whole + weight;
     }
     const Running reach = reach_ * whole;
-    const Unsure<Sign> s = (core::dot(way, way) - reach * reach).sign();
+    const Unsure<Sign> s = (arith::dot(way, way) - reach * reach).sign();
     if (s.certain() && s.value() == Sign::negative) return Sign::negative;
     return {};
   }
 
   // Every n . (x - y) is at least the gap, and the gap's square is more than that of |n| times the radii.
   [[nodiscard]] std::optional<Sign> proved_far(const Plain& direction) const {
-    const Vertex n = core::vec<Running>(direction);
+    const Vertex n = arith::vec<Running>(direction);
     const Vertex& from = b_[0];
-    double above = 0, below = core::dot(n, a_[0] - from).lower();
+    double above = 0, below = arith::dot(n, a_[0] - from).lower();
     for (const Vertex& y : b_.subspan(1)) {
-      const double top = core::dot(n, y - from).upper();
+      const double top = arith::dot(n, y - from).upper();
       if (!(top <= above)) above = top;
     }
     for (const Vertex& x : a_.subspan(1)) {
-      const double bottom = core::dot(n, x - from).lower();
+      const double bottom = arith::dot(n, x - from).lower();
       if (!(bottom >= below)) below = bottom;
     }
     if (!(below > above)) return {};
     const Running gap = Running(below) - Running(above);
-    const Unsure<Sign> s = (gap * gap - reach_ * reach_ * core::dot(n, n)).sign();
+    const Unsure<Sign> s = (gap * gap - reach_ * reach_ * arith::dot(n, n)).sign();
     if (s.certain() && s.value() == Sign::positive) return Sign::positive;
     return {};
   }

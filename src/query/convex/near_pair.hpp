@@ -17,8 +17,8 @@
 namespace plumb::query {
 
 /// A vertex, of which a coordinate may be rounded.
-using Vertex = core::Vec<Running>;
-inline core::Plain plain(const Vertex& v) { return {v.x.value, v.y.value, v.z.value}; }
+using Vertex = arith::Vec<Running>;
+inline arith::Plain plain(const Vertex& v) { return {v.x.value, v.y.value, v.z.value}; }
 
 /// For radii that are not negative; of anything but real numbers there is no answer.
 std::optional<Sign> quick_gap(std::span<const Vertex> a, std::span<const Vertex> b, double radius_a, double radius_b);

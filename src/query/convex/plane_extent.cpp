@@ -23,17 +23,17 @@ struct Extent {
 };
 
 template <class T>
-std::optional<Extent> extent_of(const AxisBody<T>& body, const core::Vec<T>& normal, const T& offset) {
+std::optional<Extent> extent_of(const AxisBody<T>& body, const arith::Vec<T>& normal, const T& offset) {
   Extent extent;
   CertainSigns ask;
   for (std::size_t i = 0; i < body.point_count; ++i) {
-    const Sign sign = ask(core::dot(normal, body.points[i]) - offset);
+    const Sign sign = ask(arith::dot(normal, body.points[i]) - offset);
     if (!ask.certain()) return {};
     extent.add(sign);
   }
   for (std::size_t i = 0; i < body.edge_count; ++i) {
     if (body.ends[i] == EdgeEnd::none) continue;
-    const Sign sign = ask(core::dot(normal, body.edges[i]));
+    const Sign sign = ask(arith::dot(normal, body.edges[i]));
     if (!ask.certain()) return {};
     if (sign == Sign::zero) continue;
     extent.add(sign);
@@ -44,7 +44,7 @@ std::optional<Extent> extent_of(const AxisBody<T>& body, const core::Vec<T>& nor
 
 template <class T, class Shape>
 std::optional<Extent> extent_of(const Shape& s, const Vector3& normal, double offset) {
-  return extent_of(axis_body_of<T>(s, {0, 0, 0}), core::vec<T>(normal), T(offset));
+  return extent_of(axis_body_of<T>(s, {0, 0, 0}), arith::vec<T>(normal), T(offset));
 }
 
 std::optional<Extent> extent_of(const ConvexPolyhedron3& polyhedron, const Vector3& normal, double offset) {

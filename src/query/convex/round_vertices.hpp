@@ -16,8 +16,8 @@
 
 namespace plumb::query {
 
-inline Vertex vertex(const Point3& p) { return core::vec<Running>(p); }
-inline Vertex vertex(const Vector3& v) { return core::vec<Running>(v); }
+inline Vertex vertex(const Point3& p) { return arith::vec<Running>(p); }
+inline Vertex vertex(const Vector3& v) { return arith::vec<Running>(v); }
 
 inline std::array<Vertex, 1> vertices(const Point3& p) { return {vertex(p)}; }
 inline std::array<Vertex, 2> vertices(const Segment3& s) { return {vertex(s.a), vertex(s.b)}; }

@@ -11,7 +11,7 @@ namespace plumb::query {
 namespace {
 
 using namespace axes;
-using core::Plain;
+using arith::Plain;
 using VertexList = std::vector<Vertex>;
 
 constexpr int most_search_steps = 48;
@@ -77,7 +77,7 @@ Vertex farthest(Hull& hull, const Plain& along, double way) {
   const Plain n = along * way;
   if (hull.solid == nullptr) {
     for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) {
-      if (core::dot(plain(hull.vertices[i]), n) > core::dot(plain(hull.vertices[hull.at]), n)) hull.at = i;
+      if (arith::dot(plain(hull.vertices[i]), n) > arith::dot(plain(hull.vertices[hull.at]), n)) hull.at = i;
     }
     return hull.vertices[hull.at];
   }
@@ -107,7 +107,7 @@ std::optional<Level> lowest_of(const ConvexPolyhedron3& solid, std::uint32_t fro
   Level level{{from}, 1};
   for (std::size_t k = 0; k < level.count; ++k) {
     for (const std::uint32_t i : solid.neighbors_of(level.vertices[k])) {
-      if (core::dot(vertex(i) - lowest, n).lower() > 0) continue;
+      if (arith::dot(vertex(i) - lowest, n).lower() > 0) continue;
       const auto end = level.vertices.begin() + static_cast<std::ptrdiff_t>(level.count);
       if (std::find(level.vertices.begin(), end, i) != end) continue;
       if (level.count == most_level) return {};
@@ -121,7 +121,7 @@ std::optional<Level> lowest_of(const ConvexPolyhedron3& solid, std::uint32_t fro
 double least_along(const Hull& hull, const Vertex& n) {
   double least = std::numeric_limits<double>::infinity(), widths = 0;
   const auto look = [&](const Vertex& v) {
-    const Running at = core::dot(v, n);
+    const Running at = arith::dot(v, n);
     widths += at.upper() - at.lower();
     least = std::min(least, at.lower());
   };
@@ -137,19 +137,19 @@ double least_along(const Hull& hull, const Vertex& n) {
 
 /// Are all of a strictly farther along than all of b?  Both have been asked for their farthest vertices that way.
 bool proves_apart(const Hull& a, const Hull& b, const Plain& along) {
-  const Vertex n = core::vec<Running>(along);
-  const Vertex back = core::vec<Running>(along * -1);
+  const Vertex n = arith::vec<Running>(along);
+  const Vertex back = arith::vec<Running>(along * -1);
   const Running gap = Running(least_along(a, n)) + Running(least_along(b, back));
   return gap.lower() > 0 && gap.value < std::numeric_limits<double>::infinity();
 }
 
 /// Of differences of vertices.
-using VertexSimplex = gjk::Simplex<Vertex>;
+using VertexSimplex = figure::gjk::Simplex<Vertex>;
 
 /// Is the origin strictly inside of the tetrahedron?
 bool proves_overlap(const std::array<Vertex, 4>& s) {
-  return gjk::is_around_origin([&](std::size_t i, std::size_t j, std::size_t k) {
-    const auto sign = core::dot(s[i], core::cross(s[j], s[k])).sign();
+  return figure::gjk::is_around_origin([&](std::size_t i, std::size_t j, std::size_t k) {
+    const auto sign = arith::dot(s[i], arith::cross(s[j], s[k])).sign();
     return sign.certain() ? sign.value() : Sign::zero;
   });
 }
@@ -161,12 +161,12 @@ std::optional<Relation> relate_hulls(Hull& a, Hull& b) {
   const Vertex first = a.vertex(a.at) - b.vertex(b.at);
   VertexSimplex simplex({first, plain(first)});
   Plain at = plain(first);
-  double largest = core::dot(at, at), square = std::numeric_limits<double>::infinity();
+  double largest = arith::dot(at, at), square = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_search_steps; ++step) {
     const Vertex next = farthest(a, at, -1) - farthest(b, at, 1);
     const Plain reached = plain(next);
-    if (core::dot(reached, at) > 0 && proves_apart(a, b, at)) return Relation::disjoint;
-    largest = std::max(largest, core::dot(reached, reached));
+    if (arith::dot(reached, at) > 0 && proves_apart(a, b, at)) return Relation::disjoint;
+    largest = std::max(largest, arith::dot(reached, reached));
     const auto& c = simplex.corners();
     if (std::ranges::any_of(c, [&](const VertexSimplex::Corner& corner) { return same(corner.at, reached); }))
       return {};
@@ -174,7 +174,7 @@ std::optional<Relation> relate_hulls(Hull& a, Hull& b) {
     simplex.add({next, reached});
     if (simplex.is_full()) return {};
     at = simplex.nearest();
-    const double last = std::exchange(square, core::dot(at, at));
+    const double last = std::exchange(square, arith::dot(at, at));
     if (!(square < last) || square < largest * nothing) return {};
   }
   return {};

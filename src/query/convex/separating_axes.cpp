@@ -23,7 +23,7 @@ struct Own {
   [[nodiscard]] bool has(std::size_t i) const { return i == first || i == second; }
 };
 
-Reached reached(const AxisBody<Running>& body, const core::Vec<Running>& axis, const Own& own) {
+Reached reached(const AxisBody<Running>& body, const arith::Vec<Running>& axis, const Own& own) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Reached r{infinity, infinity, -infinity, -infinity};
   double widths = 0;  // NaN or infinite where something is
@@ -53,7 +53,7 @@ Reached reached(const AxisBody<Running>& body, const core::Vec<Running>& axis, c
 
 enum class AxisVerdict : unsigned char { apart, level, across, flat, no_axis, unsure };
 
-AxisVerdict by_doubles(const AxisBody<Running>& a, const AxisBody<Running>& b, const core::Vec<Running>& axis,
+AxisVerdict by_doubles(const AxisBody<Running>& a, const AxisBody<Running>& b, const arith::Vec<Running>& axis,
                        const Own& own_a, const Own& own_b) {
   const Reached p = reached(a, axis, own_a);
   if (!p.certain) return AxisVerdict::unsure;
@@ -68,7 +68,7 @@ AxisVerdict by_doubles(const AxisBody<Running>& a, const AxisBody<Running>& b, c
 struct ExactReached {
   std::optional<BigDyadic> low, high;
 };
-ExactReached reached(const AxisBody<BigDyadic>& body, const core::Vec<BigDyadic>& axis) {
+ExactReached reached(const AxisBody<BigDyadic>& body, const arith::Vec<BigDyadic>& axis) {
   ExactReached r;
   for (std::size_t i = 0; i < body.point_count; ++i) {
     const BigDyadic at = dot(body.points[i], axis);
@@ -85,7 +85,7 @@ ExactReached reached(const AxisBody<BigDyadic>& body, const core::Vec<BigDyadic>
   return r;
 }
 
-AxisVerdict exactly(const AxisBody<BigDyadic>& a, const AxisBody<BigDyadic>& b, const core::Vec<BigDyadic>& axis) {
+AxisVerdict exactly(const AxisBody<BigDyadic>& a, const AxisBody<BigDyadic>& b, const arith::Vec<BigDyadic>& axis) {
   if (axis.x.sign() == Sign::zero && axis.y.sign() == Sign::zero && axis.z.sign() == Sign::zero)
     return AxisVerdict::no_axis;
   const ExactReached p = reached(a, axis), q = reached(b, axis);
@@ -115,7 +115,7 @@ class Test {
   std::optional<Relation> relation() {
     if (is_apart_by_middles()) return Relation::disjoint;
     if (a_.dimension == 2) {
-      const core::Vec<Running> up{Running(0.0), Running(0.0), Running(1.0)};
+      const arith::Vec<Running> up{Running(0.0), Running(0.0), Running(1.0)};
       for (std::size_t i = 0; i < near_a_.edge_count; ++i) {
         if (!add(cross(near_a_.edges[i], up), {i, 6}, {}, i, none)) return result();
       }
@@ -155,21 +155,21 @@ class Test {
 
   // Along the line of their middles, which most pairs that lie apart are.
   bool is_apart_by_middles() {
-    const core::Vec<double> from = middle(near_a_), to = middle(near_b_);
-    const core::Vec<Running> axis{Running(to.x - from.x), Running(to.y - from.y), Running(to.z - from.z)};
+    const arith::Vec<double> from = middle(near_a_), to = middle(near_b_);
+    const arith::Vec<Running> axis{Running(to.x - from.x), Running(to.y - from.y), Running(to.z - from.z)};
     return by_doubles(near_a_, near_b_, axis, {}, {}) == AxisVerdict::apart;
   }
-  static core::Vec<double> middle(const AxisBody<Running>& body) {
-    core::Vec<double> sum{0, 0, 0};
+  static arith::Vec<double> middle(const AxisBody<Running>& body) {
+    arith::Vec<double> sum{0, 0, 0};
     const double share = 1 / static_cast<double>(body.point_count);
     for (std::size_t i = 0; i < body.point_count; ++i) {
       const auto& p = body.points[i];
-      sum = sum + core::Vec<double>{p.x.value * share, p.y.value * share, p.z.value * share};
+      sum = sum + arith::Vec<double>{p.x.value * share, p.y.value * share, p.z.value * share};
     }
     return sum;
   }
 
-  bool add(const core::Vec<Running>& axis, const Own& own_a, const Own& own_b, std::size_t i, std::size_t j) {
+  bool add(const arith::Vec<Running>& axis, const Own& own_a, const Own& own_b, std::size_t i, std::size_t j) {
     AxisVerdict v = by_doubles(near_a_, near_b_, axis, own_a, own_b);
     if (v == AxisVerdict::unsure) v = by_integers(i, j);
     apart_ = v == AxisVerdict::apart;
@@ -190,7 +190,7 @@ class Test {
       exact_b_ = body<BigDyadic>(b_);
     }
     const AxisBody<BigDyadic>&a = *exact_a_, &b = *exact_b_;
-    const core::Vec<BigDyadic> up{BigDyadic(0), BigDyadic(0), BigDyadic(1)};
+    const arith::Vec<BigDyadic> up{BigDyadic(0), BigDyadic(0), BigDyadic(1)};
     const auto axis = j == none   ? cross(a.edges[i], up)
                       : i == none ? cross(b.edges[j], up)
                       : j == face ? cross(a.edges[a.faces[i][0]], a.edges[a.faces[i][1]])

@@ -21,7 +21,11 @@
 #include "plumb/figure/basic/polygon.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
+
+using certify::meeting::coordinates_in, certify::meeting::interval_of, certify::meeting::of_rationals,
+    certify::meeting::parts, certify::meeting::rational, certify::meeting::rational_quotient, certify::meeting::Vec,
+    certify::meeting::Weighted, certify::meeting::weighted;
 
 template <std::size_t N>
 using Point = std::conditional_t<N == 2, Point2, Point3>;
@@ -136,4 +140,4 @@ ConvexSet<3> convex_set(const Tetrahedron3& tetrahedron);
 ConvexSet<3> convex_set(const ConvexPolyhedron3& polyhedron);
 ConvexSet<3> convex_set(const Obb3& box);
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -6,7 +6,7 @@
 #include "plumb/figure/hull/hull2.hpp"
 #include "query/convex/set_parts.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 namespace {
 
 Bound<3> on_plane(const Point3& a, const Point3& b, const Point3& c) {
@@ -134,4 +134,4 @@ ConvexSet<3> convex_set(const ThreePointPlane3& plane) {
   return set;
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

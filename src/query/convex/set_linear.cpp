@@ -3,7 +3,7 @@
 #include "plumb/predicates.hpp"
 #include "query/convex/set.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 namespace {
 
 template <std::size_t N>
@@ -156,4 +156,4 @@ ConvexSet<3> convex_set(const Line3& l) { return directed_set<3>(l.point, l.dire
 ConvexSet<3> convex_set(const Ray3& r) { return directed_set<3>(r.origin, r.direction, true); }
 ConvexSet<3> convex_set(const Segment3& s) { return segment_set<3>(s.a, s.b); }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

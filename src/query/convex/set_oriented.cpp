@@ -4,7 +4,7 @@
 #include "plumb/certify/direction.hpp"
 #include "query/convex/bound_value.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 namespace {
 
 using Numbers3 = Vec<BigDyadic, 3>;
@@ -127,4 +127,4 @@ ConvexSet<3> convex_set(const Obb3& box) {
   return set;
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -5,7 +5,7 @@
 
 #include "query/convex/set.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 
 /// Vertices that turn once around (turn 1: counterclockwise as seen along the axis), in the plane of these points.
 ConvexSet<3> polygon_set(std::vector<Point3> vertices, const std::array<Point3, 3>& plane, std::size_t axis, int turn);
@@ -13,4 +13,4 @@ ConvexSet<3> polygon_set(std::vector<Point3> vertices, const std::array<Point3, 
 /// The hull of points that lie in one plane, on a line or at one place.
 ConvexSet<3> flat_set(std::span<const Point3> points);
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

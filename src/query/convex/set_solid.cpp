@@ -2,7 +2,7 @@
 #include "plumb/predicates.hpp"
 #include "query/convex/set_parts.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 namespace {
 
 template <std::size_t N>
@@ -102,4 +102,4 @@ ConvexSet<3> convex_set(const ConvexPolyhedron3& polyhedron) {
   return set;
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -11,14 +11,14 @@ namespace plumb::query {
 namespace {
 
 using namespace axes;
-using core::Vec;
+using arith::Vec;
 using figure::HalfspaceSlack;
 
 double size(const Vec<Running>& v) { return std::fabs(v.x.value) + std::fabs(v.y.value) + std::fabs(v.z.value); }
 /// Of a figure's numbers within what bounds them, and the sides given.
 class Program {
  public:
-  Program(const FlatView& figure, const Numbers& numbers, std::span<const Side> sides, const Point3& origin)
+  Program(const FlatView& figure, const ImageNumbers& numbers, std::span<const Side> sides, const Point3& origin)
       : figure_(figure), own_(rows_of(numbers)), sides_(sides), origin_(origin) {
     const Image<Running> image = this->image<Running>();
     slack_.reserve(own_.size() + sides_.size());
@@ -83,8 +83,8 @@ class Program {
   HalfspaceSlack slack_{[this](std::size_t i) { return exact_row(i); }};
 };
 /// The figure's numbers; nothing where it is no image of numbers that is known.
-std::optional<Numbers> numbers_of_view(const FlatView& v) {
-  return with_shape(v, [](const auto& s) -> std::optional<Numbers> {
+std::optional<ImageNumbers> numbers_of_view(const FlatView& v) {
+  return with_shape(v, [](const auto& s) -> std::optional<ImageNumbers> {
     using Shape = std::remove_cvref_t<decltype(s)>;
     if constexpr (figure_kind<Shape> == FigureKind::plane) {
       if (s.normal == Vector3{}) return {};

@@ -5,10 +5,10 @@
 #include <limits>
 #include <typeinfo>
 
+#include "certify/catalog.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/rational.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "plumb/degenerate/own_kind.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"

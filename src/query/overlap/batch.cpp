@@ -2,19 +2,17 @@
 
 #include <cstring>
 
+#include "certify/batch/instruction_sets.hpp"
 #include "query/overlap/box_gaps.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/shapes3.hpp"
-
-// As for the batches of signs: those that bring something (docs/batches.md).
-#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/overlap/batch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::overlap_batch::HWY_NAMESPACE {
+namespace plumb::query::overlap_batch::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -144,7 +142,7 @@ std::size_t boxes(const Segment3& s, const double* const* at, std::size_t n, std
   const Vector low = min(a, b), high = max(a, b), of_segment = max(abs(a), abs(b)), zero = all(0, 0, 0);
   const V none = hn::Set(D(), -std::numeric_limits<double>::infinity());
   const auto parallel = [](double j, double k) { return j == 0 && k == 0; };
-  const query::Difference way = query::difference(s.a, s.b);
+  const Difference way = query::difference(s.a, s.b);
   std::size_t count = 0, i = 0;
   for (; i + lanes <= n; i += lanes) {
     const Vector min_of = load(at, 0, i), max_of = load(at, 3, i);
@@ -168,7 +166,7 @@ std::size_t boxes(const Segment3& s, const double* const* at, std::size_t n, std
 }
 
 }  // namespace
-}  // namespace plumb::overlap_batch::HWY_NAMESPACE
+}  // namespace plumb::query::overlap_batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -179,7 +177,7 @@ HWY_AFTER_NAMESPACE();
 #include "query/body/figure_input.hpp"
 
 namespace plumb {
-namespace overlap_batch {
+namespace query::overlap_batch {
 namespace {
 
 HWY_EXPORT(triangles);
@@ -205,7 +203,7 @@ void in_chunks(const One& one, const Batch& many, std::span<std::uint8_t> out, A
     for (std::size_t u = 0; u < count; ++u) {
       const std::size_t i = from + unsure[u];
       if constexpr (n == 9) {
-        out[i] = relate(many[i], one) != Relation::disjoint;
+        out[i] = plumb::relate(many[i], one) != Relation::disjoint;
       } else {
         const auto number = [&](std::size_t k) { return many.numbers(k)[i]; };
         const Aabb3 box{{number(0), number(1), number(2)}, {number(3), number(4), number(5)}};
@@ -216,28 +214,28 @@ void in_chunks(const One& one, const Batch& many, std::span<std::uint8_t> out, A
 }
 
 }  // namespace
-}  // namespace overlap_batch
+}  // namespace query::overlap_batch
 
 void intersects(const Aabb3& one, const TriangleBatch& many, std::span<std::uint8_t> out) {
-  overlap_batch::require_length(many.size(), out.size());
+  query::overlap_batch::require_length(many.size(), out.size());
   query::require_figure("intersects", "one", one);
   if (is_empty(one)) {
     std::memset(out.data(), 0, out.size());
     return;
   }
-  overlap_batch::in_chunks<9>(one, many, out,
-                              [&](const double* const* at, std::size_t n, std::uint8_t* to, std::uint32_t* unsure) {
-                                return PLUMB_DISPATCH(overlap_batch::triangles)(one, at, n, to, unsure);
-                              });
+  query::overlap_batch::in_chunks<9>(
+      one, many, out, [&](const double* const* at, std::size_t n, std::uint8_t* to, std::uint32_t* unsure) {
+        return PLUMB_DISPATCH(query::overlap_batch::triangles)(one, at, n, to, unsure);
+      });
 }
 
 void intersects(const Segment3& one, const BoxBatch& many, std::span<std::uint8_t> out) {
-  overlap_batch::require_length(many.size(), out.size());
+  query::overlap_batch::require_length(many.size(), out.size());
   query::require_figure("intersects", "one", one);
-  overlap_batch::in_chunks<6>(one, many, out,
-                              [&](const double* const* at, std::size_t n, std::uint8_t* to, std::uint32_t* unsure) {
-                                return PLUMB_DISPATCH(overlap_batch::boxes)(one, at, n, to, unsure);
-                              });
+  query::overlap_batch::in_chunks<6>(
+      one, many, out, [&](const double* const* at, std::size_t n, std::uint8_t* to, std::uint32_t* unsure) {
+        return PLUMB_DISPATCH(query::overlap_batch::boxes)(one, at, n, to, unsure);
+      });
 }
 
 }  // namespace plumb

@@ -14,7 +14,7 @@
 // Cost: none; query/overlap/box_quick.cpp computes them.
 #pragma once
 
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 #include "plumb/predicates/cross.hpp"
 
 namespace plumb::query::box_gaps {

@@ -28,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb::query::box_quick::HWY_NAMESPACE {
 namespace {
 
-using namespace three_lanes::HWY_NAMESPACE;
+using namespace certify::three_lanes::HWY_NAMESPACE;
 using namespace box_gaps;
 
 HWY_INLINE Three turned_product(const Three& a, const Three& a_turned, const Three& b, const Three& b_turned) {

@@ -3,10 +3,10 @@
 
 #include <optional>
 
+#include "arith/approximate.hpp"
 #include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/figure/containment/contains.hpp"
@@ -21,7 +21,7 @@ namespace query {
 namespace {
 
 template <class T>
-using Vec = core::Vec<T>;
+using Vec = arith::Vec<T>;
 
 /// a t^2 + 2 b t + c.
 template <class T>
@@ -53,11 +53,11 @@ class LineThroughRound {
         rise_(T(0.0)),
         top_(T(0.0)),
         surface_{T(0.0), T(0.0), T(0.0)} {
-    const Vec<T> from = core::vec<T>(axis.from), h = core::vec<T>(axis.to) - from, w = line.from - from;
-    height_ = core::dot(w, h), rise_ = core::dot(line.along, h), top_ = core::dot(h, h);
-    const Vec<T> off = core::cross(w, h), change = core::cross(line.along, h);
+    const Vec<T> from = arith::vec<T>(axis.from), h = arith::vec<T>(axis.to) - from, w = line.from - from;
+    height_ = arith::dot(w, h), rise_ = arith::dot(line.along, h), top_ = arith::dot(h, h);
+    const Vec<T> off = arith::cross(w, h), change = arith::cross(line.along, h);
     const T r = T(axis.radius) * T(axis.radius);
-    surface_ = {core::dot(change, change), core::dot(off, change), core::dot(off, off)};
+    surface_ = {arith::dot(change, change), arith::dot(off, change), arith::dot(off, off)};
     if (axis.is_cone) {
       surface_ = {surface_.a * top_ - r * rise_ * rise_, surface_.b * top_ - r * height_ * rise_,
                   surface_.c * top_ - r * height_ * height_};
@@ -156,15 +156,15 @@ template <class Line>
   const Straight<Approximate> s = straight<Approximate>(line);
   const Vec<Approximate> h = between<Approximate>(axis.from, axis.to),
                          w = between<Approximate>(axis.from, start_of(line));
-  const Approximate height = core::dot(w, h), rise = core::dot(s.along, h), top = core::dot(h, h);
+  const Approximate height = arith::dot(w, h), rise = arith::dot(s.along, h), top = arith::dot(h, h);
   if (s.has_start) {
     const Approximate last = s.has_end ? height + rise : rise;  // of a ray the way that it goes
     if (height.certain_sign() < 0 && last.certain_sign() < 0) return true;
     if ((height - top).certain_sign() > 0 && (s.has_end ? last - top : last).certain_sign() > 0) return true;
   }
-  const Vec<Approximate> off = core::cross(w, h), change = core::cross(s.along, h);
+  const Vec<Approximate> off = arith::cross(w, h), change = arith::cross(s.along, h);
   const Approximate r(axis.radius), reach = r * r;
-  Approximate a = core::dot(change, change), b = core::dot(off, change), c = core::dot(off, off);
+  Approximate a = arith::dot(change, change), b = arith::dot(off, change), c = arith::dot(off, off);
   if (axis.is_cone) {
     a = a * top - reach * rise * rise, b = b * top - reach * height * rise, c = c * top - reach * height * height;
   } else {

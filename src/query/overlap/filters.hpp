@@ -2,7 +2,7 @@
 // is straight?
 //
 // All numbers of a test are volumes, sums of products of three differences.  Their errors have one bound: a constant
-// that is derived from the formulas, times the largest differences of each axis (filter B of certify/filter_stage.hpp).
+// that is derived from the formulas, times the largest differences of each axis (filter B of certify/detail/filter_stage.hpp).
 // So the answer is told by the least of the numbers, without a branch on each.
 // Laws: an answer is that of real arithmetic; what is near to zero, or not finite, is nothing.
 // Source: Moller and Trumbore 1997, Guigue and Devillers 2003, for which products are shared.
@@ -15,7 +15,7 @@
 #include <cstring>
 #include <optional>
 
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 #include "plumb/predicates/cross.hpp"
 #include "query/overlap/linear3.hpp"
 

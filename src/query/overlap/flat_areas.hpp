@@ -16,7 +16,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 #include "query/overlap/signs.hpp"
 
 namespace plumb::query {

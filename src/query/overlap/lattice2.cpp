@@ -13,7 +13,8 @@ using P = LatticePoint<2>;
 template <class Orient>
 class Tests {
  public:
-  Tests(const Orient& orient, int bits) : orient_(orient), words_are_doubles_(bits > lattice_word::integer_bits) {}
+  Tests(const Orient& orient, int bits)
+      : orient_(orient), words_are_doubles_(bits > arith::lattice_word::integer_bits) {}
 
   Relation relate(const LatticeSegment2& s, const LatticeSegment2& t) const {
     const Sign c = orient_(s.a, s.b, t.a), d = orient_(s.a, s.b, t.b);
@@ -68,7 +69,7 @@ class Tests {
     const std::uint64_t x = a.words()[axis], y = b.words()[axis];
     const auto order = [](auto u, auto v) { return static_cast<int>(u > v) - static_cast<int>(u < v); };
     if (words_are_doubles_) return order(std::bit_cast<double>(x), std::bit_cast<double>(y));
-    return order(lattice_word::integer(x), lattice_word::integer(y));
+    return order(arith::lattice_word::integer(x), arith::lattice_word::integer(y));
   }
   [[nodiscard]] int order(const P& a, const P& b) const {
     const int x = compare(a, b, 0);

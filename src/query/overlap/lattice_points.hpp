@@ -57,10 +57,10 @@ class LatticePoints {
     }
     return made(
         [&](std::size_t i) {
-          return Seen2<LatticeStep>{LatticeStep(at_[i][right]), LatticeStep(at_[i][up])};
+          return Seen2<arith::LatticeStep>{arith::LatticeStep(at_[i][right]), arith::LatticeStep(at_[i][up])};
         },
-        [error = area_error(1, 1) * power_of_two(bits)](const Wrapped& x) {
-          return static_cast<double>(settled_sign(x, error));
+        [error = area_error(1, 1) * power_of_two(bits)](const arith::Wrapped& x) {
+          return static_cast<double>(arith::settled_sign(x, error));
         });
   }
   /// Do all points lie on one line, as seen so?

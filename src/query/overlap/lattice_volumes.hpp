@@ -19,11 +19,6 @@ inline constexpr double volume_error = largest_threshold<Volume>({1, 1, 1});
 using ShortStep = WideInt<30>;
 using LongStep = WideInt<LatticeIntegers<6>::most_bits + 1>;
 
-template <int Bits>
-constexpr Sign settled_sign(const WideInt<Bits>& x, double) {
-  return x.sign();
-}
-
 /// First that in which the points extend least: a plane across an axis is seen along it alone.
 template <std::size_t N>
 std::array<std::size_t, 3> axes_to_look_along(const LatticePoints<N, 3>& points) {
@@ -52,14 +47,15 @@ class LatticeVolumes {
       : points_(points), error_(volume_error * power_of_two(points.bits(0) + points.bits(1) + points.bits(2))) {}
 
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    return settled_sign(predicates::triple(step(l, i), step(l, j), step(l, k)), error_);
+    return arith::settled_sign(predicates::triple(step(l, i), step(l, j), step(l, k)), error_);
   }
   /// Of points j, j + 1, ... over the plane of i, i + 1, i + 2.
   template <std::size_t Count>
   [[nodiscard]] std::array<Sign, Count> over(std::size_t i, std::size_t j) const {
     const auto normal = predicates::cross(step(i, i + 1), step(i, i + 2));
     std::array<Sign, Count> sides{};
-    for (std::size_t k = 0; k < Count; ++k) sides[k] = settled_sign(predicates::dot(step(i, j + k), normal), error_);
+    for (std::size_t k = 0; k < Count; ++k)
+      sides[k] = arith::settled_sign(predicates::dot(step(i, j + k), normal), error_);
     return sides;
   }
   [[nodiscard]] std::array<std::size_t, 3> axes() const { return axes_to_look_along(points_); }
@@ -87,7 +83,8 @@ auto by_lattice(const LatticePoints<N, 3>& points, const Ask& ask, const More&..
   const int x = points.bits(0), y = points.bits(1), z = points.bits(2);
   if (x <= ShortStep::bits && y <= ShortStep::bits && z <= ShortStep::bits)
     return ask(Signs<ShortStep>(points, more...));
-  if (volume_error * power_of_two(x + y + z) < most_error) return ask(Signs<LatticeStep>(points, more...));
+  if (volume_error * power_of_two(x + y + z) < arith::most_error)
+    return ask(Signs<arith::LatticeStep>(points, more...));
   return ask(Signs<LongStep>(points, more...));
 }
 

@@ -8,10 +8,10 @@
 // Source: RTCD 5.2.1, 5.2.9, 5.3.3, 4.4.1.
 #include <optional>
 
+#include "arith/approximate.hpp"
 #include "arith/certain.hpp"
 #include "figure/minkowski/zonotope.hpp"
 #include "figure/obb/quick.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/query/overlap/box.hpp"

@@ -10,11 +10,11 @@ namespace plumb::query {
 namespace {
 
 using namespace axes;
-using RunningVertices = std::vector<core::Vec<Running>>;
+using RunningVertices = std::vector<arith::Vec<Running>>;
 
 template <class Points>
 void add_all(RunningVertices& all, const Points& points) {
-  for (const auto& p : points) all.push_back(core::vec<Running>(in_space(p)));
+  for (const auto& p : points) all.push_back(arith::vec<Running>(in_space(p)));
 }
 
 /// Whose hull holds the figure; none for what goes on without end, or lies between halfspaces.
@@ -41,7 +41,7 @@ RunningVertices vertices_of(const FlatView& v) {
 }
 
 bool boxes_are_apart(const RunningVertices& a, const RunningVertices& b) {
-  for (const auto part : {&core::Vec<Running>::x, &core::Vec<Running>::y, &core::Vec<Running>::z}) {
+  for (const auto part : {&arith::Vec<Running>::x, &arith::Vec<Running>::y, &arith::Vec<Running>::z}) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto range = [part](const RunningVertices& all) {
       std::array<double, 2> r{infinity, -infinity};
@@ -55,9 +55,9 @@ bool boxes_are_apart(const RunningVertices& a, const RunningVertices& b) {
 }
 
 bool is_beside_plane(const std::array<Point3, 3>& span, const RunningVertices& others) {
-  const auto at = [&](std::size_t i) { return core::vec<Running>(span[i]); };
-  const auto normal = core::cross(at(1) - at(0), at(2) - at(0));
-  const auto side = [&](const core::Vec<Running>& v) { return core::dot(normal, v - at(0)).sign(); };
+  const auto at = [&](std::size_t i) { return arith::vec<Running>(span[i]); };
+  const auto normal = arith::cross(at(1) - at(0), at(2) - at(0));
+  const auto side = [&](const arith::Vec<Running>& v) { return arith::dot(normal, v - at(0)).sign(); };
   const auto first = side(others[0]);
   if (!first.certain() || first.value() == Sign::zero) return false;
   return std::ranges::all_of(others, [&](const auto& v) {

@@ -6,9 +6,6 @@
 namespace plumb::query {
 namespace {
 
-Exact2 operator-(const Exact2& a, const Exact2& b) { return {mpq_class(a[0] - b[0]), mpq_class(a[1] - b[1])}; }
-mpq_class cross(const Exact2& u, const Exact2& v) { return u[0] * v[1] - u[1] * v[0]; }
-mpq_class dot(const Exact2& u, const Exact2& v) { return u[0] * v[0] + u[1] * v[1]; }
 int turn(const Exact2& a, const Exact2& b, const Exact2& p) { return sgn(cross(b - a, p - a)); }
 Exact2 at(const Exact2& p, const mpq_class& t, const Exact2& d) {
   return {mpq_class(p[0] + t * d[0]), mpq_class(p[1] + t * d[1])};

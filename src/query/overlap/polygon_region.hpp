@@ -18,6 +18,9 @@
 namespace plumb::query {
 
 using Exact2 = std::array<mpq_class, 2>;
+inline Exact2 operator-(const Exact2& a, const Exact2& b) { return {mpq_class(a[0] - b[0]), mpq_class(a[1] - b[1])}; }
+inline mpq_class cross(const Exact2& u, const Exact2& v) { return u[0] * v[1] - u[1] * v[0]; }
+inline mpq_class dot(const Exact2& u, const Exact2& v) { return u[0] * v[0] + u[1] * v[1]; }
 
 struct Region {
   std::vector<std::vector<Exact2>> chains;

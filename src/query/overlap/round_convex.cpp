@@ -9,7 +9,7 @@ namespace plumb {
 namespace query {
 namespace {
 
-using near_points::quick_gap, query::quick_gap;
+using figure::near_points::quick_gap, query::quick_gap;
 
 std::optional<Sign> near_or_far(const Triangle3& t, const Sphere3& b) { return quick_gap(t, b.center, b.radius); }
 std::optional<Sign> near_or_far(const Obb3& box, const Sphere3& b) { return quick_gap(box, b.center, b.radius); }
@@ -24,7 +24,7 @@ std::optional<Sign> near_or_far(const Aabb3& box, const Capsule3& c) {
 template <class Flat, class Round>
 [[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round, Asked asked) {
   if (is_sound(flat) && is_sound(round) && !is_nothing(flat)) {
-    if (const auto gap = quick_gap(vertices(flat), vertices(round), 0, round.radius)) [[likely]]
+    if (const auto gap = quick_gap(query::vertices(flat), query::vertices(round), 0, round.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
   require_figures(asked, flat, round);
@@ -43,7 +43,7 @@ Relation relate_vertices(const Flat& flat, const Round& round, Asked asked) {
 template <class A, class B>
 Relation relate_round(const A& a, const B& b, Asked asked) {
   if (is_sound(a) && is_sound(b)) [[likely]] {
-    if (const auto gap = quick_gap(vertices(a), vertices(b), a.radius, b.radius)) [[likely]]
+    if (const auto gap = quick_gap(query::vertices(a), query::vertices(b), a.radius, b.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
   require_figures(asked, a, b);

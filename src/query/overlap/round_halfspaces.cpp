@@ -10,11 +10,11 @@ namespace plumb {
 namespace query {
 namespace {
 
-using core::Plain;
+using arith::Plain;
 
 /// normal . x <= offset.
 struct Side {
-  Side(const Plain& n, double at_most) : normal(n), offset(at_most), length(std::sqrt(core::dot(n, n))) {}
+  Side(const Plain& n, double at_most) : normal(n), offset(at_most), length(std::sqrt(arith::dot(n, n))) {}
   Plain normal;
   double offset, length;
 };
@@ -52,7 +52,7 @@ struct Foot {
       double change = 0;
       for (std::size_t i = 0; i < sides.size(); ++i) {
         const auto& [n, offset, length] = sides[i];
-        const double beyond = (core::dot(n, at) - offset + margin * length) / (length * length);
+        const double beyond = (arith::dot(n, at) - offset + margin * length) / (length * length);
         const double step = beyond > -back[i] ? beyond : -back[i];
         if (step == 0) continue;
         back[i] += step;
@@ -74,8 +74,8 @@ Plain nearest_of_core(std::span<const Vertex> core, const Plain& q) {
   for (int round = 0; round < (core.size() == 2 ? 1 : most_rounds); ++round) {
     for (std::size_t k = 0; k < core.size() / 2; ++k) {
       const Plain e = plain(core[k + 1]) - corner;
-      const double square = core::dot(e, e);
-      const double t = square > 0 ? part[k] + core::dot(q - at, e) / square : 0;
+      const double square = arith::dot(e, e);
+      const double t = square > 0 ? part[k] + arith::dot(q - at, e) / square : 0;
       const double next = !(t > 0) ? 0 : t < 1 ? t : 1;
       at = at + e * (next - part[k]);
       part[k] = next;
@@ -94,7 +94,7 @@ class HalfspaceSearch {
     const double radius = radius_.value, margin = radius * 0x1p-24;
     for (const Side& side : sides_) {
       if (!(side.length > 0)) return {};
-      if (proved_beyond([&](const Vertex& v) { return height(side, v); }, core::vec<Running>(side.normal)))
+      if (proved_beyond([&](const Vertex& v) { return height(side, v); }, arith::vec<Running>(side.normal)))
         return Sign::positive;
     }
     for (const Vertex& v : core_) {
@@ -106,7 +106,7 @@ class HalfspaceSearch {
     for (int round = 0; round < most_rounds; ++round) {
       inner.approach(sides_, p, margin, most_at_once);
       const Plain way = inner.at - p;
-      if (core::dot(way, way) < radius * radius && proved_near(inner.at)) return Sign::negative;
+      if (arith::dot(way, way) < radius * radius && proved_near(inner.at)) return Sign::negative;
       outer.approach(sides_, p, 0, most_at_once);
       if (proved_far(outer)) return Sign::positive;
       p = nearest_of_core(core_, inner.at);
@@ -116,7 +116,7 @@ class HalfspaceSearch {
 
  private:
   static Running height(const Side& side, const Vertex& v) {
-    return core::dot(core::vec<Running>(side.normal), v) - Running(side.offset);
+    return arith::dot(arith::vec<Running>(side.normal), v) - Running(side.offset);
   }
   [[nodiscard]] bool holds(const Vertex& v) const {
     for (const Side& side : sides_) {
@@ -125,7 +125,7 @@ class HalfspaceSearch {
     return true;
   }
   [[nodiscard]] bool proved_near(const Plain& at) const {
-    const Vertex q = core::vec<Running>(at);
+    const Vertex q = arith::vec<Running>(at);
     if (!holds(q)) return false;
     const std::array<Vertex, 1> point{q};
     return quick_gap(core_, point, radius_.value, 0) == Sign::negative;
@@ -133,7 +133,7 @@ class HalfspaceSearch {
   /// Is every height, of vertices over a halfspace with this normal, more than the radius?
   template <class Height>
   [[nodiscard]] bool proved_beyond(Height height, const Vertex& normal) const {
-    const Running reach = radius_ * radius_ * core::dot(normal, normal);
+    const Running reach = radius_ * radius_ * arith::dot(normal, normal);
     for (const Vertex& v : core_) {
       const Running h = height(v);
       if (!(h.lower() > 0)) return false;
@@ -146,7 +146,7 @@ class HalfspaceSearch {
   [[nodiscard]] bool proved_far(const Foot& f) const {
     Vertex normal;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      if (f.back[i] > 0) normal = normal + core::vec<Running>(sides_[i].normal) * Running(f.back[i]);
+      if (f.back[i] > 0) normal = normal + arith::vec<Running>(sides_[i].normal) * Running(f.back[i]);
     }
     return proved_beyond(
         [&](const Vertex& v) {

@@ -11,7 +11,7 @@ namespace plumb {
 namespace query {
 namespace {
 
-using core::Plain;
+using arith::Plain;
 
 /// corner + s[k] edges[k], and origin + t direction with t >= 0 for a ray.
 template <std::size_t N>
@@ -25,14 +25,14 @@ template <std::size_t N>
 Guess<N> guess(const Plain& corner, const std::array<Plain, N>& edges, const Plain& origin, const Plain& direction,
                bool is_ray) {
   constexpr int most_rounds = N == 1 ? 1 : 24;
-  const double square = core::dot(direction, direction);
+  const double square = arith::dot(direction, direction);
   const Plain from = corner - origin;
   Guess<N> g;
   const auto foot = [&](const Plain& w) {
-    const double t = core::dot(w, direction) / square;
+    const double t = arith::dot(w, direction) / square;
     return is_ray && !(t > 0) ? 0 : t;
   };
-  const auto off_line = [&](const Plain& w) { return w - direction * (core::dot(w, direction) / square); };
+  const auto off_line = [&](const Plain& w) { return w - direction * (arith::dot(w, direction) / square); };
   const auto at = [&] {
     Plain w = from;
     for (std::size_t k = 0; k < N; ++k) w = w + edges[k] * g.s[k];
@@ -43,11 +43,11 @@ Guess<N> guess(const Plain& corner, const std::array<Plain, N>& edges, const Pla
     for (std::size_t k = 0; k < N; ++k) {
       const Plain rest = at() - edges[k] * g.s[k];
       const Plain e = off_line(edges[k]), w = off_line(rest);
-      const double length = core::dot(e, e);
-      double next = length > 0 ? std::clamp(-core::dot(e, w) / length, 0.0, 1.0) : 0;
+      const double length = arith::dot(e, e);
+      double next = length > 0 ? std::clamp(-arith::dot(e, w) / length, 0.0, 1.0) : 0;
       if (is_ray && foot(rest + edges[k] * next) == 0) {  // nearest to the origin, then
-        const double whole = core::dot(edges[k], edges[k]);
-        next = whole > 0 ? std::clamp(-core::dot(edges[k], rest) / whole, 0.0, 1.0) : 0;
+        const double whole = arith::dot(edges[k], edges[k]);
+        next = whole > 0 ? std::clamp(-arith::dot(edges[k], rest) / whole, 0.0, 1.0) : 0;
       }
       change = std::fmax(change, std::fabs(next - g.s[k]));
       g.s[k] = next;
@@ -60,9 +60,9 @@ Guess<N> guess(const Plain& corner, const std::array<Plain, N>& edges, const Pla
 
 /// Are all vertices beyond the origin along n, by more than the radius times |n|?
 bool all_beyond(std::span<const Vertex> vertices, const Vertex& origin, const Vertex& n, Running radius) {
-  const Running square = radius * radius * core::dot(n, n);
+  const Running square = radius * radius * arith::dot(n, n);
   for (const Vertex& v : vertices) {
-    const Running along = core::dot(n, v - origin);
+    const Running along = arith::dot(n, v - origin);
     if (!(along.lower() > 0)) return false;
     const Unsure<Sign> s = (along * along - square).sign();
     if (!s.certain() || s.value() != Sign::positive) return false;
@@ -76,27 +76,28 @@ std::optional<Sign> line_gap(const Point3& corner, const std::array<Vertex, N>& 
   std::array<Plain, N> e;
   for (std::size_t k = 0; k < N; ++k) e[k] = plain(edges[k]);
   const Guess<N> g =
-      guess(core::vec<double>(corner), e, core::vec<double>(origin), core::vec<double>(direction), is_ray);
+      guess(arith::vec<double>(corner), e, arith::vec<double>(origin), arith::vec<double>(direction), is_ray);
   const Vertex d = vertex(direction), o = vertex(origin), c = vertex(corner);
   Vertex way = c - o - d * Running(g.t);
   for (std::size_t k = 0; k < N; ++k) way = way + edges[k] * Running(g.s[k]);
   const Running r(radius);
-  const Unsure<Sign> near = (core::dot(way, way) - r * r).sign();
+  const Unsure<Sign> near = (arith::dot(way, way) - r * r).sign();
   if (!near.certain() || near.value() == Sign::zero) return {};
   if (near.value() == Sign::negative) return near.value();
   const auto vertices = query::vertices(c, edges);
   const Plain w = plain(way);
   if (is_ray && g.t == 0) {
-    const Vertex n = core::vec<Running>(w);
-    return core::dot(n, d).upper() <= 0 && all_beyond(vertices, o, n, r) ? std::optional(Sign::positive) : std::nullopt;
+    const Vertex n = arith::vec<Running>(w);
+    return arith::dot(n, d).upper() <= 0 && all_beyond(vertices, o, n, r) ? std::optional(Sign::positive)
+                                                                          : std::nullopt;
   }
-  const Vertex n =
-      core::cross(d, core::vec<Running>(core::cross(w, core::vec<double>(direction))));  // at right angles to the line
+  const Vertex n = arith::cross(
+      d, arith::vec<Running>(arith::cross(w, arith::vec<double>(direction))));  // at right angles to the line
   return all_beyond(vertices, o, n, r) ? std::optional(Sign::positive) : std::nullopt;
 }
 
 template <class Line>
-std::optional<Sign> quick(const Line& line, const Capsule3& c) {
+std::optional<Sign> quick_line(const Line& line, const Capsule3& c) {
   const std::array<Vertex, 1> edges{vertex(c.b) - vertex(c.a)};
   if constexpr (std::is_same_v<Line, Ray3>) {
     return line_gap(c.a, edges, c.radius, line.origin, line.direction, true);
@@ -105,7 +106,7 @@ std::optional<Sign> quick(const Line& line, const Capsule3& c) {
   }
 }
 template <class Line>
-std::optional<Sign> quick(const Line& line, const Lozenge3& l) {
+std::optional<Sign> quick_line(const Line& line, const Lozenge3& l) {
   const std::array<Vertex, 2> edges{vertex(l.edges[0]), vertex(l.edges[1])};
   if constexpr (std::is_same_v<Line, Ray3>) {
     return line_gap(l.corner, edges, l.radius, line.origin, line.direction, true);
@@ -117,7 +118,7 @@ std::optional<Sign> quick(const Line& line, const Lozenge3& l) {
 template <class Line, class Round>
 Relation relate_line(const Line& line, const Round& round, Asked asked) {
   if (is_sound(line) && is_sound(round)) [[likely]] {
-    if (const auto gap = quick(line, round)) [[likely]]
+    if (const auto gap = quick_line(line, round)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
   require_figures(asked, line, round);

@@ -1,8 +1,8 @@
 // Balls, capsules, lozenges, cylinders and cones against planes and halfspaces: how far they reach along the normal.
+#include "arith/approximate.hpp"
 #include "arith/certain.hpp"
 #include "arith/running_error.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates/plane_distance.hpp"
 #include "plumb/query/overlap/cylinder_cone.hpp"
@@ -16,7 +16,7 @@ namespace query {
 namespace {
 
 template <class T>
-using Vec = core::Vec<T>;
+using Vec = arith::Vec<T>;
 
 /// A shape is the hull of disks or balls around centers, each of which reaches along the normal n by the root of
 /// reach / square; of a cone only the last one does.
@@ -32,24 +32,24 @@ T squared(const T& x) {
 
 template <class T>
 std::array<Vec<T>, 1> centers(const Sphere3& s) {
-  return {core::vec<T>(s.center)};
+  return {arith::vec<T>(s.center)};
 }
 template <class T>
 std::array<Vec<T>, 2> centers(const Capsule3& c) {
-  return {core::vec<T>(c.a), core::vec<T>(c.b)};
+  return {arith::vec<T>(c.a), arith::vec<T>(c.b)};
 }
 template <class T>
 std::array<Vec<T>, 4> centers(const Lozenge3& l) {
-  const Vec<T> corner = core::vec<T>(l.corner), e = core::vec<T>(l.edges[0]), f = core::vec<T>(l.edges[1]);
+  const Vec<T> corner = arith::vec<T>(l.corner), e = arith::vec<T>(l.edges[0]), f = arith::vec<T>(l.edges[1]);
   return {corner, corner + e, corner + f, corner + e + f};
 }
 template <class T>
 std::array<Vec<T>, 2> centers(const Cylinder3& c) {
-  return {core::vec<T>(c.a), core::vec<T>(c.b)};
+  return {arith::vec<T>(c.a), arith::vec<T>(c.b)};
 }
 template <class T>
 std::array<Vec<T>, 2> centers(const Cone3& c) {
-  return {core::vec<T>(c.apex), core::vec<T>(c.base)};
+  return {arith::vec<T>(c.apex), arith::vec<T>(c.base)};
 }
 
 template <class T, class Round>
@@ -57,10 +57,10 @@ ExtentAlong<T> reach_along(const Round& round, const Vec<T>& n) {
   const T r = squared(T(round.radius));
   if constexpr (std::is_same_v<Round, Cylinder3> || std::is_same_v<Round, Cone3>) {  // a disk across h: |n x h| / |h|
     const auto [from, to] = centers<T>(round);
-    const Vec<T> h = to - from, across = core::cross(n, h);
-    return {r * core::dot(across, across), core::dot(h, h)};
+    const Vec<T> h = to - from, across = arith::cross(n, h);
+    return {r * arith::dot(across, across), arith::dot(h, h)};
   } else {
-    return {r * core::dot(n, n), T(1.0)};
+    return {r * arith::dot(n, n), T(1.0)};
   }
 }
 
@@ -79,12 +79,12 @@ struct PlaneThrough {
 };
 template <class T>
 PlaneOver<T> plane_over(const auto& plane) {
-  return {core::vec<T>(plane.normal), T(plane.offset)};
+  return {arith::vec<T>(plane.normal), T(plane.offset)};
 }
 template <class T>
 PlaneThrough<T> plane_over(const ThreePointPlane3& plane) {
-  const Vec<T> a = core::vec<T>(plane.a);
-  return {core::cross(core::vec<T>(plane.b) - a, core::vec<T>(plane.c) - a), a};
+  const Vec<T> a = arith::vec<T>(plane.a);
+  return {arith::cross(arith::vec<T>(plane.b) - a, arith::vec<T>(plane.c) - a), a};
 }
 
 /// The sign of height - root of (reach / square), or of the height alone.
@@ -194,7 +194,7 @@ Relation relate_round_shape(const Plane& plane, const Round& round, Asked asked)
 
 using query::relate_round_shape;
 
-namespace round_overlap {
+namespace query::round_overlap {
 
 constinit const double plane_constant = filter_constant<predicates::NormalDistanceAgainst3d>();
 static_assert(filter_constant<predicates::SideOfPlane>() <= filter_constant<predicates::NormalDistanceAgainst3d>());
@@ -202,7 +202,7 @@ static_assert(filter_constant<predicates::SideOfPlane>() <= filter_constant<pred
 Relation relate_exactly(const Plane3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
 Relation relate_exactly(const Halfspace3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
 
-}  // namespace round_overlap
+}  // namespace query::round_overlap
 
 Relation relate(const Plane3& a, const Capsule3& b, Asked asked) { return relate_round_shape(a, b, asked); }
 Relation relate(const Plane3& a, const Lozenge3& b, Asked asked) { return relate_round_shape(a, b, asked); }

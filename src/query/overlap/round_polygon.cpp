@@ -16,20 +16,20 @@ namespace {
 
 using Chain3 = std::span<const Point3>;
 template <class T>
-using Vec = core::Vec<T>;
+using Vec = arith::Vec<T>;
 
 template <class T>
 std::vector<Vec<T>> core_points(const Sphere3& ball) {
-  return {core::vec<T>(ball.center)};
+  return {arith::vec<T>(ball.center)};
 }
 template <class T>
 std::vector<Vec<T>> core_points(const Capsule3& c) {
-  return {core::vec<T>(c.a), core::vec<T>(c.b)};
+  return {arith::vec<T>(c.a), arith::vec<T>(c.b)};
 }
 /// Around the parallelogram: each is joined to the next, the last to the first.
 template <class T>
 std::vector<Vec<T>> core_points(const Lozenge3& l) {
-  const Vec<T> p = core::vec<T>(l.corner), u = core::vec<T>(l.edges[0]), v = core::vec<T>(l.edges[1]);
+  const Vec<T> p = arith::vec<T>(l.corner), u = arith::vec<T>(l.edges[0]), v = arith::vec<T>(l.edges[1]);
   return {p, p + u, p + u + v, p + v};
 }
 
@@ -40,19 +40,19 @@ template <class T>
 class Inside {
  public:
   Inside(std::span<const Segment3> edges, const Point3& a, const Point3& b, const Point3& c)
-      : edges_(edges), from_(core::vec<T>(a)), up_(core::vec<T>(b) - from_) {
-    normal_ = core::cross(up_, core::vec<T>(c) - from_);
+      : edges_(edges), from_(arith::vec<T>(a)), up_(arith::vec<T>(b) - from_) {
+    normal_ = arith::cross(up_, arith::vec<T>(c) - from_);
   }
 
   /// Nothing where a sign is not certain.
   template <class Round>
   std::optional<Relation> relation(const Round& round) {
     const std::vector<Vec<T>> points = core_points<T>(round);
-    const T radius = T(round.radius), reach = radius * radius * core::dot(normal_, normal_);
+    const T radius = T(round.radius), reach = radius * radius * arith::dot(normal_, normal_);
     Relation all = Relation::disjoint;
     std::vector<T> heights;
     for (const Vec<T>& p : points) {
-      heights.push_back(core::dot(normal_, p - from_));
+      heights.push_back(arith::dot(normal_, p - from_));
       const Sign gap = ask_(heights.back() * heights.back() - reach);
       if (gap == Sign::positive || !holds(p, T(1.0))) continue;
       all = std::max(all, gap == Sign::negative ? Relation::overlapping : Relation::touching);
@@ -77,11 +77,11 @@ class Inside {
   bool holds(const Vec<T>& p, const T& scale) {
     bool odd = false;
     for (const Segment3& edge : edges_) {
-      const Vec<T> a = core::vec<T>(edge.a) * scale - p, b = core::vec<T>(edge.b) * scale - p;
-      const bool from_below = ask_(core::dot(a, up_)) == Sign::negative;
-      const bool to_below = ask_(core::dot(b, up_)) == Sign::negative;
+      const Vec<T> a = arith::vec<T>(edge.a) * scale - p, b = arith::vec<T>(edge.b) * scale - p;
+      const bool from_below = ask_(arith::dot(a, up_)) == Sign::negative;
+      const bool to_below = ask_(arith::dot(b, up_)) == Sign::negative;
       if (from_below == to_below) continue;
-      const Sign side = ask_(core::dot(normal_, core::cross(a, b)));
+      const Sign side = ask_(arith::dot(normal_, arith::cross(a, b)));
       odd ^= side == (from_below ? Sign::positive : Sign::negative);
     }
     return odd;
@@ -169,7 +169,7 @@ std::vector<Chain3> chains_of(const HoledPolygon3& a) {
 }
 
 template <class Polygon, class Round>
-Relation relate_round(const Polygon& a, const Round& b, Asked asked) {
+Relation relate_round_polygon(const Polygon& a, const Round& b, Asked asked) {
   require_figures(asked, a, b);
   if (b.radius == 0) return relate_convex(name_of(asked), view_of(a), core_set(b));
   if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
@@ -184,14 +184,26 @@ Relation relate_round(const Polygon& a, const Round& b, Asked asked) {
 
 }  // namespace query
 
-Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const Quadrilateral3& a, const Capsule3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const Polygon3& a, const Sphere3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const Polygon3& a, const Capsule3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const HoledPolygon3& a, const Sphere3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const HoledPolygon3& a, const Capsule3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const Quadrilateral3& a, const Lozenge3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const Polygon3& a, const Lozenge3& b, Asked asked) { return query::relate_round(a, b, asked); }
-Relation relate(const HoledPolygon3& a, const Lozenge3& b, Asked asked) { return query::relate_round(a, b, asked); }
+Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked) {
+  return query::relate_round_polygon(a, b, asked);
+}
+Relation relate(const Quadrilateral3& a, const Capsule3& b, Asked asked) {
+  return query::relate_round_polygon(a, b, asked);
+}
+Relation relate(const Polygon3& a, const Sphere3& b, Asked asked) { return query::relate_round_polygon(a, b, asked); }
+Relation relate(const Polygon3& a, const Capsule3& b, Asked asked) { return query::relate_round_polygon(a, b, asked); }
+Relation relate(const HoledPolygon3& a, const Sphere3& b, Asked asked) {
+  return query::relate_round_polygon(a, b, asked);
+}
+Relation relate(const HoledPolygon3& a, const Capsule3& b, Asked asked) {
+  return query::relate_round_polygon(a, b, asked);
+}
+Relation relate(const Quadrilateral3& a, const Lozenge3& b, Asked asked) {
+  return query::relate_round_polygon(a, b, asked);
+}
+Relation relate(const Polygon3& a, const Lozenge3& b, Asked asked) { return query::relate_round_polygon(a, b, asked); }
+Relation relate(const HoledPolygon3& a, const Lozenge3& b, Asked asked) {
+  return query::relate_round_polygon(a, b, asked);
+}
 
 }  // namespace plumb

@@ -11,12 +11,12 @@ using TriangleCorners2 = std::array<Point2, 3>;
 bool precedes(const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 // The segment or point that a triangle without area is.
-Linear2 flattened(const Triangle2& t) {
+Linear2 segment_of(const Triangle2& t) {
   const auto [least, most] = std::minmax({t.a, t.b, t.c}, precedes);
   return Linear2::through(LinearKind::segment, least, most);
 }
 
-Linear2 flattened(const Aabb2& box) { return Linear2::through(LinearKind::segment, box.min, box.max); }
+Linear2 segment_of(const Aabb2& box) { return Linear2::through(LinearKind::segment, box.min, box.max); }
 
 bool is_flat(const Aabb2& box) { return box.min.x == box.max.x || box.min.y == box.max.y; }
 
@@ -77,7 +77,7 @@ Sign within(const Linear2& a, const Aabb2& box) {
 }  // namespace
 
 Sign across(const Triangle2& a, Sign turns, const Aabb2& box) {
-  if (turns == Sign::zero) return across(flattened(a), box);
+  if (turns == Sign::zero) return across(segment_of(a), box);
   const TriangleCorners2 c = corners(a, turns);
   Sign all = Sign::positive;
   for (std::size_t i = 0; i < 3 && all != Sign::negative; ++i) {
@@ -90,20 +90,20 @@ Sign across(const Triangle2& a, Sign turns, const Aabb2& box) {
 
 Relation relate(const Linear2& a, const Triangle2& b) {
   const Sign turns = orient2d(b.a, b.b, b.c);
-  return turns == Sign::zero ? relate(a, flattened(b)) : relate_corners(a, corners(b, turns));
+  return turns == Sign::zero ? relate(a, segment_of(b)) : relate_corners(a, corners(b, turns));
 }
 
 Relation relate(const Linear2& a, const Aabb2& b) {
   if (is_empty(b)) return Relation::disjoint;
-  if (is_flat(b)) return relate(a, flattened(b));
+  if (is_flat(b)) return relate(a, segment_of(b));
   const Sign along = within(a, b);
   return along == Sign::negative ? Relation::disjoint : relation(least(along, across(a, b)));
 }
 
 Relation relate(const Triangle2& a, const Triangle2& b) {
   const Sign of_a = orient2d(a.a, a.b, a.c), of_b = orient2d(b.a, b.b, b.c);
-  if (of_a == Sign::zero) return relate(flattened(a), b);
-  if (of_b == Sign::zero) return relate(flattened(b), a);
+  if (of_a == Sign::zero) return relate(segment_of(a), b);
+  if (of_b == Sign::zero) return relate(segment_of(b), a);
   const TriangleCorners2 p = corners(a, of_a), q = corners(b, of_b);
   const Sign first = beyond_edges(q, p);
   return first == Sign::negative ? Relation::disjoint : relation(least(first, beyond_edges(p, q)));
@@ -111,7 +111,7 @@ Relation relate(const Triangle2& a, const Triangle2& b) {
 
 Relation relate(const Triangle2& a, const Aabb2& b) {
   if (is_empty(b)) return Relation::disjoint;
-  if (is_flat(b)) return relate(flattened(b), a);
+  if (is_flat(b)) return relate(segment_of(b), a);
   const auto [left, right] = std::minmax({a.a.x, a.b.x, a.c.x});
   const auto [low, high] = std::minmax({a.a.y, a.b.y, a.c.y});
   const Sign along = least(in_range(left, right, b.min.x, b.max.x), in_range(low, high, b.min.y, b.max.y));

@@ -25,7 +25,7 @@ Flatness flatness(const Aabb3& box) {
                                    : flat[1] ? 1
                                              : 2)};
 }
-Linear3 flattened(const Aabb3& box) { return Linear3::through(LinearKind::segment, box.min, box.max); }
+Linear3 segment_of(const Aabb3& box) { return Linear3::through(LinearKind::segment, box.min, box.max); }
 
 Sign heads(const Linear3& a, std::size_t k) {
   return a.by_points ? order(numbers(a.q)[k], numbers(a.p)[k]) : order(numbers(a.q)[k], 0);
@@ -64,7 +64,7 @@ Sign beside(const Triangle3& t, const std::array<Sign, 3>& normal, const Aabb3& 
 Relation relate(const Linear3& a, const Aabb3& b) {
   if (is_empty(b)) return Relation::disjoint;
   if (const auto [kind, k] = flatness(b); kind != LevelKind::solid) {
-    if (kind == LevelKind::straight) return relate(a, flattened(b));
+    if (kind == LevelKind::straight) return relate(a, segment_of(b));
     if (heads(a, k) == Sign::zero) {
       return numbers(a.p)[k] == numbers(b.min)[k] ? relate(a.seen_along(k), seen(b, k)) : Relation::disjoint;
     }
@@ -91,7 +91,7 @@ Relation relate(const Triangle3& a, const Aabb3& b) {
   }
   if (all == Sign::negative) return Relation::disjoint;
   if (const auto [kind, k] = flatness(b); kind != LevelKind::solid) {
-    if (kind == LevelKind::straight) return relate(flattened(b), a);
+    if (kind == LevelKind::straight) return relate(segment_of(b), a);
     if (low[k] == high[k]) {
       return low[k] == numbers(b.min)[k] ? relate(seen(a, k), seen(b, k)) : Relation::disjoint;
     }

@@ -25,23 +25,11 @@ constexpr Sign most(Sign a, Sign b) { return a > b ? a : b; }
 /// The order of two coordinates as given.
 constexpr Sign order(double a, double b) { return static_cast<Sign>((a > b) - (a < b)); }
 
-/// Beyond doubles: by small integers, by long doubles (long_filter.hpp), by whatever tells.
-Sign sign_beyond_doubles(const Coordinates<predicates::Orient2d>& p);
-Sign sign_beyond_doubles(const Coordinates<predicates::Orient3d>& p);
-
-template <Formula F, class... Points>
-Sign sign_at(const Points&... points) {
-  assert_sound_thread();
-  const Coordinates<F> p = coordinates_of<F>(points...);
-  if (const int s = filter<F>(p); s != 0) [[likely]]
-    return static_cast<Sign>(s);
-  return sign_beyond_doubles(p);
-}
 inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
-  return sign_at<predicates::Orient2d>(a, b, c);
+  return sign_of(predicates::Orient2d{}, a, b, c);
 }
 inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  return sign_at<predicates::Orient3d>(a, b, c, d);
+  return sign_of(predicates::Orient3d{}, a, b, c, d);
 }
 
 /// The closed intervals of two numbers each, which may be infinite; by their relative interiors.

@@ -88,7 +88,7 @@ inline constexpr double along_constant = filter_constant<AlongSegment>() * more,
                         point_constant = filter_constant<predicates::DistanceAgainst3d>() * more;
 static_assert(filter_constant<Along>() <= filter_constant<AlongSegment>());
 
-using core::Plain;
+using arith::Plain;
 
 Plain plain(const Point3& from, const Point3& to) { return {to.x - from.x, to.y - from.y, to.z - from.z}; }
 double size_of_products(const Plain& u, const Plain& v) {
@@ -100,15 +100,15 @@ int beyond_ball(double square, double reach) {
 }
 /// Does the way u from the center lead away, along d?
 int leads_away(const Plain& u, const Plain& d) {
-  return beyond(core::dot(u, d), along_constant * (size_of_products(u, d) + guard));
+  return beyond(arith::dot(u, d), along_constant * (size_of_products(u, d) + guard));
 }
 
 /// Of the points o + t d, t from 0 where they begin, and up to 1, at `end`, where they end.
 template <bool begins, bool ends>
 std::optional<Relation> by_doubles(const Point3& o, const Plain& d, const Point3& end, const Sphere3& ball) {
   const Plain w = plain(ball.center, o);
-  const double square = core::dot(w, w), reach = ball.radius * ball.radius, length = core::dot(d, d);
-  const double along = core::dot(w, d), value = along * along - length * (square - reach);
+  const double square = arith::dot(w, w), reach = ball.radius * ball.radius, length = arith::dot(d, d);
+  const double along = arith::dot(w, d), value = along * along - length * (square - reach);
   const double most = (length + guard) * (2 * square + reach + guard) + guard;
   const double doubt = line_constant * most + (value - value);
   if (!(doubt >= 0) || ball.radius < 0) return {};  // a number is none, or too large
@@ -121,7 +121,7 @@ std::optional<Relation> by_doubles(const Point3& o, const Plain& d, const Point3
     if (away >= 0) return away > 0 && from > 0 ? std::optional(Relation::disjoint) : std::nullopt;
     if constexpr (ends) {
       const Plain v = plain(ball.center, end);
-      const int to = beyond_ball(core::dot(v, v), reach);
+      const int to = beyond_ball(arith::dot(v, v), reach);
       if (to < 0) return Relation::overlapping;
       const int past = leads_away(v, d);
       if (past <= 0) return past < 0 && to > 0 ? std::optional(Relation::disjoint) : std::nullopt;
@@ -163,10 +163,10 @@ Relation relate(const Line3& a, const Sphere3& b, Asked asked) { return query::r
 Relation relate(const Ray3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
 Relation relate(const Segment3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
 
-namespace round_overlap {
+namespace query::round_overlap {
 
 Relation relate_exactly(const Sphere3& a, const Aabb3& b, Asked asked) { return query::relate_nearest(b, a, asked); }
 
-}  // namespace round_overlap
+}  // namespace query::round_overlap
 
 }  // namespace plumb

@@ -2,7 +2,6 @@
 // the corners; and what has no area as the segment or point that it is.
 #include <bit>
 
-#include "certify/long_filter.hpp"
 #include "plumb/query/overlap/triangle.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/overlap/filters.hpp"
@@ -117,7 +116,6 @@ class PointSigns {
     // The exponents are far apart: the sums of magnitudes tell more of those.
     const auto at = coordinates_of<predicates::Orient3d>(p_[i], p_[j], p_[k], p_[l]);
     if (const int s = magnitude_filter<predicates::Orient3d>(at); s != 0) return static_cast<Sign>(s);
-    if (const int s = long_filter<predicates::Orient3d>(at); s != 0) return static_cast<Sign>(s);
     return decide_exactly<predicates::Orient3d>(at).sign;
   }
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {

@@ -31,7 +31,7 @@ class WideVolumes {
   }
 
  private:
-  static constexpr int bits = integer::wide_bits.front();
+  static constexpr int bits = certify::integer::wide_bits.front();
   [[nodiscard]] predicates::Triple<WideInt<bits + 1>> step(std::size_t i, std::size_t j) const {
     const auto along = [&](std::size_t axis) { return digits_.template difference<bits>(3 * j + axis, 3 * i + axis); };
     return {along(0), along(1), along(2)};

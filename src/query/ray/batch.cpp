@@ -5,10 +5,10 @@
 #include <string>
 
 #include "figure/basic/mesh_input.hpp"
-#include "plumb/certify/ray_order.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/batch_lanes.hpp"
 #include "query/ray/box_lanes.hpp"
+#include "query/ray/hit_order.hpp"
 #include "query/ray/numbers.hpp"
 
 namespace plumb {
@@ -21,13 +21,6 @@ struct Chunk {
   std::array<std::uint8_t, rays_chunk> told;
   std::array<double, rays_chunk> least, most;
 };
-
-BatchRay batch_ray(const AnyRay& ray) {
-  const auto& [x, y, z] = ray.origin;
-  const auto& d = ray.direction;
-  if (ends(ray)) return {{x, y, z}, {ray.end.x - x, ray.end.y - y, ray.end.z - z}, true, true};
-  return {{x, y, z}, {d.x, d.y, d.z}, begins(ray), false};
-}
 
 /// Calls visit(i, told, least, most) for every triangle that is hit, in turn; what lanes do not tell is asked exactly.
 template <class Visit>
@@ -46,16 +39,6 @@ void visit_hits(std::string_view function, const AnyRay& ray, const TriangleBatc
         visit(static_cast<std::uint32_t>(from + i), answers.least[i], answers.most[i]);
     }
   }
-}
-
-/// The sign of the first parameter minus the second.
-Sign compare_hits(const AnyRay& ray, const Triangle3& first, const Triangle3& second, HitRule rule) {
-  const std::array<Point3, 3> p{first.a, first.b, first.c}, q{second.a, second.b, second.c};
-  const auto quick = ends(ray) ? compare_segment_parameters(ray.origin, ray.end, p, q)
-                               : compare_ray_parameters(ray.origin, ray.direction, p, q);
-  if (quick) return *quick;
-  const auto order = *first_hit_parameter(ray, first, rule) <=> *first_hit_parameter(ray, second, rule);
-  return order < 0 ? Sign::negative : order > 0 ? Sign::positive : Sign::zero;
 }
 
 void require_length(std::size_t out, std::size_t many) {

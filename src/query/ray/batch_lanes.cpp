@@ -2,10 +2,8 @@
 
 #include <limits>
 
+#include "certify/batch/instruction_sets.hpp"
 #include "query/ray/filters.hpp"
-
-// As for the batches of signs: those that bring something (docs/batches.md).
-#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/ray/batch_lanes.cpp"
 #include <hwy/foreach_target.h>
@@ -63,8 +61,8 @@ void ask(const BatchRay& ray, const double* const* at, std::size_t n, const Batc
     }
     const auto all_left = hn::Gt(least, doubt), all_right = hn::Lt(most, hn::Neg(doubt));
     auto no = hn::And(left, right), yes = hn::Or(all_left, all_right);
-    // Toward the plane: both with the sign of D.
-    const V value = dot(a, of_bc), way = hn::IfThenElse(all_left, value, hn::Neg(value));
+    // Toward the plane: both with the sign of D, where that is known.
+    const V value = dot(a, of_bc), way = hn::IfThenElse(hn::Gt(sum, zero), value, hn::Neg(value));
     const V volume = hn::Add(hn::Add(hn::Mul(x, yz), hn::Mul(y, zx)), hn::Mul(z, xy));
     const V off = hn::Add(hn::Mul(all(filter_constant<PlaneAhead>()), hn::Add(hn::Mul(slack, volume), outside)),
                           hn::Sub(value, value));
@@ -89,7 +87,7 @@ void ask(const BatchRay& ray, const double* const* at, std::size_t n, const Batc
     const auto ahead = hn::Ge(near, zero), behind = hn::Le(away, zero);
     const V low = hn::Div(near, hn::IfThenElse(ahead, fast, slow)),
             high = hn::Div(away, hn::IfThenElse(behind, fast, slow));
-    const auto known = hn::And(hn::Gt(slow, zero), yes);
+    const auto known = hn::Gt(slow, zero);
     const V room = all(0x1p-50), room_below = hn::Mul(hn::Abs(low), room), room_above = hn::Mul(hn::Abs(high), room);
     const V tiny = all(0x1p-1070);
     hn::StoreU(hn::IfThenElse(known, hn::Sub(hn::Sub(low, room_below), tiny), hn::Neg(infinity)), tag, out.least + i);

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "plumb/query/ray/ray.hpp"
+
 namespace plumb::query {
 
 /// Of a line from the origin along a direction.
@@ -14,7 +16,15 @@ struct BatchRay {
   bool begins, ends;
 };
 
-/// What is told of each triangle: 0 no, 1 yes, 2 nothing; and for yes and the like between which parameters it is hit.
+inline BatchRay batch_ray(const AnyRay& ray) {
+  const auto& [x, y, z] = ray.origin;
+  const auto& d = ray.direction;
+  if (ray.kind == AnyRay::Kind::segment) return {{x, y, z}, {ray.end.x - x, ray.end.y - y, ray.end.z - z}, true, true};
+  return {{x, y, z}, {d.x, d.y, d.z}, ray.kind != AnyRay::Kind::line, false};
+}
+
+/// What is told of each triangle: 0 no, 1 yes, 2 nothing; and between which parameters it is hit where it is: between
+/// infinities where nothing is known of that.
 struct BatchTold {
   std::uint8_t* told;
   double *least, *most;

@@ -1,9 +1,7 @@
 #include "query/ray/box_lanes.hpp"
 
+#include "certify/batch/instruction_sets.hpp"
 #include "query/ray/filters.hpp"
-
-// As for the batches of signs: those that bring something (docs/batches.md).
-#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/ray/box_lanes.cpp"
 #include <hwy/foreach_target.h>

@@ -93,8 +93,8 @@ std::optional<When> enter(const Quadratic<T>& q, const Remaining<T>& left, std::
 template <class T>
 Sign sign_at_root(const Linear<T>& c, const Quadratic<T>& q, RaySigns& ask) {
   const T straight = c.constant * q.square - c.slope * q.half;
-  return radical::sum(ask(straight), -ask(c.slope) * ask(q.discriminant),
-                      [&] { return ask(straight * straight - c.slope * c.slope * q.discriminant); });
+  return certify::radical::sum(ask(straight), -ask(c.slope) * ask(q.discriminant),
+                               [&] { return ask(straight * straight - c.slope * c.slope * q.discriminant); });
 }
 
 /// The sign of constant + slope t, where t is zero, a quotient or the lesser root.

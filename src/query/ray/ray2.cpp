@@ -208,7 +208,7 @@ FirstEdge first_edge(const AnyRay2& ray, const Shape& s) {
 }
 
 template <class Shape>
-void require(std::string_view function, const AnyRay2& ray, const Shape& s) {
+void require_ray2(std::string_view function, const AnyRay2& ray, const Shape& s) {
   switch (ray.kind) {
     case AnyRay::Kind::ray:
       return require_figures(function, Ray2{ray.origin, ray.direction}, s);
@@ -221,20 +221,20 @@ void require(std::string_view function, const AnyRay2& ray, const Shape& s) {
 
 template <class Shape>
 std::optional<Hit2> hit_straight(const AnyRay2& ray, const Shape& s) {
-  require("first_hit", ray, s);
+  require_ray2("first_hit", ray, s);
   if (begins_inside(ray, s)) return Hit2{0, {ray.origin.x + 0.0, ray.origin.y + 0.0}, {FeatureKind::face, 0}, {0, 0}};
   return first_edge(ray, s).hit();
 }
 template <class Shape>
 std::optional<RayParameter> parameter_straight(const AnyRay2& ray, const Shape& s) {
-  require("first_hit_parameter", ray, s);
+  require_ray2("first_hit_parameter", ray, s);
   if (begins_inside(ray, s)) return RayParameter{Rational(0.0)};
   return first_edge(ray, s).parameter();
 }
 
 template <class Shape>
 std::optional<Hit2> hit_round(const AnyRay2& ray, const Shape& s) {
-  require("first_hit", ray, s);
+  require_ray2("first_hit", ray, s);
   const std::optional<Hit> hit = first_hit(in_space(ray), in_space(s));
   if (!hit) return {};
   const bool inside = hit->feature.kind == FeatureKind::interior;
@@ -245,7 +245,7 @@ std::optional<Hit2> hit_round(const AnyRay2& ray, const Shape& s) {
 }
 template <class Shape>
 std::optional<RayParameter> parameter_round(const AnyRay2& ray, const Shape& s) {
-  require("first_hit_parameter", ray, s);
+  require_ray2("first_hit_parameter", ray, s);
   return first_hit_parameter(in_space(ray), in_space(s));
 }
 

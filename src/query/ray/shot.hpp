@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "arith/approximate.hpp"
 #include "arith/certain.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/query/ray/ray.hpp"

@@ -12,7 +12,7 @@
 
 #include "query/convex/bound_value.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 
 /// The signs of one set's bounds at the other's vertices, times the bounds' sides (1 where the side is 0).
 class SignTable {
@@ -180,4 +180,4 @@ class Clip {
   CertainSigns& ask_;
 };
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -12,7 +12,7 @@
 
 #include "query/section/clip.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -147,4 +147,4 @@ std::vector<Corner<T, N>> extreme(const std::vector<Corner<T, N>>& corners, Seen
   return hull;
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -6,7 +6,7 @@
 
 #include "query/section/corner.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 
 inline ExactPoint2 as_point(const std::array<double, 2>& x) { return Point2{x[0], x[1]}; }
 inline ExactPoint3 as_point(const std::array<double, 3>& x) { return Point3{x[0], x[1], x[2]}; }
@@ -57,4 +57,4 @@ auto corner_name(const Corner<T, N>& c, const ConvexSet<N>& a, const ConvexSet<N
   return std::optional<Exact>();
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

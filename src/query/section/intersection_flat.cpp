@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-using meeting::intersection_of;
+using query::meeting::intersection_of;
 
 Intersection2 intersection(const Line2& a, const Line2& b) { return intersection_of(a, b); }
 Intersection2 intersection(const Line2& a, const Ray2& b) { return intersection_of(a, b); }

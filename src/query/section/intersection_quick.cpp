@@ -9,7 +9,7 @@
 #include "query/section/corner_name.hpp"
 #include "query/section/flat_outline.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 namespace {
 
 bool strictly_same(Sign a, Sign b) { return a * b == Sign::positive; }
@@ -184,7 +184,7 @@ std::optional<Intersection2> by_signs(const Segment2& s, const Segment2& t) {
 }
 
 std::optional<Intersection3> by_signs(const Segment3& s, const Triangle3& t) {
-  if (relate(s, t) == Relation::disjoint) return Intersection3{};
+  if (plumb::relate(s, t) == Relation::disjoint) return Intersection3{};
   const Sign a = query::orient3d(t.a, t.b, t.c, s.a), b = query::orient3d(t.a, t.b, t.c, s.b);
   if (opposite(a, b)) return at<Intersection3>(LinePlanePoint3{s.a, s.b, t.a, t.b, t.c});
   if (a == b) return {};  // in the plane
@@ -192,7 +192,7 @@ std::optional<Intersection3> by_signs(const Segment3& s, const Triangle3& t) {
 }
 
 std::optional<Intersection3> by_signs(const Triangle3& t, const Triangle3& u) {
-  const Relation relation = relate(t, u);
+  const Relation relation = plumb::relate(t, u);
   if (relation == Relation::disjoint) return Intersection3{};
   if (relation != Relation::overlapping || !is_coplanar(t, u) || collinear(t.a, t.b, t.c)) return {};
   const Look look = look_at_plane(t.a, t.b, t.c);
@@ -216,8 +216,8 @@ std::optional<Intersection3> by_signs(const Triangle3& t, const Aabb3& b) {
   if (outside(t.a.x, t.b.x, t.c.x, b.min.x, b.max.x) || outside(t.a.y, t.b.y, t.c.y, b.min.y, b.max.y) ||
       outside(t.a.z, t.b.z, t.c.z, b.min.z, b.max.z))
     return Intersection3{};
-  if (relate(t, b) == Relation::disjoint) return Intersection3{};
+  if (plumb::relate(t, b) == Relation::disjoint) return Intersection3{};
   return {};
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -14,7 +14,7 @@
 #include "query/body/figure_input.hpp"
 #include "query/section/meet.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 
 template <class A, class B>
 using Common = decltype(intersection(std::declval<A>(), std::declval<B>()));
@@ -52,4 +52,4 @@ Common<A, B> intersection_of(const A& a, const B& b) {
   return meet(convex_set(a), convex_set(b));
 }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

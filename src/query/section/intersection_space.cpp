@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-using meeting::intersection_of;
+using query::meeting::intersection_of;
 
 Intersection3 intersection(const Line3& a, const Line3& b) { return intersection_of(a, b); }
 Intersection3 intersection(const Line3& a, const Ray3& b) { return intersection_of(a, b); }

@@ -4,7 +4,7 @@
 
 #include "query/section/corner_name.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 namespace {
 
 template <std::size_t N>
@@ -185,4 +185,4 @@ Common<N> meet_sets(const ConvexSet<N>& a, const ConvexSet<N>& b) {
 Intersection2 meet(const ConvexSet<2>& a, const ConvexSet<2>& b) { return meet_sets<2>(a, b); }
 Intersection3 meet(const ConvexSet<3>& a, const ConvexSet<3>& b) { return meet_sets<3>(a, b); }
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

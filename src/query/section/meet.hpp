@@ -11,9 +11,9 @@
 #include "plumb/query/section/intersection_result.hpp"
 #include "query/convex/set.hpp"
 
-namespace plumb::meeting {
+namespace plumb::query::meeting {
 
 Intersection2 meet(const ConvexSet<2>& a, const ConvexSet<2>& b);
 Intersection3 meet(const ConvexSet<3>& a, const ConvexSet<3>& b);
 
-}  // namespace plumb::meeting
+}  // namespace plumb::query::meeting

@@ -11,7 +11,7 @@ namespace plumb {
 namespace {
 
 using Row = std::array<mpq_class, 4>;  // coefficients, and the right side
-using Rows = std::vector<Row>;
+using Equations = std::vector<Row>;
 using RationalTriple = std::array<mpq_class, 3>;
 
 void require_plane(std::string_view name, const AnyPlane3& plane) {
@@ -37,7 +37,7 @@ RationalTriple unit(std::size_t axis) {
 }
 
 /// The equations of the plane: one, more where three points span none.
-Rows equations(const AnyPlane3& plane) {
+Equations equations(const AnyPlane3& plane) {
   if (const auto* p = std::get_if<Plane3>(&plane)) {
     return {{mpq_class(p->normal.x), mpq_class(p->normal.y), mpq_class(p->normal.z), mpq_class(p->offset)}};
   }
@@ -45,7 +45,7 @@ Rows equations(const AnyPlane3& plane) {
   const RationalTriple a = of(t.a), u = of(t.b) - a, v = of(t.c) - a, n = cross(u, v);
   if (!is_zero(n)) return {through(n, a)};
   const RationalTriple& d = is_zero(u) ? v : u;
-  Rows rows;
+  Equations rows;
   for (std::size_t axis = 0; axis < 3; ++axis)
     rows.push_back(through(is_zero(d) ? unit(axis) : cross(d, unit(axis)), a));
   return rows;
@@ -53,11 +53,11 @@ Rows equations(const AnyPlane3& plane) {
 
 struct Reduced {
   std::vector<std::size_t> pivots;  // the column of each row's leading one
-  Rows rows;
+  Equations rows;
   bool consistent = true;
 };
 
-Reduced reduced(Rows rows) {
+Reduced reduced(Equations rows) {
   Reduced r;
   for (std::size_t column = 0; column < 3; ++column) {
     const std::size_t rank = r.pivots.size();
@@ -98,7 +98,7 @@ FlatIntersection solution(const Reduced& r) {
   return flat;
 }
 
-std::size_t rank_of(Rows rows) { return reduced(std::move(rows)).pivots.size(); }
+std::size_t rank_of(Equations rows) { return reduced(std::move(rows)).pivots.size(); }
 Row normal_of(Row row) {
   row[3] = 0;
   return row;
@@ -110,7 +110,7 @@ bool same(const Row& a, const Row& b) {
 }
 
 /// One row: a plane, unless it has no normal.
-bool is_plane(const Rows& rows) {
+bool is_plane(const Equations& rows) {
   return rows.size() == 1 && (sgn(rows[0][0]) != 0 || sgn(rows[0][1]) != 0 || sgn(rows[0][2]) != 0);
 }
 
@@ -128,7 +128,7 @@ Vector3 approximate(const ExactVector3& a) {
 
 FlatIntersection intersection(const AnyPlane3& a, const AnyPlane3& b) {
   std::visit([](const auto& p, const auto& q) { query::require_figures("intersection", p, q); }, a, b);
-  Rows rows = equations(a);
+  Equations rows = equations(a);
   for (Row& row : equations(b)) rows.push_back(std::move(row));
   return solution(reduced(std::move(rows)));
 }
@@ -137,9 +137,9 @@ ThreePlanes intersection(const AnyPlane3& a, const AnyPlane3& b, const AnyPlane3
   require_plane("a", a);
   require_plane("b", b);
   require_plane("c", c);
-  const std::array<Rows, 3> each{equations(a), equations(b), equations(c)};
-  Rows all;
-  for (const Rows& rows : each) all.insert(all.end(), rows.begin(), rows.end());
+  const std::array<Equations, 3> each{equations(a), equations(b), equations(c)};
+  Equations all;
+  for (const Equations& rows : each) all.insert(all.end(), rows.begin(), rows.end());
   const Reduced r = reduced(all);
   ThreePlanes result{PlaneArrangement::degenerate, 3, solution(r)};
   if (!is_plane(each[0]) || !is_plane(each[1]) || !is_plane(each[2])) return result;

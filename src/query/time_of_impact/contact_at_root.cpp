@@ -1,27 +1,23 @@
 #include "query/time_of_impact/contact_at_root.hpp"
 
+#include "arith/certain.hpp"
+
 namespace plumb::query::moving {
 namespace {
 
-Ball difference(double a, double b) {
+Ball ball_difference(double a, double b) {
   const Rounded d = two_sum(a, -b);
   if (!(Ball::size(d.value) <= 0x1p1021)) return {0, 0, Ball::infinity};
   return {d.value, d.error, 0};
 }
-std::array<Ball, 3> difference(const Point3& a, const Point3& b) {
-  return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
+std::array<Ball, 3> ball_difference(const Point3& a, const Point3& b) {
+  return {ball_difference(a.x, b.x), ball_difference(a.y, b.y), ball_difference(a.z, b.z)};
 }
 
 /// One coordinate of a cross product.
-Ball cross(const std::array<Ball, 3>& a, const std::array<Ball, 3>& b, std::size_t axis) {
+Ball cross_coordinate(const std::array<Ball, 3>& a, const std::array<Ball, 3>& b, std::size_t axis) {
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
   return a[i] * b[j] - a[j] * b[i];
-}
-
-/// The sign that is certain; 0 where none is.
-int certain_sign(const Ball& x) {
-  const Unsure<Sign> s = x.sign();
-  return s.certain() ? static_cast<int>(s.value()) : 0;
 }
 
 }  // namespace
@@ -30,7 +26,7 @@ ContactAtRoot::ContactAtRoot(MovingKind kind, std::span<const Point3, 4> p, std:
     : kind_(kind),
       differences_{[&] {
         const auto linear = [&](std::size_t i, std::size_t j) {
-          return Linear{difference(p[i], p[j]), difference(q[i], q[j])};
+          return Linear{ball_difference(p[i], p[j]), ball_difference(q[i], q[j])};
         };
         if (kind == MovingKind::vertex_triangle)
           return std::array{linear(1, 0), linear(2, 0), linear(3, 0), linear(3, 0)};
@@ -48,8 +44,9 @@ ContactAtRoot::ContactAtRoot(MovingKind kind, std::span<const Point3, 4> p, std:
 }
 
 std::array<Ball, 3> ContactAtRoot::product(const Linear& a, const Linear& b, std::size_t axis) {
-  return {cross(a.at_0, b.at_0, axis), cross(a.at_0, b.at_1, axis) + cross(a.at_1, b.at_0, axis),
-          cross(a.at_1, b.at_1, axis)};
+  return {cross_coordinate(a.at_0, b.at_0, axis),
+          cross_coordinate(a.at_0, b.at_1, axis) + cross_coordinate(a.at_1, b.at_0, axis),
+          cross_coordinate(a.at_1, b.at_1, axis)};
 }
 
 Ball ContactAtRoot::cubic(const Ball& t) const {

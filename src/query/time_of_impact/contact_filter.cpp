@@ -19,10 +19,10 @@ namespace {
 // coefficient, along three axes: of size at most 6 X Y Z (1 + u)^3; to the 6 u of the cross product come u for the
 // difference, u for the product, 2 u for the sum of three axes, 3 u for the combination of three and its third: below
 // 6 X Y Z * 14 u; three combinations for the piece add 9 u: below 6 X Y Z * 24 u.
-// The roundings of X, Y, Z and of the bounds themselves are far below what the constants leave.  `least` pays for
+// The roundings of X, Y, Z and of the bounds themselves are far below what the constants leave.  `least_filtered` pays for
 // underflow: of a cross product, times the largest difference, in the cubic.
 constexpr double unit = 0x1p-53;
-constexpr double least = 0x1p-960;
+constexpr double least_filtered = 0x1p-960;
 constexpr double cross_constant = 2 * 16 * unit;
 constexpr double cubic_constant = 6 * 32 * unit;
 constexpr double finest = 0x1p-24, narrow = 0x1p-8;  // pieces of time
@@ -32,11 +32,11 @@ struct DoubleVec {
   double x, y, z;
 };
 
-DoubleVec difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-DoubleVec cross(const DoubleVec& a, const DoubleVec& b) {
+DoubleVec double_difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+DoubleVec cross_product(const DoubleVec& a, const DoubleVec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-double dot(const DoubleVec& a, const DoubleVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double dot_product(const DoubleVec& a, const DoubleVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 DoubleVec half_sum(const DoubleVec& a, const DoubleVec& b) {
   return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5, (a.z + b.z) * 0.5};
 }
@@ -50,12 +50,13 @@ struct TimeQuadratic {
 };
 using Cubic = std::array<double, 4>;
 
-TimeQuadratic cross(const Linear& a, const Linear& b) {
-  return {{cross(a.at_0, b.at_0), half_sum(cross(a.at_0, b.at_1), cross(a.at_1, b.at_0)), cross(a.at_1, b.at_1)}};
+TimeQuadratic cross_product(const Linear& a, const Linear& b) {
+  return {{cross_product(a.at_0, b.at_0), half_sum(cross_product(a.at_0, b.at_1), cross_product(a.at_1, b.at_0)),
+           cross_product(a.at_1, b.at_1)}};
 }
-Cubic dot(const Linear& a, const TimeQuadratic& q) {
-  return {dot(a.at_0, q.c[0]), (2 * dot(a.at_0, q.c[1]) + dot(a.at_1, q.c[0])) * (1.0 / 3),
-          (dot(a.at_0, q.c[2]) + 2 * dot(a.at_1, q.c[1])) * (1.0 / 3), dot(a.at_1, q.c[2])};
+Cubic dot_product(const Linear& a, const TimeQuadratic& q) {
+  return {dot_product(a.at_0, q.c[0]), (2 * dot_product(a.at_0, q.c[1]) + dot_product(a.at_1, q.c[0])) * (1.0 / 3),
+          (dot_product(a.at_0, q.c[2]) + 2 * dot_product(a.at_1, q.c[1])) * (1.0 / 3), dot_product(a.at_1, q.c[2])};
 }
 
 double between(double a, double b, double t) { return (1 - t) * a + t * b; }
@@ -221,16 +222,19 @@ bool coplanar(std::span<const Point3, 4> p) {
                                               p[2].x, p[2].y, p[2].z, p[3].x, p[3].y, p[3].z}) == Sign::zero;
 }
 
-TimeQuadratic side(const Figures<3>& f, std::size_t i) { return cross(f.differences[i], f.differences[(i + 1) % 3]); }
+TimeQuadratic side(const Figures<3>& f, std::size_t i) {
+  return cross_product(f.differences[i], f.differences[(i + 1) % 3]);
+}
 TimeQuadratic side(const Figures<4>& f, std::size_t i) {  // of the differences ac, ad, bc, bd
   constexpr std::array<std::size_t, 4> left{0, 2, 0, 1}, right{1, 3, 2, 3};
-  return cross(f.differences[left[i]], f.differences[right[i]]);
+  return cross_product(f.differences[left[i]], f.differences[right[i]]);
 }
 
 template <ContactWanted asked, std::size_t Count>
 FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   const auto linear = [&](std::size_t i, std::size_t j) {
-    return Linear{difference(question.at_0[i], question.at_0[j]), difference(question.at_1[i], question.at_1[j])};
+    return Linear{double_difference(question.at_0[i], question.at_0[j]),
+                  double_difference(question.at_1[i], question.at_1[j])};
   };
   // The cubic takes three differences.
   constexpr bool edges = Count == 4;
@@ -240,20 +244,21 @@ FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   DoubleVec m{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) include(m, f.differences[i]);
   f.sides[0] = side(f, 0);
-  const Cubic cubic = dot(f.differences[2], f.sides[0]);
+  const Cubic cubic = dot_product(f.differences[2], f.sides[0]);
   // Products of the bounds must not vanish before they are done, and what has overflowed is certain of nothing: NaN.
   const auto product = [](double x, double y, double z) {
     constexpr double floor = 0x1p-320;
     return larger(x, floor) * larger(y, floor) * larger(z, floor);
   };
-  double bound = cubic_constant * product(m.x, m.y, m.z) + least * (1 + m.x + m.y + m.z);
+  double bound = cubic_constant * product(m.x, m.y, m.z) + least_filtered * (1 + m.x + m.y + m.z);
   for (const double c : cubic) bound += c - c;
   unsigned signs = either;
   for (const double c : cubic) signs &= certain_sign(c, bound);
   if (signs != 0) return {ContactVerdict::no, {}};
   if constexpr (edges) include(m, f.differences[3] = linear(3, 1));
-  f.bound = {cross_constant * product(1, m.y, m.z) + least, cross_constant * product(1, m.z, m.x) + least,
-             cross_constant * product(1, m.x, m.y) + least};
+  f.bound = {cross_constant * product(1, m.y, m.z) + least_filtered,
+             cross_constant * product(1, m.z, m.x) + least_filtered,
+             cross_constant * product(1, m.x, m.y) + least_filtered};
   for (std::size_t i = 1; i < Count; ++i) f.sides[i] = side(f, i);
   for (const TimeQuadratic& side : f.sides) {
     for (const DoubleVec& c : side.c)

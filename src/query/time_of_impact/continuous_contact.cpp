@@ -89,7 +89,7 @@ std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& opt
   }
   const auto exact = query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, options.separation);
   if (!exact) return {};
-  return Contact{query::rounded(Rounding::down, exact->time), exact->a, exact->b};
+  return Contact{arith::rounded(Rounding::down, exact->time), exact->a, exact->b};
 }
 
 template <class A, class B>
@@ -98,7 +98,7 @@ std::optional<Root> contact_time(const A& a, const B& b, const ContactOptions& o
   if (options.separation == 0 && query::moving::contact_filter(m) == ContactVerdict::no) return {};
   auto exact = exact_first_contact(m, options.separation);
   if (!exact) return {};
-  return Root(std::make_shared<const query::IsolatedRoot>(std::move(exact->time)));
+  return Root(std::make_shared<const arith::IsolatedRoot>(std::move(exact->time)));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Projection projection(MovingKind kind, const FourMoving& p) {
 }
 
 /// The cubic: p[0] (or a) against the plane of the others.
-Polynomial coplanarity(const FourMoving& p) {
+arith::Polynomial coplanarity(const FourMoving& p) {
   return dot(difference(p[1], p[0]), cross(difference(p[2], p[0]), difference(p[3], p[0])));
 }
 
@@ -64,12 +64,12 @@ class ContactInPlane {
   ContactInPlane(MovingKind kind, const FourMoving& points)
       : kind_(kind), points_(points), projection_(projection(kind, points)) {}
 
-  std::optional<FeaturesInContact> at(IsolatedRoot& time) {
+  std::optional<FeaturesInContact> at(arith::IsolatedRoot& time) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int whole = sign_at(projection_.whole[axis], time);
+      const int whole = arith::sign_at(projection_.whole[axis], time);
       if (whole == 0) continue;
       std::array<int, 4> side{};
-      for (std::size_t i = 0; i < projection_.count; ++i) side[i] = sign_at(projection_.sides[i][axis], time);
+      for (std::size_t i = 0; i < projection_.count; ++i) side[i] = arith::sign_at(projection_.sides[i][axis], time);
       if (kind_ == MovingKind::vertex_triangle) {
         if (side[0] == -whole || side[1] == -whole || side[2] == -whole) return {};
         return triangle_features(side);
@@ -82,19 +82,19 @@ class ContactInPlane {
 
  private:
   // A triangle without area is its edges, parallel edges meet in vertices.
-  std::optional<FeaturesInContact> when_flat(IsolatedRoot& time) {
+  std::optional<FeaturesInContact> when_flat(arith::IsolatedRoot& time) {
     if (flat_.empty()) flat_ = feature_pairs(kind_, points_, true);
     for (const FeaturePair& pair : flat_) {
-      if (sign_at(pair.zero, time) == 0 && counts(pair, time)) return FeaturesInContact{pair.a, pair.b};
+      if (arith::sign_at(pair.zero, time) == 0 && counts(pair, time)) return FeaturesInContact{pair.a, pair.b};
     }
     return {};
   }
 
  public:
-  static bool counts(const FeaturePair& pair, IsolatedRoot& time) {
-    if (sign_at(pair.denominator, time) <= 0) return false;
-    for (const Polynomial& bound : pair.bounds) {
-      if (sign_at(bound, time) < 0) return false;
+  static bool counts(const FeaturePair& pair, arith::IsolatedRoot& time) {
+    if (arith::sign_at(pair.denominator, time) <= 0) return false;
+    for (const arith::Polynomial& bound : pair.bounds) {
+      if (arith::sign_at(bound, time) < 0) return false;
     }
     return true;
   }
@@ -106,11 +106,11 @@ class ContactInPlane {
   std::vector<FeaturePair> flat_;
 };
 
-mpz_class at_start(const Polynomial& p) { return p.empty() ? mpz_class(0) : p.front(); }
+mpz_class at_start(const arith::Polynomial& p) { return p.empty() ? mpz_class(0) : p.front(); }
 
 bool counts_at_start(const FeaturePair& pair) {
   if (at_start(pair.denominator) <= 0) return false;
-  for (const Polynomial& bound : pair.bounds) {
+  for (const arith::Polynomial& bound : pair.bounds) {
     if (at_start(bound) < 0) return false;
   }
   return true;
@@ -129,7 +129,7 @@ std::optional<ExactContact> contact_at_start(const std::vector<FeaturePair>& pai
     least = distance;
   }
   if (least > square) return {};
-  return ExactContact{root_at(0), nearest->a, nearest->b};
+  return ExactContact{arith::root_at(0), nearest->a, nearest->b};
 }
 
 /// The least time at which a pair that counts is at this distance.
@@ -137,14 +137,14 @@ std::optional<ExactContact> first_of_pairs(const std::vector<FeaturePair>& pairs
   if (auto contact = contact_at_start(pairs, square)) return contact;
   std::optional<ExactContact> first;
   for (const FeaturePair& pair : pairs) {
-    Polynomial distance = pair.zero;
+    arith::Polynomial distance = pair.zero;
     if (square != 0) {
       distance = pair.numerator;
       subtract_product(distance, {square}, pair.denominator);
     }
-    make_primitive(distance);
+    arith::make_primitive(distance);
     if (distance.size() < 2) continue;
-    visit_roots_in_unit_interval(distance, [&](IsolatedRoot& time) {
+    arith::visit_roots_in_unit_interval(distance, [&](arith::IsolatedRoot& time) {
       if (first && compare(time, first->time) >= 0) return false;
       if (!ContactInPlane::counts(pair, time)) return true;
       first = ExactContact{time, pair.a, pair.b};
@@ -170,12 +170,12 @@ std::optional<ExactContact> exact_first_contact(MovingKind kind, std::span<const
   for (std::size_t i = 0; i < 4; ++i) points[i] = moving(exponent, at_0[i], at_1[i]);
   const mpz_class least = integer_on(exponent, separation), square = least * least;
   if (square != 0) return first_of_pairs(feature_pairs(kind, points, false), square);
-  Polynomial cubic = coplanarity(points);
+  arith::Polynomial cubic = coplanarity(points);
   if (cubic.empty()) return first_of_pairs(feature_pairs(kind, points, false), square);
-  make_primitive(cubic);
+  arith::make_primitive(cubic);
   std::optional<ExactContact> first;
   std::optional<ContactInPlane> contact;
-  visit_roots_in_unit_interval(cubic, [&](IsolatedRoot& time) {
+  arith::visit_roots_in_unit_interval(cubic, [&](arith::IsolatedRoot& time) {
     if (!contact) contact.emplace(kind, points);
     const auto features = contact->at(time);
     if (features) first = ExactContact{time, features->a, features->b};

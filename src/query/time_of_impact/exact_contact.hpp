@@ -19,7 +19,7 @@
 namespace plumb::query::moving {
 
 struct ExactContact {
-  IsolatedRoot time;
+  arith::IsolatedRoot time;
   Feature a, b;
 };
 

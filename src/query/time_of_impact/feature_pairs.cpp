@@ -11,31 +11,31 @@ Feature edge(std::uint32_t i) { return {FeatureKind::edge, i}; }
 
 FeaturePair vertex_vertex(const MovingVector& p, const MovingVector& q, Feature a, Feature b) {
   const MovingVector w = difference(p, q);
-  const Polynomial square = dot(w, w);
+  const arith::Polynomial square = dot(w, w);
   return {square, {1}, square, {}, a, b};
 }
 
 FeaturePair vertex_edge(const MovingVector& p, const MovingVector& from, const MovingVector& to, Feature a, Feature b) {
   const MovingVector w = difference(p, from), e = difference(to, from), c = cross(w, e);
-  const Polynomial square = dot(e, e), along = dot(w, e), numerator = dot(c, c);
+  const arith::Polynomial square = dot(e, e), along = dot(w, e), numerator = dot(c, c);
   return {numerator, square, numerator, {along, difference(square, along)}, a, b};
 }
 
 FeaturePair vertex_face(const FourMoving& p) {
   const MovingVector e = difference(p[2], p[1]), f = difference(p[3], p[1]), w = difference(p[0], p[1]);
   const MovingVector n = cross(e, f);
-  const Polynomial gap = dot(w, n), square = dot(n, n);
+  const arith::Polynomial gap = dot(w, n), square = dot(n, n);
   // w = u e + v f + a multiple of n: u and v times the square.
-  const Polynomial u = dot(cross(w, f), n), v = dot(cross(e, w), n);
+  const arith::Polynomial u = dot(cross(w, f), n), v = dot(cross(e, w), n);
   return {product(gap, gap), square, gap, {u, v, difference(square, sum(u, v))}, vertex(0), {FeatureKind::face, 0}};
 }
 
 FeaturePair edge_edge(const FourMoving& p) {
   const MovingVector e = difference(p[1], p[0]), f = difference(p[3], p[2]), w = difference(p[2], p[0]);
   const MovingVector n = cross(e, f);
-  const Polynomial gap = dot(w, n), square = dot(n, n);
+  const arith::Polynomial gap = dot(w, n), square = dot(n, n);
   // w = u e - v f + a multiple of n: u and v times the square.
-  const Polynomial u = dot(cross(w, f), n), v = dot(cross(w, e), n);
+  const arith::Polynomial u = dot(cross(w, f), n), v = dot(cross(w, e), n);
   return {product(gap, gap), square, gap, {u, v, difference(square, u), difference(square, v)}, edge(0), edge(0)};
 }
 

@@ -22,9 +22,9 @@ enum class MovingKind : unsigned char { vertex_triangle, edge_edge };
 using FourMoving = std::array<MovingVector, 4>;
 
 struct FeaturePair {
-  Polynomial numerator, denominator;
-  Polynomial zero;  // zero where the numerator is, of half its degree if there is one
-  std::vector<Polynomial> bounds;
+  arith::Polynomial numerator, denominator;
+  arith::Polynomial zero;  // zero where the numerator is, of half its degree if there is one
+  std::vector<arith::Polynomial> bounds;
   Feature a, b;
 };
 

@@ -15,40 +15,44 @@
 
 namespace plumb::query::moving {
 
-inline Polynomial trimmed(Polynomial p) {
+inline arith::Polynomial trimmed(arith::Polynomial p) {
   while (!p.empty() && sgn(p.back()) == 0) p.pop_back();
   return p;
 }
 /// By mpz_add or mpz_sub.
 template <auto combine>
-Polynomial combined(const Polynomial& a, const Polynomial& b) {
-  Polynomial r = a;
+arith::Polynomial combined(const arith::Polynomial& a, const arith::Polynomial& b) {
+  arith::Polynomial r = a;
   if (r.size() < b.size()) r.resize(b.size());
   for (std::size_t i = 0; i < b.size(); ++i) combine(r[i].get_mpz_t(), r[i].get_mpz_t(), b[i].get_mpz_t());
   return trimmed(std::move(r));
 }
-inline Polynomial sum(const Polynomial& a, const Polynomial& b) { return combined<mpz_add>(a, b); }
-inline Polynomial difference(const Polynomial& a, const Polynomial& b) { return combined<mpz_sub>(a, b); }
+inline arith::Polynomial sum(const arith::Polynomial& a, const arith::Polynomial& b) { return combined<mpz_add>(a, b); }
+inline arith::Polynomial difference(const arith::Polynomial& a, const arith::Polynomial& b) {
+  return combined<mpz_sub>(a, b);
+}
 /// By mpz_addmul or mpz_submul.
 template <auto multiply>
-void take_product(Polynomial& r, const Polynomial& a, const Polynomial& b) {
+void take_product(arith::Polynomial& r, const arith::Polynomial& a, const arith::Polynomial& b) {
   if (a.empty() || b.empty()) return;
   if (r.size() < a.size() + b.size() - 1) r.resize(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) multiply(r[i + j].get_mpz_t(), a[i].get_mpz_t(), b[j].get_mpz_t());
   }
 }
-inline void add_product(Polynomial& r, const Polynomial& a, const Polynomial& b) { take_product<mpz_addmul>(r, a, b); }
-inline void subtract_product(Polynomial& r, const Polynomial& a, const Polynomial& b) {
+inline void add_product(arith::Polynomial& r, const arith::Polynomial& a, const arith::Polynomial& b) {
+  take_product<mpz_addmul>(r, a, b);
+}
+inline void subtract_product(arith::Polynomial& r, const arith::Polynomial& a, const arith::Polynomial& b) {
   take_product<mpz_submul>(r, a, b);
 }
-inline Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial r;
+inline arith::Polynomial product(const arith::Polynomial& a, const arith::Polynomial& b) {
+  arith::Polynomial r;
   add_product(r, a, b);
   return r;
 }
 
-using MovingVector = std::array<Polynomial, 3>;
+using MovingVector = std::array<arith::Polynomial, 3>;
 
 inline MovingVector difference(const MovingVector& a, const MovingVector& b) {
   return {difference(a[0], b[0]), difference(a[1], b[1]), difference(a[2], b[2])};
@@ -56,14 +60,15 @@ inline MovingVector difference(const MovingVector& a, const MovingVector& b) {
 inline MovingVector sum(const MovingVector& a, const MovingVector& b) {
   return {sum(a[0], b[0]), sum(a[1], b[1]), sum(a[2], b[2])};
 }
-inline Polynomial dot(const MovingVector& a, const MovingVector& b) {
-  Polynomial r;
+inline arith::Polynomial dot(const MovingVector& a, const MovingVector& b) {
+  arith::Polynomial r;
   for (std::size_t i = 0; i < 3; ++i) add_product(r, a[i], b[i]);
   return trimmed(std::move(r));
 }
 inline MovingVector cross(const MovingVector& a, const MovingVector& b) {
-  const auto one = [](const Polynomial& p, const Polynomial& q, const Polynomial& r, const Polynomial& s) {
-    Polynomial d;
+  const auto one = [](const arith::Polynomial& p, const arith::Polynomial& q, const arith::Polynomial& r,
+                      const arith::Polynomial& s) {
+    arith::Polynomial d;
     add_product(d, p, q);
     subtract_product(d, r, s);
     return trimmed(std::move(d));
@@ -82,7 +87,7 @@ inline mpz_class integer_on(int exponent, double x) {
 inline MovingVector moving(int exponent, const Point3& from, const Point3& to) {
   const auto one = [&](double x, double y) {
     mpz_class start = integer_on(exponent, x), end = integer_on(exponent, y);
-    return trimmed(Polynomial{start, mpz_class(end - start)});
+    return trimmed(arith::Polynomial{start, mpz_class(end - start)});
   };
   return {one(from.x, to.x), one(from.y, to.y), one(from.z, to.z)};
 }

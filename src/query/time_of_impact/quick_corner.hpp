@@ -1,7 +1,7 @@
 // GJK, Minkowski difference: which point of the differences of two shapes is nearest to the origin?  A guess, and what
 // it takes to be sure.
 //
-// Laws: over numbers that know their errors, and whose signs certain() tells, nearest() is sure: the origin's
+// Laws: over numbers that know their errors, and whose signs certain_sign() tells, nearest() is sure: the origin's
 // projection on the corner's point, line or plane is strictly within its ways, and the direction there leads nowhere
 // back, so no other difference is as near.
 // Source: RTCD 3.10, 5.1.2, 5.1.5, 5.1.9.
@@ -95,21 +95,21 @@ struct Corner {
       const Vec3<N>& way = inside[0];
       found.whole = dot(way, way);
       const N back = dot(at, way);
-      if (certain(back) >= 0 || certain(found.whole + back) <= 0) return {};
+      if (certain_sign(back) >= 0 || certain_sign(found.whole + back) <= 0) return {};
       found.direction = at * found.whole - way * back;
       found.x = N(0.0) - back;
     } else if (inside_count == 2) {
       const Vec3<N>&x = inside[0], &y = inside[1], n = cross(x, y);
       const N whole = dot(n, n), gap = dot(at, n);
       found = {n, whole, dot(cross(y, at), n), dot(cross(at, x), n)};
-      if (certain(gap) == 0 || certain(found.x) <= 0 || certain(found.y) <= 0) return {};
-      if (triangle ? certain((whole - found.x) - found.y) <= 0
-                   : certain(whole - found.x) <= 0 || certain(whole - found.y) <= 0)
+      if (certain_sign(gap) == 0 || certain_sign(found.x) <= 0 || certain_sign(found.y) <= 0) return {};
+      if (triangle ? certain_sign((whole - found.x) - found.y) <= 0
+                   : certain_sign(whole - found.x) <= 0 || certain_sign(whole - found.y) <= 0)
         return {};
-      if (certain(gap) < 0) found.direction = none() - n;
+      if (certain_sign(gap) < 0) found.direction = none() - n;
     }
     for (unsigned i = 0; i < beyond_count; ++i) {
-      if (certain(dot(found.direction, beyond[i])) <= 0) return {};
+      if (certain_sign(dot(found.direction, beyond[i])) <= 0) return {};
     }
     return found;
   }

@@ -11,8 +11,9 @@
 
 #include <array>
 
+#include "arith/approximate.hpp"
+#include "arith/certain.hpp"
 #include "arith/running_error.hpp"
-#include "plumb/arith/approximate.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/round.hpp"
@@ -22,13 +23,6 @@
 
 namespace plumb::query::quick {
 
-/// The sign, where it is certain; else 0.
-[[gnu::always_inline]] inline int certain(const Approximate& x) { return x.certain_sign(); }
-/// At the rounding of sums and products of these numbers.
-inline int certain(const Running& x) {
-  const Unsure<Sign> s = x.sign();
-  return s.certain() ? static_cast<int>(s.value()) : 0;
-}
 inline Approximate opposite(const Approximate& a) { return {-a.value, a.magnitude, a.error}; }
 
 /// A point of a hull: parts of its ways, or weights of its vertices.
@@ -74,7 +68,7 @@ struct Woven {
       if ((normal >> i & 1) != 0) continue;
       const T at = dot(n, ways[i]);
       bits |= at.value > 0 ? 1U << i : 0;
-      sure &= certain(at) != 0;
+      sure &= certain_sign(at) != 0;
     }
     return {bits, sure};
   }
@@ -150,12 +144,12 @@ struct ThreeCorners {
     for (unsigned i = 0; i < 3; ++i) {
       if (normal != 1U << i) continue;
       const T& from_third = i == 0 ? ca : i == 1 ? ab : bc;  // to the start of the edge, from the vertex before it
-      return {i, certain(from_third) > 0};
+      return {i, certain_sign(from_third) > 0};
     }
     const double b = ab.value, c = -ca.value;
     const unsigned far = b > 0 ? (c > b ? 2 : 1) : c > 0 ? 2 : 0;
     const std::array<const T*, 3> edges{&ab, &bc, &ca};
-    return {far, certain(*edges[(far + 2) % 3]) > 0 && certain(*edges[far]) < 0};
+    return {far, certain_sign(*edges[(far + 2) % 3]) > 0 && certain_sign(*edges[far]) < 0};
   }
   [[nodiscard]] Vec3<T> at(unsigned vertex) const {
     if (vertex == 1) return ways[0];

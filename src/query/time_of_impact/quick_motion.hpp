@@ -12,7 +12,7 @@
 #include <concepts>
 #include <optional>
 
-#include "plumb/arith/twofold.hpp"
+#include "arith/twofold.hpp"
 #include "plumb/figure/basic/convex_polyhedron.hpp"
 #include "plumb/figure/basic/plane.hpp"
 #include "plumb/figure/basic/round.hpp"

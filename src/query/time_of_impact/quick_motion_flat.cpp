@@ -141,13 +141,13 @@ FacetCrossing<N> crossing(const FacetPiece<N>& p, const Vec3<N>& velocity) {
 /// Does the motion surely cross the piece, surely not, or who knows?
 MotionVerdict crosses(const FacetPiece<T>& p, const Vec3<T>& velocity, bool triangle) {
   const auto [gap, speed] = crossing(p, velocity);
-  const int side = certain(speed), ahead = certain(gap);
-  if (ahead != 0 && certain(gap - speed) == ahead) return MotionVerdict::no;
+  const int side = certain_sign(speed), ahead = certain_sign(gap);
+  if (ahead != 0 && certain_sign(gap - speed) == ahead) return MotionVerdict::no;
   if (side == 0) return MotionVerdict::unsure;
   const T x = dot(p.corner, cross(velocity, p.y)), y = dot(p.corner, cross(p.x, velocity));
   bool inside = true;
   const auto ask = [&](const T& value) {
-    const int s = certain(value) * side;
+    const int s = certain_sign(value) * side;
     inside &= s > 0;
     return s >= 0;
   };
@@ -221,10 +221,11 @@ requires(rank_of<A> <= rank_of<B> && !(std::same_as<A, Aabb3> && std::same_as<B,
   if constexpr (dimension == 0) {
     const Pair pair(a, b);
     const Vec3<T> n = cross(pair.by, pair.apart);
-    return certain(n.x) != 0 || certain(n.y) != 0 || certain(n.z) != 0 ? no : unsure;
+    return certain_sign(n.x) != 0 || certain_sign(n.y) != 0 || certain_sign(n.z) != 0 ? no : unsure;
   } else if constexpr (dimension == 1) {
     const Pair pair(a, b);
-    return {certain(dot(cross(pair.by, pair.b.way(0)), pair.apart)) != 0 ? MotionVerdict::no : MotionVerdict::unsure};
+    return {certain_sign(dot(cross(pair.by, pair.b.way(0)), pair.apart)) != 0 ? MotionVerdict::no
+                                                                              : MotionVerdict::unsure};
   } else if constexpr (dimension == 2) {
     return along_facet<asked>(a, b, Pair(a, b), {rank_of<A> == 0 ? FacetKind::face_of_b : FacetKind::edges, 0, 0});
   } else {

@@ -52,9 +52,9 @@ Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b) {
   const T limit = swept ? T(reach) * T(reach) * dot(height.normal, height.normal) : T(0.0);
   // 1 or -1: on that side and beyond reach; 2: within reach; 0: who knows.
   const auto side = [&](const T& x) {
-    const int s = certain(x);
+    const int s = certain_sign(x);
     if constexpr (swept) {
-      const int beyond = certain(x * x - limit);
+      const int beyond = certain_sign(x * x - limit);
       return beyond < 0 ? 2 : beyond > 0 ? s : 0;
     }
     return s;
@@ -78,7 +78,7 @@ Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b) {
     if (way * heights[i].value < way * heights[first].value) first = i;
   }
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (i != first && certain(heights[i] - heights[first]) != at_start) return unsure;
+    if (i != first && certain_sign(heights[i] - heights[first]) != at_start) return unsure;
   }
   const Heights<Pairs> precise{vector_of<Pairs>(b.shape.normal), Pairs(b.shape.offset)};
   Pairs gap = precise.of(a.shape)[first] * Pairs(way);

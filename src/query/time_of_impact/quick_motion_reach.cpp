@@ -11,7 +11,7 @@ using T = Approximate;
 /// Are points of both within reach?
 bool within_reach(const auto& m, const Parts& of_a, const Parts& of_b, double time) {
   const Vec3<T> d = (m.apart + m.b.at(of_b)) - (m.a.at(of_a) + m.by * T(time));
-  return certain(m.reach * m.reach - dot(d, d)) > 0;
+  return certain_sign(m.reach * m.reach - dot(d, d)) > 0;
 }
 
 /// The time at which the point, line or plane of the corner comes within reach.
@@ -48,7 +48,7 @@ Answer first_contact(const Translating<A>& a, const Translating<B>& b, const Mov
   Corner<T> then = corner_of(m, of_a, of_b);
   then.at = then.at - m.by * T{t, t, 2 + 0x1p-20};
   const auto nearest = then.nearest();
-  return nearest && certain(dot(nearest->direction, m.by)) > 0 ? answer : unsure;
+  return nearest && certain_sign(dot(nearest->direction, m.by)) > 0 ? answer : unsure;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using T = Approximate;
 using V = Vec3<double>;
-using quick::certain, quick::come_nearer;
+using quick::come_nearer;
 
 template <template <class> class Figures>
 class Filter {
@@ -122,7 +122,7 @@ class Filter {
     if (!(dot(nearest_, nearest_) < separation_ * separation_)) return false;
     const Moment when{time};
     const Vec3<T> d = (when(sure_.apart) + sure_.hull_b(when).at(of_b_)) - sure_.hull_a(when).at(of_a_);
-    return certain(T(separation_) * T(separation_) - dot(d, d)) > 0;
+    return certain_sign(T(separation_) * T(separation_) - dot(d, d)) > 0;
   }
   /// Do all differences reach beyond the distance along the nearest one, from one time to another?
   [[nodiscard]] bool beyond(double from, double to) const {
@@ -134,8 +134,8 @@ class Filter {
     bool all = true;
     for (const Linear<T>& d : differences_) {
       const T at_0 = dot(n, d.at_0), at_1 = dot(n, d.at_1);
-      all &= certain((at_0 * T(1 - from) + at_1 * T(from)) - needed) > 0;
-      all &= certain((at_0 * T(1 - to) + at_1 * T(to)) - needed) > 0;
+      all &= certain_sign((at_0 * T(1 - from) + at_1 * T(from)) - needed) > 0;
+      all &= certain_sign((at_0 * T(1 - to) + at_1 * T(to)) - needed) > 0;
     }
     return all;
   }

@@ -16,7 +16,7 @@
 
 namespace plumb::query::moving {
 
-using quick::certain, quick::Corner, quick::Parts, quick::ExtremeFace;
+using quick::Corner, quick::Parts, quick::ExtremeFace;
 
 template <template <class> class Figures>
 class NearFeatures {
@@ -100,7 +100,7 @@ NearContact first_contact_within(const ContactQuestion& question, double separat
   if (!nearest) return {};
   const Corner<Running> change = features.corner(bounds, Change{});
   const Vec3<Running> way = change.at * nearest->whole + change.inside[0] * nearest->x + change.inside[1] * nearest->y;
-  if (certain(dot(nearest->direction, way)) >= 0) return {};
+  if (certain_sign(dot(nearest->direction, way)) >= 0) return {};
   const Figures<double> quick(question);
   const Figures<Ball> precise(question);
   const auto of_pair = [&]<class N>(const N& time) {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/certify/environment.hpp"
 #include "tool/check/command.hpp"
 #include "tool/check/report.hpp"

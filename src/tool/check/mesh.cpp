@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/arith/filtered.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "plumb/predicates/manifest.hpp"
 #include "tool/mesh/decision_sample.hpp"
 #include "tool/mesh/rational_sign.hpp"

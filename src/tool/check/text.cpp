@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/check/command.hpp"
 #include "tool/check/report.hpp"
 #include "tool/check/verdict.hpp"

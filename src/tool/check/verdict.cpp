@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {

@@ -5,9 +5,9 @@
 #include <map>
 #include <memory>
 
+#include "certify/case_line.hpp"
 #include "degenerate/words.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {

@@ -1,7 +1,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "plumb/certify/case_line.hpp"
+#include "certify/case_line.hpp"
 #include "plumb/degenerate/paste.hpp"
 #include "tool/fuzz/report.hpp"
 #include "tool/terminal/origin.hpp"

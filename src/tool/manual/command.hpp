@@ -42,6 +42,7 @@ Command fuzz_command(CLI::App& program);
 Command help_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
 Command plan_command(CLI::App& program);
 Command proof_command(CLI::App& program);
+Command ray_command(CLI::App& program);
 Command section_command(CLI::App& program);
 Command sign_command(CLI::App& program);
 Command stability_command(CLI::App& program);

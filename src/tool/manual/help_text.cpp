@@ -65,6 +65,9 @@ plan [MESH]...
        coarser lattice would save and do to them, and which bounding
        volumes are the cheapest.
 
+ray --ray OX,OY,OZ,DX,DY,DZ MESH
+       Says which triangles of a mesh rays hit, first and in order.
+
 section --plane PLANE MESH
        Cuts a mesh by planes into exact contours, and draws them.
 

@@ -27,6 +27,7 @@ Manual convert_manual();
 Manual fuzz_manual();
 Manual help_manual();
 Manual plan_manual();
+Manual ray_manual();
 Manual section_manual();
 Manual sign_manual();
 Manual proof_manual();

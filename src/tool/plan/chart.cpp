@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/drawing/log_axis.hpp"
 #include "tool/plan/command.hpp"
 

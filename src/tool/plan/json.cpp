@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/certify/environment.hpp"
 #include "tool/plan/command.hpp"
 #include "tool/plan/lattice_savings.hpp"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "plumb/certify/exact_stages.hpp"
+#include "plumb/certify/detail/exact_stages.hpp"
 #include "plumb/certify/plan.hpp"
 #include "plumb/predicates/manifest.hpp"
 
@@ -31,11 +31,11 @@ Saving saving(const Lattice& lattice) {
             std::string(to_string(arithmetic_for<F>(lattice.bits)))};
   const Width* a = ladder.data();
   while (bits > a->bits) ++a;
-  const bool in_words = integer::short_enough(lattice);
+  const bool in_words = certify::integer::short_enough(lattice);
   return {std::string(F::name), bits, a->name,
-          in_words                           ? "wide-integer, interval, big-integer"
-          : integer::wide_enough<F>(lattice) ? "interval, big-integer"
-                                             : "",
+          in_words                                    ? "long-double, wide-integer, interval, big-integer"
+          : certify::integer::wide_enough<F>(lattice) ? "interval, big-integer"
+                                                      : "",
           std::string(to_string(arithmetic_for<F>(lattice.bits)))};
 }
 

@@ -2,7 +2,7 @@
 // lattice.
 //
 // Law: the answer follows from the formula's derived degree and bit growth (arith/degree.hpp) and from the widths that
-// the exact stages have (certify/exact_stages.hpp): what is said to be skipped never decides on such input.
+// the exact stages have (certify/detail/exact_stages.hpp): what is said to be skipped never decides on such input.
 #pragma once
 
 #include <string>

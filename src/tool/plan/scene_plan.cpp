@@ -5,7 +5,7 @@
 #include <numeric>
 #include <set>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/plan/times.hpp"
 
 namespace plumb::tool {

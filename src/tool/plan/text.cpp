@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/plan/command.hpp"
 #include "tool/plan/lattice_savings.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/predicates/manifest.hpp"
 #include "plumb/surface/topology.hpp"
 #include "tool/mesh/decisions.hpp"

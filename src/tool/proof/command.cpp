@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/bound_report.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "plumb/certify/proof_script.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/suggestion.hpp"

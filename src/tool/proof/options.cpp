@@ -1,4 +1,4 @@
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/manual/command.hpp"
 #include "tool/proof/command.hpp"
 

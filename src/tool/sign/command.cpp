@@ -5,9 +5,9 @@
 
 #include <optional>
 
+#include "certify/case_line.hpp"
+#include "certify/catalog.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
-#include "plumb/certify/catalog.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {

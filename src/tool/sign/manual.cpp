@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <span>
 #include <sstream>
 
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 #include "tool/manual/help_text.hpp"
 #include "tool/manual/meanings.hpp"
 
@@ -77,8 +78,9 @@ Where the expected SIGN is given and is not the true one, the answer
 says so and the exit status is 1. Blank lines and remarks are passed
 over; after a bad line nothing more is read.)"},
            {"PREDICATES", predicates()},
-           {"STAGES",
-            fmt::format("In the order of their cost, each sure where it answers:\n{}.", fmt::join(stage_names, ", "))}},
+           {"STAGES", fmt::format("In the order of their cost, each sure where it answers:\n{},\n{}.",
+                                  fmt::join(std::span(stage_names).first<4>(), ", "),
+                                  fmt::join(std::span(stage_names).subspan<4>(), ", "))}},
           {{"EXIT STATUS", exit_status("A sign was not the one that its case expected.")}, {"EXAMPLES", R"(
 plumb sign orient2d 0 0 1 0 0 1
        Prints "+ filter".

@@ -21,7 +21,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/query/time_of_impact/continuous_contact.hpp"
 
-namespace plumb::ccd {
+namespace plumb::tool::ccd {
 
 struct Query {
   std::string scene;
@@ -118,4 +118,4 @@ inline std::vector<Query> all_queries(const std::filesystem::path& folder) {
   return queries;
 }
 
-}  // namespace plumb::ccd
+}  // namespace plumb::tool::ccd

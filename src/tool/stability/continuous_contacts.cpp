@@ -12,10 +12,10 @@ namespace {
 using Numbers = std::array<double, trial::motion_numbers>;
 using MotionWay = Way<trial::motion_numbers, double>;
 
-using Case = Judged<trial::motion_numbers>;
+using MotionCase = Judged<trial::motion_numbers>;
 
-ccd::Query query_of(bool vertex_face, const Numbers& q) {
-  ccd::Query query;
+tool::ccd::Query query_of(bool vertex_face, const Numbers& q) {
+  tool::ccd::Query query;
   query.vertex_face = vertex_face;
   for (std::size_t i = 0; i < 4; ++i) {
     query.at_0[i] = {q[3 * i], q[3 * i + 1], q[3 * i + 2]};
@@ -23,7 +23,7 @@ ccd::Query query_of(bool vertex_face, const Numbers& q) {
   }
   return query;
 }
-Numbers numbers_of(const ccd::Query& query) {
+Numbers numbers_of(const tool::ccd::Query& query) {
   Numbers q{};
   double* to = q.data();
   for (const auto& points : {query.at_0, query.at_1}) {
@@ -49,12 +49,12 @@ std::vector<MotionWay> motion_ways() {
 }
 
 template <bool VertexFace>
-Findings tried(const std::vector<Case>& cases) {
+Findings tried(const std::vector<MotionCase>& cases) {
   return {outcomes_of(motion_ways<VertexFace>(),
                       [&](const MotionWay& way) {
                         Count missed{"contacts that were missed"}, invented{"contacts that were invented"};
                         Count untold{"motions of which nothing was told"};
-                        for (const Case& c : cases) {
+                        for (const MotionCase& c : cases) {
                           const double told = way.ask(c.question);
                           ++untold.of;
                           ++(c.truth == 1 ? missed : invented).of;
@@ -67,16 +67,16 @@ Findings tried(const std::vector<Case>& cases) {
           {}};
 }
 
-std::vector<Case> recorded(const std::vector<ccd::Query>& queries, bool vertex_face) {
-  std::vector<Case> cases;
-  for (const ccd::Query& q : queries) {
+std::vector<MotionCase> recorded(const std::vector<tool::ccd::Query>& queries, bool vertex_face) {
+  std::vector<MotionCase> cases;
+  for (const tool::ccd::Query& q : queries) {
     if (q.vertex_face == vertex_face) cases.push_back({numbers_of(q), q.meets ? 1.0 : 0.0});
   }
   return cases;
 }
 
 template <bool VertexFace>
-void add_scenes(std::vector<Scene>& scenes, const Settings& settings, const std::vector<ccd::Query>& queries) {
+void add_scenes(std::vector<Scene>& scenes, const Settings& settings, const std::vector<tool::ccd::Query>& queries) {
   const std::string kind = VertexFace ? "vertex-face" : "edge-edge";
   const auto task = [] { return VertexFace ? trial::vertex_face_motion_task() : trial::edge_edge_motion_task(); };
   const auto add = [&](const std::string& name, const std::string& about, std::string_view input) {
@@ -101,8 +101,8 @@ Experiment motion_experiment() {
   return {"continuous-contacts", "do a moving vertex and triangle, or two moving edges, meet?", "RTCD 5.5",
           [](const Settings& settings) {
             std::vector<Scene> scenes;
-            std::vector<ccd::Query> queries;
-            if (settings.ccd) queries = ccd::all_queries(*settings.ccd);
+            std::vector<tool::ccd::Query> queries;
+            if (settings.ccd) queries = tool::ccd::all_queries(*settings.ccd);
             if (settings.ccd && queries.empty())
               throw Error(*settings.ccd + ": no queries, files .csv, in this folder");
             add_scenes<true>(scenes, settings, queries);

@@ -10,15 +10,15 @@ namespace {
 
 using Index = std::uint32_t;
 template <std::size_t D>
-using Points = std::span<const typename HullSigns<D>::Point>;
+using PointSpan = std::span<const typename HullSigns<D>::Point>;
 
-/// Points as numbers of type T; what is at most epsilon counts as zero.
+/// PointSpan as numbers of type T; what is at most epsilon counts as zero.
 template <class T, std::size_t D>
 class FloatSigns final : public HullSigns<D> {
  public:
   using typename HullSigns<D>::Facet;
 
-  FloatSigns(Points<D> points, T epsilon) : epsilon_(epsilon) {
+  FloatSigns(PointSpan<D> points, T epsilon) : epsilon_(epsilon) {
     for (const auto& p : points) {
       std::array<T, D>& q = points_.emplace_back();
       std::ranges::transform(coordinates(p), q.begin(), [](double x) { return static_cast<T>(x); });
@@ -54,7 +54,7 @@ class ExactSigns final : public HullSigns<D> {
  public:
   using typename HullSigns<D>::Facet;
 
-  explicit ExactSigns(Points<D> points) : points_(points) {}
+  explicit ExactSigns(PointSpan<D> points) : points_(points) {}
   [[nodiscard]] std::size_t size() const override { return points_.size(); }
   [[nodiscard]] bool before(Index a, Index b) const override {
     return compare_lexicographically(points_[a], points_[b]) == Sign::negative;
@@ -83,19 +83,19 @@ class ExactSigns final : public HullSigns<D> {
   }
 
  private:
-  Points<D> points_;
+  PointSpan<D> points_;
 };
 
 template <class T, std::size_t D>
-std::unique_ptr<HullSigns<D>> plain(Points<D> points) {
+std::unique_ptr<HullSigns<D>> plain(PointSpan<D> points) {
   return std::make_unique<FloatSigns<T, D>>(points, T(0));
 }
 template <std::size_t D>
-std::unique_ptr<HullSigns<D>> absolute(Points<D> points) {
+std::unique_ptr<HullSigns<D>> absolute(PointSpan<D> points) {
   return std::make_unique<FloatSigns<double, D>>(points, trial::customary_epsilon);
 }
 template <std::size_t D>
-std::unique_ptr<HullSigns<D>> relative(Points<D> points) {
+std::unique_ptr<HullSigns<D>> relative(PointSpan<D> points) {
   double largest = 0;
   for (const auto& p : points) {
     for (const double x : coordinates(p)) largest = std::max(largest, trial::magnitude(x));
@@ -103,7 +103,7 @@ std::unique_ptr<HullSigns<D>> relative(Points<D> points) {
   return std::make_unique<FloatSigns<double, D>>(points, trial::customary_epsilon * largest);
 }
 template <std::size_t D>
-std::unique_ptr<HullSigns<D>> exact(Points<D> points) {
+std::unique_ptr<HullSigns<D>> exact(PointSpan<D> points) {
   return std::make_unique<ExactSigns<D>>(points);
 }
 

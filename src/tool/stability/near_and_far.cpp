@@ -11,29 +11,29 @@
 namespace plumb::tool::stability {
 namespace {
 
-using Question = std::array<double, 12>;
+using DistanceQuestion = std::array<double, 12>;
 using DistanceWay = Way<12, double>;
 
-using Case = Judged<12>;
+using DistanceCase = Judged<12>;
 
 std::size_t how_many(const Settings& settings) { return settings.quick ? 500 : 20'000; }
 
 /// Of two segments, or a point and a triangle, on integers to two, times 2^-10, so far from the origin.
-std::vector<Case> on_lattice(const trial::Task& task, double from_origin, const Settings& settings) {
-  return judged<12>(task, how_many(settings), settings.seed, [from_origin](Question& q, Entropy& entropy) {
+std::vector<DistanceCase> on_lattice(const trial::Task& task, double from_origin, const Settings& settings) {
+  return judged<12>(task, how_many(settings), settings.seed, [from_origin](DistanceQuestion& q, Entropy& entropy) {
     for (double& x : q) x = std::ldexp(static_cast<double>(entropy.within(2)), -10) + from_origin;
   });
 }
 
 /// Of a class of inputs that the charts have.
-std::vector<Case> of_class(const trial::Task& task, std::string_view input, const Settings& settings) {
+std::vector<DistanceCase> of_class(const trial::Task& task, std::string_view input, const Settings& settings) {
   return judged<12>(task, how_many(settings), settings.seed, filled(task, input));
 }
 
 /// -1 where the first is the lesser, 1 where the second is, else 0; what is no number is no lesser one.
 int order(double a, double b) { return static_cast<int>(a > b) - static_cast<int>(a < b); }
 
-Findings tried(const std::vector<DistanceWay>& ways, const std::vector<Case>& cases) {
+Findings tried(const std::vector<DistanceWay>& ways, const std::vector<DistanceCase>& cases) {
   return {outcomes_of(ways,
                       [&](const DistanceWay& way) {
                         Count parted{"figures that meet, told to be apart"};
@@ -41,7 +41,7 @@ Findings tried(const std::vector<DistanceWay>& ways, const std::vector<Case>& ca
                         Count digits{"distances without one right digit"};
                         Count nearer{"pairs of figures of which the nearer was not told"};
                         std::vector<double> told;
-                        for (const Case& c : cases) told.push_back(way.ask(c.question));
+                        for (const DistanceCase& c : cases) told.push_back(way.ask(c.question));
                         for (std::size_t i = 0; i < cases.size(); ++i) {
                           const double true_one = cases[i].truth, off = std::fabs(told[i] - true_one);
                           if (true_one == 0) {
@@ -66,7 +66,7 @@ std::vector<DistanceWay> segment_ways() {
   auto ways = float_ways<12, double>(trial::SegmentSegmentDistance{});
   ways.push_back(
       {"exact",
-       [](const Question& q) {
+       [](const DistanceQuestion& q) {
          return distance(Segment3{point_at(q.data()), point_at(&q[3])}, Segment3{point_at(&q[6]), point_at(&q[9])});
        },
        true});
@@ -75,7 +75,8 @@ std::vector<DistanceWay> segment_ways() {
 
 std::vector<DistanceWay> triangle_ways() {
   auto ways = float_ways<12, double>(trial::PointTriangleDistance{});
-  ways.push_back({"exact", [](const Question& q) { return distance(point_at(q.data()), triangle_at(&q[3])); }, true});
+  ways.push_back(
+      {"exact", [](const DistanceQuestion& q) { return distance(point_at(q.data()), triangle_at(&q[3])); }, true});
   return ways;
 }
 

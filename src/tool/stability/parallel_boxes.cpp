@@ -12,17 +12,17 @@ namespace plumb::tool::stability {
 namespace {
 
 constexpr std::size_t numbers = 30;
-using Question = std::array<double, numbers>;
+using BoxesQuestion = std::array<double, numbers>;
 
 Obb3 box_at(const double* x) {
   return {{x[0], x[1], x[2]}, {{{x[3], x[4], x[5]}, {x[6], x[7], x[8]}, {x[9], x[10], x[11]}}}, {x[12], x[13], x[14]}};
 }
 
-using Case = Judged<numbers>;
+using BoxesCase = Judged<numbers>;
 
 /// Boxes of one orientation, one standing beside the other: a gap between them of a 2^-8th to a 2^-44th, or an overlap.
-std::vector<Case> beside_one_another(const trial::Task& task, std::size_t count, std::uint64_t seed) {
-  return judged<numbers>(task, count, seed, [stacked = filled(task, "stacked")](Question& q, Entropy& entropy) {
+std::vector<BoxesCase> beside_one_another(const trial::Task& task, std::size_t count, std::uint64_t seed) {
+  return judged<numbers>(task, count, seed, [stacked = filled(task, "stacked")](BoxesQuestion& q, Entropy& entropy) {
     stacked(q, entropy);
     const double size = q[12 + entropy.below(3)];
     const double gap = std::ldexp(size, -static_cast<int>(8 + entropy.below(37))) * (entropy.coin() ? 1 : -1);
@@ -32,9 +32,9 @@ std::vector<Case> beside_one_another(const trial::Task& task, std::size_t count,
   });
 }
 
-std::array<Count, 2> verdicts(const Ask<numbers>& ask, const std::vector<Case>& cases) {
+std::array<Count, 2> verdicts(const Ask<numbers>& ask, const std::vector<BoxesCase>& cases) {
   std::array<Count, 2> counts{{{"boxes that meet and are told apart"}, {"boxes that are apart and are told to meet"}}};
-  for (const Case& c : cases) {
+  for (const BoxesCase& c : cases) {
     const bool meet = c.truth == 1;
     Count& count = counts[meet ? 0 : 1];
     ++count.of;
@@ -49,7 +49,7 @@ double share(const Count& count) {
 
 /// Both kinds of failure over the epsilon chosen, from below a unit in the last place to more than half of a box.
 template <class T>
-SharePanel panel_of(std::string title, const std::vector<Case>& cases) {
+SharePanel panel_of(std::string title, const std::vector<BoxesCase>& cases) {
   SharePanel panel{std::move(title), "epsilon", {{"false separations", {}}, {"false contacts", {}}}};
   for (int exponent = -56; exponent <= -1; exponent += 5) {
     const double epsilon = std::ldexp(1, exponent);
@@ -59,9 +59,10 @@ SharePanel panel_of(std::string title, const std::vector<Case>& cases) {
   return panel;
 }
 
-Findings tried(const std::string& name, const std::string& about, const std::vector<Case>& cases) {
+Findings tried(const std::string& name, const std::string& about, const std::vector<BoxesCase>& cases) {
   auto ways = float_ways<numbers>(trial::OrientedAgainstOriented{});
-  ways.push_back(exact_way<numbers>([](const Question& q) { return intersects(box_at(q.data()), box_at(&q[15])); }));
+  ways.push_back(
+      exact_way<numbers>([](const BoxesQuestion& q) { return intersects(box_at(q.data()), box_at(&q[15])); }));
   Findings findings;
   findings.outcomes = outcomes_of(ways, [&](const Way<numbers>& way) {
     const auto counts = verdicts(way.ask, cases);

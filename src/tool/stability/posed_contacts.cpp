@@ -21,7 +21,7 @@ Pair pair_of(const Triangle3& a, const Triangle3& b) {
   for (const Point3& p : {a.a, a.b, a.c, b.a, b.b, b.c}) *to++ = p.x, *to++ = p.y, *to++ = p.z;
   return q;
 }
-bool meet_exactly(const Pair& q) { return intersects(triangle_at(q.data()), triangle_at(&q[9])); }
+bool meet_as_given(const Pair& q) { return intersects(triangle_at(q.data()), triangle_at(&q[9])); }
 
 /// The surface of an upright brick, each side cut into so many squares, and these into two triangles each.
 std::vector<Triangle3> brick(const Point3& low, const Point3& high, int cuts) {
@@ -154,8 +154,8 @@ std::vector<Posing> posings() {
     add(way.name + ", in one's space", way.name == "float32" ? second_in_first<float> : second_in_first<double>,
         way.ask);
   }
-  add("exact, rounded points", both_posed<double>, meet_exactly);
-  add("exact, in one's space", second_in_first<double>, meet_exactly);
+  add("exact, rounded points", both_posed<double>, meet_as_given);
+  add("exact, in one's space", second_in_first<double>, meet_as_given);
   all.push_back({"exact, posed",
                  [](const Pair& q, const Pose& p) { return posed_meet(triangle_at(q.data()), triangle_at(&q[9]), p); },
                  true});
@@ -165,7 +165,7 @@ std::vector<Posing> posings() {
 Findings contacts(const std::vector<Triangle3>& a, const std::vector<Triangle3>& b, const Settings& settings) {
   const std::vector<Pair> pairs = near_pairs(a, b, settings.quick ? 400 : 3'000);
   std::vector<bool> meet;
-  for (const Pair& q : pairs) meet.push_back(meet_exactly(q));
+  for (const Pair& q : pairs) meet.push_back(meet_as_given(q));
   Findings findings;
   for (const Posing& posing : posings()) {
     Count lost{"contacts of triangles that were lost"}, invented{"contacts of triangles that were invented"};

@@ -17,9 +17,9 @@
 namespace plumb::tool::stability {
 namespace {
 
-using Question = std::array<double, 15>;
+using RayQuestion = std::array<double, 15>;
 
-Question question_of(const Ray3& r, const TriangleMesh& mesh, std::uint32_t triangle) {
+RayQuestion question_of(const Ray3& r, const TriangleMesh& mesh, std::uint32_t triangle) {
   const auto& [i, j, k] = mesh.triangles[triangle];
   const Point3 &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
   return {r.origin.x, r.origin.y, r.origin.z, r.direction.x, r.direction.y, r.direction.z, a.x, a.y,
@@ -94,7 +94,7 @@ Findings leaks(const TriangleMesh& mesh, const Settings& settings) {
   const std::size_t through = inside ? std::min(targets.size(), tests / mesh.triangles.size() + 1) : 0;
 
   auto ways = float_ways<15>(trial::RayAgainstTriangle<false>{});
-  ways.push_back(exact_way<15>([](const Question& q) { return hits(ray_at(q.data()), triangle_at(&q[6])); }));
+  ways.push_back(exact_way<15>([](const RayQuestion& q) { return hits(ray_at(q.data()), triangle_at(&q[6])); }));
   const auto outcomes = outcomes_of(ways, [&](const Way<15>& way) {
     Count slipped{"rays at a shared edge or corner that hit none of its triangles"};
     Count leaked{"rays out of the closed mesh that hit nothing"};
@@ -109,7 +109,7 @@ Findings leaks(const TriangleMesh& mesh, const Settings& settings) {
       const Ray3 ray = ray_to(targets[i * targets.size() / through].at);
       std::size_t hit = 0, crossed = 0;
       for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Question q = question_of(ray, mesh, t);
+        const RayQuestion q = question_of(ray, mesh, t);
         const bool one = way.ask(q);
         hit += one ? 1 : 0;
         // Ours has a rule for counting, by which an edge belongs to one of its triangles; the others have just this.

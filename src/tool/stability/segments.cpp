@@ -28,15 +28,15 @@ bool truly_cross(const Segment2& s, const Segment2& t) {
   return side(a, b.a, zero) * side(a, b.b, zero) < 0 && side(b, a.a, zero) * side(b, a.b, zero) < 0;
 }
 
-enum class Way { signs, parameters };
+enum class SegmentWay { signs, parameters };
 
-bool said_to_meet(std::string_view method, Way way, const Segment2& s, const Segment2& t) {
+bool said_to_meet(std::string_view method, SegmentWay way, const Segment2& s, const Segment2& t) {
   if (method == "exact") return intersects(s, t);
   const std::array both{s, t};
   return in_numbers_of(method, both, [&](auto epsilon) {
     using T = decltype(epsilon);
     const trial::Segment<T> a = converted<T>(s), b = converted<T>(t);
-    return way == Way::signs ? meet_by_signs(a, b, epsilon) : meet_by_parameters(a, b, epsilon);
+    return way == SegmentWay::signs ? meet_by_signs(a, b, epsilon) : meet_by_parameters(a, b, epsilon);
   });
 }
 
@@ -94,7 +94,7 @@ void count(Count& c, bool failed) {
   c.failures += failed;
 }
 
-Findings run_pairs(Way way, std::size_t rounds, std::uint64_t start) {
+Findings run_pairs(SegmentWay way, std::size_t rounds, std::uint64_t start) {
   Findings findings{
       outcomes_of({"pairs that meet and are said not to", "pairs that do not meet and are said to",
                    "pairs answered otherwise when swapped or reversed", "crossing points that lie on neither segment",
@@ -132,7 +132,7 @@ std::optional<std::array<Point2, 3>> through_middle(Family family, Entropy& entr
   return std::array{p[0], p[1], p[2]};
 }
 
-Findings run_shared_ends(Way way, std::size_t rounds, std::uint64_t start) {
+Findings run_shared_ends(SegmentWay way, std::size_t rounds, std::uint64_t start) {
   Findings findings{outcomes_of({"segments through the shared end that are said to miss both",
                                  "segments through the shared end that are said to meet one and miss the other",
                                  "pairs that share an end and are said not to meet"}),
@@ -158,15 +158,15 @@ Findings run_shared_ends(Way way, std::size_t rounds, std::uint64_t start) {
 std::vector<Scene> segment_scenes(const Settings& settings) {
   const std::size_t rounds = settings.quick ? 40 : 2000;
   std::vector<Scene> scenes;
-  const auto add = [&](Way way, const std::string& name) {
+  const auto add = [&](SegmentWay way, const std::string& name) {
     scenes.push_back({fmt::format("pairs, {}", name), "two segments between points of every family of hard inputs",
                       [=, start = settings.seed] { return run_pairs(way, rounds, start); }});
     scenes.push_back({fmt::format("shared ends, {}", name),
                       "two segments that share an end, and a third one that goes exactly through it",
                       [=, start = settings.seed] { return run_shared_ends(way, 2 * rounds, start); }});
   };
-  add(Way::signs, "by signs");
-  add(Way::parameters, "by parameters");
+  add(SegmentWay::signs, "by signs");
+  add(SegmentWay::parameters, "by parameters");
   return scenes;
 }
 

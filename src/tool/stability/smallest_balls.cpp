@@ -14,18 +14,18 @@ namespace plumb::tool::stability {
 namespace {
 
 constexpr std::size_t lattice_points = 27;
-using Points = std::array<double, 3 * lattice_points>;
+using BallPoints = std::array<double, 3 * lattice_points>;
 
 struct Ball {
   std::array<double, 3> center;
   double radius;
   bool ended;
 };
-using BallWay = Way<std::tuple_size_v<Points>, Ball>;
+using BallWay = Way<std::tuple_size_v<BallPoints>, Ball>;
 
 /// The corners of a box, the middles of its edges and sides, and its own, shuffled; integers, or tenths rounded.
 struct Box {
-  Points points;
+  BallPoints points;
   mpq_class least;  // the square of the radius that it takes, but for rounding
 };
 
@@ -57,7 +57,7 @@ struct BallOfPoints {
   static constexpr int most_steps = 200;
 
   template <class T>
-  Ball operator()(const std::array<T, std::tuple_size_v<Points>>& q, T epsilon) const {
+  Ball operator()(const std::array<T, std::tuple_size_v<BallPoints>>& q, T epsilon) const {
     std::vector<trial::Vec<T>> points, held;
     for (std::size_t i = 0; i < lattice_points; ++i) points.push_back(trial::vec(q, i));
     const trial::BallInNumbers<T> b = Pivots ? trial::pivoted<T>(points, epsilon, most_steps)
@@ -69,7 +69,7 @@ struct BallOfPoints {
   }
 };
 
-Ball exact_ball(const Points& q) {
+Ball exact_ball(const BallPoints& q) {
   std::vector<Point3> points;
   for (std::size_t i = 0; i < q.size(); i += 3) points.push_back(point_at(&q[i]));
   const Sphere3 s = minimum_sphere(points).sphere;
@@ -77,7 +77,7 @@ Ball exact_ball(const Points& q) {
 }
 
 /// The square of the distance from the ball's center to the farthest point.
-mpq_class farthest(const Points& q, const Ball& ball) {
+mpq_class farthest(const BallPoints& q, const Ball& ball) {
   mpq_class most = 0;
   for (std::size_t i = 0; i < q.size(); i += 3) {
     mpq_class sum = 0;
@@ -97,7 +97,7 @@ Findings balls(const Settings& settings, int bits, bool tenths) {
     Entropy entropy(settings.seed, i);
     boxes.push_back(box(entropy, bits, tenths));
   }
-  auto ways = float_ways<std::tuple_size_v<Points>, Ball>(BallOfPoints<Pivots>{});
+  auto ways = float_ways<std::tuple_size_v<BallPoints>, Ball>(BallOfPoints<Pivots>{});
   ways.push_back({"exact", exact_ball, true});
   const mpq_class more = mpq_class(1'000'001, 1'000'000) * mpq_class(1'000'001, 1'000'000);  // a millionth, squared
   return {outcomes_of(ways,

@@ -16,7 +16,7 @@
 
 #include "plumb/figure/containment/voronoi_region.hpp"
 
-namespace plumb::contact_judge {
+namespace plumb::tool::contact_judge {
 
 using Poly = std::vector<mpq_class>;  // ascending, without leading zeros
 
@@ -230,4 +230,4 @@ inline int side(const Time& t, const mpq_class& x) {
   return roots_between(t.p, t.from, x) == 1 ? -1 : 1;
 }
 
-}  // namespace plumb::contact_judge
+}  // namespace plumb::tool::contact_judge

@@ -164,7 +164,7 @@ std::vector<Method> formula_methods() {
   all.push_back(static_filter<F>());
   all.push_back(each<F>("adaptive", "adaptive expansions of doubles, as in the literature", adaptive_sign<F>));
   all.push_back(each<F>("integers", "integers of any length, always",
-                        [](const P& p) { return big_integer_sign(tape::program<F>(), p); }));
+                        [](const P& p) { return big_integer_sign(certify::tape::program<F>(), p); }));
   using Rationals = std::array<BigRational, arity<F>>;
   all.push_back(each_kept<F>(
       "rationals", "GMP's rationals, always",

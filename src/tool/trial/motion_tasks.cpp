@@ -9,8 +9,8 @@
 namespace plumb::tool::trial {
 namespace {
 
-using moving_cases::Case;
-using moving_cases::Kind;
+using tool::moving_cases::Case;
+using tool::moving_cases::Kind;
 using Numbers = std::array<double, motion_numbers>;
 
 Case case_of(bool vertex_face, std::span<const double> q) {
@@ -25,7 +25,7 @@ Case case_of(bool vertex_face, std::span<const double> q) {
 
 InputClass motions(std::string name, std::string about, Kind kind, bool vertex_face) {
   return {std::move(name), std::move(about), [=](std::span<double> q, Entropy& entropy) {
-            const Case c = moving_cases::make(kind, vertex_face, entropy);
+            const Case c = tool::moving_cases::make(kind, vertex_face, entropy);
             for (std::size_t i = 0; i < 4; ++i) {
               const std::array p{c.at_0[i].x, c.at_0[i].y, c.at_0[i].z, c.at_1[i].x, c.at_1[i].y, c.at_1[i].z};
               for (std::size_t k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ Task motion_task(std::string name, std::string question, const std::vector<std::
   task.symmetries = {reordered(3, {4, 5, 6, 7, 0, 1, 2, 3}), reordered(3, other)};
   task.judge = [](std::span<const double> q) {
     const Case c = case_of(VertexFace, q);
-    return as_answer(!contact_judge::contacts(VertexFace, c.at_0, c.at_1, 0).empty());
+    return as_answer(!tool::contact_judge::contacts(VertexFace, c.at_0, c.at_1, 0).empty());
   };
   task.methods = float_methods<motion_numbers>(CubicContact<VertexFace>{});
   task.methods.push_back(compensated_method<motion_numbers>(CubicContact<VertexFace>{}));

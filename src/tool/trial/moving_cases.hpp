@@ -8,7 +8,7 @@
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/time_of_impact/continuous_contact.hpp"
 
-namespace plumb::moving_cases {
+namespace plumb::tool::moving_cases {
 
 struct Case {
   bool vertex_face = false;
@@ -153,4 +153,4 @@ inline Case make(Kind kind, Entropy& entropy) {
   return make(kind, vertex_face, entropy);
 }
 
-}  // namespace plumb::moving_cases
+}  // namespace plumb::tool::moving_cases

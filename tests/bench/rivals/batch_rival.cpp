@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 #include "plumb/predicates/manifest.hpp"
 
 namespace plumb::bench {

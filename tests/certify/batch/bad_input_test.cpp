@@ -41,8 +41,8 @@ std::string expected_text(std::string_view formula, std::size_t argument, std::s
 
 TYPED_TEST(EveryFormula, RefusesWhatIsNoNumberByItemArgumentAndAxis) {
   using F = TypeParam;
-  constexpr std::size_t count = 37;
-  constexpr std::size_t dimension = side::dimension<F>;
+  constexpr std::size_t count = battery::sanitized ? 10 : 37;
+  constexpr std::size_t dimension = certify::side::dimension<F>;
   for (const Family family : {Family::uniform, Family::repeated}) {
     const std::vector<Coordinates<F>> good = cases_of<F>(family, count);
     on_each_instruction_set([&] {
@@ -67,7 +67,7 @@ TYPED_TEST(EveryFormula, RefusesWhatIsNoNumberByItemArgumentAndAxis) {
 
 TYPED_TEST(EveryFormula, NamesTheFirstOfSeveral) {
   using F = TypeParam;
-  constexpr std::size_t count = 24;
+  constexpr std::size_t count = battery::sanitized ? 10 : 24;
   const std::vector<Coordinates<F>> good = cases_of<F>(Family::uniform, count);
   on_each_instruction_set([&] {
     std::vector<Sign> out(count);
@@ -77,7 +77,8 @@ TYPED_TEST(EveryFormula, NamesTheFirstOfSeveral) {
         cases[one][arity<F> - 1] = inf;
         cases[other][0] = nan;
         const Arrays<F> arrays(cases);
-        const std::string text = expected_text(F::name, side::points<F> - 1, side::dimension<F> - 1, one, "inf");
+        const std::string text =
+            expected_text(F::name, certify::side::points<F> - 1, certify::side::dimension<F> - 1, one, "inf");
         ASSERT_EQ(refused([&] { ask_points<F>(arrays, 0, count, out); }), text);
         ASSERT_EQ(refused([&] { ask_views<F>(arrays, 0, count, out); }), text);
       }
@@ -93,7 +94,7 @@ TYPED_TEST(EveryFormula, NamesTheFirstOfSeveralOnManyThreads) {
     cases[item][1] = nan;
   const Arrays<F> arrays(cases);
   std::vector<Sign> out(count);
-  for (int again = 0; again < 20; ++again) {
+  for (int again = 0; again < battery::fitting(20); ++again) {
     ASSERT_EQ(refused([&] { ask_points<F>(arrays, 0, count, out, Execution::parallel); }),
               expected_text(F::name, 0, 1, 31'415, "nan"));
   }

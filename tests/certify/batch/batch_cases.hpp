@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "certify/batch/take_instruction_set.hpp"
-#include "plumb/certify/case_line.hpp"
+#include "certify/case_line.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/side.hpp"
 #include "plumb/degenerate.hpp"
@@ -25,22 +26,22 @@ namespace plumb::batches {
 inline void on_each_instruction_set(const std::function<void()>& test) {
   for (const std::string_view name : batch_instruction_sets()) {
     SCOPED_TRACE(name);
-    batch::take_instruction_set(name);
+    certify::batch::take_instruction_set(name);
     test();
   }
-  batch::take_instruction_set({});
+  certify::batch::take_instruction_set({});
 }
 
 template <class F>
-using Point = side::PointOf<F>;
+using Point = certify::side::PointOf<F>;
 template <class F>
-using View = side::PointsViewOf<F>;
+using View = certify::side::PointsViewOf<F>;
 
 /// Cases as arrays: of points, and of coordinates.
 template <class F>
 class Arrays {
  public:
-  static constexpr std::size_t points = side::points<F>, dimension = side::dimension<F>;
+  static constexpr std::size_t points = certify::side::points<F>, dimension = certify::side::dimension<F>;
 
   explicit Arrays(const std::vector<Coordinates<F>>& cases) {
     for (const Coordinates<F>& c : cases) {
@@ -93,14 +94,14 @@ template <class F>
 void ask_points(const Arrays<F>& all, std::size_t first, std::size_t n, std::span<Sign> out,
                 Execution execution = Execution::serial) {
   [&]<std::size_t... P>(std::index_sequence<P...>) { batch_of<F>(all.points_at(P, first, n)..., out, execution); }
-  (std::make_index_sequence<side::points<F>>());
+  (std::make_index_sequence<certify::side::points<F>>());
 }
 
 template <class F>
 void ask_views(const Arrays<F>& all, std::size_t first, std::size_t n, std::span<Sign> out,
                Execution execution = Execution::serial) {
   [&]<std::size_t... P>(std::index_sequence<P...>) { batch_of<F>(all.view_at(P, first, n)..., out, execution); }
-  (std::make_index_sequence<side::points<F>>());
+  (std::make_index_sequence<certify::side::points<F>>());
 }
 
 /// What makes the predicate zero.
@@ -111,7 +112,7 @@ constexpr Degeneracy zero_set() {
   } else if constexpr (std::is_same_v<F, predicates::Orient3d>) {
     return Degeneracy::coplanar;
   } else {
-    return side::dimension<F> == 2 ? Degeneracy::cocircular : Degeneracy::cospherical;
+    return certify::side::dimension<F> == 2 ? Degeneracy::cocircular : Degeneracy::cospherical;
   }
 }
 

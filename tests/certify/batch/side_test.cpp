@@ -10,15 +10,15 @@ namespace {
 template <class F>
 Side<F> side_of(const Coordinates<F>& c) {
   return [&]<std::size_t... P>(std::index_sequence<P...>) {
-    return Side<F>(Arrays<F>::point_of(&c[P * side::dimension<F>])...);
+    return Side<F>(Arrays<F>::point_of(&c[P * certify::side::dimension<F>])...);
   }
-  (std::make_index_sequence<side::points<F> - 1>());
+  (std::make_index_sequence<certify::side::points<F> - 1>());
 }
 
 /// Cases that share all but the last point, of one set of points.
 template <class F>
 std::vector<Coordinates<F>> one_against(Family family, std::uint64_t index, std::size_t count) {
-  constexpr std::size_t dimension = side::dimension<F>, given = arity<F> - dimension;
+  constexpr std::size_t dimension = certify::side::dimension<F>, given = arity<F> - dimension;
   std::vector<double> all(given + count * dimension);
   Entropy entropy(static_cast<std::uint64_t>(99 + F::points), index);
   fill_points(family, zero_set<F>(), F::dimension, all, entropy);
@@ -35,7 +35,7 @@ TYPED_TEST(EveryFormula, TellsTheSignOfEachPoint) {
 #if defined(PLUMB_LONG_TESTS)
   constexpr std::uint64_t sets = 20'000;
 #else
-  constexpr std::uint64_t sets = 200;
+  constexpr std::uint64_t sets = battery::fitting(200);
 #endif
   for (const FamilyInfo& f : families) {
     SCOPED_TRACE(f.name);
@@ -44,7 +44,8 @@ TYPED_TEST(EveryFormula, TellsTheSignOfEachPoint) {
       const std::vector<Sign> truth = signs_of<F>(cases);
       const Side<F> side = side_of<F>(cases[0]);
       std::vector<Sign> out;
-      for (const Coordinates<F>& c : cases) out.push_back(side(Arrays<F>::point_of(&c[arity<F> - side::dimension<F>])));
+      for (const Coordinates<F>& c : cases)
+        out.push_back(side(Arrays<F>::point_of(&c[arity<F> - certify::side::dimension<F>])));
       ASSERT_EQ(difference<F>(cases, truth, 0, out), "");
     }
   }
@@ -52,14 +53,14 @@ TYPED_TEST(EveryFormula, TellsTheSignOfEachPoint) {
 
 TYPED_TEST(EveryFormula, TellsTheSignsOfManyPointsAtEveryLength) {
   using F = TypeParam;
-  constexpr std::size_t longest = 70;
+  constexpr std::size_t longest = battery::sanitized ? 20 : 70;
   for (const FamilyInfo& f : families) {
     SCOPED_TRACE(f.name);
     const std::vector<Coordinates<F>> cases = one_against<F>(f.family, 1, longest + 7);
     const std::vector<Sign> truth = signs_of<F>(cases);
     const Arrays<F> arrays(cases);
     const Side<F> side = side_of<F>(cases[0]);
-    constexpr std::size_t last = side::points<F> - 1;
+    constexpr std::size_t last = certify::side::points<F> - 1;
     on_each_instruction_set([&] {
       for (std::size_t n = 0; n <= longest; ++n) {
         const std::size_t first = n * 3 % 8;
@@ -75,24 +76,24 @@ TYPED_TEST(EveryFormula, TellsTheSignsOfManyPointsAtEveryLength) {
 
 TYPED_TEST(EveryFormula, TellsTheSameSidesOnManyThreads) {
   using F = TypeParam;
-  const std::vector<Coordinates<F>> cases = one_against<F>(Family::off_by_ulps, 5, 30'000);
+  const std::vector<Coordinates<F>> cases = one_against<F>(Family::off_by_ulps, 5, battery::fitting(30'000));
   const std::vector<Sign> truth = signs_of<F>(cases);
   const Arrays<F> arrays(cases);
   const Side<F> side = side_of<F>(cases[0]);
   std::vector<Sign> out(cases.size());
-  side(arrays.points_at(side::points<F> - 1, 0, cases.size()), out, Execution::parallel);
+  side(arrays.points_at(certify::side::points<F> - 1, 0, cases.size()), out, Execution::parallel);
   EXPECT_EQ(difference<F>(cases, truth, 0, out), "");
 }
 
 // The form is the formula: both as rationals, which round nothing.
 TYPED_TEST(EveryFormula, IsTheSameNumberInItsForm) {
   using F = TypeParam;
-  constexpr const side::Form& form = side::form_of<F>;
+  constexpr const certify::side::Form& form = certify::side::form_of<F>;
   for (std::uint64_t index = 0; index < 50; ++index) {
     const Coordinates<F> p = one_against<F>(Family::mixture, index, 1)[0];
     const auto run = [](const auto& tape, auto number) {
       for (std::size_t i = 0; i < tape.size; ++i) {
-        const tape::Instruction in = tape.instructions[i];
+        const certify::tape::Instruction in = tape.instructions[i];
         const auto l = number[in.left], r = number[in.right];
         number.push_back(in.operation == '*' ? l * r : in.operation == '-' ? l - r : l + r);
       }
@@ -101,8 +102,9 @@ TYPED_TEST(EveryFormula, IsTheSameNumberInItsForm) {
     using Rational = decltype(big_rational(0.0));
     std::vector<Rational> given, query;
     for (const double x : p) given.push_back(big_rational(x));
-    for (std::size_t a = 0; a < side::dimension<F>; ++a) {
-      query.push_back(given[arity<F> - side::dimension<F> + a] - given[side::pivot<F> * side::dimension<F> + a]);
+    for (std::size_t a = 0; a < certify::side::dimension<F>; ++a) {
+      query.push_back(given[arity<F> - certify::side::dimension<F> + a] -
+                      given[certify::side::pivot<F> * certify::side::dimension<F> + a]);
     }
     const auto fixed = run(form.fixed, given), asked = run(form.query, query);
     auto sum = big_rational(0);
@@ -117,10 +119,10 @@ TYPED_TEST(EveryFormula, IsTheSameNumberInItsForm) {
 
 // Recorded here, derived when compiled; in units of 2^-53, each a little above a whole number.
 TEST(Sides, HaveFiltersOfTheirOwn) {
-  EXPECT_EQ(std::floor(side::constant<predicates::Orient2d> * 0x1p53), 3);
-  EXPECT_EQ(std::floor(side::constant<predicates::Orient3d> * 0x1p53), 7);
-  EXPECT_EQ(std::floor(side::constant<predicates::InCircle> * 0x1p53), 10);
-  EXPECT_EQ(std::floor(side::constant<predicates::InSphere> * 0x1p53), 16);
+  EXPECT_EQ(std::floor(certify::side::constant<predicates::Orient2d> * 0x1p53), 3);
+  EXPECT_EQ(std::floor(certify::side::constant<predicates::Orient3d> * 0x1p53), 7);
+  EXPECT_EQ(std::floor(certify::side::constant<predicates::InCircle> * 0x1p53), 10);
+  EXPECT_EQ(std::floor(certify::side::constant<predicates::InSphere> * 0x1p53), 16);
   EXPECT_EQ(LineSide::variables, 2u);
   EXPECT_EQ(PlaneSide::variables, 3u);
   EXPECT_EQ(CircleSide::variables, 3u);
@@ -132,7 +134,7 @@ TYPED_TEST(EveryFormula, FiltersAsSurelyAsTheFunction) {
   StageCounts by_side, by_function;
   for (std::uint64_t index = 0; index < 2000; ++index) {
     const Coordinates<F> c = one_against<F>(Family::uniform, index, 1)[0];
-    side_of<F>(c)(Arrays<F>::point_of(&c[arity<F> - side::dimension<F>]), by_side);
+    side_of<F>(c)(Arrays<F>::point_of(&c[arity<F> - certify::side::dimension<F>]), by_side);
     decide<F>(c, by_function);
   }
   EXPECT_GE(by_side.of(Stage::filter), 1998u);

@@ -14,7 +14,7 @@ using namespace predicates;
 // For points as given the formula is the classic one, operation for operation.
 template <class Classic, class General>
 constexpr bool same_work =
-    tape::program<Classic>().instructions.size() == tape::program<General>().instructions.size() &&
+    certify::tape::program<Classic>().instructions.size() == certify::tape::program<General>().instructions.size() &&
     filter_constant<Classic>() == filter_constant<General>();
 static_assert(same_work<Orient2d, Mixed<HomogeneousOrient2d, ExplicitKind2, ExplicitKind2, ExplicitKind2>>);
 static_assert(
@@ -61,7 +61,7 @@ TEST(ImplicitFilters, DecideGeneralPosition) {
   EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousInSphere, T, T, T, T, T>>()), 700);  // of degree 65
 }
 
-constexpr std::uint64_t cases = 3'000;
+constexpr std::uint64_t cases = battery::fitting(3'000);
 
 /// Calls check(pool, entropy) for small numbers and for every family.
 template <class Check>
@@ -191,7 +191,7 @@ TEST(ImplicitLaws, ConstructedOnAPlaneIsOnIt) {
       ++points;
     }
   });
-  EXPECT_GT(points, 5'000);
+  EXPECT_GT(points, battery::fitting(5'000));
 }
 
 TEST(ImplicitLaws, ACommonPoseMultipliesByTheSignOfItsDeterminant) {
@@ -207,8 +207,8 @@ TEST(ImplicitLaws, ACommonPoseMultipliesByTheSignOfItsDeterminant) {
     mirrors += determinant == Sign::negative;
     flat += determinant == Sign::zero;
   });
-  EXPECT_GT(mirrors, 100);
-  EXPECT_GT(flat, 50);
+  EXPECT_GT(mirrors, battery::fitting(100));
+  EXPECT_GT(flat, battery::fitting(50));
 }
 
 TEST(ImplicitLaws, ACommonSimilarityKeepsCirclesAndSpheres) {
@@ -268,8 +268,8 @@ TEST(ImplicitLaws, OrderIsThatOfTheExactCoordinates) {
     check_pair(c, made<LinePlanePoint3>(pool));
     check_pair(made<SegmentPoint3>(pool), c);
   });
-  EXPECT_GT(equal, 500);
-  EXPECT_GT(tied, 1'000);
+  EXPECT_GT(equal, battery::fitting(500));
+  EXPECT_GT(tied, battery::fitting(1'000));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace plumb::implicit_cases {
 namespace {
 
-using Instructions = std::vector<tape::Instruction>;
+using Instructions = std::vector<certify::tape::Instruction>;
 
 struct Judged {
   std::vector<double> numbers;
@@ -44,12 +44,12 @@ std::vector<Judged> judged_cases(Question question, bool squared, std::uint64_t 
   return all;
 }
 
-bool noticed(const tape::Program& program, const std::vector<Judged>& judged) {
+bool noticed(const certify::tape::Program& program, const std::vector<Judged>& judged) {
   return std::ranges::any_of(judged, [&](const Judged& c) { return big_integer_sign(program, c.numbers) != c.sign; });
 }
 
-mpz_class value(const tape::Program& program, std::vector<mpz_class> number) {
-  for (const tape::Instruction& i : program.instructions) {
+mpz_class value(const certify::tape::Program& program, std::vector<mpz_class> number) {
+  for (const certify::tape::Instruction& i : program.instructions) {
     const mpz_class &l = number[i.left], &r = number[i.right];
     number.push_back(i.operation == '+' ? mpz_class(l + r) : i.operation == '-' ? mpz_class(l - r) : mpz_class(l * r));
   }
@@ -57,7 +57,7 @@ mpz_class value(const tape::Program& program, std::vector<mpz_class> number) {
 }
 
 // At a random point, which two different polynomials share with a probability below 2^-40.
-bool same_polynomial(const tape::Program& a, const tape::Program& b) {
+bool same_polynomial(const certify::tape::Program& a, const certify::tape::Program& b) {
   Entropy entropy(99);
   std::vector<mpz_class> x;
   for (std::size_t i = 0; i < a.arity; ++i) x.emplace_back(static_cast<unsigned long>(entropy.bits(50)));
@@ -67,15 +67,15 @@ bool same_polynomial(const tape::Program& a, const tape::Program& b) {
 template <class Predicate, class... Points>
 void check_mutants(Question question) {
   SCOPED_TRACE(__PRETTY_FUNCTION__);
-  const tape::Program program = plumb::tape::program<Mixed<Predicate, KindOf<Points>...>>();
+  const certify::tape::Program program = plumb::certify::tape::program<Mixed<Predicate, KindOf<Points>...>>();
   const auto judged = judged_cases<Points...>(question, Predicate::weights_are_squared, 300);
   ASSERT_GT(judged.size(), 25u);
   ASSERT_FALSE(noticed(program, judged));
   int mutants = 0, equal = 0;
-  const auto try_mutant = [&](std::size_t at, const tape::Instruction& changed) {
+  const auto try_mutant = [&](std::size_t at, const certify::tape::Instruction& changed) {
     Instructions instructions(program.instructions.begin(), program.instructions.end());
     instructions[at] = changed;
-    const tape::Program mutant{program.arity, instructions};
+    const certify::tape::Program mutant{program.arity, instructions};
     ++mutants;
     if (noticed(mutant, judged)) return;
     if (same_polynomial(mutant, program)) {
@@ -85,7 +85,7 @@ void check_mutants(Question question) {
     }
   };
   for (std::size_t at = 0; at < program.instructions.size(); ++at) {
-    const tape::Instruction is = program.instructions[at];
+    const certify::tape::Instruction is = program.instructions[at];
     if (is.operation == '*') continue;
     try_mutant(at, {is.operation == '+' ? '-' : '+', is.left, is.right});
     if (is.operation == '-') try_mutant(at, {'-', is.right, is.left});

@@ -1,6 +1,6 @@
 // Perturbation of every formula of the manifest: by moved coordinates and by expansion the sign is the same, is never
 // zero, and, where the formula is short, is the one that the definition has.
-#include "plumb/certify/catalog.hpp"
+#include "certify/catalog.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace plumb {
 namespace {
 
 template <class Number, class Make>
-Number replay(const tape::Program& program, Make make) {
+Number replay(const certify::tape::Program& program, Make make) {
   std::vector<Number> value;
   for (std::size_t i = 0; i < program.arity; ++i) value.push_back(make(i));
-  for (const tape::Instruction& step : program.instructions) {
+  for (const certify::tape::Instruction& step : program.instructions) {
     const Number &l = value[step.left], &r = value[step.right];
     value.push_back(step.operation == '*' ? l * r : step.operation == '-' ? l - r : l + r);
   }
@@ -32,7 +32,7 @@ class PerturbedCatalog : public testing::TestWithParam<const CatalogEntry*> {
   const CatalogEntry& entry_ = *GetParam();
   const Occurrence<64> occurrence_ =
       replay<Occurrence<64>>(entry_.program, [](std::size_t i) { return Occurrence<64>::coordinate(i); });
-  const perturbation::Subject subject_{
+  const certify::perturbation::Subject subject_{
       entry_.name,        entry_.arguments,   false, entry_.homogeneous, entry_.program,
       occurrence_.degree, occurrence_.beside, ask};
 };
@@ -60,9 +60,9 @@ TEST_P(PerturbedCatalog, AgreesWithTheExpansion) {
     }
     std::ranges::stable_sort(order, {}, [&](std::uint16_t i) { return indices[argument[i]]; });
 
-    const Sign s = perturbation::sign_of_zero(subject_, p, indices);
+    const Sign s = certify::perturbation::sign_of_zero(subject_, p, indices);
     ASSERT_NE(s, Sign::zero) << number;
-    ASSERT_EQ(perturbation::expanded_sign(entry_.program, entry_.homogeneous, p, order), s) << number;
+    ASSERT_EQ(certify::perturbation::expanded_sign(entry_.program, entry_.homogeneous, p, order), s) << number;
     if (!is_short) continue;
     const auto defined = replay<oracle::Expanded>(entry_.program, [&](std::size_t i) {
       oracle::Expanded x;

@@ -92,7 +92,8 @@ TEST(PerturbedFormulaTest, ExpandsOverCoordinatesOfAnyWidth) {
       }
       const Sign exact = decide<F>(p);
       if (exact == Sign::zero) continue;
-      ASSERT_EQ(perturbation::expanded_sign(tape::program<F>(), true, p, order), exact) << width << " " << number;
+      ASSERT_EQ(certify::perturbation::expanded_sign(certify::tape::program<F>(), true, p, order), exact)
+          << width << " " << number;
     }
   }
 }

@@ -17,7 +17,7 @@ constexpr std::uint64_t affordable(std::uint64_t count) {
 #if defined(PLUMB_LONG_TESTS)
   return 50 * count;
 #else
-  return battery::sanitized ? count / 10 : count;
+  return battery::fitting(count);
 #endif
 }
 
@@ -107,7 +107,7 @@ TYPED_TEST(PerturbedTest, MovesAndExpansionAgree) {
     positive += s == Sign::positive;
     ++all;
     ASSERT_NE(s, Sign::zero) << told(c);
-    ASSERT_EQ(perturbation::expanded_sign(tape::program<F>(), true, c.p, order), s) << told(c);
+    ASSERT_EQ(certify::perturbation::expanded_sign(certify::tape::program<F>(), true, c.p, order), s) << told(c);
   });
   EXPECT_GT(positive, all * 2 / 5);
   EXPECT_LT(positive, all * 3 / 5);

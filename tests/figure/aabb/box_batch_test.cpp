@@ -24,10 +24,10 @@ using ::testing::ThrowsMessage;
 template <class Check>
 void on_each_target(Check check) {
   for (const std::string_view set : batch_instruction_sets()) {
-    batch::take_instruction_set(set);
+    certify::batch::take_instruction_set(set);
     check(set);
   }
-  batch::take_instruction_set({});
+  certify::batch::take_instruction_set({});
 }
 
 template <class Shape, class Batch>

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "plumb/certify/case_line.hpp"
+#include "certify/case_line.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/figure.hpp"
 

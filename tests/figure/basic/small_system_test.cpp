@@ -5,10 +5,10 @@
 
 #include <limits>
 
+#include "certify/case_line.hpp"
 #include "figure/basic/rationals.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/solids.hpp"
 #include "figure/basic/thrown.hpp"
 #include "figure/measures/rational_measures.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
@@ -387,30 +388,45 @@ TEST(ManyVertices, FarFromTheOriginAndLong) {
   EXPECT_EQ(centroid(many), (Point2{5e-324, -5e-324}));
 }
 
+/// Of a closed mesh that is not convex, beside sums in rationals.
+void expect_measured(const TriangleMesh& mesh, const std::string& name) {
+  mpq_class six = 0;
+  long double about = 0;
+  for (const auto& t : mesh.triangles) {
+    const auto a = plumb_test::exact3(mesh.vertices[t[0]]), b = plumb_test::exact3(mesh.vertices[t[1]]),
+               c = plumb_test::exact3(mesh.vertices[t[2]]);
+    six += plumb_test::inner(a, plumb_test::times(b, c));
+    const auto n = plumb_test::times(plumb_test::minus(b, a), plumb_test::minus(c, a));
+    about += std::sqrt(static_cast<long double>(mpq_class(plumb_test::inner(n, n)).get_d())) / 2;
+  }
+  EXPECT_GT(signed_volume(mesh), 0) << name;
+  EXPECT_TRUE(is_nearest(signed_volume(mesh), six / 6)) << name;
+  EXPECT_NEAR(surface_area(mesh), static_cast<double>(about), static_cast<double>(about) * 0x1p-45) << name;
+  EXPECT_FALSE(is_convex(mesh)) << name;
+  const Aabb3 box = fit_aabb(mesh.vertices);
+  EXPECT_TRUE(volume(mesh) < volume(box) && contains(box, centroid(mesh))) << name;
+}
+
+TEST(Models, GeneratedOnesAreMeasured) {
+  const TriangleMesh ring = solids::turned(solids::torus(3, 1, 40, 20));
+  expect_measured(ring, "torus");
+  expect_measured(solids::turned(solids::hollow_torus(3, 1, 40, 20)), "hollow torus");
+  const TriangleMesh stairs = solids::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}});
+  expect_measured(stairs, "stairs");
+  EXPECT_EQ(volume(stairs), 4);
+  EXPECT_EQ(surface_area(stairs), 18);
+  EXPECT_EQ(centroid(stairs), (Point3{1.25, 1, 0.75}));
+  EXPECT_THROW(volume(solids::torn(ring, 100)), InvalidShape);
+}
+
 TEST(Models, AreMeasured) {
   const std::filesystem::path folder = std::filesystem::path(PLUMB_SHARED_DIR) / "models";
   if (!std::filesystem::exists(folder)) {
     std::cout << "skipped: there is no folder " << folder << "\n";
     return;
   }
-  for (const char* name : {"cow.obj", "fandisk.obj", "spot.obj", "rocker-arm.obj", "cheburashka.obj"}) {
-    const TriangleMesh mesh = read_mesh(folder / name);
-    mpq_class six = 0;
-    long double about = 0;
-    for (const auto& t : mesh.triangles) {
-      const auto a = plumb_test::exact3(mesh.vertices[t[0]]), b = plumb_test::exact3(mesh.vertices[t[1]]),
-                 c = plumb_test::exact3(mesh.vertices[t[2]]);
-      six += plumb_test::inner(a, plumb_test::times(b, c));
-      const auto n = plumb_test::times(plumb_test::minus(b, a), plumb_test::minus(c, a));
-      about += std::sqrt(static_cast<long double>(mpq_class(plumb_test::inner(n, n)).get_d())) / 2;
-    }
-    EXPECT_GT(signed_volume(mesh), 0) << name;
-    EXPECT_TRUE(is_nearest(signed_volume(mesh), six / 6)) << name;
-    EXPECT_NEAR(surface_area(mesh), static_cast<double>(about), static_cast<double>(about) * 0x1p-45) << name;
-    EXPECT_FALSE(is_convex(mesh)) << name;
-    const Aabb3 box = fit_aabb(mesh.vertices);
-    EXPECT_TRUE(volume(mesh) < volume(box) && contains(box, centroid(mesh))) << name;
-  }
+  for (const char* name : {"cow.obj", "fandisk.obj", "spot.obj", "rocker-arm.obj", "cheburashka.obj"})
+    expect_measured(read_mesh(folder / name), name);
   for (const char* name : {"teapot.obj", "beetle.obj", "stanford-bunny.obj"})
     EXPECT_THROW(volume(read_mesh(folder / name)), InvalidShape) << name;
 }

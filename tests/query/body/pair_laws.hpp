@@ -6,12 +6,18 @@
 #include <array>
 #include <cstdio>
 
+#include "certify/sanitized.hpp"
 #include "oracle/meetings.hpp"
 #include "query/body/pair_oracle.hpp"
 #include "query/body/pair_shapes.hpp"
 #include "query/body/pair_types.hpp"
 
 namespace plumb::pair_cases {
+
+/// Cases in an ordinary run, of which the long run takes shape_cases::more as many, and the sanitized one a quarter: of
+/// each pair of shapes, of one whose brute force is costly, and of each pair for the laws.
+inline constexpr std::uint64_t cases_of_pair = battery::sanitized ? 16 : 64, cases_of_costly_pair = cases_of_pair / 4,
+                               cases_of_law = cases_of_pair / 2;
 
 /// How often each answer came, of all pairs together.
 class Answers {
@@ -60,6 +66,9 @@ template <class Shape>
 inline constexpr bool is_costly = query::is_one_of(figure_kind<Shape>, {FigureKind::quadrilateral, FigureKind::polygon,
                                                                         FigureKind::holed_polygon, FigureKind::k_dop,
                                                                         FigureKind::halfspace_intersection});
+template <class A, class B>
+inline constexpr std::uint64_t cases_by_brute_force =
+    is_costly<A> || is_costly<B> ? cases_of_costly_pair : cases_of_pair;
 
 /// Of each kind with all others.
 using AnswersByKind = std::array<Answers, figure_kinds>;
@@ -84,10 +93,10 @@ inline void expect_every_answer(const AnswersByKind& answers) {
 
 /// All pairs of straight edges and flat faces.
 template <class All>
-void expect_all_as_oracle(All all, std::uint64_t start, std::uint64_t cases) {
+void expect_all_as_oracle(All all, std::uint64_t start) {
   AnswersByKind answers{};
   on_pairs_of<PairOracle::cells>(all, [&]<class A, class B>(const A*, const B*) {
-    add_to_kinds<A, B>(answers, expect_as_oracle<A, B>(start++, is_costly<A> || is_costly<B> ? cases / 4 : cases));
+    add_to_kinds<A, B>(answers, expect_as_oracle<A, B>(start++, cases_by_brute_force<A, B>));
   });
   expect_every_answer(answers);
 }
@@ -97,12 +106,12 @@ using CgalFigure = std::conditional_t<figure_dimension<Shape> == 2, oracle::Cgal
 
 /// All pairs that CGAL has, where it accepts both shapes.
 template <class All>
-void expect_all_as_cgal(All all, std::uint64_t start, std::uint64_t cases) {
+void expect_all_as_cgal(All all, std::uint64_t start) {
   int asked = 0, meet = 0;
   on_pairs(all, [&]<class A, class B>(const A*, const B*) {
     if constexpr (std::is_constructible_v<CgalFigure<A>, A> && std::is_constructible_v<CgalFigure<B>, B>) {
       int of_pair = 0;
-      shape_cases::on_shapes(start++, cases, [&](Material& m) {
+      shape_cases::on_shapes(start++, cases_of_pair, [&](Material& m) {
         const auto [a, b] = pair_of<A, B>(m);
         const std::optional<bool> expected = oracle::meet_by_cgal(CgalFigure<A>(a), CgalFigure<B>(b));
         if (!expected) return;
@@ -111,7 +120,7 @@ void expect_all_as_cgal(All all, std::uint64_t start, std::uint64_t cases) {
         EXPECT_EQ(intersects(a, b), *expected) << pair_name<A, B>() << m.about(a, b);
         EXPECT_EQ(intersects(b, a), *expected) << pair_name<B, A>() << m.about(b, a);
       });
-      EXPECT_GE(static_cast<std::uint64_t>(of_pair) * 4, cases * shape_cases::more) << pair_name<A, B>();
+      EXPECT_GE(static_cast<std::uint64_t>(of_pair) * 4, cases_of_pair * shape_cases::more) << pair_name<A, B>();
       asked += of_pair;
     }
   });

@@ -411,11 +411,11 @@ TEST(ClosestTest, BadInputIsNamed) {
 
 // What doubles guess may be any corners, a direction alone among them, which has no weight to be a point by.
 TEST(DifferenceSearch, EndsAtTheNearestPointFromAnyGuess) {
-  using Guess = std::vector<query::DifferenceCorner>;
-  const query::Difference<mpz_class> sets{{{{{3, 4, 0}, {9, 4, 0}}, {{0, 0, 0}}}}, {{-1, 0, 0}}};
+  using Guess = std::vector<arith::DifferenceCorner>;
+  const arith::Difference<mpz_class> sets{{{{{3, 4, 0}, {9, 4, 0}}, {{0, 0, 0}}}}, {{-1, 0, 0}}};
   for (const Guess& guess : {Guess{{true, 0, 0}}, Guess{{true, 1, 0}}, Guess{{false, 0, 0}}, Guess{},
                              Guess{{true, 0, 0}, {true, 1, 0}, {false, 0, 0}}}) {
-    query::DifferenceSearch<mpz_class> search(sets, guess);
+    arith::DifferenceSearch<mpz_class> search(sets, guess);
     while (search.step()) {
     }
     ASSERT_NE(search.whole(), 0);

@@ -5,8 +5,8 @@
 namespace plumb::pair_cases {
 namespace {
 
-TEST(OverlapPairs, AllFlatFiguresOfThePlaneAsBruteForce) { expect_all_as_oracle(Plane{}, 601, 60); }
-TEST(OverlapPairs, AllThatCgalHasOfThePlane) { expect_all_as_cgal(Plane{}, 1601, 60); }
+TEST(OverlapPairs, AllFlatFiguresOfThePlaneAsBruteForce) { expect_all_as_oracle(Plane{}, 601); }
+TEST(OverlapPairs, AllThatCgalHasOfThePlane) { expect_all_as_cgal(Plane{}, 1601); }
 
 }  // namespace
 }  // namespace plumb::pair_cases

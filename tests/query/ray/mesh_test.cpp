@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "figure/basic/solids.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/hull/hull3.hpp"
@@ -263,7 +264,36 @@ TEST(Batch, NamesWhatIsWrong) {
   EXPECT_THROW(static_cast<void>(all_hits(Ray3{{0, 0, 0}, {nan, 0, 0}}, one)), NonFinite);
 }
 
-/// Rays aimed exactly at vertices and edge points of meshes from files: an even number of crossings in all of a line.
+/// Rays aimed exactly at vertices and edge points of a closed mesh: an even number of crossings in all of a line.
+void expect_watertight(const TriangleMesh& mesh, const std::string& name) {
+  const TriangleBatch batch = triangle_batch(mesh);
+  for (std::uint64_t i = 0; i < 12 * shape_cases::more; ++i) {
+    Entropy e(606, i);
+    const auto unit = [&] { return static_cast<double>(e.within(1024)) / 1024; };
+    const TriangleMesh::Triangle& t = mesh.triangles[e.below(mesh.triangles.size())];
+    const Point3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]];
+    const Point3 from{a.x + unit(), a.y + unit(), a.z + unit()};
+    // Through a vertex, exactly, and along an edge and beyond.
+    const AnyRay rays[] = {Line3{a, between_points(a, from)}, Line3{a, between_points(a, b)}};
+    for (const AnyRay& ray : rays) {
+      EXPECT_EQ(all_hits(ray, batch, HitRule::half_open).size() % 2, 0u) << name << " index " << i;
+      EXPECT_FALSE(all_hits(ray, batch).empty()) << name << " index " << i;  // closed: never missed
+    }
+    const Location where = locate(mesh, from);
+    ASSERT_NE(where, Location::boundary);
+    const std::size_t out = all_hits(Ray3{from, between_points(from, a)}, batch, HitRule::half_open).size();
+    EXPECT_EQ(out % 2 == 1, where == Location::inside) << name << " index " << i;
+    EXPECT_EQ(*winding_number(mesh, from) % 2 != 0, where == Location::inside) << name << " index " << i;
+    EXPECT_EQ(locate(mesh, a), Location::boundary);
+  }
+}
+
+TEST(Watertight, GeneratedMeshesAreCrossedAsOftenInAsOut) {
+  expect_watertight(solids::torus(3, 1, 32, 16), "torus");
+  expect_watertight(solids::turned(solids::torus(2, 1.5, 24, 24)), "thick torus");
+  expect_watertight(solids::turned(solids::hollow_torus(3, 1, 24, 12)), "hollow torus");
+}
+
 TEST(Watertight, RealMeshesAreCrossedAsOftenInAsOut) {
   const std::filesystem::path folder = std::filesystem::path(PLUMB_SHARED_DIR) / "models";
   if (!std::filesystem::exists(folder)) {
@@ -278,26 +308,7 @@ TEST(Watertight, RealMeshesAreCrossedAsOftenInAsOut) {
       continue;
     }
     ++closed;
-    const TriangleBatch batch = triangle_batch(mesh);
-    for (std::uint64_t i = 0; i < 12 * shape_cases::more; ++i) {
-      Entropy e(606, i);
-      const auto unit = [&] { return static_cast<double>(e.within(1024)) / 1024; };
-      const TriangleMesh::Triangle& t = mesh.triangles[e.below(mesh.triangles.size())];
-      const Point3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]];
-      const Point3 from{a.x + unit(), a.y + unit(), a.z + unit()};
-      // Through a vertex, exactly, and along an edge and beyond.
-      const AnyRay rays[] = {Line3{a, between_points(a, from)}, Line3{a, between_points(a, b)}};
-      for (const AnyRay& ray : rays) {
-        EXPECT_EQ(all_hits(ray, batch, HitRule::half_open).size() % 2, 0u) << name << " index " << i;
-        EXPECT_FALSE(all_hits(ray, batch).empty()) << name << " index " << i;  // closed: never missed
-      }
-      const Location where = locate(mesh, from);
-      ASSERT_NE(where, Location::boundary);
-      const std::size_t out = all_hits(Ray3{from, between_points(from, a)}, batch, HitRule::half_open).size();
-      EXPECT_EQ(out % 2 == 1, where == Location::inside) << name << " index " << i;
-      EXPECT_EQ(*winding_number(mesh, from) % 2 != 0, where == Location::inside) << name << " index " << i;
-      EXPECT_EQ(locate(mesh, a), Location::boundary);
-    }
+    expect_watertight(mesh, name);
   }
   EXPECT_GT(closed, 1);
 }

@@ -14,7 +14,7 @@
 #include "tool/trial/contact_judge.hpp"
 #include "tool/trial/moving_cases.hpp"
 
-namespace plumb::moving_cases {
+namespace plumb::tool::moving_cases {
 namespace {
 
 #ifdef PLUMB_LONG_TESTS
@@ -56,7 +56,8 @@ std::string name_of(const Contact& c) {
 
 /// Against the oracle: the answer, and the first time within the double.
 void check(const Case& c, double separation, std::map<std::string, int>& seen) {
-  const std::vector<contact_judge::Time> truth = contact_judge::contacts(c.vertex_face, c.at_0, c.at_1, separation);
+  const std::vector<tool::contact_judge::Time> truth =
+      tool::contact_judge::contacts(c.vertex_face, c.at_0, c.at_1, separation);
   ASSERT_EQ(meets(c, separation), !truth.empty());
   const std::optional<Contact> first = contact(c, separation);
   const std::optional<Root> exact = time_of(c, separation);
@@ -67,7 +68,7 @@ void check(const Case& c, double separation, std::map<std::string, int>& seen) {
   ASSERT_EQ(first->time, exact->rounded(Rounding::down));
   const mpq_class down(first->time), up(std::nextafter(first->time, infinity));
   bool reached = false;
-  for (const contact_judge::Time& t : truth) {
+  for (const tool::contact_judge::Time& t : truth) {
     ASSERT_GE(side(t, down), 0) << "late";
     if (side(t, up) >= 0) continue;
     reached = true;
@@ -253,4 +254,4 @@ TEST(ContinuousContact, AxesOfAnySizeBesideOthers) {
 }
 
 }  // namespace
-}  // namespace plumb::moving_cases
+}  // namespace plumb::tool::moving_cases

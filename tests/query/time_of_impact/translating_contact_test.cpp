@@ -9,10 +9,10 @@
 #include <limits>
 #include <tuple>
 
+#include "certify/case_line.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/certify/case_line.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/figure.hpp"
 #include "plumb/query/overlap/overlap.hpp"

@@ -19,7 +19,7 @@
 
 namespace plumb {
 
-namespace box {
+namespace figure::box {
 
 constexpr double larger(double x, double y) { return x > y ? x : y; }
 constexpr double smaller(double x, double y) { return x < y ? x : y; }
@@ -61,15 +61,15 @@ bool intersects(const Box& a, const Box& b) {
   return relate_exactly("intersects", a, b) != Relation::disjoint;
 }
 
-}  // namespace box
+}  // namespace figure::box
 
-inline Relation relate(const Aabb2& a, const Aabb2& b) { return box::relate(a, b); }
-inline Relation relate(const Aabb3& a, const Aabb3& b) { return box::relate(a, b); }
+inline Relation relate(const Aabb2& a, const Aabb2& b) { return figure::box::relate(a, b); }
+inline Relation relate(const Aabb3& a, const Aabb3& b) { return figure::box::relate(a, b); }
 Relation relate(const AabbWidths3& a, const AabbWidths3& b);
 Relation relate(const AabbCenter3& a, const AabbCenter3& b);
 
-inline bool intersects(const Aabb2& a, const Aabb2& b) { return box::intersects(a, b); }
-inline bool intersects(const Aabb3& a, const Aabb3& b) { return box::intersects(a, b); }
+inline bool intersects(const Aabb2& a, const Aabb2& b) { return figure::box::intersects(a, b); }
+inline bool intersects(const Aabb3& a, const Aabb3& b) { return figure::box::intersects(a, b); }
 bool intersects(const AabbWidths3& a, const AabbWidths3& b);
 bool intersects(const AabbCenter3& a, const AabbCenter3& b);
 

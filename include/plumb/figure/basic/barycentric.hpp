@@ -68,7 +68,7 @@ Point3 from_barycentric(const Tetrahedron3& tetrahedron, const std::array<double
 
 /// What one coordinate is a quotient of: a part and a whole, of the corners in an even permutation that has the
 /// coordinate's corner first, and the point.
-namespace barycentric_form {
+namespace figure::barycentric_form {
 
 template <class Point>
 struct SegmentWhole;
@@ -170,33 +170,33 @@ constexpr auto exact(const std::array<Point, N>& corners, const Point& p, Make m
   (std::make_index_sequence<N>{});
 }
 
-}  // namespace barycentric_form
+}  // namespace figure::barycentric_form
 
 /// The exact coordinates, coordinate[i] / weight, over the numbers that make(double) gives, which need + - * (see
 /// `homogeneous` in certify/constructed.hpp).  The weight is zero where there are none.
 template <class Make>
 constexpr auto exact_barycentric(const Segment2& s, const Point2& p, Make make) {
-  using namespace barycentric_form;
+  using namespace figure::barycentric_form;
   return exact<SegmentPart<Point2>, SegmentWhole<Point2>>(std::array{s.a, s.b}, p, make);
 }
 template <class Make>
 constexpr auto exact_barycentric(const Segment3& s, const Point3& p, Make make) {
-  using namespace barycentric_form;
+  using namespace figure::barycentric_form;
   return exact<SegmentPart<Point3>, SegmentWhole<Point3>>(std::array{s.a, s.b}, p, make);
 }
 template <class Make>
 constexpr auto exact_barycentric(const Triangle2& t, const Point2& p, Make make) {
-  using namespace barycentric_form;
+  using namespace figure::barycentric_form;
   return exact<TrianglePart2, TriangleWhole2>(std::array{t.a, t.b, t.c}, p, make);
 }
 template <class Make>
 constexpr auto exact_barycentric(const Triangle3& t, const Point3& p, Make make) {
-  using namespace barycentric_form;
+  using namespace figure::barycentric_form;
   return exact<TrianglePart3, TriangleWhole3>(std::array{t.a, t.b, t.c}, p, make);
 }
 template <class Make>
 constexpr auto exact_barycentric(const Tetrahedron3& t, const Point3& p, Make make) {
-  using namespace barycentric_form;
+  using namespace figure::barycentric_form;
   return exact<TetrahedronPart, TetrahedronWhole>(std::array{t.a, t.b, t.c, t.d}, p, make);
 }
 

@@ -88,7 +88,7 @@ bool contains(const Shape& shape, const double (&p)[3]) {
   return locate(shape, Point3{p[0], p[1], p[2]}) != Location::outside;
 }
 
-namespace figure_contains {
+namespace figure::containment {
 
 [[noreturn]] void throw_non_finite(const Aabb2& box, const Point2& p);
 [[noreturn]] void throw_non_finite(const Aabb3& box, const Point3& p);
@@ -97,12 +97,13 @@ namespace figure_contains {
 constexpr double not_real(const Point2& p) { return (p.x - p.x) + (p.y - p.y); }
 constexpr double not_real(const Point3& p) { return (p.x - p.x) + (p.y - p.y) + (p.z - p.z); }
 
-}  // namespace figure_contains
+}  // namespace figure::containment
 
 inline Location locate(const Aabb2& box, const Point2& p) {
   const auto& [a, b] = box;
-  if (!(figure_contains::not_real(a) + figure_contains::not_real(b) + figure_contains::not_real(p) == 0)) [[unlikely]]
-    figure_contains::throw_non_finite(box, p);
+  if (!(figure::containment::not_real(a) + figure::containment::not_real(b) + figure::containment::not_real(p) == 0))
+      [[unlikely]]
+    figure::containment::throw_non_finite(box, p);
   const bool closed = (a.x <= p.x) & (p.x <= b.x) & (a.y <= p.y) & (p.y <= b.y);
   const bool open = (a.x < p.x) & (p.x < b.x) & (a.y < p.y) & (p.y < b.y);
   return static_cast<Location>(static_cast<int>(closed) + static_cast<int>(open) - 1);
@@ -110,8 +111,9 @@ inline Location locate(const Aabb2& box, const Point2& p) {
 
 inline Location locate(const Aabb3& box, const Point3& p) {
   const auto& [a, b] = box;
-  if (!(figure_contains::not_real(a) + figure_contains::not_real(b) + figure_contains::not_real(p) == 0)) [[unlikely]]
-    figure_contains::throw_non_finite(box, p);
+  if (!(figure::containment::not_real(a) + figure::containment::not_real(b) + figure::containment::not_real(p) == 0))
+      [[unlikely]]
+    figure::containment::throw_non_finite(box, p);
   const bool closed = (a.x <= p.x) & (p.x <= b.x) & (a.y <= p.y) & (p.y <= b.y) & (a.z <= p.z) & (p.z <= b.z);
   const bool open = (a.x < p.x) & (p.x < b.x) & (a.y < p.y) & (p.y < b.y) & (a.z < p.z) & (p.z < b.z);
   return static_cast<Location>(static_cast<int>(closed) + static_cast<int>(open) - 1);

@@ -44,7 +44,7 @@ constexpr ImplicitShape3<Polynomial, sizeof...(Parameters)> implicit_shape3(Poly
   return {{static_cast<double>(parameters)...}};
 }
 
-namespace implicit_function {
+namespace figure::implicit_function {
 
 /// "parameters[0]" and so on.
 template <std::size_t N>
@@ -92,15 +92,15 @@ Location locate(const std::array<double, N>& parameters, const Point& p) {
   return static_cast<Location>(-static_cast<int>(sign_of(F{}, p, parameters)));
 }
 
-}  // namespace implicit_function
+}  // namespace figure::implicit_function
 
 template <class Polynomial, std::size_t N>
 Location locate(const ImplicitShape2<Polynomial, N>& shape, const Point2& p) {
-  return implicit_function::locate<Polynomial>(shape.parameters, p);
+  return figure::implicit_function::locate<Polynomial>(shape.parameters, p);
 }
 template <class Polynomial, std::size_t N>
 Location locate(const ImplicitShape3<Polynomial, N>& shape, const Point3& p) {
-  return implicit_function::locate<Polynomial>(shape.parameters, p);
+  return figure::implicit_function::locate<Polynomial>(shape.parameters, p);
 }
 
 template <class Polynomial, std::size_t N>

@@ -29,7 +29,7 @@
 
 namespace plumb {
 
-namespace generated {
+namespace figure::generated {
 
 template <class Shape>
 struct Traits;
@@ -121,27 +121,27 @@ ConvexPolyhedron3 made(std::span<const double> numbers);
 template <>
 TriangleMesh made(std::span<const double> numbers);
 
-}  // namespace generated
+}  // namespace figure::generated
 
 /// A struct whose numbers the generators make.
 template <class Shape>
 concept GeneratedShape = requires {
-  generated::Traits<Shape>::kind;
+  figure::generated::Traits<Shape>::kind;
 };
 template <GeneratedShape Shape>
-inline constexpr degenerate::ShapeKind generated_kind = generated::Traits<Shape>::kind;
+inline constexpr degenerate::ShapeKind generated_kind = figure::generated::Traits<Shape>::kind;
 template <GeneratedShape Shape>
-inline constexpr int generated_dimension = generated::Traits<Shape>::dimension;
+inline constexpr int generated_dimension = figure::generated::Traits<Shape>::dimension;
 
 template <GeneratedShape Shape>
 Shape shape_from(std::span<const double> x) {
-  generated::demand(x, generated_kind<Shape>, generated_dimension<Shape>);
-  if constexpr (generated::is_copied<Shape>) {
+  figure::generated::demand(x, generated_kind<Shape>, generated_dimension<Shape>);
+  if constexpr (figure::generated::is_copied<Shape>) {
     Shape shape{};
     std::memcpy(&shape, x.data(), sizeof shape);
     return shape;
   } else {
-    return generated::made<Shape>(x);
+    return figure::generated::made<Shape>(x);
   }
 }
 

@@ -27,7 +27,7 @@
 
 namespace plumb {
 
-namespace sphere {
+namespace figure::sphere {
 
 inline constexpr std::array<std::string_view, 4> two_balls{"a.center", "a.radius", "b.center", "b.radius"};
 
@@ -108,12 +108,12 @@ bool intersects(const Ball& a, const Ball& b) {
   return gap_exactly("intersects", a, b) != Sign::positive;
 }
 
-}  // namespace sphere
+}  // namespace figure::sphere
 
-inline Relation relate(const Circle2& a, const Circle2& b) { return sphere::relate(a, b); }
-inline Relation relate(const Sphere3& a, const Sphere3& b) { return sphere::relate(a, b); }
-inline bool intersects(const Circle2& a, const Circle2& b) { return sphere::intersects(a, b); }
-inline bool intersects(const Sphere3& a, const Sphere3& b) { return sphere::intersects(a, b); }
+inline Relation relate(const Circle2& a, const Circle2& b) { return figure::sphere::relate(a, b); }
+inline Relation relate(const Sphere3& a, const Sphere3& b) { return figure::sphere::relate(a, b); }
+inline bool intersects(const Circle2& a, const Circle2& b) { return figure::sphere::intersects(a, b); }
+inline bool intersects(const Sphere3& a, const Sphere3& b) { return figure::sphere::intersects(a, b); }
 
 /// Does the outer ball hold every point of the inner one?
 bool contains(const Circle2& outer, const Circle2& inner);

@@ -20,7 +20,7 @@
 #include <array>
 
 #include "plumb/arith/filtered.hpp"
-#include "plumb/certify/filter_stage.hpp"
+#include "plumb/certify/detail/filter_stage.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/convex_polyhedron.hpp"
 #include "plumb/figure/basic/linear.hpp"
@@ -35,7 +35,7 @@
 
 namespace plumb {
 
-namespace round_overlap {
+namespace query::round_overlap {
 
 /// For what doubles leave in doubt, and what is no shape.
 Relation relate_exactly(const Plane3& a, const Sphere3& b, Asked asked);
@@ -56,14 +56,14 @@ inline PlaneGap gap(const Vector3& n, double offset, const Sphere3& ball) {
   const std::array<Input, 8> x{{{n.x}, {n.y}, {n.z}, {offset}, {p.x}, {p.y}, {p.z}, {r}}};
   const Filtered height = x[0] * x[4] + x[1] * x[5] + x[2] * x[6] - x[3];
   const Filtered square = predicates::NormalDistanceAgainst3d{}(x);
-  const bool sound = !sphere::has_sign(r, r);
+  const bool sound = !figure::sphere::has_sign(r, r);
   const int gap = sound ? beyond(square.value, plane_constant * square.magnitude) : 0;
   return {gap, beyond(height.value, plane_constant * height.magnitude)};
 }
 
 constexpr double clamped(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
-}  // namespace round_overlap
+}  // namespace query::round_overlap
 
 /// Inside, where there is an inside, is overlapping.
 Relation relate(const Point3& a, const Sphere3& b, Asked asked = {});
@@ -74,17 +74,17 @@ Relation relate(const Line3& a, const Sphere3& b, Asked asked = {});
 Relation relate(const Ray3& a, const Sphere3& b, Asked asked = {});
 Relation relate(const Segment3& a, const Sphere3& b, Asked asked = {});
 inline Relation relate(const Plane3& a, const Sphere3& b, Asked asked = {}) {
-  const auto [gap, side] = round_overlap::gap(a.normal, a.offset, b);
+  const auto [gap, side] = query::round_overlap::gap(a.normal, a.offset, b);
   if (gap != 0) [[likely]]
     return gap > 0 ? Relation::disjoint : Relation::overlapping;
-  return round_overlap::relate_exactly(a, b, asked);
+  return query::round_overlap::relate_exactly(a, b, asked);
 }
 Relation relate(const ThreePointPlane3& a, const Sphere3& b, Asked asked = {});
 inline Relation relate(const Halfspace3& a, const Sphere3& b, Asked asked = {}) {
-  const auto [gap, side] = round_overlap::gap(a.normal, a.offset, b);
+  const auto [gap, side] = query::round_overlap::gap(a.normal, a.offset, b);
   if (gap != 0 && (gap < 0 || side != 0)) [[likely]]
     return gap > 0 && side > 0 ? Relation::disjoint : Relation::overlapping;
-  return round_overlap::relate_exactly(a, b, asked);
+  return query::round_overlap::relate_exactly(a, b, asked);
 }
 Relation relate(const Triangle3& a, const Sphere3& b, Asked asked = {});
 Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked = {});
@@ -94,16 +94,16 @@ Relation relate(const Rectangle3& a, const Sphere3& b, Asked asked = {});
 Relation relate(const Tetrahedron3& a, const Sphere3& b, Asked asked = {});
 /// By the nearest point of the box, whose numbers are input.
 inline Relation relate(const Sphere3& a, const Aabb3& b, Asked asked = {}) {
-  using round_overlap::clamped;
+  using query::round_overlap::clamped;
   const auto& [p, q] = b;
   const auto& c = a.center;
   const double all = ((p.x + q.x) + (p.y + q.y)) + (p.z + q.z);
   const Point3 nearest{clamped(c.x, p.x, q.x), clamped(c.y, p.y, q.y), clamped(c.z, p.z, q.z)};
-  const auto [gap, sure] = sphere::gap(Sphere3{nearest, 0}, a);
+  const auto [gap, sure] = figure::sphere::gap(Sphere3{nearest, 0}, a);
   const bool sound = (p.x <= q.x) & (p.y <= q.y) & (p.z <= q.z) & (all - all == 0);
   if (sure & sound) [[likely]]
     return gap > 0 ? Relation::disjoint : Relation::overlapping;
-  return round_overlap::relate_exactly(a, b, asked);
+  return query::round_overlap::relate_exactly(a, b, asked);
 }
 Relation relate(const Sphere3& a, const Obb3& b, Asked asked = {});
 Relation relate(const Sphere3& a, const Capsule3& b, Asked asked = {});

@@ -1,0 +1,41 @@
+// The face of indexes over many figures: which of them can matter to a question?
+//
+// What is left out is left out by comparisons of boxes that contain what they stand for, exactly; so a question asked of
+// a tree has the answer of the same question asked of each figure.
+// Source: RTCD 6.
+#pragma once
+
+// What is a tree of boxes?
+#include "plumb/space/bvh/box_frame.hpp"   // floats that hold doubles of any size
+#include "plumb/space/bvh/box_tree.hpp"    // nodes in depth-first order
+#include "plumb/space/bvh/kept_array.hpp"  // in memory of its own or in a mapped file
+
+// Which tree?  build_box_tree, build_bvh
+#include "plumb/space/bvh/build.hpp"           // of boxes; builders and their options
+#include "plumb/space/bvh/bvh.hpp"             // of a mesh
+#include "plumb/space/bvh/insertion_tree.hpp"  // of what comes and goes
+#include "plumb/space/bvh/refit.hpp"           // for what moves
+#include "plumb/space/bvh/tree_cost.hpp"       // what it costs to ask
+#include "plumb/space/bvh/tree_file.hpp"       // in a file
+
+// How is it asked?  descend and its kin
+#include "plumb/space/bvh/descend.hpp"        // one tree
+#include "plumb/space/bvh/descend_pairs.hpp"  // two, or one with itself
+#include "plumb/space/bvh/progress.hpp"       // how far it is, and whether to go on
+
+// How near is a mesh, and where?  closest_on_mesh, nearest_triangles, triangles_within, closest_triangles
+#include "plumb/space/closest/closest_on_mesh.hpp"    // a point
+#include "plumb/space/closest/closest_triangles.hpp"  // another mesh
+
+// Which triangles meet?  intersecting_pairs, self_intersecting_pairs
+#include "plumb/space/pairs/mesh_pairs.hpp"  // of two meshes, or one with itself
+#include "plumb/space/pairs/neighbors.hpp"   // two triangles of one mesh, beyond what they share
+
+// What of a mesh is in a box, a ball, a frustum?  triangles_meeting
+#include "plumb/space/range/range_search.hpp"
+
+// Where does a ray hit?
+#include "plumb/space/ray/inside.hpp"     // is a point in a closed mesh?  locate, winding_number
+#include "plumb/space/ray/mesh_ray.hpp"   // a mesh: first_hit, hits, ordered_hits, count_hits
+#include "plumb/space/ray/ray_slabs.hpp"  // the slab test, for descents of one's own
+#include "plumb/space/ray/shape_ray.hpp"  // shapes of any kind

@@ -1,0 +1,49 @@
+// Range search, culling: which triangles of a mesh does a box, a ball, a segment, a frustum or any convex region meet?
+//
+//   for (const std::uint32_t t : triangles_meeting(bvh, Aabb3{{0, 0, 0}, {1, 1, 1}})) ...
+//   triangles_meeting(bvh, HalfspaceIntersection3{{left, right, top, bottom, near, far}})   // culling by a frustum
+//   triangles_meeting(bvh, std::span<const Sphere3>(balls))                                 // of many, with threads
+//
+// Laws: (1) the numbers, ascending, of exactly those triangles for which intersects(triangle, shape) is true: closed
+// sets, so touching counts.  (2) The answer depends on the mesh alone: not on its tree, execution or threads.  (3) No
+// triangles, or an empty box, no answers.
+// Numbers that are no shape throw as intersects does ("intersects: sphere.radius is nan, ..."), of an empty mesh too;
+// progress may stop a batch.
+// Source: RTCD 6.3.1, 5.2.
+// Cost: one exact test of box against shape for each child of a node that is entered, of a convex region one for each
+// halfspace; intersects for the triangles of leaves, a corner's location first.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/plane.hpp"
+#include "plumb/figure/basic/round.hpp"
+#include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/progress.hpp"
+
+namespace plumb {
+
+template <class Shape>
+concept RangeShape = std::same_as<Shape, Aabb3> || std::same_as<Shape, Obb3> || std::same_as<Shape, Sphere3> ||
+    std::same_as<Shape, Capsule3> || std::same_as<Shape, Segment3> || std::same_as<Shape, Halfspace3> ||
+    std::same_as<Shape, HalfspaceIntersection3>;
+
+struct RangeOptions {
+  Execution execution = Execution::parallel;
+  Progress progress = {};
+};
+
+template <RangeShape Shape>
+std::vector<std::uint32_t> triangles_meeting(const Bvh& mesh, const Shape& shape);
+
+/// Of each shape.
+template <RangeShape Shape>
+std::vector<std::vector<std::uint32_t>> triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
+                                                          const RangeOptions& options = {});
+
+}  // namespace plumb

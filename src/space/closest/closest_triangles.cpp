@@ -1,0 +1,141 @@
+// Branch and bound over pairs of nodes, the nearest first; ties exactly.
+#include "plumb/space/closest/closest_triangles.hpp"
+
+#include <queue>
+
+#include "plumb/query/closest/closest.hpp"
+#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/space/bvh/descend_pairs.hpp"
+#include "space/bvh/slot_boxes.hpp"
+#include "space/closest/box_distance.hpp"
+#include "space/closest/near_feature.hpp"
+
+namespace plumb {
+namespace space {
+namespace {
+
+/// A tree whose boxes are asked for in a frame of its own or another.
+class FramedMesh {
+ public:
+  FramedMesh(const Bvh& mesh, const BoxFrame& frame)
+      : mesh_(mesh), frame_(frame), is_own_frame_(mesh.tree.frame == frame), nodes_(mesh.tree.nodes.view()) {}
+
+  [[nodiscard]] const BoxNode& node(std::uint32_t i) const { return nodes_[i]; }
+  [[nodiscard]] std::span<const BoxNode> nodes() const { return nodes_; }
+  [[nodiscard]] FloatBox3 box(std::uint32_t i) const {
+    const FloatBox3 own = nodes_[i].box();
+    return is_own_frame_ ? own : frame_.around(mesh_.tree.frame.outside(own));
+  }
+  [[nodiscard]] Aabb3 triangle_box(std::uint32_t slot) const {
+    return box_around(mesh_.triangles[slot], mesh_.vertices.view());
+  }
+  [[nodiscard]] Triangle3 triangle(std::uint32_t slot) const { return mesh_.triangle(slot); }
+  [[nodiscard]] std::uint32_t item(std::uint32_t slot) const { return mesh_.tree.items[slot]; }
+
+ private:
+  const Bvh& mesh_;
+  BoxFrame frame_;
+  bool is_own_frame_;
+  std::span<const BoxNode> nodes_;
+};
+
+class ClosestSearch {
+ public:
+  ClosestSearch(const Bvh& a, const Bvh& b)
+      : frame_(a.tree.frame.exponent() < b.tree.frame.exponent() ? b.tree.frame : a.tree.frame),
+        a_(a, frame_),
+        b_(b, frame_) {}
+
+  ClosestTriangles run() {
+    push({0, 0});
+    while (!later_.empty() && !(later_.top().bound > limits_.of_nodes)) {
+      const NodePair pair = later_.top().pair;
+      later_.pop();
+      const BoxNode &a = a_.node(pair.a), &b = b_.node(pair.b);
+      if (a.is_leaf() && b.is_leaf()) {
+        leaves(a, b);
+      } else {
+        replace_pair(a_.nodes(), b_.nodes(), descend_larger{}, pair, [&](NodePair next) { push(next); });
+      }
+    }
+    return {best_.a, best_.b, closest_points(best_.s, best_.t)};
+  }
+
+ private:
+  struct Waiting {
+    double bound;
+    NodePair pair;
+  };
+  struct Farther {
+    bool operator()(const Waiting& x, const Waiting& y) const {
+      return x.bound != y.bound     ? x.bound > y.bound
+             : x.pair.a != y.pair.a ? x.pair.a < y.pair.a
+                                    : x.pair.b < y.pair.b;  // the deeper one first
+    }
+  };
+  struct Candidate {
+    std::uint32_t a, b;
+    Triangle3 s, t;
+    double distance;
+  };
+
+  void push(NodePair pair) {
+    const double bound = square_below(a_.box(pair.a), b_.box(pair.b));
+    if (!(bound > limits_.of_nodes)) later_.push({bound, pair});
+  }
+
+  void leaves(const BoxNode& a, const BoxNode& b) {
+    for (std::uint32_t i = a.link; i < a.link + a.count; ++i) {
+      const Aabb3 box = a_.triangle_box(i);
+      for (std::uint32_t k = b.link; k < b.link + b.count; ++k) {
+        const double bound = square_below(box, b_.triangle_box(k));
+        if (!(bound > limits_.of_triangles)) offer(a_.item(i), b_.item(k), a_.triangle(i), b_.triangle(k), bound == 0);
+      }
+    }
+  }
+
+  void offer(std::uint32_t a, std::uint32_t b, const Triangle3& s, const Triangle3& t, bool may_meet) {
+    const bool comes_first = a != best_.a ? a < best_.a : b < best_.b;
+    if (meet_ && !comes_first) return;
+    if (may_meet && relate(s, t) != Relation::disjoint) {  // from now on only pairs that do and come first
+      best_ = {a, b, s, t, 0};
+      meet_ = true;
+      limits_ = {0, 0};
+    }
+    if (meet_) return;
+    const Candidate candidate{a, b, s, t, distance(s, t)};
+    if (candidate.distance > best_.distance) return;
+    if (candidate.distance == best_.distance && found_ && !is_before(candidate, comes_first)) return;
+    best_ = candidate;
+    found_ = true;
+    limits_ = limits_above(frame_, candidate.distance);
+  }
+
+  /// Of distances that round alike.
+  [[nodiscard]] bool is_before(const Candidate& c, bool comes_first) const {
+    const Closest closest = closest_points(c.s, c.t), best = closest_points(best_.s, best_.t);
+    if (near_feature(c.s, closest.feature_a) == near_feature(best_.s, best.feature_a) &&
+        near_feature(c.t, closest.feature_b) == near_feature(best_.t, best.feature_b)) {
+      return comes_first;
+    }
+    const Sign order = compare(exact_distance(c.s, c.t), exact_distance(best_.s, best_.t));
+    return order == Sign::zero ? comes_first : order == Sign::negative;
+  }
+
+  BoxFrame frame_;
+  FramedMesh a_, b_;
+  std::priority_queue<Waiting, std::vector<Waiting>, Farther> later_;
+  SquareLimits limits_;
+  Candidate best_{0, 0, {}, {}, std::numeric_limits<double>::infinity()};
+  bool found_ = false, meet_ = false;
+};
+
+}  // namespace
+}  // namespace space
+
+std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b) {
+  if (a.triangles.empty() || b.triangles.empty()) return {};
+  return space::ClosestSearch(a, b).run();
+}
+
+}  // namespace plumb

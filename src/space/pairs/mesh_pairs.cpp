@@ -1,0 +1,301 @@
+// Pairs of nodes down to some hundred parts of the work; each part down to its leaves; then all pairs in order.
+#include "plumb/space/pairs/mesh_pairs.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/section/intersection.hpp"
+#include "plumb/space/bvh/descend_pairs.hpp"
+#include "plumb/space/pairs/neighbors.hpp"
+#include "space/bvh/parts.hpp"
+#include "space/bvh/slot_boxes.hpp"
+
+namespace plumb {
+namespace space {
+namespace {
+
+constexpr std::size_t parts_wanted = 512;
+
+struct MeshView {
+  explicit MeshView(const Bvh& bvh)
+      : nodes(bvh.tree.nodes.view()),
+        items(bvh.tree.items.view()),
+        triangles(bvh.triangles.view()),
+        vertices(bvh.vertices.view()),
+        frame(bvh.tree.frame) {}
+  [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
+    const Bvh::Corners& c = triangles[slot];
+    return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
+  }
+  std::span<const BoxNode> nodes;
+  std::span<const std::uint32_t> items;
+  std::span<const Bvh::Corners> triangles;
+  /// In doubles, outside of the frame.
+  [[nodiscard]] Aabb3 box_of(const BoxNode& n) const {
+    if (frame.exponent() != 0) return frame.outside(n.box());
+    return {{n.min[0], n.min[1], n.min[2]}, {n.max[0], n.max[1], n.max[2]}};
+  }
+  std::span<const Point3> vertices;
+  BoxFrame frame;
+};
+
+bool boxes_meet(const Aabb3& a, const Aabb3& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+         b.min.z <= a.max.z;
+}
+
+/// Of one frame.
+bool nodes_meet(const BoxNode& a, const BoxNode& b) {
+  const auto on = [&](std::size_t k) {
+    return static_cast<int>(a.min[k] <= b.max[k]) & static_cast<int>(b.min[k] <= a.max[k]);
+  };
+  return (on(0) & on(1) & on(2)) != 0;
+}
+
+/// What a search asks of two leaves: which slots' triangles meet.
+class LeafPairs {
+ public:
+  LeafPairs(const MeshView& a, const MeshView& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+
+  /// take(TrianglePair) of each pair; it may say Descent::stop.
+  template <class Take>
+  Descent operator()(const BoxNode& leaf_a, const BoxNode& leaf_b, const Take& take) {
+    boxes_a_.read(a_, leaf_a, b_.box_of(leaf_b));
+    if (boxes_a_.n == 0) return Descent::go_on;
+    boxes_b_.read(b_, leaf_b, a_.box_of(leaf_a));
+    const bool same_leaf = is_own_ && leaf_a.link == leaf_b.link;
+    for (std::size_t i = 0; i < boxes_a_.n; ++i) {
+      for (std::size_t k = same_leaf ? i + 1 : 0; k < boxes_b_.n; ++k) {
+        if (!boxes_meet(boxes_a_.box[i], boxes_b_.box[k])) continue;
+        const std::uint32_t slot_a = boxes_a_.slot[i], slot_b = boxes_b_.slot[k];
+        const Relation relation = is_own_ ? relate_in_mesh(a_.vertices, a_.triangles[slot_a], b_.triangles[slot_b])
+                                          : relate(a_.triangle(slot_a), b_.triangle(slot_b));
+        if (relation == Relation::disjoint) continue;
+        std::uint32_t item_a = a_.items[slot_a], item_b = b_.items[slot_b];
+        if (is_own_ && item_b < item_a) std::swap(item_a, item_b);
+        if (take(TrianglePair{item_a, item_b, relation}) == Descent::stop) return Descent::stop;
+      }
+    }
+    return Descent::go_on;
+  }
+
+ private:
+  /// A leaf's triangles whose boxes meet that of the other leaf.
+  struct LeafBoxes {
+    void read(const MeshView& mesh, const BoxNode& leaf, const Aabb3& other) {
+      n = 0;
+      if (box.size() <= leaf.count) {  // a leaf of a file may have any number
+        box.resize(leaf.count + std::size_t{1});
+        slot.resize(leaf.count + std::size_t{1});
+      }
+      for (std::uint32_t s = leaf.link; s < leaf.link + leaf.count; ++s) {
+        box[n] = box_around(mesh.triangles[s], mesh.vertices);
+        slot[n] = s;
+        n += boxes_meet(box[n], other) ? 1 : 0;
+      }
+    }
+    std::size_t n = 0;
+    std::vector<Aabb3> box;  // as many as a leaf has, and one behind
+    std::vector<std::uint32_t> slot;
+  };
+
+  const MeshView &a_, &b_;
+  bool is_own_;
+  LeafBoxes boxes_a_, boxes_b_;
+};
+
+/// A search of two trees, or of one with itself where `own` is set.
+class PairSearch {
+ public:
+  PairSearch(const char* function, const Bvh& a, const Bvh& b, bool own, const PairOptions& options)
+      : function_(function), a_(a), b_(b), own_(own), options_(options) {}
+
+  /// begin(n), then take(part, pair) for each pair that was asked for, from several threads; parts are below n.
+  template <class Begin, class Take>
+  void run(Execution execution, const Begin& begin, const Take& take) const {
+    if (a_.nodes.empty() || b_.nodes.empty()) return;
+    if (a_.frame == b_.frame) {
+      run_with(
+          execution, [](const BoxNode& a, const BoxNode& b) { return nodes_meet(a, b); }, begin, take);
+    } else {
+      const auto meet = [&](const BoxNode& a, const BoxNode& b) { return boxes_meet(a_.box_of(a), b_.box_of(b)); };
+      run_with(execution, meet, begin, take);
+    }
+  }
+
+ private:
+  template <class Take>
+  void replace(NodePair pair, const Take& take) const {
+    if (own_) {
+      replace_own_pair(a_.nodes, pair, take);
+    } else {
+      replace_pair(a_.nodes, b_.nodes, descend_larger{}, pair, take);
+    }
+  }
+
+  /// Pairs of nodes of which what they are replaced by is all that meets.
+  template <class Meet>
+  std::vector<NodePair> parts(const Meet& meet) const {
+    std::vector<NodePair> now, next;
+    if (meet(a_.nodes[0], b_.nodes[0])) now.push_back({0, 0});
+    for (bool any = true; any && now.size() < parts_wanted; now.swap(next)) {
+      any = false;
+      next.clear();
+      for (const NodePair pair : now) {
+        if (a_.nodes[pair.a].is_leaf() && b_.nodes[pair.b].is_leaf()) {
+          next.push_back(pair);
+          continue;
+        }
+        any = true;
+        replace(pair, [&](NodePair p) {
+          if (meet(a_.nodes[p.a], b_.nodes[p.b])) next.push_back(p);
+        });
+      }
+    }
+    return now;
+  }
+
+  template <class Meet, class Begin, class Take>
+  void run_with(Execution execution, const Meet& meet, const Begin& begin, const Take& take) const {
+    const std::vector<NodePair> all = parts(meet);
+    begin(all.size());
+    for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
+      LeafPairs leaves(a_, b_, own_);
+      const auto visit = [&](const BoxNode& leaf_a, const BoxNode& leaf_b) {
+        return leaves(leaf_a, leaf_b, [&](const TrianglePair& pair) {
+          return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair);
+        });
+      };
+      const auto down = [&](NodePair pair, const auto& next) { replace(pair, next); };
+      return descend_from(a_.nodes, b_.nodes, all[part], down, meet, visit);
+    });
+  }
+
+  const char* function_;
+  MeshView a_, b_;
+  bool own_;
+  const PairOptions& options_;
+};
+
+/// By a, then b.
+void sort_pairs(std::vector<TrianglePair>& pairs, std::size_t triangles_a) {
+  const auto before = [](const TrianglePair& p, const TrianglePair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; };
+  if (pairs.size() < triangles_a / 8) return std::sort(pairs.begin(), pairs.end(), before);
+  std::vector<std::size_t> place(triangles_a + 1);
+  for (const TrianglePair& p : pairs) ++place[p.a + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<TrianglePair> sorted(pairs.size());
+  for (const TrianglePair& p : pairs) sorted[place[p.a]++] = p;
+  for (auto from = sorted.begin(); from != sorted.end();) {
+    const auto to = std::find_if(from, sorted.end(), [&](const TrianglePair& p) { return p.a != from->a; });
+    std::sort(from, to, before);
+    from = to;
+  }
+  pairs.swap(sorted);
+}
+
+std::vector<TrianglePair> all_pairs(const char* function, const Bvh& a, const Bvh& b, bool own,
+                                    const PairOptions& options) {
+  std::vector<std::vector<TrianglePair>> found;
+  PairSearch(function, a, b, own, options)
+      .run(
+          options.execution, [&](std::size_t parts) { found.resize(parts); },
+          [&](std::size_t part, const TrianglePair& pair) {
+            found[part].push_back(pair);
+            return Descent::go_on;
+          });
+  std::size_t n = 0;
+  for (const auto& part : found) n += part.size();
+  std::vector<TrianglePair> all;
+  all.reserve(n);
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  sort_pairs(all, a.triangles.size());
+  return all;
+}
+
+PairCount counted_pairs(const char* function, const Bvh& a, const Bvh& b, bool own, const PairOptions& options) {
+  std::vector<PairCount> found;
+  PairSearch(function, a, b, own, options)
+      .run(
+          options.execution, [&](std::size_t parts) { found.resize(parts); },
+          [&](std::size_t part, const TrianglePair& pair) {
+            ++(pair.relation == Relation::touching ? found[part].touching : found[part].overlapping);
+            return Descent::go_on;
+          });
+  PairCount all;
+  for (const PairCount& part : found) all.touching += part.touching, all.overlapping += part.overlapping;
+  return all;
+}
+
+std::optional<TrianglePair> any_pair(const char* function, const Bvh& a, const Bvh& b, bool own,
+                                     const PairOptions& options) {
+  std::optional<TrianglePair> found;
+  PairSearch(function, a, b, own, options)
+      .run(
+          Execution::serial, [](std::size_t) {},
+          [&](std::size_t, const TrianglePair& pair) {
+            found = pair;
+            return Descent::stop;
+          });
+  return found;
+}
+
+/// slot[item]; of a triangle that is in several slots any.
+std::vector<std::uint32_t> slots_of(const Bvh& bvh) {
+  const std::span<const std::uint32_t> items = bvh.tree.items.view();
+  std::vector<std::uint32_t> slots(items.size());
+  for (std::uint32_t slot = 0; slot < items.size(); ++slot) slots[items[slot]] = slot;
+  return slots;
+}
+
+}  // namespace
+}  // namespace space
+
+std::vector<TrianglePair> intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
+  return space::all_pairs("intersecting_pairs", a, b, false, options);
+}
+std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
+  return space::all_pairs("self_intersecting_pairs", mesh, mesh, true, options);
+}
+
+PairCount count_intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
+  return space::counted_pairs("count_intersecting_pairs", a, b, false, options);
+}
+PairCount count_self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
+  return space::counted_pairs("count_self_intersecting_pairs", mesh, mesh, true, options);
+}
+
+std::optional<TrianglePair> any_intersecting_pair(const Bvh& a, const Bvh& b, const PairOptions& options) {
+  return space::any_pair("any_intersecting_pair", a, b, false, options);
+}
+std::optional<TrianglePair> any_self_intersecting_pair(const Bvh& mesh, const PairOptions& options) {
+  return space::any_pair("any_self_intersecting_pair", mesh, mesh, true, options);
+}
+
+std::vector<Intersection3> intersections(const Bvh& a, const Bvh& b, std::span<const TrianglePair> pairs,
+                                         const PairOptions& options) {
+  const std::vector<std::uint32_t> slots_a = space::slots_of(a), slots_b = space::slots_of(b);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto require = [&](const char* side, std::uint32_t item, std::size_t n) {
+      if (item < n) return;
+      throw InvalidShape("intersections: pairs[" + std::to_string(i) + "]." + side + " is " + std::to_string(item) +
+                         ", but there are " + std::to_string(n) + " triangles");
+    };
+    require("a", pairs[i].a, slots_a.size());
+    require("b", pairs[i].b, slots_b.size());
+  }
+  std::vector<Intersection3> common(pairs.size());
+  constexpr std::size_t part_size = 256;
+  const std::size_t parts = space::blocks_of(pairs.size(), part_size);
+  space::for_parts("intersections", options.execution, options.progress, parts, [&](std::size_t part) {
+    const std::size_t to = std::min(pairs.size(), (part + 1) * part_size);
+    for (std::size_t i = part * part_size; i < to; ++i) {
+      common[i] = intersection(a.triangle(slots_a[pairs[i].a]), b.triangle(slots_b[pairs[i].b]));
+    }
+  });
+  return common;
+}
+
+}  // namespace plumb

@@ -1,0 +1,99 @@
+#include "plumb/space/ray/inside.hpp"
+
+#include <algorithm>
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "plumb/space/bvh/descend.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/ray/crossings.hpp"
+#include "space/bvh/blocks.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t points_of_block = 256;
+
+/// The boxes that the ray from p along x meets; p rounded both ways, as boxes are.
+struct AlongX {
+  std::array<float, 3> below, above;
+
+  AlongX(const BoxFrame& frame, const Point3& p)
+      : below{frame.below(p.x), frame.below(p.y), frame.below(p.z)},
+        above{frame.above(p.x), frame.above(p.y), frame.above(p.z)} {}
+  bool operator()(const BoxNode& node) const {
+    return below[0] <= node.max[0] && node.min[1] <= above[1] && below[1] <= node.max[1] && node.min[2] <= above[2] &&
+           below[2] <= node.max[2];
+  }
+};
+
+/// A triangle that is crossed, and which way.
+struct CrossedItem {
+  std::uint32_t item;
+  std::int32_t outward;
+  friend auto operator<=>(const CrossedItem&, const CrossedItem&) = default;
+};
+
+/// Nothing for a point on a triangle.  An item may be in several slots.
+std::optional<query::Crossings> tree_crossings(std::string_view function, const Bvh& bvh, const Point3& p) {
+  query::require_figure(function, "p", p);
+  std::vector<CrossedItem> crossed;
+  const bool on_one = descend(bvh.tree, AlongX(bvh.tree.frame, p), [&](std::uint32_t first, std::uint32_t count) {
+                        for (std::uint32_t slot = first; slot < first + count; ++slot) {
+                          query::Crossings one;
+                          if (!one.take(bvh.triangle(slot), p)) return Descent::stop;
+                          if (one.count != 0)
+                            crossed.push_back({bvh.tree.items[slot], static_cast<std::int32_t>(one.outward)});
+                        }
+                        return Descent::go_on;
+                      }) == Descent::stop;
+  if (on_one) return {};
+  std::sort(crossed.begin(), crossed.end());
+  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+  query::Crossings found;
+  found.count = crossed.size();
+  for (const CrossedItem& one : crossed) found.outward += one.outward;
+  return found;
+}
+
+template <class Out, class Answer>
+void answer_points(std::string_view function, std::span<const Point3> points, std::span<Out> out, Execution execution,
+                   const Answer& answer) {
+  if (out.size() != points.size()) {
+    throw UnequalLengths(std::string(function)
+                             .append(": out has ")
+                             .append(std::to_string(out.size()))
+                             .append(" items, points has ")
+                             .append(std::to_string(points.size())));
+  }
+  space::for_blocks(execution, points.size(), points_of_block, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) out[i] = answer(points[i]);
+  });
+}
+
+}  // namespace
+
+Location locate(const Bvh& bvh, const Point3& p) {
+  const auto found = tree_crossings("locate", bvh, p);
+  if (!found) return Location::boundary;
+  return found->count % 2 == 1 ? Location::inside : Location::outside;
+}
+
+bool contains(const Bvh& bvh, const Point3& p) { return locate(bvh, p) != Location::outside; }
+
+std::optional<std::int64_t> winding_number(const Bvh& bvh, const Point3& p) {
+  const auto found = tree_crossings("winding_number", bvh, p);
+  if (!found) return {};
+  return found->outward;
+}
+
+void locate(const Bvh& bvh, std::span<const Point3> points, std::span<Location> out, Execution execution) {
+  answer_points("locate", points, out, execution, [&](const Point3& p) { return locate(bvh, p); });
+}
+void winding_number(const Bvh& bvh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out,
+                    Execution execution) {
+  answer_points("winding_number", points, out, execution, [&](const Point3& p) { return winding_number(bvh, p); });
+}
+
+}  // namespace plumb

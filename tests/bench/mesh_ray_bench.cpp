@@ -1,0 +1,200 @@
+// How long do rays at a mesh take?  One thread, beside Embree's robust scene where it is installed, on the same rays.
+//
+// Meshes: a closed wavy ring of n triangles.  Rays: `random` from around the mesh to places in its box; `camera` from
+// one place through the pixels of an image, in rows; `vertices` at vertices of the mesh, from outside, as segments that
+// end there, so that each must hit.
+// `rays` is rays a second, `missed` the share that hits nothing: at the vertices a leak.  `bytes` is memory for each
+// triangle.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "plumb/degenerate/coordinates.hpp"
+#include "plumb/space.hpp"
+#include "space/bvh/meshes.hpp"
+#ifdef PLUMB_BENCH_EMBREE
+#include <embree3/rtcore.h>
+#endif
+
+namespace plumb::bench {
+namespace {
+
+enum class Aim : int { random, camera, vertices };
+
+/// From a to b; at vertices no farther.
+struct Shot {
+  Point3 a, b;
+};
+
+struct Scene {
+  TriangleMesh mesh;
+  Bvh bvh;
+};
+
+const Scene& scene_of(std::int64_t size) {
+  static std::vector<std::pair<std::int64_t, Scene>> made;
+  for (const auto& [n, scene] : made) {
+    if (n == size) return scene;
+  }
+  Scene scene{meshes::ring(static_cast<std::uint32_t>(size)), {}};
+  // In floats, so that all are asked about the same triangles.
+  for (Point3& p : scene.mesh.vertices) {
+    for (double* x : {&p.x, &p.y, &p.z}) *x = static_cast<double>(static_cast<float>(*x));
+  }
+  scene.bvh = build_bvh(scene.mesh);
+  return made.emplace_back(size, std::move(scene)).second;
+}
+
+Point3 in_floats(double x, double y, double z) {
+  const auto one = [](double v) { return static_cast<double>(static_cast<float>(v)); };
+  return {one(x), one(y), one(z)};
+}
+
+std::vector<Shot> shots_of(const TriangleMesh& mesh, Aim aim) {
+  constexpr std::int64_t side = 512;
+  std::vector<Shot> shots;
+  Entropy e(77);
+  const auto number = [&] { return signed_unit_coordinate(e); };
+  for (std::int64_t i = 0; i < side * side; ++i) {
+    const Point3 eye = in_floats(2.5, 1.5, 1.8);
+    if (aim == Aim::random) {
+      const double x = 3 * number(), y = 3 * number(), z = 3 * number();
+      shots.push_back({in_floats(x, y, z), in_floats(1.4 * number(), 1.4 * number(), 0.4 * number())});
+    } else if (aim == Aim::camera) {
+      const double u = static_cast<double>(i % side) / side - 0.5, v = static_cast<double>(i / side) / side - 0.5;
+      shots.push_back({eye, in_floats(1.6 * u - 0.5 * v, -2.6 * u, 2 * v)});
+    } else {
+      shots.push_back({eye, mesh.vertices[e.below(mesh.vertices.size())]});
+    }
+  }
+  return shots;
+}
+
+std::vector<AnyRay> rays_of(const std::vector<Shot>& shots, Aim aim) {
+  std::vector<AnyRay> rays;
+  for (const auto& [a, b] : shots) {
+    if (aim == Aim::vertices) {
+      rays.emplace_back(Segment3{a, b});
+    } else {
+      const Point3 d = in_floats(b.x - a.x, b.y - a.y, b.z - a.z);
+      rays.emplace_back(Ray3{a, {d.x, d.y, d.z}});
+    }
+  }
+  return rays;
+}
+
+void report(benchmark::State& state, std::size_t rays, std::size_t hit) {
+  const auto n = static_cast<double>(rays);
+  state.counters["rays"] = benchmark::Counter(n, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["missed"] = 1 - static_cast<double>(hit) / n;
+}
+
+void first_of_plumb(benchmark::State& state) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  std::vector<std::uint32_t> out(rays.size());
+  for (auto _ : state) first_triangles(rays, scene.bvh, out, {.execution = Execution::serial});
+  report(state, rays.size(), rays.size() - static_cast<std::size_t>(std::count(out.begin(), out.end(), no_triangle)));
+  state.counters["bytes"] =
+      static_cast<double>(memory_of(scene.bvh)) / static_cast<double>(scene.mesh.triangles.size());
+}
+
+void numbers_of_plumb(benchmark::State& state) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  std::vector<std::optional<NumberedHit>> out(rays.size());
+  for (auto _ : state) first_hits(rays, scene.bvh, out, {.execution = Execution::serial});
+  report(
+      state, rays.size(),
+      static_cast<std::size_t>(std::count_if(out.begin(), out.end(), [](const auto& hit) { return hit.has_value(); })));
+}
+
+void any_of_plumb(benchmark::State& state) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  std::vector<std::uint8_t> out(rays.size());
+  for (auto _ : state) hits(rays, scene.bvh, out, {.execution = Execution::serial});
+  report(state, rays.size(), static_cast<std::size_t>(std::count(out.begin(), out.end(), 1)));
+}
+
+#ifdef PLUMB_BENCH_EMBREE
+RTCScene embree_scene(const TriangleMesh& mesh) {
+  static RTCDevice const device = rtcNewDevice("threads=1");
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* const vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    vertices[3 * i] = static_cast<float>(mesh.vertices[i].x);
+    vertices[3 * i + 1] = static_cast<float>(mesh.vertices[i].y);
+    vertices[3 * i + 2] = static_cast<float>(mesh.vertices[i].z);
+  }
+  auto* const corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
+  for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) corners[i] = mesh.triangles[i / 3][i % 3];
+  rtcCommitGeometry(geometry);
+  RTCScene scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  return scene;
+}
+
+void first_of_embree(benchmark::State& state) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  RTCScene embree = embree_scene(scene.mesh);
+  std::vector<RTCRayHit> given;
+  for (const AnyRay& r : rays) {
+    RTCRayHit one{};
+    const auto difference = [&](double a, double b) { return static_cast<float>(b) - static_cast<float>(a); };
+    const bool segment = r.kind == AnyRay::Kind::segment;
+    one.ray.org_x = static_cast<float>(r.origin.x);
+    one.ray.org_y = static_cast<float>(r.origin.y);
+    one.ray.org_z = static_cast<float>(r.origin.z);
+    one.ray.dir_x = segment ? difference(r.origin.x, r.end.x) : static_cast<float>(r.direction.x);
+    one.ray.dir_y = segment ? difference(r.origin.y, r.end.y) : static_cast<float>(r.direction.y);
+    one.ray.dir_z = segment ? difference(r.origin.z, r.end.z) : static_cast<float>(r.direction.z);
+    one.ray.tfar = std::numeric_limits<float>::infinity();  // behind the vertex it may still hit: no leak then
+    one.ray.mask = ~0U;
+    one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    given.push_back(one);
+  }
+  std::size_t hit = 0;
+  for (auto _ : state) {
+    hit = 0;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (const RTCRayHit& ray : given) {
+      RTCRayHit one = ray;
+      rtcIntersect1(embree, &context, &one);
+      hit += one.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+  }
+  report(state, rays.size(), hit);
+  rtcReleaseScene(embree);
+}
+#endif
+
+void sizes(benchmark::internal::Benchmark* b) {
+  b->ArgNames({"side", "aim"})->Unit(benchmark::kMillisecond);
+  for (const std::int64_t side : {50, 160, 500}) {  // 4 side^2 triangles
+    for (const std::int64_t aim : {0, 1, 2}) b->Args({side, aim});
+  }
+}
+
+BENCHMARK(first_of_plumb)->Apply(sizes);
+BENCHMARK(numbers_of_plumb)->Apply(sizes);
+BENCHMARK(any_of_plumb)->Apply(sizes);
+#ifdef PLUMB_BENCH_EMBREE
+BENCHMARK(first_of_embree)->Apply(sizes);
+#endif
+
+}  // namespace
+}  // namespace plumb::bench

@@ -1,0 +1,55 @@
+// Does `plumb ray` say what rays at a file's mesh hit, and refuse what is no ray?
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tool/run_program.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr auto roof = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\n";
+
+TEST(RayCommand, SaysFirstAndAllHits) {
+  const Folder folder;
+  std::ofstream(folder / "roof.obj") << roof;
+  const std::string at = "cd " + (folder / "") + " && $PLUMB ray ";
+  const Outcome first = run(at + "--ray 1,1,3,0,0,-1 --ray 1.5,0.5,3,0,0,1 roof.obj");
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("4 vertices, 2 triangles, not closed; 2 rays\n"));
+  EXPECT_THAT(first.out, HasSubstr("1,1,3,0,0,-1         2          0              3 edge    1 1 0\n"));
+  EXPECT_THAT(first.out, HasSubstr("1.5,0.5,3,0,0,1      0\n"));
+  const auto report =
+      nlohmann::json::parse(run(at + "--segment 1,1,3,1,1,-3 --ray 0.1,0,1,0,0,-1 roof.obj --json -").out);
+  const auto& rays = report.at("rays");
+  EXPECT_EQ(rays.at(0).at("kind"), "ray");
+  EXPECT_EQ(rays.at(0).at("exact"), false);
+  EXPECT_EQ(rays.at(1).at("kind"), "segment");
+  ASSERT_EQ(rays.at(1).at("hits").size(), 2u);
+  EXPECT_EQ(rays.at(1).at("hits").at(1).at("triangle"), 1);
+  EXPECT_EQ(rays.at(1).at("hits").at(1).at("t"), 0.5);
+}
+
+TEST(RayCommand, RefusesWhatIsNoRay) {
+  const Folder folder;
+  std::ofstream(folder / "roof.obj") << roof;
+  const std::string at = "cd " + (folder / "") + " && $PLUMB ray ";
+  const std::pair<const char*, const char*> refusals[] = {
+      {"roof.obj", "a --ray or a --segment is needed"},
+      {"--ray 1,2,3 roof.obj", "this has 3 numbers; a ray has six: origin and direction"},
+      {"--segment 1,2,3,4,5,x roof.obj", "--segment 1,2,3,4,5,x"},
+      {"--ray 1,2,3,4,5,6", "one MESH is needed"},
+      {"--ray 1,2,3,4,5,6 none.obj", "none.obj"}};
+  for (const auto& [line, words] : refusals) {
+    const Outcome o = run(at + line);
+    EXPECT_EQ(o.code, 2) << line;
+    EXPECT_THAT(o.err, HasSubstr(words)) << line;
+  }
+}
+
+}  // namespace
+}  // namespace plumb::tool
