@@ -34,7 +34,9 @@ TEST(StructuralZeroTest, IsCertainOfTrueZerosOnlyAtEveryStep) {
       }
     }
     EXPECT_GT(honest.certain, battery::fitting(1'000));
-    if (battery::reaches_rare) EXPECT_GT(honest.zero, honest.certain);  // zeros by cancellation are left to arithmetic
+    if (battery::reaches_rare) {  // zeros by cancellation are left to arithmetic
+      EXPECT_GT(honest.zero, honest.certain);
+    }
   });
 }
 

@@ -76,7 +76,9 @@ TEST(ApproximateTest, IsTheExactPointRoundedOnce) {
     beyond += seen.beyond;
     EXPECT_GT(seen.rounded * 2, seen.points);
   }
-  if (battery::reaches_rare) EXPECT_GT(beyond, 0);
+  if (battery::reaches_rare) {
+    EXPECT_GT(beyond, 0);
+  }
   for (const Seen& seen : {check_kind<SegmentPoint2>(), check_kind<SegmentPoint3>(), check_kind<Posed<Point2, Pose2>>(),
                            check_kind<Posed<Point3>>()}) {
     EXPECT_EQ(seen.degenerate, 0);

@@ -183,7 +183,9 @@ void check_all(Question question, Ask ask, std::uint64_t cases) {
   SCOPED_TRACE(testing::Message() << "of " << small.cases << ": degenerate " << small.degenerate << ", negative "
                                   << small.negative << ", zero " << small.zero << ", positive " << small.positive);
   EXPECT_GT(sound * 50, small.cases);
-  if (battery::reaches_rare) EXPECT_GT(small.zero * 100, sound);
+  if (battery::reaches_rare) {
+    EXPECT_GT(small.zero * 100, sound);
+  }
   EXPECT_GT(small.positive * 5, sound);
   EXPECT_GT(small.negative * 5, sound);
   EXPECT_EQ(small.degenerate * 10 > small.cases, (may_degenerate<Points> || ...));
