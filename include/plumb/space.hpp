@@ -17,6 +17,7 @@
 #include "plumb/space/bvh/refit.hpp"           // for what moves
 #include "plumb/space/bvh/tree_cost.hpp"       // what it costs to ask
 #include "plumb/space/bvh/tree_file.hpp"       // in a file
+#include "plumb/space/bvh/wide_tree.hpp"       // with eight children a node
 
 // How is it asked?  descend and its kin
 #include "plumb/space/bvh/descend.hpp"        // one tree

@@ -103,6 +103,7 @@ Bvh build_bvh(std::span<const Point3> vertices, std::span<const Bvh::Corners> tr
   });
   bvh.triangles = std::move(laid_out);
   bvh.vertices = std::vector<Point3>(vertices.begin(), vertices.end());
+  widen(bvh);
   return bvh;
 }
 
@@ -110,12 +111,15 @@ Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {
   return build_bvh(mesh.vertices, mesh.triangles, options);
 }
 
+void widen(Bvh& bvh) { bvh.wide = widen<8>(bvh.tree); }
+
 std::size_t memory_of(const BoxTree& tree) {
   return tree.nodes.size() * sizeof(BoxNode) + tree.items.size() * sizeof(std::uint32_t);
 }
 
 std::size_t memory_of(const Bvh& bvh) {
-  return memory_of(bvh.tree) + bvh.triangles.size() * sizeof(Bvh::Corners) + bvh.vertices.size() * sizeof(Point3);
+  return memory_of(bvh.tree) + bvh.triangles.size() * sizeof(Bvh::Corners) + bvh.vertices.size() * sizeof(Point3) +
+         bvh.wide.nodes.size() * sizeof(WideNode<8>);
 }
 
 }  // namespace plumb

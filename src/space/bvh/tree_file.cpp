@@ -88,6 +88,7 @@ Bvh tree_in(const std::string& path, std::span<const std::byte> bytes, std::shar
   bvh.tree.frame = BoxFrame::of_exponent(head.exponent);
   const std::string broken = space::broken_law(bvh);
   if (!broken.empty()) throw BvhFileError(BvhFileProblem::broken_law, path, broken + std::string(again));
+  widen(bvh);
   return bvh;
 }
 

@@ -15,6 +15,16 @@ namespace {
 constexpr double slab_error = static_cast<double>(RaySlabs::parameter<Bound>(Bound::Input{}, {}, {}).e) * Bound::unit;
 constexpr double slab_narrowed = Interval::sum_down(1, -slab_error), slab_widened = Interval::sum_up(1, slab_error);
 
+/// The same where the rate is a reciprocal, times what narrows or widens it: of a direction, or of the rounded difference
+/// of a segment's ends.  A quotient errs as a product does.
+constexpr Bound rounded_once{Bound::eps, 0};
+constexpr double quick_error =
+    static_cast<double>(RaySlabs::parameter<Bound>(Bound{Bound::Input{}}, Bound{Bound::Input{}},
+                                                   rounded_once* rounded_once* rounded_once)
+                            .e) *
+    Bound::unit;
+constexpr double quick_narrowed = Interval::sum_down(1, -quick_error), quick_widened = Interval::sum_up(1, quick_error);
+
 // Beyond it differences with boxes might overflow.
 constexpr double most_slab_size = 0x1p1000;
 
@@ -74,6 +84,13 @@ struct SlabPlane {
 /// enters, never earlier where it leaves.  Which of the two is which is told by their order.
 struct AxisPlanes {
   SlabPlane low, high;
+
+  /// From a place that is given, at a rate that is rounded as quick_error says.
+  AxisPlanes(double from, double rate) {
+    const double narrow = rate * quick_narrowed, wide = rate * quick_widened;
+    low = {from, rate < 0 ? wide : narrow};
+    high = {from, rate < 0 ? narrow : wide};
+  }
 
   AxisPlanes(const Interval& f, const Interval& w) : low{0, 0}, high{-Ball::infinity, Ball::infinity} {
     if (w.lower < 0 && w.upper > 0) return;  // which way is not known: any box is met from 0 to infinity
@@ -140,21 +157,18 @@ struct SlabSetting {
   }
 
   void fill(RaySlabs& slabs) const {
-    fill(slabs, {around(from[0]), around(from[1]), around(from[2])}, {around(way[0]), around(way[1]), around(way[2])});
+    for (std::size_t k = 0; k < 3; ++k) put(slabs, k, AxisPlanes(around(from[k]), around(way[k])));
   }
 
-  static void fill(RaySlabs& slabs, const std::array<Interval, 3>& from, const std::array<Interval, 3>& way) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const AxisPlanes planes(from[k], way[k]);
-      if (k == 2) {
-        slabs.z_from_ = RaySlabs::Pair{planes.low.from, planes.high.from};
-        slabs.z_rate_ = RaySlabs::Pair{planes.low.rate, planes.high.rate};
-      } else {
-        slabs.low_from_[k] = planes.low.from;
-        slabs.low_rate_[k] = planes.low.rate;
-        slabs.high_from_[k] = planes.high.from;
-        slabs.high_rate_[k] = planes.high.rate;
-      }
+  static void put(RaySlabs& slabs, std::size_t k, const AxisPlanes& planes) {
+    if (k == 2) {
+      slabs.z_from_ = RaySlabs::Pair{planes.low.from, planes.high.from};
+      slabs.z_rate_ = RaySlabs::Pair{planes.low.rate, planes.high.rate};
+    } else {
+      slabs.low_from_[k] = planes.low.from;
+      slabs.low_rate_[k] = planes.low.rate;
+      slabs.high_from_[k] = planes.high.from;
+      slabs.high_rate_[k] = planes.high.rate;
     }
   }
 
@@ -164,20 +178,21 @@ struct SlabSetting {
     const BoxNode& root = tree.nodes[0];
     const std::array origin{ray.origin.x, ray.origin.y, ray.origin.z}, end{ray.end.x, ray.end.y, ray.end.z},
         direction{ray.direction.x, ray.direction.y, ray.direction.z};
-    std::array<Interval, 3> from{Interval{0}, Interval{0}, Interval{0}}, way = from;
+    std::array<double, 3> way;
     double distance = 0, extent = 0;
     bool plain = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      from[k] = Interval{origin[k]};
-      way[k] = query::ends(ray) ? Interval{end[k]} - Interval{origin[k]} : Interval{direction[k]};
-      plain &= is_moderate(way[k].lower) && is_moderate(way[k].upper) && std::abs(origin[k]) < most_moderate;
+      way[k] = query::ends(ray) ? end[k] - origin[k] : direction[k];
+      plain &= is_moderate(way[k]) && std::abs(origin[k]) < most_moderate;
       const double low = root.min[k], high = root.max[k];
       plain &= std::abs(low) < most_moderate && std::abs(high) < most_moderate;
       distance = std::max({distance, low - origin[k], origin[k] - high});
       extent = std::max(extent, high - low);
     }
     if (!plain || distance > far_away * extent) return false;
-    fill(slabs, from, way);
+    for (std::size_t k = 0; k < 3; ++k) {
+      put(slabs, k, way[k] == 0 ? AxisPlanes(Interval{origin[k]}, Interval{0}) : AxisPlanes(origin[k], 1 / way[k]));
+    }
     return true;
   }
 };

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "certify/batch/take_instruction_set.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/instruction_set.hpp"
 #include "space/ray/rays.hpp"
 
 namespace plumb {
@@ -33,7 +35,10 @@ void check(const AnyRay& ray, const TriangleMesh& mesh, const Bvh& bvh, HitRule 
 
 TEST(MeshRay, FindsWhatEveryTriangleSays) {
   long hit = 0, several = 0, ties = 0, missed = 0;
+  const auto sets = batch_instruction_sets();
+  std::size_t shapes = 0;
   on_shapes(961, battery::fitting(700), [&](Material& m) {
+    certify::batch::take_instruction_set(sets[shapes++ % sets.size()]);
     const TriangleMesh mesh = drawn_mesh(m, 40);
     const Bvh bvh = build_bvh(mesh, any_options(m));
     for (int k = 0; k < 3; ++k) {
@@ -47,6 +52,7 @@ TEST(MeshRay, FindsWhatEveryTriangleSays) {
       ties += all.size() > 1 && all[0].t == all[1].t;
     }
   });
+  certify::batch::take_instruction_set({});
   EXPECT_GT(hit, battery::fitting(300));
   EXPECT_GT(several, battery::fitting(100));
   EXPECT_GT(ties, battery::fitting(50));
@@ -104,7 +110,7 @@ TEST(MeshRay, SameTriangleThousandsOfTimes) {
   EXPECT_EQ(ordered_hits(ray, bvh)[2999].index, 2999u);
 }
 
-TEST(ManyRays, AreAnsweredAsEachAloneByAnyNumberOfThreads) {
+TEST(ManyRays, AreAnsweredAsEachAloneByAnyInstructionSetAndNumberOfThreads) {
   const TriangleMesh mesh = meshes::ring(16);
   const Bvh bvh = build_bvh(mesh);
   std::vector<AnyRay> rays;
@@ -113,8 +119,10 @@ TEST(ManyRays, AreAnsweredAsEachAloneByAnyNumberOfThreads) {
     const auto any = [&] { return static_cast<double>(e.within(1000)) / 500; };
     rays.emplace_back(Ray3{{any(), any(), any()}, {any(), any(), any()}});
   }
-  for (const Execution execution : {Execution::serial, Execution::parallel}) {
-    const ManyRays options{.execution = execution};
+  for (const std::string_view set : batch_instruction_sets()) {
+    SCOPED_TRACE(set);
+    certify::batch::take_instruction_set(set);
+    const ManyRays options{.execution = set == batch_instruction_sets()[0] ? Execution::serial : Execution::parallel};
     std::vector<std::optional<NumberedHit>> first(rays.size());
     std::vector<std::uint32_t> triangle(rays.size());
     std::vector<std::uint8_t> any(rays.size());
@@ -137,6 +145,7 @@ TEST(ManyRays, AreAnsweredAsEachAloneByAnyNumberOfThreads) {
     EXPECT_GT(hit, 150);
     EXPECT_LT(hit, 1400);
   }
+  certify::batch::take_instruction_set({});
 }
 
 TEST(ManyRays, ReportProgressAndStop) {
@@ -165,7 +174,7 @@ TEST(ManyRays, RefuseWhatDoesNotFit) {
             "first_triangles: out has 2 items, rays has 3");
   out.resize(3);
   rays[1].direction.y = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(text_of<NonFinite>([&] { first_triangles(rays, bvh, out); }).starts_with("first_triangle: "));
+  EXPECT_TRUE(text_of<NonFinite>([&] { first_triangles(rays, bvh, out); }).starts_with("first_triangles: "));
   EXPECT_THROW((void)first_hit(rays[1], build_bvh(TriangleMesh{})), NonFinite);
 }
 

@@ -21,6 +21,7 @@
 #include "plumb/figure/basic/mesh.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 #include "plumb/space/bvh/build.hpp"
+#include "plumb/space/bvh/wide_tree.hpp"
 
 namespace plumb {
 
@@ -29,6 +30,7 @@ struct Bvh {
   BoxTree tree;
   KeptArray<Corners> triangles;  // one a slot; indices into vertices
   KeptArray<Point3> vertices;
+  WideTree<8> wide;  // of the same tree, for rays
 
   [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
     const Corners& c = triangles[slot];
@@ -40,6 +42,9 @@ Bvh build_bvh(std::span<const Point3> vertices, std::span<const Bvh::Corners> tr
               const BvhOptions& options = {});
 
 Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options = {});
+
+/// Makes bvh.wide anew; for who has changed bvh.tree by hand.
+void widen(Bvh& bvh);
 
 /// Bytes of all that it owns or maps.
 std::size_t memory_of(const BoxTree& tree);

@@ -47,6 +47,19 @@ class RaySlabs {
     return enters <= leaves ? enters : infinity;
   }
 
+  /// The planes at the boxes' min and max, for who asks many boxes at once; a rate below 0 is that of a ray that goes down.
+  struct Planes {
+    std::array<double, 3> low_from, low_rate, high_from, high_rate;
+    bool all_met;
+  };
+  [[nodiscard]] Planes planes() const {
+    return {{low_from_[0], low_from_[1], z_from_[0]},
+            {low_rate_[0], low_rate_[1], z_rate_[0]},
+            {high_from_[0], high_from_[1], z_from_[1]},
+            {high_rate_[0], high_rate_[1], z_rate_[1]},
+            all_met_};
+  }
+
   [[nodiscard]] double limit() const { return limit_; }
   [[nodiscard]] double limit_at(double t) const;
 

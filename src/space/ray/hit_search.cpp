@@ -1,0 +1,88 @@
+#include "space/ray/hit_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "query/ray/hit_order.hpp"
+
+namespace plumb::space {
+
+std::optional<HitSearch::SlotHit> HitSearch::between(std::uint32_t slot, bool certain, double least,
+                                                     double most) const {
+  if (certain) return SlotHit{slot, least, most};
+  if (least > -infinity && most < infinity) {
+    if (is_hit(slot)) return SlotHit{slot, least, most};
+    return {};
+  }
+  const auto hit = first_hit(*ray_, bvh_->triangle(slot), rule_);
+  if (!hit) return {};
+  return SlotHit{slot, std::nextafter(hit->t, -infinity), std::nextafter(hit->t, infinity)};
+}
+
+bool HitSearch::is_before(const SlotHit& a, const SlotHit& b) const {
+  if (a.most < b.least) return true;
+  if (b.most < a.least) return false;
+  const Sign order = query::compare_hits(*ray_, bvh_->triangle(a.slot), bvh_->triangle(b.slot), rule_);
+  return order == Sign::negative || (order == Sign::zero && number(a.slot) < number(b.slot));
+}
+
+double FirstHit::visit(std::uint32_t slot, bool certain, double least, double most) {
+  if (found_ && least > best_.most) return limit_;
+  auto hit = between(slot, certain, least, most);
+  if (!hit || (found_ && hit->least > best_.most)) return limit_;
+  if (!found_ || hit->most < best_.most) {
+    std::swap(*hit, best_);
+    limit_ = std::min(limit_, slabs_.limit_at(best_.most));
+  }
+  if (found_ && !(hit->least > best_.most)) others_.push_back(*hit);
+  found_ = true;
+  return limit_;
+}
+
+std::optional<std::uint32_t> FirstHit::slot() const {
+  if (!found_) return {};
+  SlotHit first = best_;
+  for (const SlotHit& other : others_) {
+    if (!(other.least > best_.most) && is_before(other, first)) first = other;
+  }
+  return first.slot;
+}
+std::optional<std::uint32_t> FirstHit::first_number() const {
+  const auto first = slot();
+  if (!first) return {};
+  return number(*first);
+}
+std::optional<NumberedHit> FirstHit::first() const {
+  const auto first = slot();
+  if (!first) return {};
+  return numbered(*first);
+}
+
+double AnyHit::visit(std::uint32_t slot, bool certain, double, double) {
+  found_ = certain || is_hit(slot);
+  return found_ ? -infinity : limit_;
+}
+
+double CountedHits::visit(std::uint32_t slot, bool certain, double, double) {
+  if (certain || is_hit(slot)) numbers_.push_back(number(slot));
+  return limit_;
+}
+std::size_t CountedHits::count() {
+  std::sort(numbers_.begin(), numbers_.end());
+  return static_cast<std::size_t>(std::unique(numbers_.begin(), numbers_.end()) - numbers_.begin());
+}
+
+double OrderedHits::visit(std::uint32_t slot, bool certain, double least, double most) {
+  if (const auto hit = between(slot, certain, least, most)) all_.push_back(*hit);
+  return limit_;
+}
+std::vector<NumberedHit> OrderedHits::in_order() {
+  std::sort(all_.begin(), all_.end(), [&](const SlotHit& a, const SlotHit& b) { return is_before(a, b); });
+  std::vector<NumberedHit> hits;
+  for (const SlotHit& hit : all_) {  // an item may be in several slots
+    if (hits.empty() || hits.back().index != number(hit.slot)) hits.push_back(numbered(hit.slot));
+  }
+  return hits;
+}
+
+}  // namespace plumb::space

@@ -1,0 +1,105 @@
+// What is looked for along a ray: the first hit, any, or all?  Visitors of the triangles that a ray may hit.
+//
+//   FirstHit search(ray, bvh, rule);
+//   const RayTask task = search.task();
+//   visit_triangles(bvh, {&task, 1});
+//   search.slot()
+//
+// Law: what they answer is what first_hit and hits say of each triangle alone; parameters that doubles cannot tell apart
+// are compared exactly, and equal ones go by the triangles' numbers.
+// Source: RTCD 5.3.6.
+// Cost: an exact question for triangles that doubles leave in doubt, and for parameters that they do.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "plumb/query/ray/hits.hpp"
+#include "plumb/space/ray/mesh_ray.hpp"
+#include "plumb/space/ray/ray_slabs.hpp"
+#include "space/ray/wide_rays.hpp"
+
+namespace plumb::space {
+
+class HitSearch : public TriangleVisitor {
+ public:
+  [[nodiscard]] RayTask task() { return {query::batch_ray(*ray_), slabs_.planes(), slabs_.limit(), this}; }
+
+ protected:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// A triangle that is hit, between these parameters.
+  struct SlotHit {
+    std::uint32_t slot;
+    double least, most;
+  };
+
+  HitSearch(const AnyRay& ray, const Bvh& bvh, HitRule rule)
+      : ray_(&ray), bvh_(&bvh), rule_(rule), slabs_(ray, bvh.tree), limit_(slabs_.limit()) {}
+  ~HitSearch() = default;
+
+  [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return bvh_->tree.items[slot]; }
+  [[nodiscard]] bool is_hit(std::uint32_t slot) const { return hits(*ray_, bvh_->triangle(slot), rule_); }
+  [[nodiscard]] NumberedHit numbered(std::uint32_t slot) const {
+    return {number(slot), *first_hit(*ray_, bvh_->triangle(slot), rule_)};
+  }
+  /// Nothing where it is not hit.
+  [[nodiscard]] std::optional<SlotHit> between(std::uint32_t slot, bool certain, double least, double most) const;
+  [[nodiscard]] bool is_before(const SlotHit& a, const SlotHit& b) const;
+
+  const AnyRay* ray_;
+  const Bvh* bvh_;
+  HitRule rule_;
+  RaySlabs slabs_;
+  double limit_;
+};
+
+class FirstHit final : public HitSearch {
+ public:
+  FirstHit(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  double visit(std::uint32_t slot, bool certain, double least, double most) override;
+
+  /// When all are visited.
+  [[nodiscard]] std::optional<std::uint32_t> first_number() const;
+  [[nodiscard]] std::optional<NumberedHit> first() const;
+
+ private:
+  [[nodiscard]] std::optional<std::uint32_t> slot() const;
+
+  SlotHit best_{0, infinity, infinity};
+  bool found_ = false;
+  std::vector<SlotHit> others_;  // which may be before the best
+};
+
+class AnyHit final : public HitSearch {
+ public:
+  AnyHit(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  double visit(std::uint32_t slot, bool certain, double least, double most) override;
+  [[nodiscard]] bool found() const { return found_; }
+
+ private:
+  bool found_ = false;
+};
+
+class CountedHits final : public HitSearch {
+ public:
+  CountedHits(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  double visit(std::uint32_t slot, bool certain, double least, double most) override;
+  [[nodiscard]] std::size_t count();
+
+ private:
+  std::vector<std::uint32_t> numbers_;  // an item may be in several slots
+};
+
+class OrderedHits final : public HitSearch {
+ public:
+  OrderedHits(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  double visit(std::uint32_t slot, bool certain, double least, double most) override;
+  [[nodiscard]] std::vector<NumberedHit> in_order();
+
+ private:
+  std::vector<SlotHit> all_;
+};
+
+}  // namespace plumb::space

@@ -1,0 +1,39 @@
+// Which triangles below a tree of wide nodes may a ray hit?
+//
+// Law: those are told that the ray hits at parameters whose keys (ray_slabs.hpp) are at most the limit when their box is
+// looked at, each box after those that are nearer and beside it; of those told, some are not hit.
+// Source: RTCD 6.3.1, 13.7; Wald, Benthin and Boulos 2008.
+// Cost: a pass of lanes for eight boxes, one for as many triangles as a vector has doubles.
+#pragma once
+
+#include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/ray/ray_slabs.hpp"
+#include "query/ray/batch_lanes.hpp"
+
+namespace plumb::space {
+
+/// What is done with a triangle.
+class TriangleVisitor {
+ public:
+  /// Whether it is hit for certain, and between which parameters if it is; answers with the limit of keys from now on,
+  /// -infinity to stop.
+  virtual double visit(std::uint32_t slot, bool certain, double least, double most) = 0;
+
+ protected:
+  ~TriangleVisitor() = default;
+};
+
+struct RayTask {
+  query::BatchRay ray;
+  RaySlabs::Planes planes;
+  double limit;
+  TriangleVisitor* visitor;
+};
+
+/// So many descend by turns: while one computes, memory brings what the others asked for.
+inline constexpr std::size_t rays_together = 8;
+
+/// Each by itself; the order in which the visitors of several are called is not told.
+void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks);
+
+}  // namespace plumb::space
