@@ -111,8 +111,7 @@ elseif(WAY STREQUAL "add_subdirectory")
   if(LINKAGE STREQUAL "shared")
     set(build_shared ON)
   endif()
-  build_consumer(-DPLUMB_BESIDE=${SOURCE} -DBUILD_SHARED_LIBS=${build_shared} -DPLUMB_INSTALL=ON
-    -DCMAKE_BUILD_TYPE=${CONFIG})
+  build_consumer(-DPLUMB_BESIDE=${SOURCE} -DBUILD_SHARED_LIBS=${build_shared} -DPLUMB_INSTALL=ON)
   file(REMOVE_RECURSE ${prefix})
   run(${CMAKE_COMMAND} --install ${place}/build --prefix ${prefix})
 

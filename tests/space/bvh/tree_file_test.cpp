@@ -155,6 +155,24 @@ TEST_F(TreeFile, NamesBrokenLaws) {
   expect_refused(with(good, items, 0xffffffffu), broken_law, "is in two slots or none");
 }
 
+// A builder makes no such leaf, but a file may hold one.
+TEST_F(TreeFile, MayHoldALeafOfAnySize) {
+  const std::uint32_t many = 700;
+  const TriangleMesh mesh = meshes::repeated(many);
+  Bvh bvh = build_bvh(mesh);
+  BoxNode leaf = bvh.tree.nodes[0];
+  leaf.link = 0;
+  leaf.count = many;
+  bvh.tree.nodes = std::vector{leaf};
+  write_bvh(path_, bvh);
+  const Bvh mapped = map_bvh(path_);
+  EXPECT_EQ(self_intersecting_pairs(mapped).size(), many * (many - 1) / 2);
+  EXPECT_EQ(intersecting_pairs(mapped, build_bvh(meshes::repeated(3))).size(), 3 * many);
+  EXPECT_EQ(count_hits(Ray3{{0.25, 0.25, 1}, {0, 0, -1}}, mapped), many);
+  EXPECT_EQ(nearest_triangles(mapped, Point3{0, 0, 1}, 5).size(), 5u);
+  EXPECT_EQ(locate(mapped, Point3{0, 0, 1}), Location::outside);
+}
+
 // Whatever one byte of it becomes, it is refused or a tree that keeps the laws.
 TEST_F(TreeFile, TakesNoHarmFromAnyByte) {
   const TriangleMesh mesh = meshes::ring(2);
