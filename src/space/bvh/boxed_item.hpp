@@ -57,6 +57,11 @@ inline float half_area(const Extent& e) {
   return d[0] * (d[1] + d[2]) + d[1] * d[2];
 }
 
+inline float half_area(const BoxNode& n) {
+  const float x = n.max[0] - n.min[0], y = n.max[1] - n.min[1], z = n.max[2] - n.min[2];
+  return x * (y + z) + y * z;
+}
+
 inline FloatBox3 box_of(const Extent& e) { return {{e.low[0], e.low[1], e.low[2]}, {e.high[0], e.high[1], e.high[2]}}; }
 
 inline BoxNode node_of(const Extent& e, std::uint32_t link, std::uint32_t count) {

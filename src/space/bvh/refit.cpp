@@ -3,7 +3,7 @@
 #include <string>
 
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/arith/error.hpp"
+#include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/grown_tree.hpp"
 #include "space/bvh/slot_boxes.hpp"
 
@@ -29,17 +29,6 @@ void fit_leaves(BoxTree& tree, const BoxFrame& frame, Execution execution, const
     }
   });
   space::fit_all(nodes);
-}
-
-void require_equal(const char* function, const char* given, std::size_t n, const char* had, std::size_t m) {
-  if (n == m) return;
-  throw UnequalLengths(std::string(function) + ": " + given + " has " + std::to_string(n) + " elements and " + had +
-                       " has " + std::to_string(m));
-}
-
-float half_area(const BoxNode& n) {
-  const float x = n.max[0] - n.min[0], y = n.max[1] - n.min[1], z = n.max[2] - n.min[2];
-  return x * (y + z) + y * z;
 }
 
 class PartsRebuilt {
@@ -91,8 +80,8 @@ class PartsRebuilt {
 
   [[nodiscard]] bool is_bad(std::uint32_t i) const {
     const std::span<const BoxNode> old = bvh_.tree.nodes.view();
-    const double children = static_cast<double>(half_area(old[i + 1])) + half_area(old[i + old[i].link]);
-    return children > most_ * half_area(old[i]);
+    const double children = static_cast<double>(space::half_area(old[i + 1])) + space::half_area(old[i + old[i].link]);
+    return children > most_ * space::half_area(old[i]);
   }
 
   void rebuild(std::uint32_t node, std::uint32_t depth) {
@@ -131,7 +120,7 @@ class PartsRebuilt {
 }  // namespace
 
 void refit(Bvh& bvh, std::span<const Point3> vertices, Execution execution) {
-  require_equal("refit", "vertices", vertices.size(), "bvh.vertices", bvh.vertices.size());
+  space::require_equal_lengths("refit", "vertices", vertices.size(), "bvh.vertices", bvh.vertices.size());
   figure::require_finite_points("refit", "vertices", vertices);
   std::vector<Point3>& own = bvh.vertices.writable();
   std::copy(vertices.begin(), vertices.end(), own.begin());
@@ -144,7 +133,7 @@ void refit(Bvh& bvh, std::span<const Point3> vertices, Execution execution) {
 void refit(BoxTree& tree, std::span<const Aabb3> boxes, Execution execution) {
   const std::span<const std::uint32_t> items = tree.items.view();
   const std::uint32_t most = items.empty() ? 0 : 1 + *std::max_element(items.begin(), items.end());
-  require_equal("refit", "boxes", boxes.size(), "tree", most);
+  space::require_equal_lengths("refit", "boxes", boxes.size(), "tree", most);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!space::is_sound(boxes[i])) space::check_box("refit", "boxes[" + std::to_string(i) + "]", boxes[i]);
   }

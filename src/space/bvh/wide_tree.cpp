@@ -5,13 +5,10 @@
 #include <limits>
 #include <vector>
 
+#include "space/bvh/boxed_item.hpp"
+
 namespace plumb {
 namespace {
-
-float half_area(const BoxNode& n) {
-  const float x = n.max[0] - n.min[0], y = n.max[1] - n.min[1], z = n.max[2] - n.min[2];
-  return x * (y + z) + y * z;
-}
 
 // Which nodes of the binary tree become wide ones: those whose areas together are least, as the surface-area heuristic
 // has it.
@@ -77,7 +74,7 @@ class Widened {
 
   std::uint32_t add(const BoxNode& node, std::size_t i) {
     Costs own;
-    own[0] = half_area(node) + divided(i, width);
+    own[0] = space::half_area(node) + divided(i, width);
     for (std::size_t n = 2; n <= width; ++n) own[n - 1] = std::min(own[n - 2], divided(i, n));
     costs_.push_back(own);
     return static_cast<std::uint32_t>(costs_.size() - 1);

@@ -2,10 +2,12 @@
 #include "plumb/space/closest/closest_on_mesh.hpp"
 
 #include <algorithm>
-#include <string>
 
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/space/bvh/descend.hpp"
+#include "query/body/figure_input.hpp"
+#include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/closest/box_distance.hpp"
@@ -14,14 +16,6 @@
 namespace plumb {
 namespace space {
 namespace {
-
-void require_finite(const char* function, const std::string& name, const Point3& p) {
-  for (const auto& [axis, x] : {std::pair{"x", p.x}, {"y", p.y}, {"z", p.z}}) {
-    if (x - x == 0) continue;
-    throw NonFinite(std::string(function) + ": " + name + "." + axis + " is " + std::to_string(x) +
-                    ", but coordinates must be finite");
-  }
-}
 
 /// The k nearest triangles of those that were offered.
 class Nearest {
@@ -96,7 +90,7 @@ ClosestOnMesh closest_found(const Bvh& mesh, const Point3& p, const Nearest::Can
 }  // namespace space
 
 std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p) {
-  space::require_finite("closest_on_mesh", "p", p);
+  query::require_figure("closest_on_mesh", "p", p);
   const auto found = space::Nearest(mesh, 1).of(p);
   if (found.empty()) return {};
   return space::closest_found(mesh, p, found[0]);
@@ -104,15 +98,8 @@ std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p) {
 
 void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options) {
-  if (points.size() != out.size()) {
-    throw UnequalLengths("closest_on_mesh: points has length " + std::to_string(points.size()) + ", out has length " +
-                         std::to_string(out.size()));
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& [x, y, z] = points[i];
-    if (x - x == 0 && y - y == 0 && z - z == 0) continue;
-    space::require_finite("closest_on_mesh", "points[" + std::to_string(i) + "]", points[i]);
-  }
+  space::require_equal_lengths("closest_on_mesh", "points", points.size(), "out", out.size());
+  figure::require_finite_points("closest_on_mesh", "points", points);
   if (points.empty()) return;
   if (mesh.triangles.empty()) throw InvalidShape("closest_on_mesh: the mesh is empty; give one triangle at least");
   constexpr std::size_t part_size = 64;
@@ -127,7 +114,7 @@ void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<
 }
 
 std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k) {
-  space::require_finite("nearest_triangles", "p", p);
+  query::require_figure("nearest_triangles", "p", p);
   std::vector<NearTriangle> nearest;
   space::Nearest search(mesh, k);
   for (const auto& c : search.of(p)) nearest.push_back({c.item, c.distance});
@@ -135,7 +122,7 @@ std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, st
 }
 
 std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance) {
-  space::require_finite("triangles_within", "p", p);
+  query::require_figure("triangles_within", "p", p);
   if (!(distance - distance == 0)) {
     throw NonFinite("triangles_within: distance is " + std::to_string(distance) + ", but it must be finite");
   }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <compare>
-#include <string>
 #include <vector>
 
 #include "plumb/space/bvh/descend.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/ray/crossings.hpp"
 #include "space/bvh/blocks.hpp"
+#include "space/bvh/equal_lengths.hpp"
 
 namespace plumb {
 namespace {
@@ -60,13 +60,7 @@ std::optional<query::Crossings> tree_crossings(std::string_view function, const 
 template <class Out, class Answer>
 void answer_points(std::string_view function, std::span<const Point3> points, std::span<Out> out, Execution execution,
                    const Answer& answer) {
-  if (out.size() != points.size()) {
-    throw UnequalLengths(std::string(function)
-                             .append(": out has ")
-                             .append(std::to_string(out.size()))
-                             .append(" items, points has ")
-                             .append(std::to_string(points.size())));
-  }
+  space::require_equal_lengths(function, "out", out.size(), "points", points.size());
   space::for_blocks(execution, points.size(), points_of_block, [&](std::size_t, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) out[i] = answer(points[i]);
   });

@@ -1,11 +1,10 @@
 #include "plumb/space/ray/mesh_ray.hpp"
 
 #include <algorithm>
-#include <string>
 
-#include "plumb/arith/error.hpp"
 #include "query/ray/numbers.hpp"
 #include "space/bvh/blocks.hpp"
+#include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/ray/hit_search.hpp"
 
@@ -28,13 +27,7 @@ Search searched(const char* function, const AnyRay& ray, const Bvh& bvh, HitRule
 template <class Search, class Out, class Answer>
 void search_all(const char* function, std::span<const AnyRay> rays, const Bvh& bvh, std::span<Out> out,
                 const ManyRays& options, const Answer& answer) {
-  if (out.size() != rays.size()) {
-    throw UnequalLengths(std::string(function)
-                             .append(": out has ")
-                             .append(std::to_string(out.size()))
-                             .append(" items, rays has ")
-                             .append(std::to_string(rays.size())));
-  }
+  space::require_equal_lengths(function, "out", out.size(), "rays", rays.size());
   const std::size_t parts = space::blocks_of(rays.size(), rays_of_block);
   space::for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
     const std::size_t from = part * rays_of_block, to = std::min(rays.size(), from + rays_of_block);

@@ -88,10 +88,10 @@ TEST(Refit, ChangesNothingWhereItThrows) {
   Bvh bvh = build_bvh(mesh);
   std::vector<Point3> moved = mesh.vertices;
   moved.push_back({});
-  EXPECT_THAT(text_of<UnequalLengths>([&] { refit(bvh, moved); }), HasSubstr("vertices has 4 elements"));
+  EXPECT_THAT(text_of<UnequalLengths>([&] { refit(bvh, moved); }), HasSubstr("vertices has 4 items"));
   moved = {{5, 5, 5}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}};
   EXPECT_THAT(text_of<NonFinite>([&] { refit(bvh, moved); }), HasSubstr("refit: vertices[2].y is inf"));
-  EXPECT_THAT(text_of<UnequalLengths>([&] { refit(bvh.tree, {}); }), HasSubstr("boxes has 0 elements"));
+  EXPECT_THAT(text_of<UnequalLengths>([&] { refit(bvh.tree, {}); }), HasSubstr("boxes has 0 items"));
   EXPECT_THAT(text_of<InvalidShape>([&] { rebuild_parts(bvh, 0.5); }), HasSubstr("most is 0.5"));
   expect_mesh(bvh, mesh);
 }

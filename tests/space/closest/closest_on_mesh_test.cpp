@@ -167,7 +167,7 @@ TEST(ClosestOnMesh, NamesWhatIsWrong) {
               HasSubstr("closest_on_mesh: points[1].z is -inf"));
   out.resize(1);
   EXPECT_THAT(text_of<UnequalLengths>([&] { closest_on_mesh(bvh, points, out); }),
-              HasSubstr("points has length 2, out has length 1"));
+              HasSubstr("points has 2 items, out has 1"));
 }
 
 }  // namespace
