@@ -51,7 +51,7 @@ TEST(NonFiniteTest, IsRefusedByNameAtEveryPlaceAndBesideAnything) {
                                                   std::vector<double>(e.arity(), 1.5),
                                                   std::vector<double>(e.arity(), std::numeric_limits<double>::max())};
     for (const FamilyInfo& f : families) {
-      for (std::uint64_t i = 0; i < 20; ++i) surroundings.push_back(coordinates_of(e, f.family, i));
+      for (std::uint64_t i = 0; i < fitting(20u); ++i) surroundings.push_back(coordinates_of(e, f.family, i));
     }
     for (std::vector<double> p : surroundings) {
       for (std::size_t i = 0; i < p.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "certify/every_stage.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate.hpp"
@@ -84,7 +85,7 @@ TYPED_TEST(OwnFormulaTest, EveryStageAgreesWithRationals) {
   const auto far = [](Entropy& e) { return extreme_coordinate(e); };
   const auto near = [](Entropy& e) { return static_cast<double>(e.within(3)); };
   int zeros = 0;
-  for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+  for (std::uint64_t seed = 0; seed < battery::fitting(20'000u); ++seed) {
     Entropy e(seed);
     Coordinates<F> p{};
     for (double& x : p) x = seed % 2 == 0 ? far(e) : near(e);
@@ -93,7 +94,7 @@ TYPED_TEST(OwnFormulaTest, EveryStageAgreesWithRationals) {
     expect_of_every_stage<F>(p, exact);
     ASSERT_FALSE(this->HasFailure()) << seed;
   }
-  EXPECT_GT(zeros, 100);
+  EXPECT_GT(zeros, battery::fitting(100));
 }
 
 TEST(OwnFormulaTest, NamesTheBadCoordinateOfAnyDimension) {

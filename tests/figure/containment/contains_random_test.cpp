@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "certify/sanitized.hpp"
 #include "figure/basic/shape_cases.hpp"
 #include "figure/containment/exact_locations.hpp"
 #include "oracle/shapes.hpp"
@@ -25,7 +26,7 @@ struct Shares {
 template <class Shape, class Point>
 Shares hold_against_rationals(std::uint64_t cases) {
   Shares shares;
-  on_shapes(41, cases, [&](Material& m) {
+  on_shapes(41, battery::sanitized ? cases / 4 : cases, [&](Material& m) {
     const auto shape = m.shape<Shape>();
     for (int probe = 0; probe < 4; ++probe) {
       const Point p = m.probe<Point>();
@@ -103,6 +104,7 @@ TEST(ContainsRandom, Boxes) {
 /// Of `cases` shapes; CGAL answers for at least this share of them.
 template <class Shape, class Point>
 void hold_against_cgal(std::uint64_t cases, double share) {
+  if (battery::sanitized) cases /= 4;
   std::uint64_t answers = 0;
   on_shapes(42, cases, [&](Material& m) {
     const auto shape = m.shape<Shape>();
