@@ -15,10 +15,11 @@ namespace {
 template <std::size_t width>
 class Widened {
  public:
-  Widened(const BoxTree& tree, std::uint32_t most) : old_(tree.nodes.view()), slots_(old_.size()), inner_(old_.size()) {
+  Widened(const BoxTree& tree, std::uint32_t most_in_leaf)
+      : old_(tree.nodes.view()), slots_(old_.size()), inner_(old_.size()) {
     for (std::size_t i = old_.size(); i-- > 0;) {
       slots_[i] = old_[i].is_leaf() ? old_[i].count : slots_[i + 1] + slots_[i + old_[i].link];
-      inner_[i] = old_[i].is_leaf() || slots_[i] <= most ? 0 : add(old_[i], i);
+      inner_[i] = old_[i].is_leaf() || slots_[i] <= most_in_leaf ? 0 : add(old_[i], i);
     }
   }
 
