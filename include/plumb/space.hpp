@@ -24,9 +24,11 @@
 #include "plumb/space/bvh/descend_pairs.hpp"  // two, or one with itself
 #include "plumb/space/bvh/progress.hpp"       // how far it is, and whether to go on
 
-// How near is a mesh, and where?  closest_on_mesh, nearest_triangles, triangles_within, closest_triangles
+// How near is a mesh, and where?  closest_on_mesh, nearest_triangles, triangles_within, closest_triangles; how far does
+// it reach from another?  hausdorff_distance
 #include "plumb/space/closest/closest_on_mesh.hpp"    // a point
 #include "plumb/space/closest/closest_triangles.hpp"  // another mesh
+#include "plumb/space/closest/hausdorff.hpp"          // how far two surfaces deviate
 
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"  // of two meshes, or one with itself

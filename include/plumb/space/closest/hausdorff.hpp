@@ -1,0 +1,52 @@
+// Hausdorff distance: how far is the farthest point of a mesh from another mesh?  Between two doubles, for certain.
+//
+//   const HausdorffDistance h = hausdorff_distance(a, b);    // both ways
+//   h.least <= the distance <= h.most                        // always
+//   hausdorff_from(a, b, {.absolute = 0.01}).most            // of the points of a from b: how far it sticks out
+//
+// Meshes are the sets of the points of their triangles: corners, edges and insides; triangles without area are the
+// segments and points that they are; vertices that no triangle names do not count.
+// Laws: (1) hausdorff_from: the largest distance of a point of a from b lies in [least, most]; hausdorff_distance: so
+// does the larger of the two.  (2) Where is_within, most - least is at most the larger of `absolute` and `relative` times
+// most.  Elsewhere the pieces were used up, or are as small as doubles tell; the interval is wider and as true.
+// (3) The point lies on triangle `from` of a but for the rounding of its coordinates; what it stands for is at least as
+// far from b as `least`, and `to` is the triangle of b nearest to the point.  Of hausdorff_distance it is one of b, and
+// `to` of a, where of_b.  (4) The answer depends on the meshes and the options alone: not on their trees, execution or
+// number of threads.  (5) Of a mesh and itself both numbers are 0.
+// A mesh without triangles throws InvalidShape, naming it; tolerances that are negative or NaN likewise.
+// Source: RTCD 6.3.2; branch and bound over pieces of triangles: Guthe, Borodin and Klein 2005, Tang, Lee and Kim 2009.
+// Cost: a nearest triangle for every vertex, on all threads, then one or two for each piece.  Pieces are few where the
+// farthest points are few; where the two surfaces lie in one another but are triangulated differently, the distance is
+// 0 and no piece shows it: there an absolute tolerance helps, or the pieces are used up.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/progress.hpp"
+
+namespace plumb {
+
+struct HausdorffOptions {
+  double absolute = 0;                // what most - least may be,
+  double relative = 0x1p-10;          // or as a share of most; the larger of the two
+  std::size_t most_pieces = 1 << 18;  // beyond a's triangles
+  Execution execution = Execution::parallel;
+  Progress progress = {};
+};
+
+struct HausdorffDistance {
+  double least, most;
+  bool is_within;  // the tolerance
+  bool of_b;       // the point is one of b
+  Point3 point;
+  std::uint32_t from, to;  // the triangle that it lies on, and the nearest of the other mesh; their numbers
+  friend bool operator==(const HausdorffDistance&, const HausdorffDistance&) = default;
+};
+
+HausdorffDistance hausdorff_from(const Bvh& a, const Bvh& b, const HausdorffOptions& options = {});
+
+HausdorffDistance hausdorff_distance(const Bvh& a, const Bvh& b, const HausdorffOptions& options = {});
+
+}  // namespace plumb
