@@ -30,6 +30,9 @@
 #include "plumb/space/closest/closest_triangles.hpp"  // another mesh
 #include "plumb/space/closest/hausdorff.hpp"          // how far two surfaces deviate
 
+// When does what moves meet first?  first_contact
+#include "plumb/space/moving/translating_mesh.hpp"  // a mesh along a line, another
+
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"  // of two meshes, or one with itself
 #include "plumb/space/pairs/neighbors.hpp"   // two triangles of one mesh, beyond what they share

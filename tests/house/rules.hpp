@@ -31,7 +31,7 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
      {"basic", "containment", "support", "hull", "measures", "minkowski", "sphere", "aabb", "k_dop", "obb",
       "swept_sphere", "bound", "generated"}},
     {"query", {"body", "closest", "convex", "overlap", "ray", "section", "time_of_impact", "kinds"}},
-    {"space", {"bvh", "closest", "pairs", "range", "ray"}},
+    {"space", {"bvh", "closest", "moving", "pairs", "range", "ray"}},
     {"tool",
      {"terminal", "drawing",    "mesh", "trial", "manual", "bounds",  "check", "chart",     "convert", "doctor", "fuzz",
       "help",     "placements", "plan", "proof", "ray",    "section", "sign",  "stability", "vectors", "program"}},
