@@ -30,7 +30,9 @@
 #include "plumb/space/closest/closest_triangles.hpp"  // another mesh
 #include "plumb/space/closest/hausdorff.hpp"          // how far two surfaces deviate
 
-// When does what moves meet first?  first_contact
+// When does what moves meet first?  first_contact; what meets at all?  contacts_in_motion
+#include "plumb/space/moving/motion_contacts.hpp"   // a mesh whose vertices move, itself
+#include "plumb/space/moving/moving_mesh.hpp"       // such a mesh
 #include "plumb/space/moving/translating_mesh.hpp"  // a mesh along a line, another
 
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
