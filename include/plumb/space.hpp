@@ -14,6 +14,7 @@
 #include "plumb/space/bvh/build.hpp"           // of boxes; builders and their options
 #include "plumb/space/bvh/bvh.hpp"             // of a mesh
 #include "plumb/space/bvh/insertion_tree.hpp"  // of what comes and goes
+#include "plumb/space/bvh/posed_mesh.hpp"      // of a mesh that has been moved
 #include "plumb/space/bvh/refit.hpp"           // for what moves
 #include "plumb/space/bvh/tree_cost.hpp"       // what it costs to ask
 #include "plumb/space/bvh/tree_file.hpp"       // in a file
@@ -36,8 +37,9 @@
 #include "plumb/space/moving/translating_mesh.hpp"  // a mesh along a line, another
 
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
-#include "plumb/space/pairs/mesh_pairs.hpp"  // of two meshes, or one with itself
-#include "plumb/space/pairs/neighbors.hpp"   // two triangles of one mesh, beyond what they share
+#include "plumb/space/pairs/mesh_pairs.hpp"   // of two meshes, or one with itself
+#include "plumb/space/pairs/neighbors.hpp"    // two triangles of one mesh, beyond what they share
+#include "plumb/space/pairs/posed_pairs.hpp"  // of meshes that have been moved
 
 // What of a mesh is in a box, a ball, a frustum?  triangles_meeting
 #include "plumb/space/range/range_search.hpp"

@@ -1,0 +1,46 @@
+// Where are the corners of a posed triangle, over any number type?
+//
+// Law: exact over numbers that are; a dyadic number holds every posed coordinate.
+// Source: RTCD 3.2.
+// Cost: nine products a corner.
+#pragma once
+
+#include "plumb/arith/pose.hpp"
+#include "plumb/figure/basic/simplex.hpp"
+#include "query/body/vectors.hpp"
+
+namespace plumb::query {
+
+using PosedTriangle3 = Posed<Triangle3>;
+
+/// matrix * p + translation.
+template <class T>
+Vec3<T> posed(const Point3& p, const Pose& pose) {
+  const auto& [c, t] = pose;
+  return vector_of<T>(c[0]) * T(p.x) + vector_of<T>(c[1]) * T(p.y) + vector_of<T>(c[2]) * T(p.z) + vector_of<T>(t);
+}
+
+template <class T>
+std::array<Vec3<T>, 3> posed_corners(const PosedTriangle3& t) {
+  return {posed<T>(t.shape.a, t.pose), posed<T>(t.shape.b, t.pose), posed<T>(t.shape.c, t.pose)};
+}
+
+/// Numbers one after another, until all signs of the question are certain: question<T>(ask).
+template <class Question>
+auto by_certain_signs(const Question& question) {
+  {
+    CertainSigns ask;
+    auto answer = question.template operator()<Approximate>(ask);
+    if (ask.certain()) [[likely]]
+      return answer;
+  }
+  {
+    CertainSigns ask;
+    auto answer = question.template operator()<Ball>(ask);
+    if (ask.certain()) return answer;
+  }
+  CertainSigns ask;
+  return question.template operator()<BigDyadic>(ask);
+}
+
+}  // namespace plumb::query
