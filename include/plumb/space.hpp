@@ -47,5 +47,6 @@
 // Where does a ray hit?
 #include "plumb/space/ray/inside.hpp"     // is a point in a closed mesh?  locate, winding_number
 #include "plumb/space/ray/mesh_ray.hpp"   // a mesh: first_hit, hits, ordered_hits, count_hits
+#include "plumb/space/ray/posed_ray.hpp"  // a mesh that has been moved; and is a point in it?
 #include "plumb/space/ray/ray_slabs.hpp"  // the slab test, for descents of one's own
 #include "plumb/space/ray/shape_ray.hpp"  // shapes of any kind

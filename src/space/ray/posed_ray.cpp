@@ -1,0 +1,204 @@
+// Posed boxes that the ray hits, nearer ones first where the first hit is asked for; triangles by their exact images.
+#include "plumb/space/ray/posed_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "plumb/arith/interval.hpp"
+#include "plumb/query/ray/hits.hpp"
+#include "plumb/space/bvh/descend.hpp"
+#include "query/ray/numbers.hpp"
+#include "query/ray/posed_triangle.hpp"
+#include "space/bvh/parts.hpp"
+#include "space/bvh/posed_box.hpp"
+
+namespace plumb {
+namespace space {
+namespace {
+
+constexpr std::size_t posed_rays_of_part = 16;
+constexpr double most_parameter = std::numeric_limits<double>::max();
+
+bool may_hit(const AnyRay& ray, const Aabb3& box) { return !is_bounded(box) || hits(ray, box); }
+
+/// At most the parameter at which the ray, which hits it, enters the box.
+double entry_below(const AnyRay& ray, const Aabb3& box) {
+  const auto on = [&](double origin, double along, double end, double low, double high) {
+    const Interval from(origin);
+    const Interval way = ray.kind == AnyRay::Kind::segment ? Interval(end) - from : Interval(along);
+    return quotient(Interval(low, high) - from, way).lower;
+  };
+  const auto& [o, d, e] = std::tie(ray.origin, ray.direction, ray.end);
+  const double least = ray.kind == AnyRay::Kind::line ? -Interval::infinity : 0;
+  return std::min(most_parameter,
+                  std::max({least, on(o.x, d.x, e.x, box.min.x, box.max.x), on(o.y, d.y, e.y, box.min.y, box.max.y),
+                            on(o.z, d.z, e.z, box.min.z, box.max.z)}));
+}
+
+/// visit(slot) of each triangle whose leaf the ray may hit.
+template <class Visit>
+void visit_posed(const AnyRay& ray, const PosedMesh& mesh, const Visit& visit) {
+  descend(
+      mesh.bvh.tree, [&](const BoxNode& node) { return may_hit(ray, around(mesh, node)); },
+      [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t slot = first; slot < first + count; ++slot) {
+          if (visited(visit, slot) == Descent::stop) return Descent::stop;
+        }
+        return Descent::go_on;
+      });
+}
+
+/// The sign of the exact parameter of one triangle that is hit minus that of another.
+std::strong_ordering parameter_order(const AnyRay& ray, const PosedMesh& mesh, HitRule rule, std::size_t a,
+                                     std::size_t b) {
+  return *query::first_hit_parameter(ray, mesh.triangle(a), rule) <=>
+         *query::first_hit_parameter(ray, mesh.triangle(b), rule);
+}
+
+struct PosedHit {
+  std::uint32_t number, slot;
+  Hit hit;
+};
+
+std::optional<NumberedHit> first_posed_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  std::optional<PosedHit> best;
+  double limit = most_parameter;
+  const auto is_before = [&](const PosedHit& h) {
+    if (!best || h.hit.t != best->hit.t) return !best || h.hit.t < best->hit.t;
+    const auto order = parameter_order(ray, mesh, rule, h.slot, best->slot);
+    return order < 0 || (order == 0 && h.number < best->number);
+  };
+  const auto bound = [&](const BoxNode& node) {
+    const Aabb3 box = around(mesh, node);
+    if (!is_bounded(box)) return -Interval::infinity;
+    return hits(ray, box) ? entry_below(ray, box) : Interval::infinity;
+  };
+  descend_nearer_first(mesh.bvh.tree, limit, bound, [&](std::uint32_t first, std::uint32_t count, double& until) {
+    for (std::uint32_t slot = first; slot < first + count; ++slot) {
+      const auto hit = query::first_hit(ray, mesh.triangle(slot), rule);
+      if (!hit) continue;
+      const PosedHit found{mesh.bvh.tree.items[slot], slot, *hit};
+      if (!is_before(found)) continue;
+      best = found;
+      until = std::min(until, raised(hit->t));
+    }
+  });
+  if (!best) return {};
+  return NumberedHit{best->number, best->hit};
+}
+
+bool any_posed_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  bool found = false;
+  visit_posed(ray, mesh, [&](std::uint32_t slot) {
+    found = query::hits(ray, mesh.triangle(slot), rule);
+    return found ? Descent::stop : Descent::go_on;
+  });
+  return found;
+}
+
+std::vector<NumberedHit> ordered_posed_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  std::vector<PosedHit> all;
+  visit_posed(ray, mesh, [&](std::uint32_t slot) {
+    if (const auto hit = query::first_hit(ray, mesh.triangle(slot), rule))
+      all.push_back({mesh.bvh.tree.items[slot], slot, *hit});
+  });
+  std::ranges::sort(all, [&](const PosedHit& a, const PosedHit& b) {
+    if (a.hit.t != b.hit.t) return a.hit.t < b.hit.t;
+    const auto order = parameter_order(ray, mesh, rule, a.slot, b.slot);
+    return order < 0 || (order == 0 && a.number < b.number);
+  });
+  std::vector<NumberedHit> ordered;
+  for (const PosedHit& h : all) {  // an item may be in several slots
+    if (ordered.empty() || ordered.back().index != h.number) ordered.push_back({h.number, h.hit});
+  }
+  return ordered;
+}
+
+std::size_t counted_posed_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  std::vector<std::uint32_t> numbers;
+  visit_posed(ray, mesh, [&](std::uint32_t slot) {
+    if (query::hits(ray, mesh.triangle(slot), rule)) numbers.push_back(mesh.bvh.tree.items[slot]);
+  });
+  std::ranges::sort(numbers);
+  return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+}
+
+void require_posed_shot(const char* function, const AnyRay& ray, const PosedMesh& mesh) {
+  if (!query::is_sound(ray)) query::require_ray(function, ray);
+  require_pose(function, "mesh", mesh.pose);
+}
+
+/// out[i] = answer(rays[i]).
+template <class Out, class Answer>
+void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<Out> out,
+               const ManyRays& options, const Answer& answer) {
+  if (out.size() != rays.size()) {
+    throw UnequalLengths(std::string(function) + ": out has " + std::to_string(out.size()) + " items, rays has " +
+                         std::to_string(rays.size()));
+  }
+  require_pose(function, "mesh", mesh.pose);
+  const std::size_t parts = blocks_of(rays.size(), posed_rays_of_part);
+  for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
+    const std::size_t to = std::min(rays.size(), (part + 1) * posed_rays_of_part);
+    for (std::size_t i = part * posed_rays_of_part; i < to; ++i) {
+      if (!query::is_sound(rays[i])) query::require_ray(function, rays[i]);
+      out[i] = answer(rays[i]);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace space
+
+std::optional<NumberedHit> first_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  space::require_posed_shot("first_hit", ray, mesh);
+  return space::first_posed_hit(ray, mesh, rule);
+}
+std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  space::require_posed_shot("first_triangle", ray, mesh);
+  const auto hit = space::first_posed_hit(ray, mesh, rule);
+  return hit ? std::optional(hit->index) : std::nullopt;
+}
+bool hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  space::require_posed_shot("hits", ray, mesh);
+  return space::any_posed_hit(ray, mesh, rule);
+}
+std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  space::require_posed_shot("ordered_hits", ray, mesh);
+  return space::ordered_posed_hits(ray, mesh, rule);
+}
+std::size_t count_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  space::require_posed_shot("count_hits", ray, mesh);
+  return space::counted_posed_hits(ray, mesh, rule);
+}
+
+void first_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::optional<NumberedHit>> out,
+                const ManyRays& options) {
+  space::shoot_all("first_hits", rays, mesh, out, options,
+                   [&](const AnyRay& ray) { return space::first_posed_hit(ray, mesh, options.rule); });
+}
+void first_triangles(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::uint32_t> out,
+                     const ManyRays& options) {
+  space::shoot_all("first_triangles", rays, mesh, out, options, [&](const AnyRay& ray) {
+    const auto hit = space::first_posed_hit(ray, mesh, options.rule);
+    return hit ? hit->index : no_triangle;
+  });
+}
+void hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::uint8_t> out, const ManyRays& options) {
+  space::shoot_all("hits", rays, mesh, out, options, [&](const AnyRay& ray) {
+    return static_cast<std::uint8_t>(space::any_posed_hit(ray, mesh, options.rule) ? 1 : 0);
+  });
+}
+void ordered_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::vector<NumberedHit>> out,
+                  const ManyRays& options) {
+  space::shoot_all("ordered_hits", rays, mesh, out, options,
+                   [&](const AnyRay& ray) { return space::ordered_posed_hits(ray, mesh, options.rule); });
+}
+void count_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::size_t> out,
+                const ManyRays& options) {
+  space::shoot_all("count_hits", rays, mesh, out, options,
+                   [&](const AnyRay& ray) { return space::counted_posed_hits(ray, mesh, options.rule); });
+}
+
+}  // namespace plumb
