@@ -34,6 +34,18 @@ TEST(RayCommand, SaysFirstAndAllHits) {
   EXPECT_EQ(rays.at(1).at("hits").at(1).at("t"), 0.5);
 }
 
+TEST(RayCommand, WritesTheTrianglesThatAreSaidToBeHit) {
+  const Folder folder;
+  std::ofstream(folder / "roof.obj") << roof;
+  const std::string at = "cd " + (folder / "") + " && $PLUMB ray --ray 1,1,3,0,0,-1 roof.obj ";
+  EXPECT_EQ(run(at + "--obj first.obj").code, 0);
+  EXPECT_EQ(content(folder / "first.obj"),
+            "# plumb ray: the triangles of roof.obj that are hit\no hit\nv 0 0 0\nv 2 0 0\nv 2 2 0\n# 0\nf 1 2 3\n");
+  EXPECT_EQ(run(at + "--obj first.obj --all").code, 2);
+  EXPECT_EQ(run(at + "--obj first.obj --all --overwrite").code, 0);
+  EXPECT_THAT(content(folder / "first.obj"), HasSubstr("v 0 2 0\n# 0\nf 1 2 3\n# 1\nf 1 3 4\n"));
+}
+
 TEST(RayCommand, RefusesWhatIsNoRay) {
   const Folder folder;
   std::ofstream(folder / "roof.obj") << roof;

@@ -19,6 +19,7 @@
 
 #include "tool/manual/help_text.hpp"
 #include "tool/mesh/inputs.hpp"
+#include "tool/mesh/triangles_obj.hpp"
 #include "tool/trial/task.hpp"
 
 namespace plumb::tool {
@@ -36,10 +37,13 @@ Command bounds_command(CLI::App& program);
 Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals);
 Command check_command(CLI::App& program);
 Command convert_command(CLI::App& program);
+Command distance_command(CLI::App& program);
 Command doctor_command(CLI::App& program);
 Command completion_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
 Command fuzz_command(CLI::App& program);
 Command help_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
+Command inside_command(CLI::App& program);
+Command intersect_command(CLI::App& program);
 Command plan_command(CLI::App& program);
 Command proof_command(CLI::App& program);
 Command ray_command(CLI::App& program);
@@ -66,6 +70,9 @@ void add_unpacked(CLI::App* parser, std::optional<std::uint32_t>& unpacked_mib);
 /// An option that names the file to write; "-", and no name, is standard output.
 void add_output(CLI::App* parser, const std::string& option, std::optional<std::string>& path,
                 const std::string& about);
+
+/// --obj and --overwrite: the triangles of an answer, to be looked at.
+void add_obj(CLI::App* parser, ObjOutput& obj, const std::string& about);
 
 /// Of commands that place copies of meshes; the defaults are those that the fields hold.
 void add_placements(CLI::App* parser, std::uint32_t& placements, double& refined_ns);

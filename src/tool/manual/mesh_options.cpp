@@ -17,4 +17,9 @@ void add_unpacked(CLI::App* parser, std::optional<std::uint32_t>& unpacked_mib) 
       ->type_name("MIB");
 }
 
+void add_obj(CLI::App* parser, ObjOutput& obj, const std::string& about) {
+  add_output(parser, "--obj", obj.path, about);
+  parser->add_flag("--overwrite", obj.overwrite, "Replace the file of --obj where it is there.");
+}
+
 }  // namespace plumb::tool

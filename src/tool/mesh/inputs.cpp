@@ -94,9 +94,13 @@ ReadOptions MeshArguments::reading() const {
   return {std::uint64_t{*unpacked_mib} << 20, std::numeric_limits<std::uint64_t>::max()};
 }
 
-MeshInputs mesh_inputs(const MeshArguments& arguments) {
-  if (std::ranges::count(arguments.words, "-") > 1)
+void require_input_once(const std::vector<std::string>& words) {
+  if (std::ranges::count(words, "-") > 1)
     throw Error("'-' stands twice, but standard input is read once; name it once");
+}
+
+MeshInputs mesh_inputs(const MeshArguments& arguments) {
+  require_input_once(arguments.words);
   MeshInputs inputs;
   for (const std::string& word : arguments.words) {
     std::error_code error;

@@ -34,6 +34,9 @@ struct MeshInputs {
   std::vector<MeshFileError> faults;     // folders that hold no mesh or cannot be read
 };
 
+/// Throws Error where "-" is among the words twice.
+void require_input_once(const std::vector<std::string>& words);
+
 /// Throws Error where standard input is named twice.
 MeshInputs mesh_inputs(const MeshArguments& arguments);
 

@@ -6,9 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/query/ray/parity.hpp"
-#include "plumb/surface/triangulate.hpp"
-#include "tool/terminal/decimal_range.hpp"
+#include "tool/terminal/decimal_list.hpp"
+#include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
 #include "tool/terminal/output_files.hpp"
 
@@ -17,16 +16,7 @@ namespace {
 
 NamedRay ray_of_words(const std::string& option, const std::string& words) {
   const std::string what = option + " " + words;
-  std::vector<double> x;
-  bool exact = true;
-  for (std::size_t from = 0;;) {
-    const std::size_t to = words.find_first_of(",;", from);
-    const Decimal number = read_decimal(std::string_view(words).substr(from, to - from), what);
-    x.push_back(number.value);
-    exact = exact && number.exact;
-    if (to == std::string::npos) break;
-    from = to + 1;
-  }
+  const auto [x, exact] = read_decimals(words, what);
   if (x.size() != 6) {
     throw Error(fmt::format("{}: this has {} numbers; {} has six: {}", what, x.size(),
                             option == "--ray" ? "a ray" : "a segment",
@@ -37,21 +27,24 @@ NamedRay ray_of_words(const std::string& option, const std::string& words) {
   return {words, Ray3{a, {x[3], x[4], x[5]}}, exact};
 }
 
-RayReport ray_report(const RayOptions& options) {
+RayReport ray_report(const RayOptions& options, const OutputFiles& outputs) {
   RayReport report;
   for (const std::string& words : options.rays) report.rays.push_back(ray_of_words("--ray", words));
   for (const std::string& words : options.segments) report.rays.push_back(ray_of_words("--segment", words));
-  const std::string& file = options.meshes.words.front();
-  report.mesh_name = name_of_input(file);
-  report.mesh = triangulate(read_input(file, &report.load, options.meshes.reading()), &report.load.fans);
-  report.closed = is_closed(report.mesh);
-  const Bvh bvh = build_bvh(report.mesh);
+  report.mesh = std::move(read_asked_meshes(options.meshes, outputs).front());
+  const Bvh bvh = build_bvh(report.mesh.mesh);
   for (const NamedRay& ray : report.rays) report.hits.push_back(ordered_hits(ray.ray, bvh));
   return report;
 }
 
-std::string_view feature_word(const Hit& hit) {
-  return hit.feature.kind == FeatureKind::vertex ? "vertex" : hit.feature.kind == FeatureKind::edge ? "edge" : "face";
+/// Of each ray the first hit, or all.
+std::vector<std::uint32_t> hit_triangles(const RayReport& report, bool all) {
+  std::vector<std::uint32_t> triangles;
+  for (const auto& hits : report.hits) {
+    for (std::size_t k = 0; k < (all ? hits.size() : std::min<std::size_t>(hits.size(), 1)); ++k)
+      triangles.push_back(hits[k].index);
+  }
+  return distinct(std::move(triangles));
 }
 
 }  // namespace
@@ -62,10 +55,8 @@ std::string ray_text(const RayReport& report, bool all, const Style& style) {
     widest = std::max(widest, ray.name.size());
     inexact += !ray.exact;
   }
-  std::string text = style.bold(printable(report.mesh_name)) +
-                     fmt::format(": {} vertices, {} triangles, {}; {} {}\n", report.mesh.vertices.size(),
-                                 report.mesh.triangles.size(), report.closed ? "closed" : "not closed",
-                                 report.rays.size(), report.rays.size() == 1 ? "ray" : "rays");
+  std::string text = mesh_line(report.mesh, style) +
+                     fmt::format("; {} {}\n", report.rays.size(), report.rays.size() == 1 ? "ray" : "rays");
   text += style.dim(
       fmt::format("{:<{}} {:>6} {:>10} {:>14} {:<6}  {}\n", "ray", widest, "hits", "triangle", "t", "at", "point"));
   for (std::size_t i = 0; i < report.rays.size(); ++i) {
@@ -75,15 +66,12 @@ std::string ray_text(const RayReport& report, bool all, const Style& style) {
     for (std::size_t k = 0; k < shown; ++k) {
       const auto& [index, hit] = hits[k];
       if (k != 0) text += fmt::format("{:<{}} {:>6}", "", widest, "");
-      text += fmt::format(" {:>10} {:>14.6g} {:<6}  {:.6g} {:.6g} {:.6g}\n", index, hit.t, feature_word(hit),
+      text += fmt::format(" {:>10} {:>14.6g} {:<6}  {:.6g} {:.6g} {:.6g}\n", index, hit.t, feature_word(hit.feature),
                           hit.point.x, hit.point.y, hit.point.z);
     }
     if (shown == 0) text += "\n";
   }
-  if (inexact != 0)
-    text += fmt::format("{} of {} rays are given by decimals that are no doubles; they stand for the nearest ones.\n",
-                        inexact, report.rays.size());
-  return text;
+  return text + inexact_remark(inexact, report.rays.size(), "rays");
 }
 
 nlohmann::json ray_json(const RayReport& report) {
@@ -95,7 +83,7 @@ nlohmann::json ray_json(const RayReport& report) {
     for (const auto& [index, hit] : report.hits[i]) {
       hits.push_back({{"triangle", index},
                       {"t", hit.t},
-                      {"feature", feature_word(hit)},
+                      {"feature", feature_word(hit.feature)},
                       {"point", {hit.point.x, hit.point.y, hit.point.z}},
                       {"normal", {hit.normal.x, hit.normal.y, hit.normal.z}}});
     }
@@ -105,26 +93,25 @@ nlohmann::json ray_json(const RayReport& report) {
                     {"hits", std::move(hits)}});
   }
   json said = origin_json("plumb ray");
-  said.update({{"mesh", report.mesh_name},
-               {"vertices", report.mesh.vertices.size()},
-               {"triangles", report.mesh.triangles.size()},
-               {"closed", report.closed},
-               {"rays", std::move(rays)}});
+  said.update(mesh_json(report.mesh));
+  said["rays"] = std::move(rays);
   return said;
 }
 
 int run_ray(const RayOptions& options) {
+  OutputFiles outputs(options.meshes.words);
+  outputs.promise("--json", options.json);
+  promise_obj(outputs, options.obj);
   if (options.meshes.words.size() != 1) throw Error("ray: one MESH is needed; 'plumb ray --help' explains");
   if (options.rays.empty() && options.segments.empty())
     throw Error("ray: a --ray or a --segment is needed, such as --ray 0,0,10,0,0,-1");
-  OutputFiles outputs(options.meshes.words);
-  outputs.promise("--json", options.json);
-  const RayReport report = ray_report(options);
-  outputs.require_not_read(report.load.files_beside);
+  const RayReport report = ray_report(options, outputs);
   if (!outputs.on_standard_output()) say(ray_text(report, options.all, Style(stdout)));
-  if (options.json) {
-    // A file's name may be any bytes; JSON is UTF-8.
-    outputs.write("--json", ray_json(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (options.json) outputs.write("--json", json_text(ray_json(report)));
+  if (options.obj.path) {
+    const TriangleGroup hit{"hit", &report.mesh.mesh, hit_triangles(report, options.all)};
+    outputs.write("--obj",
+                  triangles_obj("plumb ray: the triangles of " + report.mesh.name + " that are hit", {&hit, 1}));
   }
   outputs.keep();
   return 0;

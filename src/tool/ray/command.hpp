@@ -1,6 +1,6 @@
 // `plumb ray`: which triangles of this mesh do these rays hit, in exact order?
 //
-// Laws: text and JSON hold the same hits, in the order of the rays as given.  Exit code 0 when done, also where nothing
+// Laws: text and JSON hold the same hits, in the order of the rays as given; OBJ the triangles that text names.  Exit code 0 when done, also where nothing
 // is hit; a mesh or words that cannot be read, an output that cannot be written throw Error.
 // Source: plumb/space/ray/mesh_ray.hpp.
 // Cost: that of the tree, and of all hits of each ray.
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "plumb/space/ray/mesh_ray.hpp"
-#include "plumb/surface/read_mesh.hpp"
-#include "tool/mesh/inputs.hpp"
+#include "tool/mesh/asked_mesh.hpp"
+#include "tool/mesh/triangles_obj.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -23,6 +23,7 @@ struct RayOptions {
   std::vector<std::string> rays, segments;  // six numbers each
   bool all = false;                         // say every hit, not the first alone
   std::optional<std::string> json;          // "-" is standard output
+  ObjOutput obj;                            // the triangles that are said
 };
 
 int run_ray(const RayOptions& options);
@@ -34,10 +35,7 @@ struct NamedRay {
 };
 
 struct RayReport {
-  std::string mesh_name;
-  LoadReport load;
-  TriangleMesh mesh;
-  bool closed;
+  AskedMesh mesh;
   std::vector<NamedRay> rays;
   std::vector<std::vector<NumberedHit>> hits;  // of each ray, in order
 };

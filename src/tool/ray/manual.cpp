@@ -29,7 +29,10 @@ plumb ray --ray 0,0,100,0,0,-1 part.stl
        The first triangle straight below a point.
 
 plumb ray --all --segment 0,0,0,10,5,2 part.obj
-       All that is hit between two points.)"}}};
+       All that is hit between two points.
+
+plumb ray --obj hit.obj --ray 0,0,100,0,0,-1 part.stl
+       The triangle that is hit, as a mesh to be looked at.)"}}};
 }
 
 }  // namespace plumb::tool

@@ -17,6 +17,7 @@ Command ray_command(CLI::App& program) {
       ->type_name("AX,AY,AZ,BX,BY,BZ");
   parser->add_flag("--all", o.all, "Say every hit of a ray; without this option, the first.");
   add_output(parser, "--json", o.json, "Write every hit as JSON");
+  add_obj(parser, o.obj, "Write the triangles that are said to be hit as OBJ");
   return {parser, ray_manual, [options] { return run_ray(*options); }, &o.meshes.words};
 }
 

@@ -8,6 +8,8 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/surface/triangulate.hpp"
 #include "tool/mesh/inputs.hpp"
+#include "tool/terminal/decimal_list.hpp"
+#include "tool/terminal/json_text.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/write_folder.hpp"
 
@@ -88,9 +90,7 @@ std::string section_text(const SectionReport& report, const Style& style) {
                         n.outer, n.holes, n.open, n.corners, n.area, n.length, remarks(report.sections[i], n, style));
     open += n.open != 0;
   }
-  if (inexact != 0)
-    text += fmt::format("{} of {} planes are given by decimals that are no doubles; they stand for the nearest ones.\n",
-                        inexact, report.planes.size());
+  text += inexact_remark(inexact, report.planes.size(), "planes");
   if (open != 0)
     text += fmt::format(
         "{} of {} sections are open: the mesh has holes there, or triangles wound against each other; 'plumb check' "
@@ -112,10 +112,7 @@ int run_section(const SectionOptions& options) {
   if (!outputs.on_standard_output()) say(section_text(report, Style(stdout)));
   if (options.svg) outputs.write("--svg", section_svg(report));
   if (options.dxf) outputs.write("--dxf", section_dxf(report));
-  if (options.json) {
-    // A file's name may be any bytes; JSON is UTF-8.
-    outputs.write("--json", section_json(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  }
+  if (options.json) outputs.write("--json", json_text(section_json(report)));
   if (options.out) {
     std::vector<NamedText> files;
     for (std::size_t i = 0; i < report.planes.size(); ++i)

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include "plumb/arith/error.hpp"
+#include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/decimal_range.hpp"
 
 namespace plumb::tool {
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
+std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t from = 0;;) {
-    const std::size_t to = text.find_first_of(separators, from);
+    const std::size_t to = text.find(separator, from);
     parts.push_back(text.substr(from, to - from));
     if (to == std::string_view::npos) return parts;
     from = to + 1;
@@ -28,7 +29,7 @@ NamedPlane at_height(char axis, const Decimal& height) {
 std::vector<NamedPlane> planes_of(std::string_view words) {
   const std::string what = fmt::format("--plane {}", words);
   if (words.size() > 2 && words[1] == '=' && words[0] >= 'x' && words[0] <= 'z') {
-    const auto heights = split(words.substr(2), ":");
+    const auto heights = split(words.substr(2), ':');
     std::vector<NamedPlane> planes;
     if (heights.size() == 1) {
       planes.push_back(at_height(words[0], read_decimal(heights[0], what)));
@@ -40,13 +41,7 @@ std::vector<NamedPlane> planes_of(std::string_view words) {
       planes.push_back(at_height(words[0], h));
     return planes;
   }
-  std::vector<double> x;
-  bool exact = true;
-  for (const std::string_view part : split(words, ",;")) {
-    const Decimal number = read_decimal(part, what);
-    x.push_back(number.value);
-    exact = exact && number.exact;
-  }
+  const auto [x, exact] = read_decimals(words, what);
   const std::string name(words);
   if (x.size() == 4) return {{name, Plane3{{x[0], x[1], x[2]}, x[3]}, exact}};
   if (x.size() == 9)
