@@ -56,9 +56,19 @@ convert FROM TO
        Writes a mesh file in another format, every coordinate the same
        double.
 
+distance A B
+       Says how far two meshes are apart, and between which triangles.
+
 fuzz
        Finds inputs on which a function of another library is wrong, and
        makes them small.
+
+inside --point X,Y,Z MESH
+       Says which points are inside of a closed mesh, and how often its
+       surface goes around them.
+
+intersect A [B]
+       Finds all pairs of triangles of a mesh that meet, or of two.
 
 plan [MESH]...
        Says what exact decisions on a scene of these meshes need, what a
@@ -101,7 +111,8 @@ A file that an option names for output (--json, --chart, --out) appears
 whole at the end of a run that ended with 0 or 1; until then, and after
 any other end, what was there before is there still. A file of that name
 is replaced, with its permissions; not so a file that the run reads, nor
-one that is a mesh by its name or content, nor anything by a sample.
+one that is a mesh by its name or content, nor anything by a sample or,
+unless --overwrite is given, by a mesh that is written.
 '-', or an option without a name, is standard output, which then has
 that output alone.)"},
            {"ENVIRONMENT", environment() + "\n" + environment_of_batches()},
