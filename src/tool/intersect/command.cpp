@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "plumb/arith/error.hpp"
 #include "tool/terminal/json_text.hpp"
@@ -68,7 +70,10 @@ IntersectReport intersect_report(const IntersectOptions& options, std::vector<As
   }
   for (const TrianglePair& p : pairs)
     ++(p.relation == Relation::touching ? report.found.touching : report.found.overlapping);
-  if (options.common) report.in_common = intersections(a, b != nullptr ? other : a, pairs);
+  if (options.common) {
+    const std::size_t told = options.all || options.json ? pairs.size() : std::min(pairs.size(), listed);
+    report.in_common = intersections(a, b != nullptr ? other : a, std::span(pairs).first(told));
+  }
   return report;
 }
 

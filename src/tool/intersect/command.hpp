@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plumb/space/pairs/mesh_pairs.hpp"
@@ -38,13 +39,16 @@ struct IntersectReport {
   bool overlapping = false, complete = true;
   PairCount found;
   std::optional<std::vector<TrianglePair>> pairs;       // all of them, or any one
-  std::optional<std::vector<Intersection3>> in_common;  // of each pair
+  std::optional<std::vector<Intersection3>> in_common;  // of each pair that is told
 
   [[nodiscard]] std::size_t many() const { return found.touching + found.overlapping; }
   [[nodiscard]] bool of_one() const { return meshes.size() == 1; }
 };
 
 IntersectReport intersect_report(const IntersectOptions& options, std::vector<AskedMesh> meshes);
+
+/// "point", "segment" or "polygon": what two triangles can have in common.
+std::string_view word_of(IntersectionKind common);
 
 /// `most` pairs are listed.
 std::string intersect_text(const IntersectReport& report, std::size_t most, const Style& style);

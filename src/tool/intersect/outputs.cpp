@@ -11,10 +11,7 @@ using nlohmann::json;
 json in_common_json(const Intersection3& common) {
   json points = json::array();
   for (const Point3& p : approximate(common)) points.push_back({p.x, p.y, p.z});
-  const char* const kind = common.kind == IntersectionKind::point     ? "point"
-                           : common.kind == IntersectionKind::segment ? "segment"
-                                                                      : "polygon";
-  return {{"kind", kind}, {"points", std::move(points)}};
+  return {{"kind", word_of(common.kind)}, {"points", std::move(points)}};
 }
 
 /// Those of one side that do so in a pair.

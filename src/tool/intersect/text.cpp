@@ -13,9 +13,7 @@ std::string_view verb(Relation relation) { return relation == Relation::touching
 
 /// "segment 0 0 0, 1 1 0"
 std::string common_text(const Intersection3& common) {
-  std::string text = common.kind == IntersectionKind::point     ? "point"
-                     : common.kind == IntersectionKind::segment ? "segment"
-                                                                : "polygon";
+  std::string text(word_of(common.kind));
   std::string_view between = " ";
   for (const Point3& p : approximate(common)) {
     text += fmt::format("{}{:.6g} {:.6g} {:.6g}", between, p.x, p.y, p.z);
@@ -49,11 +47,15 @@ std::string remark(const IntersectReport& r) {
 
 }  // namespace
 
+std::string_view word_of(IntersectionKind common) {
+  return common == IntersectionKind::point ? "point" : common == IntersectionKind::segment ? "segment" : "polygon";
+}
+
 std::string intersect_text(const IntersectReport& r, std::size_t most, const Style& style) {
   std::string text;
   for (const AskedMesh& mesh : r.meshes) text += mesh_line(mesh, style) + "\n";
   text += verdict(r, style);
-  if (!r.pairs || r.pairs->empty()) return text;
+  if (!r.pairs || r.pairs->empty()) return text + remark(r);
   const std::size_t shown = std::min(most, r.pairs->size());
   text += style.dim(fmt::format("{:>10} {:>10}{}\n", r.of_one() ? "triangle" : "of a", r.of_one() ? "triangle" : "of b",
                                 r.in_common ? "         in common" : ""));
