@@ -93,6 +93,7 @@ TEST(Inside, RefusesWhatItCannotRead) {
   const Folder folder;
   const std::string at = in(folder);
   std::ofstream(folder / "bad.txt") << "1,2,3\n\n1 2 3 4\n";
+  std::ofstream(folder / "odd.txt") << "1 2 \033[31m3\n";
   const std::pair<const char*, const char*> refusals[] = {
       {"hollow.obj", "a --point is needed"},
       {"--point 1,2,3", "one MESH is needed"},
@@ -100,6 +101,7 @@ TEST(Inside, RefusesWhatItCannotRead) {
       {"--point 1,2,nan hollow.obj", "'nan' is not a decimal number"},
       {"--points bad.txt hollow.obj", "bad.txt, line 3: this has 4 numbers"},
       {"--points hollow.obj hollow.obj", "hollow.obj, line 1: 'v' is not a decimal number"},
+      {"--points odd.txt hollow.obj", "odd.txt, line 1: '?[31m3' is not a decimal number"},
       {"--points none.txt hollow.obj", "cannot read none.txt: No such file"},
       {"--points . hollow.obj", "cannot read .: Is a directory"},
       {"--points - -", "'-' stands twice"},

@@ -11,6 +11,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/surface/decimal.hpp"
+#include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -68,13 +69,17 @@ std::string plain(const mpz_class& mantissa, int exponent) {
 Decimal read_decimal(std::string_view text, std::string_view what) {
   DecimalReader reader;
   Decimal number{std::string(text), 0, true};
+  const auto shown = [&] {
+    constexpr std::size_t most = 60;  // a file that holds no numbers may have long words
+    return printable(text.substr(0, most)) + (text.size() > most ? "..." : "");
+  };
   switch (reader.read(text, number.value)) {
     case DecimalReader::Outcome::number:
       break;
     case DecimalReader::Outcome::too_large:
-      throw Error(fmt::format("{}: {} is beyond the largest double", what, text));
+      throw Error(fmt::format("{}: {} is beyond the largest double", printable(what), shown()));
     default:
-      throw Error(fmt::format("{}: '{}' is not a decimal number; write one such as 1.5", what, text));
+      throw Error(fmt::format("{}: '{}' is not a decimal number; write one such as 1.5", printable(what), shown()));
   }
   number.exact = reader.inexact() == 0;
   return number;
