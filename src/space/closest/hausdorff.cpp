@@ -11,11 +11,13 @@
 
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/query/closest/closest.hpp"
-#include "plumb/query/time_of_impact/moving_distance.hpp"
 #include "plumb/space/closest/closest_on_mesh.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/closest/box_distance.hpp"
+#include "space/closest/nearby_corner.hpp"
+#include "space/closest/numbered_triangles.hpp"
+#include "space/closest/piece_cut.hpp"
 
 namespace plumb {
 namespace space {
@@ -23,49 +25,23 @@ namespace {
 
 constexpr double beyond = std::numeric_limits<double>::infinity();
 
-/// An exact point, by a double no farther from it than `off`, and the triangle of b nearest to the double.
-struct NearbyCorner {
-  Point3 at;
-  double off;
-  std::uint32_t nearest;  // its number
-  double distance;        // from the double, rounded
-};
-
 /// A part of a triangle of a.
 struct Piece {
   std::array<std::uint32_t, 3> corners;
   std::uint32_t from;     // the triangle's number
   std::uint32_t nearest;  // a triangle of b from which no point of the piece is farther than `most`
   double most;
+  std::uint8_t crossings = 0;  // so many of the last cuts were at borders
   bool middle_known = false;
 };
+
+/// Then an edge is halved, so that pieces become small.
+constexpr std::uint8_t most_crossings = 4;
 
 struct NotAsFar {
   bool operator()(const Piece& x, const Piece& y) const {
     return x.most != y.most ? x.most < y.most : x.corners > y.corners;
   }
-};
-
-double sum_above(double x, double y) { return y == 0 ? x : (Interval(x) + Interval(y)).upper; }
-
-double difference_below(double x, double y) { return y == 0 ? x : (Interval(x) - Interval(y)).lower; }
-
-double half_above(double x) { return (Interval(x) * Interval(0.5)).upper; }
-
-/// Triangles by their numbers.
-class NumberedTriangles {
- public:
-  explicit NumberedTriangles(const Bvh& mesh) : mesh_(mesh), slots_(mesh.triangles.size()) {
-    const std::span<const std::uint32_t> items = mesh.tree.items.view();
-    for (std::uint32_t slot = 0; slot < items.size(); ++slot) slots_[items[slot]] = slot;
-  }
-  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }
-  [[nodiscard]] const Bvh::Corners& corners(std::uint32_t i) const { return mesh_.triangles[slots_[i]]; }
-  [[nodiscard]] Triangle3 operator[](std::uint32_t i) const { return mesh_.triangle(slots_[i]); }
-
- private:
-  const Bvh& mesh_;
-  std::vector<std::uint32_t> slots_;  // one of those that it is in
 };
 
 class FarthestSearch {
@@ -79,7 +55,8 @@ class FarthestSearch {
         bs_(b),
         options_(options),
         done_before_(done_before),
-        done_after_(done_after) {
+        done_after_(done_after),
+        of_size_((Interval(options.of_size) * Interval(std::max(as_.extent(), bs_.extent()))).lower) {
     ask_vertices(a);
   }
 
@@ -149,8 +126,8 @@ class FarthestSearch {
   }
 
   [[nodiscard]] bool is_near_enough(double least, double most) const {
-    const double wanted = (Interval(options_.relative) * Interval(most)).lower;
-    return (Interval(most) - Interval(least)).upper <= std::max(options_.absolute, wanted);
+    const double of_most = (Interval(options_.relative) * Interval(most)).lower;
+    return (Interval(most) - Interval(least)).upper <= std::max({options_.absolute, of_size_, of_most});
   }
 
   void tell(double share) const {
@@ -200,43 +177,33 @@ class FarthestSearch {
     if (piece.most > known.least) later_.push(piece);
   }
 
-  /// The middle of two.
-  [[nodiscard]] NearbyCorner between(const NearbyCorner& p, const NearbyCorner& q) const {
-    const Interval half(0.5);
-    const auto mean = [&](double x, double y) {
-      return x == y ? Interval(x) : Interval(x) * half + Interval(y) * half;
-    };
-    query::NearbyPlaces near;
-    const Point3 at = near(mean(p.at.x, q.at.x), mean(p.at.y, q.at.y), mean(p.at.z, q.at.z));
-    return {at, sum_above(near.off(), half_above(sum_above(p.off, q.off))), 0, 0};
-  }
-
   void ask_middle(HausdorffDistance& known, Piece& piece, bool of_b) const {
     const auto& [u, v, w] = piece.corners;
-    const NearbyCorner near = between(corners_[u], between(corners_[v], corners_[w]));
+    const NearbyCorner near = corner_between(corners_[u], corner_between(corners_[v], corners_[w], 0.5), 0.5);
     const NearbyCorner middle = asked(near.at, near.off);
     offer(known, middle, piece.from, of_b);
     bound_by(piece, middle.nearest);
     piece.middle_known = true;
   }
 
-  /// Its longest edge is halved; false where doubles do not tell the middle from an end.
+  /// In two; false where doubles do not tell the cut from an end of the edge.
   bool split(HausdorffDistance& known, const Piece& piece, bool of_b) {
-    const auto length = [&](std::size_t i) {
-      const Point3 &p = corners_[piece.corners[i]].at, &q = corners_[piece.corners[(i + 1) % 3]].at;
-      return std::max({std::fabs(p.x - q.x), std::fabs(p.y - q.y), std::fabs(p.z - q.z)});
-    };
-    std::size_t i = 0;
-    if (length(1) > length(i)) i = 1;
-    if (length(2) > length(i)) i = 2;
+    const auto& [first, second, third] = piece.corners;
+    const std::array places{corners_[first].at, corners_[second].at, corners_[third].at};
+    std::optional<PieceCut> crossing;  // where halves would have to become small, for the bound is far off
+    if (piece.crossings < most_crossings && piece.most > 4 * known.least) {
+      crossing = border_crossing(places, bs_[piece.nearest]);
+    }
+    const auto [i, part_of_edge] = crossing ? *crossing : halving(places);
+    const std::uint8_t crossings = crossing ? static_cast<std::uint8_t>(piece.crossings + 1) : std::uint8_t{0};
     const std::uint32_t u = piece.corners[i], v = piece.corners[(i + 1) % 3], w = piece.corners[(i + 2) % 3];
-    const NearbyCorner near = between(corners_[u], corners_[v]);
+    const NearbyCorner near = corner_between(corners_[u], corners_[v], part_of_edge);
     if (near.at == corners_[u].at || near.at == corners_[v].at) return false;
     const auto middle = static_cast<std::uint32_t>(corners_.size());
     corners_.push_back(asked(near.at, near.off));
     offer(known, corners_.back(), piece.from, of_b);
-    for (Piece part : {Piece{{u, middle, w}, piece.from, piece.nearest, piece.most},
-                       Piece{{middle, v, w}, piece.from, piece.nearest, piece.most}}) {
+    for (Piece part : {Piece{{u, middle, w}, piece.from, piece.nearest, piece.most, crossings},
+                       Piece{{middle, v, w}, piece.from, piece.nearest, piece.most, crossings}}) {
       bound_by(part, piece.nearest);
       bound_by_corners(part);
       push(known, part);
@@ -257,7 +224,7 @@ class FarthestSearch {
   const Bvh& b_;
   NumberedTriangles as_, bs_;
   const HausdorffOptions& options_;
-  double done_before_, done_after_;
+  double done_before_, done_after_, of_size_;
   std::vector<NearbyCorner> corners_;
   std::vector<std::uint32_t> corner_of_vertex_;
   std::priority_queue<Piece, std::vector<Piece>, NotAsFar> later_;
@@ -273,6 +240,7 @@ void require_hausdorff(const char* function, const Bvh& a, const Bvh& b, const H
                        "; give a number that is not below 0");
   };
   require("absolute", options.absolute), require("relative", options.relative);
+  require("of_size", options.of_size);
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST(Hausdorff, LiesBetweenForMeshesOfAnyKind) {
   shape_cases::on_shapes(972, battery::fitting(250), [&](shape_cases::Material& m) {
     const TriangleMesh a = meshes::soup(m, 1 + m.below(8), 1 + m.below(8));
     const TriangleMesh b = meshes::soup(m, 1 + m.below(8), 1 + m.below(8));
-    const auto h = hausdorff_from(build_bvh(a), build_bvh(b), {.relative = 0.125, .most_pieces = 200});
+    const auto h = hausdorff_from(build_bvh(a), build_bvh(b), {.relative = 0.125, .of_size = 0, .most_pieces = 200});
     expect_true(h, a, b, m.about());
     EXPECT_TRUE(!h.is_within || h.most - h.least <= 0.125 * h.most) << m.about();
     within += h.is_within ? 1 : 0, ++all;
@@ -202,17 +202,40 @@ TEST(Hausdorff, OfNumbersOfAnySizeAndTreesInOtherFrames) {
   EXPECT_FALSE(h.is_within);
 }
 
-/// The same surface in other triangles: 0, which no piece shows.
+/// A square of 2 n^2 triangles.
+TriangleMesh tiles(std::uint32_t n, bool turned) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    for (std::uint32_t k = 0; k <= n; ++k) mesh.vertices.push_back({4.0 * k / n, 4.0 * i / n, 0});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t a = i * (n + 1) + k, b = a + 1, c = a + n + 1, d = c + 1;
+      mesh.triangles.insert(mesh.triangles.end(), {{a, b, turned ? c : d}, {d, c, turned ? b : a}});
+    }
+  }
+  return mesh;
+}
+
+/// The same surface in other triangles: no piece but a small one is in a triangle, unless it is cut where that ends.
+TEST(Hausdorff, OfOneSurfaceInOtherTrianglesIsAsGoodAsZero) {
+  const Bvh one = build_bvh(tiles(1, false)), turned = build_bvh(tiles(1, true));
+  const HausdorffDistance exact = hausdorff_distance(one, turned, {.of_size = 0});
+  EXPECT_EQ(exact.most, 0);
+  for (const auto& [n, m] : {std::pair{7u, 5u}, {6u, 6u}, {3u, 8u}}) {
+    const HausdorffDistance h = hausdorff_distance(build_bvh(tiles(n, false)), build_bvh(tiles(m, true)));
+    EXPECT_TRUE(h.is_within) << n;
+    EXPECT_LE(h.most, 4e-12) << n;
+  }
+}
+
 TEST(Hausdorff, SaysThatItIsNotWithin) {
-  const Bvh one = build_bvh(square(0, 4, 0));
-  TriangleMesh turned = square(0, 4, 0);
-  turned.triangles = {{0, 1, 3}, {1, 2, 3}};
-  const Bvh other = build_bvh(turned);
-  const HausdorffDistance few = hausdorff_distance(one, other, {.most_pieces = 10});
+  const TriangleMesh a = tiles(7, false), b = tiles(5, true);
+  const HausdorffDistance few = hausdorff_distance(build_bvh(a), build_bvh(b), {.most_pieces = 10});
   EXPECT_FALSE(few.is_within);
   EXPECT_EQ(few.least, 0);
-  EXPECT_GT(few.most, 0);
-  const HausdorffDistance more = hausdorff_distance(one, other, {.absolute = 0.125});
+  EXPECT_GT(few.most, 0.125);
+  const HausdorffDistance more = hausdorff_distance(build_bvh(a), build_bvh(b), {.absolute = 0.125});
   EXPECT_TRUE(more.is_within);
   EXPECT_LE(more.most, 0.125);
 }

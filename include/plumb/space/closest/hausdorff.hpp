@@ -7,8 +7,9 @@
 // Meshes are the sets of the points of their triangles: corners, edges and insides; triangles without area are the
 // segments and points that they are; vertices that no triangle names do not count.
 // Laws: (1) hausdorff_from: the largest distance of a point of a from b lies in [least, most]; hausdorff_distance: so
-// does the larger of the two.  (2) Where is_within, most - least is at most the larger of `absolute` and `relative` times
-// most.  Elsewhere the pieces were used up, or are as small as doubles tell; the interval is wider and as true.
+// does the larger of the two.  (2) Where is_within, most - least is at most the largest of `absolute`, `relative` times
+// most and `of_size` times the larger mesh's longest extent.  Elsewhere the pieces were used up, or are as small as
+// doubles tell; the interval is wider and as true.
 // (3) The point lies on triangle `from` of a but for the rounding of its coordinates; what it stands for is at least as
 // far from b as `least`, and `to` is the triangle of b nearest to the point.  Of hausdorff_distance it is one of b, and
 // `to` of a, where of_b.  (4) The answer depends on the meshes and the options alone: not on their trees, execution or
@@ -16,8 +17,7 @@
 // A mesh without triangles throws InvalidShape, naming it; tolerances that are negative or NaN likewise.
 // Source: RTCD 6.3.2; branch and bound over pieces of triangles: Guthe, Borodin and Klein 2005, Tang, Lee and Kim 2009.
 // Cost: a nearest triangle for every vertex, on all threads, then one or two for each piece.  Pieces are few where the
-// farthest points are few; where the two surfaces lie in one another but are triangulated differently, the distance is
-// 0 and no piece shows it: there an absolute tolerance helps, or the pieces are used up.
+// farthest points are few; of one surface in two triangulations as many as the triangles of one are cut by the other.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,9 @@
 namespace plumb {
 
 struct HausdorffOptions {
-  double absolute = 0;                // what most - least may be,
-  double relative = 0x1p-10;          // or as a share of most; the larger of the two
+  double absolute = 0;        // what most - least may be,
+  double relative = 0x1p-10;  // or as a share of most,
+  double of_size = 0x1p-40;   // or of the meshes' extent, below which there is rounding alone; the largest of these
   std::size_t most_pieces = 1 << 18;  // beyond a's triangles
   Execution execution = Execution::parallel;
   Progress progress = {};
