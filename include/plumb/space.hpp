@@ -43,7 +43,8 @@
 #include "plumb/space/pairs/posed_pairs.hpp"  // of meshes that have been moved
 
 // What of a mesh is in a box, a ball, a frustum?  triangles_meeting
-#include "plumb/space/range/range_search.hpp"
+#include "plumb/space/range/posed_range.hpp"   // of one that has been moved
+#include "plumb/space/range/range_search.hpp"  // by a tree
 
 // Where does a ray hit?
 #include "plumb/space/ray/inside.hpp"     // is a point in a closed mesh?  locate, winding_number

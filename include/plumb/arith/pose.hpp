@@ -24,6 +24,9 @@ struct Pose {
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
+/// Where everything stays.
+inline constexpr Pose identity_pose{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}};
+
 /// The image of the shape under the pose.
 template <class Shape, class By = Pose>
 struct Posed {

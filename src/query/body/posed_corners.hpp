@@ -6,12 +6,17 @@
 #pragma once
 
 #include "plumb/arith/pose.hpp"
+#include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 #include "query/body/vectors.hpp"
 
 namespace plumb::query {
 
 using PosedTriangle3 = Posed<Triangle3>;
+
+/// As given.
+constexpr PosedTriangle3 standing(const Triangle3& t) { return {t, identity_pose}; }
+constexpr PosedTriangle3 standing(const Segment3& s) { return {{s.a, s.b, s.b}, identity_pose}; }
 
 /// matrix * p + translation.
 template <class T>

@@ -246,6 +246,14 @@ Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p)
   return rational_square(
       foot_of(posed_corners<BigDyadic>(triangle), vector_of<BigDyadic>(p), feature_near(triangle, p)));
 }
+Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double than) {
+  return by_certain_signs([&]<class T>(CertainSigns& ask) {
+    const auto corners = posed_corners<T>(triangle);
+    const Vec3<T> at = vector_of<T>(p);
+    const Foot<T> foot = foot_of(corners, at, nearest_feature<T>(corners, at, ask));
+    return ask(foot.square() - T(than) * T(than) * foot.over());
+  });
+}
 
 Closest closest_points(const PosedTriangle3& a, const PosedTriangle3& b) {
   const auto pair = least_pair_exactly(a, b, true);
@@ -266,6 +274,12 @@ double distance(const PosedTriangle3& a, const PosedTriangle3& b) {
 Rational squared_distance_exact(const PosedTriangle3& a, const PosedTriangle3& b) {
   const auto pair = least_pair_exactly(a, b, false);
   return Rational(big_rational(pair.square)) / Rational(big_rational(pair.over));
+}
+Sign compare_distance(const PosedTriangle3& a, const PosedTriangle3& b, double than) {
+  return by_certain_signs([&]<class T>(CertainSigns& ask) {
+    const auto pair = least_pair<T>(a, b, false, ask);
+    return pair ? ask(pair->square - T(than) * T(than) * pair->over) : Sign::zero;
+  });
 }
 
 }  // namespace plumb::query

@@ -21,9 +21,12 @@ struct ClosestOnPosed {
 ClosestOnPosed closest_on(const PosedTriangle3& triangle, const Point3& p);
 double distance(const PosedTriangle3& triangle, const Point3& p);
 Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p);
+/// The sign of the distance minus a number that is not negative.
+Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double than);
 
 Closest closest_points(const PosedTriangle3& a, const PosedTriangle3& b);
 double distance(const PosedTriangle3& a, const PosedTriangle3& b);
 Rational squared_distance_exact(const PosedTriangle3& a, const PosedTriangle3& b);
+Sign compare_distance(const PosedTriangle3& a, const PosedTriangle3& b, double than);
 
 }  // namespace plumb::query

@@ -18,9 +18,6 @@
 
 namespace plumb {
 
-/// Where everything stays.
-inline constexpr Pose identity_pose{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}};
-
 struct PosedMesh {
   const Bvh& bvh;
   Pose pose;

@@ -1,0 +1,204 @@
+#include "query/overlap/posed_shapes.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "arith/rational_lp.hpp"
+#include "query/closest/posed_triangle.hpp"
+#include "query/overlap/posed_triangles.hpp"
+
+namespace plumb::query {
+namespace {
+
+/// Zero also where it is not certain.
+template <class T>
+int sure_sign(const T& x) {
+  return static_cast<int>(CertainSigns()(x));
+}
+
+/// center + sum of numbers from -1 to 1 times these.
+template <class T>
+struct PosedBox {
+  Vec3<T> center;
+  std::array<Vec3<T>, 3> half;
+};
+
+template <class T>
+PosedBox<T> box_of(const Aabb3& b) {
+  const T zero(0.0), half(0.5);
+  const Vec3<T> low = vector_of<T>(b.min), high = vector_of<T>(b.max), width = (high - low) * half;
+  return {(low + high) * half, {{{width.x, zero, zero}, {zero, width.y, zero}, {zero, zero, width.z}}}};
+}
+template <class T>
+PosedBox<T> box_of(const Obb3& b) {
+  return {vector_of<T>(b.center),
+          {vector_of<T>(b.axes[0]) * T(b.half.x), vector_of<T>(b.axes[1]) * T(b.half.y),
+           vector_of<T>(b.axes[2]) * T(b.half.z)}};
+}
+
+/// What can separate a box with an inside from a triangle: normals of both, and what is across an edge of each.
+template <class T>
+class SeparatingWays {
+ public:
+  SeparatingWays(const std::array<Vec3<T>, 3>& corner, const PosedBox<T>& box)
+      : to_{corner[0] - box.center, corner[1] - box.center, corner[2] - box.center}, box_(box) {
+    const std::array edges{corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
+    const auto& u = box.half;
+    see(cross(edges[0], edges[1]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      see(cross(u[k], u[(k + 1) % 3]));
+      for (const Vec3<T>& e : edges) see(cross(u[k], e));
+    }
+  }
+  [[nodiscard]] bool certainly_apart() const { return apart_; }
+  [[nodiscard]] bool certainly_together() const { return together_; }
+
+ private:
+  void see(const Vec3<T>& way) {
+    const auto& u = box_.half;
+    const T reach = magnitude(dot(way, u[0])) + magnitude(dot(way, u[1])) + magnitude(dot(way, u[2]));
+    int beyond = 0, before = 0, below_end = 0, above_start = 0;
+    for (const Vec3<T>& to : to_) {
+      const T at = dot(way, to);
+      const int end = sure_sign(at - reach), start = sure_sign(at + reach);
+      beyond += end > 0 ? 1 : 0, below_end += end < 0 ? 1 : 0;
+      before += start < 0 ? 1 : 0, above_start += start > 0 ? 1 : 0;
+    }
+    apart_ = apart_ || beyond == 3 || before == 3;
+    together_ = together_ && below_end != 0 && above_start != 0;
+  }
+
+  std::array<Vec3<T>, 3> to_;
+  const PosedBox<T>& box_;
+  bool apart_ = false, together_ = true;
+};
+
+using RationalCorners = std::array<std::array<mpq_class, 3>, 3>;
+
+RationalCorners rational_corners(const PosedTriangle3& t) {
+  RationalCorners corners;
+  const auto exact = posed_corners<BigDyadic>(t);
+  for (std::size_t i = 0; i < 3; ++i)
+    corners[i] = {big_rational(exact[i].x).value, big_rational(exact[i].y).value, big_rational(exact[i].z).value};
+  return corners;
+}
+
+/// Unknowns: the weights of the corners, then `others` more.
+arith::Constraints weights_of_corners(std::size_t others) {
+  arith::Constraints all;
+  arith::RationalVector sum(3 + others);
+  for (std::size_t i = 0; i < 3; ++i) {
+    arith::RationalVector row(3 + others);
+    row[i] = -1, sum[i] = 1;
+    all.add(row, 0);
+  }
+  all.add(sum, 1);
+  for (mpq_class& x : sum) x = -x;
+  all.add(sum, -1);
+  return all;
+}
+
+bool is_feasible(const arith::Constraints& constraints) {
+  return arith::feasible(constraints, std::vector<bool>(constraints.rows.size())).slack >= 0;
+}
+
+[[gnu::noinline]] bool meets_flat_box(const PosedTriangle3& t, const PosedBox<BigDyadic>& box) {
+  const RationalCorners corners = rational_corners(t);
+  arith::Constraints all = weights_of_corners(3);
+  for (std::size_t k = 3; k < 6; ++k) {
+    for (const int sign : {-1, 1}) {
+      arith::RationalVector row(6);
+      row[k] = sign;
+      all.add(row, 1);
+    }
+  }
+  const auto parts = [](const Vec3<BigDyadic>& v) {
+    return std::array{big_rational(v.x).value, big_rational(v.y).value, big_rational(v.z).value};
+  };
+  const auto center = parts(box.center);
+  const std::array half{parts(box.half[0]), parts(box.half[1]), parts(box.half[2])};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    arith::RationalVector row(6);
+    for (std::size_t i = 0; i < 3; ++i) row[i] = corners[i][axis], row[3 + i] = -half[i][axis];
+    all.add(row, center[axis]);
+    for (mpq_class& x : row) x = -x;
+    all.add(row, -center[axis]);
+  }
+  return is_feasible(all);
+}
+
+template <class Box>
+bool meets_box(const PosedTriangle3& t, const Box& b) {
+  const auto quick = [&]<class T>(const T*) -> std::optional<bool> {
+    const PosedBox<T> box = box_of<T>(b);
+    const SeparatingWays<T> ways(posed_corners<T>(t), box);
+    if (ways.certainly_apart()) return false;
+    if (ways.certainly_together()) return true;
+    return {};
+  };
+  if (const auto told = quick(static_cast<const Approximate*>(nullptr))) return *told;
+  const auto box = box_of<BigDyadic>(b);
+  if (dot(box.half[0], cross(box.half[1], box.half[2])).sign() == Sign::zero) return meets_flat_box(t, box);
+  return !SeparatingWays<BigDyadic>(posed_corners<BigDyadic>(t), box).certainly_apart();
+}
+
+/// normal . corner - offset
+template <class T>
+T beyond(const Halfspace3& h, const Vec3<T>& corner) {
+  return dot(vector_of<T>(h.normal), corner) - T(h.offset);
+}
+
+}  // namespace
+
+bool intersects(const PosedTriangle3& triangle, const Aabb3& box) { return !is_empty(box) && meets_box(triangle, box); }
+bool intersects(const PosedTriangle3& triangle, const Obb3& box) { return meets_box(triangle, box); }
+
+bool intersects(const PosedTriangle3& triangle, const Sphere3& ball) {
+  return compare_distance(triangle, ball.center, ball.radius) != Sign::positive;
+}
+bool intersects(const PosedTriangle3& triangle, const Capsule3& capsule) {
+  const PosedTriangle3 axis = standing(Segment3{capsule.a, capsule.b});
+  return compare_distance(triangle, axis, capsule.radius) != Sign::positive;
+}
+bool intersects(const PosedTriangle3& triangle, const Segment3& segment) {
+  return relate(triangle, standing(segment)) != Relation::disjoint;
+}
+
+bool intersects(const PosedTriangle3& triangle, const Halfspace3& halfspace) {
+  return by_certain_signs([&]<class T>(CertainSigns& ask) {
+    for (const Vec3<T>& corner : posed_corners<T>(triangle)) {
+      CertainSigns alone;
+      if (alone(beyond(halfspace, corner)) != Sign::positive && alone.certain()) return true;
+      if (!alone.certain()) (void)ask(beyond(halfspace, corner));
+    }
+    return false;
+  });
+}
+
+bool intersects(const PosedTriangle3& triangle, const HalfspaceIntersection3& region) {
+  const auto corners = posed_corners<Approximate>(triangle);
+  std::array<bool, 3> inside{true, true, true};
+  for (const Halfspace3& h : region.halfspaces) {
+    int out = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int s = sure_sign(beyond(h, corners[i]));
+      inside[i] = inside[i] && s < 0;
+      out += s > 0 ? 1 : 0;
+    }
+    if (out == 3) return false;
+  }
+  if (std::ranges::any_of(inside, [](bool is) { return is; })) return true;
+  const RationalCorners exact = rational_corners(triangle);
+  arith::Constraints all = weights_of_corners(0);
+  for (const Halfspace3& h : region.halfspaces) {
+    arith::RationalVector row(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      row[i] = mpq_class(h.normal.x) * exact[i][0] + mpq_class(h.normal.y) * exact[i][1] +
+               mpq_class(h.normal.z) * exact[i][2];
+    }
+    all.add(row, mpq_class(h.offset));
+  }
+  return is_feasible(all);
+}
+
+}  // namespace plumb::query
