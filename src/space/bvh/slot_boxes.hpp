@@ -42,4 +42,10 @@ inline BoxFrame frame_of(Execution execution, std::span<const Aabb3> boxes) {
   }));
 }
 
+/// Closed boxes of finite numbers.
+inline bool boxes_meet(const Aabb3& a, const Aabb3& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+         b.min.z <= a.max.z;
+}
+
 }  // namespace plumb::space

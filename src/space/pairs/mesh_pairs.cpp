@@ -8,9 +8,10 @@
 #include "plumb/query/section/intersection.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
+#include "space/bvh/pair_parts.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
-#include "space/pairs/pair_order.hpp"
+#include "space/pairs/pair_answers.hpp"
 
 namespace plumb {
 namespace space {
@@ -40,11 +41,6 @@ struct MeshView {
   std::span<const Point3> vertices;
   BoxFrame frame;
 };
-
-bool boxes_meet(const Aabb3& a, const Aabb3& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-         b.min.z <= a.max.z;
-}
 
 /// Of one frame.
 bool nodes_meet(const BoxNode& a, const BoxNode& b) {
@@ -135,31 +131,10 @@ class PairSearch {
     }
   }
 
-  /// Pairs of nodes of which what they are replaced by is all that meets.
-  template <class Meet>
-  std::vector<NodePair> parts(const Meet& meet) const {
-    std::vector<NodePair> now, next;
-    if (meet(a_.nodes[0], b_.nodes[0])) now.push_back({0, 0});
-    for (bool any = true; any && now.size() < parts_wanted; now.swap(next)) {
-      any = false;
-      next.clear();
-      for (const NodePair pair : now) {
-        if (a_.nodes[pair.a].is_leaf() && b_.nodes[pair.b].is_leaf()) {
-          next.push_back(pair);
-          continue;
-        }
-        any = true;
-        replace(pair, [&](NodePair p) {
-          if (meet(a_.nodes[p.a], b_.nodes[p.b])) next.push_back(p);
-        });
-      }
-    }
-    return now;
-  }
-
   template <class Meet, class Begin, class Take>
   void run_with(Execution execution, const Meet& meet, const Begin& begin, const Take& take) const {
-    const std::vector<NodePair> all = parts(meet);
+    const auto down = [&](NodePair pair, const auto& next) { replace(pair, next); };
+    const std::vector<NodePair> all = pair_parts(a_.nodes, b_.nodes, parts_wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       LeafPairs leaves(a_, b_, own_);
@@ -168,7 +143,6 @@ class PairSearch {
           return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair);
         });
       };
-      const auto down = [&](NodePair pair, const auto& next) { replace(pair, next); };
       return descend_from(a_.nodes, b_.nodes, all[part], down, meet, visit);
     });
   }
@@ -178,52 +152,6 @@ class PairSearch {
   bool own_;
   const PairOptions& options_;
 };
-
-std::vector<TrianglePair> all_pairs(const char* function, const Bvh& a, const Bvh& b, bool own,
-                                    const PairOptions& options) {
-  std::vector<std::vector<TrianglePair>> found;
-  PairSearch(function, a, b, own, options)
-      .run(
-          options.execution, [&](std::size_t parts) { found.resize(parts); },
-          [&](std::size_t part, const TrianglePair& pair) {
-            found[part].push_back(pair);
-            return Descent::go_on;
-          });
-  std::size_t n = 0;
-  for (const auto& part : found) n += part.size();
-  std::vector<TrianglePair> all;
-  all.reserve(n);
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  sort_pairs(all, a.triangles.size());
-  return all;
-}
-
-PairCount counted_pairs(const char* function, const Bvh& a, const Bvh& b, bool own, const PairOptions& options) {
-  std::vector<PairCount> found;
-  PairSearch(function, a, b, own, options)
-      .run(
-          options.execution, [&](std::size_t parts) { found.resize(parts); },
-          [&](std::size_t part, const TrianglePair& pair) {
-            ++(pair.relation == Relation::touching ? found[part].touching : found[part].overlapping);
-            return Descent::go_on;
-          });
-  PairCount all;
-  for (const PairCount& part : found) all.touching += part.touching, all.overlapping += part.overlapping;
-  return all;
-}
-
-std::optional<TrianglePair> any_pair(const char* function, const Bvh& a, const Bvh& b, bool own,
-                                     const PairOptions& options) {
-  std::optional<TrianglePair> found;
-  PairSearch(function, a, b, own, options)
-      .run(
-          Execution::serial, [](std::size_t) {},
-          [&](std::size_t, const TrianglePair& pair) {
-            found = pair;
-            return Descent::stop;
-          });
-  return found;
-}
 
 /// slot[item]; of a triangle that is in several slots any.
 std::vector<std::uint32_t> slots_of(const Bvh& bvh) {
@@ -237,24 +165,27 @@ std::vector<std::uint32_t> slots_of(const Bvh& bvh) {
 }  // namespace space
 
 std::vector<TrianglePair> intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
-  return space::all_pairs("intersecting_pairs", a, b, false, options);
+  return space::all_pairs(space::PairSearch("intersecting_pairs", a, b, false, options), a.triangles.size(),
+                          options.execution);
 }
 std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
-  return space::all_pairs("self_intersecting_pairs", mesh, mesh, true, options);
+  return space::all_pairs(space::PairSearch("self_intersecting_pairs", mesh, mesh, true, options),
+                          mesh.triangles.size(), options.execution);
 }
 
 PairCount count_intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
-  return space::counted_pairs("count_intersecting_pairs", a, b, false, options);
+  return space::counted_pairs(space::PairSearch("count_intersecting_pairs", a, b, false, options), options.execution);
 }
 PairCount count_self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
-  return space::counted_pairs("count_self_intersecting_pairs", mesh, mesh, true, options);
+  return space::counted_pairs(space::PairSearch("count_self_intersecting_pairs", mesh, mesh, true, options),
+                              options.execution);
 }
 
 std::optional<TrianglePair> any_intersecting_pair(const Bvh& a, const Bvh& b, const PairOptions& options) {
-  return space::any_pair("any_intersecting_pair", a, b, false, options);
+  return space::any_pair(space::PairSearch("any_intersecting_pair", a, b, false, options));
 }
 std::optional<TrianglePair> any_self_intersecting_pair(const Bvh& mesh, const PairOptions& options) {
-  return space::any_pair("any_self_intersecting_pair", mesh, mesh, true, options);
+  return space::any_pair(space::PairSearch("any_self_intersecting_pair", mesh, mesh, true, options));
 }
 
 std::vector<Intersection3> intersections(const Bvh& a, const Bvh& b, std::span<const TrianglePair> pairs,

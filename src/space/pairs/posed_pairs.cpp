@@ -6,9 +6,11 @@
 #include "plumb/predicates.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "query/overlap/posed_triangles.hpp"
+#include "space/bvh/pair_parts.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
-#include "space/pairs/pair_order.hpp"
+#include "space/bvh/slot_boxes.hpp"
+#include "space/pairs/pair_answers.hpp"
 #include "space/pairs/posed_neighbors.hpp"
 
 namespace plumb {
@@ -16,11 +18,6 @@ namespace space {
 namespace {
 
 constexpr std::size_t posed_parts_wanted = 512;
-
-bool posed_boxes_meet(const Aabb3& a, const Aabb3& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-         b.min.z <= a.max.z;
-}
 
 /// Then it maps one to one, and what is in common has an image of its own.
 bool is_regular(const Pose& pose) {
@@ -47,7 +44,9 @@ class PosedPairSearch {
     if (nodes_a_.empty() || nodes_b_.empty()) return;
     boxes_a_ = posed_boxes(a_, execution);
     if (!own_) boxes_b_ = posed_boxes(b_, execution);
-    const std::vector<NodePair> all = parts();
+    const auto down = [&](NodePair pair, const auto& next) { replace(pair, next); };
+    const auto meet = [&](const BoxNode& a, const BoxNode& b) { return boxes_meet(box_a(a), box_b(b)); };
+    const std::vector<NodePair> all = pair_parts(nodes_a_, nodes_b_, posed_parts_wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       const auto visit = [&](const BoxNode& leaf_a, const BoxNode& leaf_b) {
@@ -55,8 +54,6 @@ class PosedPairSearch {
           return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair);
         });
       };
-      const auto down = [&](NodePair pair, const auto& next) { replace(pair, next); };
-      const auto meet = [&](const BoxNode& a, const BoxNode& b) { return posed_boxes_meet(box_a(a), box_b(b)); };
       return descend_from(nodes_a_, nodes_b_, all[part], down, meet, visit);
     });
   }
@@ -86,33 +83,12 @@ class PosedPairSearch {
     replace_pair(nodes_a_, nodes_b_, larger, pair, take);
   }
 
-  [[nodiscard]] std::vector<NodePair> parts() const {
-    const auto meet = [&](NodePair p) { return posed_boxes_meet(box_a(nodes_a_[p.a]), box_b(nodes_b_[p.b])); };
-    std::vector<NodePair> now, next;
-    if (meet({0, 0})) now.push_back({0, 0});
-    for (bool any = true; any && now.size() < posed_parts_wanted; now.swap(next)) {
-      any = false;
-      next.clear();
-      for (const NodePair pair : now) {
-        if (nodes_a_[pair.a].is_leaf() && nodes_b_[pair.b].is_leaf()) {
-          next.push_back(pair);
-          continue;
-        }
-        any = true;
-        replace(pair, [&](NodePair p) {
-          if (meet(p)) next.push_back(p);
-        });
-      }
-    }
-    return now;
-  }
-
   /// Those of a leaf whose boxes meet that of the other leaf.
   static std::vector<PosedSlot> slots(const PosedMesh& mesh, const BoxNode& leaf, const Aabb3& other) {
     std::vector<PosedSlot> all;
     for (std::uint32_t s = leaf.link; s < leaf.link + leaf.count; ++s) {
       const Aabb3 box = around(mesh.triangle(s));
-      if (posed_boxes_meet(box, other)) all.push_back({s, box});
+      if (boxes_meet(box, other)) all.push_back({s, box});
     }
     return all;
   }
@@ -125,7 +101,7 @@ class PosedPairSearch {
     for (const PosedSlot& p : slots_a) {
       for (const PosedSlot& q : slots_b) {
         if (own_ && leaf_a.link == leaf_b.link && q.slot <= p.slot) continue;
-        if (!posed_boxes_meet(p.box, q.box)) continue;
+        if (!boxes_meet(p.box, q.box)) continue;
         const Relation relation =
             own_ ? relate_flattened(a_, p.slot, q.slot) : query::relate(a_.triangle(p.slot), b_.triangle(q.slot));
         if (relation == Relation::disjoint) continue;
@@ -145,50 +121,6 @@ class PosedPairSearch {
   std::vector<Aabb3> boxes_a_, boxes_b_;
 };
 
-std::vector<TrianglePair> all_posed_pairs(const char* function, const PosedMesh& a, const PosedMesh& b, bool own,
-                                          const PairOptions& options) {
-  std::vector<std::vector<TrianglePair>> found;
-  PosedPairSearch(function, a, b, own, options)
-      .run(
-          options.execution, [&](std::size_t parts) { found.resize(parts); },
-          [&](std::size_t part, const TrianglePair& pair) {
-            found[part].push_back(pair);
-            return Descent::go_on;
-          });
-  std::vector<TrianglePair> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  sort_pairs(all, a.bvh.triangles.size());
-  return all;
-}
-
-PairCount counted_posed_pairs(const char* function, const PosedMesh& a, const PosedMesh& b, bool own,
-                              const PairOptions& options) {
-  std::vector<PairCount> found;
-  PosedPairSearch(function, a, b, own, options)
-      .run(
-          options.execution, [&](std::size_t parts) { found.resize(parts); },
-          [&](std::size_t part, const TrianglePair& pair) {
-            ++(pair.relation == Relation::touching ? found[part].touching : found[part].overlapping);
-            return Descent::go_on;
-          });
-  PairCount all;
-  for (const PairCount& part : found) all.touching += part.touching, all.overlapping += part.overlapping;
-  return all;
-}
-
-std::optional<TrianglePair> any_posed_pair(const char* function, const PosedMesh& a, const PosedMesh& b, bool own,
-                                           const PairOptions& options) {
-  std::optional<TrianglePair> found;
-  PosedPairSearch(function, a, b, own, options)
-      .run(
-          Execution::serial, [](std::size_t) {},
-          [&](std::size_t, const TrianglePair& pair) {
-            found = pair;
-            return Descent::stop;
-          });
-  return found;
-}
-
 /// Is it the question without poses?
 bool are_moved_alike(const char* function, const PosedMesh& a, const PosedMesh& b) {
   require_pose(function, "a", a.pose);
@@ -205,35 +137,43 @@ bool is_moved_regularly(const char* function, const PosedMesh& mesh) {
 
 std::vector<TrianglePair> intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options) {
   constexpr const char* function = "intersecting_pairs";
-  return space::are_moved_alike(function, a, b) ? intersecting_pairs(a.bvh, b.bvh, options)
-                                                : space::all_posed_pairs(function, a, b, false, options);
+  return space::are_moved_alike(function, a, b)
+             ? intersecting_pairs(a.bvh, b.bvh, options)
+             : space::all_pairs(space::PosedPairSearch(function, a, b, false, options), a.bvh.triangles.size(),
+                                options.execution);
 }
 std::vector<TrianglePair> self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options) {
   constexpr const char* function = "self_intersecting_pairs";
-  return space::is_moved_regularly(function, mesh) ? self_intersecting_pairs(mesh.bvh, options)
-                                                   : space::all_posed_pairs(function, mesh, mesh, true, options);
+  return space::is_moved_regularly(function, mesh)
+             ? self_intersecting_pairs(mesh.bvh, options)
+             : space::all_pairs(space::PosedPairSearch(function, mesh, mesh, true, options), mesh.bvh.triangles.size(),
+                                options.execution);
 }
 
 PairCount count_intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options) {
   constexpr const char* function = "count_intersecting_pairs";
-  return space::are_moved_alike(function, a, b) ? count_intersecting_pairs(a.bvh, b.bvh, options)
-                                                : space::counted_posed_pairs(function, a, b, false, options);
+  return space::are_moved_alike(function, a, b)
+             ? count_intersecting_pairs(a.bvh, b.bvh, options)
+             : space::counted_pairs(space::PosedPairSearch(function, a, b, false, options), options.execution);
 }
 PairCount count_self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options) {
   constexpr const char* function = "count_self_intersecting_pairs";
-  return space::is_moved_regularly(function, mesh) ? count_self_intersecting_pairs(mesh.bvh, options)
-                                                   : space::counted_posed_pairs(function, mesh, mesh, true, options);
+  return space::is_moved_regularly(function, mesh)
+             ? count_self_intersecting_pairs(mesh.bvh, options)
+             : space::counted_pairs(space::PosedPairSearch(function, mesh, mesh, true, options), options.execution);
 }
 
 std::optional<TrianglePair> any_intersecting_pair(const PosedMesh& a, const PosedMesh& b, const PairOptions& options) {
   constexpr const char* function = "any_intersecting_pair";
-  return space::are_moved_alike(function, a, b) ? any_intersecting_pair(a.bvh, b.bvh, options)
-                                                : space::any_posed_pair(function, a, b, false, options);
+  return space::are_moved_alike(function, a, b)
+             ? any_intersecting_pair(a.bvh, b.bvh, options)
+             : space::any_pair(space::PosedPairSearch(function, a, b, false, options));
 }
 std::optional<TrianglePair> any_self_intersecting_pair(const PosedMesh& mesh, const PairOptions& options) {
   constexpr const char* function = "any_self_intersecting_pair";
-  return space::is_moved_regularly(function, mesh) ? any_self_intersecting_pair(mesh.bvh, options)
-                                                   : space::any_posed_pair(function, mesh, mesh, true, options);
+  return space::is_moved_regularly(function, mesh)
+             ? any_self_intersecting_pair(mesh.bvh, options)
+             : space::any_pair(space::PosedPairSearch(function, mesh, mesh, true, options));
 }
 
 }  // namespace plumb

@@ -1,0 +1,80 @@
+// What is asked of a search of pairs: all in order, how many, or any?
+//
+// A search has run(execution, begin, take): begin(n), then take(part, pair) for each pair, from several threads, with
+// parts below n.  The answers do not depend on them.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
+
+namespace plumb::space {
+
+/// By a, then b; in linear time where there are many.
+inline void sort_pairs(std::vector<TrianglePair>& pairs, std::size_t triangles_a) {
+  const auto before = [](const TrianglePair& p, const TrianglePair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; };
+  if (pairs.size() < triangles_a / 8) return std::sort(pairs.begin(), pairs.end(), before);
+  std::vector<std::size_t> place(triangles_a + 1);
+  for (const TrianglePair& p : pairs) ++place[p.a + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<TrianglePair> sorted(pairs.size());
+  for (const TrianglePair& p : pairs) sorted[place[p.a]++] = p;
+  for (auto from = sorted.begin(); from != sorted.end();) {
+    const auto to = std::find_if(from, sorted.end(), [&](const TrianglePair& p) { return p.a != from->a; });
+    std::sort(from, to, before);
+    from = to;
+  }
+  pairs.swap(sorted);
+}
+
+/// Of a mesh with so many triangles.
+template <class Search>
+std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Execution execution) {
+  std::vector<std::vector<TrianglePair>> found;
+  search.run(
+      execution, [&](std::size_t parts) { found.resize(parts); },
+      [&](std::size_t part, const TrianglePair& pair) {
+        found[part].push_back(pair);
+        return Descent::go_on;
+      });
+  std::size_t n = 0;
+  for (const auto& part : found) n += part.size();
+  std::vector<TrianglePair> all;
+  all.reserve(n);
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  sort_pairs(all, triangles_a);
+  return all;
+}
+
+template <class Search>
+PairCount counted_pairs(Search search, Execution execution) {
+  std::vector<PairCount> found;
+  search.run(
+      execution, [&](std::size_t parts) { found.resize(parts); },
+      [&](std::size_t part, const TrianglePair& pair) {
+        ++(pair.relation == Relation::touching ? found[part].touching : found[part].overlapping);
+        return Descent::go_on;
+      });
+  PairCount all;
+  for (const PairCount& part : found) all.touching += part.touching, all.overlapping += part.overlapping;
+  return all;
+}
+
+/// The first that the search comes to on one thread.
+template <class Search>
+std::optional<TrianglePair> any_pair(Search search) {
+  std::optional<TrianglePair> found;
+  search.run(
+      Execution::serial, [](std::size_t) {},
+      [&](std::size_t, const TrianglePair& pair) {
+        found = pair;
+        return Descent::stop;
+      });
+  return found;
+}
+
+}  // namespace plumb::space
