@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "plumb/arith/rational.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "space/closest/box_distance.hpp"
 
@@ -30,6 +31,19 @@ inline double entry_below(const Aabb3& a, const Vector3& by, const Aabb3& b) {
   narrow_times(a.min.y, a.max.y, by.y, b.min.y, b.max.y, enter, leave);
   narrow_times(a.min.z, a.max.z, by.z, b.min.z, b.max.z, enter, leave);
   return enter > leave ? std::numeric_limits<double>::infinity() : enter;
+}
+
+/// The exact time, where entry_below is no infinity.
+inline Rational exact_entry(const Aabb3& a, const Vector3& by, const Aabb3& b) {
+  Rational enter(0);
+  const auto narrow = [&](double low, double high, double v, double from, double to) {
+    if (v > 0 && high < from) enter = std::max(enter, (Rational(from) - Rational(high)) / Rational(v));
+    if (v < 0 && low > to) enter = std::max(enter, (Rational(to) - Rational(low)) / Rational(v));
+  };
+  narrow(a.min.x, a.max.x, by.x, b.min.x, b.max.x);
+  narrow(a.min.y, a.max.y, by.y, b.min.y, b.max.y);
+  narrow(a.min.z, a.max.z, by.z, b.min.z, b.max.z);
+  return enter;
 }
 
 }  // namespace plumb::space

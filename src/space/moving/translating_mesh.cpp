@@ -1,7 +1,9 @@
 // Branch and bound over pairs of nodes, those that can meet first first; equal times exactly.
 #include "plumb/space/moving/translating_mesh.hpp"
 
+#include <algorithm>
 #include <queue>
+#include <vector>
 
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/query/overlap/triangle.hpp"
@@ -38,6 +40,7 @@ class TranslatingSearch {
         replace_pair(as_, bs_, descend_larger{}, pair, [&](NodePair next) { push(next); });
       }
     }
+    settle_ties();
     return best_;
   }
 
@@ -49,9 +52,13 @@ class TranslatingSearch {
   struct EntersLater {
     bool operator()(const WaitingPair& x, const WaitingPair& y) const {
       return x.entry != y.entry     ? x.entry > y.entry
-             : x.pair.a != y.pair.a ? x.pair.a < y.pair.a
-                                    : x.pair.b < y.pair.b;  // the deeper one first
+             : x.pair.a != y.pair.a ? x.pair.a > y.pair.a
+                                    : x.pair.b > y.pair.b;  // in the order of the slots
     }
+  };
+
+  struct LeafPair {
+    std::uint32_t a, b, slot_a, slot_b;
   };
 
   /// What is later than this is too late.
@@ -73,14 +80,40 @@ class TranslatingSearch {
       for (std::uint32_t k = b.link; k < b.link + b.count; ++k) {
         const double entry = entry_below(box, by_, box_around(b_.triangles[k], b_.vertices.view()));
         if (entry > limit()) continue;
-        offer({a_.tree.items[i], b_.tree.items[k], a_.triangle(i), b_.triangle(k), 0}, entry == 0);
+        const LeafPair pair{a_.tree.items[i], b_.tree.items[k], i, k};
+        if (best_ && entry > 0 && entry >= limit() * (1 - 0x1p-50)) {
+          ties_.push_back(pair);
+        } else {
+          offer(pair, entry == 0);
+        }
       }
     }
   }
 
-  void offer(Found c, bool may_meet) {
-    const bool comes_first = !best_ || (c.a != best_->a ? c.a < best_->a : c.b < best_->b);
-    if (meet_ && !comes_first) return;
+  /// What lands flat meets in many pairs at once, of which each takes long: those whose boxes meet as late as the best
+  /// pair does are asked in their order, and only as long as they may come before it.
+  void settle_ties() {
+    std::ranges::sort(ties_, [](const LeafPair& x, const LeafPair& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+    for (const LeafPair& pair : ties_) {
+      const Aabb3 s = box_around(a_.triangles[pair.slot_a], a_.vertices.view());
+      const Aabb3 t = box_around(b_.triangles[pair.slot_b], b_.vertices.view());
+      if (entry_below(s, by_, t) > limit()) continue;
+      if (!comes_first(pair)) {
+        if (!best_exact_) best_exact_ = exact_time(*best_);
+        if (*best_exact_ <= exact_entry(s, by_, t)) continue;
+      }
+      offer(pair, false);
+    }
+  }
+
+  [[nodiscard]] bool comes_first(const LeafPair& c) const {
+    return !best_ || (c.a != best_->a ? c.a < best_->a : c.b < best_->b);
+  }
+
+  void offer(const LeafPair& pair, bool may_meet) {
+    const bool first = comes_first(pair);
+    if (meet_ && !first) return;
+    Found c{pair.a, pair.b, a_.triangle(pair.slot_a), b_.triangle(pair.slot_b), 0};
     if (may_meet && relate(c.s, c.t) != Relation::disjoint) {  // from now on only pairs that do and come first
       best_ = c;
       meet_ = true;
@@ -92,10 +125,10 @@ class TranslatingSearch {
     std::optional<Root> exact;
     if (best_ && c.time == best_->time) {
       if (!best_exact_) best_exact_ = exact_time(*best_);
-      if (!comes_first && *best_exact_ == Rational(c.time)) return;  // c is no earlier than its time
+      if (!first && *best_exact_ == Rational(c.time)) return;  // c is no earlier than its time
       exact = exact_time(c);
       const auto order = *exact <=> *best_exact_;
-      if (order > 0 || (order == 0 && !comes_first)) return;
+      if (order > 0 || (order == 0 && !first)) return;
     }
     best_ = c;
     best_exact_ = exact;
@@ -109,6 +142,7 @@ class TranslatingSearch {
   std::span<const BoxNode> as_, bs_;
   Vector3 by_;
   std::priority_queue<WaitingPair, std::vector<WaitingPair>, EntersLater> later_;
+  std::vector<LeafPair> ties_;
   std::optional<Found> best_;
   std::optional<Root> best_exact_;  // where it had to be known
   bool meet_ = false;               // at time 0

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "certify/sanitized.hpp"
@@ -65,17 +66,24 @@ TEST(TranslatingMesh, MeetsFirstWhatAllPairsMeetFirst) {
   for (const std::size_t n : counts) EXPECT_TRUE(!battery::reaches_rare || n > 20) << n;
 }
 
-/// Lattices meet in many triangles at the same time.
-TEST(TranslatingMesh, TellsEqualTimes) {
-  TriangleMesh floor;
-  for (std::uint32_t i = 0; i < 9; ++i) floor.vertices.push_back({1.0 * (i % 3), 1.0 * (i / 3), 0});
-  for (std::uint32_t i = 0; i < 2; ++i) {
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      const std::uint32_t a = 3 * i + k;
-      floor.triangles.push_back({a, a + 1, a + 4});
-      floor.triangles.push_back({a, a + 4, a + 3});
+/// A square of 2 n^2 triangles.
+TriangleMesh tiles(std::uint32_t n) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    for (std::uint32_t k = 0; k <= n; ++k) mesh.vertices.push_back({1.0 * k, 1.0 * i, 0});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t a = (n + 1) * i + k;
+      mesh.triangles.insert(mesh.triangles.end(), {{a, a + 1, a + n + 2}, {a, a + n + 2, a + n + 1}});
     }
   }
+  return mesh;
+}
+
+/// Lattices meet in many triangles at the same time.
+TEST(TranslatingMesh, TellsEqualTimes) {
+  const TriangleMesh floor = tiles(2);
   TriangleMesh above = floor;
   for (Point3& p : above.vertices) p.z = 1;
   for (const Vector3& by : {Vector3{0, 0, -3}, Vector3{1, 0.5, -3}, Vector3{0, 0, -1}, Vector3{7, 0, -0.875}}) {
@@ -88,6 +96,23 @@ TEST(TranslatingMesh, TellsEqualTimes) {
   ASSERT_TRUE(hit.has_value());
   EXPECT_EQ(hit->a, 6u);
   EXPECT_EQ(hit->contact.time, std::nextafter(1 / 3.0, 0.0));
+}
+
+/// In thousands of pairs at once, whatever their order.
+TEST(TranslatingMesh, LandsFlat) {
+  TriangleMesh floor = tiles(battery::sanitized ? 4 : 16);
+  for (int turned = 0; turned < 2; ++turned, std::ranges::reverse(floor.triangles)) {
+    TriangleMesh above = floor;
+    for (Point3& p : above.vertices) p.z = 1;
+    for (const Vector3& by : {Vector3{0, 0, -3}, Vector3{0.3, 0.1, -3}}) {
+      const Bvh a = build_bvh(above), b = build_bvh(floor);
+      const auto hit = first_contact(a, by, b);
+      ASSERT_TRUE(hit.has_value());
+      EXPECT_EQ(hit->a, 0u);
+      EXPECT_EQ(hit->b, 0u);
+      EXPECT_TRUE(*first_contact_time(a, by, b) == Rational(1) / Rational(3));
+    }
+  }
 }
 
 TEST(TranslatingMesh, ThatOnlyTouchesInPassingMeets) {
