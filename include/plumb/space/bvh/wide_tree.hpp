@@ -8,7 +8,7 @@
 // Laws: (1) the slots of all leaves are those of the binary tree, each once, in its order within a node.  (2) A child's
 //       box is that of the node of the binary tree that has the same slots.  (3) No node is deeper than
 //       most_tree_depth.  (4) No items, no nodes; one leaf alone has a root above it.
-// Source: RTCD 6.6, 13.7; Wald, Benthin and Boulos 2008 for the collapse.
+// Source: RTCD 6.6, 13.7; Ylitie, Karras and Laine 2017 for the collapse.
 // Cost: 32 bytes a child and those that are missing; made in linear time.
 #pragma once
 
