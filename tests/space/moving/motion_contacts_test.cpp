@@ -167,7 +167,7 @@ TEST(MotionContacts, OfSheetsThatLandTouchAndPass) {
 }
 
 TEST(MotionContacts, OfASurfaceThatIsShaken) {
-  const TriangleMesh ring = meshes::ring(battery::sanitized ? 3 : 5);
+  const TriangleMesh ring = meshes::ring(5);
   Entropy entropy(992, 0);
   Places to = ring.vertices;
   const auto step = [&](double most) { return most * static_cast<double>(entropy.within(1 << 20)) / (1 << 20); };
