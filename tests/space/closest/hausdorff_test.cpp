@@ -147,22 +147,22 @@ TEST(Hausdorff, LiesBetweenForMeshesOfAnyKind) {
   EXPECT_GT(within * 10, all * 8);
 }
 
+/// Triangles with corners on a lattice, some of them segments.
+TriangleMesh drawn_on_lattice(Entropy& entropy, std::uint32_t n, std::int64_t most, double unit) {
+  TriangleMesh mesh;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const auto number = [&] { return static_cast<double>(entropy.within(most)) * unit; };
+    for (int c = 0; c < 3; ++c) mesh.vertices.push_back({number(), number(), number()});
+    mesh.triangles.push_back({3 * k, 3 * k + 1, 3 * k + (entropy.below(5) == 0 ? 1 : 2)});
+  }
+  return mesh;
+}
+
 /// On the lattice of 1 / 64, where samples are exact.
 TEST(Hausdorff, LiesAboveEverySample) {
   for (std::uint64_t i = 0; i < battery::fitting(60u); ++i) {
     Entropy entropy(973, i);
-    const auto drawn = [&](std::size_t n) {
-      TriangleMesh mesh;
-      for (std::uint32_t k = 0; k < n; ++k) {
-        for (int c = 0; c < 3; ++c) {
-          const auto number = [&] { return static_cast<double>(entropy.within(256)) / 64; };
-          mesh.vertices.push_back({number(), number(), number()});
-        }
-        mesh.triangles.push_back({3 * k, 3 * k + 1, 3 * k + (entropy.below(5) == 0 ? 1 : 2)});
-      }
-      return mesh;
-    };
-    const TriangleMesh a = drawn(4), b = drawn(6);
+    const TriangleMesh a = drawn_on_lattice(entropy, 4, 256, 0x1p-6), b = drawn_on_lattice(entropy, 6, 256, 0x1p-6);
     const auto h = hausdorff_from(build_bvh(a), build_bvh(b), {.relative = 0x1p-6});
     EXPECT_TRUE(h.is_within) << i;
     expect_true(h, a, b, "start 973 index " + std::to_string(i));
@@ -175,6 +175,22 @@ TEST(Hausdorff, LiesAboveEverySample) {
     }
     EXPECT_GE(farthest * 1.25, h.least) << i;  // samples are dense
     EXPECT_LT(distance(h.point, at(a, h.from)), 1e-12) << i;
+  }
+}
+
+/// Far from the origin no middle of an edge is a double; the distance is the same.
+TEST(Hausdorff, CountsHowFarOffCutsAre) {
+  for (std::uint64_t i = 0; i < battery::fitting(60u); ++i) {
+    Entropy entropy(974, i);
+    TriangleMesh a = drawn_on_lattice(entropy, 3, 16, 1), b = drawn_on_lattice(entropy, 3, 16, 1);
+    const auto here = hausdorff_from(build_bvh(a), build_bvh(b), {.relative = 0x1p-12});
+    for (TriangleMesh* mesh : {&a, &b}) {
+      for (Point3& p : mesh->vertices) p = {p.x + 0x1p52, p.y - 0x1p52 - 64, p.z + 0x1p52};
+    }
+    const auto there = hausdorff_from(build_bvh(a), build_bvh(b), {.relative = 0x1p-12, .most_pieces = 500});
+    EXPECT_TRUE(here.is_within) << "start 974 index " << i;
+    EXPECT_LE(there.least, here.most) << "start 974 index " << i;
+    EXPECT_GE(there.most, here.least) << "start 974 index " << i;
   }
 }
 
