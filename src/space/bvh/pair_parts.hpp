@@ -7,7 +7,7 @@
 
 namespace plumb::space {
 
-/// Pairs of nodes of which what they are replaced by is all that meets, from the two roots on: so many or more, as far as
+/// Pairs of nodes that take the place of the two roots, of those that meet: so many or more, as far as
 /// there are.  replace(pair, take) says what a pair is replaced by.
 template <class Replace, class Meets>
 std::vector<NodePair> pair_parts(std::span<const BoxNode> as, std::span<const BoxNode> bs, std::size_t wanted,

@@ -1,6 +1,8 @@
-// When can a box that moves along a line first meet one that stands still?  No later than they do; infinite where never.
+// When can a box that moves along a line first meet one that stands still?  No later than they do; infinite where
+// never.
 //
-// Rounding keeps order, so each operation that may round is followed by a step outward (space/closest/box_distance.hpp).
+// Rounding keeps order, so each operation that may round is followed by a step outward
+// (space/closest/box_distance.hpp).
 #pragma once
 
 #include <algorithm>

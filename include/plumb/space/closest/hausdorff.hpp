@@ -9,11 +9,11 @@
 // Laws: (1) hausdorff_from: the largest distance of a point of a from b lies in [least, most]; hausdorff_distance: so
 // does the larger of the two.  (2) Where is_within, most - least is at most the largest of `absolute`, `relative` times
 // most and `of_size` times the larger mesh's longest extent.  Elsewhere the pieces were used up, or are as small as
-// doubles tell; the interval is wider and as true.
-// (3) The point lies on triangle `from` of a but for the rounding of its coordinates; what it stands for is at least as
-// far from b as `least`, and `to` is the triangle of b nearest to the point.  Of hausdorff_distance it is one of b, and
-// `to` of a, where of_b.  (4) The answer depends on the meshes and the options alone: not on their trees, execution or
-// number of threads.  (5) Of a mesh and itself both numbers are 0.
+// doubles tell; the interval is wider and as true.  (3) The point lies on triangle `from` of a but for the rounding of
+// its coordinates; what it stands for is at least as far from b as `least`, and `to` is the triangle of b nearest to
+// the point.  Of hausdorff_distance it is one of b, and `to` of a, where of_b.  (4) The answer depends on the meshes
+// and the options alone: not on their trees, execution or number of threads.  (5) Of a mesh and itself both numbers are
+// 0.
 // A mesh without triangles throws InvalidShape, naming it; tolerances that are negative or NaN likewise.
 // Source: RTCD 6.3.2; branch and bound over pieces of triangles: Guthe, Borodin and Klein 2005, Tang, Lee and Kim 2009.
 // Cost: a nearest triangle for every vertex, on all threads, then one or two for each piece.  Pieces are few where the

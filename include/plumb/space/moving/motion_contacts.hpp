@@ -3,15 +3,15 @@
 //   for (const MotionContact& c : contacts_in_motion(cloth)) resolve(c);    // vertices on triangles, edges on edges
 //   first_contact(cloth)                                                    // the first in time
 //
-// Asked are every vertex that a triangle names against every triangle that does not name it, and every two edges without
-// a common vertex: what collision handling of cloth and solids asks.  To ask two meshes, put them into one.
-// Laws: (1) contacts_in_motion gives exactly the pairs of which first_contact(Moving, Moving) is a contact, each with it
-// (query/time_of_impact/continuous_contact.hpp): none is missed, none invented.  They ascend by pair, a, b;
+// Asked are every vertex that a triangle names against every triangle that does not name it, and every two edges
+// without a common vertex: what collision handling of cloth and solids asks.  To ask two meshes, put them into one.
+// Laws: (1) contacts_in_motion gives exactly the pairs of which first_contact(Moving, Moving) is a contact, each with
+// it (query/time_of_impact/continuous_contact.hpp): none is missed, none invented.  They ascend by pair, a, b;
 // contacts_by_time gives the same by their exact times, equal ones by pair, a, b.  (2) first_contact is the first of
 // contacts_by_time.  (3) Vertices at the same place with different numbers are different: seams that are not welded are
-// in contact at time 0.  (4) With a separation, contact is being that near.  (5) The answers depend on the motion alone:
-// not on the trees, execution or number of threads.  (6) A mesh without triangles has none; triangles without area are
-// the segments and points that they are.
+// in contact at time 0.  (4) With a separation, contact is being that near.  (5) The answers depend on the motion
+// alone: not on the trees, execution or number of threads.  (6) A mesh without triangles has none; triangles without
+// area are the segments and points that they are.
 // A separation that is NaN or infinite throws NonFinite, a negative one InvalidShape.  progress may stop the search.
 // Source: RTCD 5.5, 6.3.3; Provot 1997.
 // Cost: a comparison of boxes for each pair of nodes that may meet, then that of continuous_contact.hpp for each pair

@@ -5,12 +5,12 @@
 //   next_frame(cloth, places_after_next);         // from `to` on: refits, and builds nothing
 //
 // At time t in [0, 1] vertex i is at (1 - t) from[i] + t to[i].
-// Laws: (1) edges holds each two vertices that follow one another in a triangle once, the lower number first, ascending;
-// corners holds the vertices that triangles name, ascending.  (2) The trees' items are the numbers in corners, edges and
-// triangles; their boxes contain what they stand for at every time of [0, 1].  (3) The trees depend on the numbers and
-// the options, not on the number of threads.
-// A triangle that names a vertex that there is not throws InvalidShape, NaN and infinity NonFinite, numbers of places that
-// differ UnequalLengths, by name; nothing is changed then.
+// Laws: (1) edges holds each two vertices that follow one another in a triangle once, the lower number first,
+// ascending; corners holds the vertices that triangles name, ascending.  (2) The trees' items are the numbers in
+// corners, edges and triangles; their boxes contain what they stand for at every time of [0, 1].  (3) The trees depend
+// on the numbers and the options, not on the number of threads.
+// A triangle that names a vertex that there is not throws InvalidShape, NaN and infinity NonFinite, numbers of places
+// that differ UnequalLengths, by name; nothing is changed then.
 // Source: RTCD 5.5, 6.2.3.
 // Cost: three trees, in all of three times as many items as triangles; next_frame a tenth of that.
 #pragma once

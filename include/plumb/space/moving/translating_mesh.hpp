@@ -2,13 +2,14 @@
 //
 //   if (const auto hit = first_contact(part, {0, 0, -10}, table)) use(hit->contact.time, hit->a, hit->b);
 //
-// a moves by a vector during time [0, 1]; b stands still.  (Where both move, only the difference of their motions counts.)
+// a moves by a vector during time [0, 1]; b stands still.  (Where both move, only the difference of their motions
+// counts.)
 // Laws: (1) nothing where no triangle of a meets one of b at any time of [0, 1]; touching is meeting, also in passing.
 // (2) The time is the first at which any two do, exactly; of all pairs that meet then the first by a, then b.  (3) The
 // contact is that of first_contact(Translating{triangle a, by}, triangle b): its time is rounded down, never late
-// (query/time_of_impact/translating_contact.hpp); first_contact_time is it unrounded.  (4) Surfaces are asked about: a mesh
-// within a closed one meets it when it reaches the surface.  (5) The answer depends on the meshes alone, not on their
-// trees.  An empty mesh meets nothing; triangles without area are the segments and points that they are.
+// (query/time_of_impact/translating_contact.hpp); first_contact_time is it unrounded.  (4) Surfaces are asked about: a
+// mesh within a closed one meets it when it reaches the surface.  (5) The answer depends on the meshes alone, not on
+// their trees.  An empty mesh meets nothing; triangles without area are the segments and points that they are.
 // A vector that is NaN or infinite throws NonFinite.
 // Source: RTCD 5.5.2, 6.3.2, 6.3.3.
 // Cost: branch and bound over pairs of nodes, always those whose boxes can meet first; a contact of two triangles for
