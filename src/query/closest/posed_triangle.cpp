@@ -39,11 +39,6 @@ Foot<T> foot_of(const std::array<Vec3<T>, 3>& corner, const Vec3<T>& p, Feature 
   return foot_on_plane(normal, dot(normal, p - from), p);
 }
 
-Feature feature_near(const PosedTriangle3& t, const Point3& p) {
-  return by_certain_signs(
-      [&]<class T>(CertainSigns& ask) { return nearest_feature<T>(posed_corners<T>(t), vector_of<T>(p), ask); });
-}
-
 Numbers numbers_near(const PosedTriangle3& t, const Point3& p, Feature feature, Wanted wanted) {
   const auto exactly = [&] { return foot_of(posed_corners<BigDyadic>(t), vector_of<BigDyadic>(p), feature); };
   return numbers(wanted, foot_of(posed_corners<Ball>(t), vector_of<Ball>(p), feature), p, 0, ExactFoot(exactly));
@@ -234,17 +229,22 @@ double rounded_distance(const PosedClosePair<BigDyadic>& pair) {
 
 }  // namespace
 
+Feature nearest_feature(const PosedTriangle3& triangle, const Point3& p) {
+  return by_certain_signs(
+      [&]<class T>(CertainSigns& ask) { return nearest_feature<T>(posed_corners<T>(triangle), vector_of<T>(p), ask); });
+}
+
 ClosestOnPosed closest_on(const PosedTriangle3& triangle, const Point3& p) {
-  const Feature feature = feature_near(triangle, p);
+  const Feature feature = nearest_feature(triangle, p);
   const Numbers n = numbers_near(triangle, p, feature, Wanted::both);
   return {n.point, n.distance, feature};
 }
 double distance(const PosedTriangle3& triangle, const Point3& p) {
-  return numbers_near(triangle, p, feature_near(triangle, p), Wanted::distance).distance;
+  return numbers_near(triangle, p, nearest_feature(triangle, p), Wanted::distance).distance;
 }
 Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p) {
   return rational_square(
-      foot_of(posed_corners<BigDyadic>(triangle), vector_of<BigDyadic>(p), feature_near(triangle, p)));
+      foot_of(posed_corners<BigDyadic>(triangle), vector_of<BigDyadic>(p), nearest_feature(triangle, p)));
 }
 Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double than) {
   return by_certain_signs([&]<class T>(CertainSigns& ask) {
@@ -274,6 +274,12 @@ double distance(const PosedTriangle3& a, const PosedTriangle3& b) {
 Rational squared_distance_exact(const PosedTriangle3& a, const PosedTriangle3& b) {
   const auto pair = least_pair_exactly(a, b, false);
   return Rational(big_rational(pair.square)) / Rational(big_rational(pair.over));
+}
+std::optional<std::array<Feature, 2>> quick_features(const PosedTriangle3& a, const PosedTriangle3& b) {
+  CertainSigns ask;
+  const auto pair = least_pair<Ball>(a, b, false, ask);
+  if (!pair || !ask.certain()) return {};
+  return std::array{pair->feature_a, pair->feature_b};
 }
 Sign compare_distance(const PosedTriangle3& a, const PosedTriangle3& b, double than) {
   return by_certain_signs([&]<class T>(CertainSigns& ask) {

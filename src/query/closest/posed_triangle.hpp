@@ -5,6 +5,9 @@
 // Cost: some 500 ns for a point, tens of microseconds for two triangles.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "plumb/arith/rational.hpp"
 #include "plumb/query/closest/result.hpp"
 #include "query/body/posed_corners.hpp"
@@ -17,7 +20,8 @@ struct ClosestOnPosed {
   Feature feature;
 };
 
-/// Of finite numbers, all of them.
+/// Which holds the nearest point; of finite numbers, as all that follow.
+Feature nearest_feature(const PosedTriangle3& triangle, const Point3& p);
 ClosestOnPosed closest_on(const PosedTriangle3& triangle, const Point3& p);
 double distance(const PosedTriangle3& triangle, const Point3& p);
 Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p);
@@ -27,6 +31,8 @@ Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double th
 Closest closest_points(const PosedTriangle3& a, const PosedTriangle3& b);
 double distance(const PosedTriangle3& a, const PosedTriangle3& b);
 Rational squared_distance_exact(const PosedTriangle3& a, const PosedTriangle3& b);
+/// Features as far apart as the triangles, within which closest points lie; where pairs of doubles tell.
+std::optional<std::array<Feature, 2>> quick_features(const PosedTriangle3& a, const PosedTriangle3& b);
 Sign compare_distance(const PosedTriangle3& a, const PosedTriangle3& b, double than);
 
 }  // namespace plumb::query

@@ -1,7 +1,7 @@
 // Do two triangles under poses meet, and do they overlap or only touch?  Their corners are not rounded.
 //
-// Laws: those of relate(Triangle3, Triangle3), of the exact images; the poses may differ, be singular, and lead beyond the
-// largest double.
+// Laws: those of relate(Triangle3, Triangle3), of the exact images; the poses may differ, be singular, and lead beyond
+// the largest double.
 // Source: Guigue and Devillers 2003; RTCD 5.2.10.
 // Cost: some 300 ns where doubles decide, microseconds where they do not.
 #pragma once

@@ -1,12 +1,9 @@
 // Between which doubles does a posed box lie?  Rounded outward.
 //
-// Laws: (1) around(pose, box) contains matrix * p + translation of every p in the box.  A bound that no double can be is
-// infinite.  (2) It grows with the box.
-// Rounding keeps order, so what rounds to x is not below the double before x, nor above the one after it: each operation
-// is followed by that step, whether it rounded or not; also where it overflows or underflows.  No lower bound is ever
-// +infinity and no upper one -infinity, so that their sums are numbers.
+// Laws: (1) around(pose, box) contains matrix * p + translation of every p in the box.  (2) A bound of which doubles
+// know nothing is infinite: one beyond the largest, or whose terms are.
 // Source: RTCD 4.2.6 (Arvo 1990).
-// Cost: 18 products and sums, some 50 ns.
+// Cost: 18 products and sums with their magnitudes, some 20 ns.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "arith/approximate.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/space/bvh/posed_mesh.hpp"
 #include "space/bvh/blocks.hpp"
@@ -32,21 +30,39 @@ inline double lowered(double x) {
 }
 inline double raised(double x) { return -lowered(-x); }
 
-/// Along one axis: row . [min, max] + shift.
-inline double least_along(const std::array<double, 3>& row, double shift, const Aabb3& box) {
-  const auto part = [](double m, double low, double high) { return lowered(m * (m < 0 ? high : low)); };
-  const double xy = lowered(part(row[0], box.min.x, box.max.x) + part(row[1], box.min.y, box.max.y));
-  return lowered(lowered(xy + part(row[2], box.min.z, box.max.z)) + shift);
+/// At most the exact value; -infinity where nothing is known of it.
+inline double surely_below(const Approximate& x) {
+  const double low = x.value - (x.error + Approximate::slack) * 0x1p-53 * x.magnitude;
+  return low == low ? lowered(low) : -std::numeric_limits<double>::infinity();
+}
+inline double surely_above(const Approximate& x) { return -surely_below({-x.value, x.magnitude, x.error}); }
+
+/// One coordinate of matrix * p + translation.
+inline Approximate posed_part(double a, double b, double c, double shift, double x, double y, double z) {
+  return Approximate(a) * Approximate(x) + Approximate(b) * Approximate(y) + Approximate(c) * Approximate(z) +
+         Approximate(shift);
 }
 
 inline Aabb3 around(const Pose& pose, const Aabb3& box) {
   const auto& [c, t] = pose;
-  const auto most_along = [&](const std::array<double, 3>& row, double shift) {
-    return -least_along({-row[0], -row[1], -row[2]}, -shift, box);
+  const auto least = [&](double m, double n, double o, double shift) {
+    return surely_below(posed_part(m, n, o, shift, m < 0 ? box.max.x : box.min.x, n < 0 ? box.max.y : box.min.y,
+                                   o < 0 ? box.max.z : box.min.z));
   };
-  const std::array<double, 3> x{c[0].x, c[1].x, c[2].x}, y{c[0].y, c[1].y, c[2].y}, z{c[0].z, c[1].z, c[2].z};
-  return {{least_along(x, t.x, box), least_along(y, t.y, box), least_along(z, t.z, box)},
-          {most_along(x, t.x), most_along(y, t.y), most_along(z, t.z)}};
+  const auto most = [&](double m, double n, double o, double shift) {
+    return surely_above(posed_part(m, n, o, shift, m < 0 ? box.min.x : box.max.x, n < 0 ? box.min.y : box.max.y,
+                                   o < 0 ? box.min.z : box.max.z));
+  };
+  return {{least(c[0].x, c[1].x, c[2].x, t.x), least(c[0].y, c[1].y, c[2].y, t.y), least(c[0].z, c[1].z, c[2].z, t.z)},
+          {most(c[0].x, c[1].x, c[2].x, t.x), most(c[0].y, c[1].y, c[2].y, t.y), most(c[0].z, c[1].z, c[2].z, t.z)}};
+}
+
+inline Aabb3 around(const Pose& pose, const Point3& p) {
+  const auto& [c, t] = pose;
+  const Approximate x = posed_part(c[0].x, c[1].x, c[2].x, t.x, p.x, p.y, p.z);
+  const Approximate y = posed_part(c[0].y, c[1].y, c[2].y, t.y, p.x, p.y, p.z);
+  const Approximate z = posed_part(c[0].z, c[1].z, c[2].z, t.z, p.x, p.y, p.z);
+  return {{surely_below(x), surely_below(y), surely_below(z)}, {surely_above(x), surely_above(y), surely_above(z)}};
 }
 
 inline Aabb3 merged(const Aabb3& a, const Aabb3& b) {
@@ -54,8 +70,7 @@ inline Aabb3 merged(const Aabb3& a, const Aabb3& b) {
           {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
 }
 inline Aabb3 around(const Posed<Triangle3>& t) {
-  const auto of = [&](const Point3& p) { return around(t.pose, {p, p}); };
-  return merged(merged(of(t.shape.a), of(t.shape.b)), of(t.shape.c));
+  return merged(merged(around(t.pose, t.shape.a), around(t.pose, t.shape.b)), around(t.pose, t.shape.c));
 }
 
 /// Has it no infinite bound?

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "plumb/arith/exact_distance.hpp"
+#include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "query/body/figure_input.hpp"
@@ -14,12 +15,38 @@
 #include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/closest/box_distance.hpp"
+#include "space/closest/near_feature.hpp"
 
 namespace plumb {
 namespace space {
 namespace {
 
 constexpr double beyond_all = std::numeric_limits<double>::infinity();
+
+/// A triangle of doubles, and how far from it a point of the posed one can be: no farther than a corner.
+struct NearbyTriangle {
+  Triangle3 triangle;
+  double off;
+
+  explicit NearbyTriangle(const Posed<Triangle3>& t) : triangle(t.shape), off(0) {
+    for (Point3* p : {&triangle.a, &triangle.b, &triangle.c}) {
+      const Aabb3 box = around(t.pose, *p);
+      if (!is_bounded(box)) off = beyond_all;
+      *p = box.min;
+      const double x = raised(box.max.x - box.min.x), y = raised(box.max.y - box.min.y);
+      off = std::max(off, raised(raised(x + y) + raised(box.max.z - box.min.z)));
+    }
+  }
+};
+
+/// At most the distance of the posed triangles, and of a point.
+double distance_below(const NearbyTriangle& s, const NearbyTriangle& t) {
+  const double off = raised(s.off + t.off);
+  return off < beyond_all ? lowered(lowered(distance(s.triangle, t.triangle)) - off) : 0;
+}
+double distance_below(const NearbyTriangle& s, const Point3& p) {
+  return s.off < beyond_all ? lowered(lowered(distance(p, s.triangle)) - s.off) : 0;
+}
 
 struct PosedCandidate {
   std::uint32_t item, slot;
@@ -34,6 +61,10 @@ std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p
   const Aabb3 point{p, p};
   const auto nearer = [&](const PosedCandidate& x, const PosedCandidate& y) {
     if (x.distance != y.distance) return x.distance < y.distance;
+    const auto feature = [&](const PosedCandidate& c) {  // as given: what is one before the pose is one under it
+      return near_feature(mesh.bvh.triangle(c.slot), query::nearest_feature(mesh.triangle(c.slot), p));
+    };
+    if (feature(x) == feature(y)) return x.item < y.item;
     const auto order = query::squared_distance_exact(mesh.triangle(x.slot), p) <=>
                        query::squared_distance_exact(mesh.triangle(y.slot), p);
     return order < 0 || (order == 0 && x.item < y.item);
@@ -44,6 +75,7 @@ std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
       const Posed<Triangle3> triangle = mesh.triangle(slot);
       if (square_below(point, around(triangle)) > now) continue;
+      if (found.size() == k && distance_below(NearbyTriangle(triangle), p) > raised(found.back().distance)) continue;
       const PosedCandidate candidate{mesh.bvh.tree.items[slot], slot, query::distance(triangle, p)};
       if (found.size() == k) {
         if (!nearer(candidate, found.back())) continue;
@@ -66,28 +98,6 @@ std::optional<ClosestOnMesh> closest_posed(const PosedMesh& mesh, const Point3& 
 void require_posed(const char* function, const PosedMesh& mesh, const Point3& p) {
   require_pose(function, "mesh", mesh.pose);
   query::require_figure(function, "p", p);
-}
-
-/// A triangle of doubles, and how far from it a point of the posed one can be: no farther than a corner.
-struct NearbyTriangle {
-  Triangle3 triangle;
-  double off;
-
-  explicit NearbyTriangle(const Posed<Triangle3>& t) : triangle(t.shape), off(0) {
-    for (Point3* p : {&triangle.a, &triangle.b, &triangle.c}) {
-      const Aabb3 box = around(t.pose, {*p, *p});
-      if (!is_bounded(box)) off = beyond_all;
-      *p = box.min;
-      const double x = raised(box.max.x - box.min.x), y = raised(box.max.y - box.min.y);
-      off = std::max(off, raised(raised(x + y) + raised(box.max.z - box.min.z)));
-    }
-  }
-};
-
-/// At most the distance of the posed triangles.
-double distance_below(const NearbyTriangle& s, const NearbyTriangle& t) {
-  const double off = raised(s.off + t.off);
-  return off < beyond_all ? lowered(lowered(distance(s.triangle, t.triangle)) - off) : 0;
 }
 
 /// The nearest pair of nodes always; once two triangles meet, only those that do and come first.
@@ -171,8 +181,13 @@ class PosedClosestSearch {
   [[nodiscard]] bool is_before(const Candidate& c, const Posed<Triangle3>& s, const Posed<Triangle3>& t,
                                bool comes_first) const {
     if (c.distance != best_.distance) return c.distance < best_.distance;
-    const auto order = query::squared_distance_exact(s, t) <=>
-                       query::squared_distance_exact(a_.triangle(best_.slot_a), b_.triangle(best_.slot_b));
+    const Posed<Triangle3> best_s = a_.triangle(best_.slot_a), best_t = b_.triangle(best_.slot_b);
+    const auto features = query::quick_features(s, t), best = query::quick_features(best_s, best_t);
+    const auto same = [&](std::size_t i, const Posed<Triangle3>& one, const Posed<Triangle3>& other) {
+      return near_feature(one.shape, (*features)[i]) == near_feature(other.shape, (*best)[i]);
+    };
+    if (features && best && same(0, s, best_s) && same(1, t, best_t)) return comes_first;
+    const auto order = query::squared_distance_exact(s, t) <=> query::squared_distance_exact(best_s, best_t);
     return order < 0 || (order == 0 && comes_first);
   }
 

@@ -2,8 +2,8 @@
 //
 // Beside a shared vertex both are cones, of the ways to their other corners; in a plane two cones have a way in common
 // where one of these ways is in the other cone.
-// Law: relate_in_mesh (plumb/space/pairs/neighbors.hpp) of the exact images, under a pose whose matrix is singular, so that
-// they lie in one plane.
+// Law: relate_in_mesh (plumb/space/pairs/neighbors.hpp) of the exact images, under a pose whose matrix is singular, so
+// that they lie in one plane.
 // Cost: microseconds.
 #pragma once
 

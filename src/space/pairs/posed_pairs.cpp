@@ -49,8 +49,9 @@ class PosedPairSearch {
     const std::vector<NodePair> all = pair_parts(nodes_a_, nodes_b_, posed_parts_wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
+      std::vector<PosedSlot> slots_a, slots_b;
       const auto visit = [&](const BoxNode& leaf_a, const BoxNode& leaf_b) {
-        return on_leaves(leaf_a, leaf_b, [&](const TrianglePair& pair) {
+        return on_leaves(leaf_a, leaf_b, slots_a, slots_b, [&](const TrianglePair& pair) {
           return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair);
         });
       };
@@ -83,21 +84,21 @@ class PosedPairSearch {
     replace_pair(nodes_a_, nodes_b_, larger, pair, take);
   }
 
-  /// Those of a leaf whose boxes meet that of the other leaf.
-  static std::vector<PosedSlot> slots(const PosedMesh& mesh, const BoxNode& leaf, const Aabb3& other) {
-    std::vector<PosedSlot> all;
+  /// Into `all` those of a leaf whose boxes meet that of the other leaf.
+  static void read(const PosedMesh& mesh, const BoxNode& leaf, const Aabb3& other, std::vector<PosedSlot>& all) {
+    all.clear();
     for (std::uint32_t s = leaf.link; s < leaf.link + leaf.count; ++s) {
       const Aabb3 box = around(mesh.triangle(s));
       if (boxes_meet(box, other)) all.push_back({s, box});
     }
-    return all;
   }
 
   template <class Take>
-  Descent on_leaves(const BoxNode& leaf_a, const BoxNode& leaf_b, const Take& take) const {
-    const std::vector<PosedSlot> slots_a = slots(a_, leaf_a, box_b(leaf_b));
+  Descent on_leaves(const BoxNode& leaf_a, const BoxNode& leaf_b, std::vector<PosedSlot>& slots_a,
+                    std::vector<PosedSlot>& slots_b, const Take& take) const {
+    read(a_, leaf_a, box_b(leaf_b), slots_a);
     if (slots_a.empty()) return Descent::go_on;
-    const std::vector<PosedSlot> slots_b = slots(b_, leaf_b, box_a(leaf_a));
+    read(b_, leaf_b, box_a(leaf_a), slots_b);
     for (const PosedSlot& p : slots_a) {
       for (const PosedSlot& q : slots_b) {
         if (own_ && leaf_a.link == leaf_b.link && q.slot <= p.slot) continue;

@@ -3,14 +3,14 @@
 //   const Pose turn{{{{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}}, {5, 0, 0}};
 //   intersecting_pairs({a, turn}, b);        // a Bvh alone stands where it was built
 //
-// Laws: (1) every question is answered for the vertices matrix * p + translation of real arithmetic, whatever the matrix:
-// not quite orthonormal, with shear, a mirror, a projection onto a plane, a line or a point, and beyond the largest
-// double.  (2) So a common pose of two meshes changes no pair and no relation, where its matrix is regular.  (3) The
-// tree stays as it is and must outlive the PosedMesh; making one costs nothing.
+// Laws: (1) every question is answered for the vertices matrix * p + translation of real arithmetic, whatever the
+// matrix: not quite orthonormal, with shear, a mirror, a projection onto a plane, a line or a point, and beyond the
+// largest double.  (2) So a common pose of two meshes changes no pair and no relation, where its matrix is regular.
+// (3) The tree stays as it is and must outlive the PosedMesh; making one costs nothing.
 // A pose that has a number that is NaN or infinite throws NonFinite, naming it, from the question.
 // Source: RTCD 3.2, 6.3.3.
-// Cost: boxes of nodes are posed as they are needed, rounded outward; triangles by arithmetic that knows its error, which
-// is several times that of a mesh that stands.
+// Cost: boxes of nodes are posed as they are needed, rounded outward; triangles by arithmetic that knows its error,
+// which is several times that of a mesh that stands.
 #pragma once
 
 #include "plumb/arith/pose.hpp"

@@ -4,12 +4,12 @@
 //   if (const auto near = closest_on_mesh({bvh, pose}, p)) use(near->triangle, near->point, near->distance);
 //   if (const auto near = closest_triangles({a, pose_a}, {b, pose_b})) use(near->a, near->b, near->closest.distance);
 //
-// Laws: those of closest_on_mesh.hpp and closest_triangles.hpp, of the exact images (plumb/space/bvh/posed_mesh.hpp), of
-// which numbers are rounded once; they are infinite beyond the largest double.
+// Laws: those of closest_on_mesh.hpp and closest_triangles.hpp, of the exact images (plumb/space/bvh/posed_mesh.hpp),
+// of which numbers are rounded once; they are infinite beyond the largest double.
 // A pose that is NaN or infinite throws NonFinite ("closest_on_mesh: mesh.pose.translation.x is nan, ...").
 // Source: RTCD 3.2, 4.2.6, 5.1.5, 5.1.10, 6.3.2.
-// Cost: some 100 ns for each node that is looked at, 500 for each triangle whose box may be nearer; of two meshes tens of
-// microseconds for each pair of triangles.
+// Cost: some 100 ns for each node that is looked at, 500 for each triangle whose box may be nearer; of two meshes tens
+// of microseconds for each pair of triangles.
 #pragma once
 
 #include "plumb/space/bvh/posed_mesh.hpp"

@@ -2,13 +2,13 @@
 //
 //   for (const TrianglePair& p : intersecting_pairs({a, pose_a}, {b, pose_b})) use(p.a, p.b, p.relation);
 //
-// Laws: those of mesh_pairs.hpp, of the exact images (plumb/space/bvh/posed_mesh.hpp).  So two meshes under one pose have
-// the pairs that they have without it, each with its relation, where the matrix is regular; and a mesh under such a
-// pose those that it has with itself.  What any finds may be another pair than without a pose.
+// Laws: those of mesh_pairs.hpp, of the exact images (plumb/space/bvh/posed_mesh.hpp).  So two meshes under one pose
+// have the pairs that they have without it, each with its relation, where the matrix is regular; and a mesh under such
+// a pose those that it has with itself.  What any finds may be another pair than without a pose.
 // A pose that is NaN or infinite throws NonFinite ("intersecting_pairs: b.pose.translation.x is nan, ...").
 // Source: RTCD 3.2, 4.2.6, 6.3.3; Guigue and Devillers 2003.
-// Cost: under one regular pose that of the meshes without it.  Else a box for each node, and some 300 ns for each pair of
-// triangles whose boxes meet; tens of microseconds where one is a segment or a point.
+// Cost: under one regular pose that of the meshes without it.  Else a box for each node, and some 300 ns for each pair
+// of triangles whose boxes meet; tens of microseconds where one is a segment or a point.
 #pragma once
 
 #include "plumb/space/bvh/posed_mesh.hpp"

@@ -3,12 +3,12 @@
 //   if (const auto hit = first_hit(Ray3{eye, direction}, {bvh, pose})) ...
 //   if (locate({bvh, pose}, p) == Location::inside) ...
 //
-// Laws: those of mesh_ray.hpp and inside.hpp, of the exact images of the triangles (plumb/space/bvh/posed_mesh.hpp): the
-// first hit is that of the least exact parameter, of equal ones that of the lowest number.  So a closed mesh stays
+// Laws: those of mesh_ray.hpp and inside.hpp, of the exact images of the triangles (plumb/space/bvh/posed_mesh.hpp):
+// the first hit is that of the least exact parameter, of equal ones that of the lowest number.  So a closed mesh stays
 // closed under every pose, and nothing slips through it.  Numbers of a Hit are rounded once; they are infinite beyond
 // the largest double.
-// A pose that is NaN or infinite throws NonFinite ("first_hit: mesh.pose.translation.x is nan, ..."), and so does a ray or
-// a point; spans of unequal length throw UnequalLengths.
+// A pose that is NaN or infinite throws NonFinite ("first_hit: mesh.pose.translation.x is nan, ..."), and so does a
+// ray or a point; spans of unequal length throw UnequalLengths.
 // Source: RTCD 3.2, 4.2.6, 5.3.6, 5.4.3.
 // Cost: some 100 ns for each node that is looked at, and 300 ns for each triangle of the leaves that are reached.
 #pragma once
