@@ -144,7 +144,7 @@ bool meets_box(const PosedTriangle3& t, const Box& b) {
 
 /// normal . corner - offset
 template <class T>
-T beyond(const Halfspace3& h, const Vec3<T>& corner) {
+T excess_over(const Halfspace3& h, const Vec3<T>& corner) {
   return dot(vector_of<T>(h.normal), corner) - T(h.offset);
 }
 
@@ -168,8 +168,8 @@ bool intersects(const PosedTriangle3& triangle, const Halfspace3& halfspace) {
   return by_certain_signs([&]<class T>(CertainSigns& ask) {
     for (const Vec3<T>& corner : posed_corners<T>(triangle)) {
       CertainSigns alone;
-      if (alone(beyond(halfspace, corner)) != Sign::positive && alone.certain()) return true;
-      if (!alone.certain()) (void)ask(beyond(halfspace, corner));
+      if (alone(excess_over(halfspace, corner)) != Sign::positive && alone.certain()) return true;
+      if (!alone.certain()) (void)ask(excess_over(halfspace, corner));
     }
     return false;
   });
@@ -181,7 +181,7 @@ bool intersects(const PosedTriangle3& triangle, const HalfspaceIntersection3& re
   for (const Halfspace3& h : region.halfspaces) {
     int out = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const int s = sure_sign(beyond(h, corners[i]));
+      const int s = sure_sign(excess_over(h, corners[i]));
       inside[i] = inside[i] && s < 0;
       out += s > 0 ? 1 : 0;
     }

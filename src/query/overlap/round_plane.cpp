@@ -89,7 +89,7 @@ PlaneThrough<T> plane_over(const ThreePointPlane3& plane) {
 
 /// The sign of height - root of (reach / square), or of the height alone.
 template <class T>
-Sign beyond_extent(const T& height, const ExtentAlong<T>* r, CertainSigns& ask) {
+Sign beyond_plane(const T& height, const ExtentAlong<T>* r, CertainSigns& ask) {
   if (r == nullptr) return ask(height);
   const Sign difference = ask(squared(height) * r->square - r->reach);
   if (difference == Sign::negative) return Sign::negative;  // as |height| is the lesser
@@ -111,9 +111,9 @@ std::optional<RoundSides> sides_of(const Plane& plane, const Round& round) {
   for (const Vec<T>& center : centers<T>(round)) {
     const T height = p.height(center);
     const ExtentAlong<T>* of_center = is_point ? nullptr : &reach;
-    all.above = std::min(all.above, beyond_extent(height, of_center, ask));
+    all.above = std::min(all.above, beyond_plane(height, of_center, ask));
     if constexpr (!std::is_same_v<Plane, Halfspace3>)
-      all.below = std::min(all.below, beyond_extent(T(0.0) - height, of_center, ask));
+      all.below = std::min(all.below, beyond_plane(T(0.0) - height, of_center, ask));
     is_point = false;
   }
   if (!ask.certain()) return {};

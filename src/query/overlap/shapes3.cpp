@@ -93,7 +93,7 @@ Relation relate(const Triangle3& a, const Aabb3& b) {
   if (const auto [kind, k] = flatness(b); kind != LevelKind::solid) {
     if (kind == LevelKind::straight) return relate(segment_of(b), a);
     if (low[k] == high[k]) {
-      return low[k] == numbers(b.min)[k] ? plumb::relate(seen(a, k), seen(b, k)) : Relation::disjoint;
+      return low[k] == numbers(b.min)[k] ? query::relate(seen(a, k), seen(b, k)) : Relation::disjoint;
     }
   }
   return relation(least(all, beside(a, normal, b)));
