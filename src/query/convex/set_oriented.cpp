@@ -1,8 +1,9 @@
-// Oriented boxes as what bounds them: by integers, for no doubles hold their corners.
+// Oriented boxes, and hulls of points that no doubles hold, as what bounds them: by integers.
 #include <algorithm>
 
 #include "plumb/certify/direction.hpp"
 #include "query/convex/bound_value.hpp"
+#include "query/convex/set_parts.hpp"
 
 namespace plumb::query::meeting {
 namespace {
@@ -36,8 +37,9 @@ Bound<3> bound_at(const Numbers3& gradient, const Numbers3& on, int side) {
   return bound;
 }
 
-/// The hull of corners that lie in one plane, on a line or at one place.
-ConvexSet<3> flat(std::vector<Numbers3> corners) {
+}  // namespace
+
+ConvexSet<3> flat_set(std::vector<Vec<BigDyadic, 3>> corners) {
   std::sort(corners.begin(), corners.end(),
             [](const Numbers3& a, const Numbers3& b) { return compare(a, b) == Sign::negative; });
   const auto equal = [](const Numbers3& a, const Numbers3& b) { return compare(a, b) == Sign::zero; };
@@ -92,8 +94,6 @@ ConvexSet<3> flat(std::vector<Numbers3> corners) {
   return set;
 }
 
-}  // namespace
-
 ConvexSet<3> convex_set(const Obb3& box) {
   const Numbers3 center = made<BigDyadic, 3>(box.center);
   std::array<Numbers3, 3> reach;
@@ -112,7 +112,7 @@ ConvexSet<3> convex_set(const Obb3& box) {
     corners.push_back(p);
   }
   const Sign turn = dot(reach[0], cross(reach[1], reach[2])).sign();
-  if (turn == Sign::zero) return flat(std::move(corners));
+  if (turn == Sign::zero) return flat_set(std::move(corners));
   ConvexSet<3> set;
   set.dimension = 3;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -12,5 +12,7 @@ ConvexSet<3> polygon_set(std::vector<Point3> vertices, const std::array<Point3, 
 
 /// The hull of points that lie in one plane, on a line or at one place.
 ConvexSet<3> flat_set(std::span<const Point3> points);
+/// The same of points that no doubles hold; there is one at least.
+ConvexSet<3> flat_set(std::vector<Vec<BigDyadic, 3>> corners);
 
 }  // namespace plumb::query::meeting

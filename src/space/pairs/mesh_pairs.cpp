@@ -2,7 +2,6 @@
 #include "plumb/space/pairs/mesh_pairs.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "plumb/query/overlap/triangle.hpp"
 #include "plumb/query/section/intersection.hpp"
@@ -12,6 +11,7 @@
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/pairs/pair_answers.hpp"
+#include "space/pairs/pair_slots.hpp"
 
 namespace plumb {
 namespace space {
@@ -153,14 +153,6 @@ class PairSearch {
   const PairOptions& options_;
 };
 
-/// slot[item]; of a triangle that is in several slots any.
-std::vector<std::uint32_t> slots_of(const Bvh& bvh) {
-  const std::span<const std::uint32_t> items = bvh.tree.items.view();
-  std::vector<std::uint32_t> slots(items.size());
-  for (std::uint32_t slot = 0; slot < items.size(); ++slot) slots[items[slot]] = slot;
-  return slots;
-}
-
 }  // namespace
 }  // namespace space
 
@@ -191,15 +183,7 @@ std::optional<TrianglePair> any_self_intersecting_pair(const Bvh& mesh, const Pa
 std::vector<Intersection3> intersections(const Bvh& a, const Bvh& b, std::span<const TrianglePair> pairs,
                                          const PairOptions& options) {
   const std::vector<std::uint32_t> slots_a = space::slots_of(a), slots_b = space::slots_of(b);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto require = [&](const char* side, std::uint32_t item, std::size_t n) {
-      if (item < n) return;
-      throw InvalidShape("intersections: pairs[" + std::to_string(i) + "]." + side + " is " + std::to_string(item) +
-                         ", but there are " + std::to_string(n) + " triangles");
-    };
-    require("a", pairs[i].a, slots_a.size());
-    require("b", pairs[i].b, slots_b.size());
-  }
+  space::require_pairs(pairs, slots_a.size(), slots_b.size());
   std::vector<Intersection3> common(pairs.size());
   constexpr std::size_t part_size = 256;
   const std::size_t parts = space::blocks_of(pairs.size(), part_size);

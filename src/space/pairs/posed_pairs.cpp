@@ -6,11 +6,13 @@
 #include "plumb/predicates.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "query/overlap/posed_triangles.hpp"
+#include "query/section/posed_triangles.hpp"
 #include "space/bvh/pair_parts.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/pairs/pair_answers.hpp"
+#include "space/pairs/pair_slots.hpp"
 #include "space/pairs/posed_neighbors.hpp"
 
 namespace plumb {
@@ -175,6 +177,23 @@ std::optional<TrianglePair> any_self_intersecting_pair(const PosedMesh& mesh, co
   return space::is_moved_regularly(function, mesh)
              ? any_self_intersecting_pair(mesh.bvh, options)
              : space::any_pair(space::PosedPairSearch(function, mesh, mesh, true, options));
+}
+
+std::vector<Intersection3> intersections(const PosedMesh& a, const PosedMesh& b, std::span<const TrianglePair> pairs,
+                                         const PairOptions& options) {
+  space::require_pose("intersections", "a", a.pose);
+  space::require_pose("intersections", "b", b.pose);
+  const std::vector<std::uint32_t> slots_a = space::slots_of(a.bvh), slots_b = space::slots_of(b.bvh);
+  space::require_pairs(pairs, slots_a.size(), slots_b.size());
+  std::vector<Intersection3> common(pairs.size());
+  constexpr std::size_t part_size = 16;
+  const std::size_t parts = space::blocks_of(pairs.size(), part_size);
+  space::for_parts("intersections", options.execution, options.progress, parts, [&](std::size_t part) {
+    const std::size_t to = std::min(pairs.size(), (part + 1) * part_size);
+    for (std::size_t i = part * part_size; i < to; ++i)
+      common[i] = query::intersection(a.triangle(slots_a[pairs[i].a]), b.triangle(slots_b[pairs[i].b]));
+  });
+  return common;
 }
 
 }  // namespace plumb
