@@ -86,7 +86,9 @@ TEST(PosedTriangles, AreRelatedAsTheirPointsSay) {
     const auto triangle = [](const TriangleMesh& t) { return Triangle3{t.vertices[0], t.vertices[1], t.vertices[2]}; };
     ASSERT_EQ(relation, relate(triangle(*p), triangle(*q))) << m.about(a, b);
   });
-  for (const long n : seen) EXPECT_GT(n, battery::fitting(70));
+  if (battery::reaches_rare) {
+    for (const long n : seen) EXPECT_GT(n, 70);
+  }
 }
 
 void expect_pairs(const PosedMesh& a, const PosedMesh& b, const Pairs& expected, const std::string& about) {
@@ -118,8 +120,10 @@ TEST(PosedPairs, AreThoseOfEachTriangleAgainstEach) {
     expect_pairs({a, pose_a}, {b, pose_b}, expected, m.about());
     touching += counted(expected).touching, overlap += counted(expected).overlapping;
   });
-  EXPECT_GT(touching, battery::fitting(300u));
-  EXPECT_GT(overlap, battery::fitting(300u));
+  if (battery::reaches_rare) {
+    EXPECT_GT(touching, 300u);
+    EXPECT_GT(overlap, 300u);
+  }
 }
 
 TEST(PosedPairs, OfOneMeshAreThoseOfTheExactlyPosedOne) {
@@ -145,8 +149,10 @@ TEST(PosedPairs, OfOneMeshAreThoseOfTheExactlyPosedOne) {
     pairs += expected.size();
     singular += expected.size() != self_intersecting_pairs(bvh).size();
   });
-  EXPECT_GT(pairs, battery::fitting(300u));
-  EXPECT_GT(singular, battery::fitting(20u));
+  if (battery::reaches_rare) {
+    EXPECT_GT(pairs, 300u);
+    EXPECT_GT(singular, 20u);
+  }
 }
 
 TEST(PosedPairs, HaveInCommonWhatTheExactlyPosedTrianglesHave) {

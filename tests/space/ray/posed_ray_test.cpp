@@ -27,7 +27,7 @@ RationalPoint across(const RationalPoint& a, const RationalPoint& b) {
 }
 mpq_class dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// For a ray that is not parallel to the triangle: the parameter in the plane, and whether the point is in the triangle.
+/// For a ray that is not parallel to the triangle: the parameter in its plane, and whether the point is in it.
 struct ByPlane {
   bool parallel, hit;
   mpq_class t;

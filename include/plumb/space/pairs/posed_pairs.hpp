@@ -8,7 +8,7 @@
 // A pose that is NaN or infinite throws NonFinite ("intersecting_pairs: b.pose.translation.x is nan, ...").
 // Source: RTCD 3.2, 4.2.6, 6.3.3; Guigue and Devillers 2003.
 // Cost: under one regular pose that of the meshes without it.  Else a box for each node, and some 300 ns for each pair
-// of triangles whose boxes meet; tens of microseconds where one is a segment or a point; 100 us for what a pair has in common.
+// of triangles whose boxes meet; some 10 us where one is a segment or a point, and 100 for what a pair has in common.
 #pragma once
 
 #include "plumb/space/bvh/posed_mesh.hpp"
