@@ -60,21 +60,26 @@ TriangleMesh sheet(std::uint32_t n) {
   return mesh;
 }
 
-TEST(Check, OpensWithAVerdictOfThreeLines) {
+TEST(Check, OpensWithAVerdictOfFourLines) {
   const std::vector<std::string> lines = lines_of(run("$PLUMB check").out);
-  ASSERT_GT(lines.size(), 5U);
+  ASSERT_GT(lines.size(), 6U);
   EXPECT_EQ(lines[0], "embedded flange");
-  EXPECT_EQ(lines[1],
+  EXPECT_EQ(
+      lines[1],
+      "  surface     not closed, oriented, touching itself (67 vertices lie where another is: triangles that meet "
+      "there share none, and touch), with degenerate triangles");
+  EXPECT_EQ(lines[2],
             "  wrong       12 triangles of zero area; 67 repeated vertices; 133 open edges; "
-            "1 edge of more than two faces");
-  EXPECT_THAT(lines[2], AllOf(StartsWith("  in floats   wrong signs in 153,641 decisions: float32 "),
+            "1 edge of more than two faces; 575 pairs of triangles that touch");
+  EXPECT_THAT(lines[3], AllOf(StartsWith("  in floats   wrong signs in 153,641 decisions: float32 "),
                               HasSubstr("double "), HasSubstr("; none: interval")));
-  EXPECT_THAT(lines[3], AllOf(StartsWith("  to do       collapse triangles of zero area; weld repeated vertices; "),
+  EXPECT_THAT(lines[4], AllOf(StartsWith("  to do       collapse triangles of zero area; weld repeated vertices; "),
                               HasSubstr("take signs exactly")));
-  EXPECT_EQ(lines[4], "");
+  EXPECT_EQ(lines[5], "");
   const json verdict = report_of("").at("meshes").at(0).at("verdict");
-  EXPECT_EQ("  wrong       " + std::string(verdict.at("mesh")), lines[1]);
-  EXPECT_EQ("  in floats   " + std::string(verdict.at("floats")), lines[2]);
+  EXPECT_EQ("  surface     " + std::string(verdict.at("surface")), lines[1]);
+  EXPECT_EQ("  wrong       " + std::string(verdict.at("mesh")), lines[2]);
+  EXPECT_EQ("  in floats   " + std::string(verdict.at("floats")), lines[3]);
   EXPECT_THAT(std::string(verdict.at("advice")), HasSubstr("take signs exactly"));
 }
 
@@ -82,10 +87,11 @@ TEST(Check, SaysOfASoundMeshThatNothingIsWrong) {
   const Folder folder;
   put(folder / "t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
   const std::vector<std::string> lines = lines_of(run("$PLUMB check " + (folder / "t.obj")).out);
-  ASSERT_GT(lines.size(), 4U);
-  EXPECT_EQ(lines[1], "  wrong       nothing: closed, wound one way, no vertex twice, no triangle of zero area");
-  EXPECT_THAT(lines[2], StartsWith("  in floats   no method took a wrong sign in "));
-  EXPECT_THAT(lines[3], StartsWith("  to do       any arithmetic did here; exact signs are certain"));
+  ASSERT_GT(lines.size(), 5U);
+  EXPECT_EQ(lines[1], "  surface     closed, oriented, free of self-intersections, free of degenerate triangles");
+  EXPECT_EQ(lines[2], "  wrong       nothing");
+  EXPECT_THAT(lines[3], StartsWith("  in floats   no method took a wrong sign in "));
+  EXPECT_THAT(lines[4], StartsWith("  to do       any arithmetic did here; exact signs are certain"));
 }
 
 TEST(Check, CountsPolygonsThatLieInNoPlane) {

@@ -73,6 +73,12 @@ bool any_wrong(const std::vector<MeshCheck>& checks, const std::vector<std::stri
   });
 }
 
+bool any_defect(const std::vector<MeshCheck>& checks, const std::vector<std::string>& defects) {
+  return std::ranges::any_of(checks, [&](const MeshCheck& c) {
+    return std::ranges::any_of(defects, [&](const std::string& defect) { return c.surface.has(defect); });
+  });
+}
+
 }  // namespace
 
 int run_check(const CheckOptions& options) {
@@ -84,7 +90,7 @@ int run_check(const CheckOptions& options) {
   if (options.write_sample) {
     outputs.write("--write-sample", format_mesh(to_polygons(sample_part()), *options.write_sample, {}));
     if (options.meshes.words.empty() && !options.json && !options.chart && options.fail_on_wrong.empty() &&
-        !options.verify) {
+        options.fail_on_defect.empty() && !options.verify) {
       outputs.keep();
       return 0;
     }
@@ -114,7 +120,7 @@ int run_check(const CheckOptions& options) {
   if (options.chart) outputs.write("--chart", chart_svg(checks));
   if (!all_good) return 2;
   outputs.keep();
-  return any_wrong(checks, options.fail_on_wrong) ? 1 : 0;
+  return any_wrong(checks, options.fail_on_wrong) || any_defect(checks, options.fail_on_defect) ? 1 : 0;
 }
 
 }  // namespace plumb::tool

@@ -1,6 +1,7 @@
-// `plumb check`: how often is floating point wrong on these meshes, and where?
+// `plumb check`: are these meshes surfaces of solids, and how often is floating point wrong on them, and where?
 //
-// Laws: exit code 0 when done, 1 when a method named by --fail-on-wrong took a wrong sign; bad input throws Error.
+// Laws: exit code 0 when done, 1 when a method named by --fail-on-wrong took a wrong sign or a mesh has a defect
+// named by --fail-on-defect; bad input throws Error.
 // Source: RTCD 11.2 (what rounding does to geometric decisions).
 // Cost: as the meshes demand, on all cores.
 #pragma once
@@ -37,10 +38,11 @@ struct CheckOptions {
   MeshArguments meshes;                    // none: the embedded part
   std::optional<std::string> json, chart;  // "-" is standard output
   std::optional<std::string> write_sample;
-  unsigned threads = 0;  // 0: as many as the machine has
-  bool verify = false;   // take every decision in rationals again
-  bool all = false;      // ask the inexact methods of every decision
-  std::vector<std::string> fail_on_wrong;
+  unsigned threads = 0;                     // 0: as many as the machine has
+  bool verify = false;                      // take every decision in rationals again
+  bool all = false;                         // ask the inexact methods of every decision
+  std::vector<std::string> fail_on_wrong;   // methods
+  std::vector<std::string> fail_on_defect;  // of surface_defects
 };
 
 int run_check(const CheckOptions& options);

@@ -73,11 +73,26 @@ json json_of(const MeshStatistics& m) {
           {"zero_area_triangles", m.zero_area_faces}};
 }
 
+json json_of(const SurfaceCheck& s) {
+  return {{"closed", s.closed},
+          {"oriented", s.oriented},
+          {"inside_out", s.inside_out},
+          {"self_intersecting", s.meets_itself()},
+          {"touching_pairs", s.met.touching},
+          {"overlapping_pairs", s.met.overlapping},
+          {"degenerate_triangles", s.degenerate}};
+}
+
 json json_of(const Lattice& lattice) { return {{"exponent", lattice.exponent}, {"bits", lattice.bits}}; }
 
 json json_of(const MeshCheck& c) {
   json j{{"name", c.name},
-         {"verdict", {{"mesh", mesh_verdict(c)}, {"floats", float_verdict(c)}, {"advice", advice(c)}}},
+         {"verdict",
+          {{"surface", surface_verdict(c.surface)},
+           {"mesh", mesh_verdict(c)},
+           {"floats", float_verdict(c)},
+           {"advice", advice(c)}}},
+         {"surface", json_of(c.surface)},
          {"statistics", json_of(c.statistics)},
          {"bent_faces", c.bent_faces},
          {"lattice", json_of(c.lattice)},

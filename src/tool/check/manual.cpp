@@ -4,18 +4,36 @@ namespace plumb::tool {
 
 Manual check_manual() {
   return {"plumb check",
-          "how often is floating point wrong on a mesh, and where?",
+          "is a mesh sound, and where do floats err on it?",
           {"plumb check [OPTION]... [MESH]...", "plumb check --write-sample FILE"},
           {{"DESCRIPTION", R"(
 Reads each MESH (OBJ, OFF, STL, PLY, 3MF, glTF; text or binary; also
 packed by gzip), every mesh in a folder and the folders in it, or
 standard input where MESH is '-'. Of each it opens with a verdict in
-three lines: what is wrong with the mesh, which methods then take which
-signs wrong, and what to do about both. Each line is printed as soon as
-it is known. The tables follow: the mesh's size, its lattice (the
-largest power of two that divides every coordinate, and how many bits
-the coordinates then take), repeated vertices, triangles of exactly zero
-area and non-manifold edges, then the decisions.
+four lines: what surface the mesh is, what is wrong with it, which
+methods then take which signs wrong, and what to do about both. Each
+line is printed as soon as it is known. The tables follow: the mesh's
+size, its lattice (the largest power of two that divides every
+coordinate, and how many bits the coordinates then take), repeated
+vertices, triangles of exactly zero area and non-manifold edges, then
+the decisions.
+
+Of the surface is said, and decided exactly, whether it is
+
+       closed: every edge is in an even number of triangles;
+
+       oriented: at every edge as many triangles run along it one way as
+       the other, but for one where their number is odd. A closed one
+       that is wound inside out (its volume is negative) is oriented
+       inward;
+
+       free of self-intersections: no two triangles have a point in
+       common beyond the vertices that they share. `plumb intersect`
+       lists those that do. Vertices are shared that have the same
+       number: where a mesh repeats its vertices, that is said, for
+       triangles that meet there share none, and touch;
+
+       free of degenerate triangles: none has exactly zero area.
 
 Then it takes the decisions that mesh software takes:
 
@@ -71,9 +89,13 @@ taken for zero); then unsure answers, and the nanoseconds a decision
 takes; for the exact method also the share that each stage decided. The
 worst case of each method is printed as a line that `plumb sign` takes.)"}},
           {{"EXIT STATUS", exit_status("A sign was wrong: one of a METHOD that --fail-on-wrong names, or\n       an "
-                                       "exact one that --verify refuted.")},
+                                       "exact one that --verify refuted. Or a mesh has a DEFECT that\n       "
+                                       "--fail-on-defect names.")},
            {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
+plumb check --quiet --fail-on-defect open part.stl
+       Whether a part is closed, for a script.
+
 plumb check part.stl --json report.json --chart chart.svg
        The report on the terminal, as JSON and as a picture.
 

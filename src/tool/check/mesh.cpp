@@ -193,6 +193,7 @@ void check_mesh(const TriangleMesh& mesh, const CheckSettings& settings, MeshChe
                 const CheckWatcher& watcher) {
   const MeshEdges edges = find_edges(mesh);
   check.statistics = mesh_statistics(mesh, edges);
+  check.surface = check_surface(mesh, edges, check.statistics, check.name);
   check.lattice = lattice_of(coordinates_of(mesh));
   const MeshDecisions decisions(mesh, edges);
   check.edges = decisions.edge_answers();

@@ -16,6 +16,7 @@
 #include "plumb/arith/lattice.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "plumb/surface/topology.hpp"
+#include "tool/check/surface.hpp"
 #include "tool/check/tally.hpp"
 #include "tool/terminal/progress.hpp"
 
@@ -27,6 +28,7 @@ struct MeshCheck {
   bool from_file = false;
   std::uint64_t bent_faces = 0;  // of the file, before triangulation
   MeshStatistics statistics;
+  SurfaceCheck surface;
   Lattice lattice;
   EdgeAnswers edges;
   std::array<Comparison, kinds.size()> kind;
@@ -51,7 +53,7 @@ struct CheckSettings {
   }
 };
 
-/// What is known, in the order of becoming known: the mesh's statistics, lattice and edges; what the inexact methods
+/// What is known, in the order of becoming known: the mesh's statistics, surface, lattice and edges; what the inexact methods
 /// say; what the exact ones do.
 enum class CheckStep : std::uint8_t { mesh, inexact, exact };
 using CheckWatcher = std::function<void(CheckStep)>;

@@ -1,4 +1,5 @@
 #include "tool/check/command.hpp"
+#include "tool/check/surface.hpp"
 #include "tool/manual/command.hpp"
 
 namespace plumb::tool {
@@ -6,8 +7,9 @@ namespace plumb::tool {
 Command check_command(CLI::App& program) {
   const auto options = std::make_shared<CheckOptions>();
   CheckOptions& o = *options;
-  CLI::App* const parser =
-      program.add_subcommand("check", "Hold floating-point decisions on meshes against the exact ones.");
+  CLI::App* const parser = program.add_subcommand(
+      "check",
+      "Say whether meshes are closed, oriented and free of self-intersections, and what floats get wrong on them.");
   const std::vector<std::string> methods(method_names.begin(), method_names.end());
   add_meshes(parser, o.meshes, "each mesh is checked in turn.");
   add_output(parser, "--json", o.json, "Write the report as JSON");
@@ -25,6 +27,14 @@ Command check_command(CLI::App& program) {
       ->check(CLI::IsMember(methods))
       ->allow_extra_args(false)
       ->type_name("METHOD");
+  parser
+      ->add_option(
+          "--fail-on-defect", o.fail_on_defect,
+          "Exit with 1 when a mesh is open, unoriented, inside-out, self-intersecting or degenerate, whichever "
+          "DEFECT is; repeatable.")
+      ->check(CLI::IsMember(std::vector<std::string>(surface_defects.begin(), surface_defects.end())))
+      ->allow_extra_args(false)
+      ->type_name("DEFECT");
   parser
       ->add_option(
           "--write-sample", o.write_sample,

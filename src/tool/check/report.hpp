@@ -12,8 +12,8 @@
 
 namespace plumb::tool {
 
-/// Of the report on one mesh what each step of the check lets say: name and first line of the verdict, its other two
-/// lines, everything else.
+/// Of the report on one mesh what each step of the check lets say: name and the first two lines of the verdict, its
+/// other two, everything else.
 std::string text_opening(const MeshCheck& check, const Style& style);
 std::string text_verdict(const MeshCheck& check);
 std::string text_tables(const MeshCheck& check, const Style& style);

@@ -114,7 +114,8 @@ std::string tables(std::span<const MeshCheck> checks, const Style& style) {
 }  // namespace
 
 std::string text_opening(const MeshCheck& c, const Style& style) {
-  return style.bold(printable(c.name)) + "\n" + fmt::format("  wrong       {}\n", mesh_verdict(c));
+  return style.bold(printable(c.name)) + "\n" +
+         fmt::format("  surface     {}\n  wrong       {}\n", surface_verdict(c.surface), mesh_verdict(c));
 }
 
 std::string text_verdict(const MeshCheck& c) {

@@ -20,7 +20,7 @@ struct Defect {
 
 std::vector<Defect> defects_of(const MeshCheck& c) {
   const MeshStatistics& m = c.statistics;
-  const std::array<Defect, 9> all{{
+  const std::array<Defect, 12> all{{
       {m.zero_area_faces, "triangle of zero area", "triangles of zero area", "collapse triangles of zero area"},
       {m.repeated_vertices, "repeated vertex", "repeated vertices", "weld repeated vertices"},
       {m.boundary_edges, "open edge", "open edges", "close open edges"},
@@ -28,6 +28,11 @@ std::vector<Defect> defects_of(const MeshCheck& c) {
        "split edges of more than two faces"},
       {m.inconsistent_edges, "edge whose faces are wound against each other",
        "edges whose faces are wound against each other", "wind neighbors alike"},
+      {c.surface.inside_out ? 1U : 0U, "surface wound inside out", "", "turn all triangles"},
+      {c.surface.met.overlapping, "pair of triangles that overlap", "pairs of triangles that overlap",
+       "part triangles that overlap (`plumb intersect --obj` shows them)"},
+      {c.surface.met.touching, "pair of triangles that touch", "pairs of triangles that touch",
+       m.repeated_vertices != 0 ? "" : "part triangles that touch (`plumb intersect --obj` shows them)"},
       {c.bent_faces, "polygon whose corners lie in no one plane", "polygons whose corners lie in no one plane",
        "export triangles, not polygons"},
       {c.load.dropped_faces, "face of fewer than three corners", "faces of fewer than three corners", ""},
@@ -54,7 +59,7 @@ std::string wrong_predicates(const MeshCheck& c, std::size_t method) {
 std::string mesh_verdict(const MeshCheck& c) {
   std::vector<std::string> said;
   for (const Defect& d : defects_of(c)) said.push_back(plural(d.count, d.one, d.many));
-  if (said.empty()) return "nothing: closed, wound one way, no vertex twice, no triangle of zero area";
+  if (said.empty()) return "nothing";
   return fmt::format("{}", fmt::join(said, "; "));
 }
 

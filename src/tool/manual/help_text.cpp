@@ -49,8 +49,10 @@ chart
        other: how often each is wrong, and how long it takes.
 
 check [MESH]...
-       Takes the decisions that mesh software takes on these meshes, in
-       floating point and exactly, and says where floating point errs.
+       Says whether these meshes are closed, oriented and free of
+       self-intersections and degenerate triangles. Then takes the
+       decisions that mesh software takes on them, in floating point and
+       exactly, and says where floating point errs.
 
 convert FROM TO
        Writes a mesh file in another format, every coordinate the same
