@@ -32,9 +32,9 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
       "swept_sphere", "bound", "generated"}},
     {"query", {"body", "closest", "convex", "overlap", "ray", "section", "time_of_impact", "kinds"}},
     {"space", {"bvh", "closest", "moving", "pairs", "range", "ray"}},
-    {"tool", {"terminal", "drawing",  "mesh",   "trial",   "manual", "bounds",    "check",     "chart",
-              "convert",  "distance", "doctor", "fuzz",    "help",   "inside",    "intersect", "placements",
-              "plan",     "proof",    "ray",    "section", "sign",   "stability", "vectors",   "program"}},
+    {"tool", {"terminal", "drawing",  "mesh",    "trial", "manual",    "bounds",  "bvh",       "check",      "chart",
+              "convert",  "distance", "doctor",  "fuzz",  "help",      "inside",  "intersect", "placements", "plan",
+              "proof",    "ray",      "section", "sign",  "stability", "vectors", "program"}},
 };
 
 /// The most source files in one folder; data may be more.

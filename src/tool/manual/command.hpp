@@ -34,6 +34,7 @@ struct Command {
 };
 
 Command bounds_command(CLI::App& program);
+Command bvh_command(CLI::App& program);
 Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals);
 Command check_command(CLI::App& program);
 Command convert_command(CLI::App& program);

@@ -44,6 +44,10 @@ bounds [MESH]...
        Says of each kind of bounding volume how tight it is on these
        meshes, how often it overlaps falsely and what its test costs.
 
+bvh MESH
+       Builds the tree of boxes of a mesh in one way or in all, says what
+       it costs to be asked, and draws it.
+
 chart
        Holds the ways of answering geometric questions against each
        other: how often each is wrong, and how long it takes.

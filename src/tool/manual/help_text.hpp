@@ -20,6 +20,7 @@ std::string environment_of_batches();
 
 Manual program_manual();
 Manual bounds_manual();
+Manual bvh_manual();
 Manual chart_manual();
 Manual check_manual();
 Manual completion_manual();

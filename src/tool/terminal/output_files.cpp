@@ -75,6 +75,13 @@ void OutputFiles::promise_mesh(std::string_view option, const std::optional<std:
   if (path) add({std::string(option), *path, true, replacing, false}, mend);
 }
 
+void OutputFiles::promise_unless_there(std::string_view option, const std::optional<std::string>& path,
+                                       bool overwrite) {
+  if (!path) return;
+  add({std::string(option), *path, false, overwrite ? Replacing::yes : Replacing::no, false},
+      "give another name, or --overwrite to replace it");
+}
+
 void OutputFiles::add(Output output, std::string_view mend) {
   output.standard_output = output.path == "-" || is_stream(output.path, STDOUT_FILENO);
   require_distinct(output);

@@ -43,6 +43,8 @@ class OutputFiles {
   /// What is written there is a mesh, and replaces only what the user said it may; else the mend is told.
   void promise_mesh(std::string_view option, const std::optional<std::string>& path, surface::Replacing replacing,
                     std::string_view mend = "give another name, or remove it first");
+  /// A report that replaces nothing either, unless that is asked for: --overwrite.
+  void promise_unless_there(std::string_view option, const std::optional<std::string>& path, bool overwrite);
 
   /// What turned out to be read as well; throws Error where an output would replace it.
   void require_not_read(const std::vector<std::string>& files) const;
