@@ -53,8 +53,8 @@ struct CheckSettings {
   }
 };
 
-/// What is known, in the order of becoming known: the mesh's statistics, surface, lattice and edges; what the inexact methods
-/// say; what the exact ones do.
+/// What is known, in the order of becoming known: the mesh's statistics, surface, lattice and edges; what the inexact
+/// methods say; what the exact ones do.
 enum class CheckStep : std::uint8_t { mesh, inexact, exact };
 using CheckWatcher = std::function<void(CheckStep)>;
 

@@ -1,7 +1,7 @@
 // What is wrong with this mesh, what does that mean for floating-point code, and what is to be done?
 //
-// Three sentences below that on its surface (surface.hpp), each from what check_mesh has found by then: the first from the mesh alone, the second from the
-// answers of the inexact methods, the third from both.
+// Three sentences below that on its surface (surface.hpp), each from what check_mesh has found by then: the first from
+// the mesh alone, the second from the answers of the inexact methods, the third from both.
 // Law: says nothing that the tables do not show; a share of a sample is said to be one.
 // Source: RTCD 11.2, 12.1 to 12.4.
 // Cost: none.
