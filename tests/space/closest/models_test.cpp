@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "certify/sanitized.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
@@ -19,7 +20,7 @@ TEST(ClosestOnModels, IsThatOfTheBatch) {
     const Bvh bvh = build_bvh(mesh);
     const TriangleBatch batch = triangle_batch(mesh);
     std::vector<Point3> points{{0, 0, 0}};
-    for (std::uint64_t i = 0; i < 100; ++i) {
+    for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(100); ++i) {
       Entropy entropy(981, i);
       const Point3& p = mesh.vertices[entropy.below(mesh.vertices.size())];
       const Point3& q = mesh.vertices[entropy.below(mesh.vertices.size())];
