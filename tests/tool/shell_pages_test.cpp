@@ -141,7 +141,7 @@ TEST(Completion, OfFishAndZshOffersTheSame) {
   }
   {
     ASSERT_TRUE(has("zsh")) << mend;
-    EXPECT_EQ(run("zsh -fc 'autoload -Uz compinit && compinit -u -d /dev/null; source <($PLUMB completion zsh); "
+    EXPECT_EQ(run("zsh -fc 'autoload -Uz compinit && compinit -u -D; source <($PLUMB completion zsh); "
                   "[[ $_comps[plumb] == _plumb ]]'")
                   .code,
               0);
