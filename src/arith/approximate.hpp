@@ -39,10 +39,13 @@ struct Approximate {
   /// a - b of two coordinates as given: rounded once, its magnitude is its own.
   static constexpr Approximate difference(double a, double b) { return {a - b, magnitude_of(a - b), 1}; }
 
+  /// No less than |value - exact|.
+  [[nodiscard]] constexpr double reach() const { return (error + slack) * 0x1p-53 * magnitude; }
+
   /// The sign where it is certain, which it never is of zero, else 0.  Without a branch on the sign, which cannot be
   /// predicted.
   [[nodiscard]] constexpr int certain_sign() const {
-    const double most = (error + slack) * 0x1p-53 * magnitude;
+    const double most = reach();
     return static_cast<int>(value > most) - static_cast<int>(value < -most);
   }
   [[nodiscard]] constexpr Unsure<Sign> sign() const {

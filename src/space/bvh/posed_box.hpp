@@ -32,7 +32,7 @@ inline double raised(double x) { return -lowered(-x); }
 
 /// At most the exact value; -infinity where nothing is known of it.
 inline double surely_below(const Approximate& x) {
-  const double low = x.value - (x.error + Approximate::slack) * 0x1p-53 * x.magnitude;
+  const double low = x.value - x.reach();
   return low == low ? lowered(low) : -std::numeric_limits<double>::infinity();
 }
 inline double surely_above(const Approximate& x) { return -surely_below({-x.value, x.magnitude, x.error}); }

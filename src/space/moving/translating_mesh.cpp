@@ -16,6 +16,9 @@ namespace plumb {
 namespace space {
 namespace {
 
+/// Whose boxes meet from such a share of the time on, waits to be asked in order: a guess, of when, not of what.
+constexpr double about_as_late = 1 - 0x1p-50;
+
 class TranslatingSearch {
  public:
   struct Found {
@@ -81,7 +84,7 @@ class TranslatingSearch {
         const double entry = entry_below(box, by_, box_around(b_.triangles[k], b_.vertices.view()));
         if (entry > limit()) continue;
         const LeafPair pair{a_.tree.items[i], b_.tree.items[k], i, k};
-        if (best_ && entry > 0 && entry >= limit() * (1 - 0x1p-50)) {
+        if (best_ && entry > 0 && entry >= limit() * about_as_late) {
           ties_.push_back(pair);
         } else {
           offer(pair, entry == 0);
