@@ -357,6 +357,12 @@ TEST(Check, ChecksTheOtherMeshesBesideABadOne) {
   EXPECT_THAT(o.out, HasSubstr("one.obj"));
 }
 
+TEST(Check, NamesAMissingFileWithoutItsControlCharacters) {
+  const Outcome o = run("$PLUMB check \"$(printf 'red\\033[31m.obj')\"");
+  EXPECT_EQ(o.code, 2);
+  EXPECT_THAT(o.err, HasSubstr("red?[31m.obj"));
+}
+
 TEST(Check, RefusesOutputsThatCannotBeWritten) {
   for (const std::string option : {"--json", "--chart"}) {
     const Outcome full = run("$PLUMB check " + option + " /dev/full");

@@ -69,17 +69,25 @@ void outlive_reader() { outlives_reader = true; }
 
 bool reader_left() { return left; }
 
+namespace {
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+}  // namespace
+
 std::string printable(std::string_view text) {
   std::string s(text);
-  std::ranges::replace_if(
-      s, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  std::ranges::replace_if(s, is_control, '?');
   return s;
 }
 
 void complain(std::string_view text) {
   std::fflush(stdout);  // answers given before the fault come first; whether they arrived no longer matters
+  std::string shown(text);
+  std::ranges::replace_if(
+      shown, [](char c) { return is_control(c) && c != '\n'; }, '?');
   // Where standard error is closed the exit status alone speaks.
-  std::fputs(fmt::format("{} {}\n", Style(stderr).red("plumb:"), text).c_str(), stderr);
+  std::fputs(fmt::format("{} {}\n", Style(stderr).red("plumb:"), shown).c_str(), stderr);
 }
 
 }  // namespace plumb::tool

@@ -60,7 +60,8 @@ void outlive_reader();
 /// The text with control characters, which a file's name may hold and a terminal would obey, replaced by '?'.
 std::string printable(std::string_view text);
 
-/// One line "plumb: text" on standard error, after everything said so far.
+/// One line "plumb: text" on standard error, after everything said so far; control characters, which it may have from a
+/// file's name, are replaced by '?'.
 void complain(std::string_view text);
 
 }  // namespace plumb::tool
