@@ -201,10 +201,79 @@ TEST(Plan, TextJsonAndChartAgree) {
     for (const json& kind : b["kinds"]) least = std::min(least, kind["query_ns"].get<double>());
     EXPECT_EQ(b["with_ns"], least);
   }
+  ASSERT_EQ(j["trees"].size(), 2);
+  EXPECT_EQ(j["trees"][1]["mesh"], "long.off");
+  for (const json& t : j["trees"]) {
+    EXPECT_GT(t["ray_ns_without"], 0);
+    EXPECT_EQ(t["trees"].size(), planned_methods().size());
+    for (const json& tree : t["trees"]) EXPECT_EQ(tree["contradictions"], 0) << tree;
+    EXPECT_EQ(t["choices"][0]["from_rays"], 0);
+  }
+  EXPECT_THAT(o.out, AllOf(HasSubstr("tree of boxes"), HasSubstr("take none")));
   const std::string chart = content(folder / "p.svg");
   EXPECT_THAT(chart,
               AllOf(StartsWith("<svg "), HasSubstr("a scene of 2 meshes"), HasSubstr(">short.off</text>"),
                     HasSubstr("turned</text>"), HasSubstr("</svg>"), Not(HasSubstr("\"nan")), Not(HasSubstr("\"inf"))));
+}
+
+TEST(TreePlan, TakesWhatCostsLeastForSoManyRays) {
+  const auto tree = [](BvhMethod m, double build_ms, double ray_ns) { return TreeTimes{m, build_ms, ray_ns, 0, 0, 0}; };
+  // Nothing to 100 rays, then the quick tree; the second is never the least; the good one pays from 4000.
+  TreePlan plan{11'000,
+                {tree(BvhMethod::linear, 1, 1'000), tree(BvhMethod::binned, 4, 950), tree(BvhMethod::sweep, 3, 500)}};
+  const std::vector<TreeChoice> chosen = plan.choices();
+  ASSERT_EQ(chosen.size(), 3u);
+  EXPECT_FALSE(chosen[0].method);
+  EXPECT_EQ(chosen[0].from, 0);
+  EXPECT_EQ(chosen[1].method, BvhMethod::linear);
+  EXPECT_EQ(chosen[1].from, 100);
+  EXPECT_EQ(chosen[2].method, BvhMethod::sweep);
+  EXPECT_EQ(chosen[2].from, 4'000);
+  plan.ray_ns_without = 400;  // a mesh of so few triangles that a tree never pays
+  EXPECT_EQ(plan.choices().size(), 1u);
+  plan = {
+      10,
+      {tree(BvhMethod::linear, 0, 5), tree(BvhMethod::binned, 0, 4)}};  // built in no time: the first is never taken
+  ASSERT_EQ(plan.choices().size(), 1u);
+  EXPECT_EQ(plan.choices()[0].method, BvhMethod::binned);
+  // For every number of rays the choice is the least.
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    Entropy e(31, i);
+    const auto number = [&] { return static_cast<double>(e.below(20)); };
+    plan = {number(), {}};
+    for (const BvhMethod m : planned_methods()) plan.trees.push_back(tree(m, number() / 1e6, number()));
+    const std::vector<TreeChoice> by = plan.choices();
+    for (double n = 0; n < 60; n += 0.25) {
+      double least = n * plan.ray_ns_without, taken = least;
+      const auto next = std::ranges::upper_bound(by, n, {}, &TreeChoice::from);
+      for (const TreeTimes& t : plan.trees) {
+        const double all = 1e6 * t.build_ms + n * t.ray_ns;
+        least = std::min(least, all);
+        if (std::prev(next)->method == t.method) taken = all;
+      }
+      EXPECT_LE(taken, least + 1e-9) << "index " << i << ", " << n << " rays";
+    }
+  }
+}
+
+TEST(TreePlan, FindsATreeForAMeshOfManyTriangles) {
+  TriangleMesh sheet;
+  constexpr std::uint32_t side = 60;
+  for (std::uint32_t i = 0; i < side * side; ++i)
+    sheet.vertices.push_back({1.0 * (i % side), 1.0 * (i / side), i * 7 % 5 * 0.25});
+  for (std::uint32_t i = 0; i + side < side * side; ++i) {
+    if (i % side + 1 < side) sheet.triangles.push_back({i, i + 1, i + side});
+  }
+  const TreePlan plan = plan_trees(sheet);
+  ASSERT_EQ(plan.trees.size(), planned_methods().size());
+  for (const TreeTimes& t : plan.trees) {
+    EXPECT_EQ(t.contradictions, 0u) << name_of(t.method);
+    EXPECT_GT(t.build_ms, 0);
+    EXPECT_LT(t.ray_ns, plan.ray_ns_without);
+    EXPECT_GT(t.bytes, 12);
+  }
+  EXPECT_GE(plan.choices().size(), 2u);
+  EXPECT_TRUE(plan_trees(TriangleMesh{{{0, 0, 0}}, {}}).trees.empty());
 }
 
 TEST(Plan, AnswersForWhateverCanBeRead) {

@@ -62,6 +62,22 @@ json json_of(const BoundPlan& b) {
   return j;
 }
 
+json json_of(const TreePlan& plan) {
+  json j{{"ray_ns_without", plan.ray_ns_without}, {"trees", json::array()}, {"choices", json::array()}};
+  for (const TreeTimes& t : plan.trees) {
+    j["trees"].push_back({{"method", name_of(t.method)},
+                          {"build_ms", t.build_ms},
+                          {"ray_ns", t.ray_ns},
+                          {"nearest_ns", t.nearest_ns},
+                          {"bytes_per_triangle", t.bytes},
+                          {"contradictions", t.contradictions}});
+  }
+  if (plan.trees.empty()) return j;
+  for (const TreeChoice& c : plan.choices())
+    j["choices"].push_back({{"method", c.method ? name_of(*c.method) : "none"}, {"from_rays", c.from}});
+  return j;
+}
+
 }  // namespace
 
 json plan_json(const ScenePlan& scene) {
@@ -73,7 +89,8 @@ json plan_json(const ScenePlan& scene) {
            {"classics", json::array()},
            {"predicates", json::array()},
            {"lattices", json::array()},
-           {"bounds", json::array()}};
+           {"bounds", json::array()},
+           {"trees", json::array()}};
   for (std::size_t i = 0; i < scene.names.size(); ++i) {
     json alone = json::array();
     for (const CatalogEntry& e : classics())
@@ -98,6 +115,10 @@ json plan_json(const ScenePlan& scene) {
   }
   for (const ScenePlanRow& row : scene.rows) all["lattices"].push_back(json_of(row));
   for (const BoundPlan& b : scene.bounds) all["bounds"].push_back(json_of(b));
+  for (std::size_t i = 0; i < scene.trees.size(); ++i) {
+    all["trees"].push_back(json_of(scene.trees[i]));
+    all["trees"].back()["mesh"] = scene.names[i];
+  }
   return all;
 }
 

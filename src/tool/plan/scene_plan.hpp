@@ -1,5 +1,5 @@
-// What does a scene need, and no more?  Its arithmetic, what coarser lattices would save, its bounding volumes, and
-// what each of them costs here and now.
+// What does a scene need, and no more?  Its arithmetic, what coarser lattices would save, its bounding volumes, its trees
+// of boxes, and what each of them costs here and now.
 //
 // Laws: (1) all but the times depends on the meshes and the options alone; (2) `decide` and the plan are asked the same
 // decisions, those that mesh software takes on these meshes (tool/mesh/decisions.hpp), and their answers are compared; (3) a
@@ -20,6 +20,7 @@
 #include "plumb/figure/basic/mesh.hpp"
 #include "tool/bounds/command.hpp"
 #include "tool/mesh/snap.hpp"
+#include "tool/plan/tree_plan.hpp"
 
 namespace plumb::tool {
 
@@ -65,6 +66,7 @@ struct ScenePlan {
   std::vector<Lattice> lattices;   // of each mesh alone
   std::vector<ScenePlanRow> rows;  // first the scene as given, then from fine to coarse
   std::vector<BoundPlan> bounds;   // of each mesh
+  std::vector<TreePlan> trees;     // of each mesh
 
   [[nodiscard]] Lattice lattice() const { return {rows.front().exponent, rows.front().bits}; }
 };

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "certify/catalog.hpp"
 #include "tool/plan/command.hpp"
 #include "tool/plan/lattice_savings.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -95,16 +97,53 @@ std::string lattices(const ScenePlan& scene, const Style& style) {
                  "over: by more\n  than a right angle. ns of the plan, a decision.\n");
 }
 
+/// As much of a name as a column takes.
+std::string shortened(const std::string& name) {
+  std::string s = printable(name);
+  return s.size() > 22 ? "..." + s.substr(s.size() - 19) : s;
+}
+
 std::string volumes(const ScenePlan& scene, const Style& style) {
   std::string s = style.bold(fmt::format("\n  {:<24}{:<10}{:>8}{:>10}{:>12}{:>12}\n", "bounding volume", "chosen",
                                          "test ns", "overlap", "query ns", "without ns"));
   for (const BoundPlan& b : scene.bounds) {
     const BoundRating& r = b.rated.ratings.kinds[b.chosen];
     const auto placements = static_cast<double>(b.rated.ratings.placements.size());
-    std::string name = printable(b.rated.name);
-    if (name.size() > 22) name = "..." + name.substr(name.size() - 19);
-    s += fmt::format("  {:<24}{:<10}{:>8.1f}{:>9.1f}%{:>12.1f}{:>12.1f}\n", name, name_of(bound_kinds[b.chosen]),
-                     r.test_ns, placements == 0 ? 0 : 100 * r.overlapping / placements, b.with_ns(), b.without_ns());
+    s += fmt::format("  {:<24}{:<10}{:>8.1f}{:>9.1f}%{:>12.1f}{:>12.1f}\n", shortened(b.rated.name),
+                     name_of(bound_kinds[b.chosen]), r.test_ns, placements == 0 ? 0 : 100 * r.overlapping / placements,
+                     b.with_ns(), b.without_ns());
+  }
+  return s;
+}
+
+/// "none, then linear from 12 rays on, binned from 3,400"
+std::string choices(const TreePlan& plan) {
+  std::string s;
+  for (const TreeChoice& c : plan.choices()) {
+    const std::string what(c.method ? name_of(*c.method) : "none");
+    // Beyond 2^53 nobody asks.
+    const auto from = static_cast<std::uint64_t>(std::ceil(std::min(c.from, 0x1p53)));
+    if (s.empty())
+      s = what;
+    else
+      s += fmt::format(", {} from {}{}", what, grouped(from), s.find(',') == std::string::npos ? " rays on" : "");
+  }
+  return s;
+}
+
+std::string trees(const ScenePlan& scene, const Style& style) {
+  std::string s = style.bold(fmt::format("\n  {:<24}{:<10}{:>10}{:>10}{:>12}{:>12}\n", "tree of boxes", "method",
+                                         "build ms", "bytes", "ray ns", "nearest ns"));
+  for (std::size_t i = 0; i < scene.trees.size(); ++i) {
+    const TreePlan& plan = scene.trees[i];
+    if (plan.trees.empty()) continue;
+    s += fmt::format("  {:<24}{:<10}{:>10}{:>10}{:>12}\n", shortened(scene.names[i]), "none", "", "",
+                     three_digits(plan.ray_ns_without));
+    for (const TreeTimes& t : plan.trees) {
+      s += fmt::format("  {:<24}{:<10}{:>10}{:>10.1f}{:>12}{:>12}\n", "", name_of(t.method), three_digits(t.build_ms),
+                       t.bytes, three_digits(t.ray_ns), three_digits(t.nearest_ns));
+    }
+    s += fmt::format("  {:<24}take {}\n", "", choices(plan));
   }
   return s;
 }
@@ -118,7 +157,7 @@ std::string plan_text(const ScenePlan& scene, bool all, const Style& style) {
                    lattice.exponent, lattice.bits);
   s += less_alone(scene) + '\n' + predicates(scene, style);
   if (all) s += whole_manifest(scene, style);
-  return s + lattices(scene, style) + volumes(scene, style);
+  return s + lattices(scene, style) + volumes(scene, style) + trees(scene, style);
 }
 
 }  // namespace plumb::tool
