@@ -15,6 +15,7 @@
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/closest/box_distance.hpp"
+#include "space/closest/hausdorff_tolerance.hpp"
 #include "space/closest/nearby_corner.hpp"
 #include "space/closest/numbered_triangles.hpp"
 #include "space/closest/piece_cut.hpp"
@@ -56,7 +57,7 @@ class FarthestSearch {
         options_(options),
         done_before_(done_before),
         done_after_(done_after),
-        of_size_((Interval(options.of_size) * Interval(std::max(as_.extent(), bs_.extent()))).lower) {
+        extent_(std::max(as_.extent(), bs_.extent())) {
     ask_vertices(a);
   }
 
@@ -126,8 +127,7 @@ class FarthestSearch {
   }
 
   [[nodiscard]] bool is_near_enough(double least, double most) const {
-    const double of_most = (Interval(options_.relative) * Interval(most)).lower;
-    return (Interval(most) - Interval(least)).upper <= std::max({options_.absolute, of_size_, of_most});
+    return space::is_near_enough(options_, extent_, {least, most});
   }
 
   void tell(double share) const {
@@ -224,7 +224,7 @@ class FarthestSearch {
   const Bvh& b_;
   NumberedTriangles as_, bs_;
   const HausdorffOptions& options_;
-  double done_before_, done_after_, of_size_;
+  double done_before_, done_after_, extent_;
   std::vector<NearbyCorner> corners_;
   std::vector<std::uint32_t> corner_of_vertex_;
   std::priority_queue<Piece, std::vector<Piece>, NotAsFar> later_;

@@ -1,0 +1,105 @@
+#include "plumb/space/closest/posed_hausdorff.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "plumb/space/bvh/refit.hpp"
+#include "space/bvh/posed_box.hpp"
+#include "space/closest/hausdorff_tolerance.hpp"
+#include "space/closest/nearby_corner.hpp"
+#include "space/closest/numbered_triangles.hpp"
+
+namespace plumb {
+namespace space {
+namespace {
+
+/// What makes every image a double, and the root of its inverse.
+constexpr double smaller = 0x1p-1030, larger_by_half = 0x1p515;
+
+/// A mesh of doubles near to the images of its vertices, all of them moved by -origin and times a scale.
+struct RoundedImage {
+  Bvh bvh;
+  double off;  // no vertex is farther from the exact one
+
+  RoundedImage(const PosedMesh& mesh, const Point3& origin, double scale) : bvh(mesh.bvh), off(0) {
+    if (mesh.pose == identity_pose && origin == Point3{0, 0, 0} && scale == 1) return;
+    query::NearbyPlaces near;
+    const auto& [c, t] = mesh.pose;
+    const Interval by(scale);
+    const auto part = [&](double u, double v, double w, double shift, double from, const Point3& p) {
+      return by * Interval(u) * Interval(p.x) + by * Interval(v) * Interval(p.y) + by * Interval(w) * Interval(p.z) +
+             (by * Interval(shift) - by * Interval(from));
+    };
+    std::vector<Point3> places;
+    places.reserve(bvh.vertices.size());
+    for (const Point3& p : bvh.vertices.view()) {
+      places.push_back(near(part(c[0].x, c[1].x, c[2].x, t.x, origin.x, p),
+                            part(c[0].y, c[1].y, c[2].y, t.y, origin.y, p),
+                            part(c[0].z, c[1].z, c[2].z, t.z, origin.z, p)));
+    }
+    off = near.off();
+    refit(bvh, places);
+  }
+};
+
+struct RoundedImages {
+  Point3 origin;
+  double scale;
+  RoundedImage a, b;
+
+  RoundedImages(const PosedMesh& x, const PosedMesh& y, const Point3& from, double by)
+      : origin(from), scale(by), a(x, from, by), b(y, from, by) {}
+  /// Far from the origin what both are moved by is left out; beyond the doubles all is made smaller.
+  static RoundedImages of(const PosedMesh& a, const PosedMesh& b) {
+    RoundedImages images(a, b, {0, 0, 0}, 1);
+    if (images.off() == 0) return images;
+    const Vector3& t = a.pose.translation;
+    if (RoundedImages moved(a, b, {t.x, t.y, t.z}, 1); moved.off() < images.off()) images = std::move(moved);
+    if (images.off() < Interval::infinity) return images;
+    return {a, b, {0, 0, 0}, smaller};
+  }
+  /// No distance is farther off: that of two surfaces changes by no more than their farthest vertices move.
+  [[nodiscard]] double off() const { return sum_above(a.off, b.off); }
+  [[nodiscard]] double extent() const {
+    return std::fmax(NumberedTriangles(a.bvh).extent(), NumberedTriangles(b.bvh).extent());
+  }
+};
+
+template <class Ask>
+HausdorffDistance of_images(const char* function, const PosedMesh& a, const PosedMesh& b, HausdorffOptions options,
+                            Ask ask) {
+  require_pose(function, "a", a.pose);
+  require_pose(function, "b", b.pose);
+  const RoundedImages images = RoundedImages::of(a, b);
+  options.absolute *= images.scale;
+  HausdorffDistance h = ask(images.a.bvh, images.b.bvh, options);
+  h.least = std::fmax(0, difference_below(h.least, images.off()));
+  h.most = sum_above(h.most, images.off());
+  if (&a.bvh == &b.bvh && a.pose == b.pose) h.least = h.most = 0;
+  h.is_within = is_near_enough(options, images.extent(), {h.least, h.most});
+  if (images.scale != 1) {  // back, which is exact or overflows
+    for (double* x : {&h.least, &h.most, &h.point.x, &h.point.y, &h.point.z})
+      *x *= larger_by_half, *x *= larger_by_half;
+    h.least = std::fmin(h.least, std::numeric_limits<double>::max());
+  }
+  h.point = {h.point.x + images.origin.x, h.point.y + images.origin.y, h.point.z + images.origin.z};
+  return h;
+}
+
+}  // namespace
+}  // namespace space
+
+HausdorffDistance hausdorff_from(const PosedMesh& a, const PosedMesh& b, const HausdorffOptions& options) {
+  return space::of_images("hausdorff_from", a, b, options, [](const Bvh& x, const Bvh& y, const HausdorffOptions& o) {
+    return hausdorff_from(x, y, o);
+  });
+}
+
+HausdorffDistance hausdorff_distance(const PosedMesh& a, const PosedMesh& b, const HausdorffOptions& options) {
+  return space::of_images(
+      "hausdorff_distance", a, b, options,
+      [](const Bvh& x, const Bvh& y, const HausdorffOptions& o) { return hausdorff_distance(x, y, o); });
+}
+
+}  // namespace plumb
