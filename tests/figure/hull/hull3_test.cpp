@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "certify/sanitized.hpp"
 #include "degenerate/rational_signs.hpp"
 #include "oracle/cgal_hulls.hpp"
 #include "plumb/arith/error.hpp"
@@ -269,7 +270,8 @@ TEST(Hull3, OfLargeSets) {
     Entropy entropy(46, static_cast<std::uint64_t>(cloud.cloud));
     const bool mostly_vertices =
         cloud.cloud == Cloud::sphere || cloud.cloud == Cloud::exact_sphere || cloud.cloud == Cloud::prism;
-    const Points points = cloud3(cloud.cloud, mostly_vertices ? count / 8 : count, entropy);
+    const std::size_t most = cloud.cloud == Cloud::ball ? count : battery::fitting(count);
+    const Points points = cloud3(cloud.cloud, mostly_vertices ? most / 8 : most, entropy);
     SCOPED_TRACE(cloud.name);
     const Hull3 hull = convex_hull(points);
     const HullVerdict verdict = verify_hull(hull, points);
@@ -284,15 +286,17 @@ TEST(Hull3, OfLargeSets) {
 }
 
 TEST(Hull3, OfALatticeHasEightVertices) {
+  constexpr std::size_t side = battery::sanitized ? 20 : 40;
   Points points;
-  for (int i = 0; i < 64'000; ++i) {
-    points.push_back({static_cast<double>(i % 40), static_cast<double>(i / 40 % 40), static_cast<double>(i / 1600)});
+  for (std::size_t i = 0; i < side * side * side; ++i) {
+    points.push_back(
+        {static_cast<double>(i % side), static_cast<double>(i / side % side), static_cast<double>(i / (side * side))});
   }
   const Hull3 hull = convex_hull(points), rim = convex_hull(points, {.all_boundary_points = true});
   EXPECT_EQ(hull.vertices.size(), 8u);
   EXPECT_EQ(hull.face_count(), 6u);
-  EXPECT_EQ(rim.vertices.size(), 40u * 40 * 40 - 38 * 38 * 38);
-  EXPECT_EQ(rim.corners.size(), 6u * 4 * 39);
+  EXPECT_EQ(rim.vertices.size(), side * side * side - (side - 2) * (side - 2) * (side - 2));
+  EXPECT_EQ(rim.corners.size(), 6 * 4 * (side - 1));
   EXPECT_TRUE(verify_hull(hull, points));
   EXPECT_TRUE(verify_hull(rim, points, {.all_boundary_points = true}));
 }

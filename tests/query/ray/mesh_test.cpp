@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "certify/sanitized.hpp"
 #include "figure/basic/solids.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
@@ -267,7 +268,7 @@ TEST(Batch, NamesWhatIsWrong) {
 /// Rays aimed exactly at vertices and edge points of a closed mesh: an even number of crossings in all of a line.
 void expect_watertight(const TriangleMesh& mesh, const std::string& name) {
   const TriangleBatch batch = triangle_batch(mesh);
-  for (std::uint64_t i = 0; i < 12 * shape_cases::more; ++i) {
+  for (std::uint64_t i = 0; i < battery::fitting(12 * shape_cases::more); ++i) {
     Entropy e(606, i);
     const auto unit = [&] { return static_cast<double>(e.within(1024)) / 1024; };
     const TriangleMesh::Triangle& t = mesh.triangles[e.below(mesh.triangles.size())];

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/tree_laws.hpp"
@@ -20,8 +21,8 @@ using tree_laws::broken;
 
 class Build : public ::testing::TestWithParam<BvhMethod> {
  protected:
-  // Ten times as many as one thread grows a tree of, but by what is quadratic.
-  const std::size_t many_ = GetParam() == BvhMethod::nearest_pairs ? 1'000 : 160'000;
+  // Ten times as many as one thread grows a tree of, but by what is quadratic, and where each is watched.
+  const std::size_t many_ = GetParam() == BvhMethod::nearest_pairs ? 1'000 : battery::fitting(160'000);
 
   [[nodiscard]] BvhOptions options() const { return {.method = GetParam()}; }
   [[nodiscard]] std::string broken_for(const TriangleMesh& mesh, BvhOptions options) const {
