@@ -30,22 +30,4 @@ std::array<Vec3<T>, 3> posed_corners(const PosedTriangle3& t) {
   return {posed<T>(t.shape.a, t.pose), posed<T>(t.shape.b, t.pose), posed<T>(t.shape.c, t.pose)};
 }
 
-/// Numbers one after another, until all signs of the question are certain: question<T>(ask).
-template <class Question>
-auto by_certain_signs(const Question& question) {
-  {
-    CertainSigns ask;
-    auto answer = question.template operator()<Approximate>(ask);
-    if (ask.certain()) [[likely]]
-      return answer;
-  }
-  {
-    CertainSigns ask;
-    auto answer = question.template operator()<Ball>(ask);
-    if (ask.certain()) return answer;
-  }
-  CertainSigns ask;
-  return question.template operator()<BigDyadic>(ask);
-}
-
 }  // namespace plumb::query

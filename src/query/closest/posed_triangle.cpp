@@ -3,6 +3,7 @@
 #include "query/closest/posed_triangle.hpp"
 
 #include "arith/rounded_radical.hpp"
+#include "certify/certainly.hpp"
 #include "query/closest/numbers.hpp"
 
 namespace plumb::query {
@@ -230,7 +231,7 @@ double rounded_distance(const PosedClosePair<BigDyadic>& pair) {
 }  // namespace
 
 Feature nearest_feature(const PosedTriangle3& triangle, const Point3& p) {
-  return by_certain_signs(
+  return certainly<CertainSigns>(
       [&]<class T>(CertainSigns& ask) { return nearest_feature<T>(posed_corners<T>(triangle), vector_of<T>(p), ask); });
 }
 
@@ -247,7 +248,7 @@ Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p)
       foot_of(posed_corners<BigDyadic>(triangle), vector_of<BigDyadic>(p), nearest_feature(triangle, p)));
 }
 Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double than) {
-  return by_certain_signs([&]<class T>(CertainSigns& ask) {
+  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
     const auto corners = posed_corners<T>(triangle);
     const Vec3<T> at = vector_of<T>(p);
     const Foot<T> foot = foot_of(corners, at, nearest_feature<T>(corners, at, ask));
@@ -282,7 +283,7 @@ std::optional<std::array<Feature, 2>> quick_features(const PosedTriangle3& a, co
   return std::array{pair->feature_a, pair->feature_b};
 }
 Sign compare_distance(const PosedTriangle3& a, const PosedTriangle3& b, double than) {
-  return by_certain_signs([&]<class T>(CertainSigns& ask) {
+  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
     const auto pair = least_pair<T>(a, b, false, ask);
     return pair ? ask(pair->square - T(than) * T(than) * pair->over) : Sign::zero;
   });

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "arith/rational_lp.hpp"
+#include "certify/certainly.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "query/overlap/posed_triangles.hpp"
 
@@ -165,7 +166,7 @@ bool intersects(const PosedTriangle3& triangle, const Segment3& segment) {
 }
 
 bool intersects(const PosedTriangle3& triangle, const Halfspace3& halfspace) {
-  return by_certain_signs([&]<class T>(CertainSigns& ask) {
+  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
     for (const Vec3<T>& corner : posed_corners<T>(triangle)) {
       CertainSigns alone;
       if (alone(excess_over(halfspace, corner)) != Sign::positive && alone.certain()) return true;

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "certify/certainly.hpp"
 #include "plumb/certify/radical.hpp"
 #include "query/ray/shot.hpp"
 
@@ -177,7 +178,7 @@ std::optional<Decided> clip(const AnyRay& ray, const Model& model, RaySigns& ask
 
 template <class Model>
 std::optional<Decided> clip(const AnyRay& ray, const Model& model) {
-  return certainly([&]<class T>(RaySigns& ask) { return clip<T>(ray, model, ask); });
+  return certainly<RaySigns>([&]<class T>(RaySigns& ask) { return clip<T>(ray, model, ask); });
 }
 
 }  // namespace plumb::query

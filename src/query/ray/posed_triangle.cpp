@@ -1,5 +1,6 @@
 #include "query/ray/posed_triangle.hpp"
 
+#include "certify/certainly.hpp"
 #include "query/ray/half_open.hpp"
 
 namespace plumb::query {
@@ -22,7 +23,8 @@ template <class Answer>
 std::optional<Answer> of_posed(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule) {
   const PosedModel model(triangle);
   if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
-  return answer<Answer>(ray, model, certainly([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
+  return answer<Answer>(ray, model,
+                        certainly<RaySigns>([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
 }
 
 }  // namespace

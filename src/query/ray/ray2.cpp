@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "certify/certainly.hpp"
 #include "figure/basic/in_space.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
@@ -154,7 +155,7 @@ class FirstEdge {
 
   void ask(const Edge2& e) {
     const EdgeModel model{e};
-    const auto edge = certainly([&]<class T>(RaySigns& signs) { return decide_edge<T>(ray_, model, signs); });
+    const auto edge = certainly<RaySigns>([&]<class T>(RaySigns& signs) { return decide_edge<T>(ray_, model, signs); });
     if (!edge) return;
     const Hit at = numbers_of(ray_, model, *edge);
     const Hit2 hit{at.t, {at.point.x, at.point.y}, feature_of(e, at.feature), {at.normal.x, at.normal.y}};

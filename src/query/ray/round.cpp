@@ -8,6 +8,7 @@
 // parameters at which the ray passes from one zone to the next are quotients, and both quadratics agree there.
 #include <span>
 
+#include "certify/certainly.hpp"
 #include "query/ray/numbers.hpp"
 
 namespace plumb {
@@ -170,8 +171,8 @@ std::optional<Answer> of(const AnyRay& ray, const Capsule3& capsule) {
   require<Answer>(ray, capsule);
   if (capsule.a == capsule.b) return of_ball<Answer>(ray, capsule.a, capsule.radius);
   const CapsuleModel model{capsule};
-  return answer<Answer>(ray, model,
-                        certainly([&]<class T>(RaySigns& ask) { return decide_capsule<T>(ray, model, ask); }));
+  return answer<Answer>(
+      ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) { return decide_capsule<T>(ray, model, ask); }));
 }
 
 }  // namespace

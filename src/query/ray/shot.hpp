@@ -1,6 +1,6 @@
 // Ray cast: how is a line seen by shapes, over any number type?  Its parameters, and what is asked of them.
 //
-// Numbers are Approximate, Ball and BigDyadic in turn (arith/certain.hpp), until all signs are certain.  A parameter is
+// Numbers are Approximate, Ball and BigDyadic in turn (certify/certainly.hpp), until all signs are certain.  A parameter is
 // a quotient, or the lesser root of a quadratic; what a decision keeps of it is where it comes from, so that it can be
 // computed again in other numbers.
 #pragma once
@@ -11,8 +11,6 @@
 
 #include "arith/approximate.hpp"
 #include "arith/certain.hpp"
-#include "plumb/arith/ball.hpp"
-#include "plumb/arith/big.hpp"
 #include "plumb/query/ray/ray.hpp"
 #include "query/body/vectors.hpp"
 
@@ -31,24 +29,6 @@ class RaySigns {
  private:
   CertainSigns signs_;
 };
-
-/// Asks in one kind of number after another.
-template <class Question>
-auto certainly(const Question& question) {
-  {
-    RaySigns ask;
-    auto answer = question.template operator()<Approximate>(ask);
-    if (ask.certain()) [[likely]]
-      return answer;
-  }
-  {
-    RaySigns ask;
-    auto answer = question.template operator()<Ball>(ask);
-    if (ask.certain()) return answer;
-  }
-  RaySigns ask;
-  return question.template operator()<BigDyadic>(ask);
-}
 
 template <class T>
 Vec3<T> times(const Vec3<T>& v, const T& t) {

@@ -1,4 +1,5 @@
 // Triangles, by both rules.
+#include "certify/certainly.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/ray/half_open.hpp"
@@ -33,7 +34,8 @@ std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule r
   require<Answer>(ray, triangle);
   const TriangleModel model(triangle);
   if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
-  return answer<Answer>(ray, model, certainly([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
+  return answer<Answer>(ray, model,
+                        certainly<RaySigns>([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
 }
 
 /// What doubles tell for certain is so for every ray nearby.

@@ -3,6 +3,7 @@
 #include <compare>
 #include <string>
 
+#include "certify/certainly.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/ray/posed_ray.hpp"
 #include "query/body/figure_input.hpp"
@@ -24,7 +25,7 @@ Sign moved_side_of(const query::Vec3<T>& a, const query::Vec3<T>& b, CertainSign
 
 /// Which way does the ray from p along x leave through the triangle, which p is not on?  Zero: it does not.
 Sign crossing_of(const Posed<Triangle3>& triangle, const Point3& p) {
-  return query::by_certain_signs([&]<class T>(CertainSigns& ask) {
+  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
     const query::Vec3<T> from = query::vector_of<T>(p);
     const auto corners = query::posed_corners<T>(triangle);
     const query::Vec3<T> a = corners[0] - from, b = corners[1] - from, c = corners[2] - from;
