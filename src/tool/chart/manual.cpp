@@ -25,6 +25,10 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        convex-distance: how far apart? (hulls of 4 points each)
        vertex-face-motion, edge-edge-motion: do they meet while their
        vertices move linearly?
+       closest-hit: which triangle of a mesh does a ray hit first?
+       mesh-pairs, mesh-distance: which triangles of two meshes meet,
+       how far are the meshes apart?
+       closest-point-on-mesh: which triangle is nearest to a point?
 
 wrong  The share of wrong answers; of numbers, of those that are not the
        nearest double.
@@ -35,6 +39,11 @@ inconsistent
        the arguments are given in another order.
 ulps   Of numbers, how many doubles lie between the answer and the
        nearest one: in the mean, and at most.
+missed, wrong pairs, far off
+       Of meshes, a count of what is worse than wrong: rays that hit
+       nothing where there is something, pairs too many or too few,
+       distances off by more than 1e-4. Of triangles that are equally
+       first or near each is right.
 ns     Nanoseconds a question, on one thread: the least of a few rounds.
 allocations
        How often memory is asked for, a question.

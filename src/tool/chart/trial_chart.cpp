@@ -7,12 +7,13 @@
 namespace plumb::tool {
 namespace {
 
-std::string hint_of(const trial::Score& s, trial::AnswerKind kind) {
+std::string hint_of(const trial::Score& s, const trial::Trial& t) {
   std::string hint =
       fmt::format("{}: {} of {} wrong, {} unsure, {} inconsistent; {} ns, {} allocations", s.method, s.wrong, s.asked,
                   s.unsure, s.inconsistent, three_digits(s.ns), three_digits(s.allocations));
-  if (kind == trial::AnswerKind::number)
+  if (t.kind == trial::AnswerKind::number)
     hint += fmt::format("; off by {:.3g} ulps in the mean, {:.3g} at most", s.mean_ulps, s.largest_ulps);
+  if (!t.tally.empty()) hint += fmt::format("; {} {}", s.tallied, t.tally);
   return hint;
 }
 
@@ -25,8 +26,7 @@ std::string trial_chart(const trial::Trial& t) {
     const double part = 100 * s.share(s.unsure);
     const std::string label =
         s.unsure == 0 ? s.method : fmt::format("{} ({:.{}f}% unsure)", s.method, part, part < 1 ? 1 : 0);
-    points.push_back(
-        {label, s.ns, number ? s.mean_ulps : s.share(s.wrong), s.unsure == 0, s.method, hint_of(s, t.kind)});
+    points.push_back({label, s.ns, number ? s.mean_ulps : s.share(s.wrong), s.unsure == 0, s.method, hint_of(s, t)});
   }
   const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
   return scatter_chart({fmt::format("{}, {}", t.task, t.input), fmt::format("{}: {} cases, one thread", t.about, cases),

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-json json_of(const trial::Score& s, trial::AnswerKind kind) {
+json json_of(const trial::Score& s, const trial::Trial& t) {
   json j{{"method", s.method},
          {"asked", s.asked},
          {"wrong", s.wrong},
@@ -18,17 +18,18 @@ json json_of(const trial::Score& s, trial::AnswerKind kind) {
          {"inconsistent", s.inconsistent},
          {"ns", s.ns},
          {"allocations", s.allocations}};
-  if (kind == trial::AnswerKind::number) {
+  if (t.kind == trial::AnswerKind::number) {
     j["mean_ulps"] = s.mean_ulps;
     j["largest_ulps"] = s.largest_ulps;
   }
+  if (!t.tally.empty()) j["tallied"] = s.tallied;
   return j;
 }
 
 }  // namespace
 
 json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings) {
-  constexpr std::array<std::string_view, 3> kinds{"decision", "set", "number"};
+  constexpr std::array<std::string_view, 4> kinds{"decision", "set", "number", "item"};
   json j = origin_json("plumb chart");
   j["seed"] = settings.seed;
   j["cases"] = settings.cases;
@@ -42,7 +43,8 @@ json trials_json(std::span<const trial::Trial> trials, const trial::Settings& se
              {"methods", json::array()}};
     if (t.kind == trial::AnswerKind::decision)
       one["truths"] = {{"negative", t.truths[0]}, {"zero", t.truths[1]}, {"positive", t.truths[2]}};
-    for (const trial::Score& s : t.scores) one["methods"].push_back(json_of(s, t.kind));
+    if (!t.tally.empty()) one["tally"] = {{"name", t.tally}, {"about", t.tally_about}};
+    for (const trial::Score& s : t.scores) one["methods"].push_back(json_of(s, t));
     j["trials"].push_back(std::move(one));
   }
   return j;

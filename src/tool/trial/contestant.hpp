@@ -1,14 +1,16 @@
 // Who answers, and how is an answer written?  A method made ready for many questions.
 //
-// A question is an array of doubles, an answer one double: a sign, 1 or 0 for yes or no, a number; NaN where the method
-// knows that it does not know.
+// A question is an array of doubles, an answer one double: a sign, 1 or 0 for yes or no, a number; NaN where the
+// method knows that it does not know.
 // Laws: (1) preparing turns the questions into the method's own numbers, and is not measured, as software keeps its
 // points in the numbers it computes with; answering is. (2) Answering twice gives the same answers.
 // Cost: one virtual call for all questions.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -33,6 +35,11 @@ inline double as_answer(const Unsure<Sign>& s) { return s.certain() ? as_answer(
 inline double as_answer(bool yes) { return yes ? 1 : 0; }
 inline double as_answer(double x) { return x; }
 
+/// Pairs of numbers, as an answer that is too long for a double.
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+/// A number that tells sets of pairs apart, but for one chance in 2^53; their order does not count.
+double as_answer(const Pairs& pairs);
+
 /// What a method may know of all questions before the first is asked: the lattice of their coordinates, and a bound of
 /// their magnitudes.
 struct Scene {
@@ -49,11 +56,15 @@ class Round {
   virtual ~Round() = default;
   virtual void answer() = 0;  // all questions; this is what is measured
   [[nodiscard]] virtual double given(std::size_t question) const = 0;
+  /// The answer in full, where it is pairs.
+  [[nodiscard]] virtual Pairs given_pairs(std::size_t) const { return {}; }
 };
 
 /// A question after the other, each answered by `take`.
 template <class Question, class Take>
 class OneByOne final : public Round {
+  using Answer = std::remove_cvref_t<std::invoke_result_t<const Take&, const Question&>>;
+
  public:
   OneByOne(std::vector<Question> questions, Take take)
       : questions_(std::move(questions)), take_(std::move(take)), answers_(new Answer[questions_.size()]{}) {}
@@ -64,9 +75,12 @@ class OneByOne final : public Round {
     for (std::size_t i = 0, n = questions_.size(); i < n; ++i) answers[i] = take_(questions[i]);
   }
   [[nodiscard]] double given(std::size_t i) const override { return as_answer(answers_[i]); }
+  [[nodiscard]] Pairs given_pairs(std::size_t i) const override {
+    if constexpr (std::is_same_v<Answer, Pairs>) return answers_[i];
+    return {};
+  }
 
  private:
-  using Answer = std::remove_cvref_t<std::invoke_result_t<const Take&, const Question&>>;
   std::vector<Question> questions_;
   const Take take_;
   std::unique_ptr<Answer[]> answers_;

@@ -44,12 +44,17 @@ std::vector<double> changed(std::span<const double> questions, std::size_t numbe
 struct Inputs {
   std::vector<double> questions, truths;
   std::vector<std::vector<double>> changed;  // by each symmetry
+
+  [[nodiscard]] std::span<const double> question(std::size_t i, std::size_t numbers) const {
+    return std::span(questions).subspan(i * numbers, numbers);
+  }
 };
 
 Inputs inputs_of(const Task& task, const InputClass& input, const Settings& settings) {
   Inputs all;
-  all.questions.resize(settings.cases / task.fewer * task.numbers);
-  for (std::uint64_t i = 0; i < settings.cases / task.fewer; ++i) {
+  const std::uint64_t cases = std::max<std::uint64_t>(1, settings.cases / task.fewer);
+  all.questions.resize(cases * task.numbers);
+  for (std::uint64_t i = 0; i < cases; ++i) {
     Entropy entropy(settings.seed, i);
     const std::span<double> question = std::span(all.questions).subspan(i * task.numbers, task.numbers);
     input.fill(question, entropy);
@@ -59,16 +64,18 @@ Inputs inputs_of(const Task& task, const InputClass& input, const Settings& sett
   return all;
 }
 
-void judge(const Round& round, std::span<const double> truths, AnswerKind kind, Score& score) {
-  for (std::size_t i = 0; i < truths.size(); ++i) {
-    const double said = round.given(i);
+void judge(const Round& round, const Task& task, const Inputs& inputs, Score& score) {
+  for (std::size_t i = 0; i < inputs.truths.size(); ++i) {
+    const double said = round.given(i), truth = inputs.truths[i];
     ++score.asked;
     if (std::isnan(said)) {
       ++score.unsure;
     } else {
-      score.wrong += said != truths[i];
-      if (kind != AnswerKind::number) continue;
-      const double off = doubles_apart(said, truths[i]);
+      const auto question = inputs.question(i, task.numbers);
+      if (!task.is_right(question, truth, said)) ++score.wrong;
+      if (task.tally.count) score.tallied += task.tally.count(question, truth, round, i);
+      if (task.kind != AnswerKind::number) continue;
+      const double off = doubles_apart(said, truth);
       score.largest_ulps = std::max(score.largest_ulps, off);
       score.mean_ulps += off;  // their sum, to begin with
     }
@@ -85,7 +92,7 @@ std::optional<Score> score_of(const Method& method, const Task& task, const Inpu
   round->answer();  // also brings code and questions into the caches
   const std::uint64_t taken = allocations() - before;
   score.ns = time_of(*round) / static_cast<double>(inputs.truths.size());
-  judge(*round, inputs.truths, task.kind, score);
+  judge(*round, task, inputs, score);
   score.allocations = score.share(taken);
   score.mean_ulps = score.asked == score.unsure ? 0 : score.mean_ulps / static_cast<double>(score.asked - score.unsure);
   std::vector<bool> contradicted(inputs.truths.size());
@@ -95,7 +102,11 @@ std::optional<Score> score_of(const Method& method, const Task& task, const Inpu
     other->answer();
     for (std::size_t i = 0; i < contradicted.size(); ++i) {
       const double said = task.symmetries[s].factor * round->given(i), again = other->given(i);
-      contradicted[i] = contradicted[i] || (said != again && !std::isnan(said) && !std::isnan(again));
+      if (contradicted[i] || said == again || std::isnan(said) || std::isnan(again)) continue;
+      const auto right = [&](double answer) {
+        return task.is_right(inputs.question(i, task.numbers), inputs.truths[i], answer);
+      };
+      contradicted[i] = !right(said) || !right(again);
     }
   }
   score.inconsistent = static_cast<std::uint64_t>(std::ranges::count(contradicted, true));
@@ -116,7 +127,7 @@ double doubles_apart(double a, double b) {
 }
 
 Trial measure(const Task& task, const InputClass& input, const Settings& settings, const std::function<void()>& tried) {
-  Trial trial{task.name, task.question, input.name, input.about, task.kind, {}, {}};
+  Trial trial{task.name, task.question, input.name, input.about, task.kind, {}, {}, task.tally.name, task.tally.about};
   const Inputs inputs = inputs_of(task, input, settings);
   const Scene scene = scene_of(inputs.questions);
   if (task.kind == AnswerKind::decision) {

@@ -1,9 +1,9 @@
 // How did each method do on one class of inputs?  Wrong, unsure and inconsistent answers, time and memory.
 //
-// Laws: (1) all counts depend on the seed and the number of cases alone, not on the machine's speed; (2) an answer that
-// the method knows it does not have, or that is not a number, is unsure, never wrong; (3) inconsistent are those of two
-// sure answers to one question, asked with its arguments in another order, that contradict each other, be they right or
-// wrong.
+// Laws: (1) all counts depend on the seed and the number of cases alone, not on the machine's speed; (2) an answer
+// that the method knows it does not have, or that is not a number, is unsure, never wrong; (3) inconsistent are those
+// of two sure answers to one question, asked with its arguments in another order, that contradict each other, be they
+// right or wrong; that two answers are right does not contradict.
 // Source: RTCD 11.2.
 // Cost: as the methods take, every case asked once for each order and a few times for the clock.
 #pragma once
@@ -28,6 +28,7 @@ struct Score {
   double allocations = 0;  // a question
   // Of numbers: how many doubles lie between the answer and the nearest one.
   double largest_ulps = 0, mean_ulps = 0;
+  std::uint64_t tallied = 0;  // what the task's tally counts
 
   [[nodiscard]] double share(std::uint64_t count) const {
     return asked == 0 ? 0 : static_cast<double>(count) / static_cast<double>(asked);
@@ -40,6 +41,7 @@ struct Trial {
   AnswerKind kind{};
   std::array<std::uint64_t, 3> truths{};  // of decisions: negative, zero (no), positive (yes)
   std::vector<Score> scores;
+  std::string tally = {}, tally_about = {};  // the task's, where it has one
 };
 
 /// The number of doubles between two finite ones; from zero to zero none, whatever the signs.

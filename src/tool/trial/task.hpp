@@ -29,8 +29,16 @@ struct Symmetry {
   double factor;
 };
 
-/// A sign, or yes or no; which ones of several, as bits; or a number, which may be more or less far off.
-enum class AnswerKind : std::uint8_t { decision, set, number };
+/// A sign, or yes or no; which ones of several, as bits or as pairs; a number, which may be more or less far off; which
+/// one of many, by its number, of which several may be right.
+enum class AnswerKind : std::uint8_t { decision, set, number, item };
+
+/// What is counted beside the wrong answers: how bad they are.  Answers that are unsure do not count.
+struct Tally {
+  std::string name, about;
+  std::function<std::uint64_t(std::span<const double> question, double truth, const Round& round, std::size_t number)>
+      count = {};
+};
 
 struct Task {
   std::string name, question;
@@ -41,6 +49,13 @@ struct Task {
   std::vector<Method> methods;
   std::function<double(std::span<const double> question)> judge;
   std::uint64_t fewer = 1;  // divides the cases that are asked, where the judge takes its time
+  /// Is what was said right, too, though it is not what the judge said?  Where there is none, it is not.
+  std::function<bool(std::span<const double> question, double truth, double said)> accepts = {};
+  Tally tally = {};  // without a name: none
+
+  [[nodiscard]] bool is_right(std::span<const double> asked, double truth, double said) const {
+    return said == truth || (accepts && accepts(asked, truth, said));
+  }
 };
 
 /// Methods that need a rival's library: whoever links one names the task that it joins.
@@ -72,6 +87,10 @@ Task segment_segment_distance_task();
 Task convex_distance_task();
 Task vertex_face_motion_task();
 Task edge_edge_motion_task();
+Task closest_hit_task();
+Task mesh_pairs_task();
+Task mesh_distance_task();
+Task closest_point_task();
 
 /// For test vectors alone: no task of the report.
 Task ray_mesh_task();

@@ -48,7 +48,11 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               segment_segment_distance_task,
                               convex_distance_task,
                               vertex_face_motion_task,
-                              edge_edge_motion_task};
+                              edge_edge_motion_task,
+                              closest_hit_task,
+                              mesh_pairs_task,
+                              mesh_distance_task,
+                              closest_point_task};
   for (const auto make : makers) tasks.push_back(make());
   for (Task& task : tasks) {
     for (const Rival& rival : rivals) {
