@@ -22,6 +22,8 @@ const std::set<std::string> kIncomplete{
     "ray-triangle",           "segment-triangle",    "triangle-triangle",  "obb-obb",
     "point-in-polygon",       "point-in-polyhedron", "vertex-face-motion", "edge-edge-motion",
     "point-triangle-distance"};
+/// Tasks on meshes: other methods, and answers in full.
+const std::set<std::string> kOfMeshes{"closest-hit", "mesh-pairs", "mesh-distance", "closest-point-on-mesh"};
 const std::set<std::string> kOfTheCode{"interval", "static-filter", "adaptive", "integers", "rationals"};  // branching
 const std::set<std::string> kUnderflowing{"extreme", "mixture", "off_by_ulps", "repeated"};  // or overflowing
 
@@ -147,7 +149,7 @@ TEST(Report, FindsFloatsWrongOnDegenerateInputsAndNotOnHarmlessOnes) {
     if (name == "rationals") {
       EXPECT_GT(m.at("allocations"), 10) << task << ' ' << input;
     }
-    if (name == "double" && !task.starts_with("hull")) {
+    if (name == "double" && !task.starts_with("hull") && task != "mesh-pairs" && task != "mesh-distance") {
       EXPECT_EQ(m.at("allocations"), 0) << task << ' ' << input;
     }
   });
@@ -166,6 +168,7 @@ TEST(Report, AsksTheMethodsOfCodeThatBranches) {
     }
   });
   for (const auto& [task, names] : methods) {
+    if (kOfMeshes.contains(task)) continue;
     const bool moves = task.ends_with("-motion"), number = task.ends_with("distance") || task == "smallest-ball";
     EXPECT_TRUE(names.contains("compensated")) << task;
     EXPECT_EQ(names.contains("interval"), !number) << task;
@@ -180,6 +183,33 @@ TEST(Report, AsksTheMethodsOfCodeThatBranches) {
   EXPECT_TRUE(at_fault["rationals"].contains("ray-triangle"));  // within the plane: no number mends the code
   EXPECT_EQ(at_fault["rationals"], at_fault["integers"]);
   for (const char* exact : {"exact", "batch"}) EXPECT_THAT(at_fault[exact], testing::IsEmpty()) << exact;
+}
+
+TEST(Report, CountsWhatIsMissedOrFarOffOnMeshes) {
+  std::map<std::string, std::set<std::string>> methods;
+  std::map<std::string, std::uint64_t> of_floats;
+  for (const json& trial : report().raw.at("trials")) {
+    const std::string task = trial.at("task");
+    EXPECT_EQ(trial.contains("tally"), kOfMeshes.contains(task)) << task;
+    if (!trial.contains("tally")) continue;
+    const std::string tally = trial.at("tally").at("name");
+    EXPECT_THAT(report().table, HasSubstr("  " + tally + ": " + std::string(trial.at("tally").at("about"))));
+    EXPECT_THAT(report().page, HasSubstr(">" + tally + "</th>"));
+    for (const json& m : trial.at("methods")) {
+      const std::string name = m.at("method");
+      methods[task].insert(name);
+      if (name == "exact" || name == "batch") {
+        EXPECT_EQ(m.at("tallied"), 0) << task << ' ' << name;
+      }
+      if (name == "float32") of_floats[task] += std::uint64_t(m.at("tallied"));
+    }
+  }
+  EXPECT_EQ(methods.size(), 4U);
+  for (const auto& [task, names] : methods) {
+    EXPECT_THAT(names, testing::IsSupersetOf({"float32", "double", "exact"})) << task;
+    EXPECT_EQ(names.contains("batch"), task.starts_with("closest-")) << task;
+  }
+  for (const char* task : {"mesh-pairs", "closest-point-on-mesh"}) EXPECT_GT(of_floats[task], 0U) << task;
 }
 
 TEST(Report, IsAPageThatNeedsNothingElse) {

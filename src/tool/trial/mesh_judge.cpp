@@ -12,7 +12,7 @@ namespace plumb::tool::trial {
 namespace {
 
 constexpr int lattice_bits = 50;
-constexpr std::size_t leaf_triangles = 4;
+constexpr std::size_t leaf_triangles = 1;  // asking one costs more than many boxes
 
 mpz_class integer_of(double x) {
   const double units = std::ldexp(x, lattice_bits);

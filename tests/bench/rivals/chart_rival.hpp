@@ -23,12 +23,16 @@ namespace plumb::bench {
 using Rivals = std::vector<tool::trial::Rival>;
 
 void add_bullet(Rivals& all);
+void add_bullet_meshes(Rivals& all);
 void add_ccd(Rivals& all);
 void add_cgal_figures(Rivals& all);
+void add_cgal_meshes(Rivals& all);
 void add_cgal_predicates(Rivals& all);
 void add_eigen(Rivals& all);
 void add_embree(Rivals& all);
+void add_embree_meshes(Rivals& all);
 void add_fcl(Rivals& all);
+void add_fcl_meshes(Rivals& all);
 void add_qhull(Rivals& all);
 
 /// Joins a task whose questions have N numbers: `make` turns them into the library's shapes, `take` is measured.
@@ -42,6 +46,10 @@ template <std::size_t N, class Take>
 void join(Rivals& all, const char* task, std::string name, std::string about, Take take) {
   all.push_back({task, tool::trial::each_of<double, N>(std::move(name), std::move(about), take)});
 }
+
+/// A method of a library that asks for triangles that are not flat, of questions that name so many meshes: of classes
+/// with such triangles it is not asked.
+tool::trial::Method without_flat_triangles(tool::trial::Method method, std::size_t meshes);
 
 /// A point of a question as a bit; of equal ones the first stands for all.
 template <std::size_t Dimension, std::size_t N>

@@ -1,0 +1,268 @@
+// The tasks on meshes of `plumb chart`: their meshes are what they are said to be, their judge is the loop over all
+// triangles by the library's exact tests, and what is wrong, missed or far off is counted as such.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "plumb/query/closest/closest.hpp"
+#include "plumb/query/closest/pairs.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/ray/batch.hpp"
+#include "plumb/query/ray/parity.hpp"
+#include "tool/trial/measure.hpp"
+#include "tool/trial/mesh_judge.hpp"
+#include "tool/trial/mesh_questions.hpp"
+
+namespace plumb::tool::trial {
+namespace {
+
+Triangle3 triangle_of(const TriangleMesh& mesh, std::size_t i) {
+  const auto& [a, b, c] = mesh.triangles[i];
+  return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
+
+/// Calls see(question) of the first cases of each class.
+template <class See>
+void each_question(const Task& task, std::uint64_t cases, See see) {
+  for (const InputClass& input : task.classes) {
+    SCOPED_TRACE(task.name + ", " + input.name);
+    for (std::uint64_t i = 0; i < cases; ++i) {
+      SCOPED_TRACE("case " + std::to_string(i));
+      std::vector<double> q(task.numbers);
+      Entropy entropy(2026, i);
+      input.fill(q, entropy);
+      see(std::span<const double>(q));
+    }
+  }
+}
+
+double answer_of(const Task& task, std::string_view method, std::span<const double> questions, std::size_t number = 0) {
+  const auto found = std::ranges::find(task.methods, method, &Method::name);
+  const auto round = found->prepare(questions, {});
+  round->answer();
+  return round->given(number);
+}
+
+TEST(MeshScenes, AreOnTheLatticeAndAsTheyAreNamed) {
+  std::set<double> names;
+  for (const Surface surface : {Surface::ring, Surface::band, Surface::loop, Surface::shells, Surface::blocks,
+                                Surface::die, Surface::heap, Surface::pile}) {
+    for (const Moved& moved : {Moved{}, Moved{.turned_at_random = true}, Moved{.stepped = true, .nudged = true},
+                               Moved{.aside = true}, Moved{.turned = true}, Moved{.far = true}}) {
+      if (moved.nudged && surface == Surface::shells) continue;
+      const double name = mesh_name(surface, moved, 7);
+      EXPECT_TRUE(names.insert(name).second);
+      const TriangleMesh mesh = mesh_of({name, 0, 1, 2});
+      const bool soup = surface == Surface::heap || surface == Surface::pile;
+      EXPECT_EQ(is_closed(mesh), !soup);
+      if (surface == Surface::shells && (moved.turned_at_random || moved.far)) continue;  // they round 2^-50 away
+      for (const Point3& p : mesh.vertices) {
+        for (const double x : {p.x, p.y, p.z}) EXPECT_EQ(std::ldexp(x, 50), std::trunc(std::ldexp(x, 50)));
+      }
+      const TriangleMesh again = mesh_of({name, 0, 1, 2}), other = mesh_of({name, 1, 2, 0});
+      EXPECT_EQ(again.vertices, mesh.vertices);
+      for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Point3 &p = mesh.vertices[i], &q = other.vertices[i];
+        EXPECT_EQ(q, (Point3{p.y, p.z, p.x}));
+      }
+    }
+  }
+  EXPECT_EQ(mesh_of({mesh_name(Surface::ring), 0, 1, 2}).triangles.size(), 6400U);
+  EXPECT_EQ(mesh_of({mesh_name(Surface::blocks), 0, 1, 2}).triangles.size(), 300U);
+  EXPECT_EQ(mesh_of({mesh_name(Surface::die), 0, 1, 2}).triangles.size(), 108U);
+}
+
+TEST(MeshJudge, TakesNoNumberThatItCannotHold) { EXPECT_THROW(integer_vec(0x1p-51, 0, 0), InvalidShape); }
+
+TEST(MeshJudge, AgreesWithEveryTriangleAskedForARay) {
+  const Task task = closest_hit_task();
+  int none = 0;
+  each_question(task, 40, [&](std::span<const double> q) {
+    const auto first = first_hit(ray_in(q), mesh_of(key_of(q)));
+    const double truth = task.judge(q);
+    EXPECT_EQ(truth, first ? first->index : no_item);
+    if (!first) ++none;
+    EXPECT_EQ(answer_of(task, "exact", q), truth);  // the lowest, where several are equally first
+    EXPECT_EQ(answer_of(task, "batch", q), truth);
+  });
+  EXPECT_GT(none, 10);
+  EXPECT_LT(none, 200);
+}
+
+TEST(MeshJudge, AgreesWithEveryTriangleAskedForAPoint) {
+  const Task task = closest_point_task();
+  each_question(task, 12, [&](std::span<const double> q) {
+    const TriangleMesh mesh = mesh_of(key_of(q));
+    const Point3 p = place_in(q);
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < mesh.triangles.size(); ++i) {
+      // Doubles first, for those that are much farther.
+      if (distance(p, triangle_of(mesh, i)) > 1.001 * distance(p, triangle_of(mesh, best)) + 1e-9) continue;
+      if (squared_distance_exact(p, triangle_of(mesh, i)) < squared_distance_exact(p, triangle_of(mesh, best)))
+        best = i;
+    }
+    EXPECT_EQ(task.judge(q), static_cast<double>(best));
+    EXPECT_EQ(answer_of(task, "exact", q), static_cast<double>(best));
+    EXPECT_EQ(answer_of(task, "batch", q), static_cast<double>(best));
+  });
+}
+
+TEST(MeshJudge, AgreesWithEveryPairOfTriangles) {
+  const Task task = mesh_pairs_task();
+  std::size_t all = 0;
+  each_question(task, 1, [&](std::span<const double> q) {
+    const TriangleMesh a = mesh_of(first_key(q)), b = mesh_of(second_key(q));
+    Pairs pairs;
+    for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
+      const Triangle3 s = triangle_of(a, i);
+      for (std::uint32_t k = 0; k < b.triangles.size(); ++k) {
+        if (intersects(s, triangle_of(b, k))) pairs.push_back({i, k});
+      }
+    }
+    all += pairs.size();
+    EXPECT_EQ(pairs_that_meet(JudgedMesh(a), JudgedMesh(b)), pairs);
+    EXPECT_EQ(task.judge(q), as_answer(pairs));
+    EXPECT_EQ(answer_of(task, "exact", q), as_answer(pairs));
+  });
+  EXPECT_GT(all, 1000U);
+}
+
+TEST(MeshJudge, AgreesWithEveryPairOfTrianglesOnTheDistance) {
+  const Task task = mesh_distance_task();
+  each_question(task, 1, [&](std::span<const double> q) {
+    const TriangleMesh a = mesh_of(first_key(q)), b = mesh_of(second_key(q));
+    double least = std::numeric_limits<double>::infinity();
+    // Of large meshes some rows, which is enough to be noticed: none may be nearer.
+    for (std::size_t i = 0; i<a.triangles.size(); i += a.triangles.size()> 300 ? 16 : 1) {
+      for (std::size_t k = 0; k < b.triangles.size(); ++k)
+        least = std::min(least, distance(triangle_of(a, i), triangle_of(b, k)));
+    }
+    if (a.triangles.size() > 300) {
+      EXPECT_LE(task.judge(q), least);
+    } else {
+      EXPECT_EQ(task.judge(q), least);
+    }
+    EXPECT_EQ(answer_of(task, "exact", q), task.judge(q));
+  });
+}
+
+/// The same by another code path: linear programs in rationals, on triangles of small integers, flat ones among them.
+TEST(ExactMeet, AgreesWithLinearPrograms) {
+  int met = 0, hit = 0;
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    SCOPED_TRACE("case " + std::to_string(i));
+    Entropy e(5, i);
+    const auto generated = [](const IntegerTriangle& t) {
+      Generated g;
+      for (const IntegerVec& p : t) g.points.push_back({p.x, p.y, p.z});
+      return g;
+    };
+    const auto number = [&e] { return mpz_class(static_cast<long>(e.within(2))); };
+    IntegerTriangle a, b;
+    for (IntegerTriangle* t : {&a, &b}) {
+      for (IntegerVec& p : *t) p.x = number(), p.y = number(), p.z = number();
+    }
+    const bool meeting = meet(generated(a), generated(b));
+    met += meeting;
+    EXPECT_EQ(triangles_meet(a, b), meeting);
+    EXPECT_EQ(square_distance(a, b) == 0, meeting);
+    IntegerVec d = b[1] - b[0];
+    if (d.x == 0 && d.y == 0 && d.z == 0) d.x = 1;
+    const auto first = first_meeting(b[0], d, a);
+    const RationalVec o{b[0].x, b[0].y, b[0].z}, along{d.x, d.y, d.z};
+    EXPECT_EQ(first.has_value(), meet({{o}, {along}}, generated(a)));
+    if (!first) continue;
+    ++hit;
+    // It is there, and not before.
+    mpq_class t(first->above, first->below);
+    t.canonicalize();
+    const mpq_class before = t / 2;
+    EXPECT_TRUE(meet({{o + along * t}, {}}, generated(a)));
+    EXPECT_EQ(meet({{o, o + along * before}, {}}, generated(a)), t == 0);
+  }
+  EXPECT_GT(met, 300);
+  EXPECT_GT(hit, 100);
+}
+
+TEST(PairsAsAnswer, AreToldApartAndKnowNoOrder) {
+  EXPECT_EQ(as_answer(Pairs{{1, 2}, {3, 4}}), as_answer(Pairs{{3, 4}, {1, 2}}));
+  std::set<double> all;
+  for (const Pairs& p : {Pairs{}, Pairs{{0, 0}}, Pairs{{0, 1}}, Pairs{{1, 0}}, Pairs{{0, 0}, {0, 0}},
+                         Pairs{{1, 2}, {3, 4}}, Pairs{{1, 4}, {3, 2}}, Pairs{{1, 2}, {3, 4}, {5, 6}}})
+    EXPECT_TRUE(all.insert(as_answer(p)).second);
+  for (const double x : all) EXPECT_EQ(x, std::trunc(x));
+}
+
+/// What a method that always says the same is found to be.
+Score score_of_saying(Task task, const std::string& input, const std::function<double(std::size_t)>& say,
+                      Pairs pairs = {}) {
+  class Says final : public Round {
+   public:
+    Says(std::function<double(std::size_t)> say, Pairs pairs) : say_(std::move(say)), pairs_(std::move(pairs)) {}
+    void answer() override {}
+    [[nodiscard]] double given(std::size_t i) const override { return say_(i); }
+    [[nodiscard]] Pairs given_pairs(std::size_t) const override { return pairs_; }
+
+   private:
+    std::function<double(std::size_t)> say_;
+    Pairs pairs_;
+  };
+  task.methods = {{"says", "", [=](std::span<const double>, const Scene&) -> std::unique_ptr<Round> {
+                     return std::make_unique<Says>(say, pairs);
+                   }}};
+  const auto found = std::ranges::find(task.classes, input, &InputClass::name);
+  return measure(task, *found, {2026, 256}, [] {}).scores.at(0);
+}
+
+TEST(Tally, CountsWhatIsMissed) {
+  const Score none = score_of_saying(closest_hit_task(), "vertices_and_edges", [](std::size_t) { return no_item; });
+  EXPECT_EQ(none.asked, 64U);
+  EXPECT_EQ(none.tallied, none.asked);  // each hits
+  EXPECT_EQ(none.wrong, none.asked);
+  const Score beyond = score_of_saying(closest_hit_task(), "generic", [](std::size_t) { return 1e9; });
+  EXPECT_EQ(beyond.wrong, beyond.asked);
+  EXPECT_EQ(beyond.tallied, 0U);
+  const Score unknown = score_of_saying(closest_hit_task(), "generic", [](std::size_t) { return unsure; });
+  EXPECT_EQ(unknown.unsure, unknown.asked);
+  EXPECT_EQ(unknown.tallied + unknown.wrong, 0U);
+}
+
+TEST(Tally, CountsPairsAndDistancesThatAreOff) {
+  const Score far = score_of_saying(mesh_distance_task(), "generic", [](std::size_t) { return 1e9; });
+  EXPECT_EQ(far.tallied, far.asked);
+  const Score far_triangle = score_of_saying(closest_point_task(), "far_away", [](std::size_t) { return no_item; });
+  EXPECT_EQ(far_triangle.tallied, far_triangle.asked);
+  const Score pairs = score_of_saying(mesh_pairs_task(), "same", [](std::size_t) { return 0.0; });
+  EXPECT_EQ(pairs.wrong, 1U);
+  // A triangle of a closed ring, every vertex of which has six, has 12 neighbors, and is its own.
+  EXPECT_EQ(pairs.tallied, 256U * 13);
+  const Score more = score_of_saying(mesh_pairs_task(), "same", [](std::size_t) { return 0.0; }, {{0, 0}, {900, 900}});
+  EXPECT_EQ(more.tallied, 256U * 13);  // one that meets, and one that is none
+}
+
+/// Equally first and equally near triangles are as right as the lowest.
+TEST(Ties, AreRightWhicheverIsNamed) {
+  const Task hits = closest_hit_task(), places = closest_point_task();
+  std::size_t ties = 0;
+  const auto look = [&](const Task& task, std::span<const double> q) {
+    const double truth = task.judge(q);
+    if (truth == no_item) return;
+    EXPECT_FALSE(task.is_right(q, truth, no_item));
+    EXPECT_FALSE(task.is_right(q, truth, 1e9));
+    const TriangleMesh mesh = mesh_of(key_of(q));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (static_cast<double>(i) == truth || !task.is_right(q, truth, static_cast<double>(i))) continue;
+      EXPECT_GT(static_cast<double>(i), truth);
+      ++ties;
+    }
+  };
+  each_question(hits, 3, [&](std::span<const double> q) { look(hits, q); });
+  each_question(places, 1, [&](std::span<const double> q) { look(places, q); });
+  EXPECT_GT(ties, 10U);
+}
+
+}  // namespace
+}  // namespace plumb::tool::trial
