@@ -59,7 +59,7 @@ std::vector<InputClass> closest_hit_classes() {
        [=](std::span<double> q, Entropy& e) { fill_any_ray(q, e, ring); }},
       {"vertices_and_edges", "the same; each ray at a vertex or the middle of an edge, exactly",
        [=](std::span<double> q, Entropy& e) { fill_aimed_ray(q, e, (*shelf)(ring), ring, false); }},
-      {"near_ties", "three such rings, 2^-20 and 2^-50 apart",
+      {"near_ties", "three closed rings of 2,304 triangles, 2^-20 and 2^-50 apart",
        [](std::span<double> q, Entropy& e) { fill_any_ray(q, e, mesh_name(Surface::shells)); }},
       {"degenerate", "2,000 triangles of small integers, in heaps; rays along their planes and edges",
        [](std::span<double> q, Entropy& e) { fill_integer_ray(q, e); }},

@@ -32,7 +32,7 @@ std::vector<InputClass> closest_point_classes() {
        [=](std::span<double> q, Entropy& e) {
          set_place(q, blocks, {3 + quarter(e, 4), 3 + quarter(e, 4), 3 + quarter(e, 4)});
        }},
-      {"near_ties", "three such rings, 2^-20 and 2^-50 apart",
+      {"near_ties", "three closed rings of 2,304 triangles, 2^-20 and 2^-50 apart",
        [](std::span<double> q, Entropy& e) { set_place(q, mesh_name(Surface::shells), place_near_ring(e)); }},
       {"degenerate", "2,000 triangles of small integers, in heaps; points of halves",
        [](std::span<double> q, Entropy& e) {
