@@ -26,7 +26,7 @@ set_target_properties(plumb_bench PROPERTIES OUTPUT_NAME plumb-bench)
 target_link_libraries(plumb_bench PRIVATE bench_rivals plumb_tool bench_flags rival_libraries)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # What GCC sees in CGAL's spheres and TBB's counters is not there.
-  set_property(SOURCE rivals/chart_cgal_figures_rival.cpp rivals/chart_cgal_mesh_rival.cpp APPEND PROPERTY COMPILE_OPTIONS
+  set_property(SOURCE rivals/chart_cgal_figures_rival.cpp rivals/meshes/cgal_rival.cpp APPEND PROPERTY COMPILE_OPTIONS
     -Wno-maybe-uninitialized -Wno-stringop-overflow)
 endif()
 
