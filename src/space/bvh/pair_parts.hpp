@@ -9,8 +9,8 @@ namespace plumb::space {
 
 /// Pairs of nodes that take the place of the two roots, of those that meet: so many or more, as far as
 /// there are.  replace(pair, take) says what a pair is replaced by.
-template <class Replace, class Meets>
-std::vector<NodePair> pair_parts(std::span<const BoxNode> as, std::span<const BoxNode> bs, std::size_t wanted,
+template <class A, class B, class Replace, class Meets>
+std::vector<NodePair> pair_parts(std::span<const A> as, std::span<const B> bs, std::size_t wanted,
                                  const Replace& replace, const Meets& meets) {
   std::vector<NodePair> now, next;
   if (!as.empty() && !bs.empty() && meets(as[0], bs[0])) now.push_back({0, 0});

@@ -6,6 +6,8 @@
 //   descend_nearest_first(tree, limit, bound, visit);                 // always the nearest node: distances
 //
 // A visit may return Descent::stop (or nothing, which goes on); then the descent returns it too.
+// A tree is a BoxTree, or any that lies in memory as it does (volume_tree.hpp): `nodes`, each of which has is_leaf(), link
+// and count.
 // bound(node) is at most what any item below has; visit(first, count, limit) may lower the limit.  Nodes whose bound is
 // above the limit are left out, those equal to it are not, so that ties reach the visit.
 // Laws: (1) descend visits each leaf at most once, in the order of the slots, and exactly those all of whose ancestors
@@ -50,14 +52,14 @@ struct Keyed {
 
 }  // namespace space
 
-template <class Enters, class Visit>
-Descent descend(const BoxTree& tree, Enters&& enters, Visit&& visit) {
-  const std::span<const BoxNode> nodes = tree.nodes.view();
+template <class Tree, class Enters, class Visit>
+Descent descend(const Tree& tree, Enters&& enters, Visit&& visit) {
+  const auto nodes = tree.nodes.view();
   if (nodes.empty() || !enters(nodes[0])) return Descent::go_on;
   std::array<std::uint32_t, most_tree_depth> later;
   std::size_t waiting = 0;
   for (std::uint32_t i = 0;;) {
-    const BoxNode& node = nodes[i];
+    const auto& node = nodes[i];
     if (!node.is_leaf()) {
       const std::uint32_t second = i + node.link;
       const bool first_enters = enters(nodes[i + 1]), second_enters = enters(nodes[second]);
@@ -78,14 +80,14 @@ Descent descend(const BoxTree& tree, Enters&& enters, Visit&& visit) {
   }
 }
 
-template <class Key, class Bound, class Visit>
-Descent descend_nearer_first(const BoxTree& tree, Key& limit, Bound&& bound, Visit&& visit) {
-  const std::span<const BoxNode> nodes = tree.nodes.view();
+template <class Tree, class Key, class Bound, class Visit>
+Descent descend_nearer_first(const Tree& tree, Key& limit, Bound&& bound, Visit&& visit) {
+  const auto nodes = tree.nodes.view();
   if (nodes.empty() || bound(nodes[0]) > limit) return Descent::go_on;
   std::array<space::Keyed<Key>, most_tree_depth> later;
   std::size_t waiting = 0;
   for (std::uint32_t i = 0;;) {
-    const BoxNode& node = nodes[i];
+    const auto& node = nodes[i];
     if (!node.is_leaf()) {
       space::Keyed<Key> near{bound(nodes[i + 1]), i + 1}, far{bound(nodes[i + node.link]), i + node.link};
       if (far.key < near.key) std::swap(near, far);
@@ -105,9 +107,9 @@ Descent descend_nearer_first(const BoxTree& tree, Key& limit, Bound&& bound, Vis
   }
 }
 
-template <class Key, class Bound, class Visit>
-Descent descend_nearest_first(const BoxTree& tree, Key& limit, Bound&& bound, Visit&& visit) {
-  const std::span<const BoxNode> nodes = tree.nodes.view();
+template <class Tree, class Key, class Bound, class Visit>
+Descent descend_nearest_first(const Tree& tree, Key& limit, Bound&& bound, Visit&& visit) {
+  const auto nodes = tree.nodes.view();
   if (nodes.empty()) return Descent::go_on;
   using Keyed = space::Keyed<Key>;
   const auto farther = [](const Keyed& a, const Keyed& b) {
@@ -118,7 +120,7 @@ Descent descend_nearest_first(const BoxTree& tree, Key& limit, Bound&& bound, Vi
   while (!later.empty() && !(later.top().key > limit)) {
     const std::uint32_t i = later.top().node;
     later.pop();
-    const BoxNode& node = nodes[i];
+    const auto& node = nodes[i];
     if (node.is_leaf()) {
       if (space::visited(visit, node.link, node.count, limit) == Descent::stop) return Descent::stop;
       continue;

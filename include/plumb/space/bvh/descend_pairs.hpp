@@ -26,21 +26,31 @@ enum class Descend : unsigned char { first, second, both };
 
 /// The first tree down to its leaves, then the second.
 struct descend_first {
-  Descend operator()(const BoxNode&, const BoxNode&) const { return Descend::first; }
+  template <class A, class B>
+  Descend operator()(const A&, const B&) const {
+    return Descend::first;
+  }
 };
-/// The node of the longer diagonal; a guess in floats, of boxes in one frame.
+/// The node of the longer diagonal; a guess in floats, of boxes in one frame.  Of volumes the one whose size() is larger.
 struct descend_larger {
   static float size(const BoxNode& n) {
     const float x = n.max[0] - n.min[0], y = n.max[1] - n.min[1], z = n.max[2] - n.min[2];
     return x * x + y * y + z * z;
   }
-  Descend operator()(const BoxNode& a, const BoxNode& b) const {
+  template <class Node>
+  requires requires(const Node& n) { n.size(); }
+  static auto size(const Node& n) { return n.size(); }
+  template <class A, class B>
+  Descend operator()(const A& a, const B& b) const {
     return size(a) < size(b) ? Descend::second : Descend::first;
   }
 };
 /// Both at once: four pairs.
 struct descend_both {
-  Descend operator()(const BoxNode&, const BoxNode&) const { return Descend::both; }
+  template <class A, class B>
+  Descend operator()(const A&, const B&) const {
+    return Descend::both;
+  }
 };
 
 namespace space {
@@ -53,11 +63,11 @@ struct NodePair {
 inline constexpr std::size_t most_waiting_pairs = 3 * std::size_t{most_tree_depth} + 4;
 
 /// What a pair is replaced by, the first to be looked at last: take(NodePair) of each.  Not of two leaves.
-template <class Rule, class Take>
-void replace_pair(std::span<const BoxNode> as, std::span<const BoxNode> bs, const Rule& rule, NodePair pair,
-                  const Take& take) {
+template <class A, class B, class Rule, class Take>
+void replace_pair(std::span<const A> as, std::span<const B> bs, const Rule& rule, NodePair pair, const Take& take) {
   const auto [i, k] = pair;
-  const BoxNode &a = as[i], &b = bs[k];
+  const A& a = as[i];
+  const B& b = bs[k];
   const Descend which = a.is_leaf() ? Descend::second : b.is_leaf() ? Descend::first : rule(a, b);
   if (which == Descend::first) {
     take({i + a.link, k});
@@ -74,8 +84,8 @@ void replace_pair(std::span<const BoxNode> as, std::span<const BoxNode> bs, cons
 }
 
 /// The same of one tree, in which a node is paired with itself as well.
-template <class Take>
-void replace_own_pair(std::span<const BoxNode> nodes, NodePair pair, const Take& take) {
+template <class Node, class Take>
+void replace_own_pair(std::span<const Node> nodes, NodePair pair, const Take& take) {
   const auto [i, k] = pair;
   if (i != k) {
     replace_pair(nodes, nodes, descend_larger{}, pair, take);
@@ -88,15 +98,16 @@ void replace_own_pair(std::span<const BoxNode> nodes, NodePair pair, const Take&
 }
 
 /// From one pair on; replace(pair, take) says what it is replaced by.
-template <class Replace, class Meets, class Visit>
-Descent descend_from(std::span<const BoxNode> as, std::span<const BoxNode> bs, NodePair start, const Replace& replace,
-                     Meets& meets, Visit& visit) {
+template <class A, class B, class Replace, class Meets, class Visit>
+Descent descend_from(std::span<const A> as, std::span<const B> bs, NodePair start, const Replace& replace, Meets& meets,
+                     Visit& visit) {
   std::array<NodePair, most_waiting_pairs> later;
   std::size_t waiting = 0;
   later[waiting++] = start;
   while (waiting > 0) {
     const NodePair pair = later[--waiting];
-    const BoxNode &a = as[pair.a], &b = bs[pair.b];
+    const A& a = as[pair.a];
+    const B& b = bs[pair.b];
     if (!a.is_leaf() || !b.is_leaf()) {
       replace(pair, [&](NodePair next) {
         if (meets(as[next.a], bs[next.b])) later[waiting++] = next;
@@ -110,21 +121,22 @@ Descent descend_from(std::span<const BoxNode> as, std::span<const BoxNode> bs, N
 
 }  // namespace space
 
-template <class Rule, class Meets, class Visit>
-Descent descend_pairs(const BoxTree& tree_a, const BoxTree& tree_b, const Rule& rule, Meets&& meets, Visit&& visit) {
-  const std::span<const BoxNode> as = tree_a.nodes.view(), bs = tree_b.nodes.view();
+template <class TreeA, class TreeB, class Rule, class Meets, class Visit>
+Descent descend_pairs(const TreeA& tree_a, const TreeB& tree_b, const Rule& rule, Meets&& meets, Visit&& visit) {
+  const auto as = tree_a.nodes.view();
+  const auto bs = tree_b.nodes.view();
   if (as.empty() || bs.empty() || !meets(as[0], bs[0])) return Descent::go_on;
   const auto replace = [&](space::NodePair pair, const auto& take) { space::replace_pair(as, bs, rule, pair, take); };
   return space::descend_from(as, bs, {0, 0}, replace, meets, visit);
 }
 
 /// A node always meets itself.
-template <class Meets, class Visit>
-Descent descend_own_pairs(const BoxTree& tree, Meets&& meets, Visit&& visit) {
-  const std::span<const BoxNode> nodes = tree.nodes.view();
+template <class Tree, class Meets, class Visit>
+Descent descend_own_pairs(const Tree& tree, Meets&& meets, Visit&& visit) {
+  const auto nodes = tree.nodes.view();
   if (nodes.empty()) return Descent::go_on;
   const auto replace = [&](space::NodePair pair, const auto& take) { space::replace_own_pair(nodes, pair, take); };
-  const auto itself_too = [&](const BoxNode& a, const BoxNode& b) { return &a == &b || meets(a, b); };
+  const auto itself_too = [&](const auto& a, const auto& b) { return &a == &b || meets(a, b); };
   return space::descend_from(nodes, nodes, {0, 0}, replace, itself_too, visit);
 }
 
