@@ -1,0 +1,41 @@
+// Which triangles of a mesh does a figure meet, by a tree of any volume?  A ray, a line, a box, a ball, a triangle, a
+// convex polyhedron: whatever `intersects` takes beside the volume and beside a triangle.
+//
+//   triangles_meeting(bvh, build_volume_tree<Obb3>(bvh), Ray3{{0, 0, 9}, {0, 0, -1}})
+//   triangles_meeting(bvh, spheres, Tetrahedron3{a, b, c, d})
+//
+// Laws: the numbers, ascending, of exactly those triangles for which intersects(triangle, figure) is true, whatever the
+// volumes.  A tree that is not one of the mesh throws InvalidShape, numbers that are no figure throw as intersects does,
+// where there is anything to ask.
+// Source: RTCD 6.3.1, 6.4.
+// Cost: intersects(figure, volume) for each child of a node that is entered, intersects(triangle, figure) for the
+// triangles of leaves.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/volume_tree.hpp"
+
+namespace plumb {
+
+template <class Volume, class Shape>
+requires(RelatedPair<Shape, Volume>&& RelatedPair<Triangle3, Shape>) std::vector<std::uint32_t> triangles_meeting(
+    const Bvh& mesh, const VolumeTree<Volume>& volumes, const Shape& figure) {
+  space::require_tree_of("triangles_meeting", "volumes", mesh, volumes);
+  std::vector<std::uint32_t> items;
+  descend(
+      volumes, [&](const VolumeNode<Volume>& node) { return intersects(figure, node.volume); },
+      [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t slot = first; slot < first + count; ++slot) {
+          if (intersects(mesh.triangle(slot), figure)) items.push_back(mesh.tree.items[slot]);
+        }
+      });
+  std::sort(items.begin(), items.end());
+  return items;
+}
+
+}  // namespace plumb
