@@ -16,8 +16,10 @@
 #include "plumb/space/bvh/insertion_tree.hpp"  // of what comes and goes
 #include "plumb/space/bvh/posed_mesh.hpp"      // of a mesh that has been moved
 #include "plumb/space/bvh/refit.hpp"           // for what moves
+#include "plumb/space/bvh/sphere_tree.hpp"     // of spheres, ever finer, that cover a surface
 #include "plumb/space/bvh/tree_cost.hpp"       // what it costs to ask
 #include "plumb/space/bvh/tree_file.hpp"       // in a file
+#include "plumb/space/bvh/volume_tree.hpp"     // of spheres, oriented boxes, k-DOPs, or your own volumes
 #include "plumb/space/bvh/wide_tree.hpp"       // with eight children a node
 
 // How is it asked?  descend and its kin
@@ -39,13 +41,16 @@
 #include "plumb/space/moving/translating_mesh.hpp"  // a mesh along a line, another
 
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
-#include "plumb/space/pairs/mesh_pairs.hpp"   // of two meshes, or one with itself
-#include "plumb/space/pairs/neighbors.hpp"    // two triangles of one mesh, beyond what they share
-#include "plumb/space/pairs/posed_pairs.hpp"  // of meshes that have been moved
+#include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself
+#include "plumb/space/pairs/neighbors.hpp"      // two triangles of one mesh, beyond what they share
+#include "plumb/space/pairs/posed_pairs.hpp"    // of meshes that have been moved
+#include "plumb/space/pairs/sphere_levels.hpp"  // do they at all, and how far are they?  As well as spheres can say
+#include "plumb/space/pairs/volume_pairs.hpp"   // by spheres, oriented boxes or k-DOPs
 
 // What of a mesh is in a box, a ball, a frustum?  triangles_meeting
 #include "plumb/space/range/posed_range.hpp"   // of one that has been moved
 #include "plumb/space/range/range_search.hpp"  // by a tree
+#include "plumb/space/range/volume_range.hpp"  // by a tree of other volumes, and in any figure
 
 // Where does a ray hit?
 #include "plumb/space/ray/inside.hpp"     // is a point in a closed mesh?  locate, winding_number

@@ -7,7 +7,8 @@
 //
 // A volume of your own has rules once you specialize this struct; `around` may then take what you like.
 // Laws: (1) around contains the points and both the two volumes, exactly.  (2) Where meet is false the two sets have no
-// point in common; of k-DOPs it compares intervals, and may be true of such as well, of the others it is intersects.
+// point in common.  Of spheres and axis-aligned boxes it is intersects; of k-DOPs it compares intervals, of oriented
+// boxes it says what doubles prove: so it may be true of such as well.
 // No points throw InvalidShape, a volume that no doubles hold BeyondDoubles.
 // Source: RTCD 6.1.1, 6.5.
 // Cost: docs/space.md compares them.
@@ -61,7 +62,7 @@ template <>
 struct VolumeRules<Obb3> {
   static Obb3 around(std::span<const Point3> points, const VolumeOptions& options);
   static Obb3 both(const Obb3& a, const Obb3& b) { return merge(a, b); }
-  static bool meet(const Obb3& a, const Obb3& b) { return intersects(a, b); }
+  static bool meet(const Obb3& a, const Obb3& b);
   static double size(const Obb3& v) { return std::max({v.half.x, v.half.y, v.half.z}); }
 };
 
