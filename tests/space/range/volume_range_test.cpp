@@ -6,6 +6,7 @@
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/query.hpp"
 #include "space/bvh/meshes.hpp"
 
 namespace plumb {

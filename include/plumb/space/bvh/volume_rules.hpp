@@ -14,7 +14,6 @@
 // Cost: docs/space.md compares them.
 #pragma once
 
-#include <algorithm>
 #include <span>
 
 #include "plumb/certify/batch.hpp"
@@ -42,6 +41,16 @@ struct VolumeOptions {
 template <class Volume>
 struct VolumeRules;
 
+namespace space {
+
+/// Without a header of the standard's.
+constexpr double largest_of(double x, double y, double z) {
+  const double most = x > y ? x : y;
+  return most > z ? most : z;
+}
+
+}  // namespace space
+
 template <>
 struct VolumeRules<Sphere3> {
   static Sphere3 around(std::span<const Point3> points, const VolumeOptions& options);
@@ -55,7 +64,9 @@ struct VolumeRules<Aabb3> {
   static Aabb3 around(std::span<const Point3> points, const VolumeOptions&) { return fit_aabb(points); }
   static Aabb3 both(const Aabb3& a, const Aabb3& b) { return merge(a, b); }
   static bool meet(const Aabb3& a, const Aabb3& b) { return intersects(a, b); }
-  static double size(const Aabb3& v) { return std::max({v.max.x - v.min.x, v.max.y - v.min.y, v.max.z - v.min.z}); }
+  static double size(const Aabb3& v) {
+    return space::largest_of(v.max.x - v.min.x, v.max.y - v.min.y, v.max.z - v.min.z);
+  }
 };
 
 template <>
@@ -63,7 +74,7 @@ struct VolumeRules<Obb3> {
   static Obb3 around(std::span<const Point3> points, const VolumeOptions& options);
   static Obb3 both(const Obb3& a, const Obb3& b) { return merge(a, b); }
   static bool meet(const Obb3& a, const Obb3& b);
-  static double size(const Obb3& v) { return std::max({v.half.x, v.half.y, v.half.z}); }
+  static double size(const Obb3& v) { return space::largest_of(v.half.x, v.half.y, v.half.z); }
 };
 
 template <>

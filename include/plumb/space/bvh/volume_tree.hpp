@@ -65,8 +65,10 @@ VolumeTree<Volume> merged_volume_tree(const BoxTree& tree, const OfLeaf& of_leaf
         {box.is_leaf() ? of_leaf(box.link, box.count) : VolumeRules<Volume>::both(child(i + 1), child(i + box.link)),
          box.link, box.count});
   }
-  std::reverse(nodes.begin(), nodes.end());
-  return {std::move(nodes)};
+  std::vector<VolumeNode<Volume>> in_order;
+  in_order.reserve(nodes.size());
+  for (std::size_t i = nodes.size(); i-- > 0;) in_order.push_back(std::move(nodes[i]));
+  return {std::move(in_order)};
 }
 
 /// Of Sphere3, Aabb3, Obb3 or KDop3, around the triangles of the mesh.

@@ -4,6 +4,7 @@
 //   triangles_meeting(bvh, build_volume_tree<Obb3>(bvh), Ray3{{0, 0, 9}, {0, 0, -1}})
 //   triangles_meeting(bvh, spheres, Tetrahedron3{a, b, c, d})
 //
+// Who calls it includes plumb/query.hpp, or those headers of it that have `intersects` of the pairs asked.
 // Laws: the numbers, ascending, of exactly those triangles for which intersects(triangle, figure) is true, whatever the
 // volumes.  A tree that is not one of the mesh throws InvalidShape, numbers that are no figure throw as intersects does,
 // where there is anything to ask.
@@ -12,15 +13,18 @@
 // triangles of leaves.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
-#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/body/pairs.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/bvh/volume_tree.hpp"
 
 namespace plumb {
+
+namespace space {
+void make_ascending(std::vector<std::uint32_t>& numbers);
+}  // namespace space
 
 template <class Volume, class Shape>
 requires(RelatedPair<Shape, Volume>&& RelatedPair<Triangle3, Shape>) std::vector<std::uint32_t> triangles_meeting(
@@ -34,7 +38,7 @@ requires(RelatedPair<Shape, Volume>&& RelatedPair<Triangle3, Shape>) std::vector
           if (intersects(mesh.triangle(slot), figure)) items.push_back(mesh.tree.items[slot]);
         }
       });
-  std::sort(items.begin(), items.end());
+  space::make_ascending(items);
   return items;
 }
 

@@ -1,0 +1,9 @@
+#include "plumb/space/range/volume_range.hpp"
+
+#include <algorithm>
+
+namespace plumb::space {
+
+void make_ascending(std::vector<std::uint32_t>& numbers) { std::ranges::sort(numbers); }
+
+}  // namespace plumb::space
