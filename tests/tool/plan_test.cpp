@@ -209,7 +209,21 @@ TEST(Plan, TextJsonAndChartAgree) {
     for (const json& tree : t["trees"]) EXPECT_EQ(tree["contradictions"], 0) << tree;
     EXPECT_EQ(t["choices"][0]["from_rays"], 0);
   }
-  EXPECT_THAT(o.out, AllOf(HasSubstr("tree of boxes"), HasSubstr("take none")));
+  ASSERT_EQ(j["tree_volumes"].size(), 2);
+  for (const json& v : j["tree_volumes"]) {
+    ASSERT_EQ(v["kinds"].size(), 4);
+    double least = HUGE_VAL;
+    for (const json& kind : v["kinds"]) {
+      EXPECT_FALSE(kind["contradicts"]) << kind;
+      EXPECT_EQ(kind["pairs"], v["kinds"][0]["pairs"]);
+      least = std::min(least, kind["query_ms"].get<double>());
+      if (kind["kind"] == v["chosen"]) {
+        EXPECT_EQ(kind["query_ms"], least);
+      }
+    }
+  }
+  EXPECT_THAT(o.out, AllOf(HasSubstr("tree of boxes"), HasSubstr("take none"), HasSubstr("volumes of a tree"),
+                           HasSubstr("  take\n")));
   const std::string chart = content(folder / "p.svg");
   EXPECT_THAT(chart,
               AllOf(StartsWith("<svg "), HasSubstr("a scene of 2 meshes"), HasSubstr(">short.off</text>"),

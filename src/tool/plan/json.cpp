@@ -78,6 +78,21 @@ json json_of(const TreePlan& plan) {
   return j;
 }
 
+json json_of(const VolumePlan& plan) {
+  json j{{"kinds", json::array()}};
+  for (const VolumeTimes& t : plan.kinds) {
+    j["kinds"].push_back({{"kind", t.kind},
+                          {"build_ms", t.build_ms},
+                          {"query_ms", t.query_ms},
+                          {"volume_tests", t.work.volume_tests},
+                          {"triangle_pairs", t.work.triangle_pairs},
+                          {"pairs", t.work.pairs},
+                          {"contradicts", t.contradicts}});
+  }
+  if (!plan.kinds.empty()) j["chosen"] = plan.chosen().kind;
+  return j;
+}
+
 }  // namespace
 
 json plan_json(const ScenePlan& scene) {
@@ -90,7 +105,8 @@ json plan_json(const ScenePlan& scene) {
            {"predicates", json::array()},
            {"lattices", json::array()},
            {"bounds", json::array()},
-           {"trees", json::array()}};
+           {"trees", json::array()},
+           {"tree_volumes", json::array()}};
   for (std::size_t i = 0; i < scene.names.size(); ++i) {
     json alone = json::array();
     for (const CatalogEntry& e : classics())
@@ -118,6 +134,8 @@ json plan_json(const ScenePlan& scene) {
   for (std::size_t i = 0; i < scene.trees.size(); ++i) {
     all["trees"].push_back(json_of(scene.trees[i]));
     all["trees"].back()["mesh"] = scene.names[i];
+    all["tree_volumes"].push_back(json_of(scene.volumes[i]));
+    all["tree_volumes"].back()["mesh"] = scene.names[i];
   }
   return all;
 }

@@ -39,6 +39,11 @@ tree of boxes
        and a nearest triangle then take, by one thread; without a tree a
        ray looks at all triangles. "take" says from how many rays on
        which of them costs least, its build included.
+volumes of a tree
+       For each mesh how long it takes to find all triangles that meet
+       those of a copy of it that is turned, by its tree of boxes and by
+       trees of spheres, oriented boxes and 18-DOPs; how many tests of
+       volumes and pairs of triangles that is.
 
 The JSON also lists the plan of every predicate, the first hundred
 points and triangles that each lattice damages, and all kinds of

@@ -90,7 +90,7 @@ std::string_view short_name(Arithmetic a) {
 }
 
 std::uint64_t steps_of(std::span<const NamedMesh> meshes) {
-  return 2 * meshes.size() + 1 + cheaper_bits(std::numeric_limits<int>::max()).size();
+  return 3 * meshes.size() + 1 + cheaper_bits(std::numeric_limits<int>::max()).size();
 }
 
 ScenePlan plan_scene(std::span<const NamedMesh> meshes, const ScenePlanOptions& options,
@@ -126,6 +126,8 @@ ScenePlan plan_scene(std::span<const NamedMesh> meshes, const ScenePlanOptions& 
     scene.bounds.push_back(bound_plan(m, options));
     step();
     scene.trees.push_back(plan_trees(m.mesh));
+    step();
+    scene.volumes.push_back(plan_volumes(m.mesh));
     step();
   }
   return scene;

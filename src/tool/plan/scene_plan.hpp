@@ -21,6 +21,7 @@
 #include "tool/bounds/command.hpp"
 #include "tool/mesh/snap.hpp"
 #include "tool/plan/tree_plan.hpp"
+#include "tool/plan/volume_plan.hpp"
 
 namespace plumb::tool {
 
@@ -63,10 +64,11 @@ struct BoundPlan {
 struct ScenePlan {
   std::vector<std::string> names;
   std::vector<std::uint64_t> vertices, triangles;
-  std::vector<Lattice> lattices;   // of each mesh alone
-  std::vector<ScenePlanRow> rows;  // first the scene as given, then from fine to coarse
-  std::vector<BoundPlan> bounds;   // of each mesh
-  std::vector<TreePlan> trees;     // of each mesh
+  std::vector<Lattice> lattices;    // of each mesh alone
+  std::vector<ScenePlanRow> rows;   // first the scene as given, then from fine to coarse
+  std::vector<BoundPlan> bounds;    // of each mesh
+  std::vector<TreePlan> trees;      // of each mesh
+  std::vector<VolumePlan> volumes;  // of each mesh's tree
 
   [[nodiscard]] Lattice lattice() const { return {rows.front().exponent, rows.front().bits}; }
 };

@@ -148,6 +148,21 @@ std::string trees(const ScenePlan& scene, const Style& style) {
   return s;
 }
 
+std::string tree_volumes(const ScenePlan& scene, const Style& style) {
+  std::string s = style.bold(fmt::format("\n  {:<24}{:<10}{:>10}{:>14}{:>16}{:>12}\n", "volumes of a tree", "kind",
+                                         "build ms", "volume tests", "triangle pairs", "query ms"));
+  for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
+    const VolumePlan& plan = scene.volumes[i];
+    for (const VolumeTimes& t : plan.kinds) {
+      const bool own = &t == &plan.kinds.front(), taken = &t == &plan.chosen();
+      s += fmt::format("  {:<24}{:<10}{:>10}{:>14}{:>16}{:>12}{}\n", own ? shortened(scene.names[i]) : "", t.kind,
+                       own ? "" : three_digits(t.build_ms), own ? "" : grouped(t.work.volume_tests),
+                       own ? "" : grouped(t.work.triangle_pairs), three_digits(t.query_ms), taken ? "  take" : "");
+    }
+  }
+  return s;
+}
+
 }  // namespace
 
 std::string plan_text(const ScenePlan& scene, bool all, const Style& style) {
@@ -157,7 +172,7 @@ std::string plan_text(const ScenePlan& scene, bool all, const Style& style) {
                    lattice.exponent, lattice.bits);
   s += less_alone(scene) + '\n' + predicates(scene, style);
   if (all) s += whole_manifest(scene, style);
-  return s + lattices(scene, style) + volumes(scene, style) + trees(scene, style);
+  return s + lattices(scene, style) + volumes(scene, style) + trees(scene, style) + tree_volumes(scene, style);
 }
 
 }  // namespace plumb::tool
