@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "query/ray/triangle_lanes.hpp"
+#include "space/ray/child_order.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::space::HWY_NAMESPACE {
@@ -20,14 +21,23 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace in_lanes = query::HWY_NAMESPACE;
 using in_lanes::D, in_lanes::V, in_lanes::lanes;
 using Node = WideNode<8>;
+using FloatTag = hn::Rebind<float, D>;
+using Floats = hn::Vec<FloatTag>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A child that is still to be looked at.
+/// Of the child that comes next, and of those that are still to be looked at: arrays, so that eight are put at once.
 struct Later {
-  double key;
-  std::uint32_t link, count;
+  static constexpr std::size_t room = 8 * most_tree_depth + 8;
+  alignas(64) float key[room];
+  std::uint32_t link[room], count[room];
 };
+
+/// Rounded as lanes round a key: what is above in doubles is not below in floats.
+float in_floats(double limit) {
+  constexpr float most = std::numeric_limits<float>::max();
+  return limit > static_cast<double>(most) ? std::numeric_limits<float>::infinity() : static_cast<float>(limit);
+}
 
 // The slab test of RaySlabs for eight boxes; which plane of an axis is entered is told by the ray's direction.
 class Slabs {
@@ -37,63 +47,55 @@ class Slabs {
       const bool down = p.low_rate[k] < 0;
       near_[k] = down ? 3 + k : k;
       far_[k] = down ? k : 3 + k;
-      near_from_[k] = hn::Set(D(), (down ? p.high_from : p.low_from)[k]);
-      near_rate_[k] = hn::Set(D(), (down ? p.high_rate : p.low_rate)[k]);
-      far_from_[k] = hn::Set(D(), (down ? p.low_from : p.high_from)[k]);
-      far_rate_[k] = hn::Set(D(), (down ? p.low_rate : p.high_rate)[k]);
+      near_from_[k] = (down ? p.high_from : p.low_from)[k];
+      near_rate_[k] = (down ? p.high_rate : p.low_rate)[k];
+      far_from_[k] = (down ? p.low_from : p.high_from)[k];
+      far_rate_[k] = (down ? p.low_rate : p.high_rate)[k];
     }
   }
 
-  /// Bit i: is child i met at a key of at most the limit?
-  HWY_INLINE unsigned operator()(const Node& node, double limit, double* keys) const {
+  /// Of lanes that begin at child i: the keys of those that are met at one of at most the limit, else less than 0.
+  HWY_INLINE Floats keys(const Node& node, std::size_t i, double limit) const {
     const D tag;
-    if (HWY_UNLIKELY(all_met_)) {
-      for (std::size_t i = 0; i < 8; ++i) keys[i] = -infinity;
-      return 0xff;
-    }
+    const V zero = hn::Zero(tag);
+    if (HWY_UNLIKELY(all_met_)) return hn::DemoteTo(FloatTag(), zero);
     const V guard = hn::Set(tag, underflow_guard), most = hn::Set(tag, limit);
-    unsigned bits = 0;
-    for (std::size_t i = 0; i < 8; i += lanes) {
-      const auto at = [&](std::size_t plane, V from, V rate) {
-        const hn::Rebind<float, D> floats;
-        const V place = hn::PromoteTo(tag, hn::LoadU(floats, node.planes[plane].data() + i));
-        return hn::Mul(hn::Sub(place, from), rate);  // as RaySlabs::parameter
-      };
-      const V enters = hn::Sub(
-          hn::Max(hn::Max(at(near_[0], near_from_[0], near_rate_[0]), at(near_[1], near_from_[1], near_rate_[1])),
-                  hn::Max(at(near_[2], near_from_[2], near_rate_[2]), hn::Zero(tag))),
-          guard);
-      const V leaves =
-          hn::Add(hn::Min(hn::Min(at(far_[0], far_from_[0], far_rate_[0]), at(far_[1], far_from_[1], far_rate_[1])),
-                          at(far_[2], far_from_[2], far_rate_[2])),
-                  guard);
-      hn::Store(enters, tag, keys + i);
-      bits |= in_lanes::bits_of(hn::Le(enters, hn::Min(leaves, most))) << i;
-    }
-    return bits;
+    const auto at = [&](std::size_t plane, double from, double rate) {
+      const V place = hn::PromoteTo(tag, hn::LoadU(FloatTag(), node.planes[plane].data() + i));
+      return hn::Mul(hn::Sub(place, hn::Set(tag, from)), hn::Set(tag, rate));  // as RaySlabs::parameter
+    };
+    const V enters =
+        hn::Max(hn::Max(at(near_[0], near_from_[0], near_rate_[0]), at(near_[1], near_from_[1], near_rate_[1])),
+                hn::Max(at(near_[2], near_from_[2], near_rate_[2]), zero));
+    const V leaves =
+        hn::Add(hn::Min(hn::Min(at(far_[0], far_from_[0], far_rate_[0]), at(far_[1], far_from_[1], far_rate_[1])),
+                        at(far_[2], far_from_[2], far_rate_[2])),
+                guard);
+    const V key = hn::Sub(enters, guard);
+    const auto met = hn::Le(key, hn::Min(leaves, most));
+    return hn::DemoteTo(FloatTag(), hn::IfThenElse(met, hn::Max(key, zero), hn::Set(tag, -infinity)));
   }
 
  private:
   bool all_met_;
   std::size_t near_[3], far_[3];
-  V near_from_[3], near_rate_[3], far_from_[3], far_rate_[3];
+  double near_from_[3], near_rate_[3], far_from_[3], far_rate_[3];
 };
 
 /// The triangles of slots, a vector of them at once.
 struct Leaves {
-  in_lanes::RayLanes ray;
   const std::int32_t* corners;  // three a slot
   const double* numbers;        // three a vertex
 
-  HWY_INLINE in_lanes::Lanes3 corner(std::uint32_t first, hn::Vec<hn::Rebind<std::int32_t, D>> slot,
-                                     std::int32_t k) const {
-    const hn::Rebind<std::int32_t, D> words;
-    const hn::RebindToSigned<D> wide;
-    const auto vertex = hn::GatherIndex(words, corners + 3 * std::size_t{first}, hn::Add(slot, hn::Set(words, k)));
-    const auto index = hn::PromoteTo(wide, vertex);
-    const auto at = hn::Add(hn::Add(index, index), index);
-    return {hn::GatherIndex(D(), numbers, at), hn::GatherIndex(D(), numbers + 1, at),
-            hn::GatherIndex(D(), numbers + 2, at)};
+  /// The numbers of vertices, lane by lane.
+  HWY_INLINE static in_lanes::Lanes3 turned(const double* const* at) {
+#if HWY_TARGET == HWY_SCALAR
+    return {hn::Set(D(), at[0][0]), hn::Set(D(), at[0][1]), hn::Set(D(), at[0][2])};
+#else
+    const V even = pairs(D(), at, 0), odd = pairs(D(), at + 1, 0);
+    return {hn::InterleaveLower(D(), even, odd), hn::InterleaveUpper(D(), even, odd),
+            hn::InterleaveUpper(D(), pairs(D(), at, 1), pairs(D(), at + 1, 1))};
+#endif
   }
 
   HWY_INLINE void fetch(std::uint32_t first, std::uint32_t count) const {
@@ -101,14 +103,17 @@ struct Leaves {
       __builtin_prefetch(numbers + 3 * static_cast<std::size_t>(corners[i]));
   }
 
-  HWY_INLINE double visit(std::uint32_t first, std::uint32_t count, double limit, TriangleVisitor& visitor) const {
-    const hn::Rebind<std::int32_t, D> words;
+  HWY_INLINE double visit(const query::BatchRay& given, std::uint32_t first, std::uint32_t count, double limit,
+                          TriangleVisitor& visitor) const {
+    const in_lanes::RayLanes ray(given);
     for (std::uint32_t from = first, end = first + count; from < end; from += lanes) {
       const std::uint32_t rest = end - from;
-      const auto slot = hn::Min(hn::Iota(words, 0), hn::Set(words, static_cast<std::int32_t>(rest - 1)));
-      const auto offset = hn::Add(hn::Add(slot, slot), slot);
-      const in_lanes::TrianglesTold told =
-          in_lanes::tell(ray, corner(from, offset, 0), corner(from, offset, 1), corner(from, offset, 2));
+      const double* at[3][lanes];
+      for (std::uint32_t i = 0; i < lanes; ++i) {
+        const std::int32_t* const own = corners + 3 * std::size_t{from + (i < rest ? i : rest - 1)};
+        for (std::size_t k = 0; k < 3; ++k) at[k][i] = numbers + 3 * static_cast<std::size_t>(own[k]);
+      }
+      const in_lanes::TrianglesTold told = in_lanes::tell(ray, turned(at[0]), turned(at[1]), turned(at[2]));
       unsigned maybe = ~told.no & (rest < lanes ? (1u << rest) - 1 : (1u << lanes) - 1);
       if (maybe == 0) continue;
       HWY_ALIGN double least[lanes], most[lanes];
@@ -122,6 +127,20 @@ struct Leaves {
     }
     return limit;
   }
+
+ private:
+#if HWY_TARGET != HWY_SCALAR
+  /// Two numbers from each second vertex on, from the number k on.
+  template <class Tag>
+  HWY_INLINE static hn::Vec<Tag> pairs(Tag tag, const double* const* at, std::size_t k) {
+    if constexpr (hn::MaxLanes(Tag()) == 2) {
+      return hn::LoadU(tag, at[0] + k);
+    } else {
+      const hn::Half<Tag> half;
+      return hn::Combine(tag, pairs(half, at + hn::MaxLanes(half), k), pairs(half, at, k));
+    }
+  }
+#endif
 };
 
 /// The descent of one ray, a node or a leaf at a time.
@@ -129,65 +148,69 @@ class Walk {
  public:
   Walk(const RayTask& task, const Bvh& bvh)
       : slabs_(task.planes),
-        leaves_{in_lanes::RayLanes(task.ray), reinterpret_cast<const std::int32_t*>(bvh.triangles.data()),
+        task_(&task),
+        leaves_{reinterpret_cast<const std::int32_t*>(bvh.triangles.data()),
                 reinterpret_cast<const double*>(bvh.vertices.data())},
         nodes_(bvh.wide.nodes.data()),
         limit_(task.limit),
-        visitor_(task.visitor) {}
+        float_limit_(in_floats(task.limit)) {}
 
-  /// Looks at what comes next, and fetches what comes after it; is there any?
-  bool step() {
-    if (now_.count != 0) {
-      limit_ = leaves_.visit(now_.link, now_.count, limit_, *visitor_);
-      if (limit_ == -infinity) return false;
-    } else {
-      open(nodes_[now_.link]);
-    }
+  [[nodiscard]] bool at_leaf() const { return count_ != 0; }
+
+  void open_node() {
+    const Node& node = nodes_[link_];
+    waiting_ += put_children(node, later_.key + waiting_, later_.link + waiting_, later_.count + waiting_);
+  }
+  void visit_leaf() {
+    limit_ = leaves_.visit(task_->ray, link_, count_, limit_, *task_->visitor);
+    float_limit_ = in_floats(limit_);
+  }
+
+  /// Goes to what comes next, and fetches it; is there any?
+  bool go_on() {
     do {
       if (waiting_ == 0) return false;
-      now_ = later_[--waiting_];
-    } while (now_.key > limit_);
-    fetch();
+      --waiting_;
+    } while (later_.key[waiting_] > float_limit_);
+    link_ = later_.link[waiting_];
+    count_ = later_.count[waiting_];
+    const auto* const node = reinterpret_cast<const char*>(nodes_ + link_);
+    const auto* const leaf = reinterpret_cast<const char*>(leaves_.corners + 3 * std::size_t{link_});
+    const char* const at = count_ == 0 ? node : leaf;
+    for (std::size_t i = 0; i < sizeof(Node); i += 64) __builtin_prefetch(at + i);
     return true;
   }
 
   /// Before a leaf is looked at, and when its corners have been fetched: fetches its vertices.
-  void fetch_vertices() const {
-    if (now_.count != 0) leaves_.fetch(now_.link, now_.count);
-  }
+  void fetch_vertices() const { leaves_.fetch(link_, count_); }
 
  private:
-  HWY_INLINE void open(const Node& node) {
-    HWY_ALIGN double keys[8];
-    const std::size_t own = waiting_;
-    for (unsigned met = slabs_(node, limit_, keys); met != 0; met &= met - 1) {
-      const auto i = static_cast<unsigned>(__builtin_ctz(met));
-      if (!node.has(i)) continue;
-      // The nearest last.
-      std::size_t place = waiting_++;
-      for (; place > own && later_[place - 1].key < keys[i]; --place) later_[place] = later_[place - 1];
-      later_[place] = {keys[i], node.link[i], node.count[i]};
-    }
-  }
-
-  HWY_INLINE void fetch() const {
-    const char* at = now_.count != 0 ? reinterpret_cast<const char*>(leaves_.corners + 3 * std::size_t{now_.link})
-                                     : reinterpret_cast<const char*>(nodes_ + now_.link);
-    const std::size_t size = now_.count != 0 ? 12 * std::size_t{now_.count} : sizeof(Node);
-    for (std::size_t i = 0; i < size; i += 64) __builtin_prefetch(at + i);
+  HWY_INLINE std::size_t put_children(const Node& node, float* key, std::uint32_t* link, std::uint32_t* count) const {
+#if HWY_MAX_BYTES >= 64
+    return put_sorted(node, slabs_.keys(node, 0, limit_), key, link, count);
+#elif HWY_MAX_BYTES >= 32
+    const auto low = slabs_.keys(node, 0, limit_), high = slabs_.keys(node, 4, limit_);
+    return put_sorted(node, hn::Combine(EightFloats(), high, low), key, link, count);
+#else
+    HWY_ALIGN float keys[8];
+    for (std::size_t i = 0; i < 8; i += lanes) hn::StoreU(slabs_.keys(node, i, limit_), FloatTag(), keys + i);
+    return put_one_by_one(node, keys, key, link, count);
+#endif
   }
 
   Slabs slabs_;
+  const RayTask* task_;
   Leaves leaves_;
   const Node* nodes_;
   double limit_;
-  TriangleVisitor* visitor_;
-  Later now_{-infinity, 0, 0};
+  float float_limit_;
+  std::uint32_t link_ = 0, count_ = 0;
   std::size_t waiting_ = 0;
-  std::array<Later, 8 * most_tree_depth> later_;
+  Later later_;
 };
 
-/// The same for a group: one looks while memory brings what the others asked for.
+/// The same for a group: one looks while memory brings what the others asked for, and while the processor is not done
+/// with what it looked at before: nodes come after nodes and leaves after leaves, so that it guesses well.
 class Group {
  public:
   Group(const Bvh& bvh, std::span<const RayTask> tasks) : bvh_(bvh), tasks_(tasks) {}
@@ -196,41 +219,60 @@ class Group {
   Group& operator=(const Group&) = delete;
 
   void run() {
-    std::array<Walk*, rays_together> walks;
-    std::size_t left = 0;
-    while (left < rays_together && begun_ < tasks_.size()) {
-      walks[left] = begin(left);
-      ++left;
-    }
-    while (left > 0) {
-      for (std::size_t i = 0; i < left; ++i) walks[i]->fetch_vertices();
-      for (std::size_t i = 0; i < left;) {
-        if (walks[i]->step()) {
-          ++i;
-        } else if (begun_ < tasks_.size()) {
-          walks[i] = begin(static_cast<std::size_t>(walks[i] - at(0)));
-        } else {
-          walks[i] = walks[--left];
-        }
+    for (std::size_t i = 0; i < rays_together; ++i) begin(i);
+    while (at_nodes_.size + at_leaves_.size > 0) {
+      for (std::size_t i = 0; i < at_leaves_.size; ++i) at(at_leaves_.places[i])->fetch_vertices();
+      const Places nodes = at_nodes_, leaves = at_leaves_;
+      at_nodes_.size = at_leaves_.size = 0;
+      for (std::size_t i = 0; i < nodes.size; ++i) {
+        at(nodes.places[i])->open_node();
+        go_on(nodes.places[i]);
+      }
+      for (std::size_t i = 0; i < leaves.size; ++i) {
+        at(leaves.places[i])->visit_leaf();
+        go_on(leaves.places[i]);
       }
     }
   }
 
  private:
+  struct Places {
+    std::size_t size = 0;
+    std::array<std::size_t, rays_together + 1> places;
+  };
+
   Walk* at(std::size_t place) { return reinterpret_cast<Walk*>(memory_) + place; }
-  Walk* begin(std::size_t place) { return new (at(place)) Walk(tasks_[begun_++], bvh_); }
+
+  void begin(std::size_t place) {
+    if (begun_ == tasks_.size()) return;
+    new (at(place)) Walk(tasks_[begun_++], bvh_);
+    at_nodes_.places[at_nodes_.size++] = place;
+  }
+  HWY_INLINE void go_on(std::size_t place) {
+    if (!at(place)->go_on()) return begin(place);
+    // Into both: no branch is to be guessed.
+    const bool leaf = at(place)->at_leaf();
+    at_nodes_.places[at_nodes_.size] = at_leaves_.places[at_leaves_.size] = place;
+    at_nodes_.size += leaf ? 0 : 1;
+    at_leaves_.size += leaf ? 1 : 0;
+  }
 
   const Bvh& bvh_;
   std::span<const RayTask> tasks_;
   std::size_t begun_ = 0;
+  Places at_nodes_, at_leaves_;
   alignas(Walk) std::byte memory_[rays_together * sizeof(Walk)];
 };
 
 void visit_all(const Bvh& bvh, std::span<const RayTask> tasks) {
   if (tasks.size() > 1) return Group(bvh, tasks).run();
   Walk walk(tasks[0], bvh);
-  while (walk.step()) {
-  }
+  do {
+    if (walk.at_leaf())
+      walk.visit_leaf();
+    else
+      walk.open_node();
+  } while (walk.go_on());
 }
 
 }  // namespace

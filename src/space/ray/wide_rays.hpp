@@ -31,7 +31,7 @@ struct RayTask {
 };
 
 /// So many descend by turns: while one computes, memory brings what the others asked for.
-inline constexpr std::size_t rays_together = 8;
+inline constexpr std::size_t rays_together = 16;
 
 /// Each by itself; the order in which the visitors of several are called is not told.
 void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks);
