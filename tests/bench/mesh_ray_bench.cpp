@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "plumb/degenerate/coordinates.hpp"
@@ -122,6 +123,32 @@ void any_of_plumb(benchmark::State& state) {
   report(state, rays.size(), static_cast<std::size_t>(std::count(out.begin(), out.end(), 1)));
 }
 
+// The mesh under a turn, and the rays turned with it; `together` at once, else each alone.
+void first_of_posed(benchmark::State& state, bool together) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const double c = 0.8, s = 0.6;
+  const auto turned = [&](double x, double y) { return std::pair{c * x - s * y, s * x + c * y}; };
+  const PosedMesh mesh{scene.bvh, {{{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}}, {0.5, 0.25, 0}}};
+  std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  for (AnyRay& r : rays) {
+    std::tie(r.direction.x, r.direction.y) = turned(r.direction.x, r.direction.y);
+    for (Point3* p : {&r.origin, &r.end}) {
+      std::tie(p->x, p->y) = turned(p->x, p->y);
+      p->x += 0.5, p->y += 0.25;
+    }
+  }
+  std::vector<std::uint32_t> out(rays.size());
+  for (auto _ : state) {
+    if (together) {
+      first_triangles(rays, mesh, out, {.execution = Execution::serial});
+    } else {
+      for (std::size_t i = 0; i < rays.size(); ++i) out[i] = first_triangle(rays[i], mesh).value_or(no_triangle);
+    }
+  }
+  report(state, rays.size(), rays.size() - static_cast<std::size_t>(std::count(out.begin(), out.end(), no_triangle)));
+}
+
 #ifdef PLUMB_BENCH_EMBREE
 RTCScene embree_scene(const TriangleMesh& mesh) {
   static RTCDevice const device = rtcNewDevice("threads=1");
@@ -192,6 +219,8 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(first_of_plumb)->Apply(sizes);
 BENCHMARK(numbers_of_plumb)->Apply(sizes);
 BENCHMARK(any_of_plumb)->Apply(sizes);
+BENCHMARK_CAPTURE(first_of_posed, together, true)->Apply(sizes);
+BENCHMARK_CAPTURE(first_of_posed, alone, false)->Apply(sizes);
 #ifdef PLUMB_BENCH_EMBREE
 BENCHMARK(first_of_embree)->Apply(sizes);
 #endif

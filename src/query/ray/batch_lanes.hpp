@@ -16,6 +16,14 @@ struct BatchRay {
   bool begins, ends;
 };
 
+/// Of a ray that stands for another one nearby: how far what is computed of it, with any triangle that is asked about,
+/// may be from what is exact of the other.  Of the side of an edge, the sum of the three, the plane's numerator, and
+/// that minus the sum.
+struct RayDoubts {
+  double edge, sum, plane, end;
+  bool are_given = false;  // else a ray is what it is
+};
+
 inline BatchRay batch_ray(const AnyRay& ray) {
   const auto& [x, y, z] = ray.origin;
   const auto& d = ray.direction;

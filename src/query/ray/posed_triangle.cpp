@@ -38,5 +38,9 @@ std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const PosedTr
 bool hits(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule) {
   return of_posed<Decided>(ray, triangle, rule).has_value();
 }
+Sign compare_hits(const AnyRay& ray, const PosedTriangle3& first, const PosedTriangle3& second, HitRule rule) {
+  const auto order = *first_hit_parameter(ray, first, rule) <=> *first_hit_parameter(ray, second, rule);
+  return order < 0 ? Sign::negative : order > 0 ? Sign::positive : Sign::zero;
+}
 
 }  // namespace plumb::query

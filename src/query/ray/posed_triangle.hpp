@@ -14,5 +14,7 @@ namespace plumb::query {
 std::optional<Hit> first_hit(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule);
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule);
 bool hits(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule);
+/// Of two that are hit by this rule: their parameters.
+Sign compare_hits(const AnyRay& ray, const PosedTriangle3& first, const PosedTriangle3& second, HitRule rule);
 
 }  // namespace plumb::query

@@ -41,13 +41,20 @@ HWY_INLINE V largest(V a, V b, V c) { return hn::Max(hn::Max(hn::Abs(a), hn::Abs
 
 struct RayLanes {
   Lanes3 origin, direction;
+  RayDoubts doubts;
   bool begins, ends;
 
-  explicit RayLanes(const BatchRay& ray)
+  explicit RayLanes(const BatchRay& ray, const RayDoubts& in_doubt = {})
       : origin{hn::Set(D(), ray.origin[0]), hn::Set(D(), ray.origin[1]), hn::Set(D(), ray.origin[2])},
         direction{hn::Set(D(), ray.direction[0]), hn::Set(D(), ray.direction[1]), hn::Set(D(), ray.direction[2])},
+        doubts(in_doubt),
         begins(ray.begins),
         ends(ray.ends) {}
+
+  /// What is given, else what the magnitudes say.
+  [[nodiscard]] HWY_INLINE V doubt(double given, V by_magnitude) const {
+    return doubts.are_given ? hn::Set(D(), given) : by_magnitude;
+  }
 };
 
 /// Bit i is the triangle of lane i: hit it is not, it is, else nothing is told; and between which parameters it is hit
@@ -75,7 +82,9 @@ HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3
   const V yz = hn::Add(hn::Mul(y, z), inside), zx = hn::Add(hn::Mul(z, x), inside), xy = hn::Add(hn::Mul(x, y), inside);
   const V magnitude = dot({hn::Abs(d.x), hn::Abs(d.y), hn::Abs(d.z)}, {yz, zx, xy});
   const V sum = hn::Add(hn::Add(ab, bc), ca);
-  const V doubt = hn::Add(hn::Mul(all(edge_constant), hn::Add(hn::Mul(slack, magnitude), outside)), hn::Sub(sum, sum));
+  const V doubt =
+      ray.doubt(ray.doubts.edge,
+                hn::Add(hn::Mul(all(edge_constant), hn::Add(hn::Mul(slack, magnitude), outside)), hn::Sub(sum, sum)));
   const V least = hn::Min(hn::Min(ab, bc), ca), most = hn::Max(hn::Max(ab, bc), ca);
   auto no = hn::And(hn::Gt(most, doubt), hn::Lt(least, hn::Neg(doubt)));
   if (hn::AllTrue(tag, no)) return {~0u, 0, zero, zero};  // most often so
@@ -83,24 +92,28 @@ HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3
   // Toward the plane: both with the sign of D, where that is known.
   const V value = dot(a, of_bc), way = hn::IfThenElse(hn::Gt(sum, zero), value, hn::Neg(value));
   const V volume = hn::Add(hn::Add(hn::Mul(x, yz), hn::Mul(y, zx)), hn::Mul(z, xy));
-  const V off = hn::Add(hn::Mul(all(filter_constant<PlaneAhead>()), hn::Add(hn::Mul(slack, volume), outside)),
-                        hn::Sub(value, value));
+  const V off = ray.doubt(ray.doubts.plane,
+                          hn::Add(hn::Mul(all(filter_constant<PlaneAhead>()), hn::Add(hn::Mul(slack, volume), outside)),
+                                  hn::Sub(value, value)));
   const V speed = hn::Abs(sum);
   if (ray.begins) {
     no = hn::Or(no, hn::And(yes, hn::Lt(way, hn::Neg(off))));
     auto sure = hn::Gt(way, off);
     if (ray.ends) {
       const V rest = hn::Sub(way, speed);
-      const V far = hn::Add(hn::Mul(all(filter_constant<PlaneBehindEnd>()),
+      const V far =
+          ray.doubt(ray.doubts.end,
+                    hn::Add(hn::Mul(all(filter_constant<PlaneBehindEnd>()),
                                     hn::Add(hn::Mul(slack, hn::Add(hn::Mul(all(3), magnitude), volume)), outside)),
-                            hn::Sub(rest, rest));
+                            hn::Sub(rest, rest)));
       no = hn::Or(no, hn::And(yes, hn::Gt(rest, far)));
       sure = hn::And(sure, hn::Lt(rest, hn::Neg(far)));
     }
     yes = hn::And(yes, sure);
   }
   // D is the sum of three that are each off by `doubt`, rounded twice; quotients by once more.
-  const V blur = hn::Mul(all(4), doubt), slow = hn::Sub(speed, blur), fast = hn::Add(speed, blur);
+  const V blur = ray.doubt(ray.doubts.sum, hn::Mul(all(4), doubt)), slow = hn::Sub(speed, blur),
+          fast = hn::Add(speed, blur);
   const V near = hn::Sub(way, off), away = hn::Add(way, off);
   const V infinity = all(std::numeric_limits<double>::infinity());
   const auto ahead = hn::Ge(near, zero), behind = hn::Le(away, zero);

@@ -4,8 +4,16 @@
 #include <cmath>
 
 #include "query/ray/hit_order.hpp"
+#include "query/ray/posed_triangle.hpp"
 
 namespace plumb::space {
+
+bool HitSearch::is_hit(std::uint32_t slot) const {
+  return pose_ != nullptr ? query::hits(*ray_, posed(slot), rule_) : hits(*ray_, bvh_->triangle(slot), rule_);
+}
+std::optional<Hit> HitSearch::hit(std::uint32_t slot) const {
+  return pose_ != nullptr ? query::first_hit(*ray_, posed(slot), rule_) : first_hit(*ray_, bvh_->triangle(slot), rule_);
+}
 
 std::optional<HitSearch::SlotHit> HitSearch::between(std::uint32_t slot, bool certain, double least,
                                                      double most) const {
@@ -14,15 +22,17 @@ std::optional<HitSearch::SlotHit> HitSearch::between(std::uint32_t slot, bool ce
     if (is_hit(slot)) return SlotHit{slot, least, most};
     return {};
   }
-  const auto hit = first_hit(*ray_, bvh_->triangle(slot), rule_);
-  if (!hit) return {};
-  return SlotHit{slot, std::nextafter(hit->t, -infinity), std::nextafter(hit->t, infinity)};
+  const auto exact = hit(slot);
+  if (!exact) return {};
+  return SlotHit{slot, std::nextafter(exact->t, -infinity), std::nextafter(exact->t, infinity)};
 }
 
 bool HitSearch::is_before(const SlotHit& a, const SlotHit& b) const {
   if (a.most < b.least) return true;
   if (b.most < a.least) return false;
-  const Sign order = query::compare_hits(*ray_, bvh_->triangle(a.slot), bvh_->triangle(b.slot), rule_);
+  const Sign order = pose_ != nullptr
+                         ? query::compare_hits(*ray_, posed(a.slot), posed(b.slot), rule_)
+                         : query::compare_hits(*ray_, bvh_->triangle(a.slot), bvh_->triangle(b.slot), rule_);
   return order == Sign::negative || (order == Sign::zero && number(a.slot) < number(b.slot));
 }
 

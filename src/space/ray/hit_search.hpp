@@ -1,6 +1,6 @@
 // What is looked for along a ray: the first hit, any, or all?  Visitors of the triangles that a ray may hit.
 //
-//   FirstHit search(ray, bvh, rule);
+//   FirstHit search(ray, bvh, rule);              // of a posed mesh (ray, seen, mesh, rule)
 //   const RayTask task = search.task();
 //   visit_triangles(bvh, {&task, 1});
 //   search.slot()
@@ -18,13 +18,29 @@
 #include "plumb/query/ray/hits.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
 #include "plumb/space/ray/ray_slabs.hpp"
+#include "space/ray/seen_ray.hpp"
 #include "space/ray/wide_rays.hpp"
 
 namespace plumb::space {
 
 class HitSearch : public TriangleVisitor {
  public:
-  [[nodiscard]] RayTask task() { return {query::batch_ray(*ray_), slabs_.planes(), slabs_.limit(), this}; }
+  HitSearch(const AnyRay& ray, const Bvh& bvh, HitRule rule)
+      : ray_(&ray), bvh_(&bvh), rule_(rule), slabs_(ray, bvh.tree), limit_(slabs_.limit()) {}
+  /// Along the ray, which the mesh sees so.
+  HitSearch(const AnyRay& ray, const SeenRay& seen, const PosedMesh& mesh, HitRule rule)
+      : ray_(&ray),
+        seen_(&seen),
+        pose_(&mesh.pose),
+        bvh_(&mesh.bvh),
+        rule_(rule),
+        slabs_(seen.slabs),
+        limit_(slabs_.limit()) {}
+
+  [[nodiscard]] RayTask task() {
+    if (pose_ != nullptr) return {seen_->ray, slabs_.planes(), slabs_.limit(), this, seen_->doubts};
+    return {query::batch_ray(*ray_), slabs_.planes(), slabs_.limit(), this};
+  }
 
  protected:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -35,20 +51,21 @@ class HitSearch : public TriangleVisitor {
     double least, most;
   };
 
-  HitSearch(const AnyRay& ray, const Bvh& bvh, HitRule rule)
-      : ray_(&ray), bvh_(&bvh), rule_(rule), slabs_(ray, bvh.tree), limit_(slabs_.limit()) {}
   ~HitSearch() = default;
 
   [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return bvh_->tree.items[slot]; }
-  [[nodiscard]] bool is_hit(std::uint32_t slot) const { return hits(*ray_, bvh_->triangle(slot), rule_); }
-  [[nodiscard]] NumberedHit numbered(std::uint32_t slot) const {
-    return {number(slot), *first_hit(*ray_, bvh_->triangle(slot), rule_)};
-  }
+  [[nodiscard]] bool is_hit(std::uint32_t slot) const;
+  [[nodiscard]] std::optional<Hit> hit(std::uint32_t slot) const;
+  [[nodiscard]] NumberedHit numbered(std::uint32_t slot) const { return {number(slot), *hit(slot)}; }
   /// Nothing where it is not hit.
   [[nodiscard]] std::optional<SlotHit> between(std::uint32_t slot, bool certain, double least, double most) const;
   [[nodiscard]] bool is_before(const SlotHit& a, const SlotHit& b) const;
 
+  [[nodiscard]] Posed<Triangle3> posed(std::uint32_t slot) const { return {bvh_->triangle(slot), *pose_}; }
+
   const AnyRay* ray_;
+  const SeenRay* seen_ = nullptr;
+  const Pose* pose_ = nullptr;  // of a mesh that has one
   const Bvh* bvh_;
   HitRule rule_;
   RaySlabs slabs_;
@@ -57,7 +74,7 @@ class HitSearch : public TriangleVisitor {
 
 class FirstHit final : public HitSearch {
  public:
-  FirstHit(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  using HitSearch::HitSearch;
   double visit(std::uint32_t slot, bool certain, double least, double most) override;
 
   /// When all are visited.
@@ -74,7 +91,7 @@ class FirstHit final : public HitSearch {
 
 class AnyHit final : public HitSearch {
  public:
-  AnyHit(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  using HitSearch::HitSearch;
   double visit(std::uint32_t slot, bool certain, double least, double most) override;
   [[nodiscard]] bool found() const { return found_; }
 
@@ -84,7 +101,7 @@ class AnyHit final : public HitSearch {
 
 class CountedHits final : public HitSearch {
  public:
-  CountedHits(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  using HitSearch::HitSearch;
   double visit(std::uint32_t slot, bool certain, double least, double most) override;
   [[nodiscard]] std::size_t count();
 
@@ -94,7 +111,7 @@ class CountedHits final : public HitSearch {
 
 class OrderedHits final : public HitSearch {
  public:
-  OrderedHits(const AnyRay& ray, const Bvh& bvh, HitRule rule) : HitSearch(ray, bvh, rule) {}
+  using HitSearch::HitSearch;
   double visit(std::uint32_t slot, bool certain, double least, double most) override;
   [[nodiscard]] std::vector<NumberedHit> in_order();
 

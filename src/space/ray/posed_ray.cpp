@@ -1,4 +1,5 @@
-// Posed boxes that the ray hits, nearer ones first where the first hit is asked for; triangles by their exact images.
+// The ray as the mesh sees it, by the mesh's wide tree (space/ray/seen_ray.hpp).  Where it is not seen: posed boxes that
+// the ray hits, nearer ones first where the first hit is asked for; triangles by their exact images.
 #include "plumb/space/ray/posed_ray.hpp"
 
 #include <algorithm>
@@ -12,12 +13,14 @@
 #include "query/ray/posed_triangle.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
+#include "space/ray/hit_search.hpp"
+#include "space/ray/seen_ray.hpp"
 
 namespace plumb {
 namespace space {
 namespace {
 
-constexpr std::size_t posed_rays_of_part = 16;
+constexpr std::size_t posed_rays_of_part = 64;
 constexpr double most_parameter = std::numeric_limits<double>::max();
 
 bool may_hit(const AnyRay& ray, const Aabb3& box) { return !is_bounded(box) || hits(ray, box); }
@@ -124,27 +127,88 @@ std::size_t counted_posed_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule
   return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
 }
 
+// The same questions by each way: what is looked for, and the answer where the ray is not seen.
+struct AsksFirst {
+  using Search = FirstHit;
+  static auto answer(const Search& s) { return s.first(); }
+  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+    return first_posed_hit(ray, mesh, rule);
+  }
+};
+struct AsksNumber {
+  using Search = FirstHit;
+  static auto answer(const Search& s) { return s.first_number(); }
+  static std::optional<std::uint32_t> unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+    const auto hit = first_posed_hit(ray, mesh, rule);
+    return hit ? std::optional(hit->index) : std::nullopt;
+  }
+};
+struct AsksAny {
+  using Search = AnyHit;
+  static auto answer(const Search& s) { return s.found(); }
+  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) { return any_posed_hit(ray, mesh, rule); }
+};
+struct AsksAll {
+  using Search = OrderedHits;
+  static auto answer(Search& s) { return s.in_order(); }
+  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+    return ordered_posed_hits(ray, mesh, rule);
+  }
+};
+struct AsksCount {
+  using Search = CountedHits;
+  static auto answer(Search& s) { return s.count(); }
+  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+    return counted_posed_hits(ray, mesh, rule);
+  }
+};
+
 void require_posed_shot(const char* function, const AnyRay& ray, const PosedMesh& mesh) {
   if (!query::is_sound(ray)) query::require_ray(function, ray);
   require_pose(function, "mesh", mesh.pose);
 }
 
-/// out[i] = answer(rays[i]).
-template <class Out, class Answer>
-void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<Out> out,
-               const ManyRays& options, const Answer& answer) {
-  if (out.size() != rays.size()) {
-    throw UnequalLengths(std::string(function) + ": out has " + std::to_string(out.size()) + " items, rays has " +
+template <class Asks>
+auto shoot(const char* function, const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  require_posed_shot(function, ray, mesh);
+  const auto seen = Sight(mesh)(ray);
+  if (!seen) return Asks::unseen(ray, mesh, rule);
+  typename Asks::Search search(ray, *seen, mesh, rule);
+  const RayTask task = search.task();
+  visit_triangles(mesh.bvh, {&task, 1});
+  return Asks::answer(search);
+}
+
+/// put(i, the answer along rays[i]); a part's rays descend together.
+template <class Asks, class Put>
+void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMesh& mesh, std::size_t places,
+               const ManyRays& options, const Put& put) {
+  if (places != rays.size()) {
+    throw UnequalLengths(std::string(function) + ": out has " + std::to_string(places) + " items, rays has " +
                          std::to_string(rays.size()));
   }
   require_pose(function, "mesh", mesh.pose);
+  const Sight sight(mesh);
   const std::size_t parts = blocks_of(rays.size(), posed_rays_of_part);
   for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
-    const std::size_t to = std::min(rays.size(), (part + 1) * posed_rays_of_part);
-    for (std::size_t i = part * posed_rays_of_part; i < to; ++i) {
+    const std::size_t from = part * posed_rays_of_part, to = std::min(rays.size(), from + posed_rays_of_part);
+    std::vector<SeenRay> seen;
+    std::vector<typename Asks::Search> searches;
+    std::vector<std::size_t> numbers;
+    std::vector<RayTask> tasks;
+    seen.reserve(to - from);  // what refers to them stays
+    searches.reserve(to - from);
+    for (std::size_t i = from; i < to; ++i) {
       if (!query::is_sound(rays[i])) query::require_ray(function, rays[i]);
-      out[i] = answer(rays[i]);
+      if (const auto one = sight(rays[i])) {
+        tasks.push_back(searches.emplace_back(rays[i], seen.emplace_back(*one), mesh, options.rule).task());
+        numbers.push_back(i);
+      } else {
+        put(i, Asks::unseen(rays[i], mesh, options.rule));
+      }
     }
+    visit_triangles(mesh.bvh, tasks);
+    for (std::size_t i = 0; i < searches.size(); ++i) put(numbers[i], Asks::answer(searches[i]));
   });
 }
 
@@ -152,53 +216,45 @@ void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMe
 }  // namespace space
 
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  space::require_posed_shot("first_hit", ray, mesh);
-  return space::first_posed_hit(ray, mesh, rule);
+  return space::shoot<space::AsksFirst>("first_hit", ray, mesh, rule);
 }
 std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  space::require_posed_shot("first_triangle", ray, mesh);
-  const auto hit = space::first_posed_hit(ray, mesh, rule);
-  return hit ? std::optional(hit->index) : std::nullopt;
+  return space::shoot<space::AsksNumber>("first_triangle", ray, mesh, rule);
 }
 bool hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  space::require_posed_shot("hits", ray, mesh);
-  return space::any_posed_hit(ray, mesh, rule);
+  return space::shoot<space::AsksAny>("hits", ray, mesh, rule);
 }
 std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  space::require_posed_shot("ordered_hits", ray, mesh);
-  return space::ordered_posed_hits(ray, mesh, rule);
+  return space::shoot<space::AsksAll>("ordered_hits", ray, mesh, rule);
 }
 std::size_t count_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  space::require_posed_shot("count_hits", ray, mesh);
-  return space::counted_posed_hits(ray, mesh, rule);
+  return space::shoot<space::AsksCount>("count_hits", ray, mesh, rule);
 }
 
 void first_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::optional<NumberedHit>> out,
                 const ManyRays& options) {
-  space::shoot_all("first_hits", rays, mesh, out, options,
-                   [&](const AnyRay& ray) { return space::first_posed_hit(ray, mesh, options.rule); });
+  space::shoot_all<space::AsksFirst>("first_hits", rays, mesh, out.size(), options,
+                                     [&](std::size_t i, const auto& hit) { out[i] = hit; });
 }
 void first_triangles(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::uint32_t> out,
                      const ManyRays& options) {
-  space::shoot_all("first_triangles", rays, mesh, out, options, [&](const AnyRay& ray) {
-    const auto hit = space::first_posed_hit(ray, mesh, options.rule);
-    return hit ? hit->index : no_triangle;
-  });
+  space::shoot_all<space::AsksNumber>("first_triangles", rays, mesh, out.size(), options,
+                                      [&](std::size_t i, const auto& n) { out[i] = n.value_or(no_triangle); });
 }
 void hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::uint8_t> out, const ManyRays& options) {
-  space::shoot_all("hits", rays, mesh, out, options, [&](const AnyRay& ray) {
-    return static_cast<std::uint8_t>(space::any_posed_hit(ray, mesh, options.rule) ? 1 : 0);
+  space::shoot_all<space::AsksAny>("hits", rays, mesh, out.size(), options, [&](std::size_t i, bool found) {
+    out[i] = static_cast<std::uint8_t>(found ? 1 : 0);
   });
 }
 void ordered_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::vector<NumberedHit>> out,
                   const ManyRays& options) {
-  space::shoot_all("ordered_hits", rays, mesh, out, options,
-                   [&](const AnyRay& ray) { return space::ordered_posed_hits(ray, mesh, options.rule); });
+  space::shoot_all<space::AsksAll>("ordered_hits", rays, mesh, out.size(), options,
+                                   [&](std::size_t i, auto&& all) { out[i] = std::move(all); });
 }
 void count_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::size_t> out,
                 const ManyRays& options) {
-  space::shoot_all("count_hits", rays, mesh, out, options,
-                   [&](const AnyRay& ray) { return space::counted_posed_hits(ray, mesh, options.rule); });
+  space::shoot_all<space::AsksCount>("count_hits", rays, mesh, out.size(), options,
+                                     [&](std::size_t i, std::size_t n) { out[i] = n; });
 }
 
 }  // namespace plumb

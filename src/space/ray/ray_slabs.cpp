@@ -28,8 +28,9 @@ constexpr double quick_narrowed = Interval::sum_down(1, -quick_error), quick_wid
 // Beyond it differences with boxes might overflow.
 constexpr double most_slab_size = 0x1p1000;
 
-/// From such a multiple of the way through the root's box on, a ray is one from far away: a guess.
-constexpr double far_away = 0x1p20;
+/// From such a multiple of the way through the root's box on, a ray is one from far away, whose keys floats would not
+/// tell apart: a guess.
+constexpr double far_away = 0x1p10;
 
 // Within these no difference, quotient or product below overflows, so that numbers need no scaling: a guess of what is
 // worth a path of its own, which decides nothing.
@@ -135,6 +136,17 @@ struct SlabSetting {
     return true;
   }
 
+  SlabSetting(const std::array<Ball, 3>& place, const std::array<Ball, 3>& direction, int frame) : exponent(0) {
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      from[k] = scaled_number(place[k], -frame);
+      largest = std::max(largest, std::abs(direction[k].high));
+    }
+    const int scale = largest > 0 && largest < Ball::infinity ? -std::ilogb(largest) : 0;
+    for (std::size_t k = 0; k < 3; ++k) way[k] = scaled_number(direction[k], scale);
+    exponent = scale + frame;
+  }
+
   /// A key before the line comes to the box, and one about when it leaves.
   [[nodiscard]] Interval span_of(const BoxNode& box) const {
     double enters = -Ball::infinity, leaves = Ball::infinity;
@@ -203,9 +215,17 @@ RaySlabs::RaySlabs(const AnyRay& ray, const BoxTree& tree) {
     if (query::ends(ray)) limit_ = 1;
     return;
   }
-  SlabSetting setting(ray, tree.frame.exponent());
+  set(SlabSetting(ray, tree.frame.exponent()), query::begins(ray) || query::has_no_direction(ray), query::ends(ray),
+      tree);
+}
+
+RaySlabs::RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way,
+                   const BoxTree& tree) {
+  set(SlabSetting(from, way, tree.frame.exponent()), kind != AnyRay::Kind::line, kind == AnyRay::Kind::segment, tree);
+}
+
+void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const BoxTree& tree) {
   exponent_ = setting.exponent;
-  bool begins = query::begins(ray) || query::has_no_direction(ray);  // else keys have no least one yet
   all_met_ = !setting.is_finite() || tree.nodes.empty() || !has_finite_box(tree.nodes[0]);
   for (double& start : starts_) {
     if (all_met_) break;
@@ -217,9 +237,9 @@ RaySlabs::RaySlabs(const AnyRay& ray, const BoxTree& tree) {
     begins = true;
     all_met_ = !setting.is_finite();
   }
-  all_met_ = all_met_ || !begins;
+  all_met_ = all_met_ || !begins;  // keys of a line have no least one yet
   if (!all_met_) setting.fill(*this);
-  if (query::ends(ray)) limit_ = limit_at(1);
+  if (ends) limit_ = limit_at(1);
 }
 
 double RaySlabs::limit_at(double t) const {

@@ -103,9 +103,8 @@ struct Leaves {
       __builtin_prefetch(numbers + 3 * static_cast<std::size_t>(corners[i]));
   }
 
-  HWY_INLINE double visit(const query::BatchRay& given, std::uint32_t first, std::uint32_t count, double limit,
-                          TriangleVisitor& visitor) const {
-    const in_lanes::RayLanes ray(given);
+  HWY_INLINE double visit(const RayTask& task, std::uint32_t first, std::uint32_t count, double limit) const {
+    const in_lanes::RayLanes ray(task.ray, task.doubts);
     for (std::uint32_t from = first, end = first + count; from < end; from += lanes) {
       const std::uint32_t rest = end - from;
       const double* at[3][lanes];
@@ -121,7 +120,7 @@ struct Leaves {
       hn::Store(told.most, D(), most);
       for (; maybe != 0; maybe &= maybe - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(maybe));
-        limit = visitor.visit(from + i, (told.yes >> i & 1) != 0, least[i], most[i]);
+        limit = task.visitor->visit(from + i, (told.yes >> i & 1) != 0, least[i], most[i]);
         if (limit == -infinity) return limit;
       }
     }
@@ -162,7 +161,7 @@ class Walk {
     waiting_ += put_children(node, later_.key + waiting_, later_.link + waiting_, later_.count + waiting_);
   }
   void visit_leaf() {
-    limit_ = leaves_.visit(task_->ray, link_, count_, limit_, *task_->visitor);
+    limit_ = leaves_.visit(*task_, link_, count_, limit_);
     float_limit_ = in_floats(limit_);
   }
 

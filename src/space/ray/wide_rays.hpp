@@ -28,6 +28,7 @@ struct RayTask {
   RaySlabs::Planes planes;
   double limit;
   TriangleVisitor* visitor;
+  query::RayDoubts doubts = {};  // of a ray that is not known exactly
 };
 
 /// So many descend by turns: while one computes, memory brings what the others asked for.

@@ -26,15 +26,21 @@
 #include <cstring>
 #include <limits>
 
+#include "plumb/arith/ball.hpp"
 #include "plumb/arith/filtered.hpp"
 #include "plumb/query/ray/ray.hpp"
 #include "plumb/space/bvh/box_tree.hpp"
 
 namespace plumb {
 
+struct SlabSetting;
+
 class RaySlabs {
  public:
   RaySlabs(const AnyRay& ray, const BoxTree& tree);
+  /// Of every ray, segment or line from a place to a place a direction farther, which are known to be in these balls; the
+  /// laws hold for all of them.
+  RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way, const BoxTree& tree);
 
   [[nodiscard]] double operator()(const BoxNode& node) const {
     if (all_met_) return -infinity;
@@ -60,6 +66,8 @@ class RaySlabs {
             all_met_};
   }
 
+  /// Are numbers too far apart for any box to be left out?
+  [[nodiscard]] bool all_met() const { return all_met_; }
   [[nodiscard]] double limit() const { return limit_; }
   [[nodiscard]] double limit_at(double t) const;
 
@@ -72,6 +80,7 @@ class RaySlabs {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   friend struct SlabSetting;
+  void set(SlabSetting setting, bool begins, bool ends, const BoxTree& tree);
 
   /// Two numbers, of which one operation of the machine makes two others.
   using Pair = double __attribute__((vector_size(16)));
