@@ -194,7 +194,19 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   return relate_by(a, b, PointSigns(corners));
 }
 
+/// Of the same corners in any order, where they have an area.
+bool is_same_area(const Triangle3& a, const Triangle3& b) {
+  const auto is_of_b = [&](const Point3& p) { return p == b.a || p == b.b || p == b.c; };
+  if (!(is_of_b(a.a) && is_of_b(a.b) && is_of_b(a.c)) || !is_sound(a)) return false;
+  // Then they are distinct: all of b's.
+  for (const std::size_t axis : {0, 1, 2}) {
+    if (query::orient2d(seen(a.a, axis), seen(a.b, axis), seen(a.c, axis)) != Sign::zero) return true;
+  }
+  return false;
+}
+
 [[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Asked asked) {
+  if (is_same_area(a, b)) return Relation::overlapping;
   const LatticePoints<6, 3> points(std::bit_cast<CornerNumbers>(std::array{a, b}));
   const auto ask = [&](const auto& signs) { return relate_by(a, b, signs); };
   const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, asked);

@@ -14,21 +14,33 @@
 
 namespace plumb::space {
 
-/// By a, then b; in linear time where there are many.
-inline void sort_pairs(std::vector<TrianglePair>& pairs, std::size_t triangles_a) {
+/// By a, then b; in linear time where there are many.  The parts are given up.
+inline std::vector<TrianglePair> in_order(std::vector<std::vector<TrianglePair>> parts, std::size_t triangles_a) {
   const auto before = [](const TrianglePair& p, const TrianglePair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; };
-  if (pairs.size() < triangles_a / 8) return std::sort(pairs.begin(), pairs.end(), before);
+  std::size_t n = 0;
+  for (const auto& part : parts) n += part.size();
+  std::vector<TrianglePair> sorted;
+  if (n < triangles_a / 8) {
+    for (const auto& part : parts) sorted.insert(sorted.end(), part.begin(), part.end());
+    std::sort(sorted.begin(), sorted.end(), before);
+    return sorted;
+  }
   std::vector<std::size_t> place(triangles_a + 1);
-  for (const TrianglePair& p : pairs) ++place[p.a + 1];
+  for (const auto& part : parts) {
+    for (const TrianglePair& p : part) ++place[p.a + 1];
+  }
   std::partial_sum(place.begin(), place.end(), place.begin());
-  std::vector<TrianglePair> sorted(pairs.size());
-  for (const TrianglePair& p : pairs) sorted[place[p.a]++] = p;
+  sorted.resize(n);
+  for (auto& part : parts) {
+    for (const TrianglePair& p : part) sorted[place[p.a]++] = p;
+    std::vector<TrianglePair>().swap(part);
+  }
   for (auto from = sorted.begin(); from != sorted.end();) {
     const auto to = std::find_if(from, sorted.end(), [&](const TrianglePair& p) { return p.a != from->a; });
     std::sort(from, to, before);
     from = to;
   }
-  pairs.swap(sorted);
+  return sorted;
 }
 
 /// Of a mesh with so many triangles.
@@ -41,13 +53,7 @@ std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Exec
         found[part].push_back(pair);
         return Descent::go_on;
       });
-  std::size_t n = 0;
-  for (const auto& part : found) n += part.size();
-  std::vector<TrianglePair> all;
-  all.reserve(n);
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  sort_pairs(all, triangles_a);
-  return all;
+  return in_order(std::move(found), triangles_a);
 }
 
 template <class Search>

@@ -86,6 +86,20 @@ TEST(OverlapTriangleCases, TrianglesOfOnePlane) {
   expect_relation(t, {{1, 1, 2}, {2, 1, 4}, {1, 2, 4}}, Relation::touching);
 }
 
+TEST(OverlapTriangleCases, TheSameTriangleInAnyOrder) {
+  // Short and long mantissas, far apart exponents, in planes of an axis; 0 as either zero.
+  for (const auto& [a, b, c] :
+       {Triangle3{{0, 0, 0}, {8, 0, 8}, {0, 8, 8}}, Triangle3{{0.1, 0.2, 0.3}, {1.7, 0.25, 0.1}, {0.3, 1.9, 0.7}},
+        Triangle3{{0x1p-1074, 0, 1e300}, {1, 1e-300, 0}, {0, 0x1p600, 0}},
+        Triangle3{{0.1, 3, 7}, {0.1, 5, 2}, {0.1, 4, 9}}, Triangle3{{0, 0, 0}, {0x1p-1074, 0, 0}, {0, 0, 0x1p1023}}}) {
+    const Triangle3 orders[] = {{a, b, c}, {b, c, a}, {c, a, b}, {c, b, a}, {b, a, c}, {a, c, b}};
+    for (const Triangle3& t : orders) expect_relation({a, b, c}, t, Relation::overlapping);
+    expect_relation({a, b, c}, {a, b, a}, Relation::touching);  // an edge of it
+    expect_relation({a, b, c}, {c, c, c}, Relation::touching);
+  }
+  expect_relation({{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}, {{-0.0, 1, 1}, {1, 1, -0.0}, {1, -0.0, 1}}, Relation::overlapping);
+}
+
 TEST(OverlapTriangleCases, TrianglesThatAreSegmentsOrPoints) {
   const Triangle3 t{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}};
   expect_relation(t, {{1, 1, -1}, {1, 1, 0}, {1, 1, 1}}, Relation::overlapping);
@@ -117,6 +131,7 @@ TEST(OverlapTriangleCases, NamesWhatIsNoNumber) {
   const Triangle3 far{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}};
   for (const Triangle3& a :
        {Triangle3{{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}, Triangle3{{0, 0, 0}, {1, INFINITY, 0}, {0, 1, 0}}}) {
+    EXPECT_THROW(relate(a, a), NonFinite);
     try {
       relate(far, a);
       FAIL();
