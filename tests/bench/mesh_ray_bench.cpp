@@ -172,11 +172,7 @@ RTCScene embree_scene(const TriangleMesh& mesh) {
   return scene;
 }
 
-void first_of_embree(benchmark::State& state) {
-  const Scene& scene = scene_of(state.range(0));
-  const auto aim = static_cast<Aim>(state.range(1));
-  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
-  RTCScene embree = embree_scene(scene.mesh);
+std::vector<RTCRayHit> embree_rays(const std::vector<AnyRay>& rays) {
   std::vector<RTCRayHit> given;
   for (const AnyRay& r : rays) {
     RTCRayHit one{};
@@ -193,6 +189,15 @@ void first_of_embree(benchmark::State& state) {
     one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     given.push_back(one);
   }
+  return given;
+}
+
+void first_of_embree(benchmark::State& state) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  RTCScene embree = embree_scene(scene.mesh);
+  const std::vector<RTCRayHit> given = embree_rays(rays);
   std::size_t hit = 0;
   for (auto _ : state) {
     hit = 0;
@@ -202,6 +207,41 @@ void first_of_embree(benchmark::State& state) {
       RTCRayHit one = ray;
       rtcIntersect1(embree, &context, &one);
       hit += one.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+  }
+  report(state, rays.size(), hit);
+  rtcReleaseScene(embree);
+}
+
+/// Sixteen at once, said to be coherent where they are.
+void first_of_embree_packets(benchmark::State& state) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  RTCScene embree = embree_scene(scene.mesh);
+  const std::vector<RTCRayHit> given = embree_rays(rays);
+  std::vector<RTCRayHit16> packets(given.size() / 16);
+  for (std::size_t i = 0; i < 16 * packets.size(); ++i) {
+    RTCRayHit16& p = packets[i / 16];
+    const std::size_t k = i % 16;
+    const RTCRay& r = given[i].ray;
+    p.ray.org_x[k] = r.org_x, p.ray.org_y[k] = r.org_y, p.ray.org_z[k] = r.org_z;
+    p.ray.dir_x[k] = r.dir_x, p.ray.dir_y[k] = r.dir_y, p.ray.dir_z[k] = r.dir_z;
+    p.ray.tnear[k] = 0, p.ray.tfar[k] = r.tfar, p.ray.time[k] = 0, p.ray.mask[k] = r.mask, p.ray.flags[k] = 0;
+    p.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  alignas(64) int valid[16];
+  std::fill(valid, valid + 16, -1);
+  std::size_t hit = 0;
+  for (auto _ : state) {
+    hit = 0;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    if (aim == Aim::camera) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (const RTCRayHit16& packet : packets) {
+      RTCRayHit16 one = packet;
+      rtcIntersect16(valid, embree, &context, &one);
+      for (const unsigned id : one.hit.geomID) hit += id != RTC_INVALID_GEOMETRY_ID;
     }
   }
   report(state, rays.size(), hit);
@@ -223,6 +263,7 @@ BENCHMARK_CAPTURE(first_of_posed, together, true)->Apply(sizes);
 BENCHMARK_CAPTURE(first_of_posed, alone, false)->Apply(sizes);
 #ifdef PLUMB_BENCH_EMBREE
 BENCHMARK(first_of_embree)->Apply(sizes);
+BENCHMARK(first_of_embree_packets)->Apply(sizes);
 #endif
 
 }  // namespace
