@@ -1,7 +1,7 @@
 // What is asked of a search of pairs: all in order, how many, or any?
 //
-// A search has run(execution, begin, take): begin(n), then take(part, pair) for each pair, from several threads, with
-// parts below n.  The answers do not depend on them.
+// A search has run(execution, begin, take): begin(n), then take(part, pair, slots) for each pair, from several threads,
+// with parts below n.  The answers do not depend on them.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
+#include "space/pairs/leaf_pairs.hpp"
 
 namespace plumb::space {
 
@@ -49,7 +50,7 @@ std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Exec
   std::vector<std::vector<TrianglePair>> found;
   search.run(
       execution, [&](std::size_t parts) { found.resize(parts); },
-      [&](std::size_t part, const TrianglePair& pair) {
+      [&](std::size_t part, const TrianglePair& pair, SlotPair) {
         found[part].push_back(pair);
         return Descent::go_on;
       });
@@ -61,7 +62,7 @@ PairCount counted_pairs(Search search, Execution execution) {
   std::vector<PairCount> found;
   search.run(
       execution, [&](std::size_t parts) { found.resize(parts); },
-      [&](std::size_t part, const TrianglePair& pair) {
+      [&](std::size_t part, const TrianglePair& pair, SlotPair) {
         ++(pair.relation == Relation::touching ? found[part].touching : found[part].overlapping);
         return Descent::go_on;
       });
@@ -70,14 +71,15 @@ PairCount counted_pairs(Search search, Execution execution) {
   return all;
 }
 
-/// The first that the search comes to on one thread.
+/// The first that the search comes to on one thread, and where that is.
 template <class Search>
-std::optional<TrianglePair> any_pair(Search search) {
+std::optional<TrianglePair> any_pair(Search search, SlotPair* at = nullptr) {
   std::optional<TrianglePair> found;
   search.run(
       Execution::serial, [](std::size_t) {},
-      [&](std::size_t, const TrianglePair& pair) {
+      [&](std::size_t, const TrianglePair& pair, SlotPair slots) {
         found = pair;
+        if (at) *at = slots;
         return Descent::stop;
       });
   return found;

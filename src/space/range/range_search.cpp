@@ -3,36 +3,14 @@
 
 #include <algorithm>
 
-#include "plumb/figure/containment/contains.hpp"
-#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
+#include "space/range/range_tests.hpp"
 
 namespace plumb {
 namespace space {
 namespace {
-
-/// May anything in the box meet the shape?  Of a region only its halfspaces one by one.
-template <class Shape>
-bool may_meet(const Aabb3& box, const Shape& shape) {
-  if constexpr (std::same_as<Shape, HalfspaceIntersection3>) {
-    return std::ranges::all_of(shape.halfspaces, [&](const Halfspace3& h) { return intersects(h, box); });
-  } else {
-    return intersects(box, shape);
-  }
-}
-
-template <class Shape>
-bool meets_triangle(const Triangle3& t, const Shape& shape) {
-  if constexpr (!std::same_as<Shape, Segment3>) {
-    if (contains(shape, t.a)) return true;
-  }
-  if constexpr (std::same_as<Shape, HalfspaceIntersection3>) {
-    if (!std::ranges::all_of(shape.halfspaces, [&](const Halfspace3& h) { return intersects(h, t); })) return false;
-  }
-  return intersects(t, shape);
-}
 
 template <class Shape>
 std::vector<std::uint32_t> found(const Bvh& mesh, const Shape& shape) {

@@ -70,6 +70,7 @@ std::optional<NumberedHit> FirstHit::first() const {
 
 double AnyHit::visit(std::uint32_t slot, bool certain, double, double) {
   found_ = certain || is_hit(slot);
+  slot_ = slot;
   return found_ ? -infinity : limit_;
 }
 

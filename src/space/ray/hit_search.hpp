@@ -94,9 +94,12 @@ class AnyHit final : public HitSearch {
   using HitSearch::HitSearch;
   double visit(std::uint32_t slot, bool certain, double least, double most) override;
   [[nodiscard]] bool found() const { return found_; }
+  /// Of what was found.
+  [[nodiscard]] std::uint32_t slot() const { return slot_; }
 
  private:
   bool found_ = false;
+  std::uint32_t slot_ = no_triangle;
 };
 
 class CountedHits final : public HitSearch {

@@ -1,0 +1,109 @@
+// Which triangles of two leaves meet?
+//
+// Law: of all pairs of their slots exactly those whose triangles meet are told, each once; of a leaf with itself those
+// of two slots.
+// Source: RTCD 6.3.3, 5.2.10.
+// Cost: a comparison of boxes of doubles a pair, and relate for those whose boxes meet.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
+#include "plumb/space/pairs/neighbors.hpp"
+#include "space/bvh/slot_boxes.hpp"
+
+namespace plumb::space {
+
+/// Where a pair was found.
+struct SlotPair {
+  std::uint32_t a, b;
+};
+
+struct MeshView {
+  explicit MeshView(const Bvh& bvh)
+      : nodes(bvh.tree.nodes.view()),
+        items(bvh.tree.items.view()),
+        triangles(bvh.triangles.view()),
+        vertices(bvh.vertices.view()),
+        frame(bvh.tree.frame) {}
+  [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
+    const Bvh::Corners& c = triangles[slot];
+    return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
+  }
+  /// In doubles, outside of the frame.
+  [[nodiscard]] Aabb3 box_of(const BoxNode& n) const {
+    if (frame.exponent() != 0) return frame.outside(n.box());
+    return {{n.min[0], n.min[1], n.min[2]}, {n.max[0], n.max[1], n.max[2]}};
+  }
+  std::span<const BoxNode> nodes;
+  std::span<const std::uint32_t> items;
+  std::span<const Bvh::Corners> triangles;
+  std::span<const Point3> vertices;
+  BoxFrame frame;
+};
+
+/// Of one frame.
+inline bool nodes_meet(const BoxNode& a, const BoxNode& b) {
+  const auto on = [&](std::size_t k) {
+    return static_cast<int>(a.min[k] <= b.max[k]) & static_cast<int>(b.min[k] <= a.max[k]);
+  };
+  return (on(0) & on(1) & on(2)) != 0;
+}
+
+/// What a search asks of two leaves: which slots' triangles meet.
+class LeafPairs {
+ public:
+  LeafPairs(const MeshView& a, const MeshView& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+
+  /// take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
+  template <class Take>
+  Descent operator()(const BoxNode& leaf_a, const BoxNode& leaf_b, const Take& take) {
+    boxes_a_.read(a_, leaf_a, b_.box_of(leaf_b));
+    if (boxes_a_.n == 0) return Descent::go_on;
+    boxes_b_.read(b_, leaf_b, a_.box_of(leaf_a));
+    const bool same_leaf = is_own_ && leaf_a.link == leaf_b.link;
+    for (std::size_t i = 0; i < boxes_a_.n; ++i) {
+      for (std::size_t k = same_leaf ? i + 1 : 0; k < boxes_b_.n; ++k) {
+        if (!boxes_meet(boxes_a_.box[i], boxes_b_.box[k])) continue;
+        const std::uint32_t slot_a = boxes_a_.slot[i], slot_b = boxes_b_.slot[k];
+        const Relation relation = is_own_ ? relate_in_mesh(a_.vertices, a_.triangles[slot_a], b_.triangles[slot_b])
+                                          : relate(a_.triangle(slot_a), b_.triangle(slot_b));
+        if (relation == Relation::disjoint) continue;
+        std::uint32_t item_a = a_.items[slot_a], item_b = b_.items[slot_b];
+        if (is_own_ && item_b < item_a) std::swap(item_a, item_b);
+        if (take(TrianglePair{item_a, item_b, relation}, SlotPair{slot_a, slot_b}) == Descent::stop)
+          return Descent::stop;
+      }
+    }
+    return Descent::go_on;
+  }
+
+ private:
+  /// A leaf's triangles whose boxes meet that of the other leaf.
+  struct LeafBoxes {
+    void read(const MeshView& mesh, const BoxNode& leaf, const Aabb3& other) {
+      n = 0;
+      if (box.size() <= leaf.count) {  // a leaf of a file may have any number
+        box.resize(leaf.count + std::size_t{1});
+        slot.resize(leaf.count + std::size_t{1});
+      }
+      for (std::uint32_t s = leaf.link; s < leaf.link + leaf.count; ++s) {
+        box[n] = box_around(mesh.triangles[s], mesh.vertices);
+        slot[n] = s;
+        n += boxes_meet(box[n], other) ? 1 : 0;
+      }
+    }
+    std::size_t n = 0;
+    std::vector<Aabb3> box;  // as many as a leaf has, and one behind
+    std::vector<std::uint32_t> slot;
+  };
+
+  const MeshView &a_, &b_;
+  bool is_own_;
+  LeafBoxes boxes_a_, boxes_b_;
+};
+
+}  // namespace plumb::space

@@ -1,0 +1,38 @@
+// May what is in a box meet a shape; and does a triangle?
+//
+// Laws: (1) may_meet is true where anything in the box meets the shape.  (2) meets_triangle is intersects(t, shape).
+// Source: RTCD 5.2.
+// Cost: one exact test; of a convex region one for each halfspace.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+
+#include "plumb/figure/containment/contains.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/space/range/range_search.hpp"
+
+namespace plumb::space {
+
+/// May anything in the box meet the shape?  Of a region only its halfspaces one by one.
+template <class Shape>
+bool may_meet(const Aabb3& box, const Shape& shape) {
+  if constexpr (std::same_as<Shape, HalfspaceIntersection3>) {
+    return std::ranges::all_of(shape.halfspaces, [&](const Halfspace3& h) { return intersects(h, box); });
+  } else {
+    return intersects(box, shape);
+  }
+}
+
+template <class Shape>
+bool meets_triangle(const Triangle3& t, const Shape& shape) {
+  if constexpr (!std::same_as<Shape, Segment3>) {
+    if (contains(shape, t.a)) return true;
+  }
+  if constexpr (std::same_as<Shape, HalfspaceIntersection3>) {
+    if (!std::ranges::all_of(shape.halfspaces, [&](const Halfspace3& h) { return intersects(h, t); })) return false;
+  }
+  return intersects(t, shape);
+}
+
+}  // namespace plumb::space
