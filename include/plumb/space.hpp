@@ -52,6 +52,13 @@
 #include "plumb/space/range/range_search.hpp"  // by a tree
 #include "plumb/space/range/volume_range.hpp"  // by a tree of other volumes, and in any figure
 
+// What is kept from frame to frame?  PairFront, LastPair, LastTriangle; what is asked
+// together?  grouped_triangles_meeting
+#include "plumb/space/coherence/grouped_range.hpp"  // shapes that lie near each other
+#include "plumb/space/coherence/last_answer.hpp"    // the triangles that answered last
+#include "plumb/space/coherence/pair_front.hpp"     // where the descent of two trees ended
+#include "plumb/space/coherence/visit_stamps.hpp"   // what a query has seen
+
 // Where does a ray hit?
 #include "plumb/space/ray/inside.hpp"     // is a point in a closed mesh?  locate, winding_number
 #include "plumb/space/ray/mesh_ray.hpp"   // a mesh: first_hit, hits, ordered_hits, count_hits

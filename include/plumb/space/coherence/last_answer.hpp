@@ -1,0 +1,49 @@
+// What answered last time may answer again: queries that begin at the triangles of their last answer.
+//
+//   LastPair last;                                    // one for each two meshes that are asked again and again
+//   for (;;) if (any_intersecting_pair(a, b, last)) ...
+//   LastTriangle near;                                // one for each ray, one for each point
+//   hits(ray, mesh, near);
+//
+// Laws: (1) the answers are those of the functions without a memory, exactly; any_intersecting_pair may name another of
+// the pairs that meet.  (2) What is remembered is a guess that is tested: it may be of a mesh that has been moved,
+// refitted, built anew or is another one.  (3) It is written by each query: two threads need two.
+// Errors are those of the functions without a memory.
+// Source: RTCD 6.7.1.
+// Cost: two numbers; a triangle's test, or that of a pair, where the guess is wrong.  Where it is right, whether meshes
+// meet and whether a ray hits is known by it alone; of what is nearest those triangles are left out that the search would
+// try before it comes to it, which counts where meshes are posed.  (A guess of what a ray hits first saves nothing: the
+// search comes there at once.)
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "plumb/space/closest/posed_closest.hpp"
+#include "plumb/space/pairs/posed_pairs.hpp"
+#include "plumb/space/ray/posed_ray.hpp"
+
+namespace plumb {
+
+/// A place in a tree; none at first.
+struct LastTriangle {
+  std::uint32_t slot = no_triangle;
+};
+struct LastPair {
+  std::uint32_t slot_a = no_triangle, slot_b = no_triangle;
+};
+
+std::optional<TrianglePair> any_intersecting_pair(const Bvh& a, const Bvh& b, LastPair& last,
+                                                  const PairOptions& options = {});
+std::optional<TrianglePair> any_intersecting_pair(const PosedMesh& a, const PosedMesh& b, LastPair& last,
+                                                  const PairOptions& options = {});
+
+std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, LastTriangle& last);
+std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3& p, LastTriangle& last);
+
+std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last);
+std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last);
+
+bool hits(const AnyRay& ray, const Bvh& bvh, LastTriangle& last, HitRule rule = HitRule::closed);
+
+}  // namespace plumb

@@ -1,0 +1,98 @@
+// The searches of the functions without a memory, begun with a guess.
+#include "plumb/space/coherence/last_answer.hpp"
+
+#include "query/body/figure_input.hpp"
+#include "query/ray/numbers.hpp"
+#include "space/closest/closest_pair_search.hpp"
+#include "space/closest/nearest_search.hpp"
+#include "space/closest/posed_closest_search.hpp"
+#include "space/pairs/pair_answers.hpp"
+#include "space/pairs/pair_search.hpp"
+#include "space/pairs/posed_pair_search.hpp"
+#include "space/ray/hit_search.hpp"
+
+namespace plumb {
+namespace space {
+namespace {
+
+/// The pair of the last answer, where relate_slots says that it still meets; else any, by the search.
+template <class Relate, class Search>
+std::optional<TrianglePair> any_pair_from(const Bvh& a, const Bvh& b, LastPair& last, const PairOptions& options,
+                                          const Relate& relate_slots, const Search& search) {
+  if (last.slot_a < a.triangles.size() && last.slot_b < b.triangles.size()) {
+    const Relation relation = relate_slots(last.slot_a, last.slot_b);
+    if (relation == Relation::overlapping || (relation == Relation::touching && options.touching))
+      return TrianglePair{a.tree.items[last.slot_a], b.tree.items[last.slot_b], relation};
+  }
+  SlotPair at{no_slot, no_slot};
+  const auto found = any_pair(search, &at);
+  if (found) last = {at.a, at.b};
+  return found;
+}
+
+}  // namespace
+}  // namespace space
+
+std::optional<TrianglePair> any_intersecting_pair(const Bvh& a, const Bvh& b, LastPair& last,
+                                                  const PairOptions& options) {
+  const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) { return relate(a.triangle(i), b.triangle(k)); };
+  return space::any_pair_from(a, b, last, options, relate_slots,
+                              space::PairSearch("any_intersecting_pair", a, b, false, options));
+}
+std::optional<TrianglePair> any_intersecting_pair(const PosedMesh& a, const PosedMesh& b, LastPair& last,
+                                                  const PairOptions& options) {
+  constexpr const char* function = "any_intersecting_pair";
+  if (space::are_moved_alike(function, a, b)) return any_intersecting_pair(a.bvh, b.bvh, last, options);
+  const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) {
+    return query::relate(a.triangle(i), b.triangle(k));
+  };
+  return space::any_pair_from(a.bvh, b.bvh, last, options, relate_slots,
+                              space::PosedPairSearch(function, a, b, false, options));
+}
+
+std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, LastTriangle& last) {
+  query::require_figure("closest_on_mesh", "p", p);
+  const auto found = space::Nearest<>(mesh, 1).of(p, last.slot);
+  if (found.empty()) return {};
+  last.slot = found[0].slot;
+  return space::closest_found(mesh, p, found[0]);
+}
+std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3& p, LastTriangle& last) {
+  space::require_pose("closest_on_mesh", "mesh", mesh.pose);
+  query::require_figure("closest_on_mesh", "p", p);
+  const auto found = space::nearest_posed(mesh, p, 1, last.slot);
+  if (found.empty()) return {};
+  last.slot = found[0].slot;
+  return space::posed_found(mesh, p, found[0]);
+}
+
+std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last) {
+  if (a.triangles.empty() || b.triangles.empty()) return {};
+  space::ClosestSearch<> search(a, b);
+  search.guess(last.slot_a, last.slot_b);
+  const auto found = search.run();
+  last = {found.slot_a, found.slot_b};
+  return space::closest_pair_found(found);
+}
+std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last) {
+  space::require_pose("closest_triangles", "a", a.pose);
+  space::require_pose("closest_triangles", "b", b.pose);
+  if (a.bvh.triangles.empty() || b.bvh.triangles.empty()) return {};
+  space::PosedClosestSearch<> search(a, b);
+  search.guess(last.slot_a, last.slot_b);
+  const auto found = search.run();
+  last = {found.slot_a, found.slot_b};
+  return space::posed_pair_found(a, b, found);
+}
+
+bool hits(const AnyRay& ray, const Bvh& bvh, LastTriangle& last, HitRule rule) {
+  if (!query::is_sound(ray)) query::require_ray("hits", ray);
+  if (last.slot < bvh.triangles.size() && hits(ray, bvh.triangle(last.slot), rule)) return true;
+  space::AnyHit search(ray, bvh, rule);
+  const space::RayTask task = search.task();
+  space::visit_triangles(bvh, {&task, 1});
+  if (search.found()) last.slot = search.slot();
+  return search.found();
+}
+
+}  // namespace plumb

@@ -1,0 +1,109 @@
+// Do shapes that descend together find what each finds alone?
+#include "plumb/space/coherence/grouped_range.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <set>
+
+#include "certify/sanitized.hpp"
+#include "figure/basic/thrown.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "space/coherence/frames.hpp"
+
+namespace plumb {
+namespace {
+
+using namespace frames;
+using Numbers = std::vector<std::uint32_t>;
+
+template <class Shape>
+void expect_groups(const TriangleMesh& mesh, const Bvh& bvh, const std::vector<Shape>& shapes, VisitStamps& seen,
+                   const std::string& about, std::size_t& found) {
+  std::vector<Numbers> expected(shapes.size());
+  std::set<std::uint32_t> any;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const Triangle3 triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+      if (intersects(triangle, shapes[i])) expected[i].push_back(t), any.insert(t);
+    }
+    found += expected[i].size();
+  }
+  const std::span<const Shape> asked(shapes);
+  ASSERT_EQ(grouped_triangles_meeting(bvh, asked, {.execution = Execution::serial}), expected) << about;
+  ASSERT_EQ(grouped_triangles_meeting(bvh, asked), expected) << about;
+  ASSERT_EQ(triangles_meeting(bvh, asked), expected) << about;
+  ASSERT_EQ(triangles_meeting_any(bvh, asked, seen), Numbers(any.begin(), any.end())) << about;
+}
+
+TEST(GroupedRange, FindsWhatEachShapeMeets) {
+  std::size_t boxes_found = 0, segments_found = 0;
+  VisitStamps seen;
+  shape_cases::on_shapes(1781, battery::fitting(200), [&](Material& m) {
+    const TriangleMesh mesh = meshes::soup(m, 1 + m.below(20), m.below(30));
+    const Bvh bvh = build_bvh(mesh, {.most_in_leaf = 1 + static_cast<std::uint32_t>(m.below(4))});
+    std::vector<Aabb3> boxes;
+    std::vector<Segment3> segments;
+    for (std::size_t i = m.below(12); i-- > 0;) {
+      Point3 a = m.probe3(), b = m.below(5) == 0 ? a : m.probe3();
+      segments.push_back({a, b});
+      if (m.below(12) != 0) {  // else it may be empty
+        if (a.x > b.x) std::swap(a.x, b.x);
+        if (a.y > b.y) std::swap(a.y, b.y);
+        if (a.z > b.z) std::swap(a.z, b.z);
+      }
+      boxes.push_back({a, b});
+    }
+    expect_groups(mesh, bvh, boxes, seen, m.about(), boxes_found);
+    expect_groups(mesh, bvh, segments, seen, m.about(), segments_found);
+  });
+  if (battery::reaches_rare) {
+    EXPECT_GT(boxes_found, 2000u);
+    EXPECT_GT(segments_found, 500u);
+  }
+}
+
+/// A swarm of boxes that goes through a ring: the stamps come round more than once.
+TEST(GroupedRange, OfSwarmsFrameByFrame) {
+  const TriangleMesh mesh = meshes::ring(10);
+  const Bvh bvh = build_bvh(mesh);
+  VisitStamps seen;
+  std::size_t found = 0;
+  for (int frame = 0; frame < 600; ++frame) {
+    std::vector<Aabb3> boxes;
+    for (int i = 0; i < 40; ++i) {
+      const double x = -1.5 + frame * 0.005 + (i % 8) * 0.0625, y = (i / 8) * 0.0625;
+      boxes.push_back({{x, y, -0.5}, {x + 0.125, y + 0.125, 0.5}});
+    }
+    const std::span<const Aabb3> asked(boxes);
+    const auto each = triangles_meeting(bvh, asked);
+    std::set<std::uint32_t> any;
+    for (const Numbers& numbers : each) any.insert(numbers.begin(), numbers.end());
+    ASSERT_EQ(triangles_meeting_any(bvh, asked, seen), Numbers(any.begin(), any.end())) << frame;
+    if (frame % 50 == 0) {
+      ASSERT_EQ(grouped_triangles_meeting(bvh, asked), each) << frame;
+    }
+    found += any.size();
+  }
+  EXPECT_GT(found, 5000u);
+}
+
+TEST(GroupedRange, OfNothingAndOfNoShape) {
+  const Bvh none = build_bvh(TriangleMesh{}), ring = build_bvh(meshes::ring(3));
+  VisitStamps seen;
+  EXPECT_TRUE(grouped_triangles_meeting(ring, std::span<const Aabb3>()).empty());
+  EXPECT_TRUE(triangles_meeting_any(ring, std::span<const Segment3>(), seen).empty());
+  const std::vector<Aabb3> boxes{{{-9, -9, -9}, {9, 9, 9}}, {{1, 0, 0}, {0, 1, 1}}};
+  EXPECT_EQ(grouped_triangles_meeting(none, std::span<const Aabb3>(boxes)), std::vector<Numbers>(2));
+  EXPECT_TRUE(triangles_meeting_any(none, std::span<const Aabb3>(boxes), seen).empty());
+  EXPECT_EQ(triangles_meeting_any(ring, std::span<const Aabb3>(boxes), seen).size(), 36u);
+  const std::vector<Segment3> broken{{{0, 0, 0}, {NAN, 0, 0}}};
+  const std::span<const Segment3> asked(broken);
+  const std::string plain = text_of<NonFinite>([&] { (void)triangles_meeting(ring, asked); });
+  EXPECT_EQ(text_of<NonFinite>([&] { (void)grouped_triangles_meeting(ring, asked); }), plain);
+  EXPECT_EQ(text_of<NonFinite>([&] { (void)triangles_meeting_any(ring, asked, seen); }), plain);
+}
+
+}  // namespace
+}  // namespace plumb
