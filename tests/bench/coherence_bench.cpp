@@ -1,8 +1,8 @@
 // What do a front and last answers save on a moving scene?  One thread; beside the same queries without a memory.
 //
-// Scene: a wavy ring passes another of its kind in 64 small steps, posed or with its vertices moved and the tree refitted
-// (which is not counted).  An iteration is the whole passage.  `s_frame` is the time of a query, `nodes` how many boxes
-// or pairs of boxes of nodes it looks at, `triangles` how many triangles or pairs; both a frame.
+// Scene: a wavy ring passes another of its kind in 64 small steps, posed or with its vertices moved and the tree
+// refitted (which is not counted).  An iteration is the whole passage.  `s_frame` is the time of a query, `nodes` how
+// many boxes or pairs of boxes of nodes it looks at, `triangles` how many triangles or pairs; both a frame.
 // `bytes` is what a front keeps at the end.
 #include <benchmark/benchmark.h>
 

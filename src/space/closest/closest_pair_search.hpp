@@ -2,8 +2,8 @@
 //
 // Law: a guess changes no answer: what is offered first is offered as any other is.
 // Source: RTCD 5.1.10, 6.3.2.
-// Cost: a bound for each pair that a pair of nodes is replaced by, a distance for each pair of triangles whose boxes may be
-// nearer.
+// Cost: a bound for each pair that a pair of nodes is replaced by, a distance for each pair of triangles whose boxes
+// may be nearer.
 #pragma once
 
 #include <limits>

@@ -56,8 +56,8 @@ struct PosedCandidate {
   double distance;
 };
 
-/// The k nearest, in order.  A triangle that may be near, as one of this slot was before, is offered first where k is 1; a
-/// number that is no slot is no guess.
+/// The k nearest, in order.  A triangle that may be near, as one of this slot was before, is offered first where k is
+/// 1; a number that is no slot is no guess.
 template <class Watch = Unwatched>
 std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p, std::size_t k,
                                           std::uint32_t guess = no_slot, Watch watch = {}) {

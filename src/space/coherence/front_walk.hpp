@@ -4,8 +4,8 @@
 //   for (const NodePair pair : part) walk.from(pair);
 //   walk.result()
 //
-// A scene has the nodes of two trees (or of one, is_own), says whether two nodes' boxes meet and what their pair is replaced
-// by, and tells the triangles of leaves.
+// A scene has the nodes of two trees (or of one, is_own), says whether two nodes' boxes meet and what their pair is
+// replaced by, and tells the triangles of leaves.
 // Laws: (1) what the pairs cover, pairs of leaves, is covered by those of the result, each once, in the order of a
 // descent.  (2) The triangles of all pairs of leaves that may meet are asked.
 // Source: RTCD 6.7.2.

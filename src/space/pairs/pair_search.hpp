@@ -1,5 +1,5 @@
-// Which triangles of two meshes meet, or of one: pairs of nodes down to some hundred parts of the work, each part down to
-// its leaves.
+// Which triangles of two meshes meet, or of one: pairs of nodes down to some hundred parts of the work, each part down
+// to its leaves.
 //
 // Law: each pair of triangles that meet is told once, on any number of threads.
 // Source: RTCD 6.3.3.

@@ -1,7 +1,7 @@
 // Which triangles of two leaves meet, where the meshes have been moved?  And has it been alike?
 //
-// Law: of all pairs of their slots exactly those whose exact images meet are told, each once; of a leaf with itself those
-// of two slots.
+// Law: of all pairs of their slots exactly those whose exact images meet are told, each once; of a leaf with itself
+// those of two slots.
 // Source: RTCD 3.2, 6.3.3, 5.2.10.
 // Cost: a posed box for each triangle, and some 300 ns for each pair whose boxes meet.
 #pragma once

@@ -11,8 +11,8 @@
 // are made to fit the mesh.
 // Errors are those of triangles_meeting.
 // Source: RTCD 6.6.7, 7.7.
-// Cost: the shapes are sorted by Morton codes; a comparison of boxes for each child of a node that a group enters, and for
-// each shape of it and triangle that its box meets.  Of any a triangle that has been found is not asked again.
+// Cost: the shapes are sorted by Morton codes; a comparison of boxes for each child of a node that a group enters, and
+// for each shape of it and triangle that its box meets.  Of any a triangle that has been found is not asked again.
 #pragma once
 
 #include <concepts>

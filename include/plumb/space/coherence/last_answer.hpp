@@ -11,9 +11,9 @@
 // Errors are those of the functions without a memory.
 // Source: RTCD 6.7.1.
 // Cost: two numbers; a triangle's test, or that of a pair, where the guess is wrong.  Where it is right, whether meshes
-// meet and whether a ray hits is known by it alone; of what is nearest those triangles are left out that the search would
-// try before it comes to it, which counts where meshes are posed.  (A guess of what a ray hits first saves nothing: the
-// search comes there at once.)
+// meet and whether a ray hits is known by it alone; of what is nearest those triangles are left out that the search
+// would try before it comes to it, which counts where meshes are posed.  (A guess of what a ray hits first saves
+// nothing: the search comes there at once.)
 #pragma once
 
 #include <cstdint>

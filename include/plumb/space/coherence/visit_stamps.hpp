@@ -8,8 +8,8 @@
 // been called since then.  (3) Of any number of queries: when the stamps come round, all are cleared.
 // An i that is not below size() is a mistake of the caller.
 // Source: RTCD 7.7.
-// Cost: a byte each; begin clears them once in 255 calls, which is size() / 255 bytes a query.  It pays where a test costs
-// more than the miss of a cache that a stamp may cost: measure, or test again.
+// Cost: a byte each; begin clears them once in 255 calls, which is size() / 255 bytes a query.  It pays where a test
+// costs more than the miss of a cache that a stamp may cost: measure, or test again.
 #pragma once
 
 #include <algorithm>
