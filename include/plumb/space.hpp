@@ -6,13 +6,15 @@
 #pragma once
 
 // What is a tree of boxes?
-#include "plumb/space/bvh/box_frame.hpp"   // floats that hold doubles of any size
-#include "plumb/space/bvh/box_tree.hpp"    // nodes in depth-first order
-#include "plumb/space/bvh/kept_array.hpp"  // in memory of its own or in a mapped file
+#include "plumb/space/bvh/box_frame.hpp"       // floats that hold doubles of any size
+#include "plumb/space/bvh/box_tree.hpp"        // nodes in depth-first order
+#include "plumb/space/bvh/kept_array.hpp"      // in memory of its own or in a mapped file
+#include "plumb/space/bvh/packed_numbers.hpp"  // in as few bytes as they need
 
 // Which tree?  build_box_tree, build_bvh
 #include "plumb/space/bvh/build.hpp"           // of boxes; builders and their options
 #include "plumb/space/bvh/bvh.hpp"             // of a mesh
+#include "plumb/space/bvh/compact_tree.hpp"    // of a mesh, in half of the memory
 #include "plumb/space/bvh/insertion_tree.hpp"  // of what comes and goes
 #include "plumb/space/bvh/posed_mesh.hpp"      // of a mesh that has been moved
 #include "plumb/space/bvh/refit.hpp"           // for what moves
@@ -23,9 +25,10 @@
 #include "plumb/space/bvh/wide_tree.hpp"       // with eight children a node
 
 // How is it asked?  descend and its kin
-#include "plumb/space/bvh/descend.hpp"        // one tree
-#include "plumb/space/bvh/descend_pairs.hpp"  // two, or one with itself
-#include "plumb/space/bvh/progress.hpp"       // how far it is, and whether to go on
+#include "plumb/space/bvh/descend.hpp"          // one tree
+#include "plumb/space/bvh/descend_compact.hpp"  // one that is compact
+#include "plumb/space/bvh/descend_pairs.hpp"    // two, or one with itself
+#include "plumb/space/bvh/progress.hpp"         // how far it is, and whether to go on
 
 // How near is a mesh, and where?  closest_on_mesh, nearest_triangles, triangles_within, closest_triangles; how far does
 // it reach from another?  hausdorff_distance

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "plumb/space/bvh/box_frame.hpp"
 #include "plumb/space/bvh/kept_array.hpp"
@@ -38,6 +39,12 @@ struct BoxTree {
   KeptArray<BoxNode> nodes;
   KeptArray<std::uint32_t> items;
   BoxFrame frame;
+
+  /// Around all items; where there are none, its least is infinite and above its most.
+  [[nodiscard]] FloatBox3 box() const {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    return nodes.empty() ? FloatBox3{{none, none, none}, {-none, -none, -none}} : nodes[0].box();
+  }
 };
 
 }  // namespace plumb
