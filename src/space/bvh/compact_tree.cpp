@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "plumb/arith/error.hpp"
@@ -12,8 +11,6 @@ namespace {
 
 constexpr int most_steps = 255;
 constexpr float most_plane = 0x1p100F;  // of which grids can do with steps of a byte
-constexpr float no_plane = std::numeric_limits<float>::infinity();
-constexpr FloatBox3 no_box{{no_plane, no_plane, no_plane}, {-no_plane, -no_plane, -no_plane}};
 
 /// Of an axis: the finest that holds what lies from low to high, as floats.
 struct StepGrid {
@@ -52,7 +49,7 @@ class Compacted {
   CompactBvh run() {
     CompactBvh made;
     made.tree.frame = bvh_.tree.frame;
-    made.tree.box = bvh_.tree.box();
+    made.tree.root = bvh_.tree.box();
     made.vertices = std::vector<Point3>(bvh_.vertices.begin(), bvh_.vertices.end());
     if (wide_.empty()) return made;
     nodes_.reserve(wide_.size());
@@ -132,7 +129,7 @@ class Compacted {
       for (std::uint32_t slot = 0; slot < parts_[i].count; ++slot) slots_.push_back(parts_[i].link + slot);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      float low = no_plane, high = -no_plane;
+      float low = no_box.min[k], high = no_box.max[k];
       for (const Part& part : parts_) {
         low = std::min(low, part.box.min[k]);
         high = std::max(high, part.box.max[k]);

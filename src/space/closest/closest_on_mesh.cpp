@@ -13,66 +13,105 @@
 #include "space/closest/nearest_search.hpp"
 
 namespace plumb {
+namespace space {
+namespace {
 
-std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p) {
+template <class Mesh>
+using NearestIn = Nearest<Unwatched, Mesh>;
+
+template <class Mesh>
+std::optional<ClosestOnMesh> closest_of(const Mesh& mesh, const Point3& p) {
   query::require_figure("closest_on_mesh", "p", p);
-  const auto found = space::Nearest<>(mesh, 1).of(p);
+  const auto found = NearestIn<Mesh>(mesh, 1).of(p);
   if (found.empty()) return {};
-  return space::closest_found(mesh, p, found[0]);
+  return closest_found(mesh, p, found[0]);
 }
 
-void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
+template <class Mesh>
+void closest_of_each(const Mesh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options) {
-  space::require_equal_lengths("closest_on_mesh", "points", points.size(), "out", out.size());
+  require_equal_lengths("closest_on_mesh", "points", points.size(), "out", out.size());
   figure::require_finite_points("closest_on_mesh", "points", points);
   if (points.empty()) return;
-  if (mesh.triangles.empty()) throw InvalidShape("closest_on_mesh: the mesh is empty; give one triangle at least");
+  if (mesh.tree.nodes.empty()) throw InvalidShape("closest_on_mesh: the mesh is empty; give one triangle at least");
   constexpr std::size_t part_size = 64;
-  const std::size_t parts = space::blocks_of(points.size(), part_size);
-  space::for_parts("closest_on_mesh", options.execution, options.progress, parts, [&](std::size_t part) {
-    space::Nearest<> nearest(mesh, 1);
+  const std::size_t parts = blocks_of(points.size(), part_size);
+  for_parts("closest_on_mesh", options.execution, options.progress, parts, [&](std::size_t part) {
+    NearestIn<Mesh> nearest(mesh, 1);
     const std::size_t to = std::min(points.size(), (part + 1) * part_size);
     for (std::size_t i = part * part_size; i < to; ++i) {
-      out[i] = space::closest_found(mesh, points[i], nearest.of(points[i])[0]);
+      out[i] = closest_found(mesh, points[i], nearest.of(points[i])[0]);
     }
   });
 }
 
-std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k) {
+template <class Mesh>
+std::vector<NearTriangle> nearest_of(const Mesh& mesh, const Point3& p, std::size_t k) {
   query::require_figure("nearest_triangles", "p", p);
   std::vector<NearTriangle> nearest;
-  space::Nearest<> search(mesh, k);
+  NearestIn<Mesh> search(mesh, k);
   for (const auto& c : search.of(p)) nearest.push_back({c.item, c.distance});
   return nearest;
 }
 
-std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance) {
+template <class Mesh>
+std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double distance) {
   query::require_figure("triangles_within", "p", p);
   if (!(distance - distance == 0)) {
     throw NonFinite("triangles_within: distance is " + std::to_string(distance) + ", but it must be finite");
   }
   std::vector<NearTriangle> within;
   if (distance < 0) return within;
+  const SlotTriangles triangles(mesh);
   const BoxFrame& frame = mesh.tree.frame;
   const Aabb3 point{p, p};
   const FloatBox3 at = frame.around(point);
-  const space::SquareLimits limits = space::limits_above_exact(frame, distance);
-  const std::span<const Point3> vertices = mesh.vertices.view();
+  const SquareLimits limits = limits_above_exact(frame, distance);
   descend(
-      mesh.tree, [&](const BoxNode& node) { return !(space::square_below(at, node) > limits.of_nodes); },
+      mesh.tree, [&](const BoxNode& node) { return !(square_below(at, node) > limits.of_nodes); },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const Aabb3 box = space::box_around(mesh.triangles[slot], vertices);
-          if (space::square_below(point, box) > limits.of_triangles) continue;
-          const Triangle3 t = mesh.triangle(slot);
+          const Triangle3 t = triangles.triangle(slot);
+          if (square_below(point, box_around(t.a, t.b, t.c)) > limits.of_triangles) continue;
           const double d = plumb::distance(p, t);
           if (d < distance || (d == distance && compare(exact_distance(p, t), distance) != Sign::positive)) {
-            within.push_back({mesh.tree.items[slot], d});
+            within.push_back({triangles.number(slot), d});
           }
         }
       });
   std::ranges::sort(within, {}, &NearTriangle::triangle);
   return within;
+}
+
+}  // namespace
+}  // namespace space
+
+std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p) { return space::closest_of(mesh, p); }
+std::optional<ClosestOnMesh> closest_on_mesh(const CompactBvh& mesh, const Point3& p) {
+  return space::closest_of(mesh, p);
+}
+
+void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
+                     const ClosestOptions& options) {
+  space::closest_of_each(mesh, points, out, options);
+}
+void closest_on_mesh(const CompactBvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
+                     const ClosestOptions& options) {
+  space::closest_of_each(mesh, points, out, options);
+}
+
+std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k) {
+  return space::nearest_of(mesh, p, k);
+}
+std::vector<NearTriangle> nearest_triangles(const CompactBvh& mesh, const Point3& p, std::size_t k) {
+  return space::nearest_of(mesh, p, k);
+}
+
+std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance) {
+  return space::found_within(mesh, p, distance);
+}
+std::vector<NearTriangle> triangles_within(const CompactBvh& mesh, const Point3& p, double distance) {
+  return space::found_within(mesh, p, distance);
 }
 
 }  // namespace plumb

@@ -11,16 +11,18 @@
 
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/descend_compact.hpp"
 #include "plumb/space/closest/closest_on_mesh.hpp"
 #include "space/bvh/slot_boxes.hpp"
+#include "space/bvh/slot_triangles.hpp"
 #include "space/bvh/watch.hpp"
 #include "space/closest/box_distance.hpp"
 #include "space/closest/near_feature.hpp"
 
 namespace plumb::space {
 
-/// The k nearest triangles of those that were offered.
-template <class Watch = Unwatched>
+/// The k nearest triangles of those that were offered; of a Bvh or a CompactBvh.
+template <class Watch = Unwatched, class Mesh = Bvh>
 class Nearest {
  public:
   struct Candidate {
@@ -28,8 +30,8 @@ class Nearest {
     double distance;
   };
 
-  Nearest(const Bvh& mesh, std::size_t k, Watch watch = {})
-      : mesh_(mesh), k_(std::min(k, mesh.triangles.size())), watch_(watch) {}
+  Nearest(const Mesh& mesh, std::size_t k, Watch watch = {})
+      : tree_(mesh.tree), triangles_(mesh), k_(std::min(k, triangles_.slots())), watch_(watch) {}
 
   /// A triangle that may be near, as one of this slot was before, is offered first where k is 1; a number that is no
   /// slot is no guess.
@@ -37,13 +39,10 @@ class Nearest {
     p_ = p;
     found_.clear();
     if (k_ == 0) return found_;
-    const BoxFrame& frame = mesh_.tree.frame;
+    const BoxFrame& frame = tree_.frame;
     const Aabb3 point{p, p};
     const FloatBox3 at = frame.around(point);
-    const std::span<const Point3> vertices = mesh_.vertices.view();
-    const std::span<const Bvh::Corners> triangles = mesh_.triangles.view();
-    const std::span<const std::uint32_t> items = mesh_.tree.items.view();
-    const std::uint32_t offered = k_ == 1 && guess < triangles.size() ? guess : no_slot;
+    const std::uint32_t offered = k_ == 1 && guess < triangles_.slots() ? guess : no_slot;
     SquareLimits limits;
     const auto bound = [&](const BoxNode& node) {
       watch_.node();
@@ -52,22 +51,22 @@ class Nearest {
     const auto visit = [&](std::uint32_t first, std::uint32_t count, double& now) {
       for (std::uint32_t slot = first; slot < first + count; ++slot) {
         if (slot == offered) continue;
-        const Bvh::Corners& c = triangles[slot];
-        if (square_below(point, box_around(c, vertices)) > limits.of_triangles) continue;
+        const Triangle3 t = triangles_.triangle(slot);
+        if (square_below(point, box_around(t.a, t.b, t.c)) > limits.of_triangles) continue;
         watch_.triangle();
-        const double d = plumb::distance(p, Triangle3{vertices[c[0]], vertices[c[1]], vertices[c[2]]});
-        if (!offer({items[slot], slot, d}) || found_.size() < k_) continue;
+        const double d = plumb::distance(p, t);
+        if (!offer({triangles_.number(slot), slot, d}) || found_.size() < k_) continue;
         limits = limits_above(frame, found_.back().distance);
         now = limits.of_nodes;
       }
     };
     if (offered != no_slot) {
       watch_.triangle();
-      offer({items[guess], guess, plumb::distance(p, mesh_.triangle(guess))});
+      offer({triangles_.number(guess), guess, plumb::distance(p, triangles_.triangle(guess))});
       limits = limits_above(frame, found_.back().distance);
     }
     double limit = limits.of_nodes;
-    descend_nearer_first(mesh_.tree, limit, bound, visit);
+    descend_nearer_first(tree_, limit, bound, visit);
     return found_;
   }
 
@@ -86,21 +85,22 @@ class Nearest {
 
   /// Of distances that round alike.
   [[nodiscard]] bool comes_first(const Candidate& x, const Candidate& y) const {
-    const Triangle3 s = mesh_.triangle(x.slot), t = mesh_.triangle(y.slot);
+    const Triangle3 s = triangles_.triangle(x.slot), t = triangles_.triangle(y.slot);
     if (near_feature(s, voronoi_region(s, p_)) == near_feature(t, voronoi_region(t, p_))) return x.item < y.item;
     const Sign order = compare(exact_distance(p_, s), exact_distance(p_, t));
     return order == Sign::zero ? x.item < y.item : order == Sign::negative;
   }
 
-  const Bvh& mesh_;
+  const decltype(Mesh::tree)& tree_;
+  SlotTriangles triangles_;
   std::size_t k_;
   Watch watch_;
   Point3 p_{};
   std::vector<Candidate> found_;
 };
 
-template <class Candidate>
-ClosestOnMesh closest_found(const Bvh& mesh, const Point3& p, const Candidate& found) {
+template <class Mesh, class Candidate>
+ClosestOnMesh closest_found(const Mesh& mesh, const Point3& p, const Candidate& found) {
   const Closest closest = closest_points(p, mesh.triangle(found.slot));
   return {found.item, closest.on_b, closest.distance, closest.feature_b};
 }

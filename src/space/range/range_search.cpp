@@ -4,30 +4,45 @@
 #include <algorithm>
 
 #include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/descend_compact.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
+#include "space/bvh/slot_triangles.hpp"
 #include "space/range/range_tests.hpp"
 
 namespace plumb {
 namespace space {
 namespace {
 
-template <class Shape>
-std::vector<std::uint32_t> found(const Bvh& mesh, const Shape& shape) {
+template <class Mesh, class Shape>
+std::vector<std::uint32_t> found(const Mesh& mesh, const Shape& shape) {
   (void)intersects(Aabb3{{0, 0, 0}, {0, 0, 0}}, shape);  // throws where the numbers are no shape
   std::vector<std::uint32_t> items;
-  const BoxFrame& frame = mesh.tree.frame;
-  const std::span<const Point3> vertices = mesh.vertices.view();
+  const SlotTriangles triangles(mesh);
   descend(
-      mesh.tree, [&](const BoxNode& node) { return may_meet(frame.outside(node.box()), shape); },
+      mesh.tree, [&](const BoxNode& node) { return may_meet(mesh.tree.frame.outside(node.box()), shape); },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          if (!may_meet(box_around(mesh.triangles[slot], vertices), shape)) continue;
-          if (meets_triangle(mesh.triangle(slot), shape)) items.push_back(mesh.tree.items[slot]);
+          const Triangle3 t = triangles.triangle(slot);
+          if (!may_meet(box_around(t.a, t.b, t.c), shape)) continue;
+          if (meets_triangle(t, shape)) items.push_back(triangles.number(slot));
         }
       });
   std::ranges::sort(items);
   return items;
+}
+
+template <class Mesh, class Shape>
+std::vector<std::vector<std::uint32_t>> found_of_each(const Mesh& mesh, std::span<const Shape> shapes,
+                                                      const RangeOptions& options) {
+  std::vector<std::vector<std::uint32_t>> all(shapes.size());
+  constexpr std::size_t part_size = 8;
+  const std::size_t parts = blocks_of(shapes.size(), part_size);
+  for_parts("triangles_meeting", options.execution, options.progress, parts, [&](std::size_t part) {
+    const std::size_t to = std::min(shapes.size(), (part + 1) * part_size);
+    for (std::size_t i = part * part_size; i < to; ++i) all[i] = found(mesh, shapes[i]);
+  });
+  return all;
 }
 
 }  // namespace
@@ -37,24 +52,27 @@ template <RangeShape Shape>
 std::vector<std::uint32_t> triangles_meeting(const Bvh& mesh, const Shape& shape) {
   return space::found(mesh, shape);
 }
+template <RangeShape Shape>
+std::vector<std::uint32_t> triangles_meeting(const CompactBvh& mesh, const Shape& shape) {
+  return space::found(mesh, shape);
+}
 
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
                                                           const RangeOptions& options) {
-  std::vector<std::vector<std::uint32_t>> all(shapes.size());
-  constexpr std::size_t part_size = 8;
-  const std::size_t parts = space::blocks_of(shapes.size(), part_size);
-  space::for_parts("triangles_meeting", options.execution, options.progress, parts, [&](std::size_t part) {
-    const std::size_t to = std::min(shapes.size(), (part + 1) * part_size);
-    for (std::size_t i = part * part_size; i < to; ++i) all[i] = space::found(mesh, shapes[i]);
-  });
-  return all;
+  return space::found_of_each(mesh, shapes, options);
+}
+template <RangeShape Shape>
+std::vector<std::vector<std::uint32_t>> triangles_meeting(const CompactBvh& mesh, std::span<const Shape> shapes,
+                                                          const RangeOptions& options) {
+  return space::found_of_each(mesh, shapes, options);
 }
 
-#define PLUMB_RANGE_SHAPE(Shape)                                                                         \
-  template std::vector<std::uint32_t> triangles_meeting(const Bvh&, const Shape&);                       \
-  template std::vector<std::vector<std::uint32_t>> triangles_meeting(const Bvh&, std::span<const Shape>, \
+#define PLUMB_RANGE_MESH(Mesh, Shape)                                                                     \
+  template std::vector<std::uint32_t> triangles_meeting(const Mesh&, const Shape&);                       \
+  template std::vector<std::vector<std::uint32_t>> triangles_meeting(const Mesh&, std::span<const Shape>, \
                                                                      const RangeOptions&);
+#define PLUMB_RANGE_SHAPE(Shape) PLUMB_RANGE_MESH(Bvh, Shape) PLUMB_RANGE_MESH(CompactBvh, Shape)
 PLUMB_RANGE_SHAPE(Aabb3)
 PLUMB_RANGE_SHAPE(Obb3)
 PLUMB_RANGE_SHAPE(Sphere3)
@@ -63,5 +81,6 @@ PLUMB_RANGE_SHAPE(Segment3)
 PLUMB_RANGE_SHAPE(Halfspace3)
 PLUMB_RANGE_SHAPE(HalfspaceIntersection3)
 #undef PLUMB_RANGE_SHAPE
+#undef PLUMB_RANGE_MESH
 
 }  // namespace plumb

@@ -9,10 +9,11 @@
 namespace plumb::space {
 
 bool HitSearch::is_hit(std::uint32_t slot) const {
-  return pose_ != nullptr ? query::hits(*ray_, posed(slot), rule_) : hits(*ray_, bvh_->triangle(slot), rule_);
+  return pose_ != nullptr ? query::hits(*ray_, posed(slot), rule_) : hits(*ray_, triangles_.triangle(slot), rule_);
 }
 std::optional<Hit> HitSearch::hit(std::uint32_t slot) const {
-  return pose_ != nullptr ? query::first_hit(*ray_, posed(slot), rule_) : first_hit(*ray_, bvh_->triangle(slot), rule_);
+  return pose_ != nullptr ? query::first_hit(*ray_, posed(slot), rule_)
+                          : first_hit(*ray_, triangles_.triangle(slot), rule_);
 }
 
 std::optional<HitSearch::SlotHit> HitSearch::between(std::uint32_t slot, bool certain, double least,
@@ -32,7 +33,7 @@ bool HitSearch::is_before(const SlotHit& a, const SlotHit& b) const {
   if (b.most < a.least) return false;
   const Sign order = pose_ != nullptr
                          ? query::compare_hits(*ray_, posed(a.slot), posed(b.slot), rule_)
-                         : query::compare_hits(*ray_, bvh_->triangle(a.slot), bvh_->triangle(b.slot), rule_);
+                         : query::compare_hits(*ray_, triangles_.triangle(a.slot), triangles_.triangle(b.slot), rule_);
   return order == Sign::negative || (order == Sign::zero && number(a.slot) < number(b.slot));
 }
 

@@ -18,6 +18,7 @@
 #include "plumb/query/ray/hits.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
 #include "plumb/space/ray/ray_slabs.hpp"
+#include "space/bvh/slot_triangles.hpp"
 #include "space/ray/seen_ray.hpp"
 #include "space/ray/wide_rays.hpp"
 
@@ -25,14 +26,20 @@ namespace plumb::space {
 
 class HitSearch : public TriangleVisitor {
  public:
-  HitSearch(const AnyRay& ray, const Bvh& bvh, HitRule rule)
-      : ray_(&ray), bvh_(&bvh), rule_(rule), slabs_(ray, bvh.tree), limit_(slabs_.limit()) {}
+  /// Of a Bvh or a CompactBvh.
+  template <class Mesh>
+  HitSearch(const AnyRay& ray, const Mesh& mesh, HitRule rule)
+      : ray_(&ray),
+        triangles_(mesh),
+        rule_(rule),
+        slabs_(ray, mesh.tree.frame, mesh.tree.box()),
+        limit_(slabs_.limit()) {}
   /// Along the ray, which the mesh sees so.
   HitSearch(const AnyRay& ray, const SeenRay& seen, const PosedMesh& mesh, HitRule rule)
       : ray_(&ray),
         seen_(&seen),
         pose_(&mesh.pose),
-        bvh_(&mesh.bvh),
+        triangles_(mesh.bvh),
         rule_(rule),
         slabs_(seen.slabs),
         limit_(slabs_.limit()) {}
@@ -53,7 +60,7 @@ class HitSearch : public TriangleVisitor {
 
   ~HitSearch() = default;
 
-  [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return bvh_->tree.items[slot]; }
+  [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return triangles_.number(slot); }
   [[nodiscard]] bool is_hit(std::uint32_t slot) const;
   [[nodiscard]] std::optional<Hit> hit(std::uint32_t slot) const;
   [[nodiscard]] NumberedHit numbered(std::uint32_t slot) const { return {number(slot), *hit(slot)}; }
@@ -61,12 +68,12 @@ class HitSearch : public TriangleVisitor {
   [[nodiscard]] std::optional<SlotHit> between(std::uint32_t slot, bool certain, double least, double most) const;
   [[nodiscard]] bool is_before(const SlotHit& a, const SlotHit& b) const;
 
-  [[nodiscard]] Posed<Triangle3> posed(std::uint32_t slot) const { return {bvh_->triangle(slot), *pose_}; }
+  [[nodiscard]] Posed<Triangle3> posed(std::uint32_t slot) const { return {triangles_.triangle(slot), *pose_}; }
 
   const AnyRay* ray_;
   const SeenRay* seen_ = nullptr;
   const Pose* pose_ = nullptr;  // of a mesh that has one
-  const Bvh* bvh_;
+  SlotTriangles triangles_;
   HitRule rule_;
   RaySlabs slabs_;
   double limit_;

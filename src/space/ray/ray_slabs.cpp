@@ -69,9 +69,9 @@ double scaled_up(double x, int n) {
 Interval around(const Ball& x) { return Interval{x.high} + Interval{x.low} + Interval{-x.radius, x.radius}; }
 bool is_finite(const Interval& x) { return x.lower > -most_slab_size && x.upper < most_slab_size; }
 
-bool has_finite_box(const BoxNode& node) {
+bool is_finite(const FloatBox3& box) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!(std::abs(node.min[k]) < Ball::infinity && std::abs(node.max[k]) < Ball::infinity)) return false;
+    if (!(std::abs(box.min[k]) < Ball::infinity && std::abs(box.max[k]) < Ball::infinity)) return false;
   }
   return true;
 }
@@ -148,7 +148,7 @@ struct SlabSetting {
   }
 
   /// A key before the line comes to the box, and one about when it leaves.
-  [[nodiscard]] Interval span_of(const BoxNode& box) const {
+  [[nodiscard]] Interval span_of(const FloatBox3& box) const {
     double enters = -Ball::infinity, leaves = Ball::infinity;
     for (std::size_t k = 0; k < 3; ++k) {
       const Interval w = around(way[k]), f = around(from[k]);
@@ -185,9 +185,8 @@ struct SlabSetting {
   }
 
   /// Of most rays: with moderate numbers, from not far away, in a tree without a frame.  Keys are their parameters.
-  static bool fill_plainly(RaySlabs& slabs, const AnyRay& ray, const BoxTree& tree) {
-    if (tree.frame.exponent() != 0 || tree.nodes.empty() || !query::begins(ray)) return false;
-    const BoxNode& root = tree.nodes[0];
+  static bool fill_plainly(RaySlabs& slabs, const AnyRay& ray, const BoxFrame& frame, const FloatBox3& all) {
+    if (frame.exponent() != 0 || !query::begins(ray)) return false;
     const std::array origin{ray.origin.x, ray.origin.y, ray.origin.z}, end{ray.end.x, ray.end.y, ray.end.z},
         direction{ray.direction.x, ray.direction.y, ray.direction.z};
     std::array<double, 3> way;
@@ -196,7 +195,7 @@ struct SlabSetting {
     for (std::size_t k = 0; k < 3; ++k) {
       way[k] = query::ends(ray) ? end[k] - origin[k] : direction[k];
       plain &= is_moderate(way[k]) && std::abs(origin[k]) < most_moderate;
-      const double low = root.min[k], high = root.max[k];
+      const double low = all.min[k], high = all.max[k];
       plain &= std::abs(low) < most_moderate && std::abs(high) < most_moderate;
       distance = std::max({distance, low - origin[k], origin[k] - high});
       extent = std::max(extent, high - low);
@@ -209,27 +208,27 @@ struct SlabSetting {
   }
 };
 
-RaySlabs::RaySlabs(const AnyRay& ray, const BoxTree& tree) {
+RaySlabs::RaySlabs(const AnyRay& ray, const BoxFrame& frame, const FloatBox3& all) {
   if (!query::is_sound(ray)) query::require_ray("RaySlabs", ray);
-  if (SlabSetting::fill_plainly(*this, ray, tree)) {
+  if (SlabSetting::fill_plainly(*this, ray, frame, all)) {
     if (query::ends(ray)) limit_ = 1;
     return;
   }
-  set(SlabSetting(ray, tree.frame.exponent()), query::begins(ray) || query::has_no_direction(ray), query::ends(ray),
-      tree);
+  set(SlabSetting(ray, frame.exponent()), query::begins(ray) || query::has_no_direction(ray), query::ends(ray), all);
 }
 
 RaySlabs::RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way,
                    const BoxTree& tree) {
-  set(SlabSetting(from, way, tree.frame.exponent()), kind != AnyRay::Kind::line, kind == AnyRay::Kind::segment, tree);
+  set(SlabSetting(from, way, tree.frame.exponent()), kind != AnyRay::Kind::line, kind == AnyRay::Kind::segment,
+      tree.box());
 }
 
-void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const BoxTree& tree) {
+void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const FloatBox3& all) {
   exponent_ = setting.exponent;
-  all_met_ = !setting.is_finite() || tree.nodes.empty() || !has_finite_box(tree.nodes[0]);
+  all_met_ = !setting.is_finite() || !plumb::is_finite(all);
   for (double& start : starts_) {
     if (all_met_) break;
-    const Interval span = setting.span_of(tree.nodes[0]);
+    const Interval span = setting.span_of(all);
     const bool far = span.lower > 0 && span.lower > far_away * (span.upper - span.lower);
     if ((begins && !far) || !is_finite(span)) break;
     start = span.lower;

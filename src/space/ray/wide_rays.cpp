@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <new>
+#include <type_traits>
 
 #include "certify/batch/instruction_sets.hpp"
 #undef HWY_TARGET_INCLUDE
@@ -11,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "query/ray/triangle_lanes.hpp"
+#include "space/bvh/compact_lanes.hpp"
 #include "space/ray/child_order.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,7 +22,6 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace in_lanes = query::HWY_NAMESPACE;
 using in_lanes::D, in_lanes::V, in_lanes::lanes;
-using Node = WideNode<8>;
 using FloatTag = hn::Rebind<float, D>;
 using Floats = hn::Vec<FloatTag>;
 
@@ -28,7 +29,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Of the child that comes next, and of those that are still to be looked at: arrays, so that eight are put at once.
 struct Later {
-  static constexpr std::size_t room = 8 * most_tree_depth + 8;
+  static constexpr std::size_t room = CompactTree::most_waiting + 8;
   alignas(64) float key[room];
   std::uint32_t link[room], count[room];
 };
@@ -55,7 +56,7 @@ class Slabs {
   }
 
   /// Of lanes that begin at child i: the keys of those that are met at one of at most the limit, else less than 0.
-  HWY_INLINE Floats keys(const Node& node, std::size_t i, double limit) const {
+  HWY_INLINE Floats keys(const WideNode<8>& node, std::size_t i, double limit) const {
     const D tag;
     const V zero = hn::Zero(tag);
     if (HWY_UNLIKELY(all_met_)) return hn::DemoteTo(FloatTag(), zero);
@@ -82,10 +83,49 @@ class Slabs {
   double near_from_[3], near_rate_[3], far_from_[3], far_rate_[3];
 };
 
+// How a tree is kept: its nodes, which compact ones become as they are opened, and the corners of slots, three each.
+class WideForm {
+ public:
+  using Node = WideNode<8>;
+  explicit WideForm(const Bvh& bvh) : nodes_(bvh.wide.nodes.data()), corners_(bvh.triangles.data()) {}
+
+  [[nodiscard]] const Node& opened(std::uint32_t node) const { return nodes_[node]; }
+  [[nodiscard]] std::size_t vertex(std::size_t slot, std::size_t k) const { return corners_[slot][k]; }
+  [[nodiscard]] const void* node_at(std::uint32_t node) const { return nodes_ + node; }
+  [[nodiscard]] const void* leaf_at(std::uint32_t slot) const { return corners_ + slot; }
+
+ private:
+  const Node* nodes_;
+  const Bvh::Corners* corners_;
+};
+class CompactForm {
+ public:
+  using Node = CompactNode;
+  explicit CompactForm(const CompactBvh& bvh) : nodes_(bvh.tree.nodes.data()), corners_(bvh.corners.view()) {}
+
+  [[nodiscard]] HWY_INLINE WideNode<8> opened(std::uint32_t node) const {
+    WideNode<8> wide;
+    widen_node(nodes_[node], wide);
+    return wide;
+  }
+  [[nodiscard]] std::size_t vertex(std::size_t slot, std::size_t k) const { return corners_[3 * slot + k]; }
+  [[nodiscard]] const void* node_at(std::uint32_t node) const { return nodes_ + node; }
+  [[nodiscard]] const void* leaf_at(std::uint32_t slot) const {
+    return corners_.bytes + 3 * std::size_t{slot} * corners_.width;
+  }
+
+ private:
+  const Node* nodes_;
+  PackedView corners_;
+};
+template <class Mesh>
+using FormOf = std::conditional_t<std::is_same_v<Mesh, Bvh>, WideForm, CompactForm>;
+
 /// The triangles of slots, a vector of them at once.
+template <class Form>
 struct Leaves {
-  const std::int32_t* corners;  // three a slot
-  const double* numbers;        // three a vertex
+  Form form;
+  const double* numbers;  // three a vertex
 
   /// The numbers of vertices, lane by lane.
   HWY_INLINE static in_lanes::Lanes3 turned(const double* const* at) {
@@ -99,8 +139,9 @@ struct Leaves {
   }
 
   HWY_INLINE void fetch(std::uint32_t first, std::uint32_t count) const {
-    for (std::size_t i = 3 * std::size_t{first}, end = i + 3 * count; i < end; ++i)
-      __builtin_prefetch(numbers + 3 * static_cast<std::size_t>(corners[i]));
+    for (std::size_t slot = first, end = slot + count; slot < end; ++slot) {
+      for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(numbers + 3 * form.vertex(slot, k));
+    }
   }
 
   HWY_INLINE double visit(const RayTask& task, std::uint32_t first, std::uint32_t count, double limit) const {
@@ -109,8 +150,8 @@ struct Leaves {
       const std::uint32_t rest = end - from;
       const double* at[3][lanes];
       for (std::uint32_t i = 0; i < lanes; ++i) {
-        const std::int32_t* const own = corners + 3 * std::size_t{from + (i < rest ? i : rest - 1)};
-        for (std::size_t k = 0; k < 3; ++k) at[k][i] = numbers + 3 * static_cast<std::size_t>(own[k]);
+        const std::uint32_t slot = from + (i < rest ? i : rest - 1);
+        for (std::size_t k = 0; k < 3; ++k) at[k][i] = numbers + 3 * form.vertex(slot, k);
       }
       const in_lanes::TrianglesTold told = in_lanes::tell(ray, turned(at[0]), turned(at[1]), turned(at[2]));
       unsigned maybe = ~told.no & (rest < lanes ? (1u << rest) - 1 : (1u << lanes) - 1);
@@ -143,21 +184,22 @@ struct Leaves {
 };
 
 /// The descent of one ray, a node or a leaf at a time.
+template <class Mesh>
 class Walk {
+  using Form = FormOf<Mesh>;
+
  public:
-  Walk(const RayTask& task, const Bvh& bvh)
+  Walk(const RayTask& task, const Mesh& mesh)
       : slabs_(task.planes),
         task_(&task),
-        leaves_{reinterpret_cast<const std::int32_t*>(bvh.triangles.data()),
-                reinterpret_cast<const double*>(bvh.vertices.data())},
-        nodes_(bvh.wide.nodes.data()),
+        leaves_{Form(mesh), reinterpret_cast<const double*>(mesh.vertices.data())},
         limit_(task.limit),
         float_limit_(in_floats(task.limit)) {}
 
   [[nodiscard]] bool at_leaf() const { return count_ != 0; }
 
   void open_node() {
-    const Node& node = nodes_[link_];
+    const WideNode<8>& node = leaves_.form.opened(link_);
     waiting_ += put_children(node, later_.key + waiting_, later_.link + waiting_, later_.count + waiting_);
   }
   void visit_leaf() {
@@ -173,10 +215,9 @@ class Walk {
     } while (later_.key[waiting_] > float_limit_);
     link_ = later_.link[waiting_];
     count_ = later_.count[waiting_];
-    const auto* const node = reinterpret_cast<const char*>(nodes_ + link_);
-    const auto* const leaf = reinterpret_cast<const char*>(leaves_.corners + 3 * std::size_t{link_});
-    const char* const at = count_ == 0 ? node : leaf;
-    for (std::size_t i = 0; i < sizeof(Node); i += 64) __builtin_prefetch(at + i);
+    const void *const node = leaves_.form.node_at(link_), *const leaf = leaves_.form.leaf_at(link_);
+    const auto* const at = static_cast<const char*>(count_ == 0 ? node : leaf);
+    for (std::size_t i = 0; i < sizeof(typename Form::Node); i += 64) __builtin_prefetch(at + i);
     return true;
   }
 
@@ -184,7 +225,8 @@ class Walk {
   void fetch_vertices() const { leaves_.fetch(link_, count_); }
 
  private:
-  HWY_INLINE std::size_t put_children(const Node& node, float* key, std::uint32_t* link, std::uint32_t* count) const {
+  HWY_INLINE std::size_t put_children(const WideNode<8>& node, float* key, std::uint32_t* link,
+                                      std::uint32_t* count) const {
 #if HWY_MAX_BYTES >= 64
     return put_sorted(node, slabs_.keys(node, 0, limit_), key, link, count);
 #elif HWY_MAX_BYTES >= 32
@@ -199,8 +241,7 @@ class Walk {
 
   Slabs slabs_;
   const RayTask* task_;
-  Leaves leaves_;
-  const Node* nodes_;
+  Leaves<Form> leaves_;
   double limit_;
   float float_limit_;
   std::uint32_t link_ = 0, count_ = 0;
@@ -210,9 +251,12 @@ class Walk {
 
 /// The same for a group: one looks while memory brings what the others asked for, and while the processor is not done
 /// with what it looked at before: nodes come after nodes and leaves after leaves, so that it guesses well.
+template <class Mesh>
 class Group {
+  using RayWalk = Walk<Mesh>;
+
  public:
-  Group(const Bvh& bvh, std::span<const RayTask> tasks) : bvh_(bvh), tasks_(tasks) {}
+  Group(const Mesh& mesh, std::span<const RayTask> tasks) : mesh_(mesh), tasks_(tasks) {}
   ~Group() = default;
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
@@ -240,11 +284,11 @@ class Group {
     std::array<std::size_t, rays_together + 1> places;
   };
 
-  Walk* at(std::size_t place) { return reinterpret_cast<Walk*>(memory_) + place; }
+  RayWalk* at(std::size_t place) { return reinterpret_cast<RayWalk*>(memory_) + place; }
 
   void begin(std::size_t place) {
     if (begun_ == tasks_.size()) return;
-    new (at(place)) Walk(tasks_[begun_++], bvh_);
+    new (at(place)) RayWalk(tasks_[begun_++], mesh_);
     at_nodes_.places[at_nodes_.size++] = place;
   }
   HWY_INLINE void go_on(std::size_t place) {
@@ -256,16 +300,17 @@ class Group {
     at_leaves_.size += leaf ? 1 : 0;
   }
 
-  const Bvh& bvh_;
+  const Mesh& mesh_;
   std::span<const RayTask> tasks_;
   std::size_t begun_ = 0;
   Places at_nodes_, at_leaves_;
-  alignas(Walk) std::byte memory_[rays_together * sizeof(Walk)];
+  alignas(RayWalk) std::byte memory_[rays_together * sizeof(RayWalk)];
 };
 
-void visit_all(const Bvh& bvh, std::span<const RayTask> tasks) {
-  if (tasks.size() > 1) return Group(bvh, tasks).run();
-  Walk walk(tasks[0], bvh);
+template <class Mesh>
+void visit_each(const Mesh& mesh, std::span<const RayTask> tasks) {
+  if (tasks.size() > 1) return Group<Mesh>(mesh, tasks).run();
+  Walk<Mesh> walk(tasks[0], mesh);
   do {
     if (walk.at_leaf())
       walk.visit_leaf();
@@ -273,6 +318,8 @@ void visit_all(const Bvh& bvh, std::span<const RayTask> tasks) {
       walk.open_node();
   } while (walk.go_on());
 }
+void visit_wide(const Bvh& bvh, std::span<const RayTask> tasks) { visit_each(bvh, tasks); }
+void visit_compact(const CompactBvh& bvh, std::span<const RayTask> tasks) { visit_each(bvh, tasks); }
 
 }  // namespace
 }  // namespace plumb::space::HWY_NAMESPACE
@@ -284,12 +331,16 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::space {
 namespace {
 
-HWY_EXPORT(visit_all);
+HWY_EXPORT(visit_wide);
+HWY_EXPORT(visit_compact);
 
 }  // namespace
 
 void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks) {
-  if (!bvh.wide.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_all)(bvh, tasks);
+  if (!bvh.wide.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_wide)(bvh, tasks);
+}
+void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks) {
+  if (!bvh.tree.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_compact)(bvh, tasks);
 }
 
 }  // namespace plumb::space

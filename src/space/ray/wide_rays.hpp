@@ -1,4 +1,4 @@
-// Which triangles below a tree of wide nodes may a ray hit?
+// Which triangles below a tree of wide nodes, as they are or compact, may a ray hit?
 //
 // Law: those are told that the ray hits at parameters whose keys (ray_slabs.hpp) are at most the limit when their box is
 // looked at, each box after those that are nearer and beside it; of those told, some are not hit.
@@ -7,6 +7,7 @@
 #pragma once
 
 #include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/compact_tree.hpp"
 #include "plumb/space/ray/ray_slabs.hpp"
 #include "query/ray/batch_lanes.hpp"
 
@@ -36,5 +37,6 @@ inline constexpr std::size_t rays_together = 16;
 
 /// Each by itself; the order in which the visitors of several are called is not told.
 void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks);
+void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks);
 
 }  // namespace plumb::space

@@ -54,7 +54,7 @@ class Checked {
       EXPECT_EQ(small.slots(), 0u);
       return;
     }
-    EXPECT_EQ(small.tree.box, bvh.tree.nodes[0].box());
+    EXPECT_EQ(small.tree.box(), bvh.tree.box());
     slots_.resize(small.slots());
     below(0, 0);
     EXPECT_EQ(nodes_, small.tree.nodes.size());
@@ -82,9 +82,17 @@ class Checked {
     ++nodes_;
     EXPECT_LT(depth, most_tree_depth + 9);
     const CompactNode& node = small_.tree.nodes[at];
+    const WideNode<8> wide = node.widened();
     std::optional<FloatBox3> all;
     for (std::size_t i = 0; i < CompactNode::width; ++i) {
+      EXPECT_EQ(wide.has(i), node.has(i));
       if (!node.has(i)) continue;
+      EXPECT_EQ(wide.link[i], node.link(i));
+      EXPECT_EQ(wide.count[i], node.count[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(wide.planes[k][i], node.box(i).min[k]);
+        EXPECT_EQ(wide.planes[3 + k][i], node.box(i).max[k]);
+      }
       FloatBox3 own{};
       if (i < node.inner) {
         EXPECT_GT(node.link(i), at);

@@ -35,16 +35,19 @@ struct alignas(32) BoxNode {
 /// Edges between the root and a leaf.
 inline constexpr std::uint32_t most_tree_depth = 64;
 
+/// Around nothing: its least is infinite, and above its most.
+inline constexpr FloatBox3 no_box = [] {
+  constexpr float far = std::numeric_limits<float>::infinity();
+  return FloatBox3{{far, far, far}, {-far, -far, -far}};
+}();
+
 struct BoxTree {
   KeptArray<BoxNode> nodes;
   KeptArray<std::uint32_t> items;
   BoxFrame frame;
 
-  /// Around all items; where there are none, its least is infinite and above its most.
-  [[nodiscard]] FloatBox3 box() const {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    return nodes.empty() ? FloatBox3{{none, none, none}, {-none, -none, -none}} : nodes[0].box();
-  }
+  /// Around all items.
+  [[nodiscard]] FloatBox3 box() const { return nodes.empty() ? no_box : nodes[0].box(); }
 };
 
 }  // namespace plumb

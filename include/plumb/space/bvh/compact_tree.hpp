@@ -47,15 +47,21 @@ struct alignas(16) CompactNode {
   /// Its node, or its first slot.
   [[nodiscard]] std::uint32_t link(std::size_t child) const {
     if (child < inner) return first_node + static_cast<std::uint32_t>(child);
-    std::uint64_t counts = 0;
-    for (std::size_t i = 0; i < width; ++i) counts |= std::uint64_t{count[i]} << 8 * i;
-    const std::uint64_t before = counts & ((std::uint64_t{1} << 8 * child) - 1);
-    return first_slot + static_cast<std::uint32_t>(before * 0x0101010101010101 >> 56);  // the sum of all bytes
+    return first_slot + slots_before()[child];
+  }
+  /// Of each child, the slots of the leaves before it.
+  [[nodiscard]] std::array<std::uint8_t, width> slots_before() const {
+    if constexpr (std::endian::native == std::endian::little) {  // a product sums bytes; no sum is beyond one
+      return std::bit_cast<std::array<std::uint8_t, width>>(std::bit_cast<std::uint64_t>(count) * 0x0101010101010100);
+    }
+    std::array<std::uint8_t, width> before{};
+    for (std::size_t i = 1; i < width; ++i) before[i] = static_cast<std::uint8_t>(before[i - 1] + count[i - 1]);
+    return before;
   }
   [[nodiscard]] double step_size(std::size_t axis) const {
     return std::bit_cast<double>((std::uint64_t{step[axis]} + 1023 + least_exponent) << 52);
   }
-  /// Exact: sums of few bits.
+  /// Exact: sums of few bits, which are floats.
   [[nodiscard]] FloatBox3 box(std::size_t child) const {
     FloatBox3 b;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -65,6 +71,8 @@ struct alignas(16) CompactNode {
     }
     return b;
   }
+  /// All children at once; the planes of those that are missing say nothing.
+  [[nodiscard]] WideNode<width> widened() const;
   friend bool operator==(const CompactNode&, const CompactNode&) = default;
 };
 static_assert(sizeof(CompactNode) == 80);
@@ -75,7 +83,10 @@ struct CompactTree {
 
   KeptArray<CompactNode> nodes;
   BoxFrame frame;
-  FloatBox3 box;  // around all; where there are no nodes, its least is above its most
+  FloatBox3 root = no_box;
+
+  /// Around all, as BoxTree::box().
+  [[nodiscard]] FloatBox3 box() const { return root; }
 };
 
 struct CompactBvh {

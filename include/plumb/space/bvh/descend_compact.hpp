@@ -23,9 +23,9 @@ namespace plumb {
 
 namespace space {
 
-inline BoxNode compact_child(const CompactNode& node, std::size_t child) {
-  const FloatBox3 box = node.box(child);
-  return {box.min, node.link(child), box.max, node.count[child]};
+inline BoxNode child_of(const WideNode<8>& node, std::size_t i) {
+  const auto& p = node.planes;
+  return {{p[0][i], p[1][i], p[2][i]}, node.link[i], {p[3][i], p[4][i], p[5][i]}, node.count[i]};
 }
 
 }  // namespace space
@@ -45,10 +45,10 @@ Descent descend(const CompactTree& tree, Enters&& enters, Visit&& visit) {
       if (space::visited(visit, now.link, now.count) == Descent::stop) return Descent::stop;
       continue;
     }
-    const CompactNode& node = nodes[now.link];
+    const WideNode<8> node = nodes[now.link].widened();
     for (std::size_t i = CompactNode::width; i-- > 0;) {
       if (!node.has(i)) continue;
-      const BoxNode child = space::compact_child(node, i);
+      const BoxNode child = space::child_of(node, i);
       if (enters(child)) later[waiting++] = {child.link, child.count};
     }
   }
@@ -69,11 +69,11 @@ Descent descend_nearer_first(const CompactTree& tree, Key& limit, Bound&& bound,
     if (now.count != 0) {
       if (space::visited(visit, now.link, now.count, limit) == Descent::stop) return Descent::stop;
     } else {
-      const CompactNode& node = nodes[now.link];
+      const WideNode<8> node = nodes[now.link].widened();
       const std::size_t own = waiting;
       for (std::size_t i = 0; i < CompactNode::width; ++i) {
         if (!node.has(i)) continue;
-        const BoxNode child = space::compact_child(node, i);
+        const BoxNode child = space::child_of(node, i);
         const Key key = bound(child);
         if (key > limit) continue;
         std::size_t place = waiting++;  // the nearest last

@@ -25,6 +25,7 @@
 
 #include "plumb/figure/containment/voronoi_region.hpp"
 #include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/compact_tree.hpp"
 #include "plumb/space/bvh/progress.hpp"
 
 namespace plumb {
@@ -55,5 +56,12 @@ void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<
 std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k);
 
 std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance);
+
+/// The same of a compact tree.
+std::optional<ClosestOnMesh> closest_on_mesh(const CompactBvh& mesh, const Point3& p);
+void closest_on_mesh(const CompactBvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
+                     const ClosestOptions& options = {});
+std::vector<NearTriangle> nearest_triangles(const CompactBvh& mesh, const Point3& p, std::size_t k);
+std::vector<NearTriangle> triangles_within(const CompactBvh& mesh, const Point3& p, double distance);
 
 }  // namespace plumb

@@ -24,6 +24,7 @@
 #include "plumb/figure/basic/plane.hpp"
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/compact_tree.hpp"
 #include "plumb/space/bvh/progress.hpp"
 
 namespace plumb {
@@ -40,10 +41,15 @@ struct RangeOptions {
 
 template <RangeShape Shape>
 std::vector<std::uint32_t> triangles_meeting(const Bvh& mesh, const Shape& shape);
+template <RangeShape Shape>
+std::vector<std::uint32_t> triangles_meeting(const CompactBvh& mesh, const Shape& shape);
 
 /// Of each shape.
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
+                                                          const RangeOptions& options = {});
+template <RangeShape Shape>
+std::vector<std::vector<std::uint32_t>> triangles_meeting(const CompactBvh& mesh, std::span<const Shape> shapes,
                                                           const RangeOptions& options = {});
 
 }  // namespace plumb

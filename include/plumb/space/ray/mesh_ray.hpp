@@ -25,6 +25,7 @@
 #include "plumb/certify/batch.hpp"
 #include "plumb/query/ray/batch.hpp"
 #include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/compact_tree.hpp"
 #include "plumb/space/bvh/progress.hpp"
 
 namespace plumb {
@@ -53,5 +54,22 @@ void hits(std::span<const AnyRay> rays, const Bvh& bvh, std::span<std::uint8_t> 
 void ordered_hits(std::span<const AnyRay> rays, const Bvh& bvh, std::span<std::vector<NumberedHit>> out,
                   const ManyRays& options = {});
 void count_hits(std::span<const AnyRay> rays, const Bvh& bvh, std::span<std::size_t> out, const ManyRays& options = {});
+
+/// The same of a compact tree.
+std::optional<NumberedHit> first_hit(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
+std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
+bool hits(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
+std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
+std::size_t count_hits(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
+void first_hits(std::span<const AnyRay> rays, const CompactBvh& bvh, std::span<std::optional<NumberedHit>> out,
+                const ManyRays& options = {});
+void first_triangles(std::span<const AnyRay> rays, const CompactBvh& bvh, std::span<std::uint32_t> out,
+                     const ManyRays& options = {});
+void hits(std::span<const AnyRay> rays, const CompactBvh& bvh, std::span<std::uint8_t> out,
+          const ManyRays& options = {});
+void ordered_hits(std::span<const AnyRay> rays, const CompactBvh& bvh, std::span<std::vector<NumberedHit>> out,
+                  const ManyRays& options = {});
+void count_hits(std::span<const AnyRay> rays, const CompactBvh& bvh, std::span<std::size_t> out,
+                const ManyRays& options = {});
 
 }  // namespace plumb

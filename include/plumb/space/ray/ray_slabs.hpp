@@ -37,7 +37,9 @@ struct SlabSetting;
 
 class RaySlabs {
  public:
-  RaySlabs(const AnyRay& ray, const BoxTree& tree);
+  RaySlabs(const AnyRay& ray, const BoxTree& tree) : RaySlabs(ray, tree.frame, tree.box()) {}
+  /// Of a tree that has this frame, and all of whose boxes lie in this one.
+  RaySlabs(const AnyRay& ray, const BoxFrame& frame, const FloatBox3& all);
   /// Of every ray, segment or line from a place to a place a direction farther, which are known to be in these balls; the
   /// laws hold for all of them.
   RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way, const BoxTree& tree);
@@ -80,7 +82,7 @@ class RaySlabs {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   friend struct SlabSetting;
-  void set(SlabSetting setting, bool begins, bool ends, const BoxTree& tree);
+  void set(SlabSetting setting, bool begins, bool ends, const FloatBox3& all);
 
   /// Two numbers, of which one operation of the machine makes two others.
   using Pair = double __attribute__((vector_size(16)));
