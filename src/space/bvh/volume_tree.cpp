@@ -73,47 +73,56 @@ VolumeTree<Volume> of_each_node(std::span<const BoxNode> nodes, Execution execut
   return {std::move(all)};
 }
 
-}  // namespace
-}  // namespace space
-
 template <class Volume>
-VolumeTree<Volume> build_volume_tree(const Bvh& mesh, const VolumeOptions& options) {
+VolumeTree<Volume> fitted_tree(const Bvh& mesh, const VolumeOptions& options) {
   const auto fit = [&](std::span<const Point3> points) { return VolumeRules<Volume>::around(points, options); };
-  if constexpr (space::merges_without_loss<Volume>) {
-    return space::merged_from_leaves<Volume>(mesh, options.execution, fit);
+  if constexpr (merges_without_loss<Volume>) {
+    return merged_from_leaves<Volume>(mesh, options.execution, fit);
   } else {
-    if (options.fit == VolumeFit::merged) return space::merged_from_leaves<Volume>(mesh, options.execution, fit);
+    if (options.fit == VolumeFit::merged) return merged_from_leaves<Volume>(mesh, options.execution, fit);
     const std::span<const BoxNode> nodes = mesh.tree.nodes.view();
-    const std::vector<Point3> corners = space::corners_of(mesh, options.execution);
-    const std::vector<space::NodeSlots> slots = space::slots_below(nodes);
-    return space::of_each_node<Volume>(nodes, options.execution, [&](std::size_t i) {
+    const std::vector<Point3> corners = corners_of(mesh, options.execution);
+    const std::vector<NodeSlots> slots = slots_below(nodes);
+    return of_each_node<Volume>(nodes, options.execution, [&](std::size_t i) {
       return fit(std::span(corners).subspan(3 * std::size_t{slots[i].first}, 3 * std::size_t{slots[i].count}));
     });
   }
 }
 
 template <class Volume>
-VolumeTree<Volume> posed_volume_tree(const PosedMesh& mesh, const VolumeTree<Volume>& tree, Execution execution) {
+VolumeTree<Volume> moved_tree(const PosedMesh& mesh, const VolumeTree<Volume>& tree, Execution execution) {
   constexpr const char* function = "posed_volume_tree";
-  space::require_pose(function, "mesh", mesh.pose);
-  space::require_tree_of(function, "tree", mesh.bvh, tree);
+  require_pose(function, "mesh", mesh.pose);
+  require_tree_of(function, "tree", mesh.bvh, tree);
   const Pose& pose = mesh.pose;
   const std::span<const BoxNode> nodes = mesh.bvh.tree.nodes.view();
   if constexpr (std::same_as<Volume, Aabb3>) {
-    return space::merged_from_leaves<Volume>(mesh.bvh, execution,
-                                             [&](std::span<const Point3> points) { return fit_aabb(points, pose); });
+    return merged_from_leaves<Volume>(mesh.bvh, execution,
+                                      [&](std::span<const Point3> points) { return fit_aabb(points, pose); });
   } else if constexpr (std::same_as<Volume, KDop3>) {
     if (nodes.empty()) return {};
     const Directions3 directions = tree.nodes[0].volume.directions;
-    return space::merged_from_leaves<Volume>(
+    return merged_from_leaves<Volume>(
         mesh.bvh, execution, [&](std::span<const Point3> points) { return fit_k_dop(points, directions, pose); });
   } else if constexpr (std::same_as<Volume, Sphere3>) {
-    const space::BallMover move(function, pose);
-    return space::of_each_node<Volume>(nodes, execution, [&](std::size_t i) { return move(tree.nodes[i].volume); });
+    const BallMover move(function, pose);
+    return of_each_node<Volume>(nodes, execution, [&](std::size_t i) { return move(tree.nodes[i].volume); });
   } else {
-    return space::of_each_node<Volume>(nodes, execution,
-                                       [&](std::size_t i) { return transform(tree.nodes[i].volume, pose); });
+    return of_each_node<Volume>(nodes, execution, [&](std::size_t i) { return transform(tree.nodes[i].volume, pose); });
   }
+}
+
+}  // namespace
+}  // namespace space
+
+template <class Volume>
+VolumeTree<Volume> build_volume_tree(const Bvh& mesh, const VolumeOptions& options) {
+  return space::fitted_tree<Volume>(mesh, options);
+}
+
+template <class Volume>
+VolumeTree<Volume> posed_volume_tree(const PosedMesh& mesh, const VolumeTree<Volume>& tree, Execution execution) {
+  return space::moved_tree(mesh, tree, execution);
 }
 
 template VolumeTree<Sphere3> build_volume_tree(const Bvh&, const VolumeOptions&);

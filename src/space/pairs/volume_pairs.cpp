@@ -105,6 +105,33 @@ class VolumePairSearch {
   const PairOptions& options_;
 };
 
+template <class Volume>
+PairWork counted_work(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b) {
+  constexpr const char* function = "pair_work";
+  require_pose(function, "a", a.mesh.pose);
+  require_pose(function, "b", b.mesh.pose);
+  require_tree_of(function, "a.volumes", a.mesh.bvh, a.volumes);
+  require_tree_of(function, "b.volumes", b.mesh.bvh, b.volumes);
+  PairWork work;
+  VolumeLeaves leaves(a.mesh, b.mesh);
+  using Node = VolumeNode<Volume>;
+  descend_pairs(
+      a.volumes, b.volumes, descend_larger{},
+      [&](const Node& x, const Node& y) {
+        ++work.volume_tests;
+        return volumes_meet{}(x, y);
+      },
+      [&](const Node& x, const Node& y) {
+        ++work.leaf_pairs;
+        work.triangle_pairs += std::size_t{x.count} * y.count;
+        leaves(x, y, [&](const TrianglePair&) {
+          ++work.pairs;
+          return Descent::go_on;
+        });
+      });
+  return work;
+}
+
 }  // namespace
 }  // namespace space
 
@@ -123,27 +150,7 @@ std::optional<TrianglePair> any_intersecting_pair(const VolumeMesh<Volume>& a, c
 
 template <class Volume>
 PairWork pair_work(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b) {
-  constexpr const char* function = "pair_work";
-  space::require_tree_of(function, "a.volumes", a.mesh.bvh, a.volumes);
-  space::require_tree_of(function, "b.volumes", b.mesh.bvh, b.volumes);
-  PairWork work;
-  space::VolumeLeaves leaves(a.mesh, b.mesh);
-  using Node = VolumeNode<Volume>;
-  descend_pairs(
-      a.volumes, b.volumes, descend_larger{},
-      [&](const Node& x, const Node& y) {
-        ++work.volume_tests;
-        return volumes_meet{}(x, y);
-      },
-      [&](const Node& x, const Node& y) {
-        ++work.leaf_pairs;
-        work.triangle_pairs += std::size_t{x.count} * y.count;
-        leaves(x, y, [&](const TrianglePair&) {
-          ++work.pairs;
-          return Descent::go_on;
-        });
-      });
-  return work;
+  return space::counted_work(a, b);
 }
 
 #define PLUMB_PAIRS_OF(Volume)                                                                                     \
