@@ -21,6 +21,7 @@
 #include "plumb/space/bvh/sphere_tree.hpp"     // of spheres, ever finer, that cover a surface
 #include "plumb/space/bvh/tree_cost.hpp"       // what it costs to ask
 #include "plumb/space/bvh/tree_file.hpp"       // in a file
+#include "plumb/space/bvh/volume_rules.hpp"    // what a volume must answer for that
 #include "plumb/space/bvh/volume_tree.hpp"     // of spheres, oriented boxes, k-DOPs, or your own volumes
 #include "plumb/space/bvh/wide_tree.hpp"       // with eight children a node
 
