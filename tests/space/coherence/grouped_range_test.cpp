@@ -73,7 +73,7 @@ TEST(GroupedRange, OfSwarmsFrameByFrame) {
   for (int frame = 0; frame < 600; ++frame) {
     std::vector<Aabb3> boxes;
     for (int i = 0; i < 40; ++i) {
-      const double x = -1.5 + frame * 0.005 + (i % 8) * 0.0625, y = (i / 8) * 0.0625;
+      const double x = -2.5 + frame * 0.005 + (i % 8) * 0.0625, y = (i / 8) * 0.0625;
       boxes.push_back({{x, y, -0.5}, {x + 0.125, y + 0.125, 0.5}});
     }
     const std::span<const Aabb3> asked(boxes);

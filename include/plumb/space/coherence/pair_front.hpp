@@ -10,11 +10,11 @@
 // meshes in any frame: refitted, posed, built anew or others.  Where a tree no longer divides as it did above the
 // front, the descent begins at the roots again.  (2) So it does where the front has become the longer way: where it is
 // three times what a descent left it at, or the parents of half of it are apart.  (3) The front depends on what it
-// was asked, not on execution or threads.  (4) Where progress has cancelled a query, the next is
-// answered all the same.
+// was asked, not on execution or threads.  (4) Where progress has cancelled a query, the next is answered
+// all the same.
 // Each query changes it: two threads need two.
 // Errors are those of the functions without a front.
-// Source: RTCD 6.7.2; Klosowski et al. 1998; Tang et al. 2010 for the tests of parents.
+// Source: RTCD 6.7.2; Li and Chen 1998; for fronts in parts Tang, Manocha and Tong 2010.
 // Cost: a comparison of boxes for each pair of the front, some two thirds of what a descent compares, and one for each
 // two in four frames to see whether their parents' are apart.  Of posed meshes boxes are posed for the nodes of the
 // front alone, not for all.  Memory: memory() says it; 8 bytes a pair of the front, as many again while the next one
