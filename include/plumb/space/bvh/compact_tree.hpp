@@ -59,7 +59,7 @@ struct alignas(16) CompactNode {
     return before;
   }
   [[nodiscard]] double step_size(std::size_t axis) const {
-    return std::bit_cast<double>((std::uint64_t{step[axis]} + 1023 + least_exponent) << 52);
+    return std::bit_cast<double>(static_cast<std::uint64_t>(step[axis] + 1023 + least_exponent) << 52);
   }
   /// Exact: sums of few bits, which are floats.
   [[nodiscard]] FloatBox3 box(std::size_t child) const {
