@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <optional>
 #include <span>
 
@@ -56,29 +57,24 @@ class Bins {
  public:
   void clear(std::uint32_t count) {
     count_ = count;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::fill_n(box_[axis].begin(), count, Extent());
-      std::fill_n(items_[axis].begin(), count, 0u);
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis) std::fill_n(box_[axis].begin(), count, Extent());
+    std::fill_n(items_.begin(), count, Counts{});
   }
 
+  /// From four places by turns: neighbors often go to one bin, and would wait for each other there.
   void take(const BinScale& scale, std::span<const BoxedItem> items) {
-    for (const BoxedItem& item : items) {
-      const Lanes low = item.low(), high = item.high();
-      const IntLanes bin = scale.bins_of(twice_middle(low, high));
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto b = static_cast<std::size_t>(bin[axis]);
-        box_[axis][b].take(low, high);
-        ++items_[axis][b];
-      }
+    const std::size_t quarter = items.size() / 4;
+    for (std::size_t i = 0; i < quarter; ++i) {
+      for (std::size_t k = 0; k < 4; ++k) take(scale, items[i + k * quarter]);
     }
+    for (const BoxedItem& item : items.subspan(4 * quarter)) take(scale, item);
   }
 
   void merge(const Bins& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t b = 0; b < count_; ++b) {
+    for (std::size_t b = 0; b < count_; ++b) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
         box_[axis][b].take(other.box_[axis][b]);
-        items_[axis][b] += other.items_[axis][b];
+        items_[b][axis] += other.items_[b][axis];
       }
     }
   }
@@ -86,47 +82,83 @@ class Bins {
   /// How many items lie in lower bins.
   [[nodiscard]] std::uint32_t items_below(std::size_t axis, std::uint32_t bin) const {
     std::uint32_t sum = 0;
-    for (std::size_t b = 0; b < bin; ++b) sum += items_[axis][b];
+    for (std::size_t b = 0; b < bin; ++b) sum += items_[b][axis];
     return sum;
   }
 
   /// None where all items are in one bin of each axis.
   [[nodiscard]] std::optional<BinCut> best(const BinScale& scale) const {
-    std::optional<BinCut> best;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (scale.has(axis)) improve(best, axis);
+    constexpr float infinity = Extent::infinity;
+    std::array<Lanes, most> behind;  // area times items of bins b, b + 1, ...: of the three axes; infinite for none
+    Swept sum;
+    for (std::size_t b = count_ - 1; b > 0; --b) behind[b] = sum.take(*this, b);
+    sum = Swept();
+    Lanes least = {infinity, infinity, infinity, infinity};
+    IntLanes at{}, first_items{};
+    for (std::uint32_t b = 1; b < count_; ++b) {
+      const Lanes cost = sum.take(*this, b - 1) + behind[b];
+      const IntLanes better = cost < least;
+      least = better ? cost : least;
+      at = better ? IntLanes{} + static_cast<std::int32_t>(b) : at;
+      first_items = better ? sum.items : first_items;
     }
-    if (!best) return best;
-    for (std::size_t b = 0; b < count_; ++b) (b < best->bin ? best->first : best->second).take(box_[best->axis][b]);
+    std::size_t axis = 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (scale.has(k) && least[k] < (axis == 3 ? infinity : least[axis])) axis = k;
+    }
+    if (axis == 3) return std::nullopt;
+    BinCut best{
+        least[axis], axis,    static_cast<std::uint32_t>(at[axis]), static_cast<std::uint32_t>(first_items[axis]),
+        Extent(),    Extent()};
+    for (std::size_t b = 0; b < count_; ++b) (b < best.bin ? best.first : best.second).take(box_[axis][b]);
     return best;
   }
 
  private:
-  static constexpr std::size_t most = 16;
-
-  void improve(std::optional<BinCut>& best, std::size_t axis) const {
-    std::array<float, most> behind;  // area times items of bins b, b + 1, ...
-    Extent box;
-    std::uint32_t items = 0;
-    for (std::size_t b = count_ - 1; b > 0; --b) {
-      box.take(box_[axis][b]);
-      items += items_[axis][b];
-      behind[b] = items == 0 ? -1 : half_area(box) * static_cast<float>(items);
-    }
-    box = Extent();
-    items = 0;
-    for (std::uint32_t b = 1; b < count_; ++b) {
-      box.take(box_[axis][b - 1]);
-      items += items_[axis][b - 1];
-      if (items == 0 || behind[b] < 0) continue;
-      const float cost = half_area(box) * static_cast<float>(items) + behind[b];
-      if (!best || cost < best->cost) best = BinCut{cost, axis, b, items, Extent(), Extent()};
+  void take(const BinScale& scale, const BoxedItem& item) {
+    const Lanes low = item.low(), high = item.high();
+    const IntLanes bin = scale.bins_of(twice_middle(low, high));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t b = static_cast<std::uint32_t>(bin[axis]);
+      box_[axis][b].take(low, high);
+      ++items_[b][axis];
     }
   }
 
+  static constexpr std::size_t most = 16;
+  using Counts = std::array<std::uint32_t, 4>;  // of the three axes
+
+  // What lies in bins one after the other, of the three axes at once.
+  struct Swept {
+    std::array<Extent, 3> box;
+    IntLanes items{};
+
+    // Area times items with those of another bin; infinite where there are none.
+    Lanes take(const Bins& bins, std::size_t b) {
+      IntLanes more;
+      std::memcpy(&more, bins.items_[b].data(), sizeof more);
+      items += more;
+      std::array<Lanes, 3> side;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box[axis].take(bins.box_[axis][b]);
+        side[axis] = box[axis].high - box[axis].low;
+      }
+      const Lanes xy = __builtin_shuffle(side[0], side[1], IntLanes{0, 4, 1, 5}),
+                  z = __builtin_shuffle(side[0], side[1], IntLanes{2, 6, 2, 6});
+      const Lanes x = __builtin_shuffle(xy, side[2], IntLanes{0, 1, 4, 4}),
+                  y = __builtin_shuffle(xy, side[2], IntLanes{2, 3, 5, 5}),
+                  last = __builtin_shuffle(z, side[2], IntLanes{0, 1, 6, 6});
+      const Lanes area = x * (y + last) + y * last;
+      // All items on this side: whatever is said, the other side has none.
+      const Lanes cost = area * __builtin_convertvector(items, Lanes);
+      constexpr float infinity = Extent::infinity;
+      return items == 0 ? Lanes{infinity, infinity, infinity, infinity} : cost;
+    }
+  };
+
   std::uint32_t count_ = 0;
   std::array<std::array<Extent, most>, 3> box_;
-  std::array<std::array<std::uint32_t, most>, 3> items_;
+  std::array<Counts, most> items_;
 };
 
 }  // namespace plumb::space

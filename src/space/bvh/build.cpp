@@ -25,22 +25,41 @@ void check(const std::string& function, const BvhOptions& options, std::size_t i
   space::check_options(function, options);
 }
 
-template <class BoxOf>
-BoxTree build(std::size_t n, const BoxFrame& frame, const BoxOf& box_of, const BvhOptions& options) {
+BoxTree build(std::vector<BoxedItem> items, const BoxFrame& frame, const BvhOptions& options) {
   BoxTree tree;
   tree.frame = frame;
-  if (n == 0) return tree;
-  std::vector<BoxedItem> items(n);
-  space::for_blocks(options.execution, n, box_block, [&](std::size_t, std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
-      const FloatBox3 box = frame.around(box_of(i));
-      items[i] = {box.min, static_cast<std::uint32_t>(i), box.max, 0};
-    }
-  });
+  if (items.empty()) return tree;
   space::Built built = space::build(std::move(items), options);
   tree.nodes = std::move(built.nodes);
   tree.items = std::move(built.items);
   return tree;
+}
+
+/// box_of(i) is a FloatBox3.
+template <class BoxOf>
+std::vector<BoxedItem> boxed(Execution execution, std::size_t n, const BoxOf& box_of) {
+  std::vector<BoxedItem> items(n);
+  space::for_blocks(execution, n, box_block, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      const FloatBox3 box = box_of(i);
+      items[i] = {box.min, static_cast<std::uint32_t>(i), box.max, 0};
+    }
+  });
+  return items;
+}
+
+// Each vertex is rounded once, though six triangles have it: rounding is monotone, so theirs are the boxes of what is
+// rounded.
+std::vector<BoxedItem> boxed(Execution execution, const BoxFrame& frame, std::span<const Point3> vertices,
+                             std::span<const Bvh::Corners> triangles) {
+  const std::vector<BoxedItem> rounded = boxed(execution, vertices.size(), [&](std::size_t i) {
+    return frame.around({vertices[i], vertices[i]});
+  });
+  return boxed(execution, triangles.size(), [&](std::size_t i) {
+    space::Extent box;
+    for (const std::uint32_t corner : triangles[i]) box.take(rounded[corner].low(), rounded[corner].high());
+    return space::box_of(box);
+  });
 }
 
 void check_indices(std::span<const Bvh::Corners> triangles, std::size_t vertices) {
@@ -84,8 +103,9 @@ BoxTree build_box_tree(std::span<const Aabb3> boxes, const BvhOptions& options) 
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!space::is_sound(boxes[i])) space::check_box("build_box_tree", "boxes[" + std::to_string(i) + "]", boxes[i]);
   }
-  return build(
-      boxes.size(), space::frame_of(options.execution, boxes), [&](std::size_t i) { return boxes[i]; }, options);
+  const BoxFrame frame = space::frame_of(options.execution, boxes);
+  return build(boxed(options.execution, boxes.size(), [&](std::size_t i) { return frame.around(boxes[i]); }), frame,
+               options);
 }
 
 Bvh build_bvh(std::span<const Point3> vertices, std::span<const Bvh::Corners> triangles, const BvhOptions& options) {
@@ -93,9 +113,8 @@ Bvh build_bvh(std::span<const Point3> vertices, std::span<const Bvh::Corners> tr
   figure::require_finite_points("build_bvh", "vertices", vertices);
   check_indices(triangles, vertices.size());
   Bvh bvh;
-  bvh.tree = build(
-      triangles.size(), space::frame_of(options.execution, vertices),
-      [&](std::size_t i) { return space::box_around(triangles[i], vertices); }, options);
+  const BoxFrame frame = space::frame_of(options.execution, vertices);
+  bvh.tree = build(boxed(options.execution, frame, vertices, triangles), frame, options);
   const std::span<const std::uint32_t> order = bvh.tree.items.view();
   std::vector<Bvh::Corners> laid_out(order.size());
   space::for_blocks(options.execution, order.size(), box_block, [&](std::size_t, std::size_t from, std::size_t to) {
@@ -103,7 +122,7 @@ Bvh build_bvh(std::span<const Point3> vertices, std::span<const Bvh::Corners> tr
   });
   bvh.triangles = std::move(laid_out);
   bvh.vertices = std::vector<Point3>(vertices.begin(), vertices.end());
-  widen(bvh);
+  widen(bvh, options.execution);
   return bvh;
 }
 
@@ -111,7 +130,7 @@ Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {
   return build_bvh(mesh.vertices, mesh.triangles, options);
 }
 
-void widen(Bvh& bvh) { bvh.wide = widen<8>(bvh.tree); }
+void widen(Bvh& bvh, Execution execution) { bvh.wide = widen<8>(bvh.tree, 8, execution); }
 
 std::size_t memory_of(const BoxTree& tree) {
   return tree.nodes.size() * sizeof(BoxNode) + tree.items.size() * sizeof(std::uint32_t);

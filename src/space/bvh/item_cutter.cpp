@@ -25,19 +25,19 @@ BoxAndMiddles extents(std::span<const BoxedItem> items) {
 /// Of the first and second items.
 using Sides = std::array<Extent, 2>;
 
-// Copies items to first and onward, or to second and backward; returns where their middles lie.
-Sides copy_apart(const BinCut& at, const BinScale& scale, std::span<const BoxedItem> items, BoxedItem* first,
-                 BoxedItem* second) {
+// Copies items to to[first] and onward, or to to[second] and backward; returns where their middles lie.  Places are
+// chosen by masks: a compiler would make a jump of a condition, which nobody can foresee.
+Sides copy_apart(const BinCut& at, const BinScale& scale, std::span<const BoxedItem> items, BoxedItem* to,
+                 std::size_t first, std::size_t second) {
   const Extent nowhere;
   Sides middles;
   for (const BoxedItem& item : items) {
-    const bool is_first = scale.bin_of(item, at.axis) < at.bin;
-    BoxedItem* const to = is_first ? first : second;
-    first += is_first ? 1 : 0;
-    second -= is_first ? 0 : 1;
+    const std::size_t is_first = scale.bin_of(item, at.axis) < at.bin ? 1 : 0, none_or_all = std::size_t{0} - is_first;
+    to[second ^ ((first ^ second) & none_or_all)] = item;
+    first += is_first;
+    second -= 1 - is_first;
     const Lanes middle = twice_middle(item.low(), item.high());
-    *to = item;
-    const IntLanes mask = IntLanes{} - (is_first ? 1 : 0);
+    const IntLanes mask = IntLanes{} + static_cast<std::int32_t>(none_or_all);
     middles[0].take(mask ? middle : nowhere.low, mask ? middle : nowhere.high);
     middles[1].take(mask ? nowhere.low : middle, mask ? nowhere.high : middle);
   }
@@ -64,10 +64,11 @@ ItemRange CutArrays::whole() const {
 
 bool ItemCutter::cut(const ItemRange& range, std::array<ItemRange, 2>& parts) {
   const std::uint32_t n = range.size();
-  if (n == 1) return false;
+  const BvhOptions& options = arrays_.options;
+  // Two parts cost a node at least.
+  if (n == 1 || (n <= options.most_in_leaf && options.item_cost * static_cast<float>(n) <= 1)) return false;
   const BinScale scale(range.middles, n);
   const std::optional<BinCut> best = best_cut(range, scale);
-  const BvhOptions& options = arrays_.options;
   if (n <= options.most_in_leaf) {
     if (!best) return false;
     const float area = half_area(range.box);
@@ -121,9 +122,8 @@ void ItemCutter::cut_at(const BinCut& at, const BinScale& scale, const ItemRange
   parts[0].end = parts[1].begin = range.begin + at.first_items;
   parts[0].box = at.first;
   parts[1].box = at.second;
-  BoxedItem* const back = to.data() + to.size() - 1;
   if (items.size() <= most_grown_by_one) {
-    const Sides middles = copy_apart(at, scale, items, to.data(), back);
+    const Sides middles = copy_apart(at, scale, items, to.data(), 0, to.size() - 1);
     for (std::size_t side : {0u, 1u}) parts[side].middles = middles[side];
     return;
   }
@@ -134,8 +134,8 @@ void ItemCutter::cut_at(const BinCut& at, const BinScale& scale, const ItemRange
   std::vector<Sides> middles(blocks);
   for_blocks(arrays_.options.execution, items.size(), cut_block,
              [&](std::size_t b, std::size_t from, std::size_t until) {
-               middles[b] = copy_apart(at, scale, items.subspan(from, until - from), to.data() + first_before[b],
-                                       back - (from - first_before[b]));
+               middles[b] = copy_apart(at, scale, items.subspan(from, until - from), to.data(), first_before[b],
+                                       to.size() - 1 - (from - first_before[b]));
              });
   for (std::size_t side : {0u, 1u}) {
     parts[side].middles = Extent();

@@ -65,7 +65,7 @@ class PartsRebuilt {
     bvh_.tree.nodes = std::move(nodes_);
     move_slots(bvh_.tree.items);
     move_slots(bvh_.triangles);
-    widen(bvh_);
+    widen(bvh_, options_.execution);
     return rebuilt_;
   }
 
@@ -127,7 +127,7 @@ void refit(Bvh& bvh, std::span<const Point3> vertices, Execution execution) {
   const std::span<const Bvh::Corners> triangles = bvh.triangles.view();
   fit_leaves(bvh.tree, space::frame_of(execution, vertices), execution,
              [&](std::uint32_t slot) { return space::box_around(triangles[slot], own); });
-  widen(bvh);
+  widen(bvh, execution);
 }
 
 void refit(BoxTree& tree, std::span<const Aabb3> boxes, Execution execution) {

@@ -44,7 +44,7 @@ Bvh build_bvh(std::span<const Point3> vertices, std::span<const Bvh::Corners> tr
 Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options = {});
 
 /// Makes bvh.wide anew; for who has changed bvh.tree by hand.
-void widen(Bvh& bvh);
+void widen(Bvh& bvh, Execution execution = Execution::parallel);
 
 /// Bytes of all that it owns or maps.
 std::size_t memory_of(const BoxTree& tree);

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "plumb/certify/batch.hpp"
 #include "plumb/space/bvh/box_tree.hpp"
 #include "plumb/space/bvh/kept_array.hpp"
 
@@ -37,9 +38,9 @@ struct WideTree {
 /// Of two children with the most area first, until there are `width`; below so few slots as make one leaf none are
 /// looked for.  Defined for 4 and 8.
 template <std::size_t width>
-WideTree<width> widen(const BoxTree& tree, std::uint32_t most_in_leaf = 8);
+WideTree<width> widen(const BoxTree& tree, std::uint32_t most_in_leaf = 8, Execution execution = Execution::parallel);
 
-extern template WideTree<4> widen<4>(const BoxTree&, std::uint32_t);
-extern template WideTree<8> widen<8>(const BoxTree&, std::uint32_t);
+extern template WideTree<4> widen<4>(const BoxTree&, std::uint32_t, Execution);
+extern template WideTree<8> widen<8>(const BoxTree&, std::uint32_t, Execution);
 
 }  // namespace plumb
