@@ -9,6 +9,7 @@
 #include "space/bvh/builders.hpp"
 #include "space/bvh/checked_box.hpp"
 #include "space/bvh/slot_boxes.hpp"
+#include "space/bvh/split_items.hpp"
 
 namespace plumb {
 namespace {
@@ -30,6 +31,21 @@ BoxTree build(std::vector<BoxedItem> items, const BoxFrame& frame, const BvhOpti
   tree.frame = frame;
   if (items.empty()) return tree;
   space::Built built = space::build(std::move(items), options);
+  tree.nodes = std::move(built.nodes);
+  tree.items = std::move(built.items);
+  return tree;
+}
+
+BoxTree split_tree(std::span<const BoxedItem> whole, const BoxFrame& frame, std::span<const Point3> vertices,
+                   std::span<const Bvh::Corners> triangles, const BvhOptions& options) {
+  BoxTree tree;
+  tree.frame = frame;
+  if (whole.empty()) return tree;
+  space::SplitItems parts =
+      space::split_items(whole, frame, vertices, triangles, options.split_share, options.execution);
+  check("build_bvh", options, parts.items.size());
+  space::Built built = space::build(std::move(parts.items), options);
+  space::join_parts(built, parts.triangles);
   tree.nodes = std::move(built.nodes);
   tree.items = std::move(built.items);
   return tree;
@@ -114,7 +130,12 @@ Bvh build_bvh(std::span<const Point3> vertices, std::span<const Bvh::Corners> tr
   check_indices(triangles, vertices.size());
   Bvh bvh;
   const BoxFrame frame = space::frame_of(options.execution, vertices);
-  bvh.tree = build(boxed(options.execution, frame, vertices, triangles), frame, options);
+  std::vector<BoxedItem> items = boxed(options.execution, frame, vertices, triangles);
+  if (options.split_share > 0) {
+    bvh.tree = split_tree(items, frame, vertices, triangles, options);
+  } else {
+    bvh.tree = build(std::move(items), frame, options);
+  }
   const std::span<const std::uint32_t> order = bvh.tree.items.view();
   std::vector<Bvh::Corners> laid_out(order.size());
   space::for_blocks(options.execution, order.size(), box_block, [&](std::size_t, std::size_t from, std::size_t to) {

@@ -32,6 +32,10 @@ void check_options(const std::string& function, const BvhOptions& options) {
     throw InvalidShape(function + ": options.item_cost is " + std::to_string(options.item_cost) +
                        ", but it must be positive and at most 1e6");
   }
+  if (!(options.split_share >= 0 && options.split_share <= 16)) {
+    throw InvalidShape(function + ": options.split_share is " + std::to_string(options.split_share) +
+                       ", but it must lie from 0 to 16");
+  }
 }
 
 double magnitude(const Point3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }

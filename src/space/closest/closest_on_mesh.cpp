@@ -80,6 +80,8 @@ std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double
         }
       });
   std::ranges::sort(within, {}, &NearTriangle::triangle);
+  const auto repeated = std::ranges::unique(within, {}, &NearTriangle::triangle);  // an item may be in several slots
+  within.erase(repeated.begin(), repeated.end());
   return within;
 }
 

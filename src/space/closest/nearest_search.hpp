@@ -75,11 +75,11 @@ class Nearest {
     const auto nearer = [&](const Candidate& x, const Candidate& y) {
       return x.distance != y.distance ? x.distance < y.distance : comes_first(x, y);
     };
-    if (found_.size() == k_) {
-      if (!nearer(candidate, found_.back())) return false;
-      found_.pop_back();
-    }
-    found_.insert(std::upper_bound(found_.begin(), found_.end(), candidate, nearer), candidate);
+    if (found_.size() == k_ && !nearer(candidate, found_.back())) return false;
+    const auto place = std::upper_bound(found_.begin(), found_.end(), candidate, nearer) - found_.begin();
+    if (place > 0 && found_[static_cast<std::size_t>(place - 1)].item == candidate.item) return false;  // in two slots
+    if (found_.size() == k_) found_.pop_back();
+    found_.insert(found_.begin() + place, candidate);
     return true;
   }
 

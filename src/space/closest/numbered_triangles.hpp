@@ -7,16 +7,13 @@
 
 #include "plumb/arith/interval.hpp"
 #include "space/bvh/slot_boxes.hpp"
+#include "space/bvh/triangle_slots.hpp"
 
 namespace plumb::space {
 
 class NumberedTriangles {
  public:
-  explicit NumberedTriangles(const Bvh& mesh) : mesh_(mesh) {
-    const std::span<const std::uint32_t> items = mesh.tree.items.view();
-    if (!items.empty()) slots_.resize(std::size_t{*std::max_element(items.begin(), items.end())} + 1);
-    for (std::uint32_t slot = 0; slot < items.size(); ++slot) slots_[items[slot]] = slot;
-  }
+  explicit NumberedTriangles(const Bvh& mesh) : mesh_(mesh), slots_(slots_of(mesh)) {}
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }
   [[nodiscard]] const Bvh::Corners& corners(std::uint32_t i) const { return mesh_.triangles[slots_[i]]; }
   [[nodiscard]] Triangle3 operator[](std::uint32_t i) const { return mesh_.triangle(slots_[i]); }

@@ -83,6 +83,8 @@ std::vector<NearTriangle> triangles_within(const PosedMesh& mesh, const Point3& 
         }
       });
   std::ranges::sort(within, {}, &NearTriangle::triangle);
+  const auto repeated = std::ranges::unique(within, {}, &NearTriangle::triangle);  // an item may be in several slots
+  within.erase(repeated.begin(), repeated.end());
   return within;
 }
 

@@ -94,11 +94,11 @@ std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p
       if (found.size() == k && distance_below(NearbyTriangle(triangle), p) > raised(found.back().distance)) continue;
       watch.triangle();
       const PosedCandidate candidate{mesh.bvh.tree.items[slot], slot, query::distance(triangle, p)};
-      if (found.size() == k) {
-        if (!nearer(candidate, found.back())) continue;
-        found.pop_back();
-      }
-      found.insert(std::upper_bound(found.begin(), found.end(), candidate, nearer), candidate);
+      if (found.size() == k && !nearer(candidate, found.back())) continue;
+      const auto place = std::upper_bound(found.begin(), found.end(), candidate, nearer) - found.begin();
+      if (place > 0 && found[static_cast<std::size_t>(place - 1)].item == candidate.item) continue;  // in two slots
+      if (found.size() == k) found.pop_back();
+      found.insert(found.begin() + place, candidate);
       if (found.size() == k) now = square_above(found.back().distance);
     }
   });

@@ -113,7 +113,10 @@ std::vector<std::vector<std::uint32_t>> found_of_each(const Bvh& mesh, std::span
         if (meets_slot(mesh, slot, box, shapes[i])) found[i].push_back(mesh.tree.items[slot]);
       }
     });
-    for (const std::uint32_t i : members) std::ranges::sort(found[i]);
+    for (const std::uint32_t i : members) {
+      std::ranges::sort(found[i]);
+      found[i].erase(std::unique(found[i].begin(), found[i].end()), found[i].end());  // in several slots
+    }
   });
   return found;
 }

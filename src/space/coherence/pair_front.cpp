@@ -99,6 +99,12 @@ std::vector<TrianglePair> follow(const char* function, Front& front, FrontWork& 
   return found;
 }
 
+std::vector<TrianglePair> ordered(std::vector<TrianglePair> pairs, const Bvh& a) {
+  std::vector<std::vector<TrianglePair>> parts;
+  parts.push_back(std::move(pairs));
+  return in_order(std::move(parts), a.triangles.size());
+}
+
 std::size_t bytes_of(const DividedNodes& divided) {
   return (divided.nodes.capacity() + divided.links.capacity()) * sizeof(std::uint32_t);
 }
@@ -110,22 +116,18 @@ std::size_t bytes_of(const NeededBoxes& needed) {
 }  // namespace space
 
 std::vector<TrianglePair> PairFront::intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
-  auto pairs = space::follow("intersecting_pairs", front_, work_, space::StandingScene(a, b, false), options);
-  space::sort_pairs(pairs, a.triangles.size());
-  return pairs;
+  return space::ordered(
+      space::follow("intersecting_pairs", front_, work_, space::StandingScene(a, b, false), options), a);
 }
 std::vector<TrianglePair> PairFront::intersecting_pairs(const PosedMesh& a, const PosedMesh& b,
                                                         const PairOptions& options) {
   constexpr const char* function = "intersecting_pairs";
   if (space::are_moved_alike(function, a, b)) return intersecting_pairs(a.bvh, b.bvh, options);
-  auto pairs = space::follow(function, front_, work_, space::MovedScene(a, b), options);
-  space::sort_pairs(pairs, a.bvh.triangles.size());
-  return pairs;
+  return space::ordered(space::follow(function, front_, work_, space::MovedScene(a, b), options), a.bvh);
 }
 std::vector<TrianglePair> PairFront::self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
-  auto pairs = space::follow("self_intersecting_pairs", front_, work_, space::StandingScene(mesh, mesh, true), options);
-  space::sort_pairs(pairs, mesh.triangles.size());
-  return pairs;
+  return space::ordered(
+      space::follow("self_intersecting_pairs", front_, work_, space::StandingScene(mesh, mesh, true), options), mesh);
 }
 
 std::size_t PairFront::memory() const {

@@ -69,6 +69,7 @@ class LeafPairs {
       for (std::size_t k = same_leaf ? i + 1 : 0; k < boxes_b_.n; ++k) {
         if (!boxes_meet(boxes_a_.box[i], boxes_b_.box[k])) continue;
         const std::uint32_t slot_a = boxes_a_.slot[i], slot_b = boxes_b_.slot[k];
+        if (is_own_ && a_.items[slot_a] == b_.items[slot_b]) continue;  // one triangle in two slots
         const Relation relation = is_own_ ? relate_in_mesh(a_.vertices, a_.triangles[slot_a], b_.triangles[slot_b])
                                           : relate(a_.triangle(slot_a), b_.triangle(slot_b));
         if (relation == Relation::disjoint) continue;

@@ -19,11 +19,12 @@ std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOpt
 }
 
 PairCount count_intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
-  return space::counted_pairs(space::PairSearch("count_intersecting_pairs", a, b, false, options), options.execution);
+  return space::counted_pairs(space::PairSearch("count_intersecting_pairs", a, b, false, options),
+                              space::is_split(a) || space::is_split(b), options.execution);
 }
 PairCount count_self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
   return space::counted_pairs(space::PairSearch("count_self_intersecting_pairs", mesh, mesh, true, options),
-                              options.execution);
+                              space::is_split(mesh), options.execution);
 }
 
 std::optional<TrianglePair> any_intersecting_pair(const Bvh& a, const Bvh& b, const PairOptions& options) {

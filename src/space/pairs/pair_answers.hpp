@@ -5,25 +5,33 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
 
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
+#include "space/bvh/triangle_slots.hpp"
 #include "space/pairs/leaf_pairs.hpp"
 
 namespace plumb::space {
 
-/// By a, then b; in linear time where there are many.  The parts are given up.
+/// By a, then b, each once: a triangle may be in several slots.  In linear time where there are many.  The parts are
+/// given up.
 inline std::vector<TrianglePair> in_order(std::vector<std::vector<TrianglePair>> parts, std::size_t triangles_a) {
   const auto before = [](const TrianglePair& p, const TrianglePair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; };
   std::size_t n = 0;
   for (const auto& part : parts) n += part.size();
   std::vector<TrianglePair> sorted;
+  const auto drop_repeated = [&] {
+    const auto is_same = [](const TrianglePair& p, const TrianglePair& q) { return p.a == q.a && p.b == q.b; };
+    sorted.erase(std::unique(sorted.begin(), sorted.end(), is_same), sorted.end());
+  };
   if (n < triangles_a / 8) {
     for (const auto& part : parts) sorted.insert(sorted.end(), part.begin(), part.end());
     std::sort(sorted.begin(), sorted.end(), before);
+    drop_repeated();
     return sorted;
   }
   std::vector<std::size_t> place(triangles_a + 1);
@@ -41,10 +49,11 @@ inline std::vector<TrianglePair> in_order(std::vector<std::vector<TrianglePair>>
     std::sort(from, to, before);
     from = to;
   }
+  drop_repeated();
   return sorted;
 }
 
-/// Of a mesh with so many triangles.
+/// Of a mesh with at most so many triangles.
 template <class Search>
 std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Execution execution) {
   std::vector<std::vector<TrianglePair>> found;
@@ -57,8 +66,16 @@ std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Exec
   return in_order(std::move(found), triangles_a);
 }
 
+/// With `are_split` the search may come to one pair several times.
 template <class Search>
-PairCount counted_pairs(Search search, Execution execution) {
+PairCount counted_pairs(Search search, bool are_split, Execution execution) {
+  if (are_split) {
+    PairCount count;
+    for (const TrianglePair& pair : all_pairs(std::move(search), std::numeric_limits<std::size_t>::max(), execution)) {
+      ++(pair.relation == Relation::touching ? count.touching : count.overlapping);
+    }
+    return count;
+  }
   std::vector<PairCount> found;
   search.run(
       execution, [&](std::size_t parts) { found.resize(parts); },

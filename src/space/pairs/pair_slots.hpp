@@ -1,23 +1,13 @@
-// In which slots are the triangles that pairs name?
-//
-// Cost: a pass over the slots.
+// Do pairs name triangles?
 #pragma once
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "plumb/space/pairs/mesh_pairs.hpp"
+#include "space/bvh/triangle_slots.hpp"
 
 namespace plumb::space {
-
-/// slot[item]; of a triangle that is in several slots any.
-inline std::vector<std::uint32_t> slots_of(const Bvh& bvh) {
-  const std::span<const std::uint32_t> items = bvh.tree.items.view();
-  std::vector<std::uint32_t> slots(items.size());
-  for (std::uint32_t slot = 0; slot < items.size(); ++slot) slots[items[slot]] = slot;
-  return slots;
-}
 
 /// Throws InvalidShape for a number that names no triangle.
 inline void require_pairs(std::span<const TrianglePair> pairs, std::size_t triangles_a, std::size_t triangles_b) {

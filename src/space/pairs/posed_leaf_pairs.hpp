@@ -49,6 +49,7 @@ class PosedLeafPairs {
     for (const PosedSlot& p : slots_a_) {
       for (const PosedSlot& q : slots_b_) {
         if (is_own_ && leaf_a.link == leaf_b.link && q.slot <= p.slot) continue;
+        if (is_own_ && a_.bvh.tree.items[p.slot] == b_.bvh.tree.items[q.slot]) continue;  // one triangle in two slots
         if (!boxes_meet(p.box, q.box)) continue;
         const Relation relation =
             is_own_ ? relate_flattened(a_, p.slot, q.slot) : query::relate(a_.triangle(p.slot), b_.triangle(q.slot));

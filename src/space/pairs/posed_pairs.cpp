@@ -40,13 +40,15 @@ PairCount count_intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const
   constexpr const char* function = "count_intersecting_pairs";
   return space::are_moved_alike(function, a, b)
              ? count_intersecting_pairs(a.bvh, b.bvh, options)
-             : space::counted_pairs(space::PosedPairSearch(function, a, b, false, options), options.execution);
+             : space::counted_pairs(space::PosedPairSearch(function, a, b, false, options),
+                                    space::is_split(a.bvh) || space::is_split(b.bvh), options.execution);
 }
 PairCount count_self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options) {
   constexpr const char* function = "count_self_intersecting_pairs";
   return space::is_moved_regularly(function, mesh)
              ? count_self_intersecting_pairs(mesh.bvh, options)
-             : space::counted_pairs(space::PosedPairSearch(function, mesh, mesh, true, options), options.execution);
+             : space::counted_pairs(space::PosedPairSearch(function, mesh, mesh, true, options),
+                                    space::is_split(mesh.bvh), options.execution);
 }
 
 std::optional<TrianglePair> any_intersecting_pair(const PosedMesh& a, const PosedMesh& b, const PairOptions& options) {

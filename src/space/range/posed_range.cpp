@@ -38,6 +38,7 @@ std::vector<std::uint32_t> posed_found(const PosedMesh& mesh, const Shape& shape
         }
       });
   std::ranges::sort(items);
+  items.erase(std::unique(items.begin(), items.end()), items.end());  // an item may be in several slots
   return items;
 }
 

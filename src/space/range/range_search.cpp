@@ -29,6 +29,7 @@ std::vector<std::uint32_t> found(const Mesh& mesh, const Shape& shape) {
         }
       });
   std::ranges::sort(items);
+  items.erase(std::unique(items.begin(), items.end()), items.end());  // an item may be in several slots
   return items;
 }
 

@@ -4,6 +4,9 @@
 
 namespace plumb::space {
 
-void make_ascending(std::vector<std::uint32_t>& numbers) { std::ranges::sort(numbers); }
+void make_ascending(std::vector<std::uint32_t>& numbers) {
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());  // a triangle may be in several slots
+}
 
 }  // namespace plumb::space

@@ -151,8 +151,8 @@ TEST_F(TreeFile, NamesBrokenLaws) {
                  "vertex 0 is not finite");
   expect_refused(with(good, vertices, 1e5), broken_law, "is not in the box of node");
   expect_refused(with(good, triangles + 4, 4000u), broken_law, "the triangle in slot 0 names vertex 4000");
-  expect_refused(with(good, items, bvh.tree.items[1]), broken_law, "is in two slots or none");
-  expect_refused(with(good, items, 0xffffffffu), broken_law, "is in two slots or none");
+  expect_refused(with(good, items, bvh.tree.items[1]), broken_law, "triangle ");
+  expect_refused(with(good, items, 0xffffffffu), broken_law, "has a number beyond the slots");
 }
 
 // A builder makes no such leaf, but a file may hold one.

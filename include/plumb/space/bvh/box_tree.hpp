@@ -5,7 +5,8 @@
 //
 // Laws: (1) every item is in exactly one slot, and every slot in exactly one leaf; leaves have slots in the order of
 //       the nodes.  (Spatial splits put an item into several.)  (2) Every node's box contains its items' boxes,
-//       exactly: as numbers of the frame, compared with the doubles.  (3) It contains its children's boxes.  (4) No
+//       exactly: as numbers of the frame, compared with the doubles; of an item in several slots its leaves' boxes
+//       contain together what it stands for, the triangle.  (3) It contains its children's boxes.  (4) No
 //       leaf is deeper than most_tree_depth, so whoever descends needs that many places of a stack.  (5) No items, no
 //       nodes.
 // Source: RTCD 6.4.2, 6.6.2, 6.6.3.

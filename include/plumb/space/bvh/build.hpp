@@ -47,6 +47,10 @@ struct BvhOptions {
   std::uint32_t most_in_leaf = 8;
   /// What it costs to test an item, where a node costs 1; positive.  0.5 makes leaves of three triangles as a rule.
   float item_cost = 0.5F;
+  /// Spatial splits, for long triangles: how many parts more than triangles a mesh's tree may have, as a share of the
+  /// triangles, 0 to 16.  A triangle then lies in several leaves, each with a box of what is there of it; every answer
+  /// is the same.  0.2 is much where few triangles are long.  Boxes alone are not split.
+  float split_share = 0;
   Execution execution = Execution::parallel;
 };
 
