@@ -1,11 +1,16 @@
 // How long does a tree of a mesh take to build?  Beside Embree's builders where it is installed, on the same triangles.
 //
-// Meshes: a closed wavy ring of n triangles, as it is generated (neighbors in memory are neighbors in space) or `shuffled`;
-// `needles` are as many long thin triangles that lie anyhow.  Threads: as many as the second argument says.
-// `triangles` is triangles a second; `cost` that of the tree, by the surface-area heuristic.
+// Meshes: a closed wavy ring of n triangles, as it is generated (neighbors in memory are neighbors in space) or
+// `shuffled`.  Threads: as many as the second argument says.  `triangles` is triangles a second; `cost` that of the tree,
+// by the surface-area heuristic.
+// `needles` are long thin triangles that lie anyhow in a cube, so many as the first argument says, with spatial splits by
+// a budget of so many hundredths as the second says: `rays` is rays a second on one thread that ask for the first, `slots`
+// the slots for each triangle, `build` the milliseconds that the tree took.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include <chrono>
+#include <string>
 #include <vector>
 
 #include "plumb/degenerate/coordinates.hpp"
@@ -89,6 +94,35 @@ void build_embree(benchmark::State& state, RTCBuildQuality quality, Order order)
 }
 #endif
 
+void shoot_needles(benchmark::State& state) {
+  Entropy e(4711);
+  const auto number = [&] { return 100 * signed_unit_coordinate(e); };
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(state.range(0)); ++i) {
+    const Point3 a{number(), number(), number()}, b{number(), number(), number()};
+    mesh.vertices.insert(mesh.vertices.end(), {a, b, {a.x + number() / 1000, a.y + number() / 1000, a.z}});
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  BvhOptions options;
+  options.split_share = static_cast<float>(state.range(1)) / 100;
+  options.execution = Execution::serial;
+  const auto start = std::chrono::steady_clock::now();
+  const Bvh bvh = build_bvh(mesh, options);
+  const std::chrono::duration<double, std::milli> built = std::chrono::steady_clock::now() - start;
+  std::vector<AnyRay> rays;
+  for (int i = 0; i < 4096; ++i) {
+    const Point3 a{number(), number(), number()}, b{number(), number(), number()};
+    rays.emplace_back(Ray3{a, {b.x - a.x, b.y - a.y, b.z - a.z}});
+  }
+  std::vector<std::uint32_t> first(rays.size());
+  for (auto _ : state) first_triangles(rays, bvh, first, {.execution = Execution::serial});
+  state.counters["rays"] = benchmark::Counter(
+      static_cast<double>(rays.size()) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["cost"] = cost_of(bvh.tree).total(1, 0.5);
+  state.counters["slots"] = static_cast<double>(bvh.triangles.size()) / static_cast<double>(mesh.triangles.size());
+  state.counters["build"] = built.count();
+}
+
 void sizes(benchmark::internal::Benchmark* b) {
   b->ArgsProduct({{50, 158, 500, 1000}, {1, 2}})->UseRealTime()->Unit(benchmark::kMillisecond);
 }
@@ -97,6 +131,7 @@ BENCHMARK_CAPTURE(build_mesh, binned, BvhMethod::binned, Order::generated)->Appl
 BENCHMARK_CAPTURE(build_mesh, linear, BvhMethod::linear, Order::generated)->Apply(sizes);
 BENCHMARK_CAPTURE(build_mesh, binned_shuffled, BvhMethod::binned, Order::shuffled)->Apply(sizes);
 BENCHMARK_CAPTURE(build_mesh, linear_shuffled, BvhMethod::linear, Order::shuffled)->Apply(sizes);
+BENCHMARK(shoot_needles)->ArgsProduct({{1000, 100000}, {0, 20, 100, 400}})->Unit(benchmark::kMillisecond);
 #ifdef PLUMB_BENCH_EMBREE
 BENCHMARK_CAPTURE(build_embree, medium, RTC_BUILD_QUALITY_MEDIUM, Order::generated)->Apply(sizes);
 BENCHMARK_CAPTURE(build_embree, low, RTC_BUILD_QUALITY_LOW, Order::generated)->Apply(sizes);

@@ -61,13 +61,8 @@ class Bins {
     std::fill_n(items_.begin(), count, Counts{});
   }
 
-  /// From four places by turns: neighbors often go to one bin, and would wait for each other there.
   void take(const BinScale& scale, std::span<const BoxedItem> items) {
-    const std::size_t quarter = items.size() / 4;
-    for (std::size_t i = 0; i < quarter; ++i) {
-      for (std::size_t k = 0; k < 4; ++k) take(scale, items[i + k * quarter]);
-    }
-    for (const BoxedItem& item : items.subspan(4 * quarter)) take(scale, item);
+    for (const BoxedItem& item : items) take(scale, item);
   }
 
   void merge(const Bins& other) {

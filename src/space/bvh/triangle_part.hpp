@@ -5,8 +5,7 @@
 //       (3) They depend on the triangle and the box alone, so who has the triangle can cut it again.
 // A corner within two planes is taken as it is; of where an edge crosses a plane, bounds that are guessed, and that an
 // exact predicate finds on their side of the edge.
-// Source: RTCD 7.6 for cells cut through polygons; Stich, Friedrich, Dietrich 2009, Spatial splits in bounding volume
-// hierarchies; Karras and Aila 2013 for cutting before anything is built.
+// Source: Stich, Friedrich, Dietrich 2009, Spatial splits in bounding volume hierarchies.
 // Cost: 18 edges against planes; a microsecond where many cross.
 #pragma once
 

@@ -8,7 +8,8 @@
 // A coordinate that is NaN or infinite throws NonFinite ("build_box_tree: boxes[17].min.y is nan, ..."), an empty box,
 // more than 2^31 items or options out of range InvalidShape.
 // Source: RTCD 6.2.1, 6.2.2, 6.2.3; Goldsmith and Salmon 1987 and MacDonald and Booth 1990 for the heuristic, Wald 2007
-// for bins, Lauterbach et al. 2009 for Morton codes, Meister and Bittner 2018 for agglomeration.
+// for bins, Lauterbach et al. 2009 for Morton codes, Meister and Bittner 2018 for agglomeration, Stich,
+// Friedrich and Dietrich 2009 for spatial splits, Karras and Aila 2013 for their budget.
 // Cost: n log n; n for Morton codes and agglomeration, n^2 for nearest pairs.
 #pragma once
 

@@ -4,8 +4,8 @@
 //   bvh.triangle(slot), bvh.tree.items[slot]       // a triangle, and its number in the mesh
 //
 // Laws: (1) those of box_tree.hpp, the items being the triangles.  (2) The corners of the triangle in a slot are those
-//       of its number in the mesh, in that order, unchanged; degenerate triangles are kept.  (3) The mesh may go:
-//       nothing refers to it.
+//       of its number in the mesh, in that order, unchanged; degenerate triangles are kept.  With split_share a number
+//       is in several slots.  (3) The mesh may go: nothing refers to it.
 // An index that names no vertex throws InvalidShape ("build_bvh: triangles[3][2] is 9, but there are 8 vertices"); a
 // vertex that is NaN or infinite NonFinite ("build_bvh: vertices[17].y is nan, ..."), whether a triangle names it or
 // not.
