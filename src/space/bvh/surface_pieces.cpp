@@ -25,7 +25,7 @@ double rough_length(const Aabb3& a, const Aabb3& b) {
 }
 
 /// Across the longest edge, by a guess: any will do.
-std::array<SurfacePiece, 2> halves(const SurfacePiece& piece) {
+std::array<SurfacePiece, 2> cut_in_two(const SurfacePiece& piece) {
   const auto& c = piece.corners;
   std::size_t from = 0;
   for (std::size_t i = 1; i < 3; ++i) {
@@ -76,7 +76,7 @@ CoveredPieces covered_pieces(const Bvh& mesh, double radius, int most_halvings) 
         covered.spheres.push_back(sphere);
         continue;
       }
-      const auto [first, second] = halves(piece);
+      const auto [first, second] = cut_in_two(piece);
       later.push_back({second, halvings + 1});
       later.push_back({first, halvings + 1});
     }

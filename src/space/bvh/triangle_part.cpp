@@ -11,7 +11,7 @@ namespace {
 
 using Numbers = std::array<double, 3>;
 
-struct Sides {
+struct CutSides {
   Numbers low, high;
 
   [[nodiscard]] bool is_empty() const { return low[0] > high[0] || low[1] > high[1] || low[2] > high[2]; }
@@ -25,7 +25,7 @@ constexpr double beyond_doubles = std::numeric_limits<double>::infinity();
 
 Numbers numbers_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
-Aabb3 box_of_sides(const Sides& s) { return {{s.low[0], s.low[1], s.low[2]}, {s.high[0], s.high[1], s.high[2]}}; }
+Aabb3 box_of_sides(const CutSides& s) { return {{s.low[0], s.low[1], s.low[2]}, {s.high[0], s.high[1], s.high[2]}}; }
 
 struct Bounds {
   double low, high;
@@ -48,8 +48,8 @@ Bounds crossing(const Numbers& from, const Numbers& to, std::size_t axis, double
 }
 
 /// What lies between two planes across the axis: a convex polygon of corners and of points where edges cross a plane.
-Sides between(const std::array<Numbers, 3>& corners, std::size_t axis, double least, double most) {
-  Sides hull{{beyond_doubles, beyond_doubles, beyond_doubles}, {-beyond_doubles, -beyond_doubles, -beyond_doubles}};
+CutSides between(const std::array<Numbers, 3>& corners, std::size_t axis, double least, double most) {
+  CutSides hull{{beyond_doubles, beyond_doubles, beyond_doubles}, {-beyond_doubles, -beyond_doubles, -beyond_doubles}};
   for (std::size_t c = 0; c < 3; ++c) {
     const Numbers &from = corners[c], &to = corners[(c + 1) % 3];
     if (least <= from[axis] && from[axis] <= most) {
@@ -75,10 +75,10 @@ Sides between(const std::array<Numbers, 3>& corners, std::size_t axis, double le
 
 std::optional<Aabb3> part_in(const Triangle3& triangle, const Aabb3& box) {
   const std::array<Numbers, 3> corners{numbers_of(triangle.a), numbers_of(triangle.b), numbers_of(triangle.c)};
-  Sides part{numbers_of(box.min), numbers_of(box.max)};
+  CutSides part{numbers_of(box.min), numbers_of(box.max)};
   for (int pass = 0; pass < 2; ++pass) {  // what one axis has cut off is cut off for the others
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Sides own = between(corners, axis, part.low[axis], part.high[axis]);
+      const CutSides own = between(corners, axis, part.low[axis], part.high[axis]);
       for (std::size_t k = 0; k < 3; ++k) {
         part.low[k] = std::max(part.low[k], own.low[k]);
         part.high[k] = std::min(part.high[k], own.high[k]);
@@ -96,7 +96,7 @@ std::optional<Halves> halves(const Triangle3& triangle, const Aabb3& box) {
   if (side(2) > side(axis)) axis = 2;
   const double middle = low[axis] / 2 + high[axis] / 2;
   if (!(low[axis] < middle && middle < high[axis])) return {};
-  Sides first{low, high}, second{low, high};
+  CutSides first{low, high}, second{low, high};
   first.high[axis] = second.low[axis] = middle;
   return Halves{part_in(triangle, box_of_sides(first)), part_in(triangle, box_of_sides(second))};
 }

@@ -116,8 +116,8 @@ std::size_t bytes_of(const NeededBoxes& needed) {
 }  // namespace space
 
 std::vector<TrianglePair> PairFront::intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
-  return space::ordered(
-      space::follow("intersecting_pairs", front_, work_, space::StandingScene(a, b, false), options), a);
+  return space::ordered(space::follow("intersecting_pairs", front_, work_, space::StandingScene(a, b, false), options),
+                        a);
 }
 std::vector<TrianglePair> PairFront::intersecting_pairs(const PosedMesh& a, const PosedMesh& b,
                                                         const PairOptions& options) {

@@ -33,7 +33,8 @@ class BoxedLeaf {
   }
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
   [[nodiscard]] const Aabb3& box(std::size_t i) const { return boxes_[i]; }
-  [[nodiscard]] std::uint32_t item(std::size_t i) const { return mesh_.bvh.tree.items[first_ + i]; }
+  [[nodiscard]] std::uint32_t slot(std::size_t i) const { return first_ + static_cast<std::uint32_t>(i); }
+  [[nodiscard]] std::uint32_t item(std::size_t i) const { return mesh_.bvh.tree.items[slot(i)]; }
   [[nodiscard]] Posed<Triangle3> triangle(std::size_t i) const { return mesh_.triangle(first_ + i); }
 
  private:
@@ -43,7 +44,7 @@ class BoxedLeaf {
   std::vector<Aabb3> boxes_;
 };
 
-/// take(TrianglePair) of each pair of two leaves that meets; it may say Descent::stop.
+/// take(TrianglePair, SlotPair) of each pair of two leaves that meets; it may say Descent::stop.
 class VolumeLeaves {
  public:
   VolumeLeaves(const PosedMesh& a, const PosedMesh& b) : a_(a), b_(b) {}
@@ -58,7 +59,8 @@ class VolumeLeaves {
         const Relation relation = a_.stands() && b_.stands() ? relate(a_.triangle(i).shape, b_.triangle(k).shape)
                                                              : query::relate(a_.triangle(i), b_.triangle(k));
         if (relation == Relation::disjoint) continue;
-        if (take(TrianglePair{a_.item(i), b_.item(k), relation}) == Descent::stop) return Descent::stop;
+        const TrianglePair pair{a_.item(i), b_.item(k), relation};
+        if (take(pair, SlotPair{a_.slot(i), b_.slot(k)}) == Descent::stop) return Descent::stop;
       }
     }
     return Descent::go_on;
@@ -91,8 +93,8 @@ class VolumePairSearch {
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       VolumeLeaves leaves(a_.mesh, b_.mesh);
       const auto visit = [&](const Node& leaf_a, const Node& leaf_b) {
-        return leaves(leaf_a, leaf_b, [&](const TrianglePair& pair) {
-          return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair);
+        return leaves(leaf_a, leaf_b, [&](const TrianglePair& pair, SlotPair slots) {
+          return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair, slots);
         });
       };
       return descend_from(as, bs, all[part], down, meet, visit);
@@ -124,7 +126,7 @@ PairWork counted_work(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b) 
       [&](const Node& x, const Node& y) {
         ++work.leaf_pairs;
         work.triangle_pairs += std::size_t{x.count} * y.count;
-        leaves(x, y, [&](const TrianglePair&) {
+        leaves(x, y, [&](const TrianglePair&, SlotPair) {
           ++work.pairs;
           return Descent::go_on;
         });

@@ -80,7 +80,8 @@ TEST(SphereDistance, IsBetweenItsBounds) {
     const TriangleMesh mesh_b = meshes::soup(m, 1 + m.below(12), 1 + m.below(4));
     try {
       const SphereTree a = any_tree(m, mesh_a), b = any_tree(m, mesh_b);
-      const double distance = closest_triangles(build_bvh(mesh_a), build_bvh(mesh_b))->closest.distance;  // rounded once
+      const double distance =
+          closest_triangles(build_bvh(mesh_a), build_bvh(mesh_b))->closest.distance;  // rounded once
       DistanceBounds before{0, HUGE_VAL, 0};
       for (const std::size_t most : {1u, 10u, 100u, 100'000u}) {
         const DistanceBounds bounds = distance_bounds(a, b, {.most_tests = most});

@@ -44,7 +44,7 @@ struct PairWork {
   std::size_t volume_tests = 0;    // N_v: pairs of volumes that were compared
   std::size_t leaf_pairs = 0;      // of them those of leaves that met
   std::size_t triangle_pairs = 0;  // N_p: pairs of triangles in these leaves
-  std::size_t pairs = 0;           // that meet
+  std::size_t pairs = 0;           // that meet; of a split mesh (BvhOptions) each as often as its slots do
   friend bool operator==(const PairWork&, const PairWork&) = default;
 };
 
