@@ -12,7 +12,6 @@
 // costs more than the miss of a cache that a stamp may cost: measure, or test again.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,7 +31,7 @@ class VisitStamps {
 
   void begin() {
     if (now_ == most) {
-      std::fill(stamps_.begin(), stamps_.end(), std::uint8_t{0});
+      stamps_.assign(stamps_.size(), 0);
       now_ = 0;
     }
     ++now_;
