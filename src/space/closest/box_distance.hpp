@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "plumb/arith/interval.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/space/bvh/box_tree.hpp"
 
@@ -49,6 +50,19 @@ inline double square_below(const Aabb3& a, const Aabb3& b) {
   return sum_below(gap_square_below(a.min.x, a.max.x, b.min.x, b.max.x),
                    gap_square_below(a.min.y, a.max.y, b.min.y, b.max.y),
                    gap_square_below(a.min.z, a.max.z, b.min.z, b.max.z));
+}
+
+/// The same, exact where doubles hold what comes between; slower.
+inline double exact_square_below(const Aabb3& a, const Aabb3& b) {
+  const auto axis = [](double low, double high, double from, double to) {
+    const Interval gap = from > high ? Interval(from) - Interval(high)
+                         : low > to  ? Interval(low) - Interval(to)
+                                     : Interval(0);
+    return gap * gap;
+  };
+  return (axis(a.min.x, a.max.x, b.min.x, b.max.x) + axis(a.min.y, a.max.y, b.min.y, b.max.y) +
+          axis(a.min.z, a.max.z, b.min.z, b.max.z))
+      .lower;
 }
 
 /// In doubles as they are, and in the numbers of a frame.

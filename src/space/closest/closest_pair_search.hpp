@@ -7,9 +7,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <queue>
+#include <utility>
 #include <vector>
 
+#include "plumb/arith/rational.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/overlap/triangle.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
@@ -127,21 +130,38 @@ class ClosestSearch {
     if (meet_) return;
     const Candidate candidate{a, b, slot_a, slot_b, s, t, distance(s, t)};
     if (candidate.distance > best_.distance) return;
-    if (candidate.distance == best_.distance && found_ && !is_before(candidate, comes_first)) return;
+    std::optional<BestExactly> exactly;
+    if (candidate.distance == best_.distance && found_ && !is_before(candidate, comes_first, exactly)) return;
     best_ = candidate;
+    best_exactly_ = std::move(exactly);
     found_ = true;
     limits_ = limits_above(frame_, candidate.distance);
   }
 
-  /// Of distances that round alike.
-  [[nodiscard]] bool is_before(const Candidate& c, bool comes_first) const {
+  /// What is known of a pair where another comes as near.
+  struct BestExactly {
+    Rational square;
+    double square_above;
+
+    explicit BestExactly(Rational s) : square(std::move(s)), square_above(square.rounded(Rounding::up)) {}
+  };
+
+  /// Of distances that round alike.  Many pairs may: those whose boxes are no nearer are told by these alone.
+  [[nodiscard]] bool is_before(const Candidate& c, bool comes_first, std::optional<BestExactly>& exactly) {
+    if (!best_exactly_) best_exactly_.emplace(squared_distance_exact(best_.s, best_.t));
+    if (!comes_first &&
+        exact_square_below(a_.triangle_box(c.slot_a), b_.triangle_box(c.slot_b)) >= best_exactly_->square_above) {
+      return false;
+    }
     const Closest closest = closest_points(c.s, c.t), best = closest_points(best_.s, best_.t);
     if (near_feature(c.s, closest.feature_a) == near_feature(best_.s, best.feature_a) &&
         near_feature(c.t, closest.feature_b) == near_feature(best_.t, best.feature_b)) {
+      if (comes_first) exactly = best_exactly_;
       return comes_first;
     }
-    const Sign order = compare(exact_distance(c.s, c.t), exact_distance(best_.s, best_.t));
-    return order == Sign::zero ? comes_first : order == Sign::negative;
+    exactly.emplace(squared_distance_exact(c.s, c.t));
+    const auto order = exactly->square <=> best_exactly_->square;
+    return order < 0 || (order == 0 && comes_first);
   }
 
   BoxFrame frame_;
@@ -150,6 +170,7 @@ class ClosestSearch {
   std::priority_queue<Waiting, std::vector<Waiting>, Farther> later_;
   SquareLimits limits_;
   Candidate best_{0, 0, 0, 0, {}, {}, std::numeric_limits<double>::infinity()};
+  std::optional<BestExactly> best_exactly_;  // where it had to be known
   bool found_ = false, meet_ = false;
 };
 
