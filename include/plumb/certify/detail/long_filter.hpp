@@ -10,6 +10,8 @@
 // Cost: 20 to 50 ns; 2 to 5 where the exponents are not so far apart.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "plumb/certify/detail/exact_stages.hpp"
@@ -42,21 +44,17 @@ struct LongFiltered {
   }
 };
 
-/// Do magnitudes differ by so much that hardly a lattice of the wide integers holds them, which cost more?
+/// Do magnitudes differ by so much that hardly a lattice of the wide integers holds them, which cost more?  By their bits,
+/// because branches on magnitudes are not foreseen.
 template <Formula F>
-bool is_spread(const Coordinates<F>& p) {
-  constexpr double least_ratio = [] {
-    double ratio = 1;
-    for (int bits = 53; bits < integer::widest<F>; ++bits) ratio *= 2;
-    return ratio;
-  }();
-  double least = std::numeric_limits<double>::infinity(), most = 0;
+constexpr bool is_spread(const Coordinates<F>& p) {
+  std::uint64_t least = ~std::uint64_t{0}, most = 0;  // least is one less, so that 0 is the largest
   for (const double x : p) {
-    const double size = x < 0 ? -x : x;
-    most = size > most ? size : most;
-    least = size < least && size > 0 ? size : least;
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x) & (~std::uint64_t{0} >> 1);
+    most = bits > most ? bits : most;
+    least = bits - 1 < least ? bits - 1 : least;
   }
-  return most > least * least_ratio;
+  return (most >> 52) > ((least + 1) >> 52) + (integer::widest<F> - 53) && most != 0;
 }
 
 }  // namespace certify
