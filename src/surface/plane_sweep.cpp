@@ -36,12 +36,21 @@ PlaneSweep::PlaneSweep(const TriangleMesh& mesh, std::span<const CutPlane* const
     : ranks_(mesh.vertices.size()), triangles_(planes.size()) {
   tbb::parallel_for(std::size_t{0}, ranks_.size(), [&](std::size_t v) {
     const Point3& p = mesh.vertices[v];
-    const auto lies_above = [&](const CutPlane* plane) { return plane->side(p) == Sign::positive; };
-    const auto lies_in = [&](const CutPlane* plane) { return plane->side(p) == Sign::zero; };
-    const auto above = std::partition_point(planes.begin(), planes.end(), lies_above);
-    const auto up_to = std::find_if_not(above, planes.end(), lies_in);
-    ranks_[v] = {static_cast<std::uint32_t>(above - planes.begin()),
-                 static_cast<std::uint32_t>(up_to - planes.begin())};
+    std::size_t above = 0, end = planes.size();
+    Sign at_end = Sign::negative;  // each side is asked once
+    while (above < end) {
+      const std::size_t middle = above + (end - above) / 2;
+      const Sign side = planes[middle]->side(p);
+      if (side == Sign::positive) {
+        above = middle + 1;
+      } else {
+        end = middle;
+        at_end = side;
+      }
+    }
+    std::size_t up_to = above + (at_end == Sign::zero ? 1 : 0);
+    while (at_end == Sign::zero && up_to < planes.size() && planes[up_to]->side(p) == Sign::zero) ++up_to;
+    ranks_[v] = {static_cast<std::uint32_t>(above), static_cast<std::uint32_t>(up_to)};
   });
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
