@@ -8,7 +8,6 @@
 
 #include <limits>
 #include <optional>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,7 @@
 #include "space/bvh/watch.hpp"
 #include "space/closest/box_distance.hpp"
 #include "space/closest/near_feature.hpp"
+#include "space/closest/pair_queue.hpp"
 
 namespace plumb::space {
 
@@ -88,18 +88,6 @@ class ClosestSearch {
   }
 
  private:
-  struct Waiting {
-    double bound;
-    NodePair pair;
-  };
-  struct Farther {
-    bool operator()(const Waiting& x, const Waiting& y) const {
-      return x.bound != y.bound     ? x.bound > y.bound
-             : x.pair.a != y.pair.a ? x.pair.a < y.pair.a
-                                    : x.pair.b < y.pair.b;  // the deeper one first
-    }
-  };
-
   void push(NodePair pair) {
     watch_.node();
     const double bound = square_below(a_.box(pair.a), b_.box(pair.b));
@@ -167,7 +155,7 @@ class ClosestSearch {
   BoxFrame frame_;
   FramedMesh a_, b_;
   Watch watch_;
-  std::priority_queue<Waiting, std::vector<Waiting>, Farther> later_;
+  PairQueue later_;
   SquareLimits limits_;
   Candidate best_{0, 0, 0, 0, {}, {}, std::numeric_limits<double>::infinity()};
   std::optional<BestExactly> best_exactly_;  // where it had to be known

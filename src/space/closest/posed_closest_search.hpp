@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <queue>
 #include <vector>
 
 #include "plumb/query/closest/closest.hpp"
@@ -21,6 +20,7 @@
 #include "space/bvh/watch.hpp"
 #include "space/closest/box_distance.hpp"
 #include "space/closest/near_feature.hpp"
+#include "space/closest/pair_queue.hpp"
 
 namespace plumb::space {
 
@@ -151,17 +151,6 @@ class PosedClosestSearch {
   }
 
  private:
-  struct Waiting {
-    double bound;
-    NodePair pair;
-  };
-  struct Farther {
-    bool operator()(const Waiting& x, const Waiting& y) const {
-      return x.bound != y.bound     ? x.bound > y.bound
-             : x.pair.a != y.pair.a ? x.pair.a < y.pair.a
-                                    : x.pair.b < y.pair.b;  // the deeper one first
-    }
-  };
   void push(NodePair pair) {
     watch_.node();
     const double bound = square_below(around(a_, nodes_a_[pair.a]), around(b_, nodes_b_[pair.b]));
@@ -214,7 +203,7 @@ class PosedClosestSearch {
   const PosedMesh &a_, &b_;
   Watch watch_;
   std::span<const BoxNode> nodes_a_, nodes_b_;
-  std::priority_queue<Waiting, std::vector<Waiting>, Farther> later_;
+  PairQueue later_;
   double limit_ = beyond_all;
   Candidate best_{0, 0, 0, 0, beyond_all};
   bool found_ = false, meet_ = false;

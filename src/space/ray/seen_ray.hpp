@@ -5,8 +5,9 @@
 //
 // Laws: (1) slabs keep their laws for the mesh's boxes, unposed, and the ray's own parameters.  (2) What lanes compute of
 // seen->ray and a triangle of the mesh, unposed, is off by seen->doubts at most from what is exact of that triangle and
-// the ray moved back; of which hits and parameters are those of the ray and the posed triangle.  (3) Nothing is seen where balls cannot tell the determinant from
-// zero, where the ray has no direction, or where numbers are too far apart for a tree to be of use.
+// the ray moved back; of which hits and parameters are those of the ray and the posed triangle.  (3) Nothing is seen
+// where balls cannot tell the determinant from zero, where the ray has no direction, or where numbers are too far apart
+// for a tree to be of use.
 // The ray is moved back by the inverse in balls (arith/ball.hpp); the doubts are those that arith/approximate.hpp says of
 // the lanes' formulas for corners anywhere in the root's box.
 // Source: RTCD 3.2, 5.3.6, 11.4.
