@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<BvhMethod, 3> measured{BvhMethod::linear, BvhMethod::binned, BvhMethod::sweep};
 constexpr std::size_t asked = 2'000;
-constexpr int runs = 3;
+constexpr int tree_runs = 3;
 
 /// What is asked: ends in the box of the mesh, whatever its size, so that nothing overflows.
 struct Questions {
@@ -44,7 +44,7 @@ struct Questions {
 /// The least of some runs, in nanoseconds.
 double least_time(const std::function<void()>& work) {
   double least = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < runs; ++run) {
+  for (int run = 0; run < tree_runs; ++run) {
     const auto start = std::chrono::steady_clock::now();
     work();
     const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
