@@ -199,7 +199,7 @@ bool is_same_area(const Triangle3& a, const Triangle3& b) {
   const auto is_of_b = [&](const Point3& p) { return p == b.a || p == b.b || p == b.c; };
   if (!(is_of_b(a.a) && is_of_b(a.b) && is_of_b(a.c)) || !is_sound(a)) return false;
   // Then they are distinct: all of b's.
-  for (const std::size_t axis : {0, 1, 2}) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     if (query::orient2d(seen(a.a, axis), seen(a.b, axis), seen(a.c, axis)) != Sign::zero) return true;
   }
   return false;

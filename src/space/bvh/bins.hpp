@@ -138,11 +138,11 @@ class Bins {
         box[axis].take(bins.box_[axis][b]);
         side[axis] = box[axis].high - box[axis].low;
       }
-      const Lanes xy = __builtin_shuffle(side[0], side[1], IntLanes{0, 4, 1, 5}),
-                  z = __builtin_shuffle(side[0], side[1], IntLanes{2, 6, 2, 6});
-      const Lanes x = __builtin_shuffle(xy, side[2], IntLanes{0, 1, 4, 4}),
-                  y = __builtin_shuffle(xy, side[2], IntLanes{2, 3, 5, 5}),
-                  last = __builtin_shuffle(z, side[2], IntLanes{0, 1, 6, 6});
+      const Lanes xy = __builtin_shufflevector(side[0], side[1], 0, 4, 1, 5),
+                  z = __builtin_shufflevector(side[0], side[1], 2, 6, 2, 6);
+      const Lanes x = __builtin_shufflevector(xy, side[2], 0, 1, 4, 4),
+                  y = __builtin_shufflevector(xy, side[2], 2, 3, 5, 5),
+                  last = __builtin_shufflevector(z, side[2], 0, 1, 6, 6);
       const Lanes area = x * (y + last) + y * last;
       // All items on this side: whatever is said, the other side has none.
       const Lanes cost = area * __builtin_convertvector(items, Lanes);

@@ -80,8 +80,9 @@ std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double
         }
       });
   std::ranges::sort(within, {}, &NearTriangle::triangle);
-  const auto repeated = std::ranges::unique(within, {}, &NearTriangle::triangle);  // an item may be in several slots
-  within.erase(repeated.begin(), repeated.end());
+  // An item may be in several slots.
+  const auto is_same = [](const NearTriangle& x, const NearTriangle& y) { return x.triangle == y.triangle; };
+  within.erase(std::unique(within.begin(), within.end(), is_same), within.end());
   return within;
 }
 
