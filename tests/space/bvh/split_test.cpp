@@ -106,7 +106,7 @@ void expect_same(const Mesh& a, const Mesh& b, const Mesh& other, const Question
   EXPECT_EQ(locate(a, q.point), locate(b, q.point)) << about;
   EXPECT_EQ(winding_number(a, q.point), winding_number(b, q.point)) << about;
   EXPECT_EQ(closest_on_mesh(a, q.point), closest_on_mesh(b, q.point)) << about;
-  for (const std::size_t k : {1, 3, 1000}) {
+  for (const std::size_t k : {1U, 3U, 1000U}) {
     EXPECT_EQ(nearest_triangles(a, q.point, k), nearest_triangles(b, q.point, k)) << about << " k " << k;
   }
   if (const auto near = nearest_triangles(b, q.point, 4); !near.empty()) {
@@ -196,7 +196,7 @@ TEST(Split, IsTheSameOnAnyThreads) {
   const TriangleMesh mesh = needles(6000);
   for (const BvhMethod method : {BvhMethod::binned, BvhMethod::linear}) {
     const Bvh one = split(mesh, 0.5, method);
-    for (const std::size_t threads : {1, 2}) {
+    for (const std::size_t threads : {1U, 2U}) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
       const Bvh many = build_bvh(mesh, {.method = method, .split_share = 0.5F});
       EXPECT_TRUE(std::ranges::equal(one.tree.nodes.view(), many.tree.nodes.view()));
