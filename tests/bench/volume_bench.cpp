@@ -99,7 +99,7 @@ void add_spheres(const std::string& name, const std::shared_ptr<Scene>& scene, S
 }
 
 const bool added = [] {
-  const std::filesystem::path folder = std::filesystem::path(PLUMB_SHARED_DIR) / "models";
+  const std::filesystem::path folder = std::filesystem::path(PLUMB_SOURCE_DIR "/../shared") / "models";
   for (const char* model : {"fandisk", "stanford-bunny"}) {
     const std::filesystem::path file = folder / (std::string(model) + ".obj");
     if (!std::filesystem::exists(file)) continue;
