@@ -212,6 +212,7 @@ TEST(Plan, TextJsonAndChartAgree) {
   ASSERT_EQ(j["tree_volumes"].size(), 2);
   for (const json& v : j["tree_volumes"]) {
     ASSERT_EQ(v["kinds"].size(), 4);
+    EXPECT_TRUE(v["left_out"].empty());
     double least = HUGE_VAL;
     for (const json& kind : v["kinds"]) {
       EXPECT_FALSE(kind["contradicts"]) << kind;
@@ -306,7 +307,12 @@ TEST(Plan, AnswersForWhateverCanBeRead) {
     EXPECT_THAT(o.out, HasSubstr("bounding volume"));
     EXPECT_THAT(content(folder / "m.svg"),
                 AllOf(HasSubstr("</svg>"), Not(HasSubstr("\"nan")), Not(HasSubstr("\"inf"))));
-    EXPECT_FALSE(json::parse(content(folder / "m.json"), nullptr, false).is_discarded());
+    const json j = json::parse(content(folder / "m.json"), nullptr, false);
+    ASSERT_FALSE(j.is_discarded());
+    for (const json& v : j["tree_volumes"]) {
+      EXPECT_EQ(v["kinds"].size() + v["left_out"].size(), v["kinds"].empty() ? 0u : 4u);
+      for (const json& kind : v["kinds"]) EXPECT_FALSE(kind["contradicts"]) << mesh << kind;
+    }
   }
   for (const char* mesh : {"OFF\n0 0 0\n", "OFF\n1 0 0\n1 2 3\n", "OFF\n1 0 0\n1 2 nan\n", "", "OFF\n3 1 0\n"}) {
     const Outcome o = plan_of(mesh, "");

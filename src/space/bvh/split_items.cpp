@@ -43,7 +43,7 @@ std::vector<std::uint32_t> handed_out(const std::vector<float>& roots, double bu
   double low = 0,
          high = some.empty() ? 0 : most_more / static_cast<double>(*std::min_element(some.begin(), some.end()));
   for (int step = 0; step < 48 && low < high; ++step) {
-    // By their exponents first: the scale may be anything.
+    // By their exponents first: the scale may be anything.  A guess: every handing out is true.
     const double middle =
         low == 0 || high / low > 4 ? std::max(std::sqrt(low) * std::sqrt(high), high * 0x1p-40) : (low + high) / 2;
     double sum = 0;

@@ -14,7 +14,7 @@ namespace plumb {
 namespace space {
 namespace {
 
-/// What makes every image a double, and the root of its inverse.
+/// What makes every image a double, which is below 2^2050 in size, and the root of its inverse; powers of two, exact.
 constexpr double smaller = 0x1p-1030, larger_by_half = 0x1p515;
 
 /// A mesh of doubles near to the images of its vertices, all of them moved by -origin and times a scale.

@@ -1,7 +1,8 @@
 // `plumb plan`: what do these meshes need, as one scene and each alone, and no more?
 //
-// Laws: text, JSON and chart hold the same numbers.  Exit code 0 when done; a mesh that cannot be read or an output
-// that cannot be written throws Error: a scene without one of its meshes is another scene.
+// Laws: text and JSON hold the same numbers, and the chart those of lattices and bounding volumes.  Exit code 0 when
+// done; a mesh that cannot be read or an output that cannot be written throws Error: a scene without one of its meshes is
+// another scene.
 // Source: scene_plan.hpp.
 // Cost: that of plan_scene.
 #pragma once

@@ -89,6 +89,7 @@ json json_of(const VolumePlan& plan) {
                           {"pairs", t.work.pairs},
                           {"contradicts", t.contradicts}});
   }
+  j["left_out"] = plan.left_out;
   if (!plan.kinds.empty()) j["chosen"] = plan.chosen().kind;
   return j;
 }

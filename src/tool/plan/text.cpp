@@ -159,6 +159,8 @@ std::string tree_volumes(const ScenePlan& scene, const Style& style) {
                        own ? "" : three_digits(t.build_ms), own ? "" : grouped(t.work.volume_tests),
                        own ? "" : grouped(t.work.triangle_pairs), three_digits(t.query_ms), taken ? "  take" : "");
     }
+    for (const std::string_view kind : plan.left_out)
+      s += fmt::format("  {:<24}{:<10}its volumes are beyond the doubles\n", "", kind);
   }
   return s;
 }

@@ -64,6 +64,7 @@ void add_kind(VolumePlan& plan, std::string_view kind, const Scene& scene, Volum
     const double query_ms = least_ms([&] { pairs = intersecting_pairs(a, b, one_thread); });
     plan.kinds.push_back({kind, build_ms, query_ms, pair_work(a, b), pairs != scene.pairs});
   } catch (const BeyondDoubles&) {
+    plan.left_out.push_back(kind);
   }
 }
 

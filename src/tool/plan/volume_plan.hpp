@@ -3,7 +3,7 @@
 //
 // Laws: (1) every kind answers the same question, and its pairs are compared with those of the mesh's own tree of boxes.
 // (2) Taken is the kind of the least time a query.  (3) The counts depend on the mesh alone; times are the least of some
-// runs, by one thread.  A kind whose volumes no doubles hold is left out.
+// runs, by one thread.  (4) A kind whose volumes no doubles hold is named as left out.
 // Source: RTCD 6.1.1, 6.1.2; 13.1 (measure first).
 // Cost: a tree of each kind for both meshes, of oriented boxes some microseconds a triangle; three queries of each.
 #pragma once
@@ -26,7 +26,8 @@ struct VolumeTimes {
 };
 
 struct VolumePlan {
-  std::vector<VolumeTimes> kinds;  // first the mesh's own tree
+  std::vector<VolumeTimes> kinds;          // first the mesh's own tree
+  std::vector<std::string_view> left_out;  // kinds beyond the doubles
   [[nodiscard]] const VolumeTimes& chosen() const;
 };
 
