@@ -12,6 +12,7 @@
 #include "plumb/figure/basic/asked.hpp"           // what exceptions name
 #include "plumb/figure/basic/relation.hpp"        // Location, Relation
 #include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once
+#include "plumb/figure/basic/rounded_poses.hpp"   // poses one after the other, their inverses, likewise
 #include "plumb/figure/basic/small_system.hpp"    // two to four linear equations
 
 // Which shapes are there?
