@@ -54,20 +54,18 @@ std::set<std::string> sections_of(const fs::path& header) {
     if (!line.starts_with("//")) break;
     text += line.substr(2);
   }
-  static const std::regex remark(R"(\((?![^()]*RTCD)[^()]*\))"), source(R"(RTCD ([0-9](?:[^.)]|\.(?=[^ ]))*))"),
-      cost("[Cc]ost.*"), figure(R"((figure|table)s? [0-9.]+((, | and | to )[0-9.]+)*)"),
-      item(R"(([0-9]+(?:\.[0-9]+)*)(?: to ([0-9]+(?:\.[0-9]+)*))?)");
-  text = std::regex_replace(text, remark, "");
+  const std::string remark = R"(\((?![^()]*RTCD)[^()]*\))", source = R"(RTCD ([0-9](?:[^.)]|\.(?=[^ ]))*))",
+                    cost = "[Cc]ost.*", figure = R"((figure|table)s? [0-9.]+((, | and | to )[0-9.]+)*)",
+                    item = R"(([0-9]+(?:\.[0-9]+)*)(?: to ([0-9]+(?:\.[0-9]+)*))?)";
   std::set<std::string> sections;
-  for (std::sregex_iterator at(text.begin(), text.end(), source), end; at != end; ++at) {
-    const std::string list = std::regex_replace(std::regex_replace((*at)[1].str(), cost, ""), figure, "");
-    for (std::sregex_iterator n(list.begin(), list.end(), item); n != end; ++n) {
-      const std::string first = (*n)[1], last = (*n)[2];
+  for (const Match& named : matches_of(without_matches(text, remark), source)) {
+    for (const auto& [whole, first, last] :
+         matches_of(without_matches(without_matches(named.first, cost), figure), item)) {
       if (first.find('.') == first.npos && std::stoul(first) > 13) continue;  // a year
       sections.insert(first);
       if (last.empty()) continue;
       const std::size_t dot = first.rfind('.') + 1;
-      EXPECT_EQ(first.substr(0, dot), last.substr(0, last.rfind('.') + 1)) << header << ": " << n->str();
+      EXPECT_EQ(first.substr(0, dot), last.substr(0, last.rfind('.') + 1)) << header << ": " << whole;
       for (unsigned long k = std::stoul(first.substr(dot)); k <= std::stoul(last.substr(dot)) && k < 100; ++k)
         sections.insert(first.substr(0, dot).append(std::to_string(k)));
     }
@@ -106,11 +104,11 @@ TEST(Sections, ListEveryHeaderUnderTheSectionsItNames) {
 }
 
 TEST(Sections, NameOnlyHeadersThatNameThem) {
-  static const std::regex name(R"(`((?:include|predicates)/[^`]*\.hpp)`)");
+  const std::string name = R"(`((?:include|predicates)/[^`]*\.hpp)`)";
   std::size_t headers = 0;
   for (const auto& [section, row] : rows_of(tree / "docs/sections.md")) {
-    for (std::sregex_iterator at(row.begin(), row.end(), name), end; at != end; ++at) {
-      const fs::path header = (*at)[1].str();
+    for (const Match& match : matches_of(row, name)) {
+      const fs::path header = match.first;
       ++headers;
       EXPECT_TRUE(sections_of(tree / header).contains(section)) << header << " does not name " << section;
     }
