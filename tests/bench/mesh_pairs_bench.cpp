@@ -1,20 +1,117 @@
-// How long does it take to find all pairs of triangles that meet?  One thread; beside CGAL's tree of boxes.
+// How long does it take to find all pairs of triangles that meet?  One thread; beside CGAL's tree of boxes, the pairs of
+// Embree's boxes asked by CGAL's exact test, and FCL, which rounds.
 //
 // Meshes: a torus of 4 n^2 / 2 triangles against itself turned a little, which crosses it along curves; against itself
 // moved by nothing, where every pair is exactly degenerate; and itself alone, which has no pairs but neighbors.
 // `s_pair` is the time of each pair found, `s_triangle` that of each triangle of a mesh; trees are built beforehand.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "bench/rivals/mesh_rival.hpp"
 #include "figure/basic/solids.hpp"
 #include "plumb/space.hpp"
+#ifdef PLUMB_BENCH_EMBREE
+#include <embree3/rtcore.h>
+#endif
+#ifdef PLUMB_BENCH_FCL
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#endif
 
 namespace plumb::bench {
 namespace {
+
+#ifdef PLUMB_BENCH_EMBREE
+/// Boxes for rtcCollide, which takes geometry of users only.
+class EmbreeBoxes {
+ public:
+  explicit EmbreeBoxes(const TriangleMesh& mesh) : triangles_(mesh) {
+    static const RTCDevice device = rtcNewDevice("threads=1");
+    for (const auto& [a, b, c] : mesh.triangles) {
+      boxes_.push_back(float_box(Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}));
+    }
+    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes_.size()));
+    rtcSetGeometryUserData(geometry, boxes_.data());
+    rtcSetGeometryBoundsFunction(
+        geometry,
+        [](const RTCBoundsFunctionArguments* args) {
+          *args->bounds_o = static_cast<const RTCBounds*>(args->geometryUserPtr)[args->primID];
+        },
+        nullptr);
+    rtcCommitGeometry(geometry);
+    scene_ = rtcNewScene(device);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+  }
+  ~EmbreeBoxes() { rtcReleaseScene(scene_); }
+  EmbreeBoxes(const EmbreeBoxes&) = delete;
+  EmbreeBoxes& operator=(const EmbreeBoxes&) = delete;
+
+  [[nodiscard]] std::size_t pairs_with(const EmbreeBoxes& other) const {
+    struct Found {
+      const CgalMesh *a, *b;
+      std::size_t pairs;
+    } found{&triangles_, &other.triangles_, 0};
+    rtcCollide(
+        scene_, other.scene_,
+        [](void* to, RTCCollision* collisions, unsigned count) {
+          auto& all = *static_cast<Found*>(to);
+          for (unsigned i = 0; i < count; ++i) {
+            all.pairs += all.a->meeting(*all.b, {{{collisions[i].primID0, collisions[i].primID1}}});
+          }
+        },
+        &found);
+    return found.pairs;
+  }
+
+ private:
+  static RTCBounds float_box(const Triangle3& t) {
+    const auto down = [](double x) {
+      const auto f = static_cast<float>(x);
+      return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+    };
+    const auto up = [&](double x) { return -down(-x); };
+    const auto least = [&](double Point3::*at) { return down(std::min({t.a.*at, t.b.*at, t.c.*at})); };
+    const auto most = [&](double Point3::*at) { return up(std::max({t.a.*at, t.b.*at, t.c.*at})); };
+    return {least(&Point3::x), least(&Point3::y), least(&Point3::z), 0,
+            most(&Point3::x),  most(&Point3::y),  most(&Point3::z),  0};
+  }
+  CgalMesh triangles_;
+  std::vector<RTCBounds> boxes_;
+  RTCScene scene_;
+};
+#endif
+
+#ifdef PLUMB_BENCH_FCL
+using FclModel = fcl::BVHModel<fcl::OBBRSS<double>>;
+std::shared_ptr<FclModel> fcl_model(const TriangleMesh& mesh) {
+  auto model = std::make_shared<FclModel>();
+  std::vector<fcl::Vector3d> vertices;
+  for (const Point3& p : mesh.vertices) vertices.emplace_back(p.x, p.y, p.z);
+  std::vector<fcl::Triangle> triangles;
+  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
+  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
+  model->addSubModel(vertices, triangles);
+  model->endModel();
+  return model;
+}
+std::size_t fcl_pairs(const FclModel& a, const FclModel& b) {
+  const fcl::Transform3d place = fcl::Transform3d::Identity();
+  const fcl::CollisionRequestd request(std::size_t{1} << 30, false);
+  fcl::CollisionResultd result;
+  fcl::collide(&a, place, &b, place, request, result);
+  return result.numContacts();
+}
+#endif
 
 TriangleMesh torus(std::uint32_t around) { return solids::torus(300, 100, around, around / 2); }
 
@@ -52,12 +149,20 @@ void add_mesh(std::uint32_t around) {
     add_pairs(name + "/plumb", n, [=] { return intersecting_pairs(*bvh, *tree, serial).size(); });
     add_pairs(name + "/plumb_any", n, [=] { return any_intersecting_pair(*bvh, *tree, serial) ? 1u : 0u; });
     add_pairs(name + "/cgal", n, [=] { return cgal->pairs_with(*other); });
+#ifdef PLUMB_BENCH_EMBREE
+    const auto boxes = std::make_shared<EmbreeBoxes>(*mesh), other_boxes = std::make_shared<EmbreeBoxes>(*other);
+    add_pairs(name + "/embree_cgal", n, [=] { return boxes->pairs_with(*other_boxes); });
+#endif
+#ifdef PLUMB_BENCH_FCL
+    add_pairs(name + "/fcl", n, [model = fcl_model(*mesh), to = fcl_model(*other)] { return fcl_pairs(*model, *to); });
+#endif
   }
   add_pairs("mesh_pairs/itself/" + size + "/plumb", n, [=] { return self_intersecting_pairs(*bvh, serial).size(); });
 }
 
 const bool added = [] {
   add_mesh(64);
+  add_mesh(294);
   add_mesh(416);
   return true;
 }();

@@ -115,6 +115,7 @@ inline std::optional<Relation> by_doubles(const Line3& l, const Triangle3& t) {
 /// Which corner is alone on its side, by the bits of those below; and the two others in turn.
 inline constexpr std::array<unsigned char, 8> corner_alone{0, 0, 1, 2, 2, 1, 0, 0};
 
+/// Touching: in what the shared corners span, and nowhere else.  Overlapping: without a shared corner they cross.
 std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b);
 
 }  // namespace plumb::query

@@ -1,42 +1,19 @@
 // Two triangles in space: by doubles; by the integers that the corners are on their common lattice; by exact signs of
 // the corners; and what has no area as the segment or point that it is.
 #include <bit>
+#include <limits>
 
 #include "plumb/query/overlap/triangle.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/lattice_volumes.hpp"
+#include "query/overlap/shared_corners.hpp"
 #include "query/overlap/signs.hpp"
 #include "query/overlap/triangle_signs.hpp"
 #include "query/overlap/wide_volumes.hpp"
 
 namespace plumb {
 namespace query {
-
-namespace {
-
-/// Neighbors in a mesh: where all corners that are not shared lie on one side of the other triangle's plane, nothing is
-/// in common but what the shared ones span, of which the inside is none of the triangle's.
-[[gnu::noinline]] std::optional<Relation> by_shared_corners(const Triangle3& a, const Triangle3& b,
-                                                            const std::array<double, 3>& over_a, double error_a,
-                                                            const std::array<double, 3>& over_b, double error_b) {
-  const std::array p{a.a, a.b, a.c}, q{b.a, b.b, b.c};
-  const auto touches = [](const auto& corners, const auto& others, const std::array<double, 3>& over, double error) {
-    int shared = 0, above = 0, below = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (corners[i] == others[0] || corners[i] == others[1] || corners[i] == others[2]) {
-        ++shared;
-      } else {
-        above += static_cast<int>(over[i] > error), below += static_cast<int>(over[i] < -error);
-      }
-    }
-    return shared != 0 && (shared + above == 3 || shared + below == 3) && shared != 3;
-  };
-  if (touches(q, p, over_a, error_a) || touches(p, q, over_b, error_b)) return Relation::touching;
-  return {};
-}
-
-}  // namespace
 
 std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   using predicates::cross, predicates::dot;
@@ -52,7 +29,15 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   const auto low = [](const std::array<double, 3>& x) { return std::min(std::min(x[0], x[1]), x[2]); };
   const auto high = [](const std::array<double, 3>& x) { return std::max(std::max(x[0], x[1]), x[2]); };
   if (low(over_a) > error || high(over_a) < -error) return Relation::disjoint;
-  if (std::max(high(over_a), -low(over_a)) <= error) return {};  // coplanar, or nearly so
+  const auto certain = [](const std::array<double, 3>& x, double e) {
+    return std::min(std::min(magnitude_of(x[0]), magnitude_of(x[1])), magnitude_of(x[2])) > e;
+  };
+  const bool certain_a = certain(over_a, error);
+  if (!certain_a) {
+    if (!(magnitude_of(error) < std::numeric_limits<double>::infinity())) return {};
+    if (const auto answer = by_shared_corners(a, b, over_a, error)) return answer;
+    if (std::max(high(over_a), -low(over_a)) <= error) return {};  // coplanar, or nearly so
+  }
 
   // Between any two corners lies at most twice the largest difference from one.
   const Difference m = cross(difference(b.a, b.b), difference(b.a, b.c));
@@ -61,11 +46,7 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   const double twofold = error * (8 * (1 + 0x1p-40)) + (sum - sum);
   if (low(over_b) > twofold || high(over_b) < -twofold) return Relation::disjoint;
 
-  const auto certain = [](const std::array<double, 3>& x, double e) {
-    return std::min(std::min(magnitude_of(x[0]), magnitude_of(x[1])), magnitude_of(x[2])) > e;
-  };
-  if (!certain(over_a, error) || !certain(over_b, twofold))
-    return by_shared_corners(a, b, over_a, error, over_b, twofold);
+  if (!certain_a || !certain(over_b, twofold)) return {};
   const auto below = [](const std::array<double, 3>& x) {
     return static_cast<unsigned>(x[0] < 0) | static_cast<unsigned>(x[1] < 0) << 1 |
            static_cast<unsigned>(x[2] < 0) << 2;
@@ -194,19 +175,7 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   return relate_by(a, b, PointSigns(corners));
 }
 
-/// Of the same corners in any order, where they have an area.
-bool is_same_area(const Triangle3& a, const Triangle3& b) {
-  const auto is_of_b = [&](const Point3& p) { return p == b.a || p == b.b || p == b.c; };
-  if (!(is_of_b(a.a) && is_of_b(a.b) && is_of_b(a.c)) || !is_sound(a)) return false;
-  // Then they are distinct: all of b's.
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (query::orient2d(seen(a.a, axis), seen(a.b, axis), seen(a.c, axis)) != Sign::zero) return true;
-  }
-  return false;
-}
-
 [[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Asked asked) {
-  if (is_same_area(a, b)) return Relation::overlapping;
   const LatticePoints<6, 3> points(std::bit_cast<CornerNumbers>(std::array{a, b}));
   const auto ask = [&](const auto& signs) { return relate_by(a, b, signs); };
   const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, asked);

@@ -168,8 +168,12 @@ std::optional<Intersection3> quick(const Segment3& s, const Triangle3& t) {
 std::optional<Intersection3> quick(const Triangle3& t, const Triangle3& u) {
   const auto told = query::by_doubles(t, u);
   if (!told) return {};
+  if (*told == Relation::disjoint) return Intersection3{};
   if (*told == Relation::touching) return shared_corners(t, u);
-  return *told == Relation::disjoint ? Intersection3{} : crossing_segment(t, u);
+  for (const Point3& p : {t.a, t.b, t.c}) {
+    if (p == u.a || p == u.b || p == u.c) return {};  // they cross from a corner on, or lie in one plane
+  }
+  return crossing_segment(t, u);
 }
 
 std::optional<Intersection2> by_signs(const Segment2& s, const Segment2& t) {

@@ -44,6 +44,14 @@ std::size_t CgalMesh::pairs_with(const TriangleMesh& mesh) const {
   return pairs;
 }
 
+std::size_t CgalMesh::meeting(const CgalMesh& other, std::span<const std::array<unsigned, 2>> pairs) const {
+  std::size_t n = 0;
+  for (const auto& [i, k] : pairs) {
+    n += CGAL::do_intersect(tree_->triangles[i], other.tree_->triangles[k]) ? 1 : 0;
+  }
+  return n;
+}
+
 double CgalMesh::squared_distances(std::span<const Point3> points) const {
   double sum = 0;
   for (const Point3& p : points) sum += tree_->tree.squared_distance(of(p));
