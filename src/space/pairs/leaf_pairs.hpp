@@ -25,6 +25,7 @@ struct SlotPair {
 struct MeshView {
   explicit MeshView(const Bvh& bvh)
       : nodes(bvh.tree.nodes.view()),
+        wide_nodes(bvh.wide.nodes.view()),
         items(bvh.tree.items.view()),
         triangles(bvh.triangles.view()),
         vertices(bvh.vertices.view()),
@@ -39,6 +40,7 @@ struct MeshView {
     return {{n.min[0], n.min[1], n.min[2]}, {n.max[0], n.max[1], n.max[2]}};
   }
   std::span<const BoxNode> nodes;
+  std::span<const WideNode<8>> wide_nodes;
   std::span<const std::uint32_t> items;
   std::span<const Bvh::Corners> triangles;
   std::span<const Point3> vertices;
@@ -53,10 +55,32 @@ inline bool nodes_meet(const BoxNode& a, const BoxNode& b) {
   return (on(0) & on(1) & on(2)) != 0;
 }
 
+/// Do the triangles of two slots meet?
+class JudgedPair {
+ public:
+  JudgedPair(const MeshView& a, const MeshView& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+
+  /// take(TrianglePair, SlotPair) where they do; it may say Descent::stop.
+  template <class Take>
+  Descent operator()(SlotPair slots, const Take& take) const {
+    std::uint32_t item_a = a_.items[slots.a], item_b = b_.items[slots.b];
+    if (is_own_ && item_a == item_b) return Descent::go_on;  // one triangle in two slots
+    const Relation relation = is_own_ ? relate_in_mesh(a_.vertices, a_.triangles[slots.a], b_.triangles[slots.b])
+                                      : relate(a_.triangle(slots.a), b_.triangle(slots.b));
+    if (relation == Relation::disjoint) return Descent::go_on;
+    if (is_own_ && item_b < item_a) std::swap(item_a, item_b);
+    return take(TrianglePair{item_a, item_b, relation}, slots);
+  }
+
+ private:
+  const MeshView &a_, &b_;
+  bool is_own_;
+};
+
 /// What a search asks of two leaves: which slots' triangles meet.
 class LeafPairs {
  public:
-  LeafPairs(const MeshView& a, const MeshView& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+  LeafPairs(const MeshView& a, const MeshView& b, bool is_own) : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
 
   /// take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
   template <class Take>
@@ -68,15 +92,7 @@ class LeafPairs {
     for (std::size_t i = 0; i < boxes_a_.n; ++i) {
       for (std::size_t k = same_leaf ? i + 1 : 0; k < boxes_b_.n; ++k) {
         if (!boxes_meet(boxes_a_.box[i], boxes_b_.box[k])) continue;
-        const std::uint32_t slot_a = boxes_a_.slot[i], slot_b = boxes_b_.slot[k];
-        if (is_own_ && a_.items[slot_a] == b_.items[slot_b]) continue;  // one triangle in two slots
-        const Relation relation = is_own_ ? relate_in_mesh(a_.vertices, a_.triangles[slot_a], b_.triangles[slot_b])
-                                          : relate(a_.triangle(slot_a), b_.triangle(slot_b));
-        if (relation == Relation::disjoint) continue;
-        std::uint32_t item_a = a_.items[slot_a], item_b = b_.items[slot_b];
-        if (is_own_ && item_b < item_a) std::swap(item_a, item_b);
-        if (take(TrianglePair{item_a, item_b, relation}, SlotPair{slot_a, slot_b}) == Descent::stop)
-          return Descent::stop;
+        if (judge_({boxes_a_.slot[i], boxes_b_.slot[k]}, take) == Descent::stop) return Descent::stop;
       }
     }
     return Descent::go_on;
@@ -104,6 +120,7 @@ class LeafPairs {
 
   const MeshView &a_, &b_;
   bool is_own_;
+  JudgedPair judge_;
   LeafBoxes boxes_a_, boxes_b_;
 };
 

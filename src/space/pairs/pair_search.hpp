@@ -1,9 +1,9 @@
 // Which triangles of two meshes meet, or of one: pairs of nodes down to some hundred parts of the work, each part down
-// to its leaves.
+// to its leaves.  By the wide forms, but for trees in two frames.
 //
 // Law: each pair of triangles that meet is told once, on any number of threads.
 // Source: RTCD 6.3.3.
-// Cost: that of descend_pairs.hpp and leaf_pairs.hpp.
+// Cost: that of wide_pairs.hpp; of two frames that of descend_pairs.hpp and leaf_pairs.hpp.
 #pragma once
 
 #include <vector>
@@ -12,6 +12,7 @@
 #include "space/bvh/pair_parts.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/pairs/leaf_pairs.hpp"
+#include "space/pairs/wide_pairs.hpp"
 
 namespace plumb::space {
 
@@ -28,36 +29,70 @@ class PairSearch {
   void run(Execution execution, const Begin& begin, const Take& take) const {
     if (a_.nodes.empty() || b_.nodes.empty()) return;
     if (a_.frame == b_.frame) {
-      run_with(
-          execution, [](const BoxNode& a, const BoxNode& b) { return nodes_meet(a, b); }, begin, take);
+      run_wide(execution, begin, take);
     } else {
-      const auto meet = [&](const BoxNode& a, const BoxNode& b) { return boxes_meet(a_.box_of(a), b_.box_of(b)); };
-      run_with(execution, meet, begin, take);
+      run_in_two_frames(execution, begin, take);
     }
   }
 
  private:
+  /// What a pair that was found is, to who asked.
   template <class Take>
-  void replace(NodePair pair, const Take& take) const {
-    if (own_) {
-      replace_own_pair(a_.nodes, pair, take);
-    } else {
-      replace_pair(a_.nodes, b_.nodes, descend_larger{}, pair, take);
-    }
+  auto asked_for(std::size_t part, const Take& take) const {
+    return [this, part, &take](const TrianglePair& pair, SlotPair slots) {
+      return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair, slots);
+    };
   }
 
-  template <class Meet, class Begin, class Take>
-  void run_with(Execution execution, const Meet& meet, const Begin& begin, const Take& take) const {
-    const auto down = [&](NodePair pair, const auto& next) { replace(pair, next); };
+  template <class Begin, class Take>
+  void run_wide(Execution execution, const Begin& begin, const Take& take) const {
+    const WideChildren children(a_.wide_nodes, b_.wide_nodes, own_);
+    std::vector<WidePair> all{{wide_root, wide_root}}, next;
+    for (bool any = true; any && all.size() < parts_wanted; all.swap(next)) {
+      any = false;
+      next.clear();
+      for (const WidePair& pair : all) {
+        if (pair.is_leaves()) {
+          next.push_back(pair);
+        } else {
+          any = true;
+          children(pair, [&](const WidePair& p) { next.push_back(p); });
+        }
+      }
+    }
+    begin(all.size());
+    for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
+      WideLeafPairs leaves(a_, b_, own_);
+      const auto found = asked_for(part, take);
+      std::vector<WidePair> later{all[part]};
+      while (!later.empty()) {
+        const WidePair pair = later.back();
+        later.pop_back();
+        if (!pair.is_leaves()) {
+          children(pair, [&](const WidePair& p) { later.push_back(p); });
+          continue;
+        }
+        if (!later.empty() && later.back().is_leaves()) leaves.fetch(later.back());
+        if (leaves(pair, found) == Descent::stop) {
+          return Descent::stop;
+        }
+      }
+      return Descent::go_on;
+    });
+  }
+
+  template <class Begin, class Take>
+  void run_in_two_frames(Execution execution, const Begin& begin, const Take& take) const {
+    const auto meet = [&](const BoxNode& a, const BoxNode& b) { return boxes_meet(a_.box_of(a), b_.box_of(b)); };
+    const auto down = [&](NodePair pair, const auto& next) {
+      replace_pair(a_.nodes, b_.nodes, descend_larger{}, pair, next);
+    };
     const std::vector<NodePair> all = pair_parts(a_.nodes, b_.nodes, parts_wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       LeafPairs leaves(a_, b_, own_);
-      const auto visit = [&](const BoxNode& leaf_a, const BoxNode& leaf_b) {
-        return leaves(leaf_a, leaf_b, [&](const TrianglePair& pair, SlotPair slots) {
-          return pair.relation == Relation::touching && !options_.touching ? Descent::go_on : take(part, pair, slots);
-        });
-      };
+      const auto found = asked_for(part, take);
+      const auto visit = [&](const BoxNode& leaf_a, const BoxNode& leaf_b) { return leaves(leaf_a, leaf_b, found); };
       return descend_from(a_.nodes, b_.nodes, all[part], down, meet, visit);
     });
   }
