@@ -1,7 +1,11 @@
 #include "query/time_of_impact/moving_axes.hpp"
 
+#include "arith/big_rounding.hpp"
+
 namespace plumb::query {
 namespace {
+
+using Kind = TimeAxis::Kind;
 
 class Axes {
  public:
@@ -9,15 +13,16 @@ class Axes {
       : a_(a), b_(b), velocity_(velocity), reach_((a.reach + b.reach).upper()) {}
 
   /// Narrows the window; is there any left?  `length` is no less than that of the axis.
-  bool meet(const Vec3<Running>& axis, double length) {
-    return meet(ends(a_, axis), ends(b_, axis), dot(velocity_, axis), length);
+  bool meet(const Vec3<Running>& axis, double length, const TimeAxis& which) {
+    return meet(ends(a_, axis), ends(b_, axis), dot(velocity_, axis), length, which);
   }
   /// A plane has an extent along its normal alone.
   void meet_plane() {
     const bool plane_is_a = a_.vertices.empty();
     const auto& face = (plane_is_a ? a_ : b_).faces[0];
     const FeatureEnds at{face.offset.lower(), face.offset.upper()}, other = ends(plane_is_a ? b_ : a_, face.normal);
-    meet(plane_is_a ? at : other, plane_is_a ? other : at, dot(velocity_, face.normal), length_of(face.normal));
+    meet(plane_is_a ? at : other, plane_is_a ? other : at, dot(velocity_, face.normal), length_of(face.normal),
+         {Kind::ways});
   }
   static double length_of(const Vec3<Running>& axis) { return root_above(dot(axis, axis).upper()); }
 
@@ -37,11 +42,13 @@ class Axes {
     }
     return e;
   }
-  bool meet(const FeatureEnds& of_a, const FeatureEnds& of_b, const Running& speed, double length) {
+  bool meet(const FeatureEnds& of_a, const FeatureEnds& of_b, const Running& speed, double length,
+            const TimeAxis& which) {
     const double reach = reach_ == 0 ? 0 : reach_ * length * (1 + 0x1p-50) + 0x1p-1060;
     const Slabs slab({speed, Running(0.0), Running(0.0)}, Running(reach));
     const auto [from, to] = slab.times({{of_a.low, 0, 0}, {of_a.high, 0, 0}}, {{of_b.low, 0, 0}, {of_b.high, 0, 0}});
-    window_ = {std::max(window_.from, from), std::min(window_.to, to)};
+    if (from > window_.from) window_.from = from, window_.axis = which;
+    window_.to = std::min(window_.to, to);
     return !window_.empty();
   }
 
@@ -51,7 +58,8 @@ class Axes {
   TimeWindow window_;
 };
 
-Vec3<Running> along(const MovingBody<Running>& body, const MovingBody<Running>::Edge& e) {
+template <class T>
+Vec3<T> along(const MovingBody<T>& body, const typename MovingBody<T>::Edge& e) {
   return body.vertices[e.ends[1]] - body.vertices[e.ends[0]];
 }
 
@@ -61,18 +69,23 @@ void narrow(Axes& axes, const MovingBody<Running>& a, const MovingBody<Running>&
     return;
   }
   const Running one(1.0), zero(0.0);
-  if (!axes.meet({one, zero, zero}, 1) || !axes.meet({zero, one, zero}, 1) || !axes.meet({zero, zero, one}, 1)) return;
+  const std::array<Vec3<Running>, 3> coordinates{{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (!axes.meet(coordinates[k], 1, {Kind::coordinate, k})) return;
+  }
   for (const auto* body : {&a, &b}) {
-    for (const auto& f : body->faces) {
-      if (!axes.meet(f.normal, Axes::length_of(f.normal))) return;
+    const Kind kind = body == &a ? Kind::face_of_a : Kind::face_of_b;
+    for (std::uint32_t i = 0; i < body->faces.size(); ++i) {
+      const Vec3<Running>& normal = body->faces[i].normal;
+      if (!axes.meet(normal, Axes::length_of(normal), {kind, i, i})) return;
     }
   }
   constexpr std::size_t few = 12;  // edges: of more the faces tell enough
   if (a.edges.size() > few || b.edges.size() > few) return;
-  for (const auto& e : a.edges) {
-    for (const auto& f : b.edges) {
-      const Vec3<Running> axis = cross(along(a, e), along(b, f));
-      if (!axes.meet(axis, Axes::length_of(axis))) return;
+  for (std::uint32_t i = 0; i < a.edges.size(); ++i) {
+    for (std::uint32_t k = 0; k < b.edges.size(); ++k) {
+      const Vec3<Running> axis = cross(along(a, a.edges[i]), along(b, b.edges[k]));
+      if (!axes.meet(axis, Axes::length_of(axis), {Kind::edges, i, k})) return;
     }
   }
   // Of what is round: the ways from vertex to vertex.
@@ -80,9 +93,28 @@ void narrow(Axes& axes, const MovingBody<Running>& a, const MovingBody<Running>&
   if (!(a.swept || b.swept) || a.vertices.size() * b.vertices.size() > few_ways) return;
   for (const auto& v : a.vertices) {
     for (const auto& w : b.vertices) {
-      if (!axes.meet(w - v, Axes::length_of(w - v))) return;
+      if (!axes.meet(w - v, Axes::length_of(w - v), {Kind::ways})) return;
     }
   }
+}
+
+/// The axis itself.
+Vec3<BigDyadic> exact_axis(const MovingBody<BigDyadic>& a, const MovingBody<BigDyadic>& b, const TimeAxis& axis) {
+  if (axis.kind == Kind::face_of_a) return a.faces[axis.a].normal;
+  if (axis.kind == Kind::face_of_b) return b.faces[axis.b].normal;
+  if (axis.kind == Kind::edges) return cross(along(a, a.edges[axis.a]), along(b, b.edges[axis.b]));
+  const auto part = [&](std::uint32_t k) { return BigDyadic(axis.a == k ? 1.0 : 0.0); };
+  return {part(0), part(1), part(2)};
+}
+
+/// How far the body reaches along an axis: most, or least.
+BigDyadic end_along(const MovingBody<BigDyadic>& body, const Vec3<BigDyadic>& axis, Sign way) {
+  BigDyadic end = dot(body.vertices[0], axis);
+  for (std::size_t i = 1; i < body.vertices.size(); ++i) {
+    BigDyadic at = dot(body.vertices[i], axis);
+    if ((at - end).sign() == way) end = std::move(at);
+  }
+  return end;
 }
 
 }  // namespace
@@ -93,6 +125,25 @@ TimeWindow time_window(const MovingBody<Running>& a, const MovingBody<Running>& 
   return axes.window();
 }
 
+Rational AxisEntry::time() const { return Rational(big_rational(way)) / Rational(big_rational(speed)); }
+double AxisEntry::rounded(Rounding rounding) const { return rounded_quotient(rounding, way, speed); }
+
+std::optional<AxisEntry> exact_entry(const MovingBody<BigDyadic>& a, const MovingBody<BigDyadic>& b,
+                                     const Vec3<BigDyadic>& velocity, const TimeAxis& axis) {
+  const BigDyadic zero(0.0), one(1.0);
+  if (axis.kind == Kind::start) return AxisEntry{zero, one};
+  if (axis.kind == Kind::ways) return {};
+  const Vec3<BigDyadic> n = exact_axis(a, b, axis);
+  BigDyadic speed = dot(velocity, n);
+  if (speed.sign() == Sign::zero) return {};
+  const bool up = speed.sign() == Sign::positive;
+  const Sign fore = up ? Sign::positive : Sign::negative;
+  BigDyadic way = end_along(b, n, -fore) - end_along(a, n, fore);
+  if (!up) way = zero - way, speed = zero - speed;
+  if (way.sign() == Sign::negative) way = zero;
+  return AxisEntry{std::move(way), std::move(speed)};
+}
+
 namespace {
 
 struct BoxAround {
@@ -100,6 +151,10 @@ struct BoxAround {
   FeatureBox operator()(const Segment3* s) const { return joined((*this)(&s->a), (*this)(&s->b)); }
   FeatureBox operator()(const Triangle3* t) const {
     return joined(joined((*this)(&t->a), (*this)(&t->b)), (*this)(&t->c));
+  }
+  FeatureBox operator()(const PosedTriangle3* t) const {
+    const auto corners = posed_corners<Running>(*t);
+    return joined(joined(box_of(corners[0]), box_of(corners[1])), box_of(corners[2]));
   }
   FeatureBox operator()(const Aabb3* b) const { return joined((*this)(&b->min), (*this)(&b->max)); }
   FeatureBox operator()(const Obb3* b) const {

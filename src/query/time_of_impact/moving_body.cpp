@@ -20,6 +20,11 @@ class Maker {
     for (std::uint32_t i = 0; i < 3; ++i) edge(i, (i + 1) % 3, i);
     face({0, 1, 2}, 0);
   }
+  void operator()(const PosedTriangle3* t) {
+    for (const Vec3<T>& v : posed_corners<T>(*t)) vertex(v);
+    for (std::uint32_t i = 0; i < 3; ++i) edge(i, (i + 1) % 3, i);
+    face({0, 1, 2}, 0);
+  }
   void operator()(const Aabb3* box) {
     const auto& [low, high] = *box;
     for (std::uint32_t i = 0; i < 8; ++i)
@@ -118,7 +123,7 @@ template MovingBody<BigDyadic> moving_body(const BodyShape&);
 bool check_body(std::string_view function, std::string_view name, const BodyShape& shape) {
   return std::visit(
       [&](const auto* s) {
-        require_figure(function, name, *s);
+        if constexpr (!requires { s->pose; }) require_figure(function, name, *s);
         if constexpr (requires { s->normal; }) {
           return s->normal != Vector3{0, 0, 0} || s->offset == 0;
         } else {

@@ -21,12 +21,13 @@
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
-#include "query/body/vectors.hpp"
+#include "query/body/posed_corners.hpp"
 
 namespace plumb::query {
 
-using BodyShape = std::variant<const Point3*, const Segment3*, const Triangle3*, const Aabb3*, const Obb3*,
-                               const ConvexPolyhedron3*, const Sphere3*, const Capsule3*, const Plane3*>;
+using BodyShape =
+    std::variant<const Point3*, const Segment3*, const Triangle3*, const Aabb3*, const Obb3*, const ConvexPolyhedron3*,
+                 const Sphere3*, const Capsule3*, const Plane3*, const PosedTriangle3*>;
 
 template <class T>
 struct MovingBody {
@@ -54,7 +55,8 @@ extern template MovingBody<Running> moving_body(const BodyShape&);
 extern template MovingBody<Ball> moving_body(const BodyShape&);
 extern template MovingBody<BigDyadic> moving_body(const BodyShape&);
 
-/// Throws NonFinite and InvalidShape, naming the function and the part; says whether the shape has a point at all.
+/// Throws NonFinite and InvalidShape, naming the function and the part; says whether the shape has a point at all.  Of
+/// a posed shape finite numbers are taken for granted.
 bool check_body(std::string_view function, std::string_view name, const BodyShape& shape);
 
 }  // namespace plumb::query

@@ -3,7 +3,7 @@
 // Judges of query/time_of_impact/meeting_time.hpp, of one condition each.
 // Laws: (1) QuickTime: no time before earliest() meets the condition, infinite where none in [0, 1] does; where
 // certain() some time does, and the first is no later than latest().  (2) PreciseTime has the first time, given that
-// QuickTime was certain.  (3) ExactTime has it whatever the numbers.
+// QuickTime was certain.  (3) ExactTime has it whatever the numbers.  (4) HoldsAt says whether one time meets it.
 // Source: RTCD 5.5.
 // Cost: a few operations, and a root, for each part of the condition; GMP where exact.
 #pragma once
@@ -69,6 +69,30 @@ class ExactTime {
  private:
   mpq_class low_ = 0, high_ = 1;
   std::optional<Root> first_;
+};
+
+/// Does the condition hold at a time that is known, p / q, of which q is positive?
+class HoldsAt {
+ public:
+  HoldsAt(const BigDyadic& p, const BigDyadic& q) : p_(p), q_(q) {}
+
+  void not_negative(const BigDyadic& from, const BigDyadic& change) {
+    if (holds_) holds_ = (from * q_ + change * p_).sign() != Sign::negative;
+  }
+  void zero(const BigDyadic& from, const BigDyadic& change) {
+    if (holds_) holds_ = (from * q_ + change * p_).sign() == Sign::zero;
+  }
+  void not_positive(const BigDyadic& from, const BigDyadic& half_change, const BigDyadic& square) {
+    if (!holds_) return;
+    const BigDyadic by_half = half_change * p_;
+    holds_ = ((from * q_ + by_half + by_half) * q_ + square * p_ * p_).sign() != Sign::positive;
+  }
+
+  [[nodiscard]] bool holds() const { return holds_; }
+
+ private:
+  const BigDyadic &p_, &q_;
+  bool holds_ = true;
 };
 
 }  // namespace plumb::query

@@ -98,6 +98,45 @@ TEST(TranslatingMesh, TellsEqualTimes) {
   EXPECT_EQ(hit->contact.time, std::nextafter(1 / 3.0, 0.0));
 }
 
+/// Numbers in another order.
+TriangleMesh shuffled(TriangleMesh mesh, std::uint64_t index) {
+  Entropy entropy(77, index);
+  for (std::size_t i = mesh.triangles.size(); i > 1; --i)
+    std::swap(mesh.triangles[i - 1], mesh.triangles[entropy.below(i)]);
+  return mesh;
+}
+
+/// Three times a rotation, of integers: planes that lie askew, and stay planes.
+Point3 turned(const Point3& p) { return {2 * p.x - p.y + 2 * p.z, 2 * p.x + 2 * p.y - p.z, -p.x + 2 * p.y + 2 * p.z}; }
+TriangleMesh turned(TriangleMesh mesh) {
+  for (Point3& p : mesh.vertices) p = turned(p);
+  return mesh;
+}
+
+/// Planes, ridges and steps that land on each other, in any order of the numbers, along axes and askew: what stops at
+/// a wall is asked all the same where it comes first.
+TEST(TranslatingMesh, LandsInAnyOrderOfNumbers) {
+  const auto cases = static_cast<std::uint64_t>(battery::fitting(100));
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    Entropy entropy(78, i);
+    TriangleMesh floor = tiles(2), above = floor;
+    for (Point3& p : above.vertices) p = {p.x + 0.25 * static_cast<double>(entropy.within(6)), p.y + 0.5, 2 + p.z};
+    const std::uint64_t shape = entropy.below(4);
+    if (shape == 1) floor.vertices[4].z = 1;                        // a tip below a plane
+    if (shape == 2) above.vertices[1].z = above.vertices[4].z = 1;  // part of a ridge above one
+    if (shape == 3) above.vertices[8].z = floor.vertices[0].z = 1;  // a corner alone
+    const Point3 way{0.5 * static_cast<double>(entropy.within(2)), 0.25 * static_cast<double>(entropy.within(2)), -4};
+    const bool is_turned = entropy.coin();
+    const Point3 by = is_turned ? turned(way) : way;
+    const auto placed = [&](const TriangleMesh& mesh, std::uint64_t number) {
+      return shuffled(is_turned ? turned(mesh) : mesh, number);
+    };
+    expect_first(placed(above, 2 * i), {by.x, by.y, by.z}, placed(floor, 2 * i + 1), "case " + std::to_string(i));
+    const auto in_touch = placed(floor, 2 * i);  // at the start, in all pairs that have a corner in common
+    expect_first(in_touch, {by.x, by.y, by.z}, placed(floor, 2 * i + 1), "in touch, case " + std::to_string(i));
+  }
+}
+
 /// In thousands of pairs at once, whatever their order.
 TEST(TranslatingMesh, LandsFlat) {
   TriangleMesh floor = tiles(battery::sanitized ? 4 : 16);

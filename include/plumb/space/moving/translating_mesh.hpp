@@ -13,8 +13,8 @@
 // A vector that is NaN or infinite throws NonFinite.
 // Source: RTCD 5.5.2, 6.3.2, 6.3.3.
 // Cost: branch and bound over pairs of nodes, always those whose boxes can meet first; a contact of two triangles for
-// each pair whose boxes meet before the first contact does, up to a millisecond where they land face on face.  Of many
-// that land flat at once few are asked.
+// each pair whose boxes meet before the first contact does.  Of many that land flat at once few are asked: along an
+// axis whole nodes are left out, else each corner's side of the plane is looked at once.
 #pragma once
 
 #include <cstdint>

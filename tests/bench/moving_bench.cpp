@@ -1,0 +1,84 @@
+// How long does it take to find when a mesh that moves along a line first meets another?  One thread.
+//
+// Boxes with n x n squares on each face come face to face along an axis or askew; the same turned by three times a
+// rotation of integers, so that their faces lie askew and still are flat; and wavy rings, which meet in one place.
+// `s_query` is the time of each contact.
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "plumb/space.hpp"
+#include "space/bvh/meshes.hpp"
+
+namespace plumb::bench {
+namespace {
+
+using Map = std::function<Point3(const Point3&)>;
+
+TriangleMesh mapped(TriangleMesh mesh, const Map& map) {
+  for (Point3& p : mesh.vertices) p = map(p);
+  return mesh;
+}
+
+/// Six squares of 2 n^2 triangles, from 0 to n.
+TriangleMesh box(std::uint32_t n) {
+  TriangleMesh mesh;
+  const double top = n;
+  for (int side = 0; side < 6; ++side) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      for (std::uint32_t k = 0; k <= n; ++k) {
+        const double u = i, v = k, w = side % 2 == 0 ? 0 : top;
+        mesh.vertices.push_back(side < 2 ? Point3{u, v, w} : side < 4 ? Point3{v, w, u} : Point3{w, u, v});
+      }
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      for (std::uint32_t k = 0; k < n; ++k) {
+        const std::uint32_t a = first + (n + 1) * i + k;
+        mesh.triangles.insert(mesh.triangles.end(), {{a, a + 1, a + n + 2}, {a, a + n + 2, a + n + 1}});
+      }
+    }
+  }
+  return mesh;
+}
+
+Point3 turned(const Point3& p) { return {2 * p.x - p.y + 2 * p.z, 2 * p.x + 2 * p.y - p.z, -p.x + 2 * p.y + 2 * p.z}; }
+
+void add(const std::string& name, const TriangleMesh& a, const Vector3& by, const TriangleMesh& b) {
+  const auto tree_a = std::make_shared<Bvh>(build_bvh(a)), tree_b = std::make_shared<Bvh>(build_bvh(b));
+  benchmark::RegisterBenchmark(("moving/" + name).c_str(), [=](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(first_contact(*tree_a, by, *tree_b));
+    state.counters["s_query"] = benchmark::Counter(static_cast<double>(state.iterations()),
+                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  })->Unit(benchmark::kMicrosecond);
+}
+
+void add_boxes(std::uint32_t n) {
+  const std::string size = std::to_string(n);
+  const double top = n;
+  const TriangleMesh floor = box(n);
+  const TriangleMesh above = mapped(floor, [&](const Point3& p) {
+    return Point3{p.x + 0.25, p.y + 0.5, p.z + 2 * top};
+  });
+  add("boxes/" + size + "/straight", above, {0, 0, -3 * top}, floor);
+  add("boxes/" + size + "/askew", above, {0.3, 0.1, -3 * top}, floor);
+  const Point3 way = turned({0.25, 0.5, -3 * top});
+  add("boxes/" + size + "/turned", mapped(above, turned), {way.x, way.y, way.z}, mapped(floor, turned));
+  const TriangleMesh level = mapped(floor, [&](const Point3& p) { return Point3{p.x, p.y, p.z + 2 * top}; });
+  add("boxes/" + size + "/level", level, {0, 0, -3 * top}, floor);
+}
+
+const bool added = [] {
+  for (const std::uint32_t n : {4u, 16u, 64u}) add_boxes(n);
+  for (const std::uint32_t n : {16u, 64u}) {
+    const TriangleMesh ring = meshes::ring(n);
+    const TriangleMesh far = mapped(ring, [](const Point3& p) { return Point3{p.x + 3, p.y + 0.25, p.z + 0.125}; });
+    add("rings/" + std::to_string(n), ring, {4, 0.5, 0}, far);
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace plumb::bench
