@@ -40,9 +40,10 @@
 #include "plumb/space/closest/posed_hausdorff.hpp"    // their surfaces' deviation
 
 // When does what moves meet first?  first_contact; what meets at all?  contacts_in_motion
-#include "plumb/space/moving/motion_contacts.hpp"   // a mesh whose vertices move, itself
-#include "plumb/space/moving/moving_mesh.hpp"       // such a mesh
-#include "plumb/space/moving/translating_mesh.hpp"  // a mesh along a line, another
+#include "plumb/space/moving/motion_contacts.hpp"    // a mesh whose vertices move, itself
+#include "plumb/space/moving/moving_mesh.hpp"        // such a mesh
+#include "plumb/space/moving/posed_translating.hpp"  // the same of meshes that have been moved before
+#include "plumb/space/moving/translating_mesh.hpp"   // a mesh along a line, another
 
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself

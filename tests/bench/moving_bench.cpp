@@ -1,7 +1,8 @@
 // How long does it take to find when a mesh that moves along a line first meets another?  One thread.
 //
 // Boxes with n x n squares on each face come face to face along an axis or askew; the same turned by three times a
-// rotation of integers, so that their faces lie askew and still are flat; and wavy rings, which meet in one place.
+// rotation of integers, so that their faces lie askew and still are flat; lifted by a pose; and wavy rings, which meet
+// in one place, one of them turned by a pose.
 // `s_query` is the time of each contact.
 #include <benchmark/benchmark.h>
 
@@ -46,13 +47,21 @@ TriangleMesh box(std::uint32_t n) {
 
 Point3 turned(const Point3& p) { return {2 * p.x - p.y + 2 * p.z, 2 * p.x + 2 * p.y - p.z, -p.x + 2 * p.y + 2 * p.z}; }
 
-void add(const std::string& name, const TriangleMesh& a, const Vector3& by, const TriangleMesh& b) {
-  const auto tree_a = std::make_shared<Bvh>(build_bvh(a)), tree_b = std::make_shared<Bvh>(build_bvh(b));
-  benchmark::RegisterBenchmark(("moving/" + name).c_str(), [=](benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(first_contact(*tree_a, by, *tree_b));
+void add(const std::string& name, std::function<bool()> ask) {
+  benchmark::RegisterBenchmark(("moving/" + name).c_str(), [ask = std::move(ask)](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(ask());
     state.counters["s_query"] = benchmark::Counter(static_cast<double>(state.iterations()),
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   })->Unit(benchmark::kMicrosecond);
+}
+void add(const std::string& name, const TriangleMesh& a, const Vector3& by, const TriangleMesh& b) {
+  const auto tree_a = std::make_shared<Bvh>(build_bvh(a)), tree_b = std::make_shared<Bvh>(build_bvh(b));
+  add(name, [=] { return first_contact(*tree_a, by, *tree_b).has_value(); });
+}
+void add_posed(const std::string& name, const TriangleMesh& a, const Pose& pose_a, const Vector3& by,
+               const TriangleMesh& b) {
+  const auto tree_a = std::make_shared<Bvh>(build_bvh(a)), tree_b = std::make_shared<Bvh>(build_bvh(b));
+  add(name, [=] { return first_contact({*tree_a, pose_a}, by, *tree_b).has_value(); });
 }
 
 void add_boxes(std::uint32_t n) {
@@ -68,6 +77,7 @@ void add_boxes(std::uint32_t n) {
   add("boxes/" + size + "/turned", mapped(above, turned), {way.x, way.y, way.z}, mapped(floor, turned));
   const TriangleMesh level = mapped(floor, [&](const Point3& p) { return Point3{p.x, p.y, p.z + 2 * top}; });
   add("boxes/" + size + "/level", level, {0, 0, -3 * top}, floor);
+  add_posed("boxes/" + size + "/posed", floor, {identity_pose.columns, {0.25, 0.5, 2 * top}}, {0, 0, -3 * top}, floor);
 }
 
 const bool added = [] {
@@ -75,7 +85,9 @@ const bool added = [] {
   for (const std::uint32_t n : {16u, 64u}) {
     const TriangleMesh ring = meshes::ring(n);
     const TriangleMesh far = mapped(ring, [](const Point3& p) { return Point3{p.x + 3, p.y + 0.25, p.z + 0.125}; });
+    const Pose turn{{{{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}}, {0, 0, 0}};
     add("rings/" + std::to_string(n), ring, {4, 0.5, 0}, far);
+    add_posed("rings/" + std::to_string(n) + "/posed", ring, turn, {4, 0.5, 0}, far);
   }
   return true;
 }();

@@ -26,7 +26,7 @@ Vec3<T> turned_over(const Vec3<T>& v) {
   return {zero - v.x, zero - v.y, zero - v.z};
 }
 
-std::array<Point3, 3> corners_of(const Triangle3& t) { return {t.a, t.b, t.c}; }
+std::array<Point3, 3> shape_corners(const Triangle3& t) { return {t.a, t.b, t.c}; }
 
 /// The highest corner, or the lowest.
 Point3 extreme_corner(const Posed<Triangle3>& t, const Vec3<BigDyadic>& up, Sign way) {
@@ -35,7 +35,7 @@ Point3 extreme_corner(const Posed<Triangle3>& t, const Vec3<BigDyadic>& up, Sign
   for (std::size_t i = 1; i < 3; ++i) {
     if (dot(heights[i] - heights[most], up).sign() == way) most = i;
   }
-  return corners_of(t.shape)[most];
+  return shape_corners(t.shape)[most];
 }
 
 bool is_not_positive(const Ball& quick, const auto& exactly) {
