@@ -58,7 +58,7 @@ class MovedScene {
  public:
   class Leaves {
    public:
-    explicit Leaves(const MovedScene& scene) : scene_(scene), pairs_(scene.a_, scene.b_, false) {}
+    explicit Leaves(const MovedScene& scene) : scene_(scene), pairs_(scene.a_, scene.b_, scene.is_own_) {}
     template <class Take>
     void operator()(NodePair pair, const Take& take) {
       pairs_(scene_.nodes_a_[pair.a], scene_.box_a(pair.a), scene_.nodes_b_[pair.b], scene_.box_b(pair.b), take);
@@ -69,15 +69,19 @@ class MovedScene {
     PosedLeafPairs pairs_;
   };
 
-  MovedScene(const PosedMesh& a, const PosedMesh& b)
-      : a_(a), b_(b), nodes_a_(a.bvh.tree.nodes.view()), nodes_b_(b.bvh.tree.nodes.view()) {}
+  /// Of one mesh with itself its pose is to be singular: else it is the question without.
+  MovedScene(const PosedMesh& a, const PosedMesh& b, bool is_own)
+      : a_(a), b_(b), is_own_(is_own), nodes_a_(a.bvh.tree.nodes.view()), nodes_b_(b.bvh.tree.nodes.view()) {}
 
   [[nodiscard]] std::span<const BoxNode> nodes_a() const { return nodes_a_; }
   [[nodiscard]] std::span<const BoxNode> nodes_b() const { return nodes_b_; }
-  [[nodiscard]] bool is_own() const { return false; }
-  [[nodiscard]] bool meets(NodePair pair) const { return boxes_meet(box_a(pair.a), box_b(pair.b)); }
+  [[nodiscard]] bool is_own() const { return is_own_; }
+  [[nodiscard]] bool meets(NodePair pair) const {
+    return (is_own_ && pair.a == pair.b) || boxes_meet(box_a(pair.a), box_b(pair.b));
+  }
   template <class Take>
   void replace(NodePair pair, const Take& take) const {
+    if (is_own_) return replace_own_pair(nodes_a_, pair, take);
     const auto larger = [&](const BoxNode&, const BoxNode&) { return larger_posed(box_a(pair.a), box_b(pair.b)); };
     replace_pair(nodes_a_, nodes_b_, larger, pair, take);
   }
@@ -86,23 +90,28 @@ class MovedScene {
   /// Poses the boxes of all nodes in the front; of all nodes where it is the roots, and they meet.
   void prepare(Front& front, Execution execution) {
     needed_a_ = &front.boxes_a;
-    needed_b_ = &front.boxes_b;
+    needed_b_ = is_own_ ? needed_a_ : &front.boxes_b;
+    begin(a_, front.boxes_a);
     pose(a_, front, &NodePair::a, front.boxes_a, execution);
-    pose(b_, front, &NodePair::b, front.boxes_b, execution);
+    NeededBoxes& boxes_b = is_own_ ? front.boxes_a : front.boxes_b;
+    if (!is_own_) begin(b_, boxes_b);
+    pose(b_, front, &NodePair::b, boxes_b, execution);
     if (front.pairs.size() > 1 || !meets({0, 0})) return;
     pose_rest(a_, front.boxes_a, execution);
-    pose_rest(b_, front.boxes_b, execution);
+    if (!is_own_) pose_rest(b_, boxes_b, execution);
   }
 
  private:
-  static void pose(const PosedMesh& mesh, const Front& front, std::uint32_t NodePair::*side, NeededBoxes& needed,
-                   Execution execution) {
-    const std::span<const BoxNode> nodes = mesh.bvh.tree.nodes.view();
-    if (needed.boxes.size() != nodes.size()) {
-      needed.boxes.resize(nodes.size());
-      needed.posed.reset(nodes.size());
+  static void begin(const PosedMesh& mesh, NeededBoxes& needed) {
+    const std::size_t n = mesh.bvh.tree.nodes.view().size();
+    if (needed.boxes.size() != n) {
+      needed.boxes.resize(n);
+      needed.posed.reset(n);
     }
     needed.posed.begin();
+  }
+  static void pose(const PosedMesh& mesh, const Front& front, std::uint32_t NodePair::*side, NeededBoxes& needed,
+                   Execution execution) {
     std::vector<std::uint32_t> which;
     for (const NodePair& pair : front.pairs) {
       if (needed.posed.visit(pair.*side)) which.push_back(pair.*side);
@@ -132,6 +141,7 @@ class MovedScene {
   }
 
   const PosedMesh &a_, &b_;
+  bool is_own_;
   std::span<const BoxNode> nodes_a_, nodes_b_;
   const NeededBoxes *needed_a_ = nullptr, *needed_b_ = nullptr;
 };

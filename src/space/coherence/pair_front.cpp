@@ -123,11 +123,16 @@ std::vector<TrianglePair> PairFront::intersecting_pairs(const PosedMesh& a, cons
                                                         const PairOptions& options) {
   constexpr const char* function = "intersecting_pairs";
   if (space::are_moved_alike(function, a, b)) return intersecting_pairs(a.bvh, b.bvh, options);
-  return space::ordered(space::follow(function, front_, work_, space::MovedScene(a, b), options), a.bvh);
+  return space::ordered(space::follow(function, front_, work_, space::MovedScene(a, b, false), options), a.bvh);
 }
 std::vector<TrianglePair> PairFront::self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
   return space::ordered(
       space::follow("self_intersecting_pairs", front_, work_, space::StandingScene(mesh, mesh, true), options), mesh);
+}
+std::vector<TrianglePair> PairFront::self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options) {
+  constexpr const char* function = "self_intersecting_pairs";
+  if (space::is_moved_regularly(function, mesh)) return self_intersecting_pairs(mesh.bvh, options);
+  return space::ordered(space::follow(function, front_, work_, space::MovedScene(mesh, mesh, true), options), mesh.bvh);
 }
 
 std::size_t PairFront::memory() const {

@@ -34,6 +34,12 @@ inline bool are_moved_alike(const char* function, const PosedMesh& a, const Pose
   return a.pose == b.pose && is_regular(a.pose);
 }
 
+/// The same of one mesh and itself.
+inline bool is_moved_regularly(const char* function, const PosedMesh& mesh) {
+  require_pose(function, "mesh", mesh.pose);
+  return is_regular(mesh.pose);
+}
+
 /// What a search asks of two leaves: which slots' triangles meet.
 class PosedLeafPairs {
  public:

@@ -9,18 +9,6 @@
 #include "space/pairs/posed_pair_search.hpp"
 
 namespace plumb {
-namespace space {
-namespace {
-
-/// Is it the question without a pose?
-bool is_moved_regularly(const char* function, const PosedMesh& mesh) {
-  require_pose(function, "mesh", mesh.pose);
-  return is_regular(mesh.pose);
-}
-
-}  // namespace
-}  // namespace space
-
 std::vector<TrianglePair> intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options) {
   constexpr const char* function = "intersecting_pairs";
   return space::are_moved_alike(function, a, b)
