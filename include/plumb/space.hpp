@@ -26,10 +26,11 @@
 #include "plumb/space/bvh/wide_tree.hpp"       // with eight children a node
 
 // How is it asked?  descend and its kin
-#include "plumb/space/bvh/descend.hpp"          // one tree
-#include "plumb/space/bvh/descend_compact.hpp"  // one that is compact
-#include "plumb/space/bvh/descend_pairs.hpp"    // two, or one with itself
-#include "plumb/space/bvh/progress.hpp"         // how far it is, and whether to go on
+#include "plumb/space/bvh/descend.hpp"                // one tree
+#include "plumb/space/bvh/descend_compact.hpp"        // one that is compact
+#include "plumb/space/bvh/descend_compact_pairs.hpp"  // two of which one is compact
+#include "plumb/space/bvh/descend_pairs.hpp"          // two, or one with itself
+#include "plumb/space/bvh/progress.hpp"               // how far it is, and whether to go on
 
 // How near is a mesh, and where?  closest_on_mesh, nearest_triangles, triangles_within, closest_triangles; how far does
 // it reach from another?  hausdorff_distance

@@ -80,7 +80,8 @@ inline bool is_bounded(const Aabb3& box) {
          box.max.z <= most;
 }
 
-inline Aabb3 around(const PosedMesh& mesh, const BoxNode& node) {
+template <class Mesh>
+Aabb3 around(const PosedMeshOf<Mesh>& mesh, const BoxNode& node) {
   return around(mesh.pose, mesh.bvh.tree.frame.outside(node.box()));
 }
 
@@ -90,6 +91,20 @@ inline std::vector<Aabb3> posed_boxes(const PosedMesh& mesh, Execution execution
   std::vector<Aabb3> boxes(nodes.size());
   for_blocks(execution, nodes.size(), 1 << 12, [&](std::size_t, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) boxes[i] = around(mesh, nodes[i]);
+  });
+  return boxes;
+}
+/// Of all children, eight places a node; what is said of children that are missing is nothing.
+inline std::vector<Aabb3> posed_boxes(const PosedCompactMesh& mesh, Execution execution) {
+  constexpr std::size_t width = CompactNode::width;
+  const std::span<const CompactNode> nodes = mesh.bvh.tree.nodes.view();
+  std::vector<Aabb3> boxes(width * nodes.size());
+  for_blocks(execution, nodes.size(), 1 << 9, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t n = from; n < to; ++n) {
+      for (std::size_t i = 0; i < width; ++i) {
+        if (nodes[n].has(i)) boxes[width * n + i] = around(mesh.pose, mesh.bvh.tree.frame.outside(nodes[n].box(i)));
+      }
+    }
   });
   return boxes;
 }

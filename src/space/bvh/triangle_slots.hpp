@@ -6,23 +6,31 @@
 #include <algorithm>
 #include <vector>
 
-#include "plumb/space/bvh/bvh.hpp"
+#include "space/bvh/slot_triangles.hpp"
 
 namespace plumb::space {
 
-inline std::uint32_t triangles_in(const Bvh& bvh) {
-  const std::span<const std::uint32_t> items = bvh.tree.items.view();
-  return items.empty() ? 0 : 1 + *std::max_element(items.begin(), items.end());
+/// Of a Bvh or a CompactBvh.
+template <class Mesh>
+std::uint32_t triangles_in(const Mesh& bvh) {
+  const SlotTriangles triangles(bvh);
+  std::uint32_t n = 0;
+  for (std::size_t slot = 0; slot < triangles.slots(); ++slot) n = std::max(n, triangles.number(slot) + 1);
+  return n;
 }
 
 /// Is any in several?
-inline bool is_split(const Bvh& bvh) { return triangles_in(bvh) < bvh.tree.items.size(); }
+template <class Mesh>
+bool is_split(const Mesh& bvh) {
+  return triangles_in(bvh) < bvh.slots();
+}
 
 /// slot[triangle]; of one that is in several any.
-inline std::vector<std::uint32_t> slots_of(const Bvh& bvh) {
-  const std::span<const std::uint32_t> items = bvh.tree.items.view();
+template <class Mesh>
+std::vector<std::uint32_t> slots_of(const Mesh& bvh) {
+  const SlotTriangles triangles(bvh);
   std::vector<std::uint32_t> slots(triangles_in(bvh));
-  for (std::uint32_t slot = 0; slot < items.size(); ++slot) slots[items[slot]] = slot;
+  for (std::uint32_t slot = 0; slot < triangles.slots(); ++slot) slots[triangles.number(slot)] = slot;
   return slots;
 }
 

@@ -24,7 +24,7 @@ class StandingScene {
 
    private:
     const StandingScene& scene_;
-    LeafPairs pairs_;
+    LeafPairs<> pairs_;
   };
 
   StandingScene(const Bvh& a, const Bvh& b, bool is_own)
@@ -66,7 +66,7 @@ class MovedScene {
 
    private:
     const MovedScene& scene_;
-    PosedLeafPairs pairs_;
+    PosedLeafPairs<> pairs_;
   };
 
   /// Of one mesh with itself its pose is to be singular: else it is the question without.

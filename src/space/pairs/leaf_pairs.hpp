@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "plumb/query/overlap/triangle.hpp"
-#include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/descend_compact_pairs.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "space/bvh/slot_boxes.hpp"
@@ -22,16 +22,43 @@ struct SlotPair {
   std::uint32_t a, b;
 };
 
-struct MeshView {
-  explicit MeshView(const Bvh& bvh)
+/// The corners in slots, out of their packed numbers.
+struct PackedCorners {
+  PackedView numbers;
+  [[nodiscard]] Bvh::Corners operator[](std::size_t slot) const {
+    return {numbers[3 * slot], numbers[3 * slot + 1], numbers[3 * slot + 2]};
+  }
+};
+
+/// How the parts of a mesh are kept: each is asked by its slot.
+template <class Mesh>
+struct MeshParts;
+template <>
+struct MeshParts<Bvh> {
+  std::span<const BoxNode> nodes;
+  std::span<const WideNode<8>> wide_nodes;
+  std::span<const std::uint32_t> items;
+  std::span<const Bvh::Corners> triangles;
+  explicit MeshParts(const Bvh& bvh)
       : nodes(bvh.tree.nodes.view()),
         wide_nodes(bvh.wide.nodes.view()),
         items(bvh.tree.items.view()),
-        triangles(bvh.triangles.view()),
-        vertices(bvh.vertices.view()),
-        frame(bvh.tree.frame) {}
+        triangles(bvh.triangles.view()) {}
+};
+template <>
+struct MeshParts<CompactBvh> {
+  CompactPlaces nodes;
+  PackedView items;
+  PackedCorners triangles;
+  explicit MeshParts(const CompactBvh& bvh)
+      : nodes(bvh.tree), items(bvh.numbers.view()), triangles{bvh.corners.view()} {}
+};
+
+template <class Mesh>
+struct MeshViewOf : MeshParts<Mesh> {
+  explicit MeshViewOf(const Mesh& bvh) : MeshParts<Mesh>(bvh), vertices(bvh.vertices.view()), frame(bvh.tree.frame) {}
   [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
-    const Bvh::Corners& c = triangles[slot];
+    const Bvh::Corners& c = this->triangles[slot];
     return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
   }
   /// In doubles, outside of the frame.
@@ -39,13 +66,10 @@ struct MeshView {
     if (frame.exponent() != 0) return frame.outside(n.box());
     return {{n.min[0], n.min[1], n.min[2]}, {n.max[0], n.max[1], n.max[2]}};
   }
-  std::span<const BoxNode> nodes;
-  std::span<const WideNode<8>> wide_nodes;
-  std::span<const std::uint32_t> items;
-  std::span<const Bvh::Corners> triangles;
   std::span<const Point3> vertices;
   BoxFrame frame;
 };
+using MeshView = MeshViewOf<Bvh>;
 
 /// Of one frame.
 inline bool nodes_meet(const BoxNode& a, const BoxNode& b) {
@@ -56,9 +80,10 @@ inline bool nodes_meet(const BoxNode& a, const BoxNode& b) {
 }
 
 /// Do the triangles of two slots meet?
+template <class Mesh>
 class JudgedPair {
  public:
-  JudgedPair(const MeshView& a, const MeshView& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+  JudgedPair(const MeshViewOf<Mesh>& a, const MeshViewOf<Mesh>& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
 
   /// take(TrianglePair, SlotPair) where they do; it may say Descent::stop.
   template <class Take>
@@ -73,14 +98,16 @@ class JudgedPair {
   }
 
  private:
-  const MeshView &a_, &b_;
+  const MeshViewOf<Mesh>&a_, &b_;
   bool is_own_;
 };
 
 /// What a search asks of two leaves: which slots' triangles meet.
+template <class Mesh = Bvh>
 class LeafPairs {
  public:
-  LeafPairs(const MeshView& a, const MeshView& b, bool is_own) : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
+  LeafPairs(const MeshViewOf<Mesh>& a, const MeshViewOf<Mesh>& b, bool is_own)
+      : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
 
   /// take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
   template <class Take>
@@ -101,7 +128,7 @@ class LeafPairs {
  private:
   /// A leaf's triangles whose boxes meet that of the other leaf.
   struct LeafBoxes {
-    void read(const MeshView& mesh, const BoxNode& leaf, const Aabb3& other) {
+    void read(const MeshViewOf<Mesh>& mesh, const BoxNode& leaf, const Aabb3& other) {
       n = 0;
       if (box.size() <= leaf.count) {  // a leaf of a file may have any number
         box.resize(leaf.count + std::size_t{1});
@@ -118,9 +145,9 @@ class LeafPairs {
     std::vector<std::uint32_t> slot;
   };
 
-  const MeshView &a_, &b_;
+  const MeshViewOf<Mesh>&a_, &b_;
   bool is_own_;
-  JudgedPair judge_;
+  JudgedPair<Mesh> judge_;
   LeafBoxes boxes_a_, boxes_b_;
 };
 

@@ -6,6 +6,7 @@
 // Cost: that of wide_pairs.hpp; of two frames that of descend_pairs.hpp and leaf_pairs.hpp.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "plumb/space/bvh/descend_pairs.hpp"
@@ -19,19 +20,25 @@ namespace plumb::space {
 inline constexpr std::size_t parts_wanted = 512;
 
 /// A search of two trees, or of one with itself where `own` is set.
+template <class Mesh>
 class PairSearch {
  public:
-  PairSearch(const char* function, const Bvh& a, const Bvh& b, bool own, const PairOptions& options)
+  PairSearch(const char* function, const Mesh& a, const Mesh& b, bool own, const PairOptions& options)
       : function_(function), a_(a), b_(b), own_(own), options_(options) {}
 
   /// begin(n), then take(part, pair, slots) for each pair that was asked for, from several threads; parts are below n.
   template <class Begin, class Take>
   void run(Execution execution, const Begin& begin, const Take& take) const {
     if (a_.nodes.empty() || b_.nodes.empty()) return;
-    if (a_.frame == b_.frame) {
+    if (a_.frame != b_.frame) {
+      run_by_twos(
+          execution, [&](const BoxNode& a, const BoxNode& b) { return boxes_meet(a_.box_of(a), b_.box_of(b)); }, begin,
+          take);
+    } else if constexpr (std::is_same_v<Mesh, Bvh>) {
       run_wide(execution, begin, take);
     } else {
-      run_in_two_frames(execution, begin, take);
+      run_by_twos(
+          execution, [](const BoxNode& a, const BoxNode& b) { return nodes_meet(a, b); }, begin, take);
     }
   }
 
@@ -81,13 +88,16 @@ class PairSearch {
     });
   }
 
-  template <class Begin, class Take>
-  void run_in_two_frames(Execution execution, const Begin& begin, const Take& take) const {
-    const auto meet = [&](const BoxNode& a, const BoxNode& b) { return boxes_meet(a_.box_of(a), b_.box_of(b)); };
-    const auto down = [&](NodePair pair, const auto& next) {
-      replace_pair(a_.nodes, b_.nodes, descend_larger{}, pair, next);
+  template <class Meet, class Begin, class Take>
+  void run_by_twos(Execution execution, const Meet& meet, const Begin& begin, const Take& take) const {
+    const auto down = [&](const auto& pair, const auto& next) {
+      if (own_) {
+        replace_own_pair(a_.nodes, pair, next);
+      } else {
+        replace_pair(a_.nodes, b_.nodes, descend_larger{}, pair, next);
+      }
     };
-    const std::vector<NodePair> all = pair_parts(a_.nodes, b_.nodes, parts_wanted, down, meet);
+    const auto all = pair_parts(a_.nodes, b_.nodes, parts_wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       LeafPairs leaves(a_, b_, own_);
@@ -98,7 +108,7 @@ class PairSearch {
   }
 
   const char* function_;
-  MeshView a_, b_;
+  MeshViewOf<Mesh> a_, b_;
   bool own_;
   const PairOptions& options_;
 };

@@ -28,39 +28,42 @@ inline bool is_regular(const Pose& pose) {
 }
 
 /// Is it the question without poses?
-inline bool are_moved_alike(const char* function, const PosedMesh& a, const PosedMesh& b) {
+template <class Mesh>
+bool are_moved_alike(const char* function, const PosedMeshOf<Mesh>& a, const PosedMeshOf<Mesh>& b) {
   require_pose(function, "a", a.pose);
   require_pose(function, "b", b.pose);
   return a.pose == b.pose && is_regular(a.pose);
 }
 
 /// The same of one mesh and itself.
-inline bool is_moved_regularly(const char* function, const PosedMesh& mesh) {
+template <class Mesh>
+bool is_moved_regularly(const char* function, const PosedMeshOf<Mesh>& mesh) {
   require_pose(function, "mesh", mesh.pose);
   return is_regular(mesh.pose);
 }
 
 /// What a search asks of two leaves: which slots' triangles meet.
+template <class Mesh = Bvh>
 class PosedLeafPairs {
  public:
-  PosedLeafPairs(const PosedMesh& a, const PosedMesh& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+  PosedLeafPairs(const PosedMeshOf<Mesh>& a, const PosedMeshOf<Mesh>& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
 
   /// Of leaves in such boxes.  take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
-  template <class Take>
-  Descent operator()(const BoxNode& leaf_a, const Aabb3& box_a, const BoxNode& leaf_b, const Aabb3& box_b,
-                     const Take& take) {
+  template <class Node, class Take>
+  Descent operator()(const Node& leaf_a, const Aabb3& box_a, const Node& leaf_b, const Aabb3& box_b, const Take& take) {
     read(a_, leaf_a, box_b, slots_a_);
     if (slots_a_.empty()) return Descent::go_on;
     read(b_, leaf_b, box_a, slots_b_);
     for (const PosedSlot& p : slots_a_) {
       for (const PosedSlot& q : slots_b_) {
         if (is_own_ && leaf_a.link == leaf_b.link && q.slot <= p.slot) continue;
-        if (is_own_ && a_.bvh.tree.items[p.slot] == b_.bvh.tree.items[q.slot]) continue;  // one triangle in two slots
+        if (is_own_ && a_.bvh.number(p.slot) == b_.bvh.number(q.slot)) continue;  // one triangle in two slots
         if (!boxes_meet(p.box, q.box)) continue;
-        const Relation relation =
-            is_own_ ? relate_flattened(a_, p.slot, q.slot) : query::relate(a_.triangle(p.slot), b_.triangle(q.slot));
+        const Relation relation = is_own_ ? relate_flattened(a_.bvh.vertices.view(), a_.bvh.corners_of(p.slot),
+                                                             a_.bvh.corners_of(q.slot), a_.pose)
+                                          : query::relate(a_.triangle(p.slot), b_.triangle(q.slot));
         if (relation == Relation::disjoint) continue;
-        std::uint32_t item_a = a_.bvh.tree.items[p.slot], item_b = b_.bvh.tree.items[q.slot];
+        std::uint32_t item_a = a_.bvh.number(p.slot), item_b = b_.bvh.number(q.slot);
         if (is_own_ && item_b < item_a) std::swap(item_a, item_b);
         if (take(TrianglePair{item_a, item_b, relation}, SlotPair{p.slot, q.slot}) == Descent::stop)
           return Descent::stop;
@@ -76,7 +79,8 @@ class PosedLeafPairs {
   };
 
   /// Into `all` those of a leaf whose boxes meet that of the other leaf.
-  static void read(const PosedMesh& mesh, const BoxNode& leaf, const Aabb3& other, std::vector<PosedSlot>& all) {
+  template <class Node>
+  static void read(const PosedMeshOf<Mesh>& mesh, const Node& leaf, const Aabb3& other, std::vector<PosedSlot>& all) {
     all.clear();
     for (std::uint32_t s = leaf.link; s < leaf.link + leaf.count; ++s) {
       const Aabb3 box = around(mesh.triangle(s));
@@ -84,7 +88,7 @@ class PosedLeafPairs {
     }
   }
 
-  const PosedMesh &a_, &b_;
+  const PosedMeshOf<Mesh>&a_, &b_;
   bool is_own_;
   std::vector<PosedSlot> slots_a_, slots_b_;
 };

@@ -42,8 +42,8 @@ bool names(const Bvh::Corners& t, std::uint32_t i) { return std::ranges::find(t,
 
 }  // namespace
 
-Relation relate_flattened(const PosedMesh& mesh, std::size_t slot_a, std::size_t slot_b) {
-  const Bvh::Corners &a = mesh.bvh.triangles[slot_a], &b = mesh.bvh.triangles[slot_b];
+Relation relate_flattened(std::span<const Point3> vertices, const Bvh::Corners& a, const Bvh::Corners& b,
+                          const Pose& pose) {
   std::vector<std::uint32_t> shared, only_a, only_b;
   const auto add = [](std::vector<std::uint32_t>& to, std::uint32_t i) {
     if (std::ranges::find(to, i) == to.end()) to.push_back(i);
@@ -52,9 +52,14 @@ Relation relate_flattened(const PosedMesh& mesh, std::size_t slot_a, std::size_t
   for (const std::uint32_t i : b) {
     if (!names(a, i)) add(only_b, i);
   }
-  const auto whole = [&] { return query::relate(mesh.triangle(slot_a), mesh.triangle(slot_b)); };
+  const auto whole = [&] {
+    const auto triangle = [&](const Bvh::Corners& c) {
+      return Posed<Triangle3>{{vertices[c[0]], vertices[c[1]], vertices[c[2]]}, pose};
+    };
+    return query::relate(triangle(a), triangle(b));
+  };
   if (shared.empty() || (only_a.empty() && only_b.empty())) return whole();
-  const auto at = [&](std::uint32_t i) { return query::posed<Number>(mesh.bvh.vertices[i], mesh.pose); };
+  const auto at = [&](std::uint32_t i) { return query::posed<Number>(vertices[i], pose); };
   const Way from = at(shared[0]), none = from - from;
   const auto way = [&](const std::vector<std::uint32_t>& to, std::size_t i) {
     return i < to.size() ? at(to[i]) - from : none;

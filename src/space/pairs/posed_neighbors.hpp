@@ -12,6 +12,7 @@
 
 namespace plumb::space {
 
-Relation relate_flattened(const PosedMesh& mesh, std::size_t slot_a, std::size_t slot_b);
+Relation relate_flattened(std::span<const Point3> vertices, const Bvh::Corners& a, const Bvh::Corners& b,
+                          const Pose& pose);
 
 }  // namespace plumb::space

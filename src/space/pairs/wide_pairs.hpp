@@ -144,7 +144,7 @@ class WideLeafPairs {
 
   const MeshView &a_, &b_;
   bool is_own_;
-  JudgedPair judge_;
+  JudgedPair<Bvh> judge_;
   Kept kept_a_;
   std::array<Kept, 8> kept_b_;  // by the child that the leaf is
 };

@@ -32,6 +32,9 @@ struct Bvh {
   KeptArray<Point3> vertices;
   WideTree<8> wide;  // of the same tree, for rays
 
+  [[nodiscard]] std::size_t slots() const { return triangles.size(); }
+  [[nodiscard]] std::uint32_t number(std::size_t slot) const { return tree.items[slot]; }
+  [[nodiscard]] Corners corners_of(std::size_t slot) const { return triangles[slot]; }
   [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
     const Corners& c = triangles[slot];
     return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};

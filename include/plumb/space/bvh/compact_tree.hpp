@@ -78,8 +78,10 @@ struct alignas(16) CompactNode {
 static_assert(sizeof(CompactNode) == 80);
 
 struct CompactTree {
-  /// Children that wait at most, depth first: seven on each level, of which leaves of 2^31 slots, divided, take nine more.
-  static constexpr std::size_t most_waiting = 7 * (most_tree_depth + 9) + 1;
+  /// Of nodes: leaves of 2^31 slots, divided, take nine more than a binary tree has.
+  static constexpr std::size_t most_levels = most_tree_depth + 9;
+  /// Children that wait at most, depth first: seven on each level.
+  static constexpr std::size_t most_waiting = 7 * most_levels + 1;
 
   KeptArray<CompactNode> nodes;
   BoxFrame frame;
@@ -96,9 +98,14 @@ struct CompactBvh {
   KeptArray<Point3> vertices;
 
   [[nodiscard]] std::size_t slots() const { return numbers.size(); }
-  [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
+  [[nodiscard]] std::uint32_t number(std::size_t slot) const { return numbers[slot]; }
+  [[nodiscard]] Bvh::Corners corners_of(std::size_t slot) const {
     const PackedView c = corners.view();
-    return {vertices[c[3 * slot]], vertices[c[3 * slot + 1]], vertices[c[3 * slot + 2]]};
+    return {c[3 * slot], c[3 * slot + 1], c[3 * slot + 2]};
+  }
+  [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
+    const Bvh::Corners c = corners_of(slot);
+    return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
   }
 };
 

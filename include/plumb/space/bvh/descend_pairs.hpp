@@ -9,13 +9,16 @@
 // Laws: (1) each pair of leaves is visited at most once, and exactly if all pairs of nodes on the way to it meet.  What
 //       meets keeps its answer for what contains more, so the pairs visited depend on no rule.  (2) Of a tree with
 //       itself visit is called with the same leaf twice, and with each two leaves once, the first in the order of the
-//       slots first.
+//       descent first; in binary trees that is the order of the slots.
 // Where the frames of the trees differ (box_frame.hpp), so do the numbers of their boxes: `meets` must know.
+// A tree of another layout takes part once TreePlaces says how its places are named (descend_compact_pairs.hpp).
 // No recursion; a stack of fixed size.
 // Source: RTCD 6.3.1, 6.3.3.
 // Cost: one call of meets for each pair that a pair which meets is replaced by.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "plumb/space/bvh/descend.hpp"
@@ -55,61 +58,98 @@ struct descend_both {
 
 namespace space {
 
-struct NodePair {
-  std::uint32_t a, b;
+/// Of two trees, how their nodes are named: binary ones by their numbers.
+template <class A, class B>
+struct PlacePair {
+  A a;
+  B b;
 };
+template <class A, class B>
+PlacePair(A, B) -> PlacePair<A, B>;
+using NodePair = PlacePair<std::uint32_t, std::uint32_t>;
 
-// Pairs that wait: one for each level of a tree that is descended alone, three for a level of both.
-inline constexpr std::size_t most_waiting_pairs = 3 * std::size_t{most_tree_depth} + 4;
+// What a descent must know of a tree: empty(), the node at a place, whose is_leaf() is asked, and the following.
+template <class Node>
+std::uint32_t root_place(std::span<const Node>) {
+  return 0;
+}
+/// take(place) of each child, the first last.
+template <class Node, class Take>
+void for_children(std::span<const Node> nodes, std::uint32_t i, const Take& take) {
+  take(i + nodes[i].link);
+  take(i + 1);
+}
+template <class Node>
+bool is_same_node(std::span<const Node>, const Node& a, const Node& b) {
+  return &a == &b;
+}
+template <class Node>
+bool is_same_place(std::span<const Node>, std::uint32_t i, std::uint32_t k) {
+  return i == k;
+}
 
-/// What a pair is replaced by, the first to be looked at last: take(NodePair) of each.  Not of two leaves.
-template <class A, class B, class Rule, class Take>
-void replace_pair(std::span<const A> as, std::span<const B> bs, const Rule& rule, NodePair pair, const Take& take) {
-  const auto [i, k] = pair;
-  const A& a = as[i];
-  const B& b = bs[k];
+/// So many children has a node at most, and so many levels a tree.
+template <class Places>
+inline constexpr std::size_t most_children = 2;
+template <class Places>
+inline constexpr std::size_t most_levels = most_tree_depth;
+
+// Pairs that wait: a pair is replaced by one for each two children, and then the next level of both is looked at.
+template <class As, class Bs>
+inline constexpr std::size_t most_pairs_waiting =
+    (most_children<As> * most_children<Bs> - 1) * std::max(most_levels<As>, most_levels<Bs>) + 4;
+inline constexpr std::size_t most_waiting_pairs =
+    most_pairs_waiting<std::span<const BoxNode>, std::span<const BoxNode>>;
+
+/// What a pair is replaced by, the first to be looked at last: take(pair) of each.  Not of two leaves.
+template <class As, class Bs, class Rule, class A, class B, class Take>
+void replace_pair(const As& as, const Bs& bs, const Rule& rule, const PlacePair<A, B>& pair, const Take& take) {
+  using Pair = PlacePair<A, B>;
+  const auto& a = as[pair.a];
+  const auto& b = bs[pair.b];
   const Descend which = a.is_leaf() ? Descend::second : b.is_leaf() ? Descend::first : rule(a, b);
   if (which == Descend::first) {
-    take({i + a.link, k});
-    take({i + 1, k});
+    for_children(as, pair.a, [&](const A& i) { take(Pair{i, pair.b}); });
   } else if (which == Descend::second) {
-    take({i, k + b.link});
-    take({i, k + 1});
+    for_children(bs, pair.b, [&](const B& k) { take(Pair{pair.a, k}); });
   } else {
-    take({i + a.link, k + b.link});
-    take({i + a.link, k + 1});
-    take({i + 1, k + b.link});
-    take({i + 1, k + 1});
+    for_children(as, pair.a, [&](const A& i) { for_children(bs, pair.b, [&](const B& k) { take(Pair{i, k}); }); });
   }
 }
 
 /// The same of one tree, in which a node is paired with itself as well.
-template <class Node, class Take>
-void replace_own_pair(std::span<const Node> nodes, NodePair pair, const Take& take) {
-  const auto [i, k] = pair;
-  if (i != k) {
-    replace_pair(nodes, nodes, descend_larger{}, pair, take);
-  } else {
-    const std::uint32_t second = i + nodes[i].link;
-    take({i + 1, second});
-    take({second, second});
-    take({i + 1, i + 1});
+template <class Places, class A, class Rule, class Take>
+void replace_own_pair(const Places& places, const PlacePair<A, A>& pair, const Rule& rule, const Take& take) {
+  using Pair = PlacePair<A, A>;
+  if (!is_same_place(places, pair.a, pair.b)) return replace_pair(places, places, rule, pair, take);
+  std::array<A, most_children<Places>> last_first;
+  std::size_t n = 0;
+  for_children(places, pair.a, [&](const A& child) { last_first[n++] = child; });
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k + 1; i < n; ++i) take(Pair{last_first[i], last_first[k]});
   }
+  for (std::size_t i = 0; i < n; ++i) take(Pair{last_first[i], last_first[i]});
+}
+
+template <class Places, class A, class Take>
+void replace_own_pair(const Places& places, const PlacePair<A, A>& pair, const Take& take) {
+  replace_own_pair(places, pair, descend_larger{}, take);
 }
 
 /// From one pair on; replace(pair, take) says what it is replaced by.
-template <class A, class B, class Replace, class Meets, class Visit>
-Descent descend_from(std::span<const A> as, std::span<const B> bs, NodePair start, const Replace& replace, Meets& meets,
+template <class As, class Bs, class A, class B, class Replace, class Meets, class Visit>
+Descent descend_from(const As& as, const Bs& bs, const PlacePair<A, B>& start, const Replace& replace, Meets& meets,
                      Visit& visit) {
-  std::array<NodePair, most_waiting_pairs> later;
+  using Pair = PlacePair<A, B>;
+  std::array<Pair, most_pairs_waiting<As, Bs>> later;
   std::size_t waiting = 0;
   later[waiting++] = start;
   while (waiting > 0) {
-    const NodePair pair = later[--waiting];
-    const A& a = as[pair.a];
-    const B& b = bs[pair.b];
+    const Pair pair = later[--waiting];
+    const auto& a = as[pair.a];
+    const auto& b = bs[pair.b];
     if (!a.is_leaf() || !b.is_leaf()) {
-      replace(pair, [&](NodePair next) {
+      replace(pair, [&](const Pair& next) {
         if (meets(as[next.a], bs[next.b])) later[waiting++] = next;
       });
     } else if (visited(visit, a, b) == Descent::stop) {
@@ -119,25 +159,36 @@ Descent descend_from(std::span<const A> as, std::span<const B> bs, NodePair star
   return Descent::go_on;
 }
 
+/// How the nodes of a tree are found.
+template <class Tree>
+struct TreePlaces {
+  static auto of(const Tree& tree) { return tree.nodes.view(); }
+};
+
 }  // namespace space
 
 template <class TreeA, class TreeB, class Rule, class Meets, class Visit>
 Descent descend_pairs(const TreeA& tree_a, const TreeB& tree_b, const Rule& rule, Meets&& meets, Visit&& visit) {
-  const auto as = tree_a.nodes.view();
-  const auto bs = tree_b.nodes.view();
-  if (as.empty() || bs.empty() || !meets(as[0], bs[0])) return Descent::go_on;
-  const auto replace = [&](space::NodePair pair, const auto& take) { space::replace_pair(as, bs, rule, pair, take); };
-  return space::descend_from(as, bs, {0, 0}, replace, meets, visit);
+  const auto as = space::TreePlaces<TreeA>::of(tree_a);
+  const auto bs = space::TreePlaces<TreeB>::of(tree_b);
+  if (as.empty() || bs.empty()) return Descent::go_on;
+  using space::root_place;
+  const space::PlacePair roots{root_place(as), root_place(bs)};
+  if (!meets(as[roots.a], bs[roots.b])) return Descent::go_on;
+  const auto replace = [&](const auto& pair, const auto& take) { space::replace_pair(as, bs, rule, pair, take); };
+  return space::descend_from(as, bs, roots, replace, meets, visit);
 }
 
 /// A node always meets itself.
 template <class Tree, class Meets, class Visit>
 Descent descend_own_pairs(const Tree& tree, Meets&& meets, Visit&& visit) {
-  const auto nodes = tree.nodes.view();
-  if (nodes.empty()) return Descent::go_on;
-  const auto replace = [&](space::NodePair pair, const auto& take) { space::replace_own_pair(nodes, pair, take); };
-  const auto itself_too = [&](const auto& a, const auto& b) { return &a == &b || meets(a, b); };
-  return space::descend_from(nodes, nodes, {0, 0}, replace, itself_too, visit);
+  const auto places = space::TreePlaces<Tree>::of(tree);
+  if (places.empty()) return Descent::go_on;
+  const auto replace = [&](const auto& pair, const auto& take) { space::replace_own_pair(places, pair, take); };
+  using space::is_same_node, space::root_place;
+  const auto itself_too = [&](const auto& a, const auto& b) { return is_same_node(places, a, b) || meets(a, b); };
+  return space::descend_from(places, places, space::PlacePair{root_place(places), root_place(places)}, replace,
+                             itself_too, visit);
 }
 
 }  // namespace plumb

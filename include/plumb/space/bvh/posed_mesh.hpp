@@ -3,6 +3,7 @@
 //   const Pose turn{{{{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}}, {5, 0, 0}};
 //   intersecting_pairs({a, turn}, b);        // a Bvh alone stands where it was built
 //
+// PosedCompactMesh is the same of a CompactBvh.
 // Laws: (1) every question is answered for the vertices matrix * p + translation of real arithmetic, whatever the
 // matrix: not quite orthonormal, with shear, a mirror, a projection onto a plane, a line or a point, and beyond the
 // largest double.  (2) So a common pose of two meshes changes no pair and no relation, where its matrix is regular.
@@ -15,18 +16,23 @@
 
 #include "plumb/arith/pose.hpp"
 #include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/compact_tree.hpp"
 
 namespace plumb {
 
-struct PosedMesh {
-  const Bvh& bvh;
+template <class Mesh>
+struct PosedMeshOf {
+  const Mesh& bvh;
   Pose pose;
 
-  PosedMesh(const Bvh& b, const Pose& p = identity_pose) : bvh(b), pose(p) {}  // NOLINT: a Bvh is one
-  PosedMesh(Bvh&&, const Pose& = identity_pose) = delete;                      // which would not live
+  PosedMeshOf(const Mesh& b, const Pose& p = identity_pose) : bvh(b), pose(p) {}  // NOLINT: a Bvh is one
+  PosedMeshOf(Mesh&&, const Pose& = identity_pose) = delete;                      // which would not live
 
   /// Of the triangle in a slot.
   [[nodiscard]] Posed<Triangle3> triangle(std::size_t slot) const { return {bvh.triangle(slot), pose}; }
 };
+
+using PosedMesh = PosedMeshOf<Bvh>;
+using PosedCompactMesh = PosedMeshOf<CompactBvh>;
 
 }  // namespace plumb

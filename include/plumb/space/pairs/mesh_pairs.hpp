@@ -24,6 +24,7 @@
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/query/section/intersection_result.hpp"
 #include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/compact_tree.hpp"
 #include "plumb/space/bvh/progress.hpp"
 
 namespace plumb {
@@ -58,6 +59,17 @@ std::optional<TrianglePair> any_self_intersecting_pair(const Bvh& mesh, const Pa
 /// intersection(triangle, triangle) of each pair, in their order; of neighbors with what they share.  A number that
 /// names no triangle throws InvalidShape.
 std::vector<Intersection3> intersections(const Bvh& a, const Bvh& b, std::span<const TrianglePair> pairs,
+                                         const PairOptions& options = {});
+
+/// The same of compact trees.
+std::vector<TrianglePair> intersecting_pairs(const CompactBvh& a, const CompactBvh& b, const PairOptions& options = {});
+std::vector<TrianglePair> self_intersecting_pairs(const CompactBvh& mesh, const PairOptions& options = {});
+PairCount count_intersecting_pairs(const CompactBvh& a, const CompactBvh& b, const PairOptions& options = {});
+PairCount count_self_intersecting_pairs(const CompactBvh& mesh, const PairOptions& options = {});
+std::optional<TrianglePair> any_intersecting_pair(const CompactBvh& a, const CompactBvh& b,
+                                                  const PairOptions& options = {});
+std::optional<TrianglePair> any_self_intersecting_pair(const CompactBvh& mesh, const PairOptions& options = {});
+std::vector<Intersection3> intersections(const CompactBvh& a, const CompactBvh& b, std::span<const TrianglePair> pairs,
                                          const PairOptions& options = {});
 
 }  // namespace plumb

@@ -30,4 +30,17 @@ std::optional<TrianglePair> any_self_intersecting_pair(const PosedMesh& mesh, co
 std::vector<Intersection3> intersections(const PosedMesh& a, const PosedMesh& b, std::span<const TrianglePair> pairs,
                                          const PairOptions& options = {});
 
+/// The same of compact trees.
+std::vector<TrianglePair> intersecting_pairs(const PosedCompactMesh& a, const PosedCompactMesh& b,
+                                             const PairOptions& options = {});
+std::vector<TrianglePair> self_intersecting_pairs(const PosedCompactMesh& mesh, const PairOptions& options = {});
+PairCount count_intersecting_pairs(const PosedCompactMesh& a, const PosedCompactMesh& b,
+                                   const PairOptions& options = {});
+PairCount count_self_intersecting_pairs(const PosedCompactMesh& mesh, const PairOptions& options = {});
+std::optional<TrianglePair> any_intersecting_pair(const PosedCompactMesh& a, const PosedCompactMesh& b,
+                                                  const PairOptions& options = {});
+std::optional<TrianglePair> any_self_intersecting_pair(const PosedCompactMesh& mesh, const PairOptions& options = {});
+std::vector<Intersection3> intersections(const PosedCompactMesh& a, const PosedCompactMesh& b,
+                                         std::span<const TrianglePair> pairs, const PairOptions& options = {});
+
 }  // namespace plumb
