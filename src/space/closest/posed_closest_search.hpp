@@ -12,7 +12,7 @@
 
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
-#include "plumb/space/bvh/descend_pairs.hpp"
+#include "plumb/space/bvh/descend_compact_pairs.hpp"
 #include "plumb/space/closest/posed_closest.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "query/overlap/posed_triangles.hpp"
@@ -58,11 +58,11 @@ struct PosedCandidate {
 
 /// The k nearest, in order.  A triangle that may be near, as one of this slot was before, is offered first where k is
 /// 1; a number that is no slot is no guess.
-template <class Watch = Unwatched>
-std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p, std::size_t k,
+template <class Mesh, class Watch = Unwatched>
+std::vector<PosedCandidate> nearest_posed(const PosedMeshOf<Mesh>& mesh, const Point3& p, std::size_t k,
                                           std::uint32_t guess = no_slot, Watch watch = {}) {
   std::vector<PosedCandidate> found;
-  k = std::min(k, mesh.bvh.triangles.size());
+  k = std::min(k, mesh.bvh.slots());
   if (k == 0) return found;
   const Aabb3 point{p, p};
   const auto nearer = [&](const PosedCandidate& x, const PosedCandidate& y) {
@@ -80,10 +80,10 @@ std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p
     return square_below(point, around(mesh, node));
   };
   double limit = beyond_all;
-  const std::uint32_t offered = k == 1 && guess < mesh.bvh.triangles.size() ? guess : no_slot;
+  const std::uint32_t offered = k == 1 && guess < mesh.bvh.slots() ? guess : no_slot;
   if (offered != no_slot) {
     watch.triangle();
-    found.push_back({mesh.bvh.tree.items[guess], guess, query::distance(mesh.triangle(guess), p)});
+    found.push_back({mesh.bvh.number(guess), guess, query::distance(mesh.triangle(guess), p)});
     limit = square_above(found.back().distance);
   }
   descend_nearer_first(mesh.bvh.tree, limit, bound, [&](std::uint32_t first, std::uint32_t count, double& now) {
@@ -93,7 +93,7 @@ std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p
       if (square_below(point, around(triangle)) > now) continue;
       if (found.size() == k && distance_below(NearbyTriangle(triangle), p) > raised(found.back().distance)) continue;
       watch.triangle();
-      const PosedCandidate candidate{mesh.bvh.tree.items[slot], slot, query::distance(triangle, p)};
+      const PosedCandidate candidate{mesh.bvh.number(slot), slot, query::distance(triangle, p)};
       if (found.size() == k && !nearer(candidate, found.back())) continue;
       const auto place = std::upper_bound(found.begin(), found.end(), candidate, nearer) - found.begin();
       if (place > 0 && found[static_cast<std::size_t>(place - 1)].item == candidate.item) continue;  // in two slots
@@ -105,7 +105,8 @@ std::vector<PosedCandidate> nearest_posed(const PosedMesh& mesh, const Point3& p
   return found;
 }
 
-inline ClosestOnMesh posed_found(const PosedMesh& mesh, const Point3& p, const PosedCandidate& found) {
+template <class Mesh>
+ClosestOnMesh posed_found(const PosedMeshOf<Mesh>& mesh, const Point3& p, const PosedCandidate& found) {
   const query::ClosestOnPosed near = query::closest_on(mesh.triangle(found.slot), p);
   return {found.item, near.point, near.distance, near.feature};
 }

@@ -5,6 +5,7 @@
 
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/descend_compact.hpp"
 #include "query/overlap/posed_shapes.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
@@ -24,8 +25,8 @@ bool may_meet_posed(const Aabb3& box, const Shape& shape) {
   }
 }
 
-template <class Shape>
-std::vector<std::uint32_t> posed_found(const PosedMesh& mesh, const Shape& shape) {
+template <class Mesh, class Shape>
+std::vector<std::uint32_t> posed_found(const PosedMeshOf<Mesh>& mesh, const Shape& shape) {
   (void)intersects(Aabb3{{0, 0, 0}, {0, 0, 0}}, shape);  // throws where the numbers are no shape
   std::vector<std::uint32_t> items;
   descend(
@@ -34,12 +35,27 @@ std::vector<std::uint32_t> posed_found(const PosedMesh& mesh, const Shape& shape
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
           const Posed<Triangle3> triangle = mesh.triangle(slot);
           if (may_meet_posed(around(triangle), shape) && query::intersects(triangle, shape))
-            items.push_back(mesh.bvh.tree.items[slot]);
+            items.push_back(mesh.bvh.number(slot));
         }
       });
   std::ranges::sort(items);
   items.erase(std::unique(items.begin(), items.end()), items.end());  // an item may be in several slots
   return items;
+}
+
+template <class Mesh, class Shape>
+std::vector<std::vector<std::uint32_t>> posed_found_of_each(const PosedMeshOf<Mesh>& mesh,
+                                                            std::span<const Shape> shapes,
+                                                            const RangeOptions& options) {
+  require_pose("triangles_meeting", "mesh", mesh.pose);
+  std::vector<std::vector<std::uint32_t>> all(shapes.size());
+  constexpr std::size_t part_size = 4;
+  const std::size_t parts = blocks_of(shapes.size(), part_size);
+  for_parts("triangles_meeting", options.execution, options.progress, parts, [&](std::size_t part) {
+    const std::size_t to = std::min(shapes.size(), (part + 1) * part_size);
+    for (std::size_t i = part * part_size; i < to; ++i) all[i] = posed_found(mesh, shapes[i]);
+  });
+  return all;
 }
 
 }  // namespace
@@ -50,25 +66,29 @@ std::vector<std::uint32_t> triangles_meeting(const PosedMesh& mesh, const Shape&
   space::require_pose("triangles_meeting", "mesh", mesh.pose);
   return space::posed_found(mesh, shape);
 }
+template <RangeShape Shape>
+std::vector<std::uint32_t> triangles_meeting(const PosedCompactMesh& mesh, const Shape& shape) {
+  space::require_pose("triangles_meeting", "mesh", mesh.pose);
+  return space::posed_found(mesh, shape);
+}
 
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedMesh& mesh, std::span<const Shape> shapes,
                                                           const RangeOptions& options) {
-  space::require_pose("triangles_meeting", "mesh", mesh.pose);
-  std::vector<std::vector<std::uint32_t>> all(shapes.size());
-  constexpr std::size_t part_size = 4;
-  const std::size_t parts = space::blocks_of(shapes.size(), part_size);
-  space::for_parts("triangles_meeting", options.execution, options.progress, parts, [&](std::size_t part) {
-    const std::size_t to = std::min(shapes.size(), (part + 1) * part_size);
-    for (std::size_t i = part * part_size; i < to; ++i) all[i] = space::posed_found(mesh, shapes[i]);
-  });
-  return all;
+  return space::posed_found_of_each(mesh, shapes, options);
+}
+template <RangeShape Shape>
+std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedCompactMesh& mesh, std::span<const Shape> shapes,
+                                                          const RangeOptions& options) {
+  return space::posed_found_of_each(mesh, shapes, options);
 }
 
-#define PLUMB_POSED_RANGE_SHAPE(Shape)                                                                         \
-  template std::vector<std::uint32_t> triangles_meeting(const PosedMesh&, const Shape&);                       \
-  template std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedMesh&, std::span<const Shape>, \
+#define PLUMB_POSED_RANGE_MESH(Mesh, Shape)                                                               \
+  template std::vector<std::uint32_t> triangles_meeting(const Mesh&, const Shape&);                       \
+  template std::vector<std::vector<std::uint32_t>> triangles_meeting(const Mesh&, std::span<const Shape>, \
                                                                      const RangeOptions&);
+#define PLUMB_POSED_RANGE_SHAPE(Shape) \
+  PLUMB_POSED_RANGE_MESH(PosedMesh, Shape) PLUMB_POSED_RANGE_MESH(PosedCompactMesh, Shape)
 PLUMB_POSED_RANGE_SHAPE(Aabb3)
 PLUMB_POSED_RANGE_SHAPE(Obb3)
 PLUMB_POSED_RANGE_SHAPE(Sphere3)
@@ -77,5 +97,6 @@ PLUMB_POSED_RANGE_SHAPE(Segment3)
 PLUMB_POSED_RANGE_SHAPE(Halfspace3)
 PLUMB_POSED_RANGE_SHAPE(HalfspaceIntersection3)
 #undef PLUMB_POSED_RANGE_SHAPE
+#undef PLUMB_POSED_RANGE_MESH
 
 }  // namespace plumb

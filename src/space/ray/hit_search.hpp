@@ -35,7 +35,8 @@ class HitSearch : public TriangleVisitor {
         slabs_(ray, mesh.tree.frame, mesh.tree.box()),
         limit_(slabs_.limit()) {}
   /// Along the ray, which the mesh sees so.
-  HitSearch(const AnyRay& ray, const SeenRay& seen, const PosedMesh& mesh, HitRule rule)
+  template <class Mesh>
+  HitSearch(const AnyRay& ray, const SeenRay& seen, const PosedMeshOf<Mesh>& mesh, HitRule rule)
       : ray_(&ray),
         seen_(&seen),
         pose_(&mesh.pose),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/descend_compact.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/ray/crossings.hpp"
 #include "space/bvh/blocks.hpp"
@@ -36,7 +37,8 @@ struct CrossedItem {
 };
 
 /// Nothing for a point on a triangle.  An item may be in several slots.
-std::optional<query::Crossings> tree_crossings(std::string_view function, const Bvh& bvh, const Point3& p) {
+template <class Mesh>
+std::optional<query::Crossings> tree_crossings(std::string_view function, const Mesh& bvh, const Point3& p) {
   query::require_figure(function, "p", p);
   std::vector<CrossedItem> crossed;
   const bool on_one = descend(bvh.tree, AlongX(bvh.tree.frame, p), [&](std::uint32_t first, std::uint32_t count) {
@@ -44,7 +46,7 @@ std::optional<query::Crossings> tree_crossings(std::string_view function, const 
                           query::Crossings one;
                           if (!one.take(bvh.triangle(slot), p)) return Descent::stop;
                           if (one.count != 0)
-                            crossed.push_back({bvh.tree.items[slot], static_cast<std::int32_t>(one.outward)});
+                            crossed.push_back({bvh.number(slot), static_cast<std::int32_t>(one.outward)});
                         }
                         return Descent::go_on;
                       }) == Descent::stop;
@@ -68,26 +70,28 @@ void answer_points(std::string_view function, std::span<const Point3> points, st
 
 }  // namespace
 
-Location locate(const Bvh& bvh, const Point3& p) {
-  const auto found = tree_crossings("locate", bvh, p);
-  if (!found) return Location::boundary;
-  return found->count % 2 == 1 ? Location::inside : Location::outside;
-}
-
-bool contains(const Bvh& bvh, const Point3& p) { return locate(bvh, p) != Location::outside; }
-
-std::optional<std::int64_t> winding_number(const Bvh& bvh, const Point3& p) {
-  const auto found = tree_crossings("winding_number", bvh, p);
-  if (!found) return {};
-  return found->outward;
-}
-
-void locate(const Bvh& bvh, std::span<const Point3> points, std::span<Location> out, Execution execution) {
-  answer_points("locate", points, out, execution, [&](const Point3& p) { return locate(bvh, p); });
-}
-void winding_number(const Bvh& bvh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out,
-                    Execution execution) {
-  answer_points("winding_number", points, out, execution, [&](const Point3& p) { return winding_number(bvh, p); });
-}
+// Each question of the mesh's tree in its usual and in its compact form.
+#define PLUMB_INSIDE(Mesh)                                                                                            \
+  Location locate(const Mesh& bvh, const Point3& p) {                                                                 \
+    const auto found = tree_crossings("locate", bvh, p);                                                              \
+    if (!found) return Location::boundary;                                                                            \
+    return found->count % 2 == 1 ? Location::inside : Location::outside;                                              \
+  }                                                                                                                   \
+  bool contains(const Mesh& bvh, const Point3& p) { return locate(bvh, p) != Location::outside; }                     \
+  std::optional<std::int64_t> winding_number(const Mesh& bvh, const Point3& p) {                                      \
+    const auto found = tree_crossings("winding_number", bvh, p);                                                      \
+    if (!found) return {};                                                                                            \
+    return found->outward;                                                                                            \
+  }                                                                                                                   \
+  void locate(const Mesh& bvh, std::span<const Point3> points, std::span<Location> out, Execution execution) {        \
+    answer_points("locate", points, out, execution, [&](const Point3& p) { return locate(bvh, p); });                 \
+  }                                                                                                                   \
+  void winding_number(const Mesh& bvh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out,    \
+                      Execution execution) {                                                                          \
+    answer_points("winding_number", points, out, execution, [&](const Point3& p) { return winding_number(bvh, p); }); \
+  }
+PLUMB_INSIDE(Bvh)
+PLUMB_INSIDE(CompactBvh)
+#undef PLUMB_INSIDE
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 
 #include "certify/certainly.hpp"
 #include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/descend_compact.hpp"
 #include "plumb/space/ray/posed_ray.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/ray/posed_triangle.hpp"
@@ -42,7 +43,8 @@ struct PosedCrossing {
 };
 
 /// Nothing for a point on a triangle.
-std::optional<std::vector<PosedCrossing>> posed_crossings(const PosedMesh& mesh, const Point3& p) {
+template <class Mesh>
+std::optional<std::vector<PosedCrossing>> posed_crossings(const PosedMeshOf<Mesh>& mesh, const Point3& p) {
   const auto ahead = [&](const Aabb3& box) {
     return p.x <= box.max.x && box.min.y <= p.y && p.y <= box.max.y && box.min.z <= p.z && p.z <= box.max.z;
   };
@@ -55,7 +57,7 @@ std::optional<std::vector<PosedCrossing>> posed_crossings(const PosedMesh& mesh,
       if (!ahead(box)) continue;
       if (box.min.x <= p.x && query::hits(point, triangle, HitRule::closed)) return Descent::stop;
       if (const Sign way = crossing_of(triangle, p); way != Sign::zero)
-        crossed.push_back({mesh.bvh.tree.items[slot], static_cast<std::int32_t>(way)});
+        crossed.push_back({mesh.bvh.number(slot), static_cast<std::int32_t>(way)});
     }
     return Descent::go_on;
   };
@@ -66,13 +68,15 @@ std::optional<std::vector<PosedCrossing>> posed_crossings(const PosedMesh& mesh,
   return crossed;
 }
 
-Location located(const PosedMesh& mesh, const Point3& p) {
+template <class Mesh>
+Location located(const PosedMeshOf<Mesh>& mesh, const Point3& p) {
   const auto crossed = posed_crossings(mesh, p);
   if (!crossed) return Location::boundary;
   return crossed->size() % 2 == 1 ? Location::inside : Location::outside;
 }
 
-std::optional<std::int64_t> wound(const PosedMesh& mesh, const Point3& p) {
+template <class Mesh>
+std::optional<std::int64_t> wound(const PosedMeshOf<Mesh>& mesh, const Point3& p) {
   const auto crossed = posed_crossings(mesh, p);
   if (!crossed) return {};
   std::int64_t sum = 0;
@@ -80,13 +84,14 @@ std::optional<std::int64_t> wound(const PosedMesh& mesh, const Point3& p) {
   return sum;
 }
 
-void require_posed_point(const char* function, const PosedMesh& mesh, const Point3& p) {
+template <class Mesh>
+void require_posed_point(const char* function, const PosedMeshOf<Mesh>& mesh, const Point3& p) {
   require_pose(function, "mesh", mesh.pose);
   query::require_figure(function, "p", p);
 }
 
-template <class Out, class Answer>
-void answer_posed_points(const char* function, const PosedMesh& mesh, std::span<const Point3> points,
+template <class Mesh, class Out, class Answer>
+void answer_posed_points(const char* function, const PosedMeshOf<Mesh>& mesh, std::span<const Point3> points,
                          std::span<Out> out, Execution execution, const Answer& answer) {
   if (out.size() != points.size()) {
     throw UnequalLengths(std::string(function) + ": out has " + std::to_string(out.size()) + " items, points has " +
@@ -95,7 +100,7 @@ void answer_posed_points(const char* function, const PosedMesh& mesh, std::span<
   for_blocks(execution, points.size(), 16, [&](std::size_t, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       require_posed_point(function, mesh, points[i]);
-      out[i] = answer(mesh, points[i]);
+      out[i] = answer(points[i]);
     }
   });
 }
@@ -103,25 +108,31 @@ void answer_posed_points(const char* function, const PosedMesh& mesh, std::span<
 }  // namespace
 }  // namespace space
 
-Location locate(const PosedMesh& mesh, const Point3& p) {
-  space::require_posed_point("locate", mesh, p);
-  return space::located(mesh, p);
-}
-bool contains(const PosedMesh& mesh, const Point3& p) {
-  space::require_posed_point("contains", mesh, p);
-  return space::located(mesh, p) != Location::outside;
-}
-std::optional<std::int64_t> winding_number(const PosedMesh& mesh, const Point3& p) {
-  space::require_posed_point("winding_number", mesh, p);
-  return space::wound(mesh, p);
-}
-
-void locate(const PosedMesh& mesh, std::span<const Point3> points, std::span<Location> out, Execution execution) {
-  space::answer_posed_points("locate", mesh, points, out, execution, space::located);
-}
-void winding_number(const PosedMesh& mesh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out,
-                    Execution execution) {
-  space::answer_posed_points("winding_number", mesh, points, out, execution, space::wound);
-}
+// Each question of the mesh's tree in its usual and in its compact form.
+#define PLUMB_POSED_INSIDE(Mesh)                                                                                    \
+  Location locate(const Mesh& mesh, const Point3& p) {                                                              \
+    space::require_posed_point("locate", mesh, p);                                                                  \
+    return space::located(mesh, p);                                                                                 \
+  }                                                                                                                 \
+  bool contains(const Mesh& mesh, const Point3& p) {                                                                \
+    space::require_posed_point("contains", mesh, p);                                                                \
+    return space::located(mesh, p) != Location::outside;                                                            \
+  }                                                                                                                 \
+  std::optional<std::int64_t> winding_number(const Mesh& mesh, const Point3& p) {                                   \
+    space::require_posed_point("winding_number", mesh, p);                                                          \
+    return space::wound(mesh, p);                                                                                   \
+  }                                                                                                                 \
+  void locate(const Mesh& mesh, std::span<const Point3> points, std::span<Location> out, Execution execution) {     \
+    space::answer_posed_points("locate", mesh, points, out, execution,                                              \
+                               [&](const Point3& p) { return space::located(mesh, p); });                           \
+  }                                                                                                                 \
+  void winding_number(const Mesh& mesh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out, \
+                      Execution execution) {                                                                        \
+    space::answer_posed_points("winding_number", mesh, points, out, execution,                                      \
+                               [&](const Point3& p) { return space::wound(mesh, p); });                             \
+  }
+PLUMB_POSED_INSIDE(PosedMesh)
+PLUMB_POSED_INSIDE(PosedCompactMesh)
+#undef PLUMB_POSED_INSIDE
 
 }  // namespace plumb

@@ -9,6 +9,7 @@
 #include "plumb/arith/interval.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "plumb/space/bvh/descend.hpp"
+#include "plumb/space/bvh/descend_compact.hpp"
 #include "query/ray/numbers.hpp"
 #include "query/ray/posed_triangle.hpp"
 #include "space/bvh/parts.hpp"
@@ -40,8 +41,8 @@ double entry_below(const AnyRay& ray, const Aabb3& box) {
 }
 
 /// visit(slot) of each triangle whose leaf the ray may hit.
-template <class Visit>
-void visit_posed(const AnyRay& ray, const PosedMesh& mesh, const Visit& visit) {
+template <class Mesh, class Visit>
+void visit_posed(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, const Visit& visit) {
   descend(
       mesh.bvh.tree, [&](const BoxNode& node) { return may_hit(ray, around(mesh, node)); },
       [&](std::uint32_t first, std::uint32_t count) {
@@ -53,7 +54,8 @@ void visit_posed(const AnyRay& ray, const PosedMesh& mesh, const Visit& visit) {
 }
 
 /// The sign of the exact parameter of one triangle that is hit minus that of another.
-std::strong_ordering parameter_order(const AnyRay& ray, const PosedMesh& mesh, HitRule rule, std::size_t a,
+template <class Mesh>
+std::strong_ordering parameter_order(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule, std::size_t a,
                                      std::size_t b) {
   return *query::first_hit_parameter(ray, mesh.triangle(a), rule) <=>
          *query::first_hit_parameter(ray, mesh.triangle(b), rule);
@@ -64,7 +66,8 @@ struct PosedHit {
   Hit hit;
 };
 
-std::optional<NumberedHit> first_posed_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+template <class Mesh>
+std::optional<NumberedHit> first_posed_hit(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
   std::optional<PosedHit> best;
   double limit = most_parameter;
   const auto is_before = [&](const PosedHit& h) {
@@ -81,7 +84,7 @@ std::optional<NumberedHit> first_posed_hit(const AnyRay& ray, const PosedMesh& m
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
       const auto hit = query::first_hit(ray, mesh.triangle(slot), rule);
       if (!hit) continue;
-      const PosedHit found{mesh.bvh.tree.items[slot], slot, *hit};
+      const PosedHit found{mesh.bvh.number(slot), slot, *hit};
       if (!is_before(found)) continue;
       best = found;
       until = std::min(until, raised(hit->t));
@@ -91,7 +94,8 @@ std::optional<NumberedHit> first_posed_hit(const AnyRay& ray, const PosedMesh& m
   return NumberedHit{best->number, best->hit};
 }
 
-bool any_posed_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+template <class Mesh>
+bool any_posed_hit(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
   bool found = false;
   visit_posed(ray, mesh, [&](std::uint32_t slot) {
     found = query::hits(ray, mesh.triangle(slot), rule);
@@ -100,11 +104,12 @@ bool any_posed_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
   return found;
 }
 
-std::vector<NumberedHit> ordered_posed_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+template <class Mesh>
+std::vector<NumberedHit> ordered_posed_hits(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
   std::vector<PosedHit> all;
   visit_posed(ray, mesh, [&](std::uint32_t slot) {
     if (const auto hit = query::first_hit(ray, mesh.triangle(slot), rule))
-      all.push_back({mesh.bvh.tree.items[slot], slot, *hit});
+      all.push_back({mesh.bvh.number(slot), slot, *hit});
   });
   std::ranges::sort(all, [&](const PosedHit& a, const PosedHit& b) {
     if (a.hit.t != b.hit.t) return a.hit.t < b.hit.t;
@@ -118,10 +123,11 @@ std::vector<NumberedHit> ordered_posed_hits(const AnyRay& ray, const PosedMesh& 
   return ordered;
 }
 
-std::size_t counted_posed_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+template <class Mesh>
+std::size_t counted_posed_hits(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
   std::vector<std::uint32_t> numbers;
   visit_posed(ray, mesh, [&](std::uint32_t slot) {
-    if (query::hits(ray, mesh.triangle(slot), rule)) numbers.push_back(mesh.bvh.tree.items[slot]);
+    if (query::hits(ray, mesh.triangle(slot), rule)) numbers.push_back(mesh.bvh.number(slot));
   });
   std::ranges::sort(numbers);
   return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
@@ -131,14 +137,16 @@ std::size_t counted_posed_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule
 struct AsksFirst {
   using Search = FirstHit;
   static auto answer(const Search& s) { return s.first(); }
-  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  template <class Mesh>
+  static auto unseen(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
     return first_posed_hit(ray, mesh, rule);
   }
 };
 struct AsksNumber {
   using Search = FirstHit;
   static auto answer(const Search& s) { return s.first_number(); }
-  static std::optional<std::uint32_t> unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  template <class Mesh>
+  static std::optional<std::uint32_t> unseen(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
     const auto hit = first_posed_hit(ray, mesh, rule);
     return hit ? std::optional(hit->index) : std::nullopt;
   }
@@ -146,30 +154,36 @@ struct AsksNumber {
 struct AsksAny {
   using Search = AnyHit;
   static auto answer(const Search& s) { return s.found(); }
-  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) { return any_posed_hit(ray, mesh, rule); }
+  template <class Mesh>
+  static auto unseen(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
+    return any_posed_hit(ray, mesh, rule);
+  }
 };
 struct AsksAll {
   using Search = OrderedHits;
   static auto answer(Search& s) { return s.in_order(); }
-  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  template <class Mesh>
+  static auto unseen(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
     return ordered_posed_hits(ray, mesh, rule);
   }
 };
 struct AsksCount {
   using Search = CountedHits;
   static auto answer(Search& s) { return s.count(); }
-  static auto unseen(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+  template <class Mesh>
+  static auto unseen(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
     return counted_posed_hits(ray, mesh, rule);
   }
 };
 
-void require_posed_shot(const char* function, const AnyRay& ray, const PosedMesh& mesh) {
+template <class Mesh>
+void require_posed_shot(const char* function, const AnyRay& ray, const PosedMeshOf<Mesh>& mesh) {
   if (!query::is_sound(ray)) query::require_ray(function, ray);
   require_pose(function, "mesh", mesh.pose);
 }
 
-template <class Asks>
-auto shoot(const char* function, const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
+template <class Asks, class Mesh>
+auto shoot(const char* function, const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
   require_posed_shot(function, ray, mesh);
   const auto seen = Sight(mesh)(ray);
   if (!seen) return Asks::unseen(ray, mesh, rule);
@@ -180,8 +194,8 @@ auto shoot(const char* function, const AnyRay& ray, const PosedMesh& mesh, HitRu
 }
 
 /// put(i, the answer along rays[i]); a part's rays descend together.
-template <class Asks, class Put>
-void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMesh& mesh, std::size_t places,
+template <class Asks, class Mesh, class Put>
+void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMeshOf<Mesh>& mesh, std::size_t places,
                const ManyRays& options, const Put& put) {
   if (places != rays.size()) {
     throw UnequalLengths(std::string(function) + ": out has " + std::to_string(places) + " items, rays has " +
@@ -215,46 +229,50 @@ void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMe
 }  // namespace
 }  // namespace space
 
-std::optional<NumberedHit> first_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  return space::shoot<space::AsksFirst>("first_hit", ray, mesh, rule);
-}
-std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  return space::shoot<space::AsksNumber>("first_triangle", ray, mesh, rule);
-}
-bool hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  return space::shoot<space::AsksAny>("hits", ray, mesh, rule);
-}
-std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  return space::shoot<space::AsksAll>("ordered_hits", ray, mesh, rule);
-}
-std::size_t count_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule) {
-  return space::shoot<space::AsksCount>("count_hits", ray, mesh, rule);
-}
-
-void first_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::optional<NumberedHit>> out,
-                const ManyRays& options) {
-  space::shoot_all<space::AsksFirst>("first_hits", rays, mesh, out.size(), options,
-                                     [&](std::size_t i, const auto& hit) { out[i] = hit; });
-}
-void first_triangles(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::uint32_t> out,
-                     const ManyRays& options) {
-  space::shoot_all<space::AsksNumber>("first_triangles", rays, mesh, out.size(), options,
-                                      [&](std::size_t i, const auto& n) { out[i] = n.value_or(no_triangle); });
-}
-void hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::uint8_t> out, const ManyRays& options) {
-  space::shoot_all<space::AsksAny>("hits", rays, mesh, out.size(), options, [&](std::size_t i, bool found) {
-    out[i] = static_cast<std::uint8_t>(found ? 1 : 0);
-  });
-}
-void ordered_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::vector<NumberedHit>> out,
-                  const ManyRays& options) {
-  space::shoot_all<space::AsksAll>("ordered_hits", rays, mesh, out.size(), options,
-                                   [&](std::size_t i, auto&& all) { out[i] = std::move(all); });
-}
-void count_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::size_t> out,
-                const ManyRays& options) {
-  space::shoot_all<space::AsksCount>("count_hits", rays, mesh, out.size(), options,
-                                     [&](std::size_t i, std::size_t n) { out[i] = n; });
-}
+// Each question of the mesh's tree in its usual and in its compact form.
+#define PLUMB_POSED_RAYS(Mesh)                                                                                      \
+  std::optional<NumberedHit> first_hit(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                         \
+    return space::shoot<space::AsksFirst>("first_hit", ray, mesh, rule);                                            \
+  }                                                                                                                 \
+  std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                  \
+    return space::shoot<space::AsksNumber>("first_triangle", ray, mesh, rule);                                      \
+  }                                                                                                                 \
+  bool hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                                    \
+    return space::shoot<space::AsksAny>("hits", ray, mesh, rule);                                                   \
+  }                                                                                                                 \
+  std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                        \
+    return space::shoot<space::AsksAll>("ordered_hits", ray, mesh, rule);                                           \
+  }                                                                                                                 \
+  std::size_t count_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                       \
+    return space::shoot<space::AsksCount>("count_hits", ray, mesh, rule);                                           \
+  }                                                                                                                 \
+  void first_hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::optional<NumberedHit>> out,        \
+                  const ManyRays& options) {                                                                        \
+    space::shoot_all<space::AsksFirst>("first_hits", rays, mesh, out.size(), options,                               \
+                                       [&](std::size_t i, const auto& hit) { out[i] = hit; });                      \
+  }                                                                                                                 \
+  void first_triangles(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::uint32_t> out,                \
+                       const ManyRays& options) {                                                                   \
+    space::shoot_all<space::AsksNumber>("first_triangles", rays, mesh, out.size(), options,                         \
+                                        [&](std::size_t i, const auto& n) { out[i] = n.value_or(no_triangle); });   \
+  }                                                                                                                 \
+  void hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::uint8_t> out, const ManyRays& options) { \
+    space::shoot_all<space::AsksAny>("hits", rays, mesh, out.size(), options, [&](std::size_t i, bool found) {      \
+      out[i] = static_cast<std::uint8_t>(found ? 1 : 0);                                                            \
+    });                                                                                                             \
+  }                                                                                                                 \
+  void ordered_hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::vector<NumberedHit>> out,        \
+                    const ManyRays& options) {                                                                      \
+    space::shoot_all<space::AsksAll>("ordered_hits", rays, mesh, out.size(), options,                               \
+                                     [&](std::size_t i, auto&& all) { out[i] = std::move(all); });                  \
+  }                                                                                                                 \
+  void count_hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::size_t> out,                       \
+                  const ManyRays& options) {                                                                        \
+    space::shoot_all<space::AsksCount>("count_hits", rays, mesh, out.size(), options,                               \
+                                       [&](std::size_t i, std::size_t n) { out[i] = n; });                          \
+  }
+PLUMB_POSED_RAYS(PosedMesh)
+PLUMB_POSED_RAYS(PosedCompactMesh)
+#undef PLUMB_POSED_RAYS
 
 }  // namespace plumb

@@ -218,9 +218,8 @@ RaySlabs::RaySlabs(const AnyRay& ray, const BoxFrame& frame, const FloatBox3& al
 }
 
 RaySlabs::RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way,
-                   const BoxTree& tree) {
-  set(SlabSetting(from, way, tree.frame.exponent()), kind != AnyRay::Kind::line, kind == AnyRay::Kind::segment,
-      tree.box());
+                   const BoxFrame& frame, const FloatBox3& all) {
+  set(SlabSetting(from, way, frame.exponent()), kind != AnyRay::Kind::line, kind == AnyRay::Kind::segment, all);
 }
 
 void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const FloatBox3& all) {

@@ -50,20 +50,20 @@ std::array<Balls, 3> inverse_of(const Pose& pose) {
 
 }  // namespace
 
-Sight::Sight(const PosedMesh& mesh) : mesh_(&mesh), box_{{0, 0, 0}, {0, 0, 0}}, rows_(inverse_of(mesh.pose)) {
-  const BoxTree& tree = mesh.bvh.tree;
-  if (!tree.nodes.empty()) box_ = tree.frame.outside(tree.nodes[0].box());
+Sight::Sight(const Pose& pose, const BoxFrame& frame, const FloatBox3& all)
+    : translation_(pose.translation), frame_(frame), all_(all), box_{{0, 0, 0}, {0, 0, 0}}, rows_(inverse_of(pose)) {
+  if (all.min[0] <= all.max[0]) box_ = frame.outside(all);
 }
 
 std::optional<SeenRay> Sight::operator()(const AnyRay& ray) const {
   if (query::has_no_direction(ray)) return {};
   const auto turned = [&](const Balls& v) { return Balls{dot(rows_[0], v), dot(rows_[1], v), dot(rows_[2], v)}; };
   const Balls origin = balls(ray.origin);
-  const Balls from = turned(origin - balls(mesh_->pose.translation));
+  const Balls from = turned(origin - balls(translation_));
   const Balls way = turned(ray.kind == AnyRay::Kind::segment ? balls(ray.end) - origin : balls(ray.direction));
   const query::RayDoubts doubts = doubts_of(box_, from, way);
   if (!(doubts.edge + doubts.sum + doubts.plane + doubts.end < Ball::infinity)) return {};
-  const RaySlabs slabs(ray.kind, {from.x, from.y, from.z}, {way.x, way.y, way.z}, mesh_->bvh.tree);
+  const RaySlabs slabs(ray.kind, {from.x, from.y, from.z}, {way.x, way.y, way.z}, frame_, all_);
   if (slabs.all_met()) return {};
   return SeenRay{slabs,
                  {{from.x.high, from.y.high, from.z.high},

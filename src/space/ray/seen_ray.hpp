@@ -33,12 +33,17 @@ struct SeenRay {
 
 class Sight {
  public:
-  explicit Sight(const PosedMesh& mesh);
+  explicit Sight(const PosedMesh& mesh) : Sight(mesh.pose, mesh.bvh.tree.frame, mesh.bvh.tree.box()) {}
+  explicit Sight(const PosedCompactMesh& mesh) : Sight(mesh.pose, mesh.bvh.tree.frame, mesh.bvh.tree.box()) {}
   [[nodiscard]] std::optional<SeenRay> operator()(const AnyRay& ray) const;
 
  private:
   using Balls = arith::Vec<Ball>;
-  const PosedMesh* mesh_;
+  Sight(const Pose& pose, const BoxFrame& frame, const FloatBox3& all);
+
+  Vector3 translation_;
+  BoxFrame frame_;
+  FloatBox3 all_;              // the tree's box; of no corners one around nothing
   Aabb3 box_;                  // of all corners, unposed
   std::array<Balls, 3> rows_;  // of the inverse matrix
 };

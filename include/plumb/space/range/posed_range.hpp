@@ -18,10 +18,15 @@ namespace plumb {
 
 template <RangeShape Shape>
 std::vector<std::uint32_t> triangles_meeting(const PosedMesh& mesh, const Shape& shape);
+template <RangeShape Shape>
+std::vector<std::uint32_t> triangles_meeting(const PosedCompactMesh& mesh, const Shape& shape);
 
 /// Of each shape.
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedMesh& mesh, std::span<const Shape> shapes,
+                                                          const RangeOptions& options = {});
+template <RangeShape Shape>
+std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedCompactMesh& mesh, std::span<const Shape> shapes,
                                                           const RangeOptions& options = {});
 
 }  // namespace plumb

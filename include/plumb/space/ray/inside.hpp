@@ -19,6 +19,7 @@
 #include "plumb/certify/batch.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/compact_tree.hpp"
 
 namespace plumb {
 
@@ -31,6 +32,15 @@ std::optional<std::int64_t> winding_number(const Bvh& bvh, const Point3& p);
 void locate(const Bvh& bvh, std::span<const Point3> points, std::span<Location> out,
             Execution execution = Execution::parallel);
 void winding_number(const Bvh& bvh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out,
+                    Execution execution = Execution::parallel);
+
+/// The same of a compact tree.
+Location locate(const CompactBvh& bvh, const Point3& p);
+bool contains(const CompactBvh& bvh, const Point3& p);
+std::optional<std::int64_t> winding_number(const CompactBvh& bvh, const Point3& p);
+void locate(const CompactBvh& bvh, std::span<const Point3> points, std::span<Location> out,
+            Execution execution = Execution::parallel);
+void winding_number(const CompactBvh& bvh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out,
                     Execution execution = Execution::parallel);
 
 }  // namespace plumb

@@ -47,4 +47,29 @@ void locate(const PosedMesh& mesh, std::span<const Point3> points, std::span<Loc
 void winding_number(const PosedMesh& mesh, std::span<const Point3> points, std::span<std::optional<std::int64_t>> out,
                     Execution execution = Execution::parallel);
 
+/// The same of a compact tree.
+std::optional<NumberedHit> first_hit(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed);
+std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const PosedCompactMesh& mesh,
+                                            HitRule rule = HitRule::closed);
+bool hits(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed);
+std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed);
+std::size_t count_hits(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed);
+void first_hits(std::span<const AnyRay> rays, const PosedCompactMesh& mesh, std::span<std::optional<NumberedHit>> out,
+                const ManyRays& options = {});
+void first_triangles(std::span<const AnyRay> rays, const PosedCompactMesh& mesh, std::span<std::uint32_t> out,
+                     const ManyRays& options = {});
+void hits(std::span<const AnyRay> rays, const PosedCompactMesh& mesh, std::span<std::uint8_t> out,
+          const ManyRays& options = {});
+void ordered_hits(std::span<const AnyRay> rays, const PosedCompactMesh& mesh, std::span<std::vector<NumberedHit>> out,
+                  const ManyRays& options = {});
+void count_hits(std::span<const AnyRay> rays, const PosedCompactMesh& mesh, std::span<std::size_t> out,
+                const ManyRays& options = {});
+Location locate(const PosedCompactMesh& mesh, const Point3& p);
+bool contains(const PosedCompactMesh& mesh, const Point3& p);
+std::optional<std::int64_t> winding_number(const PosedCompactMesh& mesh, const Point3& p);
+void locate(const PosedCompactMesh& mesh, std::span<const Point3> points, std::span<Location> out,
+            Execution execution = Execution::parallel);
+void winding_number(const PosedCompactMesh& mesh, std::span<const Point3> points,
+                    std::span<std::optional<std::int64_t>> out, Execution execution = Execution::parallel);
+
 }  // namespace plumb

@@ -42,7 +42,10 @@ class RaySlabs {
   RaySlabs(const AnyRay& ray, const BoxFrame& frame, const FloatBox3& all);
   /// Of every ray, segment or line from a place to a place a direction farther, which are known to be in these balls; the
   /// laws hold for all of them.
-  RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way, const BoxTree& tree);
+  RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way, const BoxTree& tree)
+      : RaySlabs(kind, from, way, tree.frame, tree.box()) {}
+  RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std::array<Ball, 3>& way, const BoxFrame& frame,
+           const FloatBox3& all);
 
   [[nodiscard]] double operator()(const BoxNode& node) const {
     if (all_met_) return -infinity;
