@@ -70,17 +70,29 @@ HWY_INLINE unsigned bits_of(hn::Mask<D> mask) {
   return bits[0];
 }
 
-HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3& q, const Lanes3& r) {
+/// Triangles seen from an origin: all of the test that the direction has no part in, for who asks several rays from there.
+struct TrianglesSeen {
+  Lanes3 a, of_ab, of_bc, of_ca;  // a corner, the cross products of corners
+  V x, y, z, yz, zx, xy;          // magnitudes
+
+  HWY_INLINE TrianglesSeen(const Lanes3& origin, const Lanes3& p, const Lanes3& q, const Lanes3& r) {
+    const Lanes3 b = difference(q, origin), c = difference(r, origin);
+    a = difference(p, origin);
+    of_ab = cross(b, a), of_bc = cross(c, b), of_ca = cross(a, c);
+    const V inside = hn::Set(D(), guard_inside);
+    x = largest(a.x, b.x, c.x), y = largest(a.y, b.y, c.y), z = largest(a.z, b.z, c.z);
+    yz = hn::Add(hn::Mul(y, z), inside), zx = hn::Add(hn::Mul(z, x), inside), xy = hn::Add(hn::Mul(x, y), inside);
+  }
+};
+
+/// Of a ray from the origin that they are seen from.
+HWY_INLINE TrianglesTold tell(const RayLanes& ray, const TrianglesSeen& seen) {
   const D tag;
-  const auto all = [&](double x) { return hn::Set(tag, x); };
-  const Lanes3 a = difference(p, ray.origin), b = difference(q, ray.origin), c = difference(r, ray.origin);
+  const auto all = [&](double number) { return hn::Set(tag, number); };
   const Lanes3& d = ray.direction;
-  const V zero = hn::Zero(tag), outside = all(guard), inside = all(guard_inside), slack = all(magnitude_slack);
-  const Lanes3 of_bc = cross(c, b);
-  const V ab = dot(d, cross(b, a)), bc = dot(d, of_bc), ca = dot(d, cross(a, c));
-  const V x = largest(a.x, b.x, c.x), y = largest(a.y, b.y, c.y), z = largest(a.z, b.z, c.z);
-  const V yz = hn::Add(hn::Mul(y, z), inside), zx = hn::Add(hn::Mul(z, x), inside), xy = hn::Add(hn::Mul(x, y), inside);
-  const V magnitude = dot({hn::Abs(d.x), hn::Abs(d.y), hn::Abs(d.z)}, {yz, zx, xy});
+  const V zero = hn::Zero(tag), outside = all(guard), slack = all(magnitude_slack);
+  const V ab = dot(d, seen.of_ab), bc = dot(d, seen.of_bc), ca = dot(d, seen.of_ca);
+  const V magnitude = dot({hn::Abs(d.x), hn::Abs(d.y), hn::Abs(d.z)}, {seen.yz, seen.zx, seen.xy});
   const V sum = hn::Add(hn::Add(ab, bc), ca);
   const V doubt =
       ray.doubt(ray.doubts.edge,
@@ -90,8 +102,8 @@ HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3
   if (hn::AllTrue(tag, no)) return {~0u, 0, zero, zero};  // most often so
   auto yes = hn::Or(hn::Gt(least, doubt), hn::Lt(most, hn::Neg(doubt)));
   // Toward the plane: both with the sign of D, where that is known.
-  const V value = dot(a, of_bc), way = hn::IfThenElse(hn::Gt(sum, zero), value, hn::Neg(value));
-  const V volume = hn::Add(hn::Add(hn::Mul(x, yz), hn::Mul(y, zx)), hn::Mul(z, xy));
+  const V value = dot(seen.a, seen.of_bc), way = hn::IfThenElse(hn::Gt(sum, zero), value, hn::Neg(value));
+  const V volume = hn::Add(hn::Add(hn::Mul(seen.x, seen.yz), hn::Mul(seen.y, seen.zx)), hn::Mul(seen.z, seen.xy));
   const V off = ray.doubt(ray.doubts.plane,
                           hn::Add(hn::Mul(all(filter_constant<PlaneAhead>()), hn::Add(hn::Mul(slack, volume), outside)),
                                   hn::Sub(value, value)));
@@ -124,6 +136,10 @@ HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3
   const V tiny = all(0x1p-1070);
   return {bits_of(no), bits_of(yes), hn::IfThenElse(known, hn::Sub(hn::Sub(low, room_below), tiny), hn::Neg(infinity)),
           hn::IfThenElse(known, hn::Add(hn::Add(high, room_above), tiny), infinity)};
+}
+
+HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3& q, const Lanes3& r) {
+  return tell(ray, TrianglesSeen(ray.origin, p, q, r));
 }
 
 }  // namespace plumb::query::HWY_NAMESPACE

@@ -47,8 +47,8 @@ HWY_INLINE Words sorted(Words v) {
 }
 
 /// Puts those children there are whose key is not below 0, with room for eight; how many are there?
-HWY_INLINE std::size_t put_sorted(const WideNode<8>& node, hn::Vec<EightFloats> keys, float* key, std::uint32_t* link,
-                                  std::uint32_t* count) {
+template <class Place>
+HWY_INLINE std::size_t put_sorted(const WideNode<8>& node, hn::Vec<EightFloats> keys, const Place& place) {
   const EightWords tag;
   const EightFloats floats;
   const hn::RebindToUnsigned<EightWords> unsigneds;
@@ -59,27 +59,27 @@ HWY_INLINE std::size_t put_sorted(const WideNode<8>& node, hn::Vec<EightFloats> 
   const auto missing = hn::Eq(hn::Or(links, counts), hn::Zero(unsigneds));
   const Words order = sorted(hn::IfThenElse(hn::RebindMask(tag, missing), hn::Set(tag, -1), numbered));
   const auto from = hn::IndicesFromVec(tag, hn::And(order, last));
-  hn::StoreU(hn::BitCast(floats, hn::TableLookupLanes(hn::BitCast(tag, keys), from)), floats, key);
-  hn::StoreU(hn::BitCast(unsigneds, hn::TableLookupLanes(hn::BitCast(tag, links), from)), unsigneds, link);
-  hn::StoreU(hn::BitCast(unsigneds, hn::TableLookupLanes(hn::BitCast(tag, counts), from)), unsigneds, count);
+  hn::StoreU(hn::BitCast(floats, hn::TableLookupLanes(hn::BitCast(tag, keys), from)), floats, place.key);
+  hn::StoreU(hn::BitCast(unsigneds, hn::TableLookupLanes(hn::BitCast(tag, links), from)), unsigneds, place.link);
+  hn::StoreU(hn::BitCast(unsigneds, hn::TableLookupLanes(hn::BitCast(tag, counts), from)), unsigneds, place.count);
+  if constexpr (Place::has_boxes) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto planes = hn::BitCast(tag, hn::Load(floats, node.planes[k].data()));
+      hn::StoreU(hn::BitCast(floats, hn::TableLookupLanes(planes, from)), floats, place.planes[k]);
+    }
+  }
   return hn::CountTrue(tag, hn::Gt(order, hn::Set(tag, -1)));
 }
 #else
 /// The same one after the other, by whole keys.
-inline std::size_t put_one_by_one(const WideNode<8>& node, const float* keys, float* key, std::uint32_t* link,
-                                  std::uint32_t* count) {
+template <class Place>
+std::size_t put_one_by_one(const WideNode<8>& node, const float* keys, const Place& place) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < 8; ++i) {
     if (keys[i] < 0 || !node.has(i)) continue;
-    std::size_t place = found++;
-    for (; place > 0 && key[place - 1] <= keys[i]; --place) {
-      key[place] = key[place - 1];
-      link[place] = link[place - 1];
-      count[place] = count[place - 1];
-    }
-    key[place] = keys[i];
-    link[place] = node.link[i];
-    count[place] = node.count[i];
+    std::size_t at = found++;
+    for (; at > 0 && place.key[at - 1] <= keys[i]; --at) place.move_up(at - 1);
+    place.put(at, keys[i], node, i);
   }
   return found;
 }
