@@ -1,0 +1,119 @@
+// The worlds that everyone has, and the question asked of them: certainly(statement, input...).
+//
+//   struct IsBeyond {                                    // is |p q| longer than |r s|?
+//     template <class W>
+//     bool operator()(W& w, const Point2& p, const Point2& q, const Point2& r, const Point2& s) const {
+//       const auto square = [&](const Point2& a, const Point2& b) {
+//         const auto x = w.difference(b.x, a.x), y = w.difference(b.y, a.y);
+//         return x * x + y * y;
+//       };
+//       return w.compare(square(p, q), square(r, s)) == Sign::positive;
+//     }
+//   };
+//   const bool longer = certainly(IsBeyond{}, p, q, r, s);
+//
+// Doubles whose error is derived when the statement is compiled, then rational numbers.  A statement whose numbers are of
+// a higher power of its scales than 6 says so: `static constexpr int highest = 8;`; one whose leaves belong to
+// more than one scale, `static constexpr Scales scales{.count = 2};`.
+// Laws: those of certify/world.hpp.
+// Source: docs/add_a_decision.md.
+// Cost: that of the plain operations, and a magnitude and a sum for each leaf; some microseconds in rationals.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "plumb/arith/rational.hpp"
+#include "plumb/arith/track.hpp"
+#include "plumb/certify/checked.hpp"
+#include "plumb/certify/world.hpp"
+
+/// Doubles, one at a time.
+namespace plumb::certify::one_lane {
+
+using Truth = bool;
+constexpr double loaded(double x) { return x; }
+constexpr double of_all(double x) { return x; }
+constexpr double size(double x) { return __builtin_fabs(x); }
+constexpr double larger(double a, double b) { return a > b ? a : b; }
+constexpr double smaller(double a, double b) { return a < b ? a : b; }
+constexpr double turned(double x) { return x; }
+constexpr double turned_back(double x) { return x; }
+constexpr double total(double x) { return x; }
+constexpr double plus_product(double sum, double a, double b) { return sum + a * b; }
+constexpr double minus_product(double sum, double a, double b) { return sum - a * b; }
+constexpr bool above(double a, double b) { return a > b; }
+constexpr bool is_zero(double x) { return x == 0; }
+constexpr double chosen(bool first, double a, double b) { return first ? a : b; }
+constexpr bool any(bool x) { return x; }
+constexpr bool all(bool x) { return x; }
+
+#include "plumb/certify/detail/floats_text.hpp"
+
+}  // namespace plumb::certify::one_lane
+
+namespace plumb {
+
+inline Rational magnitude(const Rational& x) { return x.sign() == Sign::negative ? -x : x; }
+inline Rational larger(const Rational& a, const Rational& b) { return a < b ? b : a; }
+inline Rational smaller(const Rational& a, const Rational& b) { return b < a ? b : a; }
+inline Rational twice(const Rational& x) { return x + x; }
+inline Rational select(bool first, const Rational& a, const Rational& b) { return first ? a : b; }
+
+/// Exact numbers, one at a time; N is made of a double.
+template <class N, World which>
+class ExactNumbers {
+ public:
+  static constexpr World kind = which;
+  using Number = N;
+
+  template <std::size_t scale = 0>
+  [[nodiscard]] N difference(double b, double a) const {
+    return N(b) - N(a);
+  }
+  template <std::size_t scale = 0>
+  [[nodiscard]] N number(double a) const {
+    return N(a);
+  }
+  template <std::size_t over>
+  [[nodiscard]] N weight(double a) const {
+    return N(a);
+  }
+  [[nodiscard]] Sign sign(const N& x) const { return x.sign(); }
+  [[nodiscard]] Sign compare(const N& x, const N& y) const { return (x - y).sign(); }
+  static constexpr bool certain() { return true; }
+};
+
+template <class Statement>
+inline constexpr int highest_power = [] {
+  if constexpr (requires { Statement::highest; }) {
+    return Statement::highest;
+  } else {
+    return 6;
+  }
+}();
+
+template <class Statement>
+inline constexpr Scales scales_of = [] {
+  if constexpr (requires { Statement::scales; }) {
+    return Statement::scales;
+  } else {
+    return Scales{};
+  }
+}();
+template <class Statement>
+using FloatWorld = certify::one_lane::Floats<double, highest_power<Statement>, scales_of<Statement>>;
+using RationalWorld = ExactNumbers<Rational, World::rationals>;
+
+/// The answer; the recorder is told which world gave it.
+template <class Recorder, class Statement, class... Input>
+auto certainly_recorded(Recorder&& recorder, const Statement& statement, const Input&... input) {
+  assert_sound_thread();
+  return certify::one_lane::ask_worlds<FloatWorld<Statement>, RationalWorld>(recorder, statement, input...);
+}
+template <class Statement, class... Input>
+auto certainly(const Statement& statement, const Input&... input) {
+  return certainly_recorded(NoWorldRecorder{}, statement, input...);
+}
+
+}  // namespace plumb

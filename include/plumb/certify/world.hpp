@@ -1,0 +1,50 @@
+// Adaptive precision: what is the answer to a question of many signs, for certain?  A decision is stated once, and asked
+// of one world of numbers after another.
+//
+//   const bool sees = certainly(ConeSeesBox{}, cone, box);                  // docs/add_a_decision.md
+//
+// A statement is a function object over a world `w` and its input.  The world makes numbers of what is given
+// (`w.difference(a, b)`, `w.number(a)`), they are computed with (+ - *, magnitude, larger, smaller, twice, select), and
+// the world judges them (`w.sign(x)`, `w.compare(x, y)`).  The statement branches on what was judged alone.
+// Laws: (1) the answer is that of the last world, which is exact, whoever gives it.  (2) An answer counts only where its
+// world is certain of each sign that was judged, so it must depend on the input and on those alone; until then a sign
+// may be anything, so that a statement must end whatever the signs are.
+// A number that is NaN or infinite throws NonFinite, as far as the statement looks at it.
+// Source: docs/proof.md, "Tracked errors".
+// Cost: as a rule that of plain doubles; microseconds where rationals answer.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "plumb/arith/sign.hpp"
+
+namespace plumb {
+
+enum class World : std::uint8_t { floats, pairs, integers, rationals };
+
+inline constexpr std::array<std::string_view, 4> world_names{"floats", "pairs", "integers", "rationals"};
+
+constexpr std::string_view to_string(World w) { return world_names[static_cast<std::size_t>(w)]; }
+
+/// Recorder policy: is told which world answered.  This one does nothing and costs nothing.
+struct NoWorldRecorder {
+  static constexpr void answered(World) {}
+};
+
+/// Recorder policy that counts; not synchronized: one for each thread, added up at the end.
+struct WorldCounts {
+  std::array<std::uint64_t, world_names.size()> count{};
+
+  constexpr void answered(World w) { ++count[static_cast<std::size_t>(w)]; }
+  [[nodiscard]] constexpr std::uint64_t of(World w) const { return count[static_cast<std::size_t>(w)]; }
+  [[nodiscard]] constexpr std::uint64_t total() const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t c : count) sum += c;
+    return sum;
+  }
+};
+
+}  // namespace plumb

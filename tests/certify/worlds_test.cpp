@@ -1,0 +1,215 @@
+// Are derived sizes and errors true?  Statements drawn at random when compiled, over numbers drawn at random and at the
+// ends of the doubles, against rational arithmetic: each intermediate number, and each sign.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "plumb/arith/big.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/arith/point.hpp"
+#include "plumb/certify/certainly.hpp"
+#include "plumb/degenerate/entropy.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr int highest = 6;
+using World = certify::one_lane::Floats<double, highest, Scales{2, 0, 0b10}>;
+using Numbers = std::array<double, 6>;
+
+struct Seen {
+  double value;
+  mpq_class exact;
+  Track track;
+  int certain_sign;
+};
+
+/// A number of both worlds; what is computed is noted.
+template <class T>
+struct Both {
+  T floats;
+  mpq_class exact;
+};
+template <class T>
+Both(T, mpq_class) -> Both<T>;
+
+class Run {
+ public:
+  explicit Run(const Numbers& numbers) : x_(numbers) {}
+
+  template <class T>
+  auto noted(const T& t, const mpq_class& exact) {
+    seen_.push_back({t.value, exact, T::track, 0});
+    judges_.push_back(judge_of<T>());
+    return Both{t, exact};
+  }
+  template <std::uint64_t seed, std::size_t scale>
+  auto leaf() {
+    constexpr std::size_t i = seed % 6, j = seed / 6 % 6;
+    const mpq_class a(x_[i]), b(x_[j]);
+    if constexpr (scale == 3) {  // a weight: of power 1 of scale 0, -1 of scale 1
+      return noted(world_.weight<1>(world_.given(x_[i])), a);
+    } else if constexpr (seed / 36 % 3 == 0) {
+      return noted(world_.number<scale>(x_[i]), a);
+    } else if constexpr (seed / 36 % 3 == 1) {
+      return noted(world_.sum<scale>(world_.given(x_[i]), world_.given(x_[j])), a + b);
+    } else {
+      return noted(world_.difference<scale>(x_[i], x_[j]), a - b);
+    }
+  }
+  /// Signs are asked at the end, when all leaves are in their scales.
+  std::vector<Seen> finished() {
+    for (std::size_t i = 0; i < seen_.size(); ++i) seen_[i].certain_sign = judges_[i](world_, seen_[i].value);
+    return std::move(seen_);
+  }
+  World& world() { return world_; }
+
+ private:
+  using Judge = int (*)(const World&, double);
+  template <class T>
+  static Judge judge_of() {
+    return [](const World& w, double x) -> int {
+      if constexpr (T::track.power(1, 0) < 0) {
+        return 0;
+      } else {
+        return static_cast<int>(w.positive(T{x})) - static_cast<int>(w.negative(T{x}));
+      }
+    };
+  }
+
+  Numbers x_;
+  World world_;
+  std::vector<Seen> seen_;
+  std::vector<Judge> judges_;
+};
+
+constexpr std::uint64_t mixed(std::uint64_t x) {
+  x ^= x >> 31, x *= 0x9e3779b97f4a7c15, x ^= x >> 29, x *= 0xbf58476d1ce4e5b9;
+  return x ^ x >> 32;
+}
+
+/// Of powers p and q of scales 0 and 1.
+template <std::uint64_t seed, int depth, int p, int q>
+auto tree(Run& run) {
+  constexpr std::uint64_t h = mixed(seed);
+  constexpr auto next = [](std::uint64_t i) { return mixed(h + i * 0x51ed27); };
+  if constexpr (p + q == 1 && (depth == 0 || h % 4 == 0)) {
+    return run.leaf<h, q>();
+  } else if constexpr (p + q > 1 && (depth == 0 || h % 3 == 0)) {
+    if constexpr (q > 1 && p > 0 && h % 5 == 0) {  // a weight
+      const auto a = run.leaf<h, 3>();
+      const auto b = tree<next(1), 0, p - 1, q + 1>(run);
+      return run.noted(a.floats * b.floats, a.exact * b.exact);
+    } else {
+      constexpr int left_p = p > 0 ? static_cast<int>(h / 16 % static_cast<unsigned>(p + 1)) : 0;
+      constexpr int wanted_q = q > 0 ? static_cast<int>(h / 256 % static_cast<unsigned>(q + 1)) : 0;
+      constexpr bool all_left = left_p + wanted_q == p + q, none_left = left_p + wanted_q == 0;
+      constexpr int lp = all_left && p > 0 ? p - 1 : none_left && p > 0 ? 1 : left_p;
+      constexpr int lq = all_left && p == 0 ? q - 1 : none_left && p == 0 ? 1 : wanted_q;
+      constexpr int d = depth > 0 ? depth - 1 : 0;
+      const auto a = tree<next(1), d, lp, lq>(run);
+      const auto b = tree<next(2), d, p - lp, q - lq>(run);
+      return run.noted(a.floats * b.floats, a.exact * b.exact);
+    }
+  } else {
+    const auto a = tree<next(3), depth - 1, p, q>(run);
+    if constexpr (h / 8 % 7 == 0) {
+      return run.noted(magnitude(a.floats), abs(a.exact));
+    } else if constexpr (h / 8 % 7 == 1) {
+      return run.noted(twice(a.floats), 2 * a.exact);
+    } else {
+      const auto b = tree<next(4), depth - 1, p, q>(run);
+      if constexpr (h / 8 % 7 == 2) {
+        return run.noted(larger(a.floats, b.floats), a.exact > b.exact ? a.exact : b.exact);
+      } else if constexpr (h / 8 % 7 == 3) {
+        return run.noted(smaller(a.floats, b.floats), a.exact < b.exact ? a.exact : b.exact);
+      } else if constexpr (h / 8 % 7 < 5) {
+        return run.noted(a.floats + b.floats, a.exact + b.exact);
+      } else {
+        return run.noted(a.floats - b.floats, a.exact - b.exact);
+      }
+    }
+  }
+}
+
+/// Numbers that lie near to one another, are equal, vanish, or are as large and small as doubles are.
+Numbers drawn(Entropy& e) {
+  Numbers x{};
+  const std::uint64_t family = e.below(6);
+  const auto power = [&](int most) { return std::ldexp(1.0, static_cast<int>(e.within(most))); };
+  const double all = family == 1 ? power(1000) : family == 2 ? std::ldexp(1.0, -1074) : family == 3 ? power(170) : 1;
+  for (double& number : x) {
+    number = family == 2 ? static_cast<double>(e.within(1 << 20)) * all
+                         : static_cast<double>(e.within(std::int64_t{1} << 53)) * 0x1p-53 * all;
+    if (family == 4) number *= power(60);
+    if (family == 5) number = static_cast<double>(e.within(3));
+  }
+  if (e.below(2) == 0) x[1] = x[0];
+  if (e.below(2) == 0) x[3] = std::nextafter(x[2], e.below(2) == 0 ? 9 : -9);
+  if (e.below(4) == 0) x[4] = -x[5];
+  return x;
+}
+
+struct Tally {
+  std::uint64_t numbers = 0, certain = 0, in_range = 0, out_of_range = 0;
+  double nearest = 0;  // the largest part of its bound that an error took
+};
+
+mpq_class power_of(const mpq_class& x, int n) {
+  mpq_class r = 1;
+  for (int i = 0; i < std::abs(n); ++i) r *= x;
+  return n < 0 ? mpq_class(1 / r) : r;
+}
+
+template <std::uint64_t seed>
+void expect_laws(Tally& tally) {
+  Entropy e(seed, 18);
+  for (int round = 0; round < 60; ++round) {
+    Run run(drawn(e));
+    (void)tree<seed, 5, seed % 3, 2 - seed % 2>(run);
+    if (!run.world().certain()) {
+      ++tally.out_of_range;
+      continue;
+    }
+    ++tally.in_range;
+    const mpq_class first(run.world().scale<0>()), second(run.world().scale<1>()), unit(0x1p-85);
+    for (const Seen& n : run.finished()) {
+      const mpq_class most = power_of(first, n.track.power(0, 0)) * power_of(second, n.track.power(1, 0));
+      ASSERT_LE(abs(mpq_class(n.value)), most * n.track.size * mpq_class(0x1p-32))
+          << "replay: " << seed << ' ' << round;
+      const mpq_class off = abs(mpq_class(n.value) - n.exact), bound = most * n.track.error * unit;
+      ASSERT_LE(off, bound) << "replay: " << seed << ' ' << round;
+      if (n.track.root == 0) {
+        ASSERT_EQ(sgn(n.exact), (n.value > 0) - (n.value < 0));
+      }
+      if (n.certain_sign != 0) {
+        ASSERT_EQ(sgn(n.exact), n.certain_sign) << "replay: " << seed << ' ' << round;
+        ++tally.certain;
+      }
+      if (bound > 0) tally.nearest = std::max(tally.nearest, mpq_class(off / bound).get_d());
+      ++tally.numbers;
+    }
+  }
+}
+
+template <std::uint64_t... seeds>
+Tally tally_of(std::integer_sequence<std::uint64_t, seeds...>) {
+  Tally tally;
+  (expect_laws<seeds + 1>(tally), ...);
+  return tally;
+}
+
+TEST(Worlds, SizesAndErrorsAreTrueOfStatementsAtRandom) {
+  const Tally t = tally_of(std::make_integer_sequence<std::uint64_t, 24>());
+  EXPECT_GT(t.numbers, 10'000u);
+  EXPECT_GT(t.certain, t.numbers / 2);
+  EXPECT_LT(t.certain, t.numbers);
+  EXPECT_GT(t.in_range, 8 * t.out_of_range);
+  EXPECT_GT(t.out_of_range, 20u);
+  EXPECT_GT(t.nearest, 0.3) << "no error comes near to its bound: it would not be noticed if it were wrong";
+}
+
+}  // namespace
+}  // namespace plumb
