@@ -37,13 +37,6 @@ struct BesideCenter : BesideBox {
     return (p[i] + p[i]) - (p[9 + i % 3] + p[12 + i % 3]);
   }
 };
-struct StraightBesideBox : BesideBox {
-  template <class T>
-  constexpr auto operator()(const std::array<T, 15>& p) const {
-    const auto y = p[4] - p[1], z = p[5] - p[2];
-    return (y * seen(p, 2) - z * seen(p, 1)) - (y * (p[14] - p[11]) + z * (p[13] - p[10]));
-  }
-};
 template <class Beside = BesideBox>
 struct EdgeBesideBox : Beside {
   using Beside::seen;
@@ -63,11 +56,6 @@ struct NormalBesideBox : Beside {
     return dot(n, Triple{seen(p, 0), seen(p, 1), seen(p, 2)}) - dot(n, difference(p, 3, 4));
   }
 };
-
-/// The bound for numbers that are one.  Twice the filter's constant pays for another order of the sums, for products
-/// that are not rounded, and for the roundings of the bound.
-template <class F>
-inline constexpr double error = 2 * filter_constant<F>() * magnitude_over<F>({1, 1, 1});
 
 /// Center, a, b, c, axes, half extents.
 struct BesideObb {
@@ -147,7 +135,8 @@ struct NormalBesideObb : BesideObb {
 ///   (8 + 8 + 8) G_j G_k
 ///     + 2 ((F_j - G_j) G_k + G_j (F_k - G_k))                 along an edge, of an edge,
 ///   8 G_j G_k (2 G_i + F_i - G_i), three times                along the normal.
-/// Each constant below goes with F_i, F_j G_k + G_j F_k, and the sum of G_j G_k F_i; twice the filter's as above.
+/// Each constant below goes with F_i, F_j G_k + G_j F_k, and the sum of G_j G_k F_i.  Twice the filter's constant pays
+/// for another order of the sums, for products that are not rounded, and for the roundings of the bound.
 inline constexpr double straight_face_error = 2 * 3 * filter_constant<StraightBesideFace>(),
                         straight_edge_error = 2 * 2 * filter_constant<StraightBesideEdge>(),
                         corner_error = 2 * 2 * filter_constant<CornerBesideFace>(),

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "certify/three_lanes.hpp"
+#include "query/overlap/box_axes.hpp"
 
 #ifndef PLUMB_OVERLAP_BOX_QUICK_ONCE
 #define PLUMB_OVERLAP_BOX_QUICK_ONCE
@@ -40,65 +41,21 @@ struct AxisLanes {
   Truth apart, inside;
 };
 
-/// The box, which is seen from its center, twice as large.
-struct CenteredBox {
-  Three min, max, half;
-
-  explicit HWY_INLINE CenteredBox(const Aabb3& b) : min(loaded(b.min)), max(loaded(b.max)), half(max - min) {}
-  /// The width of an empty box is below zero.  The sum has all numbers in it that are asked for.
-  [[nodiscard]] HWY_INLINE bool is_sound(const Three& sum_of_sizes) const {
-    return all(above(of_all(greatest), sum_of_sizes) & above(half, of_all(-0x1p-1074)));
-  }
-};
-
-/// By the gaps along the faces, exact in their signs, and what the other axes told: touching where a face is level and
-/// the box has an inside.
-HWY_INLINE std::optional<Relation> answer(const Three& face_gap, const Three& half, const AxisLanes& told) {
-  const Three zero = of_all(0);
-  const int apart = any(above(face_gap, zero) | told.apart), inside = all(above(zero, face_gap) & told.inside);
-  if ((apart | inside) != 0) [[likely]]
-    return static_cast<Relation>(inside - apart);
-  if (all(told.inside & above(half, zero))) return Relation::touching;
-  return {};
+template <class Statement, class... Input>
+HWY_INLINE std::optional<Relation> by_doubles(const Input&... input) {
+  return told_by_worlds<Floats<Three, Statement::highest, Statement::scales>>(NoWorldRecorder{}, Statement{}, input...);
 }
-
-/// A point of what is straight, seen from the center, which is no farther than this, nor is the half extent more; and
-/// the way.  An axis parallel to the way is none to look along.
-HWY_INLINE AxisLanes across(const Three& point, const Three& way, const Three& half, const Three& most_of) {
-  const Three way_turned = turned(way), size_way = size(way), size_turned = size(way_turned);
-  const Three off = turned_product(most_of, turned(most_of), size_way, size_turned);
-  const Three bound = plus_product(of_all(guard), of_all(error<StraightBesideBox>), off);
-  const Three reach = turned_product(half, turned(half), size_way, size_turned);
-  const Three gap = size(crossed(point, turned(point), way, way_turned)) - reach;
-  return {above(gap, bound), above(of_all(0) - bound, gap) | is_zero(size_way + size_turned)};
-}
-
 [[maybe_unused]] std::optional<Relation> relation(const Segment3& s, const Aabb3& b) {
-  const CenteredBox box(b);
-  const Three p = loaded(s.a), q = loaded(s.b), way = q - p, from_min = p - box.min, from_max = p - box.max;
-  const Three most_of = size(from_min) + size(from_max);  // as large as their sum, and as the width
-  if (!box.is_sound(most_of + size(way))) return {};
-  const Three face_gap = larger(smaller(p, q) - box.max, box.min - larger(p, q));
-  return answer(face_gap, box.half, across(from_min + from_max, way, box.half, most_of));
-}
-
-template <LinearKind reach>
-HWY_INLINE std::optional<Relation> unbounded_aabb(const Point3& from, const Vector3& direction, const Aabb3& b) {
-  const CenteredBox box(b);
-  const Three p = loaded(from), way = loaded(direction), from_min = p - box.min, from_max = p - box.max;
-  const Three most_of = size(from_min) + size(from_max), zero = of_all(0), none = of_all(-1);
-  if (!box.is_sound(most_of + size(way))) return {};
-  const AxisLanes told = across(from_min + from_max, way, box.half, most_of);
-  if (reach == LinearKind::line) return all(is_zero(way)) ? std::nullopt : answer(none, box.half, told);
-  const Three face_gap =
-      larger(chosen(above(zero, way), none, from_max), chosen(above(way, zero), none, zero - from_min));
-  return answer(face_gap, box.half, told);
+  return by_doubles<box_axes::HWY_NAMESPACE::SegmentAndBox>(s, b);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Ray3& r, const Aabb3& b) {
-  return unbounded_aabb<LinearKind::ray>(r.origin, r.direction, b);
+  return by_doubles<box_axes::HWY_NAMESPACE::UnboundedAndBox<LinearKind::ray>>(r.origin, r.direction, b);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Line3& l, const Aabb3& b) {
-  return unbounded_aabb<LinearKind::line>(l.point, l.direction, b);
+  return by_doubles<box_axes::HWY_NAMESPACE::UnboundedAndBox<LinearKind::line>>(l.point, l.direction, b);
+}
+[[maybe_unused]] std::optional<Relation> relation(const Triangle3& t, const Aabb3& b) {
+  return by_doubles<box_axes::HWY_NAMESPACE::TriangleAndBox>(t, b);
 }
 
 /// Of a triangle, seen from the center twice as large as its edges are, along the cross products with all edges.
@@ -121,33 +78,6 @@ HWY_INLINE AxisLanes across(const std::array<Three, 3>& corner, const std::array
 HWY_INLINE double normal_gap(const Three& normal, const Three& corner, const Three& half) {
   const Three n = turned(normal);
   return magnitude_of(total(n * corner)) - total(size(n) * half);
-}
-
-[[maybe_unused]] std::optional<Relation> relation(const Triangle3& t, const Aabb3& b) {
-  const CenteredBox box(b);
-  const Three p = loaded(t.a), q = loaded(t.b), r = loaded(t.c);
-  const Three face_gap = larger(smaller(smaller(p, q), r) - box.max, box.min - larger(larger(p, q), r));
-  const Three p_min = p - box.min, q_min = q - box.min, r_min = r - box.min;
-  const Three p_max = p - box.max, q_max = q - box.max, r_max = r - box.max;
-  const std::array corner{p_min + p_max, q_min + q_max, r_min + r_max}, edge{q - p, r - q, p - r};
-  // Of each corner the sum is as large as the corner is seen, and as the width.
-  const Three of_corners =
-      larger(larger(size(p_min) + size(p_max), size(q_min) + size(q_max)), size(r_min) + size(r_max));
-  const Three of_edges = larger(larger(size(edge[0]), size(edge[1])), size(edge[2]));
-  const Three most_of = larger(larger(of_corners, of_edges), of_all(smallest));
-  // A NaN is in the sum.
-  if (!box.is_sound(larger(most_of, size(corner[0] + (corner[1] + corner[2]))))) return {};
-  if (any(above(face_gap, of_all(0)))) return Relation::disjoint;
-
-  const Three normal = crossed(edge[0], turned(edge[0]), edge[1], turned(edge[1]));
-  const Three of_planes = most_of * turned(most_of);  // in the order of cross products
-  const AxisLanes told = across(corner, edge, box.half, normal, of_all(error<EdgeBesideBox<>>) * of_planes, true);
-  const double gap = normal_gap(normal, corner[0], box.half);
-  const double off = error<NormalBesideBox<>> * x_of(of_planes * turned_back(most_of));
-  if (gap > off) return Relation::disjoint;
-  // One with equal vertices is a segment, and has no normal; across an axis it is that axis.
-  if (!(gap < -off) && !any(is_zero(of_edges)) && t.a != t.b && t.b != t.c && t.c != t.a) return {};
-  return answer(face_gap, box.half, told);
 }
 
 /// An oriented box, doubled, in the frame of its axes.

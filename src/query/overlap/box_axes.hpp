@@ -1,0 +1,143 @@
+// Separating axis test: along which axes are a box and what is straight, or a triangle, apart?  Stated once, over any
+// world whose numbers have an axis a lane (certify/three_axes.hpp, certify/exact_axes.hpp).
+//
+// A box with the axes of space is seen from its center, twice as large: p' = (p - min) + (p - max), and |x'| <= max -
+// min.  Along the cross product of axis k and the edge e of a triangle with normal n the gap is
+//   |e x p' + n|_k - (|n_k| + reach of the box),
+// for the third corner is 2 n_k farther than the edge.
+// Included once for each target by files that Highway compiles for several.
+// Laws: the relation is that of the closed sets, as far as the world tells it.  A box that is flat or a triangle without
+// area gets its answer where no gap is zero; an empty box none.
+// Source: Akenine-Moller 2001; RTCD 5.2.9, 5.3.3.
+// Cost: that of the world.
+#if defined(PLUMB_BOX_AXES) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLUMB_BOX_AXES
+#undef PLUMB_BOX_AXES
+#else
+#define PLUMB_BOX_AXES
+#endif
+
+#include "certify/three_axes.hpp"
+#include "plumb/figure/basic/relation.hpp"
+#include "query/overlap/linear3.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace plumb::query::box_axes::HWY_NAMESPACE {
+
+using certify::three_lanes::HWY_NAMESPACE::crossed;
+
+/// What a box with the axes of space is to a world.
+template <class W>
+struct Sides {
+  decltype(std::declval<W&>().given(Point3())) min, max;
+
+  HWY_INLINE Sides(W& w, const Aabb3& b) : min(w.given(b.min)), max(w.given(b.max)) {}
+};
+
+/// A sum of two products of the next axis and the one after.
+template <class A, class AT, class B, class BT>
+HWY_INLINE auto turned_product(const A& a, const AT& a_turned, const B& b, const BT& b_turned) {
+  return plus_product(a * b_turned, a_turned, b);
+}
+
+/// Along the cross products of the way and the axes of a box of these widths, of a point of what is straight; an axis
+/// parallel to the way is none to look along.
+template <class Gaps, class P, class D, class H>
+HWY_INLINE void across_way(Gaps& gaps, const P& point, const D& way, const H& width) {
+  const auto way_turned = turned(way);
+  gaps.heed(magnitude(crossed(point, turned(point), way, way_turned)) -
+                turned_product(width, turned(width), magnitude(way), magnitude(way_turned)),
+            way, way_turned);
+}
+
+struct SegmentAndBox {
+  static constexpr int highest = 2;
+  static constexpr Scales scales{.count = 2, .each_axis = 0b11};
+  template <class W>
+  HWY_INLINE Relation operator()(W& w, const Segment3& s, const Aabb3& b) const {
+    const auto [min, max] = Sides<W>(w, b);
+    const auto p = w.given(s.a), q = w.given(s.b);
+    const auto from_min = w.difference(p, min), from_max = w.difference(p, max);
+    const auto way = w.template difference<1>(q, p);
+    const auto width = w.difference_within(max, min, from_min, from_max);
+    w.require(w.not_negative(width));
+    auto gaps = w.gaps();
+    gaps.heed(larger(w.order(smaller(p, q), max), w.order(min, larger(p, q))));
+    across_way(gaps, from_min + from_max, way, width);
+    return gaps.template relation<Relation>(width);
+  }
+};
+
+template <LinearKind reach>
+struct UnboundedAndBox {
+  static constexpr int highest = 2;
+  static constexpr Scales scales{.count = 2, .each_axis = 0b11};  // the direction may be of any length
+  template <class W>
+  HWY_INLINE Relation operator()(W& w, const Point3& from, const Vector3& direction, const Aabb3& b) const {
+    const auto [min, max] = Sides<W>(w, b);
+    const auto p = w.given(from);
+    const auto from_min = w.difference(p, min), from_max = w.difference(p, max);
+    const auto way = w.template number<1>(direction);
+    const auto width = w.difference_within(max, min, from_min, from_max);
+    w.require(w.not_negative(width));
+    auto gaps = w.gaps();
+    if constexpr (reach == LinearKind::ray) {
+      gaps.heed(larger(w.unless(w.negative(way), w.order(p, max)), w.unless(w.positive(way), w.order(min, p))));
+    } else if (w.is_all(w.zero(way))) {
+      w.leave_open();
+    }
+    across_way(gaps, from_min + from_max, way, width);
+    return gaps.template relation<Relation>(width);
+  }
+};
+
+/// Of a triangle, seen from the center twice as large as its edges are: along the cross products of its edges and the
+/// axes of a box of these widths, then along its normal.  `is_flat` says whether it has no normal.
+template <class W, class Gaps, class C, class E, class H>
+HWY_INLINE void across_triangle(W& w, Gaps& gaps, const C& corner, const E& edge, const H& width, const auto& is_flat) {
+  const auto first_turned = turned(edge[0]);
+  const auto second_turned = turned(edge[1]);
+  const auto normal = crossed(edge[0], first_turned, edge[1], second_turned);  // in the order (z, x, y)
+  const auto size_n = magnitude(normal);
+  const auto width_turned = turned(width);
+  const auto along_edge = [&](std::size_t i, const auto& edge_turned) HWY_ATTR {
+    const auto reach = turned_product(width, width_turned, magnitude(edge[i]), magnitude(edge_turned));
+    const auto at = crossed(edge[i], edge_turned, corner[i], turned(corner[i])) + normal;
+    gaps.heed(magnitude(at) - (size_n + reach), edge[i], edge_turned);
+  };
+  along_edge(0, first_turned), along_edge(1, second_turned), along_edge(2, turned(edge[2]));
+  const auto n = turned(normal);
+  const auto gap = magnitude(total(n * corner[0])) - total(magnitude(n) * width);
+  gaps.heed_above(gap);
+  if (!w.is_all(w.negative(gap)) && !is_flat()) gaps.heed(gap, n, turned(n), turned_back(n));
+}
+
+struct TriangleAndBox {
+  static constexpr int highest = 3;
+  static constexpr Scales scales{.each_axis = 1};
+  template <class W>
+  HWY_INLINE Relation operator()(W& w, const Triangle3& t, const Aabb3& b) const {
+    const auto [min, max] = Sides<W>(w, b);
+    const auto p = w.given(t.a), q = w.given(t.b), r = w.given(t.c);
+    auto gaps = w.gaps();
+    gaps.heed(larger(w.order(smaller(smaller(p, q), r), max), w.order(min, larger(larger(p, q), r))));
+    const auto p_min = w.difference(p, min), q_min = w.difference(q, min), r_min = w.difference(r, min);
+    const auto p_max = w.difference(p, max), q_max = w.difference(q, max), r_max = w.difference(r, max);
+    const std::array corner{p_min + p_max, q_min + q_max, r_min + r_max};
+    const auto width = w.difference_within(max, min, p_min, p_max);
+    w.require(w.not_negative(width));
+    if (gaps.is_apart()) return Relation::disjoint;
+    const std::array edge{w.difference_within(q, p, q_min, p_min), w.difference_within(r, q, r_min, q_min),
+                          w.difference_within(p, r, p_min, r_min)};
+    across_triangle(w, gaps, corner, edge, width, [&]() HWY_ATTR {
+      // One with equal corners is a segment; across an axis the normal is that axis.
+      const auto flat = w.zero(edge[0]) & w.zero(edge[1]) & w.zero(edge[2]);
+      return w.is_any(flat) || t.a == t.b || t.b == t.c || t.c == t.a;
+    });
+    return gaps.template relation<Relation>(width);
+  }
+};
+
+}  // namespace plumb::query::box_axes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,124 @@
+// Which world answers?  The statements of boxes against what is straight and triangles, over doubles and over exact
+// numbers, on every family of inputs.
+#include "query/overlap/box_axes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "certify/exact_axes.hpp"
+#include "plumb/arith/big.hpp"
+#include "plumb/degenerate/points.hpp"
+#include "plumb/query/overlap/box.hpp"
+
+namespace plumb::query {
+namespace {
+
+namespace axes = box_axes::HWY_NAMESPACE;
+namespace lanes = certify::three_lanes::HWY_NAMESPACE;
+using Rationals = certify::exact_axes::ExactAxes<BigDyadic, World::rationals>;
+
+/// The answers of both worlds, where they are certain, and who is.
+struct Answers {
+  std::optional<Relation> floats, exact;
+};
+template <class Statement, class... Input>
+Answers ask(const Statement& statement, const Input&... input) {
+  using Floats = lanes::Floats<lanes::Three, Statement::highest, Statement::scales>;
+  return {lanes::told_by_worlds<Floats>(NoWorldRecorder{}, statement, input...),
+          lanes::told_by_worlds<Rationals>(NoWorldRecorder{}, statement, input...)};
+}
+
+Aabb3 box_of(const Point3& p, const Point3& q) {
+  return {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
+          {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
+}
+
+struct Case {
+  std::string_view name;
+  Answers (*ask)(const std::array<Point3, 5>&);
+  Relation (*relate)(const std::array<Point3, 5>&);
+};
+constexpr std::array cases{Case{"segment",
+                                [](const auto& p) {
+                                  return ask(axes::SegmentAndBox{}, Segment3{p[0], p[1]}, box_of(p[2], p[3]));
+                                },
+                                [](const auto& p) {
+                                  return relate(Segment3{p[0], p[1]}, box_of(p[2], p[3]));
+                                }},
+                           Case{"ray",
+                                [](const auto& p) {
+                                  return ask(axes::UnboundedAndBox<LinearKind::ray>{}, p[0],
+                                             Vector3{p[1].x, p[1].y, p[1].z}, box_of(p[2], p[3]));
+                                },
+                                [](const auto& p) {
+                                  return relate(Ray3{p[0], {p[1].x, p[1].y, p[1].z}}, box_of(p[2], p[3]));
+                                }},
+                           Case{"line",
+                                [](const auto& p) {
+                                  return ask(axes::UnboundedAndBox<LinearKind::line>{}, p[0],
+                                             Vector3{p[1].x, p[1].y, p[1].z}, box_of(p[2], p[3]));
+                                },
+                                [](const auto& p) {
+                                  return relate(Line3{p[0], {p[1].x, p[1].y, p[1].z}}, box_of(p[2], p[3]));
+                                }},
+                           Case{"triangle",
+                                [](const auto& p) {
+                                  return ask(axes::TriangleAndBox{}, Triangle3{p[0], p[1], p[4]}, box_of(p[2], p[3]));
+                                },
+                                [](const auto& p) {
+                                  return relate(Triangle3{p[0], p[1], p[4]}, box_of(p[2], p[3]));
+                                }}};
+
+/// How many of 1000 the doubles answer, at least: of segments, rays, lines, triangles.  What they leave is as a rule
+/// touching, a box without an inside, or among the ends of the doubles.
+constexpr std::array<int, 4> promised(Family family) {
+  switch (family) {
+    case Family::uniform:
+    case Family::float32:
+      return {1000, 1000, 1000, 1000};
+    case Family::grid:
+      return {960, 975, 965, 950};
+    case Family::near_half:
+      return {910, 980, 895, 530};
+    case Family::degenerate_short:
+      return {930, 955, 965, 845};
+    case Family::degenerate_long:
+      return {995, 995, 995, 840};
+    case Family::off_by_ulps:
+      return {965, 975, 980, 835};
+    case Family::repeated:
+      return {515, 620, 610, 475};
+    case Family::wide:
+      return {980, 985, 985, 850};
+    case Family::extreme:
+      return {200, 225, 75, 125};
+    case Family::mixture:
+      return {590, 600, 560, 450};
+  }
+  return {};
+}
+
+TEST(BoxAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {
+  for (const FamilyInfo& info : families) {
+    for (std::size_t which = 0; which < cases.size(); ++which) {
+      const Case& c = cases[which];
+      int by_floats = 0, by_exact = 0;
+      for (std::uint64_t i = 0; i < 1000; ++i) {
+        Entropy entropy(18, i);
+        std::array<double, 15> x{};
+        fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
+        std::array<Point3, 5> p;
+        for (std::size_t k = 0; k < 5; ++k) p[k] = {x[3 * k], x[3 * k + 1], x[3 * k + 2]};
+        const auto [floats, exact] = c.ask(p);
+        const Relation truth = c.relate(p);
+        by_floats += floats.has_value(), by_exact += exact.has_value();
+        ASSERT_TRUE(!floats || floats == truth) << c.name << ' ' << info.name << ", replay: " << i;
+        ASSERT_TRUE(!exact || exact == truth) << c.name << ' ' << info.name << ", replay: " << i;
+      }
+      EXPECT_GE(by_floats, promised(info.family)[which]) << c.name << ' ' << info.name;
+      EXPECT_GE(by_exact, by_floats) << c.name << ' ' << info.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plumb::query
