@@ -7,7 +7,7 @@
 namespace plumb::query {
 namespace {
 
-using Points = std::array<const Point3*, 3>;
+using CornerPointers = std::array<const Point3*, 3>;
 
 int sign_beyond(double x, double error) { return static_cast<int>(x > error) - static_cast<int>(x < -error); }
 
@@ -61,7 +61,7 @@ std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3
 
 std::optional<Relation> by_shared_corners(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
                                           double error) {
-  const Points p{&a.a, &a.b, &a.c}, q{&b.a, &b.b, &b.c};
+  const CornerPointers p{&a.a, &a.b, &a.c}, q{&b.a, &b.b, &b.c};
   // Which corners are the same; none is counted twice, unless a triangle repeats it.
   std::array<std::size_t, 3> of_a{}, of_b{};
   std::size_t shared = 0, own = 2;  // those of b's corners, the last of the others
