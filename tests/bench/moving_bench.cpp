@@ -2,8 +2,8 @@
 //
 // Boxes with n x n squares on each face come face to face along an axis or askew; the same turned by three times a
 // rotation of integers, so that their faces lie askew and still are flat; lifted by a pose; and wavy rings, which meet
-// in one place, one of them turned by a pose.
-// `s_query` is the time of each contact.
+// in one place, one of them turned by a pose.  And how near are boxes under poses that lie face to face?
+// `s_query` is the time of each answer.
 #include <benchmark/benchmark.h>
 
 #include <functional>
@@ -64,6 +64,17 @@ void add_posed(const std::string& name, const TriangleMesh& a, const Pose& pose_
   add(name, [=] { return first_contact({*tree_a, pose_a}, by, *tree_b).has_value(); });
 }
 
+/// How near face to face, one of them turned: closest triangles, many of them equally near.
+void add_near(std::uint32_t n) {
+  const std::string size = std::to_string(n);
+  const double top = n;
+  const auto tree = std::make_shared<Bvh>(build_bvh(box(n)));
+  const Pose lifted{identity_pose.columns, {0.25, 0.5, 2 * top}};
+  const Pose turn{{{{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}}, {0.25, 0.5, 2 * top}};
+  add("near/" + size + "/lifted", [=] { return closest_triangles({*tree, lifted}, *tree).has_value(); });
+  add("near/" + size + "/turned", [=] { return closest_triangles({*tree, turn}, *tree).has_value(); });
+}
+
 void add_boxes(std::uint32_t n) {
   const std::string size = std::to_string(n);
   const double top = n;
@@ -82,6 +93,7 @@ void add_boxes(std::uint32_t n) {
 
 const bool added = [] {
   for (const std::uint32_t n : {4u, 16u, 64u}) add_boxes(n);
+  for (const std::uint32_t n : {2u, 4u, 8u}) add_near(n);
   for (const std::uint32_t n : {16u, 64u}) {
     const TriangleMesh ring = meshes::ring(n);
     const TriangleMesh far = mapped(ring, [](const Point3& p) { return Point3{p.x + 3, p.y + 0.25, p.z + 0.125}; });

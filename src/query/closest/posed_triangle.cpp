@@ -45,12 +45,6 @@ Numbers numbers_near(const PosedTriangle3& t, const Point3& p, Feature feature, 
   return numbers(wanted, foot_of(posed_corners<Ball>(t), vector_of<Ball>(p), feature), p, 0, ExactFoot(exactly));
 }
 
-/// at / weight, with a positive weight.
-template <class T>
-struct WeightedPoint {
-  Vec3<T> at;
-  T weight;
-};
 template <class T>
 WeightedPoint<T> weighted(const Vec3<T>& p) {
   return {p, T(1.0)};
@@ -254,6 +248,17 @@ Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double th
     const Foot<T> foot = foot_of(corners, at, nearest_feature<T>(corners, at, ask));
     return ask(foot.square() - T(than) * T(than) * foot.over());
   });
+}
+
+WeightedPair<BigDyadic> exact_closest_points(const PosedTriangle3& a, const PosedTriangle3& b) {
+  const auto pair = least_pair_exactly(a, b, false);
+  return {pair.a, pair.b};
+}
+std::optional<WeightedPair<Ball>> quick_closest_points(const PosedTriangle3& a, const PosedTriangle3& b) {
+  CertainSigns ask;
+  const auto pair = least_pair<Ball>(a, b, false, ask);
+  if (!pair || !ask.certain()) return {};
+  return WeightedPair<Ball>{pair->a, pair->b};
 }
 
 Closest closest_points(const PosedTriangle3& a, const PosedTriangle3& b) {

@@ -28,6 +28,18 @@ Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p)
 /// The sign of the distance minus a number that is not negative.
 Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double than);
 
+/// at / weight, with a positive weight.
+template <class T>
+struct WeightedPoint {
+  Vec3<T> at;
+  T weight;
+};
+/// Closest points, one of each; quickly where pairs of doubles tell.
+template <class T>
+using WeightedPair = std::array<WeightedPoint<T>, 2>;
+WeightedPair<BigDyadic> exact_closest_points(const PosedTriangle3& a, const PosedTriangle3& b);
+std::optional<WeightedPair<Ball>> quick_closest_points(const PosedTriangle3& a, const PosedTriangle3& b);
+
 Closest closest_points(const PosedTriangle3& a, const PosedTriangle3& b);
 double distance(const PosedTriangle3& a, const PosedTriangle3& b);
 Rational squared_distance_exact(const PosedTriangle3& a, const PosedTriangle3& b);

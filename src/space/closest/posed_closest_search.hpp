@@ -3,11 +3,13 @@
 // Law: a guess changes no answer: what is offered first is offered as any other is.
 // Source: RTCD 3.2, 4.2.6, 5.1.5, 5.1.10, 6.3.2.
 // Cost: some 100 ns for each node that is looked at, 500 for each triangle whose box may be nearer; of two meshes tens
-// of microseconds for each pair of triangles.
+// of microseconds for each pair of triangles that no wall stops.
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "plumb/query/closest/closest.hpp"
@@ -20,6 +22,7 @@
 #include "space/bvh/watch.hpp"
 #include "space/closest/box_distance.hpp"
 #include "space/closest/near_feature.hpp"
+#include "space/closest/near_wall.hpp"
 #include "space/closest/pair_queue.hpp"
 
 namespace plumb::space {
@@ -122,7 +125,12 @@ class PosedClosestSearch {
 
   /// Of meshes that are not empty.
   PosedClosestSearch(const PosedMesh& a, const PosedMesh& b, Watch watch = {})
-      : a_(a), b_(b), watch_(watch), nodes_a_(a.bvh.tree.nodes.view()), nodes_b_(b.bvh.tree.nodes.view()) {}
+      : a_(a),
+        b_(b),
+        watch_(watch),
+        nodes_a_(a.bvh.tree.nodes.view()),
+        nodes_b_(b.bvh.tree.nodes.view()),
+        wall_(a, b) {}
 
   /// A pair that may be near, as that of these slots was before; numbers that are no slots are no guess.
   void guess(std::uint32_t slot_a, std::uint32_t slot_b) {
@@ -148,6 +156,7 @@ class PosedClosestSearch {
         replace_pair(nodes_a_, nodes_b_, larger, pair, [&](NodePair next) { push(next); });
       }
     }
+    settle();
     return best_;
   }
 
@@ -164,41 +173,81 @@ class PosedClosestSearch {
       const NearbyTriangle near(a_.triangle(i));
       for (std::uint32_t k = b.link; k < b.link + b.count; ++k) {
         const double bound = square_below(box, around(b_.triangle(k)));
-        if (bound > limit_ || distance_below(near, NearbyTriangle(b_.triangle(k))) > raised(best_.distance)) continue;
-        offer({a_.bvh.tree.items[i], b_.bvh.tree.items[k], i, k, 0}, bound == 0);
+        if (bound > limit_) continue;
+        const Candidate pair{a_.bvh.tree.items[i], b_.bvh.tree.items[k], i, k, 0};
+        if (wall_.stops(i, k)) {
+          if (comes_first(pair)) stopped_.push_back(pair);
+        } else if (!(distance_below(near, NearbyTriangle(b_.triangle(k))) > raised(best_.distance))) {
+          offer(pair, bound == 0);
+        }
       }
     }
   }
 
+  [[nodiscard]] bool comes_first(const Candidate& c) const { return c.a != best_.a ? c.a < best_.a : c.b < best_.b; }
+
+  /// What a wall stopped is no nearer than the best: of these the first that is as near.
+  void settle() {
+    const auto by_numbers = [](const Candidate& x, const Candidate& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
+    std::ranges::sort(stopped_, by_numbers);
+    for (const Candidate& c : stopped_) {
+      if (!comes_first(c)) return;
+      const Posed<Triangle3> s = a_.triangle(c.slot_a), t = b_.triangle(c.slot_b);
+      if (distance_below(NearbyTriangle(s), NearbyTriangle(t)) > raised(best_.distance)) continue;
+      watch_.triangle();
+      if (query::distance(s, t) != best_.distance || compare_exactly(s, t) != 0) continue;
+      best_ = {c.a, c.b, c.slot_a, c.slot_b, best_.distance};
+      return;
+    }
+  }
+
   void offer(Candidate candidate, bool may_meet) {
-    const bool comes_first = candidate.a != best_.a ? candidate.a < best_.a : candidate.b < best_.b;
-    if (meet_ && !comes_first) return;
+    const bool first = comes_first(candidate);
+    if (meet_ && !first) return;
     watch_.triangle();
     const Posed<Triangle3> s = a_.triangle(candidate.slot_a), t = b_.triangle(candidate.slot_b);
     if (may_meet && query::relate(s, t) != Relation::disjoint) {
       best_ = candidate;
       meet_ = true;
       limit_ = 0;
+      forget_wall();
     }
     if (meet_) return;
     candidate.distance = query::distance(s, t);
-    if (found_ && !is_before(candidate, s, t, comes_first)) return;
+    if (found_) {
+      const bool as_near = candidate.distance == best_.distance;
+      if (as_near && !wall_.is_built()) {
+        wall_.build(best_.slot_a, best_.slot_b);
+        if (wall_.stops(candidate.slot_a, candidate.slot_b)) {
+          if (first) stopped_.push_back(candidate);
+          return;
+        }
+      }
+      const auto order = as_near ? compare_exactly(s, t) : candidate.distance <=> best_.distance;
+      if (order > 0 || (order == 0 && !first)) return;
+      if (order < 0) forget_wall();
+    }
     best_ = candidate;
     found_ = true;
     limit_ = square_above(candidate.distance);
   }
 
-  [[nodiscard]] bool is_before(const Candidate& c, const Posed<Triangle3>& s, const Posed<Triangle3>& t,
-                               bool comes_first) const {
-    if (c.distance != best_.distance) return c.distance < best_.distance;
+  void forget_wall() {
+    wall_.clear();
+    stopped_.clear();
+    best_square_.reset();
+  }
+
+  /// With the best, of distances that round alike.
+  [[nodiscard]] std::partial_ordering compare_exactly(const Posed<Triangle3>& s, const Posed<Triangle3>& t) {
     const Posed<Triangle3> best_s = a_.triangle(best_.slot_a), best_t = b_.triangle(best_.slot_b);
     const auto features = query::quick_features(s, t), best = query::quick_features(best_s, best_t);
     const auto same = [&](std::size_t i, const Posed<Triangle3>& one, const Posed<Triangle3>& other) {
       return near_feature(one.shape, (*features)[i]) == near_feature(other.shape, (*best)[i]);
     };
-    if (features && best && same(0, s, best_s) && same(1, t, best_t)) return comes_first;
-    const auto order = query::squared_distance_exact(s, t) <=> query::squared_distance_exact(best_s, best_t);
-    return order < 0 || (order == 0 && comes_first);
+    if (features && best && same(0, s, best_s) && same(1, t, best_t)) return std::partial_ordering::equivalent;
+    if (!best_square_) best_square_ = query::squared_distance_exact(best_s, best_t);
+    return query::squared_distance_exact(s, t) <=> *best_square_;
   }
 
   const PosedMesh &a_, &b_;
@@ -206,6 +255,9 @@ class PosedClosestSearch {
   std::span<const BoxNode> nodes_a_, nodes_b_;
   PairQueue later_;
   double limit_ = beyond_all;
+  NearWall wall_;                        // of the best
+  std::vector<Candidate> stopped_;       // by it, and before the best
+  std::optional<Rational> best_square_;  // where it had to be known
   Candidate best_{0, 0, 0, 0, beyond_all};
   bool found_ = false, meet_ = false;
 };

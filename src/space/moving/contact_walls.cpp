@@ -38,18 +38,6 @@ Point3 extreme_corner(const Posed<Triangle3>& t, const Vec3<BigDyadic>& up, Sign
   return shape_corners(t.shape)[most];
 }
 
-bool is_not_positive(const Ball& quick, const auto& exactly) {
-  const Unsure<Sign> sign = quick.sign();
-  return (sign.certain() ? sign.value() : exactly().sign()) != Sign::positive;
-}
-
-template <class Stops>
-bool stops_vertex(std::vector<std::uint8_t>& known, std::uint32_t vertex, const Stops& stops) {
-  std::uint8_t& k = known[vertex];
-  if (k == 0) k = stops() ? 1 : 2;
-  return k == 1;
-}
-
 }  // namespace
 
 void ContactWalls::clear() {
@@ -96,8 +84,8 @@ bool ContactWalls::build_plane(const Posed<Triangle3>& plane, std::uint32_t slot
   const Rational gap(big_rational(exact.of_b - exact.of_a));
   if (!(gap == time * Rational(big_rational(rise)))) return false;
   const Vec3<Ball> way = normal_over<Ball>(plane);
-  plane_ = Plane{heights(turned ? turned_over(way) : way), std::move(exact),
-                 std::vector<std::uint8_t>(a_.bvh.vertices.size()), std::vector<std::uint8_t>(b_.bvh.vertices.size())};
+  plane_ = Plane{heights(turned ? turned_over(way) : way), std::move(exact), VertexSides(a_.bvh.vertices.size()),
+                 VertexSides(b_.bvh.vertices.size())};
   return true;
 }
 
@@ -120,19 +108,17 @@ bool ContactWalls::stop(std::uint32_t slot_a, std::uint32_t slot_b) {
 }
 
 bool ContactWalls::stops_a(std::uint32_t vertex) {
-  return stops_vertex(plane_->known_a, vertex, [&] {
-    const Point3& p = a_.bvh.vertices[vertex];
-    const auto above = [&]<class T>(const Heights<T>& h) { return dot(query::posed<T>(p, a_.pose), h.up) - h.of_a; };
-    return is_not_positive(above(plane_->quick), [&] { return above(plane_->exact); });
-  });
+  const Point3& p = a_.bvh.vertices[vertex];
+  const auto above = [&]<class T>(const Heights<T>& h) { return dot(query::posed<T>(p, a_.pose), h.up) - h.of_a; };
+  return !plane_->sides_a.is_beyond(
+      vertex, [&] { return above(plane_->quick); }, [&] { return above(plane_->exact); });
 }
 
 bool ContactWalls::stops_b(std::uint32_t vertex) {
-  return stops_vertex(plane_->known_b, vertex, [&] {
-    const Point3& p = b_.bvh.vertices[vertex];
-    const auto below = [&]<class T>(const Heights<T>& h) { return h.of_b - dot(query::posed<T>(p, b_.pose), h.up); };
-    return is_not_positive(below(plane_->quick), [&] { return below(plane_->exact); });
-  });
+  const Point3& p = b_.bvh.vertices[vertex];
+  const auto below = [&]<class T>(const Heights<T>& h) { return h.of_b - dot(query::posed<T>(p, b_.pose), h.up); };
+  return !plane_->sides_b.is_beyond(
+      vertex, [&] { return below(plane_->quick); }, [&] { return below(plane_->exact); });
 }
 
 }  // namespace plumb::space

@@ -12,12 +12,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "plumb/arith/rational.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/space/bvh/posed_mesh.hpp"
 #include "query/body/posed_corners.hpp"
+#include "space/bvh/vertex_sides.hpp"
 
 namespace plumb::space {
 
@@ -44,7 +44,7 @@ class ContactWalls {
   struct Plane {
     Heights<Ball> quick;
     Heights<BigDyadic> exact;
-    std::vector<std::uint8_t> known_a, known_b;  // of vertices: 0 nothing, 1 stopped, 2 not
+    VertexSides sides_a, sides_b;
   };
   struct Axis {
     Sign way = Sign::zero;  // zero: none

@@ -142,6 +142,50 @@ TEST(PosedClosest, OfATurnedMeshIsThatOfEachTriangle) {
   });
 }
 
+/// Lattices face to face, in any order of the numbers: many pairs are equally near, and the first is told.  Now and then
+/// a tip or a ridge is nearer, or slopes rise between them.
+TEST(PosedClosest, OfManyEquallyNearIsTheFirst) {
+  const auto lattice = [](Entropy& entropy, double z) {
+    TriangleMesh mesh;
+    for (std::uint32_t i = 0; i < 9; ++i) mesh.vertices.push_back({1.0 * (i % 3), 1.0 * (i / 3), z});
+    for (const std::uint32_t i : {0u, 1u, 3u, 4u})
+      mesh.triangles.insert(mesh.triangles.end(), {{i, i + 1, i + 4}, {i, i + 4, i + 3}});
+    const std::uint64_t kind = entropy.below(4);
+    if (kind == 1) mesh.vertices[entropy.below(9)].z += 0.25 - 0.5 * z;
+    if (kind == 2) mesh.vertices[3].z = mesh.vertices[4].z = 0.5;
+    for (std::size_t i = 8; i > 1; --i) std::swap(mesh.triangles[i - 1], mesh.triangles[entropy.below(i)]);
+    return mesh;
+  };
+  const auto cases = static_cast<std::uint64_t>(battery::fitting(60));
+  for (std::uint64_t index = 0; index < cases; ++index) {
+    Entropy entropy(1724, index);
+    const TriangleMesh mesh_a = lattice(entropy, 0), mesh_b = lattice(entropy, 1);
+    const auto part = [&] { return 0.25 * static_cast<double>(entropy.within(12)); };
+    const double x = part(), y = part();
+    TriangleMesh there = mesh_b;
+    for (Point3& p : there.vertices) p = {p.x + x, p.y + y, p.z};
+    const Pose turned{{{{0.8, 0.6, 0}, {-0.36, 0.48, 0.8}, {0.48, -0.64, 0.6}}}, {0.1, 0.2, 0.3}};
+    const Pose pose_a = entropy.coin() ? turned : identity_pose;
+    Pose pose_b = pose_a;  // beside the image, not quite along the plane where it is turned
+    pose_b.translation.x += part();
+    const Bvh a = build_bvh(mesh_a, {.most_in_leaf = 1}), b = build_bvh(there);
+    std::optional<Rational> least;
+    std::uint32_t first_a = 0, first_b = 0;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      for (std::uint32_t k = 0; k < 8; ++k) {
+        auto square =
+            query::squared_distance_exact(posed_triangle(mesh_a, i, pose_a), posed_triangle(there, k, pose_b));
+        if (least && !(square < *least)) continue;
+        least = std::move(square), first_a = i, first_b = k;
+      }
+    }
+    const auto near = closest_triangles({a, pose_a}, {b, pose_b});
+    ASSERT_TRUE(near.has_value());
+    EXPECT_EQ(std::pair(near->a, near->b), std::pair(first_a, first_b)) << "case " << index;
+    EXPECT_EQ(near->closest.distance, rounded_root(Rounding::nearest, *least)) << "case " << index;
+  }
+}
+
 TEST(PosedClosest, RefusesWhatIsNone) {
   const Bvh bvh = build_bvh(meshes::repeated(2)), nothing = build_bvh(TriangleMesh{});
   Pose pose = identity_pose;
