@@ -43,7 +43,8 @@
 // When does what moves meet first?  first_contact; what meets at all?  contacts_in_motion
 #include "plumb/space/moving/motion_contacts.hpp"    // a mesh whose vertices move, itself
 #include "plumb/space/moving/moving_mesh.hpp"        // such a mesh
-#include "plumb/space/moving/posed_translating.hpp"  // the same of meshes that have been moved before
+#include "plumb/space/moving/posed_motion.hpp"       // one that moves from pose to pose
+#include "plumb/space/moving/posed_translating.hpp"  // meshes that have been moved before, along a line
 #include "plumb/space/moving/translating_mesh.hpp"   // a mesh along a line, another
 
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs

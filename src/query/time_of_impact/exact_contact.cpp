@@ -168,7 +168,12 @@ std::optional<ExactContact> exact_first_contact(MovingKind kind, std::span<const
   const int exponent = exponents.lattice().exponent;
   FourMoving points;
   for (std::size_t i = 0; i < 4; ++i) points[i] = moving(exponent, at_0[i], at_1[i]);
-  const mpz_class least = integer_on(exponent, separation), square = least * least;
+  return exact_first_contact(kind, points, integer_on(exponent, separation));
+}
+
+std::optional<ExactContact> exact_first_contact(MovingKind kind, const FourMoving& points,
+                                                const mpz_class& separation) {
+  const mpz_class square = separation * separation;
   if (square != 0) return first_of_pairs(feature_pairs(kind, points, false), square);
   arith::Polynomial cubic = coplanarity(points);
   if (cubic.empty()) return first_of_pairs(feature_pairs(kind, points, false), square);

@@ -27,4 +27,7 @@ struct ExactContact {
 std::optional<ExactContact> exact_first_contact(MovingKind kind, std::span<const Point3, 4> at_0,
                                                 std::span<const Point3, 4> at_1, double separation);
 
+/// Of points and a separation on a lattice, as integers.
+std::optional<ExactContact> exact_first_contact(MovingKind kind, const FourMoving& points, const mpz_class& separation);
+
 }  // namespace plumb::query::moving

@@ -109,12 +109,12 @@ inline std::vector<Aabb3> posed_boxes(const PosedCompactMesh& mesh, Execution ex
   return boxes;
 }
 
-/// Throws NonFinite: "first_hit: mesh.pose.columns[0].x is nan, not a real number; give a finite double".
-inline void require_pose(const char* function, const char* name, const Pose& pose) {
+/// Throws NonFinite, by the pose's own name.
+inline void require_finite_pose(const char* function, const std::string& name, const Pose& pose) {
   const auto require = [&](const std::string& part, const Vector3& v) {
     for (const auto& [axis, x] : {std::pair{".x", v.x}, {".y", v.y}, {".z", v.z}}) {
       if (x - x == 0) continue;
-      throw NonFinite(std::string(function) + ": " + name + ".pose" + part + axis + " is " +
+      throw NonFinite(std::string(function) + ": " + name + part + axis + " is " +
                       (x > 0   ? "inf"
                        : x < 0 ? "-inf"
                                : "nan") +
@@ -123,6 +123,10 @@ inline void require_pose(const char* function, const char* name, const Pose& pos
   };
   for (std::size_t i = 0; i < 3; ++i) require(".columns[" + std::to_string(i) + "]", pose.columns[i]);
   require(".translation", pose.translation);
+}
+/// The same of a mesh's: "first_hit: mesh.pose.columns[0].x is nan, not a real number; give a finite double".
+inline void require_pose(const char* function, const char* name, const Pose& pose) {
+  require_finite_pose(function, std::string(name) + ".pose", pose);
 }
 
 }  // namespace plumb::space

@@ -1,37 +1,13 @@
-// Pairs of nodes down to some hundred parts of the work; each part down to its leaves; then all in order.
+// The search of motion_search.hpp, where the mesh moves as it was given.
 #include "plumb/space/moving/motion_contacts.hpp"
 
-#include <algorithm>
-#include <tuple>
-
-#include "figure/basic/finite_parts.hpp"
 #include "plumb/query/time_of_impact/continuous_contact.hpp"
-#include "space/bvh/pair_parts.hpp"
-#include "space/bvh/parts.hpp"
-#include "space/closest/box_distance.hpp"
+#include "space/moving/motion_search.hpp"
 #include "space/moving/swept_boxes.hpp"
 
 namespace plumb {
 namespace space {
 namespace {
-
-/// May what is in two boxes come this near?
-template <class BoxA, class BoxB>
-bool come_near(const BoxA& a, const BoxB& b, double separation) {
-  const auto on = [&](double a_min, double a_max, double b_min, double b_max) {
-    return step_below(a_min - b_max) <= separation && step_below(b_min - a_max) <= separation;
-  };
-  if constexpr (std::is_same_v<BoxA, Aabb3>) {
-    return on(a.min.x, a.max.x, b.min.x, b.max.x) && on(a.min.y, a.max.y, b.min.y, b.max.y) &&
-           on(a.min.z, a.max.z, b.min.z, b.max.z);
-  } else {
-    const auto axis = [&](std::size_t k) {
-      return on(static_cast<double>(a.min[k]), static_cast<double>(a.max[k]), static_cast<double>(b.min[k]),
-                static_cast<double>(b.max[k]));
-    };
-    return axis(0) && axis(1) && axis(2);
-  }
-}
 
 /// Nodes of two trees, whatever their frames.
 class NodesNear {
@@ -52,175 +28,46 @@ class NodesNear {
   double separation_;
 };
 
-std::optional<Contact> contact_of(const MovingMesh& mesh, ContactPair pair, std::uint32_t a, std::uint32_t b,
-                                  double separation) {
-  const ContactOptions options{separation};
-  return pair == ContactPair::vertex_triangle ? first_contact(mesh.vertex(a), mesh.triangle(b), options)
-                                              : first_contact(mesh.edge(a), mesh.edge(b), options);
-}
-
-Root exact_time_of(const MovingMesh& mesh, const MotionContact& c, double separation) {
-  const ContactOptions options{separation};
-  return c.pair == ContactPair::vertex_triangle ? *first_contact_time(mesh.vertex(c.a), mesh.triangle(c.b), options)
-                                                : *first_contact_time(mesh.edge(c.a), mesh.edge(c.b), options);
-}
-
-bool comes_first(const MotionContact& x, const MotionContact& y) {
-  return std::tuple(x.pair, x.a, x.b) < std::tuple(y.pair, y.a, y.b);
-}
-
-/// Both kinds of pairs of a mesh, in parts.
-class MotionSearch {
+class GivenMotion {
  public:
-  MotionSearch(const char* function, const MovingMesh& mesh, const MotionContactOptions& options)
-      : function_(function), mesh_(mesh), options_(options) {}
+  explicit GivenMotion(const MovingMesh& mesh) : mesh_(mesh) {}
 
-  /// begin(n), then take(part, contact) for each, from several threads; parts are below n.
-  template <class Begin, class Take>
-  void run(const Begin& begin, const Take& take) const {
-    const BoxTree &corners = mesh_.corner_tree, &triangles = mesh_.triangle_tree, &edges = mesh_.edge_tree;
-    const std::span<const BoxNode> cs = corners.nodes.view(), ts = triangles.nodes.view(), es = edges.nodes.view();
-    const NodesNear corner_near(corners, triangles, options_.separation), edge_near(edges, edges, options_.separation);
-    const auto down = [&](NodePair pair, const auto& next) { replace_pair(cs, ts, descend_larger{}, pair, next); };
-    const auto down_own = [&](NodePair pair, const auto& next) { replace_own_pair(es, pair, next); };
-    constexpr std::size_t parts_wanted = 256;
-    const auto corner_parts = pair_parts(cs, ts, parts_wanted, down, corner_near);
-    const auto edge_parts = pair_parts(es, es, parts_wanted, down_own, edge_near);
-    const std::size_t n = corner_parts.size();
-    begin(n + edge_parts.size());
-    for_parts(function_, options_.execution, options_.progress, n + edge_parts.size(), [&](std::size_t part) {
-      const auto ask = [&](ContactPair pair, std::uint32_t a, std::uint32_t b) {
-        const auto contact = contact_of(mesh_, pair, a, b, options_.separation);
-        if (contact) take(part, MotionContact{pair, a, b, *contact});
-      };
-      if (part < n) {
-        const auto visit = [&](const BoxNode& a, const BoxNode& b) { corner_leaves(a, b, ask); };
-        descend_from(cs, ts, corner_parts[part], down, corner_near, visit);
-      } else {
-        const auto visit = [&](const BoxNode& a, const BoxNode& b) { edge_leaves(a, b, ask); };
-        descend_from(es, es, edge_parts[part - n], down_own, edge_near, visit);
-      }
-    });
+  [[nodiscard]] const MovingMesh& mesh() const { return mesh_; }
+  [[nodiscard]] static NodesNear nodes_near(const BoxTree& a, const BoxTree& b, double separation) {
+    return {a, b, separation};
+  }
+  [[nodiscard]] Aabb3 corner_box(std::uint32_t i) const { return swept_corner(mesh_, i); }
+  [[nodiscard]] Aabb3 edge_box(std::uint32_t i) const { return swept_edge(mesh_, i); }
+  [[nodiscard]] Aabb3 triangle_box(std::uint32_t i) const { return swept_triangle(mesh_, i); }
+  [[nodiscard]] std::optional<Contact> contact(ContactPair pair, std::uint32_t a, std::uint32_t b,
+                                               double separation) const {
+    const ContactOptions options{separation};
+    return pair == ContactPair::vertex_triangle ? first_contact(mesh_.vertex(a), mesh_.triangle(b), options)
+                                                : first_contact(mesh_.edge(a), mesh_.edge(b), options);
+  }
+  [[nodiscard]] Root time(const MotionContact& c, double separation) const {
+    const ContactOptions options{separation};
+    return c.pair == ContactPair::vertex_triangle ? *first_contact_time(mesh_.vertex(c.a), mesh_.triangle(c.b), options)
+                                                  : *first_contact_time(mesh_.edge(c.a), mesh_.edge(c.b), options);
   }
 
  private:
-  template <class Ask>
-  void corner_leaves(const BoxNode& leaf_a, const BoxNode& leaf_b, const Ask& ask) const {
-    for (std::uint32_t k = leaf_b.link; k < leaf_b.link + leaf_b.count; ++k) {
-      const std::uint32_t b = mesh_.triangle_tree.items[k];
-      const Bvh::Corners& t = mesh_.triangles[b];
-      const Aabb3 box = swept_triangle(mesh_, b);
-      for (std::uint32_t i = leaf_a.link; i < leaf_a.link + leaf_a.count; ++i) {
-        const std::uint32_t corner = mesh_.corner_tree.items[i], a = mesh_.corners[corner];
-        if (a == t[0] || a == t[1] || a == t[2]) continue;
-        if (come_near(swept_corner(mesh_, corner), box, options_.separation)) ask(ContactPair::vertex_triangle, a, b);
-      }
-    }
-  }
-
-  template <class Ask>
-  void edge_leaves(const BoxNode& leaf_a, const BoxNode& leaf_b, const Ask& ask) const {
-    for (std::uint32_t i = leaf_a.link; i < leaf_a.link + leaf_a.count; ++i) {
-      const std::uint32_t a = mesh_.edge_tree.items[i];
-      const auto [p, q] = mesh_.edges[a];
-      const Aabb3 box = swept_edge(mesh_, a);
-      for (std::uint32_t k = leaf_a.link == leaf_b.link ? i + 1 : leaf_b.link; k < leaf_b.link + leaf_b.count; ++k) {
-        const std::uint32_t b = mesh_.edge_tree.items[k];
-        const auto [r, s] = mesh_.edges[b];
-        if (p == r || p == s || q == r || q == s) continue;
-        if (!come_near(box, swept_edge(mesh_, b), options_.separation)) continue;
-        ask(ContactPair::edge_edge, std::min(a, b), std::max(a, b));
-      }
-    }
-  }
-
-  const char* function_;
   const MovingMesh& mesh_;
-  const MotionContactOptions& options_;
-};
-
-void require_separation(const char* function, double separation) {
-  require_finite_parts(function, {"options.separation"}, separation);
-  if (separation < 0) {
-    throw InvalidShape(std::string(function) + ": options.separation is negative; give a distance, zero for contact");
-  }
-}
-
-std::vector<MotionContact> all_contacts(const char* function, const MovingMesh& mesh,
-                                        const MotionContactOptions& options) {
-  require_separation(function, options.separation);
-  std::vector<std::vector<MotionContact>> found;
-  MotionSearch(function, mesh, options)
-      .run([&](std::size_t parts) { found.resize(parts); },
-           [&](std::size_t part, const MotionContact& c) { found[part].push_back(c); });
-  std::vector<MotionContact> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end(), comes_first);
-  return all;
-}
-
-/// Contacts in order of their rounded times: those of equal ones by their exact times.
-void sort_equal_times(const MovingMesh& mesh, double separation, std::span<MotionContact> equal) {
-  std::vector<std::pair<Root, MotionContact>> exact;
-  for (const MotionContact& c : equal) exact.emplace_back(exact_time_of(mesh, c, separation), c);
-  std::stable_sort(exact.begin(), exact.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  for (std::size_t i = 0; i < equal.size(); ++i) equal[i] = exact[i].second;
-}
-
-/// The first in time of those that were offered.
-class FirstInTime {
- public:
-  void offer(const MovingMesh& mesh, double separation, const MotionContact& c) {
-    if (best_ && c.contact.time > best_->contact.time) return;
-    std::optional<Root> exact;
-    if (best_ && c.contact.time == best_->contact.time) {
-      if (!exact_) exact_ = exact_time_of(mesh, *best_, separation);
-      const bool first = comes_first(c, *best_);
-      if (!first && *exact_ == Rational(c.contact.time)) return;  // c is no earlier than its time
-      exact = exact_time_of(mesh, c, separation);
-      const auto order = *exact <=> *exact_;
-      if (order > 0 || (order == 0 && !first)) return;
-    }
-    best_ = c;
-    exact_ = exact;
-  }
-  [[nodiscard]] const std::optional<MotionContact>& best() const { return best_; }
-
- private:
-  std::optional<MotionContact> best_;
-  std::optional<Root> exact_;  // where it had to be known
 };
 
 }  // namespace
 }  // namespace space
 
 std::vector<MotionContact> contacts_in_motion(const MovingMesh& mesh, const MotionContactOptions& options) {
-  return space::all_contacts("contacts_in_motion", mesh, options);
+  return space::all_contacts("contacts_in_motion", space::GivenMotion(mesh), options);
 }
 
 std::vector<MotionContact> contacts_by_time(const MovingMesh& mesh, const MotionContactOptions& options) {
-  std::vector<MotionContact> all = space::all_contacts("contacts_by_time", mesh, options);
-  const auto time = [](const MotionContact& c) { return c.contact.time; };
-  std::ranges::stable_sort(all, {}, time);
-  for (auto from = all.begin(); from != all.end();) {
-    const auto to = std::find_if(from, all.end(), [&](const MotionContact& c) { return time(c) != time(*from); });
-    if (to - from > 1) space::sort_equal_times(mesh, options.separation, {from, to});
-    from = to;
-  }
-  return all;
+  return space::all_by_time("contacts_by_time", space::GivenMotion(mesh), options);
 }
 
 std::optional<MotionContact> first_contact(const MovingMesh& mesh, const MotionContactOptions& options) {
-  space::require_separation("first_contact", options.separation);
-  std::vector<space::FirstInTime> found;
-  space::MotionSearch("first_contact", mesh, options)
-      .run([&](std::size_t parts) { found.resize(parts); },
-           [&](std::size_t part, const MotionContact& c) { found[part].offer(mesh, options.separation, c); });
-  space::FirstInTime first;
-  for (const space::FirstInTime& part : found) {
-    if (part.best()) first.offer(mesh, options.separation, *part.best());
-  }
-  return first.best();
+  return space::first_in_time("first_contact", space::GivenMotion(mesh), options);
 }
 
 }  // namespace plumb
