@@ -100,6 +100,57 @@ TEST(OverlapTriangleCases, TheSameTriangleInAnyOrder) {
   expect_relation({{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}, {{-0.0, 1, 1}, {1, 1, -0.0}, {1, -0.0, 1}}, Relation::overlapping);
 }
 
+TEST(OverlapTriangleCases, TrianglesThatShareACorner) {
+  const Triangle3 a{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const auto at_a = [](const Point3& p, const Point3& q) { return Triangle3{{0, 0, 0}, p, q}; };
+  expect_relation(a, at_a({1, 1, 1}, {1, 2, 3}), Relation::touching);      // on one side
+  expect_relation(a, at_a({1, 1, 1}, {1, 1, -1}), Relation::overlapping);  // across, forward
+  expect_relation(a, at_a({-1, -1, 1}, {-1, -1, -1}), Relation::touching);
+  expect_relation(a, at_a({-1, 2, 1}, {-1, 2, -1}), Relation::touching);  // a is on one side
+  expect_relation(a, at_a({1, 1, 0}, {0, 0, 1}), Relation::touching);     // an edge across the inside
+  expect_relation(a, at_a({1, 0, 1}, {1, 0, -1}), Relation::touching);    // across, along an edge
+  expect_relation(a, at_a({1, 0, 0}, {0, 0, 1}), Relation::touching);
+  expect_relation(a, at_a({-1, -1, 0}, {-1, 1, 0}), Relation::touching);  // in one plane
+  expect_relation(a, at_a({-1, 2, 0}, {2, 2, 0}), Relation::overlapping);
+  expect_relation(a, at_a({1, 1, 0}, {-1, -1, 0}), Relation::overlapping);  // a segment through the corner
+  expect_relation(a, at_a({1, 1, 0}, {1, 1, 0}), Relation::overlapping);
+}
+
+TEST(OverlapTriangleCases, TrianglesThatShareAnEdge) {
+  const Triangle3 a{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  expect_relation(a, {{0, 0, 0}, {4, 0, 0}, {1, 1, 1}}, Relation::touching);
+  expect_relation(a, {{0, 0, 0}, {4, 0, 0}, {1, -1, 0}}, Relation::touching);
+  expect_relation(a, {{0, 0, 0}, {4, 0, 0}, {9, 1, 0}}, Relation::overlapping);  // folded onto one another
+  expect_relation(a, {{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}, Relation::touching);     // a segment
+  expect_relation(a, {{0, 0, 0}, {4, 0, 0}, {4, 0, 0}}, Relation::touching);
+}
+
+// Corners drawn from five points: of the materials, and of one plane but for a unit.
+TEST(OverlapTriangleCases, CornersOfAFewPoints) {
+  Counts counts;
+  const auto check = [&](const std::array<Point3, 5>& points, const auto& below, const std::string& about) {
+    const auto any = [&] { return points[static_cast<std::size_t>(below(5))]; };
+    const Triangle3 a{any(), any(), any()}, b{any(), any(), any()};
+    const Relation expected = oracle::rational_relation(a, b);
+    counts.add(expected);
+    EXPECT_EQ(relate(a, b), expected) << about;
+    EXPECT_EQ(relate(b, a), expected) << about;
+    EXPECT_EQ(relate(turned(a), flipped(b)), expected) << about;
+  };
+  shape_cases::on_shapes(64, 1500, [&](shape_cases::Material& m) {
+    const std::array points{m.point3(), m.point3(), m.point3(), m.point3(), m.point3()};
+    check(
+        points, [&](int n) { return m.below(static_cast<std::size_t>(n)); }, m.about());
+  });
+  for (std::uint64_t i = 0; i < 1500 * shape_cases::more; ++i) {
+    Entropy entropy(65, i);
+    const auto points = std::bit_cast<std::array<Point3, 5>>(flat_lattice<5, 3>(66, i));
+    check(
+        points, [&](int n) { return entropy.below(static_cast<std::uint64_t>(n)); }, "66 index " + std::to_string(i));
+  }
+  expect_all_answers(counts, 3000 * shape_cases::more);
+}
+
 TEST(OverlapTriangleCases, TrianglesThatAreSegmentsOrPoints) {
   const Triangle3 t{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}};
   expect_relation(t, {{1, 1, -1}, {1, 1, 0}, {1, 1, 1}}, Relation::overlapping);

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "certify/batch/take_instruction_set.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "oracle/meetings.hpp"
+#include "plumb/certify/instruction_set.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "space/bvh/meshes.hpp"
@@ -85,11 +87,14 @@ void expect_pairs(const Bvh& a, const Bvh* b, const Pairs& expected, const std::
 }
 
 TEST(IntersectingPairs, AreThoseOfEachTriangleAgainstEach) {
-  std::size_t touching = 0, overlap = 0;
+  std::size_t touching = 0, overlap = 0, shapes = 0;
+  const auto sets = batch_instruction_sets();
   shape_cases::on_shapes(941, battery::fitting(200), [&](shape_cases::Material& m) {
+    certify::batch::take_instruction_set(sets[shapes++ % sets.size()]);
     const TriangleMesh mesh_a = meshes::soup(m, 1 + m.below(30), m.below(40));
     const TriangleMesh mesh_b = meshes::soup(m, 1 + m.below(30), m.below(40));
-    const Bvh a = build_bvh(mesh_a, {.most_in_leaf = 1}), b = build_bvh(mesh_b);
+    const Bvh a = build_bvh(mesh_a, {.most_in_leaf = 1}),
+              b = build_bvh(mesh_b, {.most_in_leaf = m.below(2) ? 4u : 40u});
     const Pairs expected = by_brute_force(mesh_a, mesh_b);
     expect_pairs(a, &b, expected, m.about());
     touching += counted(expected).touching, overlap += counted(expected).overlapping;
@@ -97,6 +102,7 @@ TEST(IntersectingPairs, AreThoseOfEachTriangleAgainstEach) {
     for (const auto& [i, k, relation] : intersecting_pairs(b, a)) turned.push_back({k, i, relation});
     EXPECT_THAT(turned, ::testing::UnorderedElementsAreArray(expected));
   });
+  certify::batch::take_instruction_set({});
   EXPECT_GT(touching, battery::fitting(1000u));
   EXPECT_GT(overlap, battery::fitting(1000u));
 }
