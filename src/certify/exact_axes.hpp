@@ -81,6 +81,14 @@ Axes<T> spread(const Axes<T>& a) {
   const T& one = lane == 0 ? a.x : lane == 1 ? a.y : a.z;
   return {one, one, one};
 }
+template <class T>
+struct ColumnsOf {
+  Axes<T> x, y, z;
+};
+template <class T>
+ColumnsOf<T> transposed(const Axes<T>& a, const Axes<T>& b, const Axes<T>& c) {
+  return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};
+}
 /// Lane by lane: of doubles as given, of signs, of what is judged.
 template <class T>
 Axes<T> larger(const Axes<T>& a, const Axes<T>& b) {
@@ -151,6 +159,7 @@ class ExactAxes {
   static Axes<bool> not_negative(const auto& a) {
     return each(signs(a), [](Sign s) { return s != Sign::negative; });
   }
+  static Axes<bool> is_real(const auto&) { return {true, true, true}; }
   void require(const Axes<bool>& a) { open_ = open_ || !is_all(a); }
   void leave_open() { open_ = true; }
   [[nodiscard]] bool certain() const { return !open_; }
@@ -164,6 +173,10 @@ class ExactAxes {
       Axes<bool> is_none{false, false, false};
       if constexpr (sizeof...(parts) != 0) is_none = (zero(parts) & ...);
       heed_one(s.x, is_none.x), heed_one(s.y, is_none.y), heed_one(s.z, is_none.z);
+    }
+    /// Axes that are zero were passed over, and those left are all only if this is so.
+    void need(const Axes<bool>& have_inside) {
+      if (!apart_) world_.require(have_inside);
     }
     void heed_above(const auto& gap) { apart_ = apart_ || is_any(positive(gap)); }
     [[nodiscard]] bool is_apart() const { return apart_; }

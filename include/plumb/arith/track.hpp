@@ -23,9 +23,11 @@ namespace plumb {
 [[noreturn]] void throw_powers_too_high();
 
 /// Scalars all: GCC 12 gives types one name for the linker that differ in arrays within their parameters.
-/// How many scales a statement has; of which there is a number for each axis, and which have weights, bit by bit.
+/// How many scales a statement has; bit by bit of which there is a number for each axis, which have weights, and which
+/// are the largest of their leaves' magnitudes instead of the sum.  The largest is sharper in high powers, but a NaN is
+/// not seen in it: the statement requires that a number is real in which all leaves are.
 struct Scales {
-  unsigned count = 1, each_axis = 0, weights = 0;
+  unsigned count = 1, each_axis = 0, weights = 0, maxima = 0;
 };
 
 struct Track {

@@ -40,6 +40,8 @@ constexpr double smaller(double a, double b) { return a < b ? a : b; }
 constexpr double turned(double x) { return x; }
 constexpr double turned_back(double x) { return x; }
 constexpr double total(double x) { return x; }
+constexpr double largest(double x) { return x; }
+constexpr double x_of(double x) { return x; }
 constexpr double plus_product(double sum, double a, double b) { return sum + a * b; }
 constexpr double minus_product(double sum, double a, double b) { return sum - a * b; }
 constexpr bool above(double a, double b) { return a > b; }

@@ -2,7 +2,6 @@
 
 #include "figure/basic/in_space.hpp"
 #include "figure/minkowski/zonotope.hpp"
-#include "figure/obb/gaps.hpp"
 #include "figure/obb/quick.hpp"
 #include "plumb/certify/detail/gap_filter.hpp"
 #include "plumb/certify/separating_axis.hpp"
@@ -13,7 +12,14 @@
 namespace plumb {
 namespace {
 
-using figure::obb_gaps::FaceOfA;
+/// What the numbers of two boxes are called.
+struct BothSpace {
+  static constexpr std::string_view name = "relate";
+  static constexpr std::array arguments{3, 3, 3, 3, 3, 3, 3, 3, 3, 3};
+  static constexpr std::array<std::string_view, 10> argument_names{"a.center",  "b.center",  "a.axes[0]", "a.axes[1]",
+                                                                   "a.axes[2]", "b.axes[0]", "b.axes[1]", "b.axes[2]",
+                                                                   "a.half",    "b.half"};
+};
 
 BigDyadic product(double a, double b) { return BigDyadic(a) * BigDyadic(b); }
 BigVector difference(const Point3& from, const Point3& to) {
@@ -59,9 +65,9 @@ std::optional<Relation> by_signs(const Obb3& a, const Obb3& b) {
 }
 
 [[gnu::noinline]] Relation exactly(const Obb3& a, const Obb3& b, Asked asked) {
-  require_finite<FaceOfA>(coordinates_of<FaceOfA>(a.center, b.center, a.axes[0], a.axes[1], a.axes[2], b.axes[0],
-                                                  b.axes[1], b.axes[2], a.half, b.half),
-                          name_of(asked));
+  require_finite<BothSpace>(coordinates_of<BothSpace>(a.center, b.center, a.axes[0], a.axes[1], a.axes[2], b.axes[0],
+                                                      b.axes[1], b.axes[2], a.half, b.half),
+                            name_of(asked));
   if (const auto answer = by_signs(a, b)) return *answer;
   return locate_origin(
       difference(a.center, b.center),

@@ -3,7 +3,8 @@
 // One text for several kinds of lanes: certify/floats.hpp includes it for one double, src/certify/three_axes.hpp for a
 // vector of space, once for each set of instructions.  It stands in the namespace of the lanes V, which has: + - *, size,
 // larger, smaller, plus_product, minus_product (fused or not), above, of_all, any, all, Truth, turned, total.
-// Laws: those of arith/track.hpp.  A scale is the sum of its leaves' magnitudes, and so NaN where one of them is.
+// Laws: those of arith/track.hpp.  A scale is the sum of its leaves' magnitudes, and so NaN where one of them is; or the
+// largest, where arith/track.hpp says so.
 // Source: docs/proof.md, "Tracked errors".
 // Cost: that of the plain operations, and a magnitude and a sum for each leaf.
 
@@ -129,14 +130,15 @@ class Floats {
   template <std::size_t over>
   [[gnu::always_inline]] constexpr auto weight(const Given<V>& a) {
     static_assert(over != 0 && (of.weights >> over & 1) != 0 && !start.is_of_axes(0) && !start.is_of_axes(over));
-    weights_[over] = weights_[over] + size(a.value);
+    weights_[over] = has_weight_[over] ? weights_[over] + size(a.value) : size(a.value);
+    has_weight_[over] = true;
     return Tracked<V, derive::weight(0, over, start)>{a.value};
   }
   /// b - a, which is no larger than two leaves of this scale together, so that it need not be added to it.
   template <std::size_t scale = 0, Track A, Track B>
   [[gnu::always_inline]] constexpr auto difference_within(const Given<V>& b, const Given<V>& a, const Tracked<V, A>&,
                                                           const Tracked<V, B>&) const {
-    static_assert(A == derive::difference(scale, start) && B == A);
+    static_assert(A == derive::difference(scale, start) && B == A && (of.maxima >> scale & 1) == 0);
     return Tracked<V, derive::within(scale, start)>{b.value - a.value};
   }
   /// The same leaves of what is given outright.
@@ -207,6 +209,11 @@ class Floats {
   [[gnu::always_inline]] constexpr void leave_open() { unsure_ = true; }
   /// Without this, or NaN in the place of a number, there is no answer.
   [[gnu::always_inline]] constexpr void require(const Truth& t) { required_.both(t); }
+  /// Below infinity, and a number.
+  template <Track T>
+  [[gnu::always_inline]] constexpr Truth is_real(const Tracked<V, T>& x) const {
+    return above(of_all(__builtin_huge_val()), x.value);
+  }
   template <Track T>
   [[gnu::always_inline]] constexpr Truth not_negative(const Tracked<V, T>& x) const {
     static_assert(T.root == 0, "of what is known exactly");
@@ -218,16 +225,20 @@ class Floats {
   [[gnu::always_inline]] constexpr V scale() const {
     if constexpr (start.is_of_axes(s)) {
       return scales_[s];
-    } else if constexpr (s == 0) {
-      return with_weights<1>(of_all(total(scales_[0])));
+    } else if constexpr (s == 0 && of.weights != 0) {
+      return in_all<0>() + of_all(total(all_weights<1>()));
     } else {
-      return of_all(total(scales_[s]));
+      return in_all<s>();
     }
   }
   /// May the answer be believed?  Not where a sign was unsure, a number none, or a scale too large.
   [[gnu::always_inline]] constexpr bool certain() const {
-    const Truth in_range = above(of_all(1 / floor), sum_of_scales<0>());
-    return !unsure_ && all(required_.is_some() ? required_.truth() & in_range : in_range);
+    if constexpr (of.each_axis == 0) {
+      return !unsure_ && x_of(sum_of_scales<0>()) < 1 / floor && (!required_.is_some() || all(required_.truth()));
+    } else {
+      const Truth in_range = above(of_all(1 / floor), sum_of_scales<0>());
+      return !unsure_ && all(required_.is_some() ? required_.truth() & in_range : in_range);
+    }
   }
 
  private:
@@ -237,17 +248,30 @@ class Floats {
   template <std::size_t scale, Track T>
   [[gnu::always_inline]] constexpr Tracked<V, T> leaf(const V& x) {
     static_assert(scale < of.count);
-    scales_[scale] = scales_[scale] + size(x);
+    if constexpr ((of.maxima >> scale & 1) != 0) {
+      scales_[scale] = larger(size(x), scales_[scale]);
+    } else {
+      scales_[scale] = scales_[scale] + size(x);
+    }
     return {x};
   }
-  template <std::size_t over>
-  [[gnu::always_inline]] constexpr V with_weights(const V& sum) const {
-    if constexpr (over == plumb::Track::scales) {
-      return sum;
-    } else if constexpr ((of.weights >> over & 1) == 0) {
-      return with_weights<over + 1>(sum);
+  template <std::size_t s>
+  [[gnu::always_inline]] constexpr V in_all() const {
+    if constexpr ((of.maxima >> s & 1) != 0) {
+      return of_all(largest(scales_[s]));
     } else {
-      return with_weights<over + 1>(plus_product(sum, scale<over>(), of_all(total(weights_[over]))));
+      return of_all(total(scales_[s]));
+    }
+  }
+  /// The weights from scale `over` on, each times its scale.
+  template <std::size_t over>
+  [[gnu::always_inline]] constexpr V all_weights() const {
+    if constexpr ((of.weights >> (over + 1)) == 0) {
+      return scale<over>() * weights_[over];
+    } else if constexpr ((of.weights >> over & 1) == 0) {
+      return all_weights<over + 1>();
+    } else {
+      return plus_product(all_weights<over + 1>(), scale<over>(), weights_[over]);
     }
   }
   /// Of this scale and those after it.
@@ -298,6 +322,7 @@ class Floats {
   }
 
   std::array<V, plumb::Track::scales> scales_, weights_;
+  std::array<bool, plumb::Track::scales> has_weight_{};
   Merged required_;
   bool unsure_ = false;
 };
@@ -321,6 +346,8 @@ class Gaps {
       settled_.both(below | none);
     }
   }
+  /// Doubles pass over no axis whose parts are computed, and so need nothing of those that are left.
+  [[gnu::always_inline]] constexpr void need(const auto&) {}
   /// Along what may be no axis: only a gap tells.
   [[gnu::always_inline]] constexpr void heed_above(const auto& gap) { apart_.either(world_.positive(gap)); }
   [[gnu::always_inline]] constexpr bool is_apart() const { return any(apart_.truth()); }
