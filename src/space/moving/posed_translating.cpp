@@ -4,9 +4,9 @@
 #include "figure/basic/finite_parts.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "query/time_of_impact/posed_contact.hpp"
+#include "space/bvh/alike_poses.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/moving/translating_search.hpp"
-#include "space/pairs/posed_leaf_pairs.hpp"
 
 namespace plumb {
 namespace space {

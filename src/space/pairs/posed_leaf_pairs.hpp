@@ -1,4 +1,4 @@
-// Which triangles of two leaves meet, where the meshes have been moved?  And has it been alike?
+// Which triangles of two leaves meet, where the meshes have been moved?
 //
 // Law: of all pairs of their slots exactly those whose exact images meet are told, each once; of a leaf with itself
 // those of two slots.
@@ -6,41 +6,18 @@
 // Cost: a posed box for each triangle, and some 300 ns for each pair whose boxes meet.
 #pragma once
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "plumb/predicates.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "query/overlap/posed_triangles.hpp"
+#include "space/bvh/alike_poses.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/pairs/leaf_pairs.hpp"
 #include "space/pairs/posed_neighbors.hpp"
 
 namespace plumb::space {
-
-/// Then it maps one to one, and what is in common has an image of its own.
-inline bool is_regular(const Pose& pose) {
-  const auto point = [](const Vector3& v) { return Point3{v.x, v.y, v.z}; };
-  const auto& c = pose.columns;
-  return orient3d(point(c[0]), point(c[1]), point(c[2]), Point3{0, 0, 0}) != Sign::zero;
-}
-
-/// Is it the question without poses?
-template <class Mesh>
-bool are_moved_alike(const char* function, const PosedMeshOf<Mesh>& a, const PosedMeshOf<Mesh>& b) {
-  require_pose(function, "a", a.pose);
-  require_pose(function, "b", b.pose);
-  return a.pose == b.pose && is_regular(a.pose);
-}
-
-/// The same of one mesh and itself.
-template <class Mesh>
-bool is_moved_regularly(const char* function, const PosedMeshOf<Mesh>& mesh) {
-  require_pose(function, "mesh", mesh.pose);
-  return is_regular(mesh.pose);
-}
 
 /// What a search asks of two leaves: which slots' triangles meet.
 template <class Mesh = Bvh>
@@ -92,11 +69,5 @@ class PosedLeafPairs {
   bool is_own_;
   std::vector<PosedSlot> slots_a_, slots_b_;
 };
-
-/// Which of two posed boxes is to be descended; a guess.
-inline Descend larger_posed(const Aabb3& a, const Aabb3& b) {
-  const auto size = [](const Aabb3& x) { return std::max({x.max.x - x.min.x, x.max.y - x.min.y, x.max.z - x.min.z}); };
-  return size(a) < size(b) ? Descend::second : Descend::first;
-}
 
 }  // namespace plumb::space
