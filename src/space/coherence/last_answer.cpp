@@ -88,8 +88,9 @@ std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const Pose
 bool hits(const AnyRay& ray, const Bvh& bvh, LastTriangle& last, HitRule rule) {
   if (!query::is_sound(ray)) query::require_ray("hits", ray);
   if (last.slot < bvh.triangles.size() && hits(ray, bvh.triangle(last.slot), rule)) return true;
-  space::AnyHit search(ray, bvh, rule);
-  const space::RayTask task = search.task();
+  const RaySlabs slabs(ray, bvh.tree);
+  space::AnyHit search(ray, slabs.keys(), bvh, rule);
+  const space::RayTask task = search.task(slabs);
   space::visit_triangles(bvh, {&task, 1});
   if (search.found()) last.slot = search.slot();
   return search.found();

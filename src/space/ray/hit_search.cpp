@@ -43,7 +43,7 @@ double FirstHit::visit(std::uint32_t slot, bool certain, double least, double mo
   if (!hit || (found_ && hit->least > best_.most)) return limit_;
   if (!found_ || hit->most < best_.most) {
     std::swap(*hit, best_);
-    limit_ = std::min(limit_, slabs_.limit_at(best_.most));
+    limit_ = std::min(limit_, keys_.limit_at(best_.most));
   }
   if (found_ && !(hit->least > best_.most)) others_.push_back(*hit);
   found_ = true;

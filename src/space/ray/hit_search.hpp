@@ -1,7 +1,7 @@
 // What is looked for along a ray: the first hit, any, or all?  Visitors of the triangles that a ray may hit.
 //
-//   FirstHit search(ray, bvh, rule);              // of a posed mesh (ray, seen, mesh, rule)
-//   const RayTask task = search.task();
+//   FirstHit search(ray, slabs.keys(), bvh, rule);     // of a posed mesh (ray, seen, mesh, rule)
+//   const RayTask task = search.task(slabs);
 //   visit_triangles(bvh, {&task, 1});
 //   search.slot()
 //
@@ -28,12 +28,8 @@ class HitSearch : public TriangleVisitor {
  public:
   /// Of a Bvh or a CompactBvh.
   template <class Mesh>
-  HitSearch(const AnyRay& ray, const Mesh& mesh, HitRule rule)
-      : ray_(&ray),
-        triangles_(mesh),
-        rule_(rule),
-        slabs_(ray, mesh.tree.frame, mesh.tree.box()),
-        limit_(slabs_.limit()) {}
+  HitSearch(const AnyRay& ray, const RaySlabs::Keys& keys, const Mesh& mesh, HitRule rule)
+      : ray_(&ray), triangles_(mesh), rule_(rule), keys_(keys), limit_(keys.limit) {}
   /// Along the ray, which the mesh sees so.
   template <class Mesh>
   HitSearch(const AnyRay& ray, const SeenRay& seen, const PosedMeshOf<Mesh>& mesh, HitRule rule)
@@ -42,13 +38,15 @@ class HitSearch : public TriangleVisitor {
         pose_(&mesh.pose),
         triangles_(mesh.bvh),
         rule_(rule),
-        slabs_(seen.slabs),
-        limit_(slabs_.limit()) {}
+        keys_(seen.slabs.keys()),
+        limit_(keys_.limit) {}
 
-  [[nodiscard]] RayTask task() {
-    if (pose_ != nullptr) return {seen_->ray, slabs_.planes(), slabs_.limit(), this, seen_->doubts};
-    return {query::batch_ray(*ray_), slabs_.planes(), slabs_.limit(), this};
+  [[nodiscard]] AskedRay asked() {
+    if (pose_ != nullptr) return {seen_->ray, this, seen_->doubts};
+    return {query::batch_ray(*ray_), this};
   }
+  /// By slabs whose keys were given.
+  [[nodiscard]] RayTask task(const RaySlabs& slabs) { return {asked(), slabs.planes(), slabs.limit()}; }
 
  protected:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -76,7 +74,7 @@ class HitSearch : public TriangleVisitor {
   const Pose* pose_ = nullptr;  // of a mesh that has one
   SlotTriangles triangles_;
   HitRule rule_;
-  RaySlabs slabs_;
+  RaySlabs::Keys keys_;
   double limit_;
 };
 

@@ -112,17 +112,17 @@ struct Leaves {
     }
   }
 
-  HWY_INLINE double visit(const RayTask& task, std::uint32_t first, std::uint32_t count, double limit) const {
-    const in_lanes::RayLanes ray(task.ray, task.doubts);
+  HWY_INLINE double visit(const AskedRay& asked, std::uint32_t first, std::uint32_t count, double limit) const {
+    const in_lanes::RayLanes ray(asked.ray, asked.doubts);
     for_vectors(first, count, [&](std::uint32_t from, unsigned there, const auto& p, const auto& q, const auto& r) {
-      limit = visited(task, in_lanes::tell(ray, p, q, r), from, there, limit);
+      limit = visited(asked, in_lanes::tell(ray, p, q, r), from, there, limit);
       return limit != -infinity;
     });
     return limit;
   }
 
   /// Those that may be hit; the limit from now on.
-  HWY_INLINE static double visited(const RayTask& task, const in_lanes::TrianglesTold& told, std::uint32_t from,
+  HWY_INLINE static double visited(const AskedRay& asked, const in_lanes::TrianglesTold& told, std::uint32_t from,
                                    unsigned there, double limit) {
     unsigned maybe = ~told.no & there;
     if (maybe == 0) return limit;
@@ -131,7 +131,7 @@ struct Leaves {
     hn::Store(told.most, D(), most);
     for (; maybe != 0; maybe &= maybe - 1) {
       const auto i = static_cast<unsigned>(__builtin_ctz(maybe));
-      limit = task.visitor->visit(from + i, (told.yes >> i & 1) != 0, least[i], most[i]);
+      limit = asked.visitor->visit(from + i, (told.yes >> i & 1) != 0, least[i], most[i]);
       if (limit == -infinity) break;
     }
     return limit;

@@ -1,12 +1,14 @@
 #include "plumb/space/ray/mesh_ray.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "query/ray/numbers.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/ray/hit_search.hpp"
+#include "space/ray/packet_task.hpp"
 
 namespace plumb {
 namespace {
@@ -18,11 +20,62 @@ template <class Search, class Mesh, class Answer>
 auto searched(const char* function, const AnyRay& ray, const Mesh& mesh, HitRule rule, const Answer& answer) {
   if (!query::is_sound(ray)) [[unlikely]]
     query::require_ray(function, ray);
-  Search search(ray, mesh, rule);
-  const space::RayTask task = search.task();
+  const RaySlabs slabs(ray, mesh.tree.frame, mesh.tree.box());
+  Search search(ray, slabs.keys(), mesh, rule);
+  const space::RayTask task = search.task(slabs);
   space::visit_triangles(mesh, {&task, 1});
   return answer(search);
 }
+
+/// Searches along rays that are taken down in packets where they are plain and fit, else by turns.
+template <class Search, class Mesh>
+class Searches {
+ public:
+  Searches(const Mesh& mesh, HitRule rule, std::size_t most)
+      : mesh_(mesh), rule_(rule), frame_(mesh.tree.frame), box_(mesh.tree.box()) {
+    searches_.reserve(most);
+  }
+
+  /// At most a packet's size of them.
+  void add(std::span<const AnyRay> rays) {
+    space::PacketTask& packet = packets_[packed_];
+    if (space::put_plainly(rays, frame_, box_, packet.planes)) {
+      packet.size = rays.size();
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        RaySlabs::Keys keys;
+        if (query::ends(rays[i])) keys.limit = 1;
+        packet.asked[i] = searches_.emplace_back(rays[i], keys, mesh_, rule_).asked();
+        packet.limits[i] = keys.limit;
+      }
+      if (++packed_ == packets_.size()) run_packets();
+      return;
+    }
+    for (const AnyRay& ray : rays) {
+      const RaySlabs slabs(ray, frame_, box_);
+      others_.push_back(searches_.emplace_back(ray, slabs.keys(), mesh_, rule_).task(slabs));
+    }
+  }
+  void run() {
+    run_packets();
+    space::visit_triangles(mesh_, others_);
+  }
+  Search& operator[](std::size_t i) { return searches_[i]; }
+
+ private:
+  void run_packets() {
+    space::visit_triangles(mesh_, std::span<const space::PacketTask>(packets_).first(packed_));
+    packed_ = 0;
+  }
+
+  const Mesh& mesh_;
+  HitRule rule_;
+  BoxFrame frame_;
+  FloatBox3 box_;
+  std::vector<Search> searches_;  // which stay where they are
+  std::array<space::PacketTask, space::packets_together> packets_;
+  std::size_t packed_ = 0;
+  std::vector<space::RayTask> others_;
+};
 
 /// out[i] = answer(the search along rays[i]); a block's rays descend together.
 template <class Search, class Mesh, class Out, class Answer>
@@ -32,15 +85,15 @@ void search_all(const char* function, std::span<const AnyRay> rays, const Mesh& 
   const std::size_t parts = space::blocks_of(rays.size(), rays_of_block);
   space::for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
     const std::size_t from = part * rays_of_block, to = std::min(rays.size(), from + rays_of_block);
-    std::vector<Search> searches;
-    std::vector<space::RayTask> tasks;
-    searches.reserve(to - from);
-    tasks.reserve(to - from);
-    for (std::size_t i = from; i < to; ++i) {
-      if (!query::is_sound(rays[i])) query::require_ray(function, rays[i]);
-      tasks.push_back(searches.emplace_back(rays[i], mesh, options.rule).task());
+    Searches<Search, Mesh> searches(mesh, options.rule, to - from);
+    for (std::size_t i = from; i < to; i += space::packet_size) {
+      const auto next = rays.subspan(i, std::min(space::packet_size, to - i));
+      for (const AnyRay& ray : next) {
+        if (!query::is_sound(ray)) query::require_ray(function, ray);
+      }
+      searches.add(next);
     }
-    space::visit_triangles(mesh, tasks);
+    searches.run();
     for (std::size_t i = from; i < to; ++i) out[i] = answer(searches[i - from]);
   });
 }

@@ -15,10 +15,6 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 #include "space/ray/ray_walk.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,71 +22,38 @@ namespace plumb::space::HWY_NAMESPACE {
 
 class PacketSlabs {
  public:
-  /// Do they go the same way along each axis?  And so that no bound is 0 times infinity.
-  static bool fit(std::span<const RayTask> tasks) {
-    const RaySlabs::Planes& first = tasks[0].planes;
-    return std::ranges::all_of(tasks, [&](const RayTask& task) {
-      const RaySlabs::Planes& p = task.planes;
-      bool same = !p.all_met;
-      for (std::size_t k = 0; k < 3; ++k) {
-        same = same && (p.low_rate[k] < 0) == (first.low_rate[k] < 0) &&
-               std::isinf(p.low_rate[k]) == std::isinf(first.low_rate[k]) &&
-               std::isinf(p.high_rate[k]) == std::isinf(first.high_rate[k]);
-      }
-      return same;
-    });
-  }
-
-  /// Of so many as fit, at most packet_size.
-  explicit PacketSlabs(std::span<const RayTask> tasks) {
+  explicit PacketSlabs(const PacketTask& task) : planes_(&task.planes) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const bool down = tasks[0].planes.low_rate[k] < 0;
-      near_[k].plane = down ? 3 + k : k;
-      far_[k].plane = down ? k : 3 + k;
-      const auto fill = [&](Plane& plane, const auto& from, const auto& rate, bool greatest_from) {
-        for (std::size_t i = 0; i < packet_size; ++i) {
-          const RaySlabs::Planes& p = tasks[std::min(i, tasks.size() - 1)].planes;
-          plane.from[i] = from(p)[k];
-          plane.rate[i] = rate(p)[k];
-        }
-        const auto froms = std::minmax_element(plane.from, plane.from + packet_size);
-        const auto rates = std::minmax_element(plane.rate, plane.rate + packet_size);
-        plane.bound = greatest_from ? *froms.second : *froms.first;
-        plane.least = *rates.first, plane.most = *rates.second;
-      };
-      const auto low_from = [](const RaySlabs::Planes& p) -> auto& { return p.low_from; };
-      const auto low_rate = [](const RaySlabs::Planes& p) -> auto& { return p.low_rate; };
-      const auto high_from = [](const RaySlabs::Planes& p) -> auto& { return p.high_from; };
-      const auto high_rate = [](const RaySlabs::Planes& p) -> auto& { return p.high_rate; };
+      const bool down = planes_->down[k];
       // Where they enter the least is looked for, where they leave the greatest.
-      fill(down ? far_[k] : near_[k], low_from, low_rate, true);
-      fill(down ? near_[k] : far_[k], high_from, high_rate, false);
+      enter_[k] = {down ? 3 + k : k, planes_->enter[k], !down};
+      leave_[k] = {down ? k : 3 + k, planes_->leave[k], down};
     }
-    for (std::size_t i = 0; i < packet_size; ++i) limits_[i] = i < tasks.size() ? tasks[i].limit : -infinity;
+    for (std::size_t i = 0; i < packet_size; ++i) limits_[i] = i < task.size ? task.limits[i] : -infinity;
   }
 
   [[nodiscard]] double limit(std::size_t ray) const { return limits_[ray]; }
   void set_limit(std::size_t ray, double limit) { limits_[ray] = limit; }
-  [[nodiscard]] double most_limit() const { return *std::max_element(limits_, limits_ + packet_size); }
+  [[nodiscard]] double most_limit() const { return greatest(limits_); }
 
   /// As Slabs, of all rays: less than 0 where none meets the box at one of at most the limit.
   HWY_INLINE Floats keys(const WideNode<8>& node, std::size_t i, double limit) const {
     const D tag;
     const V zero = hn::Zero(tag), guard = hn::Set(tag, underflow_guard), most = hn::Set(tag, limit);
-    const auto way = [&](const Plane& plane) HWY_ATTR {
+    const auto way = [&](const Bounds& plane) HWY_ATTR {
       return hn::Sub(hn::PromoteTo(tag, hn::LoadU(FloatTag(), node.planes[plane.plane].data() + i)),
-                     hn::Set(tag, plane.bound));
+                     hn::Set(tag, plane.from));
     };
-    const auto enters_at = [&](const Plane& plane) HWY_ATTR {
+    const auto enters_at = [&](const Bounds& plane) HWY_ATTR {
       const V x = way(plane);
-      return hn::Min(hn::Mul(x, hn::Set(tag, plane.least)), hn::Mul(x, hn::Set(tag, plane.most)));
+      return hn::Min(hn::Mul(x, hn::Set(tag, plane.least_rate)), hn::Mul(x, hn::Set(tag, plane.most_rate)));
     };
-    const auto leaves_at = [&](const Plane& plane) HWY_ATTR {
+    const auto leaves_at = [&](const Bounds& plane) HWY_ATTR {
       const V x = way(plane);
-      return hn::Max(hn::Mul(x, hn::Set(tag, plane.least)), hn::Mul(x, hn::Set(tag, plane.most)));
+      return hn::Max(hn::Mul(x, hn::Set(tag, plane.least_rate)), hn::Mul(x, hn::Set(tag, plane.most_rate)));
     };
-    const V enters = hn::Max(hn::Max(enters_at(near_[0]), enters_at(near_[1])), hn::Max(enters_at(near_[2]), zero));
-    const V leaves = hn::Add(hn::Min(hn::Min(leaves_at(far_[0]), leaves_at(far_[1])), leaves_at(far_[2])), guard);
+    const V enters = hn::Max(hn::Max(enters_at(enter_[0]), enters_at(enter_[1])), hn::Max(enters_at(enter_[2]), zero));
+    const V leaves = hn::Add(hn::Min(hn::Min(leaves_at(leave_[0]), leaves_at(leave_[1])), leaves_at(leave_[2])), guard);
     const V key = hn::Sub(enters, guard);
     const auto met = hn::Le(key, hn::Min(leaves, most));
     return hn::DemoteTo(FloatTag(), hn::IfThenElse(met, hn::Max(key, zero), hn::Set(tag, -infinity)));
@@ -101,19 +64,20 @@ class PacketSlabs {
   HWY_INLINE unsigned met(const Planes& planes, std::size_t at) const {
     const D tag;
     const V zero = hn::Zero(tag), guard = hn::Set(tag, underflow_guard);
-    const auto place = [&](const Plane& plane)
-                           HWY_ATTR { return hn::Set(tag, static_cast<double>(planes[plane.plane][at])); };
-    const V in_x = place(near_[0]), in_y = place(near_[1]), in_z = place(near_[2]);
-    const V out_x = place(far_[0]), out_y = place(far_[1]), out_z = place(far_[2]);
+    const auto place = [&](const Bounds& bounds)
+                           HWY_ATTR { return hn::Set(tag, static_cast<double>(planes[bounds.plane][at])); };
+    const V in_x = place(enter_[0]), in_y = place(enter_[1]), in_z = place(enter_[2]);
+    const V out_x = place(leave_[0]), out_y = place(leave_[1]), out_z = place(leave_[2]);
+    const auto &in = planes_->enter, &out = planes_->leave;
     unsigned all = 0;
     for (std::size_t i = 0; i < packet_size; i += lanes) {
-      const auto parameter = [&](V x, const Plane& plane) HWY_ATTR {
-        return hn::Mul(hn::Sub(x, hn::Load(tag, plane.from + i)), hn::Load(tag, plane.rate + i));
+      const auto parameter = [&](V x, const PacketPlanes::Plane& plane) HWY_ATTR {
+        return hn::Mul(hn::Sub(x, hn::Load(tag, plane.from.data() + i)), hn::Load(tag, plane.rate.data() + i));
       };
-      const V enters = hn::Max(hn::Max(parameter(in_x, near_[0]), parameter(in_y, near_[1])),
-                               hn::Max(parameter(in_z, near_[2]), zero));
+      const V enters =
+          hn::Max(hn::Max(parameter(in_x, in[0]), parameter(in_y, in[1])), hn::Max(parameter(in_z, in[2]), zero));
       const V leaves = hn::Add(
-          hn::Min(hn::Min(parameter(out_x, far_[0]), parameter(out_y, far_[1])), parameter(out_z, far_[2])), guard);
+          hn::Min(hn::Min(parameter(out_x, out[0]), parameter(out_y, out[1])), parameter(out_z, out[2])), guard);
       const auto is_met = hn::Le(hn::Sub(enters, guard), hn::Min(leaves, hn::Load(tag, limits_ + i)));
       all |= in_lanes::bits_of(is_met) << i;
     }
@@ -121,14 +85,31 @@ class PacketSlabs {
   }
 
  private:
-  /// Of a plane, for each ray what its parameter is computed of, and for all.
-  struct Plane {
-    alignas(64) double from[packet_size];
-    alignas(64) double rate[packet_size];
-    double bound, least, most;
+  /// Of all rays' parameters at a plane of a box.
+  struct Bounds {
     std::size_t plane;
+    double from, least_rate, most_rate;
+
+    Bounds() = default;
+    Bounds(std::size_t of, const PacketPlanes::Plane& p, bool greatest_from)
+        : plane(of),
+          from(greatest_from ? greatest(p.from.data()) : least(p.from.data())),
+          least_rate(least(p.rate.data())),
+          most_rate(greatest(p.rate.data())) {}
   };
-  Plane near_[3], far_[3];
+  HWY_INLINE static double least(const double* numbers) {
+    V v = hn::Load(D(), numbers);
+    for (std::size_t i = lanes; i < packet_size; i += lanes) v = hn::Min(v, hn::Load(D(), numbers + i));
+    return hn::GetLane(hn::MinOfLanes(D(), v));
+  }
+  HWY_INLINE static double greatest(const double* numbers) {
+    V v = hn::Load(D(), numbers);
+    for (std::size_t i = lanes; i < packet_size; i += lanes) v = hn::Max(v, hn::Load(D(), numbers + i));
+    return hn::GetLane(hn::MaxOfLanes(D(), v));
+  }
+
+  const PacketPlanes* planes_;
+  Bounds enter_[3], leave_[3];
   alignas(64) double limits_[packet_size];
 };
 

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <span>
 
 #include "space/ray/packet_slabs.hpp"
 
@@ -32,15 +31,16 @@ class PacketWalk {
   using Form = FormOf<Mesh>;
 
  public:
-  PacketWalk(std::span<const RayTask> tasks, const Mesh& mesh)
+  PacketWalk(const PacketTask& task, const Mesh& mesh)
       : mesh_(&mesh),
-        tasks_(tasks),
-        slabs_(tasks),
+        task_(&task),
+        slabs_(task),
         leaves_{Form(mesh), reinterpret_cast<const double*>(mesh.vertices.data())},
         limit_(slabs_.most_limit()),
         float_limit_(in_floats(limit_)),
-        is_one_origin_(std::ranges::all_of(
-            tasks, [&](const RayTask& t) { return std::ranges::equal(t.ray.origin, tasks[0].ray.origin); })) {}
+        is_one_origin_(std::all_of(task.asked.begin(), task.asked.begin() + task.size, [&](const AskedRay& asked) {
+          return std::ranges::equal(asked.ray.origin, task.asked[0].ray.origin);
+        })) {}
 
   [[nodiscard]] bool at_leaf() const { return count_ != 0; }
 
@@ -53,14 +53,14 @@ class PacketWalk {
     leaves_.for_vectors(link_, count_,
                         [&](std::uint32_t from, unsigned there, const auto& p, const auto& q, const auto& r) {
                           if (!is_one_origin_) {
-                            for_active([&](const RayTask& task, const in_lanes::RayLanes& ray, double limit) {
-                              return Leaves<Form>::visited(task, in_lanes::tell(ray, p, q, r), from, there, limit);
+                            for_active([&](const AskedRay& asked, const in_lanes::RayLanes& ray, double limit) {
+                              return Leaves<Form>::visited(asked, in_lanes::tell(ray, p, q, r), from, there, limit);
                             });
                             return true;
                           }
-                          const in_lanes::TrianglesSeen seen(in_lanes::RayLanes(tasks_[0].ray).origin, p, q, r);
-                          for_active([&](const RayTask& task, const in_lanes::RayLanes& ray, double limit) {
-                            return Leaves<Form>::visited(task, in_lanes::tell(ray, seen), from, there, limit);
+                          const in_lanes::TrianglesSeen seen(in_lanes::RayLanes(task_->asked[0].ray).origin, p, q, r);
+                          for_active([&](const AskedRay& asked, const in_lanes::RayLanes& ray, double limit) {
+                            return Leaves<Form>::visited(asked, in_lanes::tell(ray, seen), from, there, limit);
                           });
                           return true;
                         });
@@ -93,8 +93,8 @@ class PacketWalk {
   HWY_INLINE void for_active(const Work& work) {
     for (unsigned rest = active_; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(rest));
-      const RayTask& task = tasks_[i];
-      const double limit = work(task, in_lanes::RayLanes(task.ray, task.doubts), slabs_.limit(i));
+      const AskedRay& asked = task_->asked[i];
+      const double limit = work(asked, in_lanes::RayLanes(asked.ray, asked.doubts), slabs_.limit(i));
       slabs_.set_limit(i, limit);
       if (limit == -infinity) active_ &= ~(1u << i);
     }
@@ -103,7 +103,7 @@ class PacketWalk {
   void walk_alone() {
     for (unsigned rest = active_; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(rest));
-      Walk<Mesh> walk(tasks_[i], *mesh_, link_, slabs_.limit(i));
+      Walk<Mesh> walk(task_->asked[i], Slabs(task_->planes, i), *mesh_, link_, slabs_.limit(i));
       slabs_.set_limit(i, walk.walk_to_end());
     }
     set_limit();
@@ -115,7 +115,7 @@ class PacketWalk {
   }
 
   const Mesh* mesh_;
-  std::span<const RayTask> tasks_;
+  const PacketTask* task_;
   PacketSlabs slabs_;
   Leaves<Form> leaves_;
   double limit_;

@@ -188,7 +188,7 @@ auto shoot(const char* function, const AnyRay& ray, const PosedMeshOf<Mesh>& mes
   const auto seen = Sight(mesh)(ray);
   if (!seen) return Asks::unseen(ray, mesh, rule);
   typename Asks::Search search(ray, *seen, mesh, rule);
-  const RayTask task = search.task();
+  const RayTask task = search.task(seen->slabs);
   visit_triangles(mesh.bvh, {&task, 1});
   return Asks::answer(search);
 }
@@ -215,7 +215,8 @@ void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMe
     for (std::size_t i = from; i < to; ++i) {
       if (!query::is_sound(rays[i])) query::require_ray(function, rays[i]);
       if (const auto one = sight(rays[i])) {
-        tasks.push_back(searches.emplace_back(rays[i], seen.emplace_back(*one), mesh, options.rule).task());
+        const SeenRay& kept = seen.emplace_back(*one);
+        tasks.push_back(searches.emplace_back(rays[i], kept, mesh, options.rule).task(kept.slabs));
         numbers.push_back(i);
       } else {
         put(i, Asks::unseen(rays[i], mesh, options.rule));

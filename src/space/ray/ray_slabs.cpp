@@ -7,6 +7,7 @@
 #include "plumb/arith/bound.hpp"
 #include "plumb/arith/interval.hpp"
 #include "query/ray/numbers.hpp"
+#include "space/ray/packet_task.hpp"
 
 namespace plumb {
 namespace {
@@ -211,7 +212,7 @@ struct SlabSetting {
 RaySlabs::RaySlabs(const AnyRay& ray, const BoxFrame& frame, const FloatBox3& all) {
   if (!query::is_sound(ray)) query::require_ray("RaySlabs", ray);
   if (SlabSetting::fill_plainly(*this, ray, frame, all)) {
-    if (query::ends(ray)) limit_ = 1;
+    if (query::ends(ray)) keys_.limit = 1;
     return;
   }
   set(SlabSetting(ray, frame.exponent()), query::begins(ray) || query::has_no_direction(ray), query::ends(ray), all);
@@ -223,9 +224,9 @@ RaySlabs::RaySlabs(AnyRay::Kind kind, const std::array<Ball, 3>& from, const std
 }
 
 void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const FloatBox3& all) {
-  exponent_ = setting.exponent;
+  keys_.exponent = setting.exponent;
   all_met_ = !setting.is_finite() || !plumb::is_finite(all);
-  for (double& start : starts_) {
+  for (double& start : keys_.starts) {
     if (all_met_) break;
     const Interval span = setting.span_of(all);
     const bool far = span.lower > 0 && span.lower > far_away * (span.upper - span.lower);
@@ -237,12 +238,58 @@ void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const FloatBox3&
   }
   all_met_ = all_met_ || !begins;  // keys of a line have no least one yet
   if (!all_met_) setting.fill(*this);
-  if (ends) limit_ = limit_at(1);
+  if (ends) keys_.limit = limit_at(1);
 }
 
-double RaySlabs::limit_at(double t) const {
-  if (exponent_ == 0 && starts_[0] == 0) return std::min(t, std::numeric_limits<double>::max());
-  const double key = Interval::sum_up(Interval::sum_up(scaled_up(t, -exponent_), -starts_[0]), -starts_[1]);
+bool space::put_plainly(std::span<const AnyRay> rays, const BoxFrame& frame, const FloatBox3& all,
+                        PacketPlanes& planes) {
+  if (frame.exponent() != 0) return false;
+  std::array<std::array<double, space::packet_size>, 3> from, way;
+  const auto put = [&](std::size_t i, const AnyRay& r) {
+    const bool ends = query::ends(r);
+    from[0][i] = r.origin.x, from[1][i] = r.origin.y, from[2][i] = r.origin.z;
+    way[0][i] = ends ? r.end.x - r.origin.x : r.direction.x;
+    way[1][i] = ends ? r.end.y - r.origin.y : r.direction.y;
+    way[2][i] = ends ? r.end.z - r.origin.z : r.direction.z;
+    bool alike = query::begins(r);
+    for (std::size_t k = 0; k < 3; ++k)
+      alike &= (way[k][i] < 0) == (way[k][0] < 0) && (way[k][i] > 0) == (way[k][0] > 0);
+    return alike;
+  };
+  for (std::size_t i = 0; i < space::packet_size; ++i) {
+    if (!put(i, rays[std::min(i, rays.size() - 1)])) return false;
+  }
+  std::array<double, space::packet_size> distance{};
+  double extent = 0;
+  bool plain = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double low = all.min[k], high = all.max[k];
+    plain &= std::abs(low) < most_moderate && std::abs(high) < most_moderate;
+    extent = std::max(extent, high - low);
+    for (std::size_t i = 0; i < space::packet_size; ++i) {
+      plain &= is_moderate(way[k][i]) & (std::abs(from[k][i]) < most_moderate);
+      distance[i] = std::max(distance[i], std::max(low - from[k][i], from[k][i] - high));
+    }
+  }
+  for (const double d : distance) plain &= d <= far_away * extent;
+  if (!plain) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    planes.down[k] = way[k][0] < 0;
+    for (std::size_t i = 0; i < space::packet_size; ++i) {
+      const double rate = 1 / way[k][i];
+      planes.put(k, i, from[k][i], rate * quick_narrowed, from[k][i], rate * quick_widened);
+    }
+    for (std::size_t i = 0; i < space::packet_size && way[k][0] == 0; ++i) {
+      const AxisPlanes a(Interval{from[k][i]}, Interval{0});
+      planes.put(k, i, a.low.from, a.low.rate, a.high.from, a.high.rate);
+    }
+  }
+  return true;
+}
+
+double RaySlabs::Keys::limit_at(double t) const {
+  if (exponent == 0 && starts[0] == 0) return std::min(t, std::numeric_limits<double>::max());
+  const double key = Interval::sum_up(Interval::sum_up(scaled_up(t, -exponent), -starts[0]), -starts[1]);
   return std::min(key, std::numeric_limits<double>::max());
 }
 

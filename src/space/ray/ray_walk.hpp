@@ -16,6 +16,7 @@
 
 #include "space/ray/child_order.hpp"
 #include "space/ray/leaf_lanes.hpp"
+#include "space/ray/packet_task.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::space::HWY_NAMESPACE {
@@ -91,6 +92,18 @@ class Slabs {
     }
   }
 
+  /// Of one of a packet's rays.
+  Slabs(const PacketPlanes& p, std::size_t ray) : all_met_(false) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      near_[k] = p.down[k] ? 3 + k : k;
+      far_[k] = p.down[k] ? k : 3 + k;
+      near_from_[k] = p.enter[k].from[ray];
+      near_rate_[k] = p.enter[k].rate[ray];
+      far_from_[k] = p.leave[k].from[ray];
+      far_rate_[k] = p.leave[k].rate[ray];
+    }
+  }
+
   /// Of lanes that begin at child i: the keys of those that are met at one of at most the limit, else less than 0.
   HWY_INLINE Floats keys(const WideNode<8>& node, std::size_t i, double limit) const {
     const D tag;
@@ -125,11 +138,11 @@ class Walk {
   using Form = FormOf<Mesh>;
 
  public:
-  Walk(const RayTask& task, const Mesh& mesh) : Walk(task, mesh, 0, task.limit) {}
+  Walk(const RayTask& task, const Mesh& mesh) : Walk(task.asked, Slabs(task.planes), mesh, 0, task.limit) {}
   /// Below a node, and up to a limit.
-  Walk(const RayTask& task, const Mesh& mesh, std::uint32_t node, double limit)
-      : slabs_(task.planes),
-        task_(&task),
+  Walk(const AskedRay& asked, const Slabs& slabs, const Mesh& mesh, std::uint32_t node, double limit)
+      : slabs_(slabs),
+        asked_(&asked),
         leaves_{Form(mesh), reinterpret_cast<const double*>(mesh.vertices.data())},
         limit_(limit),
         float_limit_(in_floats(limit)),
@@ -142,7 +155,7 @@ class Walk {
     waiting_ += put_children(node, later_.from(waiting_), [&](std::size_t i) { return slabs_.keys(node, i, limit_); });
   }
   void visit_leaf() {
-    limit_ = leaves_.visit(*task_, link_, count_, limit_);
+    limit_ = leaves_.visit(*asked_, link_, count_, limit_);
     float_limit_ = in_floats(limit_);
   }
 
@@ -174,7 +187,7 @@ class Walk {
 
  private:
   Slabs slabs_;
-  const RayTask* task_;
+  const AskedRay* asked_;
   Leaves<Form> leaves_;
   double limit_;
   float float_limit_;

@@ -27,39 +27,43 @@ void visit_by_turns(const Mesh& mesh, std::span<const RayTask> tasks) {
 }
 
 template <class Mesh>
-void visit_packets(const Mesh& mesh, std::span<const RayTask> tasks) {
+void visit_together(const Mesh& mesh, std::span<const PacketTask> packets) {
   std::size_t begun = 0;
   ByTurns<PacketWalk<Mesh>, packets_together>().run([&](std::byte* memory) {
-    if (begun == tasks.size()) return false;
-    const auto packet = tasks.subspan(begun, std::min(packet_size, tasks.size() - begun));
-    new (memory) PacketWalk<Mesh>(packet, mesh);
-    begun += packet.size();
+    if (begun == packets.size()) return false;
+    new (memory) PacketWalk<Mesh>(packets[begun++], mesh);
     return true;
   });
 }
 
-/// Packets where they fit, one after the other.
+/// Together where they fit, else by turns.
 template <class Mesh>
 void visit_each(const Mesh& mesh, std::span<const RayTask> tasks) {
   if (tasks.size() == 1) {
     Walk<Mesh>(tasks[0], mesh).walk_to_end();
     return;
   }
-  const auto packet = [&](std::size_t from) { return tasks.subspan(from, std::min(packet_size, tasks.size() - from)); };
-  for (std::size_t from = 0, to = 0; from < tasks.size(); from = to) {
-    const bool fit = PacketSlabs::fit(packet(from));
-    do {
-      to += packet(to).size();
-    } while (to < tasks.size() && PacketSlabs::fit(packet(to)) == fit);
-    const auto part = tasks.subspan(from, to - from);
-    if (fit)
-      visit_packets(mesh, part);
-    else
-      visit_by_turns(mesh, part);
+  std::array<PacketTask, packets_together> packets;
+  std::size_t others = 0, taken = 0, fit = 0;  // others from, and up to; packets since then
+  const auto visit_packets = [&] {
+    visit_together(mesh, std::span<const PacketTask>(packets).first(fit));
+    fit = 0;
+  };
+  while (taken < tasks.size()) {
+    const auto next = tasks.subspan(taken, std::min(packet_size, tasks.size() - taken));
+    taken += next.size();
+    if (!put_packet(next, packets[fit])) continue;
+    visit_by_turns(mesh, tasks.subspan(others, taken - next.size() - others));
+    others = taken;
+    if (++fit == packets.size()) visit_packets();
   }
+  visit_packets();
+  visit_by_turns(mesh, tasks.subspan(others));
 }
 void visit_wide(const Bvh& bvh, std::span<const RayTask> tasks) { visit_each(bvh, tasks); }
 void visit_compact(const CompactBvh& bvh, std::span<const RayTask> tasks) { visit_each(bvh, tasks); }
+void visit_wide_packets(const Bvh& bvh, std::span<const PacketTask> packets) { visit_together(bvh, packets); }
+void visit_compact_packets(const CompactBvh& bvh, std::span<const PacketTask> packets) { visit_together(bvh, packets); }
 
 }  // namespace
 }  // namespace plumb::space::HWY_NAMESPACE
@@ -73,6 +77,8 @@ namespace {
 
 HWY_EXPORT(visit_wide);
 HWY_EXPORT(visit_compact);
+HWY_EXPORT(visit_wide_packets);
+HWY_EXPORT(visit_compact_packets);
 
 }  // namespace
 
@@ -81,6 +87,12 @@ void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks) {
 }
 void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks) {
   if (!bvh.tree.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_compact)(bvh, tasks);
+}
+void visit_triangles(const Bvh& bvh, std::span<const PacketTask> packets) {
+  if (!bvh.wide.nodes.empty()) PLUMB_DISPATCH(visit_wide_packets)(bvh, packets);
+}
+void visit_triangles(const CompactBvh& bvh, std::span<const PacketTask> packets) {
+  if (!bvh.tree.nodes.empty()) PLUMB_DISPATCH(visit_compact_packets)(bvh, packets);
 }
 
 }  // namespace plumb::space

@@ -24,21 +24,21 @@ class TriangleVisitor {
   ~TriangleVisitor() = default;
 };
 
-struct RayTask {
+struct AskedRay {
   query::BatchRay ray;
-  RaySlabs::Planes planes;
-  double limit;
   TriangleVisitor* visitor;
   query::RayDoubts doubts = {};  // of a ray that is not known exactly
+};
+struct RayTask {
+  AskedRay asked;
+  RaySlabs::Planes planes;
+  double limit;
 };
 
 /// So many descend by turns: while one computes, memory brings what the others asked for.
 inline constexpr std::size_t rays_together = 16;
 
-/// So many go down as one where they go the same way, and so many of these by turns.
-inline constexpr std::size_t packet_size = 16, packets_together = 4;
-
-/// Each by itself; the order in which the visitors of several are called is not told.
+/// As each by itself; the order in which the visitors of several are called is not told.
 void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks);
 void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks);
 

@@ -71,10 +71,20 @@ class RaySlabs {
             all_met_};
   }
 
+  /// How keys and parameters go together, and the key of the ray's end.
+  struct Keys {
+    double limit = std::numeric_limits<double>::max();
+    std::array<double, 2> starts{};  // together, where keys begin
+    int exponent = 0;                // t = (key + starts) 2^exponent
+
+    [[nodiscard]] double limit_at(double t) const;
+  };
+  [[nodiscard]] const Keys& keys() const { return keys_; }
+
   /// Are numbers too far apart for any box to be left out?
   [[nodiscard]] bool all_met() const { return all_met_; }
-  [[nodiscard]] double limit() const { return limit_; }
-  [[nodiscard]] double limit_at(double t) const;
+  [[nodiscard]] double limit() const { return keys_.limit; }
+  [[nodiscard]] double limit_at(double t) const { return keys_.limit_at(t); }
 
   /// The statement: where a ray from `from`, of which 1 / rate is the direction, is at `place`.
   template <class T, class Coordinate>
@@ -100,9 +110,7 @@ class RaySlabs {
   // Of the planes at a box's min and max, for x and y; for z both together.
   Pair low_from_{}, low_rate_{}, high_from_{}, high_rate_{}, z_from_{}, z_rate_{};
   bool all_met_ = false;
-  int exponent_ = 0;                // t = (key + starts) 2^exponent
-  std::array<double, 2> starts_{};  // together, where keys begin
-  double limit_ = std::numeric_limits<double>::max();
+  Keys keys_;
 };
 
 }  // namespace plumb
