@@ -3,166 +3,265 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figure/obb/flush_part.hpp"
+#include "figure/obb/flush_volume.hpp"
+
 namespace plumb::figure::frame {
 namespace {
 
-// No volume is sought that is smaller by less than this part of it, nor by less than this much of the cube around.
-constexpr double precision = 0x1p-28, flat = 0x1p-40;
-// Boxes looked at before the best so far is taken: about a second.  Hulls of some thousands of vertices need fewer.
-constexpr long most_boxes = 1L << 22;
-// A product of unit vectors below this may be zero.
-constexpr double slack = 0x1p-40;
+// No volume is sought that is smaller by less than this part of it.
+constexpr double precision = 0x1p-41;
+// Chords of unit vectors are told apart by some more than this; a turn smaller than this is not halved.
+constexpr double finest = 0x1p-50;
+// Where a part has been halved so often, or its bound is so near to the limit, a box that is flush with a face may be
+// the least.
+constexpr int ends_from = 6;
+constexpr double close = 1 - 0x1p-16;
 
-// The normals beside an edge, and no less than this is the hull's width along any normal between them.
-struct Arc {
-  Vector3 from, to;
-  std::uint32_t vertex;  // on the edge
-  double width;
-};
-
-// A box at one angle: normals, the vectors between the vertices that it touches on opposite sides, and widths.
-struct Placed {
-  std::array<Vector3, 3> normal, across;
-  double volume;
-};
+double least_of(double a, double b) { return a < b ? a : b; }
 
 class BoxSearch {
  public:
-  BoxSearch(const HullModel& model, const FoundBox& start) : model_(model), starts_(model), best_(start) {
-    arcs_.reserve(model.edges.size());
-    for (const HullModel::Edge& e : model.edges) {
-      const Vector3 &l = model.normals[e.left], &r = model.normals[e.right];
-      const Vector3 a = across(e.from, l), b = across(e.from, r);
-      arcs_.push_back({l, r, e.from, std::max(std::min(dot(a, l), dot(a, r)), std::min(dot(b, l), dot(b, r)))});
-    }
-    std::ranges::stable_sort(arcs_, {}, &Arc::width);
+  BoxSearch(const HullModel& model, const FlushArcs& flush, const FoundBox& start, std::size_t most_parts)
+      : model_(model),
+        starts_(model),
+        vertex_error_(flush.vertex_error),
+        direction_error_(flush.direction_error),
+        error_(flush.vertex_error, flush.direction_error),
+        most_parts_(most_parts),
+        best_(start) {
+    arcs_.reserve(flush.arcs.size());
+    best_.volume = volume_of(best_.axes);
+    double doubt = 0;
+    for (const Vector3& n : best_.axes) doubt += error_.third / std::fabs(width(n));
+    precision_ = precision + doubt;  // what roundings leave undecided is not worth the while
+    if (!(precision_ < 0.5) || !(direction_error_ < 0x1p-44)) return;
+    for (const FlushArc& f : flush.arcs) add({f, {0, 1}, {f.from, f.to}}, 0);
+    std::ranges::stable_sort(arcs_, {}, &SearchedArc::width);
     least_width_ = arcs_.front().width;
   }
 
-  FoundBox run() {
-    for (std::size_t i = 0; i < arcs_.size(); ++i) {
-      const double others = arcs_[i].width * least_width_;
-      for (std::size_t j = i; j < arcs_.size() && boxes_ < most_boxes && others * arcs_[j].width < limit(); ++j)
-        try_pair(arcs_[i], arcs_[j]);
+  SearchedBox run() {
+    if (!(least_width_ > 0)) return {best_, 0};
+    const std::size_t n = arcs_.size();
+    std::vector<double> x(n), y(n), z(n), reach(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector3& c = arcs_[i].center;
+      x[i] = c.x, y[i] = c.y, z[i] = c.z, reach[i] = arcs_[i].reach;
     }
-    return best_;
+    std::vector<std::uint32_t> met(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const SearchedArc& a = arcs_[i];
+      if (parts_ >= most_parts_) {
+        leave(a.width * a.width * least_width_);
+        break;
+      }
+      const double enough = limit() / (a.width * least_width_);
+      const auto end = static_cast<std::size_t>(std::ranges::lower_bound(arcs_.begin() + static_cast<std::ptrdiff_t>(i),
+                                                                         arcs_.end(), enough, {}, &SearchedArc::width) -
+                                                arcs_.begin());
+      // Arcs of which a normal can be perpendicular to one of a's, without a branch.
+      std::size_t count = 0;
+      for (std::size_t j = i; j < end; ++j) {
+        met[count] = static_cast<std::uint32_t>(j);
+        const double along = a.center.x * x[j] + a.center.y * y[j] + a.center.z * z[j];
+        count += static_cast<std::size_t>(std::fabs(along) <= a.reach + reach[j]);
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        const SearchedArc& b = arcs_[met[k]];
+        look(a, b, {a.s, b.s, a.end, b.end}, 0);
+      }
+    }
+    return {best_, least_of(limit(), left_) * (1 - 0x1p-48)};  // less the roundings of products beside limits
   }
 
  private:
-  [[nodiscard]] double limit() const { return best_.volume * (1 - precision) - flat; }
+  [[nodiscard]] double limit() const { return best_.volume * (1 - precision_); }
+  // What is not looked at any further may be as small as this.
+  void leave(double least) { left_ = least_of(left_, std::max(least, 0.0)); }
 
-  // From the farthest vertex against n to a vertex farthest along n.
-  [[nodiscard]] Vector3 across(std::uint32_t vertex, const Vector3& n) const {
-    return minus(model_.vertices[vertex], model_.vertices[starts_.farthest({-n.x, -n.y, -n.z})]);
+  [[nodiscard]] Vector3 between(std::uint32_t from, std::uint32_t to) const {
+    return minus(model_.vertices[to], model_.vertices[from]);
   }
+  [[nodiscard]] std::uint32_t farthest(const Vector3& n) const { return starts_.farthest(n); }
+  [[nodiscard]] std::uint32_t opposite(const Vector3& n) const { return farthest({-n.x, -n.y, -n.z}); }
+  [[nodiscard]] double width(const Vector3& n) const { return dot(between(opposite(n), farthest(n)), n); }
 
-  // n1 = from + s (to - from) of the first arc; the second has a normal perpendicular to it where the products of n1
-  // with its ends differ in sign.
-  void try_pair(const Arc& a, const Arc& b) {
-    const double ll = dot(a.from, b.from), lr = dot(a.from, b.to), rl = dot(a.to, b.from), rr = dot(a.to, b.to);
-    if ((ll > slack && lr > slack && rl > slack && rr > slack) ||
-        (ll < -slack && lr < -slack && rl < -slack && rr < -slack))
+  // Halved where the width of one pair of vertices says too little of the whole.
+  void add(SearchedArc a, int depth) {
+    a.center = unit(plus(a.end[0], a.end[1]));
+    const Vector3 l = minus(a.end[0], a.center), r = minus(a.end[1], a.center);
+    a.reach = std::sqrt(std::max(dot(l, l), dot(r, r))) + 0x1p-30;
+    double most = std::numeric_limits<double>::infinity();
+    for (const Vector3& n : {a.center, a.end[0], a.end[1]}) {
+      const std::uint32_t q = opposite(n);
+      const Vector3 d = between(q, a.flush.vertex);
+      const double w = least_of(dot(d, a.end[0]), dot(d, a.end[1])) - error_.width;
+      if (!(w <= a.width)) a.width = w, a.beyond = q;
+      most = least_of(most, dot(d, n));
+    }
+    constexpr double share = 0.75;
+    constexpr int deepest = 12;
+    if (a.width >= share * most || depth == deepest) {
+      arcs_.push_back(a);
       return;
-    std::array<double, 4> s{0, 1, 1, 1};
-    std::size_t count = 1;
-    for (const auto& [at0, at1] : {std::pair{ll, rl}, std::pair{lr, rr}}) {
-      if ((at0 < 0) != (at1 < 0)) s.at(count++) = std::clamp(at0 / (at0 - at1), 0.0, 1.0);
     }
-    if (count == 3 && s[1] > s[2]) std::swap(s[1], s[2]);
-    s.at(count) = 1;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double mid = (s.at(k) + s.at(k + 1)) / 2;
-      const double l = ll + mid * (rl - ll), r = lr + mid * (rr - lr);
-      if ((l > slack && r > slack) || (l < -slack && r < -slack)) continue;
-      between(a, b, s.at(k), s.at(k + 1));
-    }
+    const double mid = (a.s[0] + a.s[1]) / 2;
+    const Vector3 n = at(a.flush, mid);
+    add({a.flush, {a.s[0], mid}, {a.end[0], n}}, depth + 1);
+    add({a.flush, {mid, a.s[1]}, {n, a.end[1]}}, depth + 1);
   }
 
-  void between(const Arc& a, const Arc& b, double s0, double s1) {
-    for (const double t : {0.0, 1.0}) {  // where n1 is parallel to the second edge, n2 is any normal of its arc
-      ++boxes_;
-      Placed p0, p1;
-      const bool free0 = normals(a, b, s0, t, p0), free1 = normals(a, b, s1, t, p1);
-      Placed mid;
-      (void)normals(a, b, (s0 + s1) / 2, t, mid);
-      const Vector3 third = across(starts_.farthest(mid.normal[2]), mid.normal[2]);
-      const double width = std::min(dot(third, p0.normal[2]), dot(third, p1.normal[2])) - bulge(p0, p1, third);
-      if (a.width * b.width * std::max(width, least_width_) < limit()) {
-        place(a, b, p0);
-        place(a, b, p1);
-        halve(a, b, s0, p0, s1, p1, 0);
+  // By all vertices, of a frame that may become the best.
+  [[nodiscard]] double volume_of(const std::array<Vector3, 3>& normals) const {
+    double volume = 1;
+    for (const Vector3& n : normals) {
+      double least = dot(model_.vertices[0], n), most = least;
+      for (const Vector3& v : model_.vertices) {
+        const double far = dot(v, n);
+        least = std::min(least, far);
+        most = std::max(most, far);
       }
-      if (!free0 && !free1) return;
+      volume *= most - least;
     }
+    return volume;
   }
 
-  // The first two normals; true where `t` was needed.
-  static bool normals(const Arc& a, const Arc& b, double s, double t, Placed& p) {
-    const Vector3 n1 = unit(plus(times(a.from, 1 - s), times(a.to, s)));
-    const double l = dot(n1, b.from), r = dot(n1, b.to);
-    const bool free = std::fabs(l) <= slack && std::fabs(r) <= slack;
-    const double at = free ? t : std::clamp(l / (l - r), 0.0, 1.0);
-    Vector3 n2 = plus(times(b.from, 1 - at), times(b.to, at));
+  // Any box will do: one whose first normal is n, and whose second is perpendicular to an edge.
+  void try_box(const Vector3& n, const Vector3& edge) {
+    const Vector3 n1 = unit(n);
+    Vector3 n2 = cross(edge, n1);
+    if (!(dot(n2, n2) > 0x1p-80)) return;
     (void)beside(n1, n2);
-    p.normal = {n1, n2, cross(n1, n2)};
-    return free;
+    const std::array normals{n1, n2, cross(n1, n2)};
+    if (!(width(n1) * width(n2) * width(normals[2]) < best_.volume)) return;
+    const double volume = volume_of(normals);
+    if (volume < best_.volume && volume > 0) best_ = {normals, volume};
   }
 
-  // Not so where faces are so thin that they have no normal.
-  static bool is_frame(const Placed& p) {
-    return std::ranges::all_of(p.normal, [](const Vector3& n) { return dot(n, n) > 0.5; });
+  [[nodiscard]] Vector3 at(const FlushArc& arc, double s) const { return flush_normal(arc, s, direction_error_); }
+
+  [[nodiscard]] Turning known(const Vector3& v, double error) const {
+    return {Running(v.x, error), Running(v.y, error), Running(v.z, error)};
+  }
+  // Of the exact arc.
+  [[nodiscard]] Turning turned(const FlushArc& arc, double s) const {
+    const Turning from = known(arc.from, direction_error_), to = known(arc.to, direction_error_);
+    return from * (Running(1.0) - Running(s)) + to * Running(s);
   }
 
-  void place(const Arc& a, const Arc& b, Placed& p) {
-    ++boxes_;
-    p.across[0] = across(a.vertex, p.normal[0]);
-    p.across[1] = across(b.vertex, p.normal[1]);
-    p.across[2] = across(starts_.farthest(p.normal[2]), p.normal[2]);
-    p.volume = dot(p.across[0], p.normal[0]) * dot(p.across[1], p.normal[1]) * dot(p.across[2], p.normal[2]);
-    if (p.volume < best_.volume && is_frame(p)) best_ = {p.normal, p.volume};
+  // Vertices along n1, n2 and n3, and those opposite them.
+  struct Across {
+    std::array<std::uint32_t, 3> ahead, behind;
+  };
+
+  // No box of the part has less, by the widths of these vertices.
+  [[nodiscard]] double least_volume(const SearchedArc& a, const SearchedArc& b, const SearchedPart& p,
+                                    const Across& v) const {
+    const Vector3 d1 = between(v.behind[0], v.ahead[0]), d2 = between(v.behind[1], v.ahead[1]),
+                  d3 = between(v.behind[2], v.ahead[2]);
+    const double w1 = std::max(a.width, least_of(dot(d1, p.a[0]), dot(d1, p.a[1])) - error_.width);
+    const double w2 = std::max(b.width, least_of(dot(d2, p.b[0]), dot(d2, p.b[1])) - error_.width);
+    const double w3 = least_of(least_of(dot(d3, cross(p.a[0], p.b[0])), dot(d3, cross(p.a[0], p.b[1]))),
+                               least_of(dot(d3, cross(p.a[1], p.b[0])), dot(d3, cross(p.a[1], p.b[1]))));
+    return w1 * w2 * std::max(least_width_, w3 - error_.third) * (1 - 0x1p-50);
   }
 
-  // The third normal leaves the great circle between its ends by no more than the squares of the angles: what that may
-  // take from the width along it.
-  static double bulge(const Placed& p, const Placed& q, const Vector3& across) {
-    const Vector3 turn0 = minus(p.normal[0], q.normal[0]), turn1 = minus(p.normal[1], q.normal[1]);
-    return std::sqrt(dot(across, across)) * (dot(turn0, turn0) + dot(turn1, turn1)) / 2;
+  // The curve is followed along the arc whose normals are farther from the other's edge.
+  static bool is_along_a(const SearchedArc& a, const SearchedArc& b, const SearchedPart& p) {
+    return std::fabs(dot(plus(p.a[0], p.a[1]), b.flush.edge)) <= std::fabs(dot(plus(p.b[0], p.b[1]), a.flush.edge));
   }
 
-  // Of the volume between two angles: the widths of fixed pairs of vertices are concave between them.
-  static double lower_bound(const Placed& p, const Placed& q) {
-    double product = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double of_p = std::min(dot(p.across[k], p.normal[k]), dot(p.across[k], q.normal[k]));
-      const double of_q = std::min(dot(q.across[k], p.normal[k]), dot(q.across[k], q.normal[k]));
-      double width = std::max(of_p, of_q);
-      if (k == 2) width -= std::max(bulge(p, q, p.across[k]), bulge(p, q, q.across[k]));
-      product *= std::max(width, 0.0);
+  [[nodiscard]] bool is_excluded(const SearchedArc& a, const SearchedArc& b, const SearchedPart& p,
+                                 const Across& v) const {
+    const bool along_a = is_along_a(a, b, p);
+    const FlushArc &along = (along_a ? a : b).flush, &beside = (along_a ? b : a).flush;
+    const auto& s = along_a ? p.s : p.t;
+    const std::size_t first = along_a ? 0 : 1, second = 1 - first;
+    const auto across = [&](std::size_t k) {
+      return known(model_.vertices[v.ahead[k]], vertex_error_) - known(model_.vertices[v.behind[k]], vertex_error_);
+    };
+    return no_smaller_flush({turned(along, s[0]), turned(along, s[1]), known(beside.edge, direction_error_),
+                             across(first), across(second), across(2)},
+                            limit());
+  }
+
+  // Of vertices that lie equally far at this end of the part, those that are farther in the part.
+  [[nodiscard]] Across across_at_end(const SearchedArc& a, const SearchedArc& b, const SearchedPart& p,
+                                     std::size_t end) const {
+    const std::size_t other = std::fabs(dot(p.a[end], p.b[0])) <= std::fabs(dot(p.a[end], p.b[1])) ? 0 : 1;
+    constexpr double slightly = 0x1p-42;
+    const Vector3 n1 = plus(p.a[end], times(p.a[1 - end], slightly));
+    const Vector3 n2 = plus(p.b[other], times(p.b[1 - other], slightly)), n3 = cross(n1, n2);
+    return {{a.flush.vertex, b.flush.vertex, farthest(n3)}, {opposite(n1), opposite(n2), opposite(n3)}};
+  }
+
+  void look(const SearchedArc& a, const SearchedArc& b, const SearchedPart& p, int depth) {
+    ++parts_;
+    const double f00 = dot(p.a[0], p.b[0]), f01 = dot(p.a[0], p.b[1]);
+    const double f10 = dot(p.a[1], p.b[0]), f11 = dot(p.a[1], p.b[1]);
+    if (std::min({f00, f01, f10, f11}) > error_.product || std::max({f00, f01, f10, f11}) < -error_.product) return;
+
+    const Vector3 n1 = plus(p.a[0], p.a[1]), n2 = plus(p.b[0], p.b[1]), n3 = cross(n1, n2);
+    const std::uint32_t q1 = depth == 0 ? a.beyond : opposite(n1), q2 = depth == 0 ? b.beyond : opposite(n2);
+    const Across across{{a.flush.vertex, b.flush.vertex, farthest(n3)}, {q1, q2, opposite(n3)}};
+    double least = least_volume(a, b, p, across);
+    if (least >= limit()) return;
+    if (depth > 0) {
+      if (is_excluded(a, b, p, across)) return;
+      is_along_a(a, b, p) ? try_box(n1, b.flush.edge) : try_box(n2, a.flush.edge);
     }
-    return product;
+    const bool is_close = least > limit() * close;
+    for (std::size_t end = 0; is_close && end < 2; ++end) {
+      const Across at_end = across_at_end(a, b, p, end);
+      least = std::max(least, least_volume(a, b, p, at_end));
+      if (least >= limit() || is_excluded(a, b, p, at_end)) return;
+    }
+    if (depth == ends_from || is_close) {
+      for (const Vector3& n : p.a) try_box(n, b.flush.edge);
+      for (const Vector3& n : p.b) try_box(n, a.flush.edge);
+    }
+    halve(a, b, p, least, depth);
   }
 
-  void halve(const Arc& a, const Arc& b, double s0, const Placed& p0, double s1, const Placed& p1, int depth) {
-    constexpr int deepest = 20;
-    if (depth == deepest || boxes_ >= most_boxes || lower_bound(p0, p1) >= limit()) return;
-    const double mid = (s0 + s1) / 2;
-    Placed p;
-    if (normals(a, b, mid, 0, p)) return;
-    place(a, b, p);
-    halve(a, b, s0, p0, mid, p, depth + 1);
-    halve(a, b, mid, p, s1, p1, depth + 1);
+  void halve(const SearchedArc& a, const SearchedArc& b, SearchedPart p, double least, int depth) {
+    narrow(a.flush, p.b, error_, p.s, p.a);
+    narrow(b.flush, p.a, error_, p.t, p.b);
+    if (!(p.s[0] <= p.s[1]) || !(p.t[0] <= p.t[1])) return;
+    const Vector3 turn_a = minus(p.a[1], p.a[0]), turn_b = minus(p.b[1], p.b[0]);
+    const double of_a = dot(turn_a, turn_a), of_b = dot(turn_b, turn_b);
+    if (std::max(of_a, of_b) < finest * finest || parts_ >= most_parts_) {
+      leave(least);
+      return;
+    }
+    const bool first = of_a >= of_b;
+    SearchedPart q = p;
+    auto& [lower, upper] = first ? p.s : p.t;
+    const double mid = (lower + upper) / 2;
+    const Vector3 n = at(first ? a.flush : b.flush, mid);
+    upper = mid;
+    (first ? p.a : p.b)[1] = n;
+    (first ? q.s : q.t)[0] = mid;
+    (first ? q.a : q.b)[0] = n;
+    look(a, b, p, depth + 1);
+    look(a, b, q, depth + 1);
   }
 
   const HullModel& model_;
   ClimbStarts starts_;
-  std::vector<Arc> arcs_;
-  double least_width_ = 0;
-  long boxes_ = 0;
+  double vertex_error_, direction_error_;
+  SearchErrors error_;
+  std::size_t most_parts_, parts_ = 0;
   FoundBox best_;
+  std::vector<SearchedArc> arcs_;
+  double least_width_ = 0, precision_ = precision, left_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-FoundBox smallest_box(const HullModel& model, FoundBox start) { return BoxSearch(model, start).run(); }
+SearchedBox smallest_box(const HullModel& model, const FlushArcs& flush, const FoundBox& start,
+                         std::size_t most_parts) {
+  return BoxSearch(model, flush, start, most_parts).run();
+}
 
 }  // namespace plumb::figure::frame

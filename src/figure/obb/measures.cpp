@@ -4,19 +4,14 @@
 #include "arith/big_rounding.hpp"
 #include "arith/vec.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/obb/exact_volume.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
 namespace plumb {
 namespace {
 
-using arith::cross, arith::dot, arith::vec;
-
-template <class N>
-N signed_volume_of(const Obb3& box) {
-  return N(8) * (N(box.half.x) * N(box.half.y) * N(box.half.z)) *
-         dot(vec<N>(box.axes[0]), cross(vec<N>(box.axes[1]), vec<N>(box.axes[2])));
-}
+using arith::cross, arith::vec, arith::dot, figure::signed_volume_of;
 
 // The square of the area of both faces through axis i.
 template <class N>

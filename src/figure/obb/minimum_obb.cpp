@@ -1,12 +1,19 @@
 #include "plumb/figure/obb/minimum_obb.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
+#include "arith/big_rounding.hpp"
+#include "arith/running_error.hpp"
+#include "arith/vec.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/hull/local_points.hpp"
 #include "figure/obb/box_search.hpp"
 #include "figure/obb/calipers.hpp"
+#include "figure/obb/exact_volume.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
@@ -73,22 +80,93 @@ FoundBox good_start(const HullModel& model) {
   return best;
 }
 
+// No less than the volume around the vertices of a frame of exactly right angles beside these axes: n1, what is left
+// of n2 beside it, and the product of both.
+double volume_above(const FlushArcs& flush, const std::array<Vector3, 3>& axes) {
+  using arith::cross, arith::dot, arith::vec;
+  const auto n1 = vec<Running>(axes[0]), n2 = vec<Running>(axes[1]);
+  const auto second = n2 * dot(n1, n1) - n1 * dot(n1, n2);
+  const std::array frame{n1, second, cross(n1, second)};
+  Interval volume(1);
+  for (const auto& n : frame) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const Vector3& v : flush.vertices) {
+      const auto at = [&](double x) { return Running(x, flush.vertex_error); };
+      const Running far = dot(arith::Vec<Running>{at(v.x), at(v.y), at(v.z)}, n);
+      least = std::min(least, far.lower());
+      most = std::max(most, far.upper());
+    }
+    volume = volume * (Interval(most) - Interval(least));
+  }
+  const auto enclosed = [](const Running& x) { return Interval{x.lower(), x.upper()}; };
+  return quotient(volume, enclosed(dot(n1, n1)) * enclosed(dot(second, second))).upper;
+}
+
+std::optional<Obb3> fitted(const std::array<Vector3, 3>& axes, std::span<const Point3> points) {
+  try {
+    return fit_obb(axes, points);
+  } catch (const BeyondDoubles&) {
+    return {};
+  }
+}
+
+BigDyadic exact_volume(const Obb3& box) { return magnitude(figure::signed_volume_of<BigDyadic>(box)); }
+
+// With these axes or with those of space, whichever is smaller.
+Obb3 smaller_fit(const std::array<Vector3, 3>& axes, std::span<const Point3> points) {
+  const auto box = fitted(axes, points);
+  const auto upright = fitted({Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, points);
+  if (!upright) return box ? *box : fit_obb(axes, points);
+  return !box || (exact_volume(*upright) - exact_volume(*box)).sign() == Sign::negative ? *upright : *box;
+}
+
+// By which part of `least` cubes of side 2^exponent the box is larger, rounded up.
+double excess_of(const Obb3& box, double least, int exponent) {
+  const BigDyadic volume = exact_volume(box);
+  if (!(least > 0)) return volume.sign() == Sign::zero ? 0 : std::numeric_limits<double>::infinity();
+  const BigDyadic some(std::ldexp(1.0, exponent / 2)), rest(std::ldexp(1.0, exponent - exponent / 2));
+  const BigDyadic side = some * rest, floor = BigDyadic(least) * (side * side * side);
+  return std::max(0.0, rounded_quotient(Rounding::up, volume - floor, floor));
+}
+
 }  // namespace
 
-Obb3 minimum_obb(std::span<const Point3> points, const Hull3& hull, const MinimumObbOptions& options) {
+CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Hull3& hull,
+                                    const MinimumObbOptions& options) {
   if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
   const std::vector<Point3> vertices = vertices_of(hull, points);
-  if (hull.dimension < 3) return fit_obb(flat_axes(hull, points), vertices);
-  const HullModel model(hull, points);
-  FoundBox found = good_start(model);
-  if (vertices.size() <= options.most_vertices) found = turned_about_axes(model, smallest_box(model, found));
-  return fit_obb(found.axes, vertices);
+  if (hull.dimension < 3) {
+    const Obb3 flat = fit_obb(flat_axes(hull, points), vertices);
+    return {flat, Interval(0), 0, excess_of(flat, 0, 0)};
+  }
+  HullModel model(hull, points);
+  FlushArcs flush(model, vertices);
+  model.vertices = flush.vertices;
+  model.normals = flush.normals;
+  SearchedBox found{good_start(model), 0};
+  if (vertices.size() <= options.most_vertices) {
+    found = smallest_box(model, flush, found.best, options.most_parts);
+    found.best = turned_about_axes(model, found.best);
+  }
+  const Obb3 box = smaller_fit(found.best.axes, vertices);
+  Interval least{std::max(found.least, flush.hull_volume), volume_above(flush, found.best.axes)};
+  const double excess = excess_of(box, least.lower, flush.exponent);
+  if (std::abs(flush.exponent) > 256) return {box, least, flush.exponent, excess};
+  return {box, {std::ldexp(least.lower, 3 * flush.exponent), std::ldexp(least.upper, 3 * flush.exponent)}, 0, excess};
+}
+
+CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const MinimumObbOptions& options) {
+  figure::require_finite_points("minimum_obb", "points", points);
+  if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
+  return certified_minimum_obb(points, convex_hull(points, {.execution = options.execution}), options);
+}
+
+Obb3 minimum_obb(std::span<const Point3> points, const Hull3& hull, const MinimumObbOptions& options) {
+  return certified_minimum_obb(points, hull, options).box;
 }
 
 Obb3 minimum_obb(std::span<const Point3> points, const MinimumObbOptions& options) {
-  figure::require_finite_points("minimum_obb", "points", points);
-  if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
-  return minimum_obb(points, convex_hull(points, {.execution = options.execution}), options);
+  return certified_minimum_obb(points, options).box;
 }
 
 }  // namespace plumb

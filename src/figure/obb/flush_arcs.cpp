@@ -1,0 +1,172 @@
+#include "figure/obb/flush_arcs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "arith/big_rounding.hpp"
+#include "arith/vec.hpp"
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/interval.hpp"
+#include "plumb/figure/measures/measures.hpp"
+
+namespace plumb::figure::frame {
+namespace {
+
+using arith::cross, arith::dot, arith::Vec;
+using Enclosed = Vec<Ball>;
+
+Enclosed unit_of(const Enclosed& v) {
+  const Ball length = root(dot(v, v));
+  return {quotient(v.x, length), quotient(v.y, length), quotient(v.z, length)};
+}
+
+// Pairs of doubles for exact numbers, scaled so that the largest is one.
+Enclosed near(const Vec<BigDyadic>& v) {
+  BigDyadic most = magnitude(v.x);
+  for (const BigDyadic& x : {magnitude(v.y), magnitude(v.z)}) {
+    if ((x - most).sign() == Sign::positive) most = x;
+  }
+  const auto part = [&most](const BigDyadic& x) {
+    const double high = rounded_quotient(Rounding::nearest, x, most);
+    const double low = rounded_quotient(Rounding::nearest, x - BigDyadic(high) * most, most);
+    return Ball{high, low, std::fabs(low) * 0x1p-52 + 0x1p-1000};
+  };
+  return {part(v.x), part(v.y), part(v.z)};
+}
+
+// Is each coordinate known to a hundred bits of the largest, and of a size that lengths can be had of?
+bool is_known(const Enclosed& v) {
+  const double most = std::max({std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)});
+  return most > 0x1p-400 && most < 0x1p400 && std::max({v.x.radius, v.y.radius, v.z.radius}) < most * 0x1p-60;
+}
+
+// Points brought near to magnitude one by a power of two, and whether that rounded nothing.
+struct Scaled {
+  std::vector<Point3> points;
+  int exponent = 0;
+  bool exact = true;
+
+  explicit Scaled(std::span<const Point3> given) : points(given.begin(), given.end()) {
+    double most = 0;
+    for (const Point3& p : given) most = std::max({most, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    if (most > 0x1p-300 && most < 0x1p300) return;
+    exponent = frame::exponent(most);
+    for (Point3& p : points) {
+      for (double* x : {&p.x, &p.y, &p.z}) {
+        const double scaled = std::ldexp(*x, -exponent);
+        exact = exact && std::ldexp(scaled, exponent) == *x;
+        *x = scaled;
+      }
+    }
+  }
+};
+
+// Exact directions of edges and normals of faces.
+class Directions {
+ public:
+  Directions(std::span<const Point3> given, const Scaled& scaled) : given_(given), scaled_(scaled) {}
+
+  [[nodiscard]] Enclosed edge(std::uint32_t a, std::uint32_t b) const {
+    return enclosed([&]<class N>(const std::vector<Point3>* points) { return at<N>(b, points) - at<N>(a, points); });
+  }
+  // Corners of a face are never on a line.
+  [[nodiscard]] Enclosed normal(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return enclosed([&]<class N>(const std::vector<Point3>* points) {
+      return cross(at<N>(b, points) - at<N>(a, points), at<N>(c, points) - at<N>(a, points));
+    });
+  }
+
+ private:
+  template <class N>
+  [[nodiscard]] Vec<N> at(std::uint32_t v, const std::vector<Point3>* points) const {
+    return arith::vec<N>(points != nullptr ? (*points)[v] : given_[v]);
+  }
+  template <class Direction>
+  [[nodiscard]] Enclosed enclosed(const Direction& direction) const {
+    if (scaled_.exact) {
+      const Enclosed quick = direction.template operator()<Ball>(&scaled_.points);
+      if (is_known(quick)) return unit_of(quick);
+    }
+    return unit_of(near(direction.template operator()<BigDyadic>(nullptr)));
+  }
+
+  std::span<const Point3> given_;
+  const Scaled& scaled_;
+};
+
+}  // namespace
+
+FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
+  const Scaled scaled(given);
+
+  // The frame: the middle at the origin, which differences reach without error or with one that is known.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> middle{};
+  double extent = 0;
+  constexpr std::array<double Point3::*, 3> of_point{&Point3::x, &Point3::y, &Point3::z};
+  constexpr std::array<double Vector3::*, 3> of_vector{&Vector3::x, &Vector3::y, &Vector3::z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    double least = infinity, most = -infinity;
+    for (const Point3& p : scaled.points) {
+      least = std::min(least, p.*of_point[k]);
+      most = std::max(most, p.*of_point[k]);
+    }
+    middle[k] = (least + most) / 2;
+    extent = std::max({extent, most - middle[k], middle[k] - least});
+  }
+  const int grow = frame::exponent(extent);
+  vertices.resize(given.size());
+  double off = scaled.exact ? 0 : std::numeric_limits<double>::denorm_min();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rounded d = two_sum(scaled.points[i].*of_point[k], -middle[k]);
+      vertices[i].*of_vector[k] = std::ldexp(d.value, -grow);
+      off = std::max(off, std::fabs(d.error));
+    }
+  }
+  exponent = scaled.exponent + grow;
+  if (off > 0) vertex_error = std::ldexp(2 * off, -grow) + 0x1p-1000;  // twice: of two kinds, one may be hidden
+
+  const auto known = [this](const Enclosed& v) {
+    for (const Ball& x : {v.x, v.y, v.z})
+      direction_error = std::max(direction_error, Ball::widened(std::fabs(x.low) + x.radius));
+    return Vector3{v.x.high, v.y.high, v.z.high};
+  };
+  const Directions directions(given, scaled);
+  std::vector<Enclosed> faces;
+  faces.reserve(model.normals.size());
+  for (std::size_t f = 0; f < model.normals.size(); ++f) {
+    const std::uint32_t* c = model.corners.data() + model.first[f];
+    faces.push_back(directions.normal(c[0], c[1], c[2]));
+    normals.push_back(known(faces.back()));
+  }
+  const auto add = [&](const auto& again, const Enclosed& l, const Enclosed& r, const Enclosed& e,
+                       std::uint32_t vertex) -> void {
+    constexpr double wide = -0.5;  // the cosine of 120 degrees
+    const FlushArc arc{known(l), known(r), known(e), vertex};
+    if (frame::dot(arc.from, arc.to) >= wide) {
+      arcs.push_back(arc);
+      return;
+    }
+    const Enclosed between = cross(e, l);  // at a right angle from l on the way to r
+    again(again, l, between, e, vertex);
+    again(again, between, r, e, vertex);
+  };
+  arcs.reserve(model.edges.size());
+  for (const HullModel::Edge& e : model.edges)
+    add(add, faces[e.left], faces[e.right], directions.edge(e.from, e.to), e.from);
+
+  if (!scaled.exact) return;
+  TriangleMesh mesh{scaled.points, {}};
+  for (std::size_t f = 0; f + 1 < model.first.size(); ++f) {
+    for (std::uint32_t i = model.first[f] + 1; i + 1 < model.first[f + 1]; ++i)
+      mesh.triangles.push_back({model.corners[model.first[f]], model.corners[i], model.corners[i + 1]});
+  }
+  const double nearest = volume(mesh);
+  const double in_units = std::ldexp(Interval::down(nearest, -1), -3 * grow);
+  if (nearest > 0x1p-900 && in_units > 0x1p-900) hull_volume = in_units;
+}
+
+}  // namespace plumb::figure::frame

@@ -1,0 +1,36 @@
+// Minimum bounding box: along which normals can a face of a box hold an edge of the hull, and how sure are these
+// numbers?
+//
+// The normals of supporting planes through an edge are an arc of the sphere, from the normal of one face beside it to
+// that of the other.  Arcs beyond 120 degrees are cut at a right angle from an end.
+// Laws: (1) the ends of every arc are within `direction_error`, in each coordinate, of unit vectors that lie on the
+// exact arc; the arcs of an edge cover it.  (2) Edges' directions likewise.  (3) The vertices are the points'
+// places in some frame whose unit is 2^exponent, each coordinate within `vertex_error`; all are at most one.
+// The errors are radii that pairs of doubles carry, not estimates.
+// Source: O'Rourke, "Finding minimal enclosing boxes", 1985.
+// Cost: some microseconds a face; integers for faces whose normal pairs of doubles do not give.
+#pragma once
+
+#include <vector>
+
+#include "figure/hull/model.hpp"
+
+namespace plumb::figure::frame {
+
+struct FlushArc {
+  Vector3 from, to, edge;
+  std::uint32_t vertex;  // on the edge
+};
+
+struct FlushArcs {
+  std::vector<FlushArc> arcs;
+  std::vector<Vector3> vertices, normals;  // as numbered by HullModel
+  double vertex_error = 0, direction_error = 0;
+  int exponent = 0;
+  double hull_volume = 0;  // no more than the hull's
+
+  /// Of a hull of dimension 3.
+  FlushArcs(const HullModel& model, std::span<const Point3> vertices);
+};
+
+}  // namespace plumb::figure::frame
