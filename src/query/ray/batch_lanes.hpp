@@ -24,11 +24,21 @@ struct RayDoubts {
   bool are_given = false;  // else a ray is what it is
 };
 
-inline BatchRay batch_ray(const AnyRay& ray) {
+inline void put_batch_ray(const AnyRay& ray, BatchRay& to) {
   const auto& [x, y, z] = ray.origin;
-  const auto& d = ray.direction;
-  if (ray.kind == AnyRay::Kind::segment) return {{x, y, z}, {ray.end.x - x, ray.end.y - y, ray.end.z - z}, true, true};
-  return {{x, y, z}, {d.x, d.y, d.z}, ray.kind != AnyRay::Kind::line, false};
+  const auto& [dx, dy, dz] = ray.direction;
+  const bool ends = ray.kind == AnyRay::Kind::segment;
+  to.origin[0] = x, to.origin[1] = y, to.origin[2] = z;
+  to.direction[0] = ends ? ray.end.x - x : dx;
+  to.direction[1] = ends ? ray.end.y - y : dy;
+  to.direction[2] = ends ? ray.end.z - z : dz;
+  to.begins = ray.kind != AnyRay::Kind::line;
+  to.ends = ends;
+}
+inline BatchRay batch_ray(const AnyRay& ray) {
+  BatchRay to{};
+  put_batch_ray(ray, to);
+  return to;
 }
 
 /// What is told of each triangle: 0 no, 1 yes, 2 nothing; and between which parameters it is hit where it is: between

@@ -45,6 +45,12 @@ class HitSearch : public TriangleVisitor {
     if (pose_ != nullptr) return {seen_->ray, this, seen_->doubts};
     return {query::batch_ray(*ray_), this};
   }
+  /// The same of a mesh without a pose, number by number: a copy would wait for what was just written.
+  void ask(AskedRay& asked) {
+    query::put_batch_ray(*ray_, asked.ray);
+    asked.visitor = this;
+    asked.doubts.are_given = false;
+  }
   /// By slabs whose keys were given.
   [[nodiscard]] RayTask task(const RaySlabs& slabs) { return {asked(), slabs.planes(), slabs.limit()}; }
 

@@ -42,9 +42,8 @@ class Searches {
     if (space::put_plainly(rays, frame_, box_, packet.planes)) {
       packet.size = rays.size();
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        RaySlabs::Keys keys;
-        if (query::ends(rays[i])) keys.limit = 1;
-        packet.asked[i] = searches_.emplace_back(rays[i], keys, mesh_, rule_).asked();
+        const RaySlabs::Keys& keys = query::ends(rays[i]) ? space::plain_segment : space::plain_ray;
+        searches_.emplace_back(rays[i], keys, mesh_, rule_).ask(packet.asked[i]);
         packet.limits[i] = keys.limit;
       }
       if (++packed_ == packets_.size()) run_packets();

@@ -41,8 +41,9 @@ struct PacketTask {
   std::array<double, packet_size> limits;
 };
 
-/// The planes of rays, segments among them, in most trees: those of RaySlabs, whose keys are parameters, with the limits 1
-/// of segments and the greatest double of rays.  False where some do not fit, or are not so plain.
+/// The planes of rays, segments among them, in most trees: those of RaySlabs, whose keys are as these say.  False where
+/// some do not fit, or are not so plain.
+inline constexpr RaySlabs::Keys plain_ray{}, plain_segment{.limit = 1};
 bool put_plainly(std::span<const AnyRay> rays, const BoxFrame& frame, const FloatBox3& all, PacketPlanes& planes);
 
 /// False where some do not fit.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/bound.hpp"
@@ -241,45 +242,53 @@ void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const FloatBox3&
   if (ends) keys_.limit = limit_at(1);
 }
 
+// Without branches inside, so that the compiler takes several rays at once.
 bool space::put_plainly(std::span<const AnyRay> rays, const BoxFrame& frame, const FloatBox3& all,
                         PacketPlanes& planes) {
   if (frame.exponent() != 0) return false;
-  std::array<std::array<double, space::packet_size>, 3> from, way;
-  const auto put = [&](std::size_t i, const AnyRay& r) {
+  alignas(64) double from[3][packet_size], way[3][packet_size], distance[packet_size];
+  for (std::size_t i = 0; i < packet_size; ++i) {
+    const AnyRay& r = rays[std::min(i, rays.size() - 1)];
+    if (!query::begins(r)) return false;
     const bool ends = query::ends(r);
     from[0][i] = r.origin.x, from[1][i] = r.origin.y, from[2][i] = r.origin.z;
     way[0][i] = ends ? r.end.x - r.origin.x : r.direction.x;
     way[1][i] = ends ? r.end.y - r.origin.y : r.direction.y;
     way[2][i] = ends ? r.end.z - r.origin.z : r.direction.z;
-    bool alike = query::begins(r);
-    for (std::size_t k = 0; k < 3; ++k)
-      alike &= (way[k][i] < 0) == (way[k][0] < 0) && (way[k][i] > 0) == (way[k][0] > 0);
-    return alike;
-  };
-  for (std::size_t i = 0; i < space::packet_size; ++i) {
-    if (!put(i, rays[std::min(i, rays.size() - 1)])) return false;
+    for (std::size_t k = 0; i == 1 && k < 3; ++k) {  // most often seen here where they do not fit
+      if ((way[k][1] < 0) != (way[k][0] < 0)) return false;
+    }
+    distance[i] = 0;
   }
-  std::array<double, space::packet_size> distance{};
   double extent = 0;
-  bool plain = true;
+  std::int64_t plain = -1;  // a mask, as lanes have them
+  const auto mask = [](bool yes) -> std::int64_t { return yes ? -1 : 0; };
   for (std::size_t k = 0; k < 3; ++k) {
     const double low = all.min[k], high = all.max[k];
-    plain &= std::abs(low) < most_moderate && std::abs(high) < most_moderate;
+    plain &= mask(std::abs(low) < most_moderate) & mask(std::abs(high) < most_moderate);
     extent = std::max(extent, high - low);
-    for (std::size_t i = 0; i < space::packet_size; ++i) {
-      plain &= is_moderate(way[k][i]) & (std::abs(from[k][i]) < most_moderate);
-      distance[i] = std::max(distance[i], std::max(low - from[k][i], from[k][i] - high));
+    const std::int64_t down = mask(way[k][0] < 0), up = mask(way[k][0] > 0);
+    for (std::size_t i = 0; i < packet_size; ++i) {
+      const double w = way[k][i], f = from[k][i], size = std::abs(w);
+      plain &= mask(w == 0) | (mask(size > least_moderate) & mask(size < most_moderate));
+      plain &= mask(std::abs(f) < most_moderate) & ~(mask(w < 0) ^ down) & ~(mask(w > 0) ^ up);
+      const double below = low - f, above = f - high, outside = below > above ? below : above;
+      distance[i] = outside > distance[i] ? outside : distance[i];
     }
   }
-  for (const double d : distance) plain &= d <= far_away * extent;
-  if (!plain) return false;
+  const double near = far_away * extent;
+  for (std::size_t i = 0; i < packet_size; ++i) plain &= mask(distance[i] <= near);
+  if (plain == 0) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     planes.down[k] = way[k][0] < 0;
-    for (std::size_t i = 0; i < space::packet_size; ++i) {
+    auto &enter = planes.enter[k], &leave = planes.leave[k];
+    for (std::size_t i = 0; i < packet_size; ++i) {
       const double rate = 1 / way[k][i];
-      planes.put(k, i, from[k][i], rate * quick_narrowed, from[k][i], rate * quick_widened);
+      enter.from[i] = leave.from[i] = from[k][i];
+      enter.rate[i] = rate * quick_narrowed;
+      leave.rate[i] = rate * quick_widened;
     }
-    for (std::size_t i = 0; i < space::packet_size && way[k][0] == 0; ++i) {
+    for (std::size_t i = 0; i < packet_size && way[k][0] == 0; ++i) {
       const AxisPlanes a(Interval{from[k][i]}, Interval{0});
       planes.put(k, i, a.low.from, a.low.rate, a.high.from, a.high.rate);
     }
@@ -287,8 +296,7 @@ bool space::put_plainly(std::span<const AnyRay> rays, const BoxFrame& frame, con
   return true;
 }
 
-double RaySlabs::Keys::limit_at(double t) const {
-  if (exponent == 0 && starts[0] == 0) return std::min(t, std::numeric_limits<double>::max());
+double RaySlabs::Keys::moved_limit_at(double t) const {
   const double key = Interval::sum_up(Interval::sum_up(scaled_up(t, -exponent), -starts[0]), -starts[1]);
   return std::min(key, std::numeric_limits<double>::max());
 }

@@ -19,7 +19,8 @@ namespace {
 template <class Mesh>
 void visit_by_turns(const Mesh& mesh, std::span<const RayTask> tasks) {
   std::size_t begun = 0;
-  ByTurns<Walk<Mesh>, rays_together>().run([&](std::byte* memory) {
+  ByTurns<Walk<Mesh>, rays_together> turns;  // not {}, which would fill its memory
+  turns.run([&](std::byte* memory) {
     if (begun == tasks.size()) return false;
     new (memory) Walk<Mesh>(tasks[begun++], mesh);
     return true;
@@ -29,7 +30,8 @@ void visit_by_turns(const Mesh& mesh, std::span<const RayTask> tasks) {
 template <class Mesh>
 void visit_together(const Mesh& mesh, std::span<const PacketTask> packets) {
   std::size_t begun = 0;
-  ByTurns<PacketWalk<Mesh>, packets_together>().run([&](std::byte* memory) {
+  ByTurns<PacketWalk<Mesh>, packets_together> turns;
+  turns.run([&](std::byte* memory) {
     if (begun == packets.size()) return false;
     new (memory) PacketWalk<Mesh>(packets[begun++], mesh);
     return true;

@@ -77,7 +77,14 @@ class RaySlabs {
     std::array<double, 2> starts{};  // together, where keys begin
     int exponent = 0;                // t = (key + starts) 2^exponent
 
-    [[nodiscard]] double limit_at(double t) const;
+    [[nodiscard]] double limit_at(double t) const {
+      constexpr double most = std::numeric_limits<double>::max();
+      if (exponent == 0 && starts[0] == 0) return t < most ? t : most;
+      return moved_limit_at(t);
+    }
+
+   private:
+    [[nodiscard]] double moved_limit_at(double t) const;
   };
   [[nodiscard]] const Keys& keys() const { return keys_; }
 
