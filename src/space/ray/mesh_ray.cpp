@@ -9,11 +9,13 @@
 #include "space/bvh/parts.hpp"
 #include "space/ray/hit_search.hpp"
 #include "space/ray/packet_task.hpp"
+#include "space/ray/ray_order.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr std::size_t rays_of_block = 256;
+// So many are ordered, and of these so many searched for together.
+constexpr std::size_t rays_of_part = 2048, rays_of_block = 256;
 
 /// answer(the search along the ray).
 template <class Search, class Mesh, class Answer>
@@ -37,21 +39,21 @@ class Searches {
   }
 
   /// At most a packet's size of them.
-  void add(std::span<const AnyRay> rays) {
+  void add(std::span<const AnyRay* const> rays) {
     space::PacketTask& packet = packets_[packed_];
     if (space::put_plainly(rays, frame_, box_, packet.planes)) {
       packet.size = rays.size();
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        const RaySlabs::Keys& keys = query::ends(rays[i]) ? space::plain_segment : space::plain_ray;
-        searches_.emplace_back(rays[i], keys, mesh_, rule_).ask(packet.asked[i]);
+        const RaySlabs::Keys& keys = query::ends(*rays[i]) ? space::plain_segment : space::plain_ray;
+        searches_.emplace_back(*rays[i], keys, mesh_, rule_).ask(packet.asked[i]);
         packet.limits[i] = keys.limit;
       }
       if (++packed_ == packets_.size()) run_packets();
       return;
     }
-    for (const AnyRay& ray : rays) {
-      const RaySlabs slabs(ray, frame_, box_);
-      others_.push_back(searches_.emplace_back(ray, slabs.keys(), mesh_, rule_).task(slabs));
+    for (const AnyRay* ray : rays) {
+      const RaySlabs slabs(*ray, frame_, box_);
+      others_.push_back(searches_.emplace_back(*ray, slabs.keys(), mesh_, rule_).task(slabs));
     }
   }
   void run() {
@@ -81,19 +83,26 @@ template <class Search, class Mesh, class Out, class Answer>
 void search_all(const char* function, std::span<const AnyRay> rays, const Mesh& mesh, std::span<Out> out,
                 const ManyRays& options, const Answer& answer) {
   space::require_equal_lengths(function, "out", out.size(), "rays", rays.size());
-  const std::size_t parts = space::blocks_of(rays.size(), rays_of_block);
+  const std::size_t parts = space::blocks_of(rays.size(), rays_of_part);
   space::for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
-    const std::size_t from = part * rays_of_block, to = std::min(rays.size(), from + rays_of_block);
-    Searches<Search, Mesh> searches(mesh, options.rule, to - from);
-    for (std::size_t i = from; i < to; i += space::packet_size) {
-      const auto next = rays.subspan(i, std::min(space::packet_size, to - i));
-      for (const AnyRay& ray : next) {
-        if (!query::is_sound(ray)) query::require_ray(function, ray);
-      }
-      searches.add(next);
+    const std::size_t begin = part * rays_of_part;
+    const auto asked = rays.subspan(begin, std::min(rays_of_part, rays.size() - begin));
+    for (const AnyRay& ray : asked) {
+      if (!query::is_sound(ray)) query::require_ray(function, ray);
     }
-    searches.run();
-    for (std::size_t i = from; i < to; ++i) out[i] = answer(searches[i - from]);
+    const auto order = space::order_of(asked, mesh.tree.box(), mesh.tree.frame);
+    for (std::size_t from = 0; from < asked.size(); from += rays_of_block) {
+      const std::size_t to = std::min(asked.size(), from + rays_of_block);
+      Searches<Search, Mesh> searches(mesh, options.rule, to - from);
+      for (std::size_t i = from; i < to;) {
+        std::array<const AnyRay*, space::packet_size> next;
+        std::size_t n = 0;
+        while (n < next.size() && i < to) next[n++] = &asked[order[i++]];
+        searches.add(std::span<const AnyRay* const>(next).first(n));
+      }
+      searches.run();
+      for (std::size_t i = from; i < to; ++i) out[begin + order[i]] = answer(searches[i - from]);
+    }
   });
 }
 

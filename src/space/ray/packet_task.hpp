@@ -44,7 +44,8 @@ struct PacketTask {
 /// The planes of rays, segments among them, in most trees: those of RaySlabs, whose keys are as these say.  False where
 /// some do not fit, or are not so plain.
 inline constexpr RaySlabs::Keys plain_ray{}, plain_segment{.limit = 1};
-bool put_plainly(std::span<const AnyRay> rays, const BoxFrame& frame, const FloatBox3& all, PacketPlanes& planes);
+bool put_plainly(std::span<const AnyRay* const> rays, const BoxFrame& frame, const FloatBox3& all,
+                 PacketPlanes& planes);
 
 /// False where some do not fit.
 bool put_packet(std::span<const RayTask> tasks, PacketTask& packet);

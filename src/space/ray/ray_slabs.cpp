@@ -243,12 +243,12 @@ void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const FloatBox3&
 }
 
 // Without branches inside, so that the compiler takes several rays at once.
-bool space::put_plainly(std::span<const AnyRay> rays, const BoxFrame& frame, const FloatBox3& all,
+bool space::put_plainly(std::span<const AnyRay* const> rays, const BoxFrame& frame, const FloatBox3& all,
                         PacketPlanes& planes) {
   if (frame.exponent() != 0) return false;
   alignas(64) double from[3][packet_size], way[3][packet_size], distance[packet_size];
   for (std::size_t i = 0; i < packet_size; ++i) {
-    const AnyRay& r = rays[std::min(i, rays.size() - 1)];
+    const AnyRay& r = *rays[std::min(i, rays.size() - 1)];
     if (!query::begins(r)) return false;
     const bool ends = query::ends(r);
     from[0][i] = r.origin.x, from[1][i] = r.origin.y, from[2][i] = r.origin.z;

@@ -1,0 +1,90 @@
+#include "space/ray/ray_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "query/ray/batch_lanes.hpp"
+
+namespace plumb::space {
+namespace {
+
+// Guesses of what is worth while.
+constexpr std::size_t least_sorted = 64, sampled = 16;
+constexpr double cells = 256;  // on the longer side
+
+/// A byte's bits, each before a zero.
+std::uint16_t spread(unsigned x) {
+  x = (x | x << 4) & 0x0f0fu;
+  x = (x | x << 2) & 0x3333u;
+  return static_cast<std::uint16_t>((x | x << 1) & 0x5555u);
+}
+
+/// Where the line of a ray passes the plane at `middle` across an axis: its two other coordinates.
+std::array<double, 2> place_of(const AnyRay& ray, std::size_t axis, double middle) {
+  query::BatchRay line;
+  query::put_batch_ray(ray, line);
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double t = (middle - line.origin[axis]) / line.direction[axis];
+  const auto at = [&](std::size_t k) { return line.origin[k] + t * line.direction[k]; };
+  return {at(u), at(v)};
+}
+
+/// Do those that are looked at go the same way?  Then the axis along which the first one goes most.
+std::optional<std::size_t> main_axis(std::span<const AnyRay> rays) {
+  const auto way_of = [](const AnyRay& ray) {
+    const query::BatchRay r = query::batch_ray(ray);
+    return std::array{r.direction[0], r.direction[1], r.direction[2]};
+  };
+  const auto first = way_of(rays[0]);
+  for (std::size_t i = 0; i < sampled; ++i) {
+    const auto way = way_of(rays[i * (rays.size() - 1) / (sampled - 1)]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((way[k] < 0) != (first[k] < 0)) return {};
+    }
+  }
+  const auto longest = std::ranges::max_element(first, {}, [](double x) { return std::abs(x); });
+  return static_cast<std::size_t>(longest - first.begin());
+}
+
+}  // namespace
+
+std::vector<std::uint16_t> order_of(std::span<const AnyRay> rays, const FloatBox3& box, const BoxFrame& frame) {
+  std::vector<std::uint16_t> order(rays.size());
+  std::iota(order.begin(), order.end(), std::uint16_t{0});
+  if (rays.size() < least_sorted || frame.exponent() != 0) return order;
+  const auto axis = main_axis(rays);
+  if (!axis) return order;
+  std::vector<std::array<double, 2>> places(rays.size());
+  std::array<double, 2> low{}, high{};
+  const double middle = 0.5 * (double{box.min[*axis]} + double{box.max[*axis]});
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    places[i] = place_of(rays[i], *axis, middle);
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = i == 0 ? places[i][k] : std::min(low[k], places[i][k]);
+      high[k] = i == 0 ? places[i][k] : std::max(high[k], places[i][k]);
+    }
+  }
+  const double side = std::max(high[0] - low[0], high[1] - low[1]);
+  if (!(side > 0 && side < std::numeric_limits<double>::infinity())) return order;
+  const auto cell = [&](double x, double from) {
+    const double c = (x - from) * (cells / side);
+    return c > 0 ? static_cast<unsigned>(std::min(c, cells - 1)) : 0u;
+  };
+  std::vector<std::uint16_t> codes(rays.size()), sorted(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    codes[i] = static_cast<std::uint16_t>(spread(cell(places[i][0], low[0])) | spread(cell(places[i][1], low[1])) << 1);
+  for (const unsigned shift : {0u, 8u}) {
+    std::array<std::uint16_t, 257> from{};
+    for (const std::uint16_t i : order) ++from[(codes[i] >> shift & 255u) + 1];
+    std::partial_sum(from.begin(), from.end(), from.begin());
+    for (const std::uint16_t i : order) sorted[from[codes[i] >> shift & 255u]++] = i;
+    order.swap(sorted);
+  }
+  return order;
+}
+
+}  // namespace plumb::space
