@@ -14,6 +14,7 @@
 // Which tree?  build_box_tree, build_bvh
 #include "plumb/space/bvh/build.hpp"           // of boxes; builders and their options
 #include "plumb/space/bvh/bvh.hpp"             // of a mesh
+#include "plumb/space/bvh/compact_file.hpp"    // that in a file
 #include "plumb/space/bvh/compact_tree.hpp"    // of a mesh, in half of the memory
 #include "plumb/space/bvh/insertion_tree.hpp"  // of what comes and goes
 #include "plumb/space/bvh/posed_mesh.hpp"      // of a mesh that has been moved

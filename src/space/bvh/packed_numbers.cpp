@@ -10,7 +10,7 @@ PackedNumbers::PackedNumbers(std::span<const std::uint32_t> numbers) : size_(num
   for (const std::uint32_t n : numbers) all |= n;
   width_ = std::max(1u, static_cast<std::uint32_t>(std::bit_width(all) + 7) / 8);
   if constexpr (std::endian::native != std::endian::little) width_ = sizeof(std::uint32_t);
-  std::vector<std::byte> bytes(numbers.size() * width_ + sizeof(std::uint32_t) - width_);
+  std::vector<std::byte> bytes(bytes_of(numbers.size(), width_));
   for (std::size_t i = 0; i < numbers.size(); ++i) std::memcpy(bytes.data() + i * width_, &numbers[i], width_);
   bytes_ = std::move(bytes);
 }

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "plumb/space/bvh/kept_array.hpp"
 
@@ -39,10 +40,20 @@ class PackedNumbers {
  public:
   PackedNumbers() = default;
   explicit PackedNumbers(std::span<const std::uint32_t> numbers);
+  /// As they lie in memory: bytes_of(size, width) bytes.
+  PackedNumbers(KeptArray<std::byte> bytes, std::size_t size, std::uint32_t width)
+      : bytes_(std::move(bytes)), size_(size), width_(width) {}
+  /// Those behind the last number among them.
+  static constexpr std::uint64_t bytes_of(std::uint64_t size, std::uint32_t width) {
+    return size == 0 ? 0 : size * width + sizeof(std::uint32_t) - width;
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::uint32_t width() const { return width_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_.size(); }
+  [[nodiscard]] std::span<const std::byte> memory() const { return bytes_.view(); }
+  /// Copies what was mapped.
+  void own() { (void)bytes_.writable(); }
   [[nodiscard]] PackedView view() const { return {bytes_.data(), width_}; }
   [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return view()[i]; }
 
