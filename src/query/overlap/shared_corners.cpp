@@ -1,6 +1,7 @@
 #include "query/overlap/shared_corners.hpp"
 
 #include "query/overlap/filters.hpp"
+#include "query/overlap/flat_areas.hpp"
 #include "query/overlap/linear3.hpp"
 #include "query/overlap/signs.hpp"
 
@@ -36,6 +37,47 @@ std::optional<Relation> at_edge(const Triangle3& a, const Point3& v, const Point
   return turned_a == turned_b ? Relation::overlapping : Relation::touching;
 }
 
+/// Of a cone from v between p and q, and one between r and s, as seen in a plane.
+class Cones {
+ public:
+  Cones(const Point2& v, const Point2& p, const Point2& q, const Point2& r, const Point2& s)
+      : v_(v), ends_{p, q, r, s}, from_v_{from_to(v, p), from_to(v, q), from_to(v, r), from_to(v, s)} {
+    error_ = area_error_of(from_v_[0], from_v_[1], from_v_[2], from_v_[3]);
+  }
+
+  /// Is v all that they have in common?  Then a line through an edge of one has the other on its outer side, and may hold
+  /// an edge of it that leads away.  The first cone is wide.
+  [[nodiscard]] bool only_meet_at_tip() const {
+    const Sign wide = turn(0, 1);
+    if (wide == Sign::zero) return false;
+    const Sign pr = turn(0, 2), ps = turn(0, 3);
+    if (is_beyond(wide, pr, 0, 2) && is_beyond(wide, ps, 0, 3)) return true;
+    const Sign qr = turn(1, 2), qs = turn(1, 3);
+    if (is_beyond(-wide, qr, 1, 2) && is_beyond(-wide, qs, 1, 3)) return true;
+    const Sign other = turn(2, 3);
+    if (other == Sign::zero) return false;
+    return (is_beyond(other, -pr, 0, 2) && is_beyond(other, -qr, 1, 2)) ||
+           (is_beyond(-other, -ps, 0, 3) && is_beyond(-other, -qs, 1, 3));
+  }
+
+ private:
+  /// Seen from the edge to end i: is the other end, turned so, not on the inner side, nor on the edge?
+  [[nodiscard]] bool is_beyond(Sign inner, Sign turned, std::size_t i, std::size_t k) const {
+    if (turned != Sign::zero) return turned != inner;
+    const auto away = [](double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); };  // differences' signs
+    return away(from_v_[i].x, from_v_[k].x) || away(from_v_[i].y, from_v_[k].y);
+  }
+  [[nodiscard]] Sign turn(std::size_t i, std::size_t k) const {
+    const double x = area(from_v_[i], from_v_[k]);
+    if (magnitude_of(x) > error_) return x > 0 ? Sign::positive : Sign::negative;
+    return orient2d(v_, ends_[i], ends_[k]);
+  }
+  Point2 v_;
+  std::array<Point2, 4> ends_;
+  std::array<Seen2<double>, 4> from_v_;
+  double error_;
+};
+
 /// v is shared; p and q are a's other corners, r and s b's, with such heights over a's plane.
 std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3& q, const Point3& r, const Point3& s,
                                   double over_r, double over_s, double error) {
@@ -50,7 +92,13 @@ std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3
   if (of_p * of_q > 0) return Relation::touching;
   // Along the cross product of the planes' normals, p x q and r x s, a leaves v forward where p is above b's plane, and
   // b where r is below a's.  In doubt the other corner is on the other side: else it is no crossing, and they touch.
-  if ((of_p == 0 && of_q == 0) || (of_r == 0 && of_s == 0)) return {};
+  if ((of_p == 0 && of_q == 0) || (of_r == 0 && of_s == 0)) {
+    const std::size_t axis = likely_axis({v, p, q});
+    // The plane of a is not seen edge on, so that what is in common is seen to be.
+    const Cones cones(seen(v, axis), seen(p, axis), seen(q, axis), seen(r, axis), seen(s, axis));
+    if (cones.only_meet_at_tip()) return Relation::touching;
+    return {};
+  }
   const int a_forward = of_p != 0 ? of_p : -of_q, b_forward = of_r != 0 ? -of_r : of_s;
   if (a_forward != b_forward) return Relation::touching;
   if (of_p * of_q < 0 && of_r * of_s < 0) return Relation::overlapping;
