@@ -10,9 +10,11 @@ namespace plumb::figure::frame {
 namespace {
 
 // No volume is sought that is smaller by less than this part of it.
-constexpr double precision = 0x1p-41;
-// Chords of unit vectors are told apart by some more than this; a turn smaller than this is not halved.
-constexpr double finest = 0x1p-50;
+constexpr double precision = 0x1p-42;
+// A turn smaller than this is not halved: the ends of an arc are told apart by several times less, for they are rounded
+// and those between slightly shortened.  Nor are parts beyond this depth.
+constexpr double finest = 0x1p-46;
+constexpr int deepest = 200;
 // Where a part has been halved so often, or its bound is so near to the limit, a box that is flush with a face may be
 // the least.
 constexpr int ends_from = 6;
@@ -101,8 +103,8 @@ class BoxSearch {
       most = least_of(most, dot(d, n));
     }
     constexpr double share = 0.75;
-    constexpr int deepest = 12;
-    if (a.width >= share * most || depth == deepest) {
+    constexpr int cuts = 12;
+    if (a.width >= share * most || depth == cuts) {
       arcs_.push_back(a);
       return;
     }
@@ -230,7 +232,7 @@ class BoxSearch {
     if (!(p.s[0] <= p.s[1]) || !(p.t[0] <= p.t[1])) return;
     const Vector3 turn_a = minus(p.a[1], p.a[0]), turn_b = minus(p.b[1], p.b[0]);
     const double of_a = dot(turn_a, turn_a), of_b = dot(turn_b, turn_b);
-    if (std::max(of_a, of_b) < finest * finest || parts_ >= most_parts_) {
+    if (std::max(of_a, of_b) < finest * finest || depth >= deepest || parts_ >= most_parts_) {
       leave(least);
       return;
     }

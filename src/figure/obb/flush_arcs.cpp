@@ -17,7 +17,14 @@ namespace {
 using arith::cross, arith::dot, arith::Vec;
 using Enclosed = Vec<Ball>;
 
-Enclosed unit_of(const Enclosed& v) {
+// What is so small that its square may underflow, as zero give or take that much.
+Ball squarable(const Ball& x) {
+  return std::fabs(x.high) < 0x1p-400 ? Ball{0, 0, Ball::widened(2 * std::fabs(x.high) + x.radius)} : x;
+}
+
+// Of a vector of magnitude one or so.
+Enclosed unit_of(const Enclosed& given) {
+  const Enclosed v{squarable(given.x), squarable(given.y), squarable(given.z)};
   const Ball length = root(dot(v, v));
   return {quotient(v.x, length), quotient(v.y, length), quotient(v.z, length)};
 }
@@ -39,7 +46,7 @@ Enclosed near(const Vec<BigDyadic>& v) {
 // Is each coordinate known to a hundred bits of the largest, and of a size that lengths can be had of?
 bool is_known(const Enclosed& v) {
   const double most = std::max({std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)});
-  return most > 0x1p-400 && most < 0x1p400 && std::max({v.x.radius, v.y.radius, v.z.radius}) < most * 0x1p-60;
+  return most > 0x1p-200 && most < 0x1p200 && std::max({v.x.radius, v.y.radius, v.z.radius}) < most * 0x1p-60;
 }
 
 // Points brought near to magnitude one by a power of two, and whether that rounded nothing.
@@ -130,8 +137,10 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
   if (off > 0) vertex_error = std::ldexp(2 * off, -grow) + 0x1p-1000;  // twice: of two kinds, one may be hidden
 
   const auto known = [this](const Enclosed& v) {
-    for (const Ball& x : {v.x, v.y, v.z})
-      direction_error = std::max(direction_error, Ball::widened(std::fabs(x.low) + x.radius));
+    for (const Ball& x : {v.x, v.y, v.z}) {
+      const double reach = Ball::widened(std::fabs(x.low) + x.radius);
+      if (!(reach <= direction_error)) direction_error = reach;  // also where nothing is known, be it by NaN
+    }
     return Vector3{v.x.high, v.y.high, v.z.high};
   };
   const Directions directions(given, scaled);
@@ -144,13 +153,15 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
   }
   const auto add = [&](const auto& again, const Enclosed& l, const Enclosed& r, const Enclosed& e,
                        std::uint32_t vertex) -> void {
-    constexpr double wide = -0.5;  // the cosine of 120 degrees
+    constexpr double sure_enough = 0x1p-44, wide = -0.5, most_turn = 0.35;  // cosines of 120 and of some 70 degrees
     const FlushArc arc{known(l), known(r), known(e), vertex};
-    if (frame::dot(arc.from, arc.to) >= wide) {
+    const double turn = frame::dot(arc.from, arc.to);
+    if (turn >= most_turn || !(direction_error < sure_enough)) {
       arcs.push_back(arc);
       return;
     }
-    const Enclosed between = cross(e, l);  // at a right angle from l on the way to r
+    // At a right angle from l on the way to r, or halfway.
+    const Enclosed between = turn < wide ? cross(e, l) : unit_of(l + r);
     again(again, l, between, e, vertex);
     again(again, between, r, e, vertex);
   };

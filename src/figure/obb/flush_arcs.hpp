@@ -2,7 +2,7 @@
 // numbers?
 //
 // The normals of supporting planes through an edge are an arc of the sphere, from the normal of one face beside it to
-// that of the other.  Arcs beyond 120 degrees are cut at a right angle from an end.
+// that of the other.  They are cut into arcs of no more than 70 degrees or so.
 // Laws: (1) the ends of every arc are within `direction_error`, in each coordinate, of unit vectors that lie on the
 // exact arc; the arcs of an edge cover it.  (2) Edges' directions likewise.  (3) The vertices are the points'
 // places in some frame whose unit is 2^exponent, each coordinate within `vertex_error`; all are at most one.

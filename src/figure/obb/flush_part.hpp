@@ -38,9 +38,12 @@ struct SearchErrors {
   // given directions
 
   SearchErrors(double of_vertices, double of_directions) : direction(of_directions) {
-    const Running end(1, of_directions), share(1, 0), stretch(2.1, 0);
-    const Running unit = (end + share * (end + end)) * stretch;  // a normal of an arc, by what it is made of
-    const Running normal(1, unit.error);  // an arc turns by 120 degrees at most, so a chord is no shorter than one half
+    // A normal of an arc, by what it is made of: an arc turns by some 70 degrees, so a chord's is longer than 4/5, and
+    // the ends are no farther apart than 5/4.
+    const Running end(1, of_directions), share(1, 0), stretch(1.25, 0);
+    const Running apart_ends(1.25, (end + end).error);
+    const Running unit = (end + share * apart_ends) * stretch;
+    const Running normal(1, unit.error);
     const Running apart = Running(1, of_vertices) + Running(1, of_vertices);
     const Running crossed = normal * normal + normal * normal;
     product = upper_error(sum(normal * normal));

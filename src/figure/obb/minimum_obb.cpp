@@ -14,6 +14,7 @@
 #include "figure/obb/box_search.hpp"
 #include "figure/obb/calipers.hpp"
 #include "figure/obb/exact_volume.hpp"
+#include "figure/obb/needle_axes.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
@@ -112,12 +113,15 @@ std::optional<Obb3> fitted(const std::array<Vector3, 3>& axes, std::span<const P
 
 BigDyadic exact_volume(const Obb3& box) { return magnitude(figure::signed_volume_of<BigDyadic>(box)); }
 
-// With these axes or with those of space, whichever is smaller.
-Obb3 smaller_fit(const std::array<Vector3, 3>& axes, std::span<const Point3> points) {
-  const auto box = fitted(axes, points);
-  const auto upright = fitted({Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, points);
-  if (!upright) return box ? *box : fit_obb(axes, points);
-  return !box || (exact_volume(*upright) - exact_volume(*box)).sign() == Sign::negative ? *upright : *box;
+// The smallest of boxes with these axes, with those of space and with those of a needle.
+Obb3 smallest_fit(const std::array<Vector3, 3>& axes, std::span<const Point3> points) {
+  std::optional<Obb3> best;
+  constexpr std::array upright{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
+  for (const auto& tried : {axes, upright, needle_axes(points)}) {
+    const auto box = fitted(tried, points);
+    if (box && (!best || (exact_volume(*box) - exact_volume(*best)).sign() == Sign::negative)) best = box;
+  }
+  return best ? *best : fit_obb(axes, points);
 }
 
 // By which part of `least` cubes of side 2^exponent the box is larger, rounded up.
@@ -136,7 +140,7 @@ CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Hull3&
   if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
   const std::vector<Point3> vertices = vertices_of(hull, points);
   if (hull.dimension < 3) {
-    const Obb3 flat = fit_obb(flat_axes(hull, points), vertices);
+    const Obb3 flat = smallest_fit(flat_axes(hull, points), vertices);
     return {flat, Interval(0), 0, excess_of(flat, 0, 0)};
   }
   HullModel model(hull, points);
@@ -148,8 +152,9 @@ CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Hull3&
     found = smallest_box(model, flush, found.best, options.most_parts);
     found.best = turned_about_axes(model, found.best);
   }
-  const Obb3 box = smaller_fit(found.best.axes, vertices);
-  Interval least{std::max(found.least, flush.hull_volume), volume_above(flush, found.best.axes)};
+  const Obb3 box = smallest_fit(found.best.axes, vertices);
+  const Interval least{std::max(found.least, flush.hull_volume),
+                       std::min(volume_above(flush, found.best.axes), volume_above(flush, box.axes))};
   const double excess = excess_of(box, least.lower, flush.exponent);
   if (std::abs(flush.exponent) > 256) return {box, least, flush.exponent, excess};
   return {box, {std::ldexp(least.lower, 3 * flush.exponent), std::ldexp(least.upper, 3 * flush.exponent)}, 0, excess};

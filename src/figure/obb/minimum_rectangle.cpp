@@ -1,7 +1,10 @@
 // The rectangle of least area: calipers that turn by exact signs, and areas compared exactly.
 #include <cmath>
+#include <optional>
 
+#include "arith/vec.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/hull/hull2.hpp"
@@ -81,6 +84,23 @@ std::array<Vector2, 2> axes_along(const Point2& a, const Point2& b) {
   return {d, Vector2{0.0 - d.y, d.x}};
 }
 
+std::optional<Obb2> fitted(const std::array<Vector2, 2>& axes, std::span<const Point2> points) {
+  try {
+    return fit_obb(axes, points);
+  } catch (const BeyondDoubles&) {
+    return {};
+  }
+}
+
+// Of the boxes as they are, whose axes and half extents are rounded.
+bool smaller(const Obb2& a, const Obb2& b) {
+  const auto area = [](const Obb2& box) {
+    const std::array axes{arith::vec<BigDyadic>(box.axes[0]), arith::vec<BigDyadic>(box.axes[1])};
+    return magnitude(BigDyadic(box.half.x) * BigDyadic(box.half.y) * arith::cross(axes[0], axes[1]).z);
+  };
+  return (area(a) - area(b)).sign() == Sign::negative;
+}
+
 }  // namespace
 
 Obb2 minimum_obb(std::span<const Point2> points) {
@@ -88,10 +108,13 @@ Obb2 minimum_obb(std::span<const Point2> points) {
   if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
   std::vector<Point2> polygon;
   for (const std::uint32_t i : convex_hull(points).vertices) polygon.push_back(points[i]);
-  if (polygon.size() == 1) return fit_obb({Vector2{1, 0}, Vector2{0, 1}}, polygon);
-  if (polygon.size() == 2) return fit_obb(axes_along(polygon[0], polygon[1]), polygon);
-  const Rectangle best = least_area(polygon);
-  return fit_obb(axes_along(best.a, best.b), polygon);
+  constexpr std::array upright{Vector2{1, 0}, Vector2{0, 1}};
+  if (polygon.size() == 1) return fit_obb(upright, polygon);
+  const Rectangle best = polygon.size() == 2 ? Rectangle{polygon[0], polygon[1], {}, {}, {}} : least_area(polygon);
+  const auto along = axes_along(best.a, best.b);
+  const auto box = fitted(along, polygon), straight = fitted(upright, polygon);
+  if (!box) return straight ? *straight : fit_obb(along, polygon);
+  return straight && smaller(*straight, *box) ? *straight : *box;
 }
 
 }  // namespace plumb

@@ -12,13 +12,13 @@
 #include "figure/basic/shape_cases.hpp"
 #include "figure/obb/cases.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/figure/aabb/aabb.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
 namespace plumb::shape_cases {
 namespace {
 
 using obb_cases::Rational3;
+constexpr std::array upright{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
 
 mpq_class two_to(int exponent) {
   mpq_class one(1);
@@ -177,7 +177,7 @@ TEST(MinimumObbTest, NoFrameIsSmallerThanTheProof) {
       const mpq_class least = least_of(c);
       for (int k = 0; k < 4; ++k) ASSERT_LE(least, volume_along(random_quaternion(entropy), points)) << about;
       ASSERT_LE(least, volume_along({1, 0, 0, 0}, points)) << about;
-      ASSERT_LE(exact_volume(c.box), exact_volume(oriented_box(fit_aabb(points)))) << about;
+      ASSERT_LE(exact_volume(c.box), exact_volume(fit_obb(upright, points))) << about;
       ++all;
       near += static_cast<int>(c.excess <= 1e-12);
     }
@@ -274,7 +274,7 @@ TEST(MinimumObbTest, SaysHowNearWhereDoublesEnd) {
   for (int i = 0; i < 9; ++i) needle.push_back({1 + i * (i % 3) * 0x1p-52, 1 + i * i % 4 * 0x1p-52, i * .3});
   const CertifiedObb3 thin = certified_minimum_obb(needle);
   expect_proved(thin, needle, "needle");
-  EXPECT_LE(exact_volume(thin.box), exact_volume(oriented_box(fit_aabb(needle))));
+  EXPECT_LE(exact_volume(thin.box), exact_volume(fit_obb(upright, needle)));
   EXPECT_GT(thin.excess, 0);
   EXPECT_LE(thin.excess, 5);  // a box of least volume holds six times the hull at most, and that is known
   // A search that is cut short says so as well.
@@ -287,9 +287,34 @@ TEST(MinimumObbTest, SaysHowNearWhereDoublesEnd) {
   EXPECT_GT(none.excess, 1e-12);
   for (const CertifiedObb3& c : {whole, cut, none}) expect_proved(c, points, "cut");
   EXPECT_LE(least_of(cut), exact_volume(whole.box));
+  // One of which the axes that doubles find are 10^16 times as thick as the needle.
+  Entropy thin_entropy(77, 2);
+  const auto points_near_half = points3(Family::near_half, degeneracies[0], 33, thin_entropy);
+  EXPECT_LE(certified_minimum_obb(points_near_half).excess, 100);
   const std::vector<Point3> one(3, Point3{1, 2, 3});
   EXPECT_EQ(certified_minimum_obb(one).excess, 0);
   EXPECT_EQ(certified_minimum_obb(one).least_volume.upper, 0);
+}
+
+// No rectangle along the axes of the plane is smaller, though an edge's direction is rounded.
+TEST(MinimumObbTest, RectanglesAreNoLargerThanUprightOnes) {
+  for (const FamilyInfo& info : families) {
+    for (std::uint64_t i = 0; i < 20 * more; ++i) {
+      Entropy entropy(423, i);
+      const auto points = points2(info.family, degeneracies[i % degeneracies.size()], 3 + entropy.below(20), entropy);
+      const auto area_of = [](const Obb2& b) {
+        const mpq_class det =
+            mpq_class(b.axes[0].x) * mpq_class(b.axes[1].y) - mpq_class(b.axes[0].y) * mpq_class(b.axes[1].x);
+        return mpq_class(abs(mpq_class(b.half.x) * mpq_class(b.half.y) * det));
+      };
+      try {
+        const Obb2 straight = fit_obb({Vector2{1, 0}, Vector2{0, 1}}, points);
+        ASSERT_LE(area_of(minimum_obb(points)), area_of(straight)) << info.name << " 423 " << i;
+      } catch (const BeyondDoubles&) {
+        continue;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Minimu
 CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Hull3& hull,
                                     const MinimumObbOptions& options = {});
 
-/// The rectangle of least area; with an edge of the hull on its first axis.
+/// The rectangle of least area, with an edge of the hull on its first axis; that of the axes of the plane where the
+/// roundings of those axes and half extents make it smaller.
 Obb2 minimum_obb(std::span<const Point2> points);
 
 }  // namespace plumb
