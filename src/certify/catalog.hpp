@@ -14,6 +14,10 @@
 
 namespace plumb {
 
+/// Of coordinates, for which a plan takes each of its arithmetics but the chain (certify/plan.hpp, in their order);
+/// -1 where it has none.
+using PlannedBits = std::array<int, 5>;
+
 struct CatalogEntry {
   std::string_view name;
   std::span<const int> arguments;             // how many coordinates each argument has
@@ -24,9 +28,7 @@ struct CatalogEntry {
   double filter_constant;                     // in units of one, about `roundings` times 2^-53
   bool filter_is_magnitude;                   // filter A, otherwise filter B
   std::array<bool, stage_names.size()> asks;  // which stages the chain has for it
-  /// Of coordinates, for which a plan takes each of its arithmetics but the chain (certify/plan.hpp, in their order);
-  /// -1 where it has none.
-  std::array<int, 4> planned_bits;
+  PlannedBits planned_bits;
   certify::tape::Program program;
   /// Bits that the exact value takes when the coordinates are integers of this many bits.
   int (*value_bits)(int coordinate_bits);

@@ -93,11 +93,11 @@ Unsure<Sign> ask_other_filter(std::span<const double> coordinates) {
 }
 
 template <Formula F>
-constexpr std::array<int, 4> planned_bits() {
+constexpr PlannedBits planned_bits() {
   if constexpr (is_homogeneous<F>)
     return {certify::planned::plain_double<F>, certify::planned::one_word_factors<F>, certify::planned::modulo_word<F>,
-            certify::planned::two_words<F>};
-  return {-1, -1, -1, -1};
+            certify::planned::two_words<F>, certify::planned::bounded<F> ? certify::planned::unbounded : -1};
+  return {-1, -1, -1, -1, -1};
 }
 
 template <Formula F>

@@ -75,7 +75,14 @@ LatticeIntake::LatticeIntake(const Lattice& lattice) : lattice_(lattice), stamp_
   }
   stamp_ = stamp_of(lattice);
   unit_ = std::ldexp(1.0, lattice.exponent);
-  if (lattice.bits > arith::lattice_word::double_bits) return;
+  const int half = -lattice.exponent / 2;
+  whole_ = {std::ldexp(1.0, half), std::ldexp(1.0, -lattice.exponent - half)};
+  // A difference or sum has one bit more than a coordinate.
+  reach_exponent_ = lattice.bits + 1;
+  const bool as_given = lattice.bits > arith::lattice_word::double_bits;
+  if (as_given) reach_exponent_ += lattice.exponent;
+  for (std::size_t n = 0; n < reach_.size(); ++n) reach_[n] = reach_power(static_cast<int>(n));
+  if (as_given) return;
   const int lowered = lattice.exponent > highest_center ? lowering : 0;
   scale_ = std::ldexp(1.0, -lowered);
   unscale_ = std::ldexp(1.0, lowered);
@@ -83,16 +90,12 @@ LatticeIntake::LatticeIntake(const Lattice& lattice) : lattice_(lattice), stamp_
   rebase_ = arith::lattice_word::center_pattern - std::bit_cast<std::uint64_t>(center_);
 }
 
-bool LatticeIntake::take_wide(double x, std::uint64_t& word) const {
-  if (!on_lattice(x, lattice_)) return false;
-  if (lattice_.bits > arith::lattice_word::integer_bits) {
-    word = std::bit_cast<std::uint64_t>(x);
-  } else {
-    const OddForm f = odd_form(x);
-    word = arith::lattice_word::of(
-        f.mantissa == 0 ? 0 : f.mantissa * (std::int64_t{1} << (f.exponent - lattice_.exponent)));
-  }
-  return true;
+bool LatticeIntake::holds(double x) const { return on_lattice(x, lattice_); }
+
+double LatticeIntake::reach_power(int n) const {
+  const std::int64_t k = std::int64_t{n} * reach_exponent_;
+  if (k > 1000) return std::numeric_limits<double>::infinity();  // with room for sums of products
+  return k < -1000 ? 0 : std::ldexp(1.0, static_cast<int>(k));
 }
 
 void LatticeIntake::refuse(std::string_view formula, std::span<const int> arguments,

@@ -16,6 +16,8 @@ std::string_view to_string(Arithmetic a) {
       return "bounded double, then integers modulo 2^64";
     case Arithmetic::two_words:
       return "bounded double, then integers to 128 bits";
+    case Arithmetic::bounded_chain:
+      return "bounded double, then the chain of stages";
     case Arithmetic::chain:
       break;
   }

@@ -21,7 +21,7 @@ namespace arith::lattice_word {
 inline constexpr double center = 0x1.8p52;
 inline constexpr auto center_pattern = std::bit_cast<std::uint64_t>(center);
 
-/// Coordinates of up to so many bits can be differences of doubles; of 64-bit integers.
+/// Coordinates of up to so many bits can be differences of doubles, and are kept so; of 64-bit integers.
 inline constexpr int double_bits = 51, integer_bits = 62;
 
 constexpr std::uint64_t of(std::int64_t m) { return static_cast<std::uint64_t>(m) + center_pattern; }
@@ -32,13 +32,14 @@ constexpr double as_double(std::uint64_t word) { return std::bit_cast<double>(wo
 
 /// Doubles, for coordinates below 2^51 in magnitude.
 struct WordAsDouble {
-  std::uint64_t word;
+  double from_center;
 
-  friend constexpr double operator-(WordAsDouble a, WordAsDouble b) {
-    return arith::lattice_word::as_double(a.word) - arith::lattice_word::as_double(b.word);
-  }
+  constexpr explicit WordAsDouble(std::uint64_t word) : from_center(arith::lattice_word::as_double(word)) {}
+  constexpr explicit WordAsDouble(double word) : from_center(word) {}
+
+  friend constexpr double operator-(WordAsDouble a, WordAsDouble b) { return a.from_center - b.from_center; }
   constexpr operator double() const {  // NOLINT: mixes as an intermediate value
-    return arith::lattice_word::as_double(word) - arith::lattice_word::center;
+    return from_center - arith::lattice_word::center;
   }
 };
 

@@ -49,9 +49,8 @@ class Kernel {
   decltype(auto) with(Action&& action) const {
     static_assert(is_polynomial<F>());
     static_assert(use_all_coordinates<F>());
-    return certify::planned::dispatch<F>(lattice().bits, [&](auto arithmetic) -> decltype(auto) {
-      return action(PlannedPredicate<F, arithmetic.value>(intake_));
-    });
+    return certify::planned::dispatch<F>(
+        intake_, [&]<class Way>(Way) -> decltype(auto) { return action(PlannedPredicate<F, Way>(intake_)); });
   }
 
   /// The sign of F at points taken in, one for each argument.
@@ -59,8 +58,8 @@ class Kernel {
   [[nodiscard]] [[gnu::always_inline]] Sign sign(const LatticePoint<N>&... p) const {
     static_assert(is_polynomial<F>());
     static_assert(use_all_coordinates<F>());
-    return certify::planned::dispatch<F>(
-        lattice().bits, [&](auto arithmetic) { return PlannedPredicate<F, arithmetic.value>(intake_)(p...); });
+    return certify::planned::dispatch<F>(intake_,
+                                         [&]<class Way>(Way) { return PlannedPredicate<F, Way>(intake_)(p...); });
   }
   /// The sign of F at points, vectors and numbers as given, which are checked.
   template <Formula F, HasCoordinates... Arguments>

@@ -34,7 +34,7 @@ class LatticePoint {
   LatticePoint() = default;
   friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
 
-  /// The coordinate as its lattice keeps it: arith::lattice_word::of up to 62 bits, the double's pattern beyond.
+  /// The coordinate as its lattice keeps it: arith::lattice_word::of up to 51 bits, the double's pattern beyond.
   [[nodiscard]] constexpr const std::array<std::uint64_t, N>& words() const { return word_; }
   [[nodiscard]] constexpr std::uint64_t stamp() const { return stamp_; }
 
@@ -60,15 +60,29 @@ class LatticeIntake {
     point.stamp_ = stamp_;
     if (lattice_.bits <= arith::lattice_word::double_bits) return take_doubles(coordinates, point.word_);
     bool on = true;
-    for (std::size_t i = 0; i < N; ++i) on &= take_wide(coordinates[i], point.word_[i]);
+    for (std::size_t i = 0; i < N; ++i) {
+      on &= holds(coordinates[i]);
+      point.word_[i] = std::bit_cast<std::uint64_t>(coordinates[i]);
+    }
     return on;
   }
 
   /// The double that a word of this lattice stands for.
   [[nodiscard]] double given(std::uint64_t word) const {
-    if (lattice_.bits > arith::lattice_word::integer_bits) return std::bit_cast<double>(word);
+    if (lattice_.bits > arith::lattice_word::double_bits) return std::bit_cast<double>(word);
     return static_cast<double>(arith::lattice_word::integer(word)) * unit_;
   }
+
+  /// No difference, sum or coordinate is beyond this in magnitude, in what words stand for as doubles; to the power N,
+  /// which is infinite where a sum of such products might be, and 0 where it may underflow.
+  template <int N>
+  [[nodiscard]] double reach_to() const {
+    if constexpr (N < reach_powers) return reach_[N];
+    return reach_power(N);
+  }
+
+  /// The integer of a coordinate given, of lattices up to 62 bits.
+  [[nodiscard]] std::int64_t integer(double x) const { return static_cast<std::int64_t>(x * whole_[0] * whole_[1]); }
 
   /// Throws what is wrong with coordinates that `take` refused, of these arguments of a formula.
   [[noreturn]] void refuse(std::string_view formula, std::span<const int> arguments,
@@ -92,11 +106,17 @@ class LatticeIntake {
     }
     return off == 0;
   }
-  bool take_wide(double x, std::uint64_t& word) const;
+  static constexpr int reach_powers = 6;  // are kept
+
+  [[nodiscard]] bool holds(double x) const;
+  [[nodiscard]] double reach_power(int n) const;
 
   Lattice lattice_;
   std::uint64_t stamp_, rebase_ = 0;
+  int reach_exponent_ = 0;
+  std::array<double, reach_powers> reach_{};
   double scale_ = 1, unscale_ = 1, center_ = 0, unit_ = 0;
+  std::array<double, 2> whole_{};  // their product makes coordinates integers, and may itself be no double
 };
 
 }  // namespace plumb

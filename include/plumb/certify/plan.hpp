@@ -5,7 +5,8 @@
 //   scene.arithmetic<predicates::Orient3d>()   // Arithmetic::plain_double, say
 //
 // Laws: what a plan says follows from the formula's own growth (LatticeError, WidthGrowth) and holds for every set of
-// coordinates of the lattice; more bits never mean a cheaper arithmetic.  Kernel (certify/kernel.hpp) takes the signs.
+// coordinates of the lattice; more bits never mean a cheaper arithmetic.  No arithmetic is planned that decide would
+// outrun (docs/plans.md).  Kernel (certify/kernel.hpp) takes the signs.
 // A lattice on which no double but 0 lies throws Error.
 // Source: RTCD 11.4, 11.5.1, docs/plans.md.
 // Cost: constants of a formula, found when compiled.
@@ -26,10 +27,12 @@ namespace plumb {
 enum class Arithmetic : std::uint8_t {
   plain_double,      // every value is exact; only the last sum may round, which keeps its sign
   one_word_factors,  // integers of at most 128 bits whose products multiply single words
-  modulo_word,       // doubles with a constant bound; within it, integers modulo 2^64
-  two_words,         // doubles with a constant bound; within it, integers of at most 128 bits
+  modulo_word,       // doubles with the lattice's bound; within it, integers modulo 2^64
+  two_words,         // doubles with the lattice's bound; within it, integers of at most 128 bits
+  bounded_chain,     // doubles with the lattice's bound; within it, the chain
   chain,             // the filter and the exact stages of decide; formulas whose terms differ in degree have no other
 };
+inline constexpr std::size_t arithmetic_count = 6;
 
 /// "plain double", "integers to 128 bits", ...
 std::string_view to_string(Arithmetic a);
@@ -68,11 +71,19 @@ template <Formula F>
 inline constexpr int plain_double = most_bits(arith::lattice_word::double_bits,
                                               [](int b) { return error<F>(b).root == 0; });
 
+/// Grids have no more bits, and ask for exact zeros often, which integers tell without doubles before them; from here on
+/// zeros are rare and doubles with a bound come first.  Below degree 3 they do so always: such integers take longer than
+/// decide's filter (docs/plans.md).
+inline constexpr int grid_bits = 20;
+
 template <Formula F>
-inline constexpr int one_word_factors = most_bits(arith::lattice_word::integer_bits, [](int b) {
-  const WidthGrowth g = growth<F>(b);
-  return g.bits <= 127 && g.widest_factor <= 63;
-});
+inline constexpr int one_word_factors = degree<F>() < 3 ? -1
+                                                        : most_bits(
+                                                              grid_bits,
+                                                              [](int b) {
+                                                                const WidthGrowth g = growth<F>(b);
+                                                                return g.bits <= 127 && g.widest_factor <= 63;
+                                                              });
 
 // |computed| <= root leaves |exact| <= 2 root < 2^63, which its remainder modulo 2^64 tells.
 template <Formula F>
@@ -80,8 +91,16 @@ inline constexpr int modulo_word = most_bits(arith::lattice_word::double_bits,
                                              [](int b) { return error<F>(b).root < 0x1p62; });
 
 template <Formula F>
-inline constexpr int two_words = most_bits(arith::lattice_word::double_bits,
+inline constexpr int two_words = most_bits(arith::lattice_word::integer_bits,
                                            [](int b) { return growth<F>(b).bits <= 127; });
+
+/// More bits than any lattice has.
+inline constexpr int unbounded = 1 << 20;
+
+/// Does one bound for all points of a lattice tell most signs?  The values that scenes ask about are as many powers of
+/// small differences as the formula's degree; up to this one nearly all stay beyond it (docs/plans.md).
+template <Formula F>
+constexpr bool bounded = TakesPoints<F>&& is_homogeneous<F>&& degree<F>() <= 4;
 
 }  // namespace certify::planned
 
@@ -95,7 +114,7 @@ constexpr Arithmetic arithmetic_for(int bits) {
     if (bits <= certify::planned::one_word_factors<F>) return Arithmetic::one_word_factors;
     if (bits <= certify::planned::modulo_word<F>) return Arithmetic::modulo_word;
     if (bits <= certify::planned::two_words<F>) return Arithmetic::two_words;
-    return Arithmetic::chain;
+    return certify::planned::bounded<F> ? Arithmetic::bounded_chain : Arithmetic::chain;
   }
 }
 

@@ -14,7 +14,7 @@ template <class Orient>
 class Tests {
  public:
   Tests(const Orient& orient, int bits)
-      : orient_(orient), words_are_doubles_(bits > arith::lattice_word::integer_bits) {}
+      : orient_(orient), words_are_doubles_(bits > arith::lattice_word::double_bits) {}
 
   Relation relate(const LatticeSegment2& s, const LatticeSegment2& t) const {
     const Sign c = orient_(s.a, s.b, t.a), d = orient_(s.a, s.b, t.b);

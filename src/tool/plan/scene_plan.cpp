@@ -79,13 +79,14 @@ std::uint64_t ScenePlanRow::merged() const { return counted(damage, &SnapDamage:
 std::uint64_t ScenePlanRow::collapsed() const { return counted(damage, &SnapDamage::collapsed); }
 std::uint64_t ScenePlanRow::turned_over() const { return counted(damage, &SnapDamage::turned_over); }
 
-Arithmetic arithmetic_of(const std::array<int, 4>& planned_bits, int bits) {
+Arithmetic arithmetic_of(const PlannedBits& planned_bits, int bits) {
   const auto found = std::ranges::find_if(planned_bits, [bits](int most) { return bits <= most; });
   return static_cast<Arithmetic>(found - planned_bits.begin());
 }
 
 std::string_view short_name(Arithmetic a) {
-  constexpr std::array<std::string_view, 5> names{"double", "integers", "modulo", "two words", "chain"};
+  constexpr std::array<std::string_view, arithmetic_count> names{"double",    "integers", "modulo",
+                                                                 "two words", "bounded",  "chain"};
   return names[static_cast<std::size_t>(a)];
 }
 

@@ -86,9 +86,9 @@ ScenePlan plan_scene(std::span<const NamedMesh> meshes, const ScenePlanOptions& 
 std::uint64_t steps_of(std::span<const NamedMesh> meshes);
 
 /// The arithmetic that a predicate of the catalog needs for coordinates of so many bits: arithmetic_for at run time.
-Arithmetic arithmetic_of(const std::array<int, 4>& planned_bits, int bits);
+Arithmetic arithmetic_of(const PlannedBits& planned_bits, int bits);
 
-/// "double", "integers", "modulo", "two words", "chain": a table's word for an arithmetic.
+/// "double", "integers", "modulo", "two words", "bounded", "chain": a table's word for an arithmetic.
 std::string_view short_name(Arithmetic a);
 
 }  // namespace plumb::tool

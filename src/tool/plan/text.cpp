@@ -51,7 +51,7 @@ std::string predicates(const ScenePlan& scene, const Style& style) {
                      time(t.plain), time(t.decide), time(t.batch), time(t.plan));
     if (!savings[k].skips.empty()) s += style.dim(fmt::format("  {:<10}never needs {}\n", "", savings[k].skips));
   }
-  std::array<std::size_t, 5> needs{};
+  std::array<std::size_t, arithmetic_count> needs{};
   for (const CatalogEntry& e : catalog())
     ++needs[static_cast<std::size_t>(arithmetic_of(e.planned_bits, scene.lattice().bits))];
   s += fmt::format("  of all {} predicates", catalog().size());

@@ -6,6 +6,9 @@
 // Cost: that of the arithmetic, see there.
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
 #include <new>
 #include <tuple>
 
@@ -19,6 +22,18 @@ template <Formula F>
 using LatticeWords = std::array<std::uint64_t, arity<F>>;
 
 namespace certify::planned {
+
+/// How the points of a lattice keep their coordinates.
+enum class Words : bool { of_integers, of_doubles };
+
+/// What answered: an arithmetic without a filter, the bound of the lattice, the filter of decide, or what is exact for
+/// all.
+enum class PlanStage : std::uint8_t { whole, bound, filter, exact };
+
+/// Recorder policy: is told where every decision was taken.  This one does nothing and costs nothing.
+struct NoPlanRecorder {
+  static constexpr void decided(PlanStage) {}
+};
 
 template <Formula F, class Input>
 constexpr auto over(const LatticeWords<F>& w) {
@@ -37,45 +52,59 @@ template <class T>
   return *std::launder(&x);
 }
 
-/// Of words up to 62 bits: the widest integers that they need, compiled into the library once for the classics.
-template <Formula F>
-[[gnu::noinline]] Sign long_word_sign(const LatticeWords<F>& w) {
-  return over<F, WordAsInteger<arith::lattice_word::integer_bits + 1>>(w).sign();
-}
-extern template Sign long_word_sign<predicates::Orient2d>(const LatticeWords<predicates::Orient2d>&);
-extern template Sign long_word_sign<predicates::Orient3d>(const LatticeWords<predicates::Orient3d>&);
-extern template Sign long_word_sign<predicates::InCircle>(const LatticeWords<predicates::InCircle>&);
-extern template Sign long_word_sign<predicates::InSphere>(const LatticeWords<predicates::InSphere>&);
-
-/// action(coordinates) for what the filter sees of words: their integers, each of which is a double; beyond 62 bits the
-/// doubles as given.  The action is compiled for each kind of words: arrays that meet again would go through memory,
-/// and GCC would store words one by one to load them back in pairs, were they not opaque.
-template <Formula F, class Action, std::size_t... N>
-[[gnu::always_inline]] inline auto in_doubles(int bits, Action action, const LatticePoint<N>&... p) {
-  const auto each = [&](auto make) {
-    return std::apply([&](auto... w) { return Coordinates<F>{make(w)...}; }, words_of<F>(anew(p)...));
-  };
-  if (bits <= arith::lattice_word::double_bits)
-    return action(each([](std::uint64_t w) { return opaque(WordAsDouble{w}); }));
-  if (bits > arith::lattice_word::integer_bits)
-    return action(each([](std::uint64_t w) { return opaque(arith::lattice_word::as_double(w)); }));
-  return action(each([](std::uint64_t w) { return opaque(static_cast<double>(arith::lattice_word::integer(w))); }));
+/// What the filters see of words: doubles as given, or numbers that differ in doubles.  Words of integers are multiples
+/// of the lattice's unit, which changes no sign, and where only differences are asked, doubles far from the origin.
+template <Formula F, Words W, std::size_t... N>
+[[gnu::always_inline]] inline auto seen(const LatticePoint<N>&... p) {
+  return std::apply(
+      [](auto... w) {
+        if constexpr (W == Words::of_doubles || certify::integer::enters_by_differences<F>) {
+          return std::array{arith::lattice_word::as_double(w)...};
+        } else {
+          return std::array{WordAsDouble{w}...};
+        }
+      },
+      words_of<F>(anew(p)...));
 }
 
-/// Where the filter is unsure, for a formula without an arithmetic of 128 bits.
-template <Formula F, std::size_t... N>
-[[gnu::noinline]] Sign long_sign(int bits, const LatticePoint<N>&... p) {
-  if constexpr (has_wide_stages<F>) {
-    if (bits <= arith::lattice_word::integer_bits) return long_word_sign<F>(words_of<F>(p...));
+/// A coordinate itself of those.
+template <Words W>
+constexpr double coordinate(double x) {
+  return W == Words::of_integers ? x - arith::lattice_word::center : x;
+}
+template <Words W>
+constexpr double coordinate(WordAsDouble x) {
+  return x;
+}
+
+// What follows is called with the points themselves, so that the inline part keeps neither their words nor copies.
+
+/// Stored in pairs, as the exact stages load them: a load of what two stores wrote waits for both.
+template <Formula F, Words W, std::size_t... N>
+[[gnu::noinline]] Sign chain_sign(const LatticePoint<N>&... p) {
+  using Pair [[gnu::vector_size(16)]] = double;
+  const auto x = seen<F, W>(p...);
+  Coordinates<F> given{};
+  for (std::size_t i = 0; i + 1 < arity<F>; i += 2) {
+    const Pair pair{opaque(coordinate<W>(x[i])), opaque(coordinate<W>(x[i + 1]))};
+    std::memcpy(&given[i], &pair, sizeof pair);
   }
-  return in_doubles<F>(
-      bits, [](const Coordinates<F>& x) { return decide_exactly<F>(x).sign; }, p...);
+  if constexpr (arity<F> % 2 != 0) given[arity<F> - 1] = opaque(coordinate<W>(x[arity<F> - 1]));
+  return decide_exactly<F>(given).sign;
 }
 
-/// Called with the points themselves, so that the inline part keeps its words in registers.
 template <Formula F, std::size_t... N>
-[[gnu::noinline]] Sign two_word_sign(const LatticePoint<N>&... p) {
-  return over<F, WordAsInteger<two_words<F> + 1>>(words_of<F>(p...)).sign();
+[[gnu::noinline]] Sign modulo_word_sign(const LatticePoint<N>&... p) {
+  return sign_of_number(over<F, WordModular>(words_of<F>(p...)).near_zero());
+}
+
+template <Formula F, Words W, std::size_t... N>
+[[gnu::noinline]] Sign two_word_sign([[maybe_unused]] const LatticeIntake& lattice, const LatticePoint<N>&... p) {
+  LatticeWords<F> w = words_of<F>(p...);
+  if constexpr (W == Words::of_doubles) {
+    for (std::uint64_t& x : w) x = arith::lattice_word::of(lattice.integer(std::bit_cast<double>(x)));
+  }
+  return over<F, WordAsInteger<two_words<F> + 1>>(w).sign();
 }
 
 /// Decided from the coordinates as they were given.
@@ -87,77 +116,143 @@ template <Formula F, std::size_t... N>
   return decide<F>(x);
 }
 
+/// The threshold of filter B for points of the lattice: that for differences of 1, times a power of two, which rounds
+/// nothing.  Where a value might overflow it is infinite, and nothing beyond.
+template <Formula F>
+[[gnu::always_inline]] inline double lattice_threshold(const LatticeIntake& lattice) {
+  constexpr double terms =
+      LargestMagnitude(evaluate<F>([](std::size_t) { return LargestMagnitude::Input{1}; })).magnitude;
+  static_assert(terms < 0x1p20, "reach_to leaves so much room");
+  constexpr double of_one = filter_constant<F>() * terms, least = of_one * power<degree<F>()>(largest_floor<F>);
+  const double threshold = of_one * lattice.reach_to<degree<F>()>();
+  return threshold > least ? threshold : least;
+}
+
 /// The sign of F in one arithmetic.
-template <Formula F, Arithmetic A, std::size_t... N>
-[[gnu::always_inline]] inline Sign sign_in(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
+template <Formula F, Arithmetic A, Words W, class Recorder, std::size_t... N>
+[[gnu::always_inline]] inline Sign sign_in(const LatticeIntake& lattice, double threshold, Recorder& recorder,
+                                           const LatticePoint<N>&... p) {
+  const auto found = [&](PlanStage stage, auto sign) {
+    recorder.decided(stage);
+    return static_cast<Sign>(sign);
+  };
   if constexpr (A == Arithmetic::plain_double) {
-    return sign_of_number(static_cast<double>(over<F, WordAsDouble>(words_of<F>(anew(p)...))));
+    return found(PlanStage::whole, sign_of_number(static_cast<double>(over<F, WordAsDouble>(words_of<F>(anew(p)...)))));
   } else if constexpr (A == Arithmetic::one_word_factors) {
-    return over<F, WordAsInteger<one_word_factors<F> + 1>>(words_of<F>(anew(p)...)).sign();
-  } else if constexpr (A == Arithmetic::modulo_word || A == Arithmetic::two_words) {
-    constexpr double bound = error<F>(A == Arithmetic::modulo_word ? modulo_word<F> : two_words<F>).root;
-    const double value = over<F, WordAsDouble>(words_of<F>(anew(p)...));
-    if (const int s = beyond(value, bound); s != 0) [[likely]]
-      return static_cast<Sign>(s);
-    if constexpr (A == Arithmetic::modulo_word) {
-      return sign_of_number(over<F, WordModular>(words_of<F>(anew(p)...)).near_zero());
-    } else {
-      return two_word_sign<F>(p...);
-    }
-  } else if constexpr (is_homogeneous<F>) {
-    const int bits = lattice.lattice().bits;
-    const auto filtered = [](const Coordinates<F>& x) { return filter<F>(x); };
-    if (const int s = in_doubles<F>(bits, filtered, p...); s != 0) [[likely]]
-      return static_cast<Sign>(s);
-    return long_sign<F>(bits, p...);
+    return found(PlanStage::whole, over<F, WordAsInteger<one_word_factors<F> + 1>>(words_of<F>(anew(p)...)).sign());
+  } else if constexpr (A == Arithmetic::chain && !is_homogeneous<F>) {
+    return found(PlanStage::exact, given_sign<F>(lattice, p...));
+  } else if constexpr (A == Arithmetic::chain) {
+    if (const int s = filter<F>(seen<F, W>(p...)); s != 0) [[likely]]
+      return found(PlanStage::filter, s);
+    return found(PlanStage::exact, chain_sign<F, W>(p...));
   } else {
-    return given_sign<F>(lattice, p...);
+    const auto x = seen<F, W>(p...);
+    const double value = value_of<F>(x);
+    if (magnitude_of(value) > threshold) [[likely]]  // no branch on the sign, as in the filters
+      return found(PlanStage::bound, std::bit_cast<std::int64_t>(value) >> 63 | 1);
+    if constexpr (A == Arithmetic::modulo_word) {
+      return found(PlanStage::exact, modulo_word_sign<F>(p...));
+    } else if constexpr (A == Arithmetic::two_words) {
+      return found(PlanStage::exact, two_word_sign<F, W>(lattice, p...));
+    } else {
+      // Where a point far off makes the bound useless, this is decide, with the value at hand.
+      if constexpr (filter_is_magnitude<F>) {
+        if (const int s = filter<F>(x); s != 0) return found(PlanStage::filter, s);
+      } else {
+        if (const int s = beyond(value, largest_threshold<F>(largest_differences<F>(x)) + (value - value)); s != 0)
+          return found(PlanStage::filter, s);
+      }
+      return found(PlanStage::exact, chain_sign<F, W>(p...));
+    }
   }
 }
 
-/// Calls action(std::integral_constant<Arithmetic, A>) for the arithmetic of a lattice of so many bits.
+/// An arithmetic, and the words that it finds.
+template <Arithmetic A, Words W>
+struct Way {
+  static constexpr Arithmetic arithmetic = A;
+  static constexpr Words words = W;
+};
+
+/// Calls action(Way<A, W>) for the arithmetic of a lattice.
 template <Formula F, class Action>
-[[gnu::always_inline]] inline decltype(auto) dispatch(int bits, Action&& action) {
+[[gnu::always_inline]] inline decltype(auto) dispatch(const LatticeIntake& lattice, Action&& action) {
+  constexpr int words = arith::lattice_word::double_bits;
+  const int bits = lattice.lattice().bits;
   if constexpr (is_homogeneous<F>) {
     constexpr int plain = certify::planned::plain_double<F>, one = certify::planned::one_word_factors<F>,
                   modulo = certify::planned::modulo_word<F>, two = certify::planned::two_words<F>;
-    if (bits <= plain) return action(std::integral_constant<Arithmetic, Arithmetic::plain_double>{});
-    if constexpr (one > plain) {
-      if (bits <= one) return action(std::integral_constant<Arithmetic, Arithmetic::one_word_factors>{});
+    if (bits > words) {
+      if constexpr (two > words) {
+        if (bits <= two) return action(Way<Arithmetic::two_words, Words::of_doubles>{});
+      }
+      return action(Way<arithmetic_for<F>(unbounded), Words::of_doubles>{});
     }
-    if constexpr (modulo > one && modulo > plain) {
-      if (bits <= modulo) return action(std::integral_constant<Arithmetic, Arithmetic::modulo_word>{});
+    if constexpr (plain < words) {
+      if (bits <= plain) return action(Way<Arithmetic::plain_double, Words::of_integers>{});
     }
-    if constexpr (two > modulo && two > one && two > plain) {
-      if (bits <= two) return action(std::integral_constant<Arithmetic, Arithmetic::two_words>{});
+    if constexpr (one > plain && one < words) {
+      if (bits <= one) return action(Way<Arithmetic::one_word_factors, Words::of_integers>{});
+    }
+    if constexpr (modulo > one && modulo > plain && modulo < words) {
+      if (bits <= modulo) return action(Way<Arithmetic::modulo_word, Words::of_integers>{});
+    }
+    if constexpr (two > modulo && two > one && two > plain && two < words) {
+      if (bits <= two) return action(Way<Arithmetic::two_words, Words::of_integers>{});
     }
   }
-  return action(std::integral_constant<Arithmetic, Arithmetic::chain>{});
+  return action(Way<arithmetic_for<F>(words), Words::of_integers>{});
 }
 
 }  // namespace certify::planned
 
 /// A formula with the arithmetic of a scene fixed: Kernel::with hands it out.  Refers to its kernel.
-template <Formula F, Arithmetic A>
+template <Formula F, class Way>
 class PlannedPredicate {
  public:
-  static constexpr Arithmetic arithmetic = A;
+  static constexpr Arithmetic arithmetic = Way::arithmetic;
 
-  explicit PlannedPredicate(const LatticeIntake& lattice) : lattice_(&lattice), stamp_(lattice.stamp()) {}
+  explicit PlannedPredicate(const LatticeIntake& lattice)
+      : lattice_(&lattice), stamp_(lattice.stamp()), threshold_(threshold_on(lattice)) {}
 
   /// The sign of F at points taken in, one for each argument.
   template <std::size_t... N>
   [[nodiscard]] PLUMB_CHECKABLE Sign operator()(const LatticePoint<N>&... p) const {
+    certify::planned::NoPlanRecorder none;
+    return recorded(none, p...);
+  }
+  /// The same; the recorder is told which stage decided.
+  template <class Recorder, std::size_t... N>
+  [[nodiscard]] PLUMB_CHECKABLE Sign recorded(Recorder& recorder, const LatticePoint<N>&... p) const {
     static_assert((N + ...) == arity<F>, "Kernel: the formula takes another number of coordinates than these points");
     assert_sound_thread();
     if ((p.stamp() & ...) != stamp_) [[unlikely]]
-      lattice_->refuse_stamp(F::name, std::array{p.stamp()...});
-    return certify::planned::sign_in<F, A>(*lattice_, p...);
+      refuse(p...);
+    return certify::planned::sign_in<F, arithmetic, Way::words>(*lattice_, threshold_, recorder, p...);
   }
 
  private:
+  // Either bound tells a sign; what the second leaves fits remainders modulo 2^64.
+  static double threshold_on(const LatticeIntake& lattice) {
+    using namespace certify::planned;
+    if constexpr (arithmetic == Arithmetic::modulo_word) {
+      return std::min(lattice_threshold<F>(lattice), error<F>(modulo_word<F>).root);
+    } else if constexpr (arithmetic == Arithmetic::two_words || arithmetic == Arithmetic::bounded_chain) {
+      return lattice_threshold<F>(lattice);
+    } else {
+      return 0;
+    }
+  }
+
+  template <std::size_t... N>
+  [[noreturn, gnu::noinline, gnu::cold]] void refuse(const LatticePoint<N>&... p) const {
+    lattice_->refuse_stamp(F::name, std::array{p.stamp()...});
+  }
+
   const LatticeIntake* lattice_;
   std::uint64_t stamp_;
+  double threshold_;
 };
 
 }  // namespace plumb

@@ -9,7 +9,7 @@
 // Laws: (1) what relate, intersects and locate say of the same figures as given (query/overlap/overlap2.hpp,
 // figure/containment/contains.hpp, figure/containment/polygon_location.hpp), degenerate ones included.  (2) Every sign is orient2d in the
 // cheapest arithmetic that is exact for all points of the lattice (certify/plan.hpp): plain doubles up to 25 bits,
-// integers up to 62.  (3) Points that another lattice took in throw OffLattice: no wrong input gets an answer.
+// doubles with a bound and integers up to 62.  (3) Points that another lattice took in throw OffLattice: no wrong input gets an answer.
 // Spans of different lengths throw UnequalLengths, a polygon of fewer than three vertices InvalidShape.
 // The kernel must outlive its tests.
 // Source: RTCD 11.5.3, 5.1.9.1, 5.4.1, 5.4.2.
