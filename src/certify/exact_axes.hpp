@@ -101,10 +101,10 @@ Axes<T> smaller(const Axes<T>& a, const Axes<T>& b) {
 inline Axes<bool> operator&(const Axes<bool>& a, const Axes<bool>& b) { return {a.x && b.x, a.y && b.y, a.z && b.z}; }
 
 /// N is made of a double.
-template <class N, World which>
+template <class N, WorldKind which>
 class ExactAxes {
  public:
-  static constexpr World kind = which;
+  static constexpr WorldKind kind = which;
   using Given = Axes<double>;
 
   static Given given(const Point3& p) { return {p.x, p.y, p.z}; }

@@ -24,6 +24,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::certify::three_lanes::HWY_NAMESPACE {
 
+#define PLUMB_FLOATS_TEXT
 #include "plumb/certify/detail/floats_text.hpp"
 
 /// Lane k has what lane k + 1 had, or k + 2.

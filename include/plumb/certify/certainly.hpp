@@ -50,6 +50,7 @@ constexpr double chosen(bool first, double a, double b) { return first ? a : b; 
 constexpr bool any(bool x) { return x; }
 constexpr bool all(bool x) { return x; }
 
+#define PLUMB_FLOATS_TEXT
 #include "plumb/certify/detail/floats_text.hpp"
 
 }  // namespace plumb::certify::one_lane
@@ -63,10 +64,10 @@ inline Rational twice(const Rational& x) { return x + x; }
 inline Rational select(bool first, const Rational& a, const Rational& b) { return first ? a : b; }
 
 /// Exact numbers, one at a time; N is made of a double.
-template <class N, World which>
+template <class N, WorldKind which>
 class ExactNumbers {
  public:
-  static constexpr World kind = which;
+  static constexpr WorldKind kind = which;
   using Number = N;
 
   template <std::size_t scale = 0>
@@ -105,7 +106,7 @@ inline constexpr Scales scales_of = [] {
 }();
 template <class Statement>
 using FloatWorld = certify::one_lane::Floats<double, highest_power<Statement>, scales_of<Statement>>;
-using RationalWorld = ExactNumbers<Rational, World::rationals>;
+using RationalWorld = ExactNumbers<Rational, WorldKind::rationals>;
 
 /// The answer; the recorder is told which world gave it.
 template <class Recorder, class Statement, class... Input>

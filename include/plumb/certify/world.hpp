@@ -20,26 +20,32 @@
 #include <string_view>
 
 #include "plumb/arith/sign.hpp"
+#include "plumb/arith/track.hpp"
 
 namespace plumb {
 
-enum class World : std::uint8_t { floats, pairs, integers, rationals };
+enum class WorldKind : std::uint8_t { floats, pairs, integers, rationals };
 
 inline constexpr std::array<std::string_view, 4> world_names{"floats", "pairs", "integers", "rationals"};
 
-constexpr std::string_view to_string(World w) { return world_names[static_cast<std::size_t>(w)]; }
+constexpr std::string_view to_string(WorldKind w) { return world_names[static_cast<std::size_t>(w)]; }
+
+/// Is told the tracks of what doubles judge (certify/judged_bounds.hpp).  This one does nothing and costs nothing.
+struct NoBoundListener {
+  static constexpr void judged(const Track&) {}
+};
 
 /// Recorder policy: is told which world answered.  This one does nothing and costs nothing.
 struct NoWorldRecorder {
-  static constexpr void answered(World) {}
+  static constexpr void answered(WorldKind) {}
 };
 
 /// Recorder policy that counts; not synchronized: one for each thread, added up at the end.
 struct WorldCounts {
   std::array<std::uint64_t, world_names.size()> count{};
 
-  constexpr void answered(World w) { ++count[static_cast<std::size_t>(w)]; }
-  [[nodiscard]] constexpr std::uint64_t of(World w) const { return count[static_cast<std::size_t>(w)]; }
+  constexpr void answered(WorldKind w) { ++count[static_cast<std::size_t>(w)]; }
+  [[nodiscard]] constexpr std::uint64_t of(WorldKind w) const { return count[static_cast<std::size_t>(w)]; }
   [[nodiscard]] constexpr std::uint64_t total() const {
     std::uint64_t sum = 0;
     for (const std::uint64_t c : count) sum += c;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "certify/exact_axes.hpp"
+#include "certify/golden_statements.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/figure/obb/obb.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 namespace axes = figure::fifteen_axes::HWY_NAMESPACE;
 namespace lanes = certify::three_lanes::HWY_NAMESPACE;
-using Rationals = certify::exact_axes::ExactAxes<BigDyadic, World::rationals>;
+using Rationals = certify::exact_axes::ExactAxes<BigDyadic, WorldKind::rationals>;
 
 struct Answers {
   std::optional<Relation> floats, exact;
@@ -73,6 +74,21 @@ constexpr std::array<int, 2> promised(Family family) {
       return {100, 150};
   }
   return {};
+}
+
+template <class Statement, class... Boxes>
+void expect_bounds(const char* name, const Statement& statement, const Boxes&... boxes) {
+  lanes::Floats<lanes::Three, Statement::highest, Statement::scales, BoundListener> world;
+  BoundListener::taken();
+  static_cast<void>(statement(world, boxes...));
+  expect_golden(name);
+}
+TEST(FifteenAxes, DerivedBoundsAreAsRecorded) {
+  // Apart along no axis until all are looked at: no center lies in the other box.
+  const Obb3 a{{0, 0, 0}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};
+  const Obb3 b{{1.5, 0.25, 0}, {Vector3{0.6, 0.7, 0.1}, Vector3{-0.7, 0.6, 0.2}, Vector3{0.1, 0.3, 0.9}}, {1, 2, 1}};
+  expect_bounds("obb_obb", axes::ObbPair{}, a, b);
+  expect_bounds("box_obb", axes::BoxAndObb{}, Aabb3{{-1, -1, -1}, {1, 1, 1}}, b);
 }
 
 TEST(FifteenAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {

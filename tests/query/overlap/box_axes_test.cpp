@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "certify/exact_axes.hpp"
+#include "certify/golden_statements.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/overlap/box.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 namespace axes = box_axes::HWY_NAMESPACE;
 namespace lanes = certify::three_lanes::HWY_NAMESPACE;
-using Rationals = certify::exact_axes::ExactAxes<BigDyadic, World::rationals>;
+using Rationals = certify::exact_axes::ExactAxes<BigDyadic, WorldKind::rationals>;
 
 /// The answers of both worlds, where they are certain, and who is.
 struct Answers {
@@ -95,6 +96,22 @@ constexpr std::array<int, 4> promised(Family family) {
       return {590, 600, 560, 450};
   }
   return {};
+}
+
+template <class Statement, class... Input>
+void expect_bounds(const char* name, const Statement& statement, const Input&... input) {
+  lanes::Floats<lanes::Three, Statement::highest, Statement::scales, BoundListener> world;
+  BoundListener::taken();
+  static_cast<void>(statement(world, input...));
+  expect_golden(name);
+}
+TEST(BoxAxes, DerivedBoundsAreAsRecorded) {
+  const Aabb3 box{{0, 0, 0}, {1, 1, 1}};
+  const Point3 p{0.3, 0.4, 2}, q{0.2, 0.7, -1}, r{-1, 0.25, 0.5};
+  expect_bounds("segment_box", axes::SegmentAndBox{}, Segment3{p, q}, box);
+  expect_bounds("ray_box", axes::UnboundedAndBox<LinearKind::ray>{}, p, Vector3{1, 2, -3}, box);
+  expect_bounds("line_box", axes::UnboundedAndBox<LinearKind::line>{}, p, Vector3{1, 2, -3}, box);
+  expect_bounds("triangle_box", axes::TriangleAndBox{}, Triangle3{p, q, r}, box);
 }
 
 TEST(BoxAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {

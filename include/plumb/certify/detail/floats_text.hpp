@@ -1,12 +1,14 @@
 // The world of doubles, or of lanes of them: numbers whose sizes and errors are part of their type, and their signs.
 //
-// One text for several kinds of lanes: certify/floats.hpp includes it for one double, src/certify/three_axes.hpp for a
+// One text for several kinds of lanes: certify/certainly.hpp includes it for one double, src/certify/three_axes.hpp for a
 // vector of space, once for each set of instructions.  It stands in the namespace of the lanes V, which has: + - *, size,
 // larger, smaller, plus_product, minus_product (fused or not), above, of_all, any, all, Truth, turned, total.
 // Laws: those of arith/track.hpp.  A scale is the sum of its leaves' magnitudes, and so NaN where one of them is; or the
 // largest, where arith/track.hpp says so.
 // Source: docs/proof.md, "Tracked errors".
 // Cost: that of the plain operations, and a magnitude and a sum for each leaf.
+#ifdef PLUMB_FLOATS_TEXT  // alone it is nothing
+#undef PLUMB_FLOATS_TEXT
 
 /// A number as given.  Only a world makes numbers to compute with of it.
 template <class V>
@@ -100,11 +102,11 @@ template <class World>
 class Gaps;
 
 /// No number of a statement is of a higher power of its scales than `highest`: the higher, the nearer to 1 they must
-/// be.
-template <class V, int highest, plumb::Scales of = plumb::Scales()>
+/// be.  The listener is told the track of each number that is judged.
+template <class V, int highest, plumb::Scales of = plumb::Scales(), class Listener = plumb::NoBoundListener>
 class Floats {
  public:
-  static constexpr plumb::World kind = plumb::World::floats;
+  static constexpr plumb::WorldKind kind = plumb::WorldKind::floats;
   using Number = V;
 
   [[gnu::always_inline]] constexpr Floats()
@@ -161,6 +163,7 @@ class Floats {
   /// What a number of this track must exceed for its sign to be certain.
   template <Track T>
   [[gnu::always_inline]] constexpr V doubt() const {
+    Listener::judged(T);
     if constexpr (T.root == 0) {
       return of_all(0);
     } else {
@@ -397,3 +400,5 @@ template <class First, class... Rest, class Recorder, class Statement, class... 
     return std::optional<std::remove_cv_t<decltype(answer)>>();
   }
 }
+
+#endif

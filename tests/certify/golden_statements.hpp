@@ -1,0 +1,29 @@
+// The derived bounds of a statement against tests/certify/golden_statements.txt, where they must not change unnoticed.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "plumb/certify/judged_bounds.hpp"
+
+namespace plumb {
+
+/// What was judged since the listener was asked last, against the lines that begin with this name.
+inline void expect_golden(const std::string& name) {
+  std::vector<std::string> derived, recorded;
+  std::string should;
+  for (const std::string& line : BoundListener::taken()) {
+    derived.push_back(name + ' ' + line);
+    should += derived.back() + '\n';
+  }
+  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/golden_statements.txt");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(name + ' ')) recorded.push_back(line);
+  }
+  EXPECT_EQ(recorded, derived) << "golden_statements.txt should hold\n" << should;
+}
+
+}  // namespace plumb

@@ -1,0 +1,101 @@
+// Is the worked example of docs/add_a_decision.md decided exactly?  Each world against the other, the share that doubles
+// answer, and mutants of the statement.
+#include <gtest/gtest.h>
+
+#include "docs/sees_box.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/degenerate/points.hpp"
+
+namespace plumb::docs {
+namespace {
+
+using mine::SeesBox, mine::View;
+
+/// The same by the nearest and farthest corner in the view's frame: the axis is that of z, and the box around it.
+bool sees_centered(double half, double z, double numerator, double denominator) {
+  const Rational x(half), at(z);
+  return at.sign() != Sign::negative &&
+         at * at * (Rational(denominator) - Rational(numerator)) >= Rational(numerator) * (x * x + x * x);
+}
+
+struct Case {
+  View view;
+  Aabb3 box;
+};
+Case drawn(Family family, std::uint64_t i) {
+  Entropy entropy(18, i);
+  std::array<double, 12> x{};
+  fill_points(family, Degeneracy::coplanar, 3, x, entropy);
+  const View view{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, static_cast<double>(i % 4), 4};
+  return {view,
+          {{std::min(x[6], x[9]), std::min(x[7], x[10]), std::min(x[8], x[11])},
+           {std::max(x[6], x[9]), std::max(x[7], x[10]), std::max(x[8], x[11])}}};
+}
+
+TEST(OwnDecision, WorldsAgreeAndDoublesAnswerTheirShare) {
+  for (const FamilyInfo& info : families) {
+    WorldCounts worlds;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const auto [view, box] = drawn(info.family, i);
+      RationalWorld exact;
+      ASSERT_EQ(certainly_recorded(worlds, SeesBox{}, view, box), SeesBox{}(exact, view, box))
+          << info.name << ", replay: " << i;
+    }
+    const bool easy = info.family == Family::uniform || info.family == Family::float32;
+    EXPECT_GE(worlds.of(WorldKind::floats), easy ? 300u : info.family == Family::extreme ? 3u : 150u) << info.name;
+  }
+}
+
+TEST(OwnDecision, SaysWhatTheFormulaOfACenteredBoxSays) {
+  int seen = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    Entropy e(19, i);
+    const auto half = static_cast<double>(e.below(40)), z = static_cast<double>(e.within(40));
+    const auto over = static_cast<double>(2 + e.below(6));
+    const View view{{0, 0, 0}, {0, 0, 3}, 1, over};
+    const bool sees = certainly(SeesBox{}, view, Aabb3{{-half, -half, z}, {half, half, z + 1}});
+    ASSERT_EQ(sees, sees_centered(half, z, 1, over)) << "replay: " << i;
+    seen += sees ? 1 : 0;
+  }
+  EXPECT_GT(seen, 50);
+}
+
+/// The statement of something else.
+template <int which>
+struct Mutant {
+  static constexpr Scales scales{.count = 3};
+  template <class W>
+  bool operator()(W& w, const View& v, const Aabb3& box) const {
+    View changed = v;
+    if (which == 0) changed.axis.x = -v.axis.x;
+    if (which == 1) std::swap(changed.numerator, changed.denominator);
+    if (which == 2) changed.eye.z = box.min.z;
+    Aabb3 smaller = box;
+    if (which == 3) smaller.max = box.min;
+    return SeesBox{}(w, changed, smaller);
+  }
+};
+template <int which>
+int noticed() {
+  int differences = 0;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const auto [view, box] = drawn(Family::uniform, i);
+    differences += certainly(Mutant<which>{}, view, box) != certainly(SeesBox{}, view, box) ? 1 : 0;
+  }
+  return differences;
+}
+TEST(OwnDecision, MutantsAreNoticed) {
+  EXPECT_GT(noticed<0>(), 0);
+  EXPECT_GT(noticed<1>(), 0);
+  EXPECT_GT(noticed<2>(), 0);
+  EXPECT_GT(noticed<3>(), 0);
+}
+
+TEST(OwnDecision, RefusesWhatIsNoNumber) {
+  const View view{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  EXPECT_THROW(certainly(SeesBox{}, view, Aabb3{{std::numeric_limits<double>::quiet_NaN(), 0, 5}, {3, 4, 9}}),
+               NonFinite);
+}
+
+}  // namespace
+}  // namespace plumb::docs
