@@ -6,6 +6,7 @@
 // Cost: that of pair_lanes.hpp for pairs of nodes and of leaves, and relate for the triangles that may meet.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "space/pairs/leaf_pairs.hpp"

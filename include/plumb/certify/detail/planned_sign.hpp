@@ -6,7 +6,6 @@
 // Cost: that of the arithmetic, see there.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <new>
@@ -237,7 +236,8 @@ class PlannedPredicate {
   static double threshold_on(const LatticeIntake& lattice) {
     using namespace certify::planned;
     if constexpr (arithmetic == Arithmetic::modulo_word) {
-      return std::min(lattice_threshold<F>(lattice), error<F>(modulo_word<F>).root);
+      const double bound = lattice_threshold<F>(lattice), most = error<F>(modulo_word<F>).root;
+      return bound < most ? bound : most;
     } else if constexpr (arithmetic == Arithmetic::two_words || arithmetic == Arithmetic::bounded_chain) {
       return lattice_threshold<F>(lattice);
     } else {

@@ -17,7 +17,6 @@
 // Cost: one call of meets for each pair that a pair which meets is replaced by.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -96,8 +95,10 @@ inline constexpr std::size_t most_levels = most_tree_depth;
 
 // Pairs that wait: a pair is replaced by one for each two children, and then the next level of both is looked at.
 template <class As, class Bs>
-inline constexpr std::size_t most_pairs_waiting =
-    (most_children<As> * most_children<Bs> - 1) * std::max(most_levels<As>, most_levels<Bs>) + 4;
+inline constexpr std::size_t most_pairs_waiting = [] {
+  const std::size_t levels = most_levels<As> < most_levels<Bs> ? most_levels<Bs> : most_levels<As>;
+  return (most_children<As> * most_children<Bs> - 1) * levels + 4;
+}();
 inline constexpr std::size_t most_waiting_pairs =
     most_pairs_waiting<std::span<const BoxNode>, std::span<const BoxNode>>;
 
