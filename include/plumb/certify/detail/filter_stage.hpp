@@ -24,7 +24,7 @@ constexpr int beyond(Value value, Value threshold) {
 }
 
 /// Filter A: against the sum of the absolute products.
-template <Formula F, class Input>
+template <Formula F, class Input = double>
 constexpr int magnitude_filter(const std::array<Input, arity<F>>& p) {
   const Filtered r = evaluate<F>([&](std::size_t i) { return Filtered::Input{p[i]}; });
   return beyond(r.value, filter_constant<F>() * r.magnitude);
@@ -72,7 +72,7 @@ constexpr double opaque(double x) {
 
 /// The largest difference (or sum, or coordinate by itself) that the formula forms in each axis; of doubles, or of
 /// numbers that differ in doubles.
-template <Formula F, class Input>
+template <Formula F, class Input = double>
 constexpr Largest<F> largest_differences(const std::array<Input, arity<F>>& p) {
   Largest<F> largest = per_axis<F>([](std::size_t) { return largest_floor<F>; });
   const auto raise = [&](std::size_t axis, double x) {
@@ -139,7 +139,7 @@ constexpr double largest_threshold(const Largest<F>& largest) {
 }
 
 /// Filter B: against the magnitude that the largest differences allow.
-template <Formula F, class Input>
+template <Formula F, class Input = double>
 constexpr int largest_filter(const std::array<Input, arity<F>>& p) {
   const double value = value_of<F>(p);
   // value - value is NaN, and so nothing is beyond, where an intermediate product overflowed though no threshold did.
@@ -156,7 +156,7 @@ inline constexpr bool filter_is_magnitude = [] {
   }
 }();
 
-template <Formula F, class Input>
+template <Formula F, class Input = double>
 constexpr int filter(const std::array<Input, arity<F>>& p) {
   if constexpr (filter_is_magnitude<F>) {
     return magnitude_filter<F>(p);
