@@ -6,10 +6,12 @@
 // `s_query` is the time of each answer.
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
 
+#include "plumb/degenerate/entropy.hpp"
 #include "plumb/space.hpp"
 #include "space/bvh/meshes.hpp"
 
@@ -75,6 +77,25 @@ void add_near(std::uint32_t n) {
   add("near/" + size + "/turned", [=] { return closest_triangles({*tree, turn}, *tree).has_value(); });
 }
 
+/// A ring whose vertices are shaken: where they are given, and under a pose at each end of the motion.
+void add_shaken(std::uint32_t n) {
+  const TriangleMesh ring = meshes::ring(n);
+  std::vector<Point3> to = ring.vertices;
+  Entropy entropy(2026, n);
+  const auto step = [&] { return static_cast<double>(entropy.within(1 << 20)) * 0x1p-20 / n; };
+  for (Point3& p : to) p = {p.x + step(), p.y + step(), p.z + step()};
+  const auto mesh = std::make_shared<MovingMesh>(build_moving_mesh(ring.vertices, to, ring.triangles));
+  const Pose from{{{{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}}, {0.1, 0.2, 0.3}};
+  Pose moved = from;
+  moved.translation.x = 0.1 + 0x1p-40;
+  const std::string name = "shaken/" + std::to_string(n);
+  const MotionContactOptions serial{.execution = Execution::serial};
+  std::printf("%s: %zu contacts, %zu posed\n", name.c_str(), contacts_in_motion(*mesh, serial).size(),
+              contacts_in_motion({*mesh, from, moved}, serial).size());
+  add(name, [=] { return contacts_in_motion(*mesh, serial).empty(); });
+  add(name + "/posed", [=] { return contacts_in_motion({*mesh, from, moved}, serial).empty(); });
+}
+
 void add_boxes(std::uint32_t n) {
   const std::string size = std::to_string(n);
   const double top = n;
@@ -94,6 +115,7 @@ void add_boxes(std::uint32_t n) {
 const bool added = [] {
   for (const std::uint32_t n : {4u, 16u, 64u}) add_boxes(n);
   for (const std::uint32_t n : {2u, 4u, 8u}) add_near(n);
+  for (const std::uint32_t n : {16u, 32u}) add_shaken(n);
   for (const std::uint32_t n : {16u, 64u}) {
     const TriangleMesh ring = meshes::ring(n);
     const TriangleMesh far = mapped(ring, [](const Point3& p) { return Point3{p.x + 3, p.y + 0.25, p.z + 0.125}; });

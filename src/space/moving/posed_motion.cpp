@@ -2,9 +2,11 @@
 #include "plumb/space/moving/posed_motion.hpp"
 
 #include <memory>
+#include <vector>
 
 #include "query/time_of_impact/posed_motion.hpp"
 #include "space/bvh/alike_poses.hpp"
+#include "space/bvh/blocks.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/moving/motion_search.hpp"
 #include "space/moving/swept_boxes.hpp"
@@ -13,30 +15,64 @@ namespace plumb {
 namespace space {
 namespace {
 
+/// Of a posed motion; a node's box has both places in it as given, so its images have both images.
+class PosedNodesNear {
+ public:
+  PosedNodesNear(const PosedMovingMesh& posed, const BoxTree& a, const BoxTree& b, Execution execution,
+                 double separation)
+      : nodes_a_(a.nodes.view()),
+        nodes_b_(b.nodes.view()),
+        boxes_a_(boxes(posed, a, execution)),
+        boxes_b_(&a == &b ? std::vector<Aabb3>() : boxes(posed, b, execution)),
+        is_own_(&a == &b),
+        separation_(separation) {}
+
+  bool operator()(const BoxNode& a, const BoxNode& b) const {
+    return come_near(boxes_a_[static_cast<std::size_t>(&a - nodes_a_.data())],
+                     (is_own_ ? boxes_a_ : boxes_b_)[static_cast<std::size_t>(&b - nodes_b_.data())], separation_);
+  }
+
+ private:
+  static std::vector<Aabb3> boxes(const PosedMovingMesh& posed, const BoxTree& tree, Execution execution) {
+    const std::span<const BoxNode> nodes = tree.nodes.view();
+    std::vector<Aabb3> all(nodes.size());
+    for_blocks(execution, nodes.size(), 1 << 12, [&](std::size_t, std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) {
+        const Aabb3 given = tree.frame.outside(nodes[i].box());
+        all[i] = around_both(around(posed.from, given), around(posed.to, given));
+      }
+    });
+    return all;
+  }
+
+  std::span<const BoxNode> nodes_a_, nodes_b_;
+  std::vector<Aabb3> boxes_a_, boxes_b_;
+  bool is_own_;
+  double separation_;
+};
+
 class MotionBetweenPoses {
  public:
-  explicit MotionBetweenPoses(const PosedMovingMesh& posed)
-      : mesh_(posed.mesh), pose_0_(posed.from), pose_1_(posed.to) {}
+  MotionBetweenPoses(const PosedMovingMesh& posed, Execution execution)
+      : posed_(posed), mesh_(posed.mesh), execution_(execution), swept_(posed.mesh.from.size()) {
+    for_blocks(execution, swept_.size(), 1 << 12, [&](std::size_t, std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i)
+        swept_[i] = around_both(around(posed.from, mesh_.from[i]), around(posed.to, mesh_.to[i]));
+    });
+  }
 
   [[nodiscard]] const MovingMesh& mesh() const { return mesh_; }
-  /// A node's box has both places in it as given, so its images have both images.
-  [[nodiscard]] auto nodes_near(const BoxTree& a, const BoxTree& b, double separation) const {
-    const auto box = [this](const BoxFrame& frame, const BoxNode& n) {
-      const Aabb3 given = frame.outside(n.box());
-      return around_both(around(pose_0_, given), around(pose_1_, given));
-    };
-    return [box, frame_a = a.frame, frame_b = b.frame, separation](const BoxNode& x, const BoxNode& y) {
-      return come_near(box(frame_a, x), box(frame_b, y), separation);
-    };
+  [[nodiscard]] PosedNodesNear nodes_near(const BoxTree& a, const BoxTree& b, double separation) const {
+    return {posed_, a, b, execution_, separation};
   }
-  [[nodiscard]] Aabb3 corner_box(std::uint32_t i) const { return swept(mesh_.corners[i]); }
+  [[nodiscard]] Aabb3 corner_box(std::uint32_t i) const { return swept_[mesh_.corners[i]]; }
   [[nodiscard]] Aabb3 edge_box(std::uint32_t i) const {
     const auto [a, b] = mesh_.edges[i];
-    return around_both(swept(a), swept(b));
+    return around_both(swept_[a], swept_[b]);
   }
   [[nodiscard]] Aabb3 triangle_box(std::uint32_t i) const {
     const auto& [a, b, c] = mesh_.triangles[i];
-    return around_both(around_both(swept(a), swept(b)), swept(c));
+    return around_both(around_both(swept_[a], swept_[b]), swept_[c]);
   }
   [[nodiscard]] std::optional<Contact> contact(ContactPair pair, std::uint32_t a, std::uint32_t b,
                                                double separation) const {
@@ -50,9 +86,6 @@ class MotionBetweenPoses {
   }
 
  private:
-  [[nodiscard]] Aabb3 swept(std::uint32_t vertex) const {
-    return around_both(around(pose_0_, mesh_.from[vertex]), around(pose_1_, mesh_.to[vertex]));
-  }
   [[nodiscard]] query::moving::PosedQuestion question(ContactPair pair, std::uint32_t a, std::uint32_t b) const {
     const bool edges = pair == ContactPair::edge_edge;
     const std::array<std::uint32_t, 4> v =
@@ -62,12 +95,15 @@ class MotionBetweenPoses {
       return std::array{places[v[0]], places[v[1]], places[v[2]], places[v[3]]};
     };
     using query::moving::MovingKind;
-    return {
-        {edges ? MovingKind::edge_edge : MovingKind::vertex_triangle, at(mesh_.from), at(mesh_.to)}, pose_0_, pose_1_};
+    return {{edges ? MovingKind::edge_edge : MovingKind::vertex_triangle, at(mesh_.from), at(mesh_.to)},
+            posed_.from,
+            posed_.to};
   }
 
+  const PosedMovingMesh& posed_;
   const MovingMesh& mesh_;
-  Pose pose_0_, pose_1_;
+  Execution execution_;
+  std::vector<Aabb3> swept_;  // of vertices
 };
 
 /// Is it the question without poses?
@@ -86,21 +122,21 @@ std::vector<MotionContact> contacts_in_motion(const PosedMovingMesh& mesh, const
   constexpr const char* function = "contacts_in_motion";
   return space::moves_as_given(function, mesh, options.separation)
              ? contacts_in_motion(mesh.mesh, options)
-             : space::all_contacts(function, space::MotionBetweenPoses(mesh), options);
+             : space::all_contacts(function, space::MotionBetweenPoses(mesh, options.execution), options);
 }
 
 std::vector<MotionContact> contacts_by_time(const PosedMovingMesh& mesh, const MotionContactOptions& options) {
   constexpr const char* function = "contacts_by_time";
   return space::moves_as_given(function, mesh, options.separation)
              ? contacts_by_time(mesh.mesh, options)
-             : space::all_by_time(function, space::MotionBetweenPoses(mesh), options);
+             : space::all_by_time(function, space::MotionBetweenPoses(mesh, options.execution), options);
 }
 
 std::optional<MotionContact> first_contact(const PosedMovingMesh& mesh, const MotionContactOptions& options) {
   constexpr const char* function = "first_contact";
   return space::moves_as_given(function, mesh, options.separation)
              ? first_contact(mesh.mesh, options)
-             : space::first_in_time(function, space::MotionBetweenPoses(mesh), options);
+             : space::first_in_time(function, space::MotionBetweenPoses(mesh, options.execution), options);
 }
 
 }  // namespace plumb

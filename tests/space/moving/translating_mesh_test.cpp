@@ -116,7 +116,7 @@ TriangleMesh turned(TriangleMesh mesh) {
 /// Planes, ridges and steps that land on each other, in any order of the numbers, along axes and askew: what stops at
 /// a wall is asked all the same where it comes first.
 TEST(TranslatingMesh, LandsInAnyOrderOfNumbers) {
-  const auto cases = static_cast<std::uint64_t>(battery::fitting(100));
+  const auto cases = static_cast<std::uint64_t>(battery::fitting(60));
   for (std::uint64_t i = 0; i < cases; ++i) {
     Entropy entropy(78, i);
     TriangleMesh floor = tiles(2), above = floor;

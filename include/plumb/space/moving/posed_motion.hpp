@@ -9,9 +9,9 @@
 // The mesh must outlive the PosedMovingMesh.
 // A pose that is NaN or infinite throws NonFinite ("first_contact: mesh.from.translation.x is nan, ...").
 // Source: RTCD 3.2, 4.2.6, 5.5, 6.3.3; Provot 1997.
-// Cost: under one regular pose, without a separation, that of the mesh without it.  Else two boxes for each node that
-// is looked at, some 300 ns for each pair whose boxes meet, and tens of microseconds for each that meets or nearly
-// does; with a separation ten times as many.
+// Cost: under one regular pose, without a separation, that of the mesh without it.  Else two boxes for each node
+// and vertex, a microsecond for each pair whose boxes meet, and tens for each that meets or nearly does; with
+// a separation ten times as many.
 #pragma once
 
 #include "plumb/arith/pose.hpp"
