@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/sanitized.hpp"
 #include "plumb/surface/write_mesh.hpp"
 #include "surface/gzipped.hpp"
 #include "surface/packages.hpp"
@@ -26,10 +27,22 @@ json report_of(const std::string& arguments, int code = 0) {
   return json::parse(o.out);
 }
 
+const char* const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
 void put(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
+/// Of the embedded part, for all tests that read it: it takes ten seconds where it is watched.
+const Outcome& embedded() {
+  static const Outcome once = run("$PLUMB check");
+  return once;
+}
+const json& embedded_report() {
+  static const json once = report_of("--verify").at("meshes").at(0);
+  return once;
+}
+
 TEST(Check, RunsOnTheEmbeddedPartWhenGivenNothing) {
-  const Outcome o = run("$PLUMB check");
+  const Outcome& o = embedded();
   EXPECT_EQ(o.code, 0);
   EXPECT_EQ(o.err, "");  // no progress bar where nobody looks
   EXPECT_THAT(o.out, Not(HasSubstr("\033")));
@@ -61,7 +74,7 @@ TriangleMesh sheet(std::uint32_t n) {
 }
 
 TEST(Check, OpensWithAVerdictOfFourLines) {
-  const std::vector<std::string> lines = lines_of(run("$PLUMB check").out);
+  const std::vector<std::string> lines = lines_of(embedded().out);
   ASSERT_GT(lines.size(), 6U);
   EXPECT_EQ(lines[0], "embedded flange");
   EXPECT_EQ(
@@ -76,7 +89,7 @@ TEST(Check, OpensWithAVerdictOfFourLines) {
   EXPECT_THAT(lines[4], AllOf(StartsWith("  to do       collapse triangles of zero area; weld repeated vertices; "),
                               HasSubstr("take signs exactly")));
   EXPECT_EQ(lines[5], "");
-  const json verdict = report_of("").at("meshes").at(0).at("verdict");
+  const json verdict = embedded_report().at("verdict");
   EXPECT_EQ("  surface     " + std::string(verdict.at("surface")), lines[1]);
   EXPECT_EQ("  wrong       " + std::string(verdict.at("mesh")), lines[2]);
   EXPECT_EQ("  in floats   " + std::string(verdict.at("floats")), lines[3]);
@@ -106,6 +119,7 @@ TEST(Check, CountsPolygonsThatLieInNoPlane) {
 }
 
 TEST(Check, AsksTheInexactMethodsOfABigMeshASample) {
+  if (battery::sanitized) GTEST_SKIP() << "half a million decisions; decision_sample_test draws samples";
   const Folder folder;
   const std::string file = folder / "sheet.ply";
   write_mesh(file, sheet(70));  // 9800 faces, each seen from sixteen points
@@ -140,7 +154,7 @@ TEST(Check, TakesSecondsForAMillionTriangles) {
 #endif
 
 TEST(Check, FindsFloatsWrongAndTheExactSignsRight) {
-  const json total = report_of("--verify").at("meshes").at(0).at("total");
+  const json& total = embedded_report().at("total");
   std::set<std::string> seen;
   for (const json& m : total.at("methods")) {
     const std::string name = m.at("method");
@@ -165,22 +179,28 @@ TEST(Check, GivesTheSameAnswersOnEveryNumberOfThreads) {
     }
     return answers;
   };
-  const json one = without_times(report_of("--threads 1"));
-  EXPECT_EQ(one, without_times(report_of("--threads 2")));
-  EXPECT_EQ(one, without_times(report_of("--threads 7")));
+  const Folder folder;
+  const std::string mesh = " " + (folder / "sheet.ply");
+  write_mesh(folder / "sheet.ply", sheet(battery::sanitized ? 6 : 30));
+  const json one = without_times(report_of("--threads 1" + mesh));
+  EXPECT_GT(one.at(0).at(1), 0);
+  EXPECT_EQ(one, without_times(report_of("--threads 2" + mesh)));
+  EXPECT_EQ(one, without_times(report_of("--threads 7" + mesh)));
 }
 
 TEST(Check, FailsOnWrongSignsWhereAskedTo) {
-  EXPECT_EQ(run("$PLUMB check --fail-on-wrong double").code, 1);
-  EXPECT_EQ(run("$PLUMB check --fail-on-wrong exact").code, 0);
-  EXPECT_EQ(run("$PLUMB check --fail-on-wrong exact --fail-on-wrong float32").code, 1);
-  EXPECT_EQ(run("$PLUMB check --fail-on-wrong interval --verify").code, 0);
+  const Folder folder;
+  write_mesh(folder / "sheet.ply", sheet(3));
+  const std::string check = "$PLUMB check " + (folder / "sheet.ply");
+  EXPECT_EQ(run(check + " --fail-on-wrong double").code, 1);
+  EXPECT_EQ(run(check + " --fail-on-wrong exact").code, 0);
+  EXPECT_EQ(run(check + " --fail-on-wrong exact --fail-on-wrong float32").code, 1);
+  EXPECT_EQ(run(check + " --fail-on-wrong interval --verify").code, 0);
 }
 
 TEST(Check, NamesWorstCasesThatSignReplays) {
   int replayed = 0;
-  const json report = report_of("");
-  for (const json& m : report.at("meshes").at(0).at("total").at("methods")) {
+  for (const json& m : embedded_report().at("total").at("methods")) {
     if (!m.contains("worst") || m.at("worst").is_null()) continue;
     const std::string line = m.at("worst").at("case");
     const Outcome o = run("$PLUMB sign", line + "\n");
@@ -192,8 +212,9 @@ TEST(Check, NamesWorstCasesThatSignReplays) {
 }
 
 TEST(Check, ReadsItsOwnSampleFromEveryFormat) {
+  if (battery::sanitized) GTEST_SKIP() << "a minute; sample_part_test and surface/ read every format";
   const Folder folder;
-  const json own = report_of("").at("meshes").at(0);
+  const json& own = embedded_report();
   for (const std::string name : {"s.obj", "s.off", "s.ply", "s.stl"}) {
     EXPECT_EQ(run("$PLUMB check --write-sample " + (folder / name)).code, 0);
     const json read = report_of(folder / name).at("meshes").at(0);
@@ -207,7 +228,7 @@ TEST(Check, ReadsItsOwnSampleFromEveryFormat) {
 TEST(Check, ChecksSeveralMeshesAndDrawsThem) {
   const Folder folder;
   put(folder / "one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  run("$PLUMB check --write-sample " + (folder / "-s.obj"));
+  write_mesh(folder / "-s.obj", sheet(3));
   const std::string chart = folder / "chart.svg", report = folder / "report.json";
   const Outcome o = run("$PLUMB check " + (folder / "one.obj") + " --chart " + chart + " --json " + report + " -- " +
                         (folder / "-s.obj"));
@@ -247,8 +268,6 @@ TEST(Check, RefusesEachBadFileInItsOwnWords) {
   EXPECT_EQ(words.size(), 8U);
   EXPECT_THAT(run("$PLUMB check " + (folder / "index.obj")).err, HasSubstr("index.obj:4: "));
 }
-
-const char* const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 TEST(Check, ChecksEveryMeshInAFolder) {
   const Folder folder;
@@ -304,21 +323,24 @@ TEST(Check, ReadsStandardInput) {
 
 TEST(Check, BoundsWhatAPackedMeshUnpacksTo) {
   const Folder folder;
-  put(folder / "bomb.obj.gz", surface_test::gzipped(triangle + std::string(std::size_t{40} << 20, '\n')));
-  const std::string file = folder / "bomb.obj.gz";
-  const Outcome o = run("$PLUMB check " + file);
+  constexpr std::size_t megabytes = battery::sanitized ? 4 : 40;
+  put(folder / "bomb.obj.gz", surface_test::gzipped(triangle + std::string(megabytes << 20, '\n')));
+  const std::string file = folder / "bomb.obj.gz", enough = "--unpacked " + std::to_string(megabytes + 1) + " ";
+  const std::string below = "$PLUMB check --unpacked " + std::to_string(megabytes - 1) + " ";
+  const Outcome o = run(battery::sanitized ? below + file : "$PLUMB check " + file);
   EXPECT_EQ(o.code, 2);
   EXPECT_THAT(o.err, AllOf(StartsWith("plumb: " + file + ": unpacks to more than "), HasSubstr("raise the limit")));
-  EXPECT_EQ(run("$PLUMB check --unpacked 41 " + file).code, 0);
-  EXPECT_EQ(run("$PLUMB check --unpacked 39 " + file).code, 2);
-  const json read = report_of("--unpacked 41 " + file).at("meshes").at(0).at("file");
-  EXPECT_EQ(read.at("bytes"), (std::size_t{40} << 20) + std::string(triangle).size());
+  EXPECT_EQ(run("$PLUMB check " + enough + file).code, 0);
+  EXPECT_EQ(run(below + file).code, 2);
+  const json read = report_of(enough + file).at("meshes").at(0).at("file");
+  EXPECT_EQ(read.at("bytes"), (megabytes << 20) + std::string(triangle).size());
   EXPECT_EQ(read.at("packed_bytes"), std::filesystem::file_size(file));
 }
 
 TEST(Check, WritesAReportOverAnOldOne) {
   const Folder folder;
-  const std::string write = "$PLUMB check --json " + (folder / "report.json");
+  put(folder / "t.obj", triangle);
+  const std::string write = "$PLUMB check --json " + (folder / "report.json") + " " + (folder / "t.obj");
   EXPECT_EQ(run(write).code, 0);
   EXPECT_EQ(run(write).err, "");  // JSON alone makes no glTF of it
 }
@@ -364,20 +386,25 @@ TEST(Check, NamesAMissingFileWithoutItsControlCharacters) {
 }
 
 TEST(Check, RefusesOutputsThatCannotBeWritten) {
+  const Folder folder;
+  put(folder / "t.obj", triangle);
+  const std::string check = "$PLUMB check " + (folder / "t.obj") + " ";
   for (const std::string option : {"--json", "--chart"}) {
-    const Outcome full = run("$PLUMB check " + option + " /dev/full");
+    const Outcome full = run(check + option + " /dev/full");
     EXPECT_EQ(full.code, 2) << option;
     EXPECT_THAT(full.err, AllOf(StartsWith("plumb: "), HasSubstr("/dev/full"), HasSubstr("No space"))) << option;
-    EXPECT_EQ(run("$PLUMB check " + option + " /no/such/folder/file").code, 2) << option;
+    EXPECT_EQ(run(check + option + " /no/such/folder/file").code, 2) << option;
   }
-  EXPECT_EQ(run("$PLUMB check >/dev/full").code, 2);
+  EXPECT_EQ(run(check + ">/dev/full").code, 2);
   EXPECT_EQ(run("$PLUMB check --write-sample /no/such/folder/file.obj").code, 2);
   EXPECT_THAT(run("$PLUMB check --write-sample /tmp/mesh.xyz").err, HasSubstr(".obj, .off, .stl or .ply"));
 }
 
 TEST(Check, UsesColorsOnATerminalOnly) {
   if (!has_terminals()) return;
-  const Outcome o = run_on_terminal("unset NO_COLOR; $PLUMB check");
+  const Folder folder;
+  put(folder / "t.obj", triangle);
+  const Outcome o = run_on_terminal("unset NO_COLOR; $PLUMB check " + (folder / "t.obj"));
   EXPECT_EQ(o.code, 0);
   EXPECT_THAT(o.out, HasSubstr("\033["));
 }
