@@ -6,6 +6,7 @@
 
 #include "certify/case_line.hpp"
 #include "certify/catalog.hpp"
+#include "certify/sanitized.hpp"
 #include "tool/run_program.hpp"
 
 namespace plumb::tool {
@@ -47,13 +48,16 @@ TEST(Sign, IsExactWhereDoublesAreNot) {
 
 TEST(Sign, NamesTheStageThatTheLibraryNames) {
   std::string lines, expected;
+  int alone = 0;  // some also as arguments, each a run of the program
   for (const CatalogEntry& e : catalog()) {
     for (const double step : {1.0, 0.1, 0x1p-40}) {
       CaseLine c{std::string(e.name), {}, {}};
       for (std::size_t i = 0; i < e.arity(); ++i) c.coordinates.push_back(static_cast<double>(i * i % 7) * step);
       const Decision d = e.decide(c.coordinates);
       const std::string answer = std::string(1, to_char(d.sign)) + " " + std::string(to_string(d.stage)) + "\n";
-      EXPECT_EQ(run("$PLUMB sign " + to_string(c)).out, answer);
+      if (alone++ % (battery::sanitized ? 24 : 3) == 0) {
+        EXPECT_EQ(run("$PLUMB sign " + to_string(c)).out, answer);
+      }
       lines += to_string(c) + "\n";
       expected += answer;
     }
