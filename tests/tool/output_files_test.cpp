@@ -115,7 +115,9 @@ TEST(Outputs, ArriveOnlyWhenTheRunSucceeded) {
       EXPECT_EQ(files_in(folder / ""), 2) << start;
     }
   }
-  EXPECT_EQ(run("$PLUMB check --fail-on-wrong float32 --json " + old).code, 1);  // an answer, not a failure
+  // An answer, not a failure: of points in one plane, which floats take out of it.
+  put(mesh, "v 0 0 0\nv 0.1 0.2 0.3\nv 0.7 0.1 0.8\nv 0.8 0.3 1.1\nv 1.5 0.4 1.9\nf 1 3 2\nf 2 3 4\nf 4 3 5\n");
+  EXPECT_EQ(run("$PLUMB check --fail-on-wrong float32 --json " + old + " " + mesh).code, 1);
   EXPECT_THAT(content(old), StartsWith("{"));
 }
 
@@ -147,9 +149,11 @@ TEST(Outputs, OfAStoppedRunLeaveNoFolder) {
 TEST(Outputs, LargerThanAFileMayBeAreRefused) {
   const Folder folder;
   put(folder / "old.json", "old");
-  expect_refusal(run("ulimit -f 8; exec $PLUMB check -q --json " + (folder / "old.json")), "File too large");
+  put(folder / "part.obj", kTriangle);
+  expect_refusal(run("ulimit -f 8; exec $PLUMB check -q --json " + (folder / "old.json") + " " + (folder / "part.obj")),
+                 "File too large");
   EXPECT_EQ(content(folder / "old.json"), "old");
-  EXPECT_EQ(files_in(folder / ""), 1);
+  EXPECT_EQ(files_in(folder / ""), 2);
 }
 
 TEST(Outputs, AreRemovedBeforeASignalIsObeyed) {
@@ -201,7 +205,8 @@ TEST(Outputs, GoIntoPipesAndStreams) {
   const std::string file = folder / "file";  // which standard output already is
   EXPECT_EQ(run("{ echo first; $PLUMB proof orient2d --out " + file + "; echo last; } > " + file).code, 0);
   EXPECT_EQ(content(file), "first\n" + script + "last\n");
-  EXPECT_THAT(run("$PLUMB check --json /dev/stdout").out, StartsWith("{"));
+  put(folder / "part.obj", kTriangle);
+  EXPECT_THAT(run("$PLUMB check --json /dev/stdout " + (folder / "part.obj")).out, StartsWith("{"));
 }
 
 TEST(Outputs, AreNotOneFileTwice) {
