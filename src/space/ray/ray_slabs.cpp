@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/bound.hpp"
@@ -242,11 +243,13 @@ void RaySlabs::set(SlabSetting setting, bool begins, bool ends, const FloatBox3&
   if (ends) keys_.limit = limit_at(1);
 }
 
-// Without branches inside, so that the compiler takes several rays at once.
+// Two rays at once.
 bool space::put_plainly(std::span<const AnyRay* const> rays, const BoxFrame& frame, const FloatBox3& all,
                         PacketPlanes& planes) {
+  using Pair = double __attribute__((vector_size(16)));
+  using Mask = std::int64_t __attribute__((vector_size(16)));
   if (frame.exponent() != 0) return false;
-  alignas(64) double from[3][packet_size], way[3][packet_size], distance[packet_size];
+  alignas(64) double from[3][packet_size], way[3][packet_size];
   for (std::size_t i = 0; i < packet_size; ++i) {
     const AnyRay& r = *rays[std::min(i, rays.size() - 1)];
     if (!query::begins(r)) return false;
@@ -258,27 +261,34 @@ bool space::put_plainly(std::span<const AnyRay* const> rays, const BoxFrame& fra
     for (std::size_t k = 0; i == 1 && k < 3; ++k) {  // most often seen here where they do not fit
       if ((way[k][1] < 0) != (way[k][0] < 0)) return false;
     }
-    distance[i] = 0;
   }
   double extent = 0;
-  std::int64_t plain = -1;  // a mask, as lanes have them
-  const auto mask = [](bool yes) -> std::int64_t { return yes ? -1 : 0; };
   for (std::size_t k = 0; k < 3; ++k) {
     const double low = all.min[k], high = all.max[k];
-    plain &= mask(std::abs(low) < most_moderate) & mask(std::abs(high) < most_moderate);
+    if (!(std::abs(low) < most_moderate && std::abs(high) < most_moderate)) return false;
     extent = std::max(extent, high - low);
-    const std::int64_t down = mask(way[k][0] < 0), up = mask(way[k][0] > 0);
-    for (std::size_t i = 0; i < packet_size; ++i) {
-      const double w = way[k][i], f = from[k][i], size = std::abs(w);
-      plain &= mask(w == 0) | (mask(size > least_moderate) & mask(size < most_moderate));
-      plain &= mask(std::abs(f) < most_moderate) & ~(mask(w < 0) ^ down) & ~(mask(w > 0) ^ up);
-      const double below = low - f, above = f - high, outside = below > above ? below : above;
-      distance[i] = outside > distance[i] ? outside : distance[i];
+  }
+  const auto two = [](const double* numbers) {
+    Pair both;
+    std::memcpy(&both, numbers, sizeof both);
+    return both;
+  };
+  const double near = far_away * extent;
+  Mask plain{-1, -1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double low = all.min[k], high = all.max[k];
+    const bool down = way[k][0]<0, up = way[k][0]> 0;
+    for (std::size_t i = 0; i < packet_size; i += 2) {
+      const Pair w = two(way[k] + i), f = two(from[k] + i), size = w < 0 ? -w : w;
+      if (down || up) {
+        plain &= (down ? w < 0 : w > 0) & (size > least_moderate) & (size < most_moderate);
+      } else {
+        plain &= w == 0;
+      }
+      plain &= (f < most_moderate) & (f > -most_moderate) & (low - f <= near) & (f - high <= near);
     }
   }
-  const double near = far_away * extent;
-  for (std::size_t i = 0; i < packet_size; ++i) plain &= mask(distance[i] <= near);
-  if (plain == 0) return false;
+  if ((plain[0] & plain[1]) == 0) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     planes.down[k] = way[k][0] < 0;
     auto &enter = planes.enter[k], &leave = planes.leave[k];
