@@ -22,6 +22,7 @@
 #include "plumb/space/bvh/sphere_tree.hpp"     // of spheres, ever finer, that cover a surface
 #include "plumb/space/bvh/tree_cost.hpp"       // what it costs to ask
 #include "plumb/space/bvh/tree_file.hpp"       // in a file
+#include "plumb/space/bvh/volume_mesh.hpp"     // with the mesh that they stand for
 #include "plumb/space/bvh/volume_rules.hpp"    // what a volume must answer for that
 #include "plumb/space/bvh/volume_tree.hpp"     // of spheres, oriented boxes, k-DOPs, or your own volumes
 #include "plumb/space/bvh/wide_tree.hpp"       // with eight children a node
@@ -68,8 +69,9 @@
 #include "plumb/space/coherence/visit_stamps.hpp"   // what a query has seen
 
 // Where does a ray hit?
-#include "plumb/space/ray/inside.hpp"     // is a point in a closed mesh?  locate, winding_number
-#include "plumb/space/ray/mesh_ray.hpp"   // a mesh: first_hit, hits, ordered_hits, count_hits
-#include "plumb/space/ray/posed_ray.hpp"  // a mesh that has been moved; and is a point in it?
-#include "plumb/space/ray/ray_slabs.hpp"  // the slab test, for descents of one's own
-#include "plumb/space/ray/shape_ray.hpp"  // shapes of any kind
+#include "plumb/space/ray/inside.hpp"      // is a point in a closed mesh?  locate, winding_number
+#include "plumb/space/ray/mesh_ray.hpp"    // a mesh: first_hit, hits, ordered_hits, count_hits
+#include "plumb/space/ray/posed_ray.hpp"   // a mesh that has been moved; and is a point in it?
+#include "plumb/space/ray/ray_slabs.hpp"   // the slab test, for descents of one's own
+#include "plumb/space/ray/shape_ray.hpp"   // shapes of any kind
+#include "plumb/space/ray/volume_ray.hpp"  // a mesh, by spheres, oriented boxes or k-DOPs

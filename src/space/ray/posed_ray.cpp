@@ -15,6 +15,7 @@
 #include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/ray/hit_search.hpp"
+#include "space/ray/nearest_hit.hpp"
 #include "space/ray/seen_ray.hpp"
 
 namespace plumb {
@@ -22,7 +23,6 @@ namespace space {
 namespace {
 
 constexpr std::size_t posed_rays_of_part = 64;
-constexpr double most_parameter = std::numeric_limits<double>::max();
 
 bool may_hit(const AnyRay& ray, const Aabb3& box) { return !is_bounded(box) || hits(ray, box); }
 
@@ -68,30 +68,21 @@ struct PosedHit {
 
 template <class Mesh>
 std::optional<NumberedHit> first_posed_hit(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule) {
-  std::optional<PosedHit> best;
-  double limit = most_parameter;
-  const auto is_before = [&](const PosedHit& h) {
-    if (!best || h.hit.t != best->hit.t) return !best || h.hit.t < best->hit.t;
-    const auto order = parameter_order(ray, mesh, rule, h.slot, best->slot);
-    return order < 0 || (order == 0 && h.number < best->number);
+  struct Triangles {
+    const AnyRay& ray;
+    const PosedMeshOf<Mesh>& mesh;
+    HitRule rule;
+    [[nodiscard]] auto hit(std::uint32_t slot) const { return query::first_hit(ray, mesh.triangle(slot), rule); }
+    [[nodiscard]] auto parameter(std::uint32_t slot) const {
+      return *query::first_hit_parameter(ray, mesh.triangle(slot), rule);
+    }
+    [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return mesh.bvh.number(slot); }
   };
-  const auto bound = [&](const BoxNode& node) {
+  return nearest_hit(mesh.bvh.tree, Triangles{ray, mesh, rule}, [&](const BoxNode& node) {
     const Aabb3 box = around(mesh, node);
     if (!is_bounded(box)) return -Interval::infinity;
     return hits(ray, box) ? entry_below(ray, box) : Interval::infinity;
-  };
-  descend_nearer_first(mesh.bvh.tree, limit, bound, [&](std::uint32_t first, std::uint32_t count, double& until) {
-    for (std::uint32_t slot = first; slot < first + count; ++slot) {
-      const auto hit = query::first_hit(ray, mesh.triangle(slot), rule);
-      if (!hit) continue;
-      const PosedHit found{mesh.bvh.number(slot), slot, *hit};
-      if (!is_before(found)) continue;
-      best = found;
-      until = std::min(until, raised(hit->t));
-    }
   });
-  if (!best) return {};
-  return NumberedHit{best->number, best->hit};
 }
 
 template <class Mesh>

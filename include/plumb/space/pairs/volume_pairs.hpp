@@ -14,22 +14,10 @@
 // Cost: N_v C_v + N_p C_p, of which pair_work says N_v and N_p.
 #pragma once
 
-#include "plumb/space/bvh/volume_tree.hpp"
+#include "plumb/space/bvh/volume_mesh.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 
 namespace plumb {
-
-/// A mesh, or one that has been moved, and volumes around its exact image; both must outlive it.
-template <class Volume>
-struct VolumeMesh {
-  PosedMesh mesh;
-  const VolumeTree<Volume>& volumes;
-
-  VolumeMesh(const PosedMesh& m, const VolumeTree<Volume>& v) : mesh(m), volumes(v) {}
-  VolumeMesh(const Bvh& m, const VolumeTree<Volume>& v) : mesh(m), volumes(v) {}
-  VolumeMesh(const PosedMesh&, VolumeTree<Volume>&&) = delete;  // which would not live
-  VolumeMesh(const Bvh&, VolumeTree<Volume>&&) = delete;
-};
 
 /// Of the volumes Sphere3, Aabb3, Obb3 and KDop3; k-DOPs of the same directions.
 template <class Volume>
