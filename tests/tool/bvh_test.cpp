@@ -44,6 +44,32 @@ TEST(BvhCommand, SaysWhatTheLibrarySays) {
   }
 }
 
+TEST(BvhCommand, DividesLongTriangles) {
+  const Folder folder;
+  TriangleMesh fan;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    fan.vertices.insert(fan.vertices.end(), {{0, 0.5 * i, 0}, {90, 90 + 0.5 * i, 90}, {0, 0.5 * i + 0.25, 0}});
+    fan.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  write_mesh(folder / "fan.obj", fan);
+  const std::string at = "cd " + (folder / "") + " && $PLUMB bvh ";
+  const json whole = json::parse(run(at + "--json - fan.obj").out),
+             parts = json::parse(run(at + "--split-share 1 --json - fan.obj").out);
+  const Bvh bvh = build_bvh(fan, {.split_share = 1});
+  EXPECT_EQ(whole.at("split_share"), 0);
+  EXPECT_EQ(whole.at("trees")[0].at("slots"), 100);
+  EXPECT_EQ(parts.at("split_share"), 1);
+  EXPECT_EQ(parts.at("trees")[0].at("slots"), bvh.slots());
+  EXPECT_GT(bvh.slots(), 100u);
+  EXPECT_EQ(parts.at("trees")[0].at("nodes"), cost_of(bvh.tree).nodes);
+  EXPECT_LT(parts.at("trees")[0].at("cost"), whole.at("trees")[0].at("cost"));
+  EXPECT_THAT(run(at + "--split-share 1 fan.obj").out,
+              HasSubstr("\nbinned: " + std::to_string(bvh.slots()) + " parts of 100 triangles\n"));
+  EXPECT_THAT(run(at + "fan.obj").out, Not(HasSubstr("parts of")));
+  EXPECT_EQ(run(at + "--split-share 1 --svg tree.svg fan.obj").code, 0);
+  EXPECT_THAT(content(folder / "tree.svg"), HasSubstr(std::to_string(cost_of(bvh.tree).nodes) + " nodes"));
+}
+
 TEST(BvhCommand, PrintsARowAMethod) {
   const Folder folder;
   const std::string at = in(folder), all = run(at + "--method all torus.obj").out;
@@ -163,6 +189,9 @@ TEST(BvhCommand, RefusesWhatItCannotDo) {
       {"torus.obj torus.obj", "one MESH is needed"},
       {"none.obj", "none.obj"},
       {"--method best torus.obj", "--method"},
+      {"--split-share -1 torus.obj", "--split-share"},
+      {"--split-share 17 torus.obj", "--split-share"},
+      {"--split-share nan torus.obj", "split_share"},
       {"--method all --svg t.svg torus.obj", "--svg draws one tree"},
       {"--svg t.obj torus.obj", "is the name of a mesh"},
       {"--svg torus.obj", "torus.obj"},

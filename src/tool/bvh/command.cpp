@@ -19,13 +19,13 @@ namespace {
 constexpr double item_cost = BvhOptions().item_cost;
 constexpr std::size_t most_for_pairs = 20'000;  // triangles that `all` hands to the quadratic builder
 
-BuiltTree built_by(BvhMethod method, const TriangleMesh& mesh) {
+BuiltTree built_by(const BvhOptions& options, const TriangleMesh& mesh) {
   using Milliseconds = std::chrono::duration<double, std::milli>;
-  BuiltTree built{method, {}, {}, 0, std::numeric_limits<double>::infinity()};
+  BuiltTree built{options.method, {}, {}, 0, 0, std::numeric_limits<double>::infinity()};
   double all = 0;
   for (int i = 0; i < 3 && all < 1000; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const Bvh bvh = build_bvh(mesh, {.method = method});
+    const Bvh bvh = build_bvh(mesh, options);
     const double took = Milliseconds(std::chrono::steady_clock::now() - start).count();
     all += took;
     built.build_ms = std::min(built.build_ms, took);
@@ -33,6 +33,7 @@ BuiltTree built_by(BvhMethod method, const TriangleMesh& mesh) {
     built.cost = cost_of(bvh.tree);
     built.levels = levels_of(bvh.tree);
     built.bytes = memory_of(bvh);
+    built.slots = bvh.slots();
   }
   return built;
 }
@@ -52,14 +53,14 @@ std::string word_of(BvhMethod method) {
 }
 
 BvhReport bvh_report(const BvhArguments& arguments, AskedMesh mesh) {
-  BvhReport report{std::move(mesh), {}, {}};
+  BvhReport report{std::move(mesh), arguments.split_share, {}, {}};
   for (const BvhMethod method : bvh_methods) {
     if (!arguments.all() && method_of(arguments.method) != method) continue;
     const TriangleMesh& triangles = report.mesh.mesh;
     if (arguments.all() && method == BvhMethod::nearest_pairs && triangles.triangles.size() > most_for_pairs) {
       report.left_out.push_back(method);
     } else {
-      report.trees.push_back(built_by(method, triangles));
+      report.trees.push_back(built_by({.method = method, .split_share = arguments.split_share}, triangles));
     }
   }
   return report;
@@ -74,6 +75,12 @@ std::string bvh_text(const BvhReport& r, const Style& style) {
                         grouped(t.cost.leaves), t.cost.depth, t.cost.total(1, item_cost), bytes_per_triangle(r, t),
                         three_digits(t.build_ms));
   }
+  if (r.split_share > 0) {
+    for (const BuiltTree& t : r.trees) {
+      text += fmt::format("{}: {} parts of {}\n", word_of(t.method), grouped(t.slots),
+                          plural(r.mesh.mesh.triangles.size(), "triangle", "triangles"));
+    }
+  }
   for (const BvhMethod method : r.left_out)
     text +=
         fmt::format("{0} is quadratic and left out of so many triangles; --method {0} builds it\n", word_of(method));
@@ -86,6 +93,7 @@ nlohmann::json bvh_json(const BvhReport& r) {
   using nlohmann::json;
   json said = origin_json("plumb bvh");
   said.update(mesh_json(r.mesh));
+  said["split_share"] = r.split_share;
   json& trees = said["trees"] = json::array();
   for (const BuiltTree& t : r.trees) {
     json levels = json::array();
@@ -93,6 +101,7 @@ nlohmann::json bvh_json(const BvhReport& r) {
       levels.push_back(
           {{"nodes", l.nodes}, {"leaves", l.leaves}, {"nodes_met", l.nodes_met}, {"triangles_met", l.items_met}});
     trees.push_back({{"method", word_of(t.method)},
+                     {"slots", t.slots},
                      {"nodes", t.cost.nodes},
                      {"leaves", t.cost.leaves},
                      {"depth", t.cost.depth},
@@ -122,7 +131,8 @@ int run_bvh(const BvhArguments& arguments) {
   if (arguments.json) outputs.write("--json", json_text(bvh_json(report)));
   if (arguments.svg) {
     const BvhMethod method = method_of(arguments.method);
-    outputs.write("--svg", tree_svg(report.mesh.name, build_bvh(report.mesh.mesh, {.method = method}).tree, method));
+    const Bvh bvh = build_bvh(report.mesh.mesh, {.method = method, .split_share = arguments.split_share});
+    outputs.write("--svg", tree_svg(report.mesh.name, bvh.tree, method));
   }
   outputs.keep();
   return 0;

@@ -25,6 +25,7 @@ std::string word_of(BvhMethod method);
 struct BvhArguments {
   MeshArguments meshes;  // one file
   std::string method = "binned";
+  float split_share = 0;                 // as BvhOptions has it
   std::optional<std::string> json, svg;  // "-" is standard output
   bool overwrite = false;
 
@@ -48,12 +49,13 @@ struct BuiltTree {
   BvhMethod method;
   TreeCost cost;
   std::vector<TreeLevel> levels;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0, slots = 0;  // a triangle that is split is in several
   double build_ms = 0;
 };
 
 struct BvhReport {
   AskedMesh mesh;
+  float split_share = 0;
   std::vector<BuiltTree> trees;
   std::vector<BvhMethod> left_out;  // too slow for this mesh
 };

@@ -18,6 +18,11 @@ line meets that goes through the mesh's box somewhere, on the average,
 and half of how many triangles lie in the leaves among them. Every tree
 gives the same answers; they differ in cost and in the time of a build.
 
+--split-share lets the tree have at most so many parts more than
+triangles, as a share of these: those whose boxes are emptiest are
+divided first, and lie in several leaves. 0.2 helps where triangles are
+long and lie across the axes; elsewhere it costs memory.
+
 --svg draws the tree: for some depths the boxes that hold the mesh
 there, seen along its shortest axis, and a bar for the cost of each
 depth. Boxes that overlap cost both.)"},
@@ -46,6 +51,9 @@ insertion
            {"EXAMPLES", R"(
 plumb bvh --method all part.stl
        All builders, in a table.
+
+plumb bvh --split-share 0.2 needles.stl
+       What dividing long triangles gains.
 
 plumb bvh --method linear --svg tree.svg part.stl
        One tree, drawn.)"}}};

@@ -16,6 +16,11 @@ Command bvh_command(CLI::App& program) {
       ->check(CLI::IsMember(methods))
       ->capture_default_str()
       ->type_name("NAME");
+  parser
+      ->add_option("--split-share", o.split_share,
+                   "Divide long triangles, into at most so many parts more, as a share of the triangles.")
+      ->check(CLI::Range(0.0, 16.0))
+      ->type_name("X");
   add_output(parser, "--json", o.json, "Write the numbers as JSON");
   add_output(parser, "--svg", o.svg, "Draw the boxes at some depths, and what each depth costs, as SVG");
   parser->add_flag("--overwrite", o.overwrite, "Replace the file of --svg where it is there.");
