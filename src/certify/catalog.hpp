@@ -11,12 +11,9 @@
 
 #include "plumb/certify/decision.hpp"
 #include "plumb/certify/detail/tape.hpp"
+#include "plumb/certify/plan.hpp"
 
 namespace plumb {
-
-/// Of coordinates, for which a plan takes each of its arithmetics but the chain (certify/plan.hpp, in their order);
-/// -1 where it has none.
-using PlannedBits = std::array<int, 5>;
 
 struct CatalogEntry {
   std::string_view name;

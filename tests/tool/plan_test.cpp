@@ -185,6 +185,9 @@ TEST(Plan, TextJsonAndChartAgree) {
       EXPECT_EQ(p["contradictions"], 0);
       EXPECT_EQ(p["plan"], to_string(arithmetic_of(classics()[k].planned_bits, row["bits"])));
       EXPECT_EQ(p["decisions"].get<int>() != 0, p["plan_ns"].get<double>() > 0);
+      if (p["decisions"] != 0) {
+        EXPECT_EQ(p["take"], p["plan_ns"] <= p["decide_ns"] ? "plan" : "decide");
+      }
     }
     if (row.contains("greatest_move")) {
       EXPECT_GE(row["greatest_move"], move);
@@ -200,6 +203,7 @@ TEST(Plan, TextJsonAndChartAgree) {
     least = HUGE_VAL;
     for (const json& kind : b["kinds"]) least = std::min(least, kind["query_ns"].get<double>());
     EXPECT_EQ(b["with_ns"], least);
+    EXPECT_EQ(b["take"], b["with_ns"] < b["without_ns"] ? b["chosen"] : json("none"));
   }
   ASSERT_EQ(j["trees"].size(), 2);
   EXPECT_EQ(j["trees"][1]["mesh"], "long.off");
@@ -229,6 +233,34 @@ TEST(Plan, TextJsonAndChartAgree) {
   EXPECT_THAT(chart,
               AllOf(StartsWith("<svg "), HasSubstr("a scene of 2 meshes"), HasSubstr(">short.off</text>"),
                     HasSubstr("turned</text>"), HasSubstr("</svg>"), Not(HasSubstr("\"nan")), Not(HasSubstr("\"inf"))));
+}
+
+/// Of one mesh whose plan takes so long.
+ScenePlan measured(double decide_ns, double plan_ns) {
+  ScenePlan scene;
+  scene.names = {"a.off"};
+  scene.vertices = {4};
+  scene.triangles = {2};
+  scene.lattices = {Lattice{0, 70}};
+  ScenePlanRow row{70, 0, {}, {}, {}};
+  row.arithmetic.fill(Arithmetic::bounded_chain);
+  row.times.fill({100, 0, 1, decide_ns, 2, plan_ns});
+  scene.rows = {row, row};
+  scene.rows[1].bits = 12;
+  scene.rows[1].arithmetic.fill(Arithmetic::plain_double);
+  scene.rows[1].damage.resize(1);
+  return scene;
+}
+
+TEST(Plan, RecommendsNothingThatTookLonger) {
+  const std::string pays = plan_text(measured(7, 5), false, Style(false)),
+                    does_not = plan_text(measured(5, 7), false, Style(false));
+  EXPECT_THAT(pays, AllOf(HasSubstr("7.0     2.0     5.0  plan\n"), Not(HasSubstr("  decide\n")),
+                          HasSubstr("bounded 5.0"), HasSubstr("double 5.0")));
+  EXPECT_THAT(does_not, AllOf(HasSubstr("5.0     2.0     7.0  decide\n"), Not(HasSubstr("  plan\n")),
+                              HasSubstr("  decide 5.0"), Not(HasSubstr("double 7.0"))));
+  EXPECT_EQ(measured(5, 5).rows[0].times[0].taken(), "plan");
+  EXPECT_EQ(DecisionTimes{}.taken(), "-");
 }
 
 TEST(TreePlan, TakesWhatCostsLeastForSoManyRays) {

@@ -12,6 +12,7 @@
 // Cost: constants of a formula, found when compiled.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,9 @@ enum class Arithmetic : std::uint8_t {
   chain,             // the filter and the exact stages of decide; formulas whose terms differ in degree have no other
 };
 inline constexpr std::size_t arithmetic_count = 6;
+
+/// The most bits of coordinates for which a formula has each of them but the chain, in order; -1 where it has none.
+using PlannedBits = std::array<int, arithmetic_count - 1>;
 
 /// "plain double", "integers to 128 bits", ...
 std::string_view to_string(Arithmetic a);

@@ -17,7 +17,8 @@ json json_of(const Lattice& l) { return {{"exponent", l.exponent}, {"bits", l.bi
 json json_of(const DecisionTimes& t) {
   return {{"decisions", t.decisions}, {"contradictions", t.contradictions},
           {"bare_ns", t.plain},       {"decide_ns", t.decide},
-          {"batch_ns", t.batch},      {"plan_ns", t.plan}};
+          {"batch_ns", t.batch},      {"plan_ns", t.plan},
+          {"take", t.taken()}};
 }
 
 json json_of(const ScenePlanRow& row) {
@@ -50,8 +51,13 @@ json json_of(const ScenePlanRow& row) {
 }
 
 json json_of(const BoundPlan& b) {
-  json j{{"mesh", b.rated.name},         {"chosen", name_of(bound_kinds[b.chosen])},        {"with_ns", b.with_ns()},
-         {"without_ns", b.without_ns()}, {"placements", b.rated.ratings.placements.size()}, {"kinds", json::array()}};
+  json j{{"mesh", b.rated.name},
+         {"take", b.taken()},
+         {"chosen", name_of(bound_kinds[b.chosen])},
+         {"with_ns", b.with_ns()},
+         {"without_ns", b.without_ns()},
+         {"placements", b.rated.ratings.placements.size()},
+         {"kinds", json::array()}};
   for (std::size_t k = 0; k < bound_kinds.size(); ++k) {
     const BoundRating& r = b.rated.ratings.kinds[k];
     j["kinds"].push_back({{"kind", name_of(bound_kinds[k])},

@@ -21,8 +21,9 @@ arithmetic
        (class Kernel). With --all the plan of every predicate.
 times
        Of a decision, in nanoseconds: by the bare formula, which may be
-       wrong, by decide, by batches, and by the plan. Decisions are some
-       8000 of those that `plumb check` takes.
+       wrong, by decide, by batches, and by the plan; "take" says which
+       of decide and the plan took less. Decisions are some 8000 of
+       those that `plumb check` takes.
 coarser lattices
        Each one on which a predicate gets by with less. Every coordinate
        is snapped to the nearest multiple of the step. The greatest move
@@ -33,7 +34,8 @@ bounding volume
        For each mesh the kind that choose_bound takes with the times of
        overlap tests measured here; how often it overlaps where two
        copies of the mesh are placed at random, their spheres meeting;
-       what a query is expected to take with the volume and without.
+       what a query is expected to take with the volume and without;
+       "none" where that is no less.
 tree of boxes
        For each mesh what three trees take to be built, and what a ray
        and a nearest triangle then take, by one thread; without a tree a

@@ -3,7 +3,8 @@
 //
 // Laws: (1) all but the times depends on the meshes and the options alone; (2) `decide` and the plan are asked the same
 // decisions, those that mesh software takes on these meshes (tool/mesh/decisions.hpp), and their answers are compared; (3) a
-// coarser lattice is listed where some classic predicate gets a cheaper arithmetic on it, and nowhere else.
+// coarser lattice is listed where some classic predicate gets a cheaper arithmetic on it, and nowhere else; (4) nothing
+// is recommended that took longer, as measured here, than doing without it.
 // Source: RTCD 4.1, 11.4, 11.5.1, 13.1 (measure first).
 // Cost: some seconds for a large mesh.
 #pragma once
@@ -31,6 +32,11 @@ inline constexpr std::size_t classic_count = 4;
 struct DecisionTimes {
   std::uint64_t decisions = 0, contradictions = 0;  // between decide and the plan: none, or something is broken
   double plain = 0, decide = 0, batch = 0, plan = 0;
+
+  /// Is the plan what to take, one decision at a time?  Not where it took longer than decide here.
+  [[nodiscard]] bool plan_pays() const { return plan <= decide; }
+  /// "plan" or "decide"; "-" where nothing was asked.
+  [[nodiscard]] std::string_view taken() const { return decisions == 0 ? "-" : plan_pays() ? "plan" : "decide"; }
 };
 
 struct NamedMesh {
@@ -59,6 +65,10 @@ struct BoundPlan {
   std::size_t chosen;  // of bound_kinds
   [[nodiscard]] double with_ns() const { return rated.expected_ns(chosen); }
   [[nodiscard]] double without_ns() const { return rated.refined_ns; }
+  /// The kind to take; "none" where a query is expected to take no less with it than without.
+  [[nodiscard]] std::string_view taken() const {
+    return with_ns() < without_ns() ? name_of(bound_kinds[chosen]) : std::string_view("none");
+  }
 };
 
 struct ScenePlan {

@@ -41,14 +41,14 @@ std::string less_alone(const ScenePlan& scene) {
 std::string time(double ns) { return ns == 0 ? std::string(1, '-') : fmt::format("{:.1f}", ns); }
 
 std::string predicates(const ScenePlan& scene, const Style& style) {
-  std::string s = style.bold(fmt::format("  {:<10}{:<31}{:<43}{:>7}{:>8}{:>8}{:>8}\n", "", "least exact arithmetic",
-                                         "plan", "bare ns", "decide", "batch", "plan"));
+  std::string s = style.bold(fmt::format("  {:<10}{:<31}{:<43}{:>7}{:>8}{:>8}{:>8}  {}\n", "", "least exact arithmetic",
+                                         "plan", "bare ns", "decide", "batch", "plan", "take"));
   const std::vector<Saving> savings = lattice_savings(scene.lattice());
   for (std::size_t k = 0; k < savings.size(); ++k) {
     const DecisionTimes& t = scene.rows[0].times[k];
-    s += fmt::format("  {:<10}{:<31}{:<43}{:>7}{:>8}{:>8}{:>8}\n", savings[k].predicate,
+    s += fmt::format("  {:<10}{:<31}{:<43}{:>7}{:>8}{:>8}{:>8}  {}\n", savings[k].predicate,
                      fmt::format("{} ({} bits)", savings[k].suffices, savings[k].value_bits), savings[k].plan,
-                     time(t.plain), time(t.decide), time(t.batch), time(t.plan));
+                     time(t.plain), time(t.decide), time(t.batch), time(t.plan), t.taken());
     if (!savings[k].skips.empty()) s += style.dim(fmt::format("  {:<10}never needs {}\n", "", savings[k].skips));
   }
   std::array<std::size_t, arithmetic_count> needs{};
@@ -85,16 +85,19 @@ std::string lattices(const ScenePlan& scene, const Style& style) {
     s += given ? fmt::format("{:>8}{:>10}{:>12}", "", "", "")
                : fmt::format("{:>8}{:>10}{:>12}", row.merged(), row.collapsed(), row.turned_over());
     for (std::size_t k = 0; k < row.times.size(); ++k) {
+      const DecisionTimes& t = row.times[k];
       const std::string cell =
-          fmt::format("  {:>15}", fmt::format("{} {}", short_name(row.arithmetic[k]), time(row.times[k].plan)));
-      s += row.arithmetic[k] < scene.rows[0].arithmetic[k] ? style.green(cell) : cell;
+          fmt::format("  {:>15}", t.plan_pays() ? fmt::format("{} {}", short_name(row.arithmetic[k]), time(t.plan))
+                                                : fmt::format("decide {}", time(t.decide)));
+      s += t.plan_pays() && row.arithmetic[k] < scene.rows[0].arithmetic[k] ? style.green(cell) : cell;
     }
     s += '\n';
   }
   if (scene.rows.size() == 1) return s;
-  return s + style.dim(
-                 "  move: of a coordinate, exactly. merged: points that were distinct. collapsed: to zero area. turned "
-                 "over: by more\n  than a right angle. ns of the plan, a decision.\n");
+  return s +
+         style.dim(
+             "  move: of a coordinate, exactly. merged: points that were distinct. collapsed: to zero area. turned "
+             "over: by more\n  than a right angle. ns a decision, of the plan, or of decide where that took less.\n");
 }
 
 /// As much of a name as a column takes.
@@ -109,9 +112,8 @@ std::string volumes(const ScenePlan& scene, const Style& style) {
   for (const BoundPlan& b : scene.bounds) {
     const BoundRating& r = b.rated.ratings.kinds[b.chosen];
     const auto placements = static_cast<double>(b.rated.ratings.placements.size());
-    s += fmt::format("  {:<24}{:<10}{:>8.1f}{:>9.1f}%{:>12.1f}{:>12.1f}\n", shortened(b.rated.name),
-                     name_of(bound_kinds[b.chosen]), r.test_ns, placements == 0 ? 0 : 100 * r.overlapping / placements,
-                     b.with_ns(), b.without_ns());
+    s += fmt::format("  {:<24}{:<10}{:>8.1f}{:>9.1f}%{:>12.1f}{:>12.1f}\n", shortened(b.rated.name), b.taken(),
+                     r.test_ns, placements == 0 ? 0 : 100 * r.overlapping / placements, b.with_ns(), b.without_ns());
   }
   return s;
 }
