@@ -174,7 +174,7 @@ TEST(Plan, TextJsonAndChartAgree) {
   const int bits = j["lattice"]["bits"];
   EXPECT_GT(bits, 50);
   EXPECT_EQ(j["lattices"][0]["bits"], bits);
-  EXPECT_EQ(j["lattices"].size(), bits > 62 ? 13 : 12);  // each number of bits at which a classic gets by with less
+  EXPECT_EQ(j["lattices"].size(), bits > 62 ? 14 : 13);  // each number of bits at which a classic gets by with less
   int last = bits + 1;
   double move = -1;
   for (const json& row : j["lattices"]) {
