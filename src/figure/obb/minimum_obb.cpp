@@ -119,7 +119,7 @@ Obb3 smallest_fit(const std::array<Vector3, 3>& axes, std::span<const Point3> po
   constexpr std::array upright{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
   for (const auto& tried : {axes, upright, needle_axes(points)}) {
     const auto box = fitted(tried, points);
-    if (box && (!best || (exact_volume(*box) - exact_volume(*best)).sign() == Sign::negative)) best = box;
+    if (box && (!best || figure::compare_volumes(*box, *best) == Sign::negative)) best = box;
   }
   return best ? *best : fit_obb(axes, points);
 }

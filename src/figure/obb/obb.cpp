@@ -9,6 +9,7 @@
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
 #include "figure/obb/enclose.hpp"
+#include "figure/obb/exact_volume.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb {
@@ -44,22 +45,18 @@ bool is_finite(const Obb3& box) {
   return zero + (box.center.x - box.center.x) + (box.center.y - box.center.y) + (box.center.z - box.center.z) == 0;
 }
 
-// In doubles, to choose between boxes: volume first, then surface; the lengths may underflow to zero.
-struct Extent {
-  double volume, surface;
-
-  explicit Extent(const Obb3& box) {
+// Volume first, exactly; then surface in doubles.
+bool is_tighter(const Obb3& a, const Obb3& b) {
+  const Sign order = figure::compare_volumes(a, b);
+  if (order != Sign::zero) return order == Sign::negative;
+  const auto surface = [](const Obb3& box) {
     const auto length = [](const Vector3& v) { return std::hypot(v.x, v.y, v.z); };
     const double x = box.half.x * length(box.axes[0]), y = box.half.y * length(box.axes[1]),
                  z = box.half.z * length(box.axes[2]);
-    volume = box.half.x * box.half.y * box.half.z *
-             std::fabs(figure::frame::dot(box.axes[0], figure::frame::cross(box.axes[1], box.axes[2])));
-    surface = x * y + y * z + z * x;
-  }
-  friend bool operator<(const Extent& a, const Extent& b) {
-    return a.volume != b.volume ? a.volume < b.volume : a.surface < b.surface;
-  }
-};
+    return x * y + y * z + z * x;
+  };
+  return surface(a) < surface(b);
+}
 
 Point3 halfway(const Point3& a, const Point3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
@@ -189,7 +186,7 @@ Obb3 merge(const Obb3& a, const Obb3& b) {
         figure::frame::orthonormal({apart, right_b[0], right_b[1]})}) {
     const Point3 center = figure::enclosing::center(axes, all);
     const Obb3 box{center, axes, figure::enclosing::half(axes, center, bodies)};
-    if (!best || (is_finite(box) && (!is_finite(*best) || Extent(box) < Extent(*best)))) best = box;
+    if (!best || (is_finite(box) && (!is_finite(*best) || is_tighter(box, *best)))) best = box;
   }
   return checked(*best, "merge");
 }

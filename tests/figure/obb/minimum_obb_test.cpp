@@ -296,6 +296,22 @@ TEST(MinimumObbTest, SaysHowNearWhereDoublesEnd) {
   EXPECT_EQ(certified_minimum_obb(one).least_volume.upper, 0);
 }
 
+// The least of several merged boxes, by volumes that doubles do not hold as well.
+TEST(MinimumObbTest, MergesChooseAlikeAtAnyScale) {
+  for (std::uint64_t i = 0; i < 20 * more; ++i) {
+    Entropy entropy(424, i);
+    const Obb3 a = obb_cases::turned(entropy), b = obb_cases::turned(entropy), both = merge(a, b);
+    for (const int exponent : {-420, 420}) {
+      const auto scaled = [exponent](Obb3 box) {
+        for (double* x : {&box.center.x, &box.center.y, &box.center.z, &box.half.x, &box.half.y, &box.half.z})
+          *x = std::ldexp(*x, exponent);
+        return box;
+      };
+      ASSERT_EQ(merge(scaled(a), scaled(b)), scaled(both)) << "424 " << i;
+    }
+  }
+}
+
 // No rectangle along the axes of the plane is smaller, though an edge's direction is rounded.
 TEST(MinimumObbTest, RectanglesAreNoLargerThanUprightOnes) {
   for (const FamilyInfo& info : families) {
