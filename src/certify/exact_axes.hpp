@@ -5,7 +5,6 @@
 // Cost: that of the numbers.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -60,6 +59,10 @@ Axes<T> magnitude(const Axes<T>& a) {
   return each(a, [](const T& s) { return magnitude(s); });
 }
 template <class T>
+auto negated(const Axes<T>& a) {
+  return (a - a) - a;
+}
+template <class T>
 auto twice(const Axes<T>& a) {
   return a + a;
 }
@@ -91,12 +94,20 @@ ColumnsOf<T> transposed(const Axes<T>& a, const Axes<T>& b, const Axes<T>& c) {
 }
 /// Lane by lane: of doubles as given, of signs, of what is judged.
 template <class T>
+bool is_less(const T& a, const T& b) {
+  if constexpr (requires { a < b; }) {
+    return a < b;
+  } else {
+    return (a - b).sign() == Sign::negative;
+  }
+}
+template <class T>
 Axes<T> larger(const Axes<T>& a, const Axes<T>& b) {
-  return each(a, b, [](const T& s, const T& t) { return std::max(s, t); });
+  return each(a, b, [](const T& s, const T& t) { return is_less(s, t) ? t : s; });
 }
 template <class T>
 Axes<T> smaller(const Axes<T>& a, const Axes<T>& b) {
-  return each(a, b, [](const T& s, const T& t) { return std::min(s, t); });
+  return each(a, b, [](const T& s, const T& t) { return is_less(t, s) ? t : s; });
 }
 inline Axes<bool> operator&(const Axes<bool>& a, const Axes<bool>& b) { return {a.x && b.x, a.y && b.y, a.z && b.z}; }
 
@@ -174,6 +185,10 @@ class ExactAxes {
       if constexpr (sizeof...(parts) != 0) is_none = (zero(parts) & ...);
       heed_one(s.x, is_none.x), heed_one(s.y, is_none.y), heed_one(s.z, is_none.z);
     }
+    void heed_ahead(const auto& way, const auto& up, const auto& down) {
+      const Axes<Sign> at = signs(way), u = signs(up), d = signs(down);
+      heed_ahead_one(at.x, u.x, d.x), heed_ahead_one(at.y, u.y, d.y), heed_ahead_one(at.z, u.z, d.z);
+    }
     /// Axes that are zero were passed over, and those left are all only if this is so.
     void need(const Axes<bool>& have_inside) {
       if (!apart_) world_.require(have_inside);
@@ -190,6 +205,10 @@ class ExactAxes {
     }
 
    private:
+    void heed_ahead_one(Sign way, Sign up, Sign down) {
+      if (way != Sign::negative) heed_one(up, false);
+      if (way != Sign::positive) heed_one(down, false);
+    }
     void heed_one(Sign s, bool is_none) {
       apart_ = apart_ || s == Sign::positive;
       level_ = level_ || (s == Sign::zero && !is_none);

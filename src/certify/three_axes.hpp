@@ -55,6 +55,10 @@ template <class T>
 struct ColumnsOf {
   T x, y, z;
 };
+HWY_INLINE ColumnsOf<Given<Three>> transposed(const Given<Three>& a, const Given<Three>& b, const Given<Three>& c) {
+  const Columns all = transposed(a.value, b.value, c.value);
+  return {{all.x}, {all.y}, {all.z}};
+}
 template <Track A>
 HWY_INLINE auto transposed(const Tracked<Three, A>& a, const Tracked<Three, A>& b, const Tracked<Three, A>& c) {
   using T = Tracked<Three, derive::alike_in_all(A)>;

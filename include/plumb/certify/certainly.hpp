@@ -58,6 +58,7 @@ constexpr bool all(bool x) { return x; }
 namespace plumb {
 
 inline Rational magnitude(const Rational& x) { return x.sign() == Sign::negative ? -x : x; }
+inline Rational negated(const Rational& x) { return -x; }
 inline Rational larger(const Rational& a, const Rational& b) { return a < b ? b : a; }
 inline Rational smaller(const Rational& a, const Rational& b) { return b < a ? b : a; }
 inline Rational twice(const Rational& x) { return x + x; }

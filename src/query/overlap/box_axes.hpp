@@ -18,6 +18,7 @@
 #endif
 
 #include "certify/three_axes.hpp"
+#include "figure/obb/fifteen_axes.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "query/overlap/linear3.hpp"
 
@@ -25,6 +26,8 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb::query::box_axes::HWY_NAMESPACE {
 
 using certify::three_lanes::HWY_NAMESPACE::crossed;
+namespace fifteen_axes = figure::fifteen_axes::HWY_NAMESPACE;
+using fifteen_axes::along, fifteen_axes::cofactors;
 
 /// What a box with the axes of space is to a world.
 template <class W>
@@ -135,6 +138,93 @@ struct TriangleAndBox {
       return w.is_any(flat) || t.a == t.b || t.b == t.c || t.c == t.a;
     });
     return gaps.template relation<Relation>(width);
+  }
+};
+
+/// An oriented box is mapped to a box with the axes of a frame by the matrix of its cofactors, whose rows are its face
+/// normals n_i: |n_i . 2 (p - c)| <= 2 half_i volume.  Its axes are of scale 1, a lane an axis of the box, and its half
+/// extents weights over it.
+template <class W>
+HWY_INLINE auto columns_of(W& w, const Obb3& b) {
+  const auto given = transposed(w.given(b.axes[0]), w.given(b.axes[1]), w.given(b.axes[2]));
+  using Number = decltype(w.template number<1>(given.x));
+  return fifteen_axes::CofactorsOf<Number>{w.template number<1>(given.x), w.template number<1>(given.y),
+                                           w.template number<1>(given.z)};
+}
+/// Twice the half extents in the frame.
+template <class W, class C, class N>
+HWY_INLINE auto doubled_half(W& w, const Obb3& b, const C& columns, const N& normals) {
+  return twice(magnitude(w.template weight<1>(w.given(b.half)))) *
+         magnitude(along(normals, columns.x, columns.y, columns.z));
+}
+template <class N, class V>
+HWY_INLINE auto seen_along(const N& normals, const V& v) {
+  return along(normals, spread<0>(v), spread<1>(v), spread<2>(v));
+}
+
+/// Of a segment the way is to its other end; of a ray and a line it has a scale of its own.
+template <LinearKind reach>
+struct StraightAndObb {
+  static constexpr bool is_segment = reach == LinearKind::segment;
+  static constexpr int highest = 6;
+  static constexpr Scales scales{.count = is_segment ? 2 : 3, .each_axis = 0b10, .weights = 0b10};
+  template <class W>
+  HWY_INLINE Relation operator()(W& w, const Point3& p, const auto& way_or_end, const Obb3& b) const {
+    const auto columns = columns_of(w, b);
+    const auto normals = cofactors(columns);
+    const auto half = doubled_half(w, b, columns, normals);
+    const auto from = w.difference(w.given(p), w.given(b.center));
+    const auto way = [&]() HWY_ATTR {
+      if constexpr (is_segment) {
+        return w.difference(w.given(way_or_end), w.given(p));
+      } else {
+        return w.template number<2>(way_or_end);
+      }
+    }();
+    // Of a segment the middle, else the origin; twice.
+    const auto point = seen_along(normals, [&]() HWY_ATTR {
+      if constexpr (is_segment) {
+        return twice(from) + way;
+      } else {
+        return twice(from);
+      }
+    }());
+    const auto d = seen_along(normals, way);
+    const auto d_turned = turned(d);
+    auto gaps = w.gaps();
+    const auto gap = magnitude(crossed(point, turned(point), d, d_turned)) -
+                     turned_product(half, turned(half), magnitude(d), magnitude(d_turned));
+    gaps.heed(gap, d, d_turned);
+    if constexpr (is_segment) gaps.heed((magnitude(point) - half) - magnitude(d));
+    if constexpr (reach == LinearKind::ray) gaps.heed_ahead(d, point - half, negated(point) - half);
+    if constexpr (!is_segment) gaps.need(w.positive(total(magnitude(way))));
+    gaps.need(w.positive(half));
+    return gaps.template relation<Relation>(half);
+  }
+};
+
+struct TriangleAndObb {
+  static constexpr int highest = 9;
+  static constexpr Scales scales{.count = 2, .each_axis = 0b10, .weights = 0b10};
+  template <class W>
+  HWY_INLINE Relation operator()(W& w, const Triangle3& t, const Obb3& b) const {
+    const auto columns = columns_of(w, b);
+    const auto normals = cofactors(columns);
+    const auto half = doubled_half(w, b, columns, normals);
+    const auto center = w.given(b.center);
+    const auto x = seen_along(normals, w.difference(w.given(t.a), center)),
+               y = seen_along(normals, w.difference(w.given(t.b), center)),
+               z = seen_along(normals, w.difference(w.given(t.c), center));
+    const std::array corner{twice(x), twice(y), twice(z)};
+    const std::array edge{y - x, z - y, x - z};
+    auto gaps = w.gaps();
+    const auto low = smaller(smaller(corner[0], corner[1]), corner[2]);
+    const auto high = larger(larger(corner[0], corner[1]), corner[2]);
+    gaps.heed(larger(low, negated(high)) - half);
+    if (gaps.is_apart()) return Relation::disjoint;
+    across_triangle(w, gaps, corner, edge, half, []() HWY_ATTR { return false; });
+    gaps.need(w.positive(half));
+    return gaps.template relation<Relation>(half);
   }
 };
 

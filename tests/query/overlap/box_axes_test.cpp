@@ -112,6 +112,42 @@ TEST(BoxAxes, DerivedBoundsAreAsRecorded) {
   expect_bounds("ray_box", axes::UnboundedAndBox<LinearKind::ray>{}, p, Vector3{1, 2, -3}, box);
   expect_bounds("line_box", axes::UnboundedAndBox<LinearKind::line>{}, p, Vector3{1, 2, -3}, box);
   expect_bounds("triangle_box", axes::TriangleAndBox{}, Triangle3{p, q, r}, box);
+  const Obb3 turned{{0, 0, 0}, {Vector3{0.6, 0.8, 0}, Vector3{-0.8, 0.6, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};
+  expect_bounds("segment_obb", axes::StraightAndObb<LinearKind::segment>{}, p, q, turned);
+  expect_bounds("ray_obb", axes::StraightAndObb<LinearKind::ray>{}, p, Vector3{1, 2, -3}, turned);
+  expect_bounds("line_obb", axes::StraightAndObb<LinearKind::line>{}, p, Vector3{1, 2, -3}, turned);
+  expect_bounds("triangle_obb", axes::TriangleAndObb{}, Triangle3{p, q, r}, turned);
+}
+
+/// A box that is turned, of short numbers; now and then flat or skew.
+Obb3 turned_box(Entropy& e) {
+  const auto number = [&](std::int64_t most) { return static_cast<double>(e.within(most)); };
+  const auto vector = [&] { return Vector3{number(4), number(4), number(4)}; };
+  return {{number(3), number(3), number(3)}, {vector(), vector(), vector()}, {number(1), number(2), number(1)}};
+}
+TEST(BoxAxes, EveryWorldGivesTheRelationToTurnedBoxes) {
+  std::array<int, 4> by_floats{}, by_exact{};
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    Entropy e(21, i);
+    const Obb3 box = turned_box(e);
+    const auto number = [&] { return static_cast<double>(e.within(1 << 10)) * 0x1p-6; };
+    const Point3 p{number(), number(), number()}, q{number(), number(), number()}, r{number(), number(), number()};
+    const Vector3 d{q.x, q.y, q.z};
+    const std::array answers{ask(axes::StraightAndObb<LinearKind::segment>{}, p, q, box),
+                             ask(axes::StraightAndObb<LinearKind::ray>{}, p, d, box),
+                             ask(axes::StraightAndObb<LinearKind::line>{}, p, d, box),
+                             ask(axes::TriangleAndObb{}, Triangle3{p, q, r}, box)};
+    const std::array truths{relate(Segment3{p, q}, box), relate(Ray3{p, d}, box), relate(Line3{p, d}, box),
+                            relate(Triangle3{p, q, r}, box)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto& [floats, exact] = answers[k];
+      by_floats[k] += floats.has_value(), by_exact[k] += exact.has_value();
+      ASSERT_TRUE(!floats || floats == truths[k]) << k << ", replay: " << i;
+      ASSERT_TRUE(!exact || exact == truths[k]) << k << ", replay: " << i;
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_GE(by_floats[k], 600) << k;
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_GE(by_exact[k], 450) << k;
 }
 
 TEST(BoxAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {

@@ -59,6 +59,10 @@ template <class V, Track A>
   return Tracked<V, derive::twice(A)>{a.value + a.value};
 }
 template <class V, Track A>
+[[gnu::always_inline]] constexpr auto negated(const Tracked<V, A>& a) {
+  return Tracked<V, A>{of_all(0) - a.value};
+}
+template <class V, Track A>
 [[gnu::always_inline]] constexpr auto magnitude(const Tracked<V, A>& a) {
   return Tracked<V, A>{size(a.value)};
 }
@@ -131,7 +135,7 @@ class Floats {
   /// A number by itself of which scale 0 has the product with scale `over`: of its power, over that scale's.
   template <std::size_t over>
   [[gnu::always_inline]] constexpr auto weight(const Given<V>& a) {
-    static_assert(over != 0 && (of.weights >> over & 1) != 0 && !start.is_of_axes(0) && !start.is_of_axes(over));
+    static_assert(over != 0 && (of.weights >> over & 1) != 0 && !start.is_of_axes(0));
     weights_[over] = has_weight_[over] ? weights_[over] + size(a.value) : size(a.value);
     has_weight_[over] = true;
     return Tracked<V, derive::weight(0, over, start)>{a.value};
@@ -348,6 +352,14 @@ class Gaps {
       below_.both(below | none);
       settled_.both(below | none);
     }
+  }
+  /// Of what goes on that way for ever: where the way is up the first gap counts, where it is down the second, else both.
+  [[gnu::always_inline]] constexpr void heed_ahead(const auto& way, const auto& up, const auto& down) {
+    const Truth is_up = world_.positive(way), is_down = world_.negative(way);
+    const Truth below_up = world_.negative(up), below_down = world_.negative(down);
+    const Truth below = ((below_up & is_up) | (below_down & is_down)) | (below_up & below_down);
+    apart_.either((world_.positive(up) & is_up) | (world_.positive(down) & is_down));
+    below_.both(below), settled_.both(below);
   }
   /// Doubles pass over no axis whose parts are computed, and so need nothing of those that are left.
   [[gnu::always_inline]] constexpr void need(const auto&) {}
