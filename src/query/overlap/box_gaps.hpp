@@ -1,17 +1,15 @@
-// Separating axis test, error bounds: how far off may doubles be that tell how a box lies to a triangle, or to what is
-// straight?
+// Separating axis test, error bounds: how far off may doubles be that tell how a box lies to many triangles, or a segment
+// to many boxes?
 //
 // A box with the axes of space is seen from its center, twice as large: p' = (p - min) + (p - max), and |x'| <= max -
-// min.  An oriented one is mapped to such a box by the matrix of its cofactors, whose rows are its face normals n_i:
-// |n_i . 2 (p - c)| <= 2 half_i volume.  Along the cross product of axis k and the edge e of a triangle with normal n
-// the gap is
+// min.  Along the cross product of axis k and the edge e of a triangle with normal n the gap is
 //   |e x p' + n|_k - (|n_k| + reach of the box),
 // for the third corner is 2 n_k farther than the edge.
 // Laws: what is computed of such a gap in doubles, its sums in whatever order, is off by no more than its bound: a
 // constant that is derived from the formula (certify/formula.hpp), times powers of the largest numbers.  The formulas
 // have absolute values resolved, for | |v| - |V| | <= |v - V|.
 // Source: docs/proof.md, "Filter B".
-// Cost: none; query/overlap/box_quick.cpp computes them.
+// Cost: none; query/overlap/batch.cpp computes them.
 #pragma once
 
 #include "plumb/certify/detail/filter_stage.hpp"
