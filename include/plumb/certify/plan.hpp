@@ -81,13 +81,12 @@ inline constexpr int plain_double = most_bits(arith::lattice_word::double_bits,
 inline constexpr int grid_bits = 20;
 
 template <Formula F>
-inline constexpr int one_word_factors = degree<F>() < 3 ? -1
-                                                        : most_bits(
-                                                              grid_bits,
-                                                              [](int b) {
-                                                                const WidthGrowth g = growth<F>(b);
-                                                                return g.bits <= 127 && g.widest_factor <= 63;
-                                                              });
+constexpr bool factors_are_words(int bits) {
+  const WidthGrowth g = growth<F>(bits);
+  return degree<F>() >= 3 && g.bits <= 127 && g.widest_factor <= 63;
+}
+template <Formula F>
+inline constexpr int one_word_factors = most_bits(grid_bits, factors_are_words<F>);
 
 // |computed| <= root leaves |exact| <= 2 root < 2^63, which its remainder modulo 2^64 tells.
 template <Formula F>
