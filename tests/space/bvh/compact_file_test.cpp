@@ -246,7 +246,7 @@ TEST_F(CompactFile, TakesNoHarmFromAnyByte) {
   const std::string good = bytes();
   std::size_t taken = 0, refusals = 0;
   for (std::size_t at = 0; at < good.size(); ++at) {
-    for (const int flip : {1 << at % 8, 0xff}) {
+    for (const int flip : {at % 2 == 0 ? 0xff : 1 << at / 2 % 8}) {
       std::string bad = good;
       bad[at] = static_cast<char>(bad[at] ^ flip);
       if (refused(bad)) {
@@ -268,8 +268,8 @@ TEST_F(CompactFile, TakesNoHarmFromAnyByte) {
           << at;
     }
   }
-  EXPECT_GT(taken, 100u);
-  EXPECT_GT(refusals, 300u);
+  EXPECT_GT(taken, 80u);
+  EXPECT_GT(refusals, 150u);
 }
 
 }  // namespace
