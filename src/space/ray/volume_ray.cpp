@@ -44,25 +44,22 @@ void require_volume_shot(const char* function, const AnyRay& ray, const VolumeMe
   require_tree_of(function, "mesh.volumes", mesh.mesh.bvh, mesh.volumes);
 }
 
-}  // namespace
-}  // namespace space
-
 template <class Volume>
-std::optional<NumberedHit> first_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
-  space::require_volume_shot("first_hit", ray, mesh);
-  const space::RayThrough through(ray);
-  const space::VolumeTriangles triangles(ray, mesh.mesh, rule);
-  return space::nearest_hit(mesh.volumes, triangles, [&](const VolumeNode<Volume>& node) {
+std::optional<NumberedHit> first_volume_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
+  require_volume_shot("first_hit", ray, mesh);
+  const RayThrough through(ray);
+  const VolumeTriangles triangles(ray, mesh.mesh, rule);
+  return nearest_hit(mesh.volumes, triangles, [&](const VolumeNode<Volume>& node) {
     const Interval at = through(node.volume);
-    return at.lower > at.upper ? Interval::infinity : std::min(space::most_parameter, at.lower);
+    return at.lower > at.upper ? Interval::infinity : std::min(most_parameter, at.lower);
   });
 }
 
 template <class Volume>
-bool hits(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
-  space::require_volume_shot("hits", ray, mesh);
-  const space::RayThrough through(ray);
-  const space::VolumeTriangles triangles(ray, mesh.mesh, rule);
+bool any_volume_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
+  require_volume_shot("hits", ray, mesh);
+  const RayThrough through(ray);
+  const VolumeTriangles triangles(ray, mesh.mesh, rule);
   const auto enters = [&](const VolumeNode<Volume>& node) {
     const Interval at = through(node.volume);
     return !(at.lower > at.upper);
@@ -73,6 +70,19 @@ bool hits(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
            }
            return Descent::go_on;
          }) == Descent::stop;
+}
+
+}  // namespace
+}  // namespace space
+
+template <class Volume>
+std::optional<NumberedHit> first_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
+  return space::first_volume_hit(ray, mesh, rule);
+}
+
+template <class Volume>
+bool hits(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
+  return space::any_volume_hit(ray, mesh, rule);
 }
 
 #define PLUMB_RAYS_OF(Volume)                                                                            \
