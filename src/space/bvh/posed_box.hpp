@@ -1,9 +1,10 @@
-// Between which doubles does a posed box lie?  Rounded outward.
+// Between which doubles does a posed box lie, rounded outward?  And have two meshes been moved alike, so that a question
+// about both is the question without poses?
 //
 // Laws: (1) around(pose, box) contains matrix * p + translation of every p in the box.  (2) A bound of which doubles
 // know nothing is infinite: one beyond the largest, or whose terms are.
-// Source: RTCD 4.2.6 (Arvo 1990).
-// Cost: 18 products and sums with their magnitudes, some 20 ns.
+// Source: RTCD 3.2, 4.2.6 (Arvo 1990), 6.3.3.
+// Cost: 18 products and sums with their magnitudes, some 20 ns; a determinant.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 
 #include "arith/approximate.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/predicates.hpp"
+#include "plumb/space/bvh/descend_pairs.hpp"
 #include "plumb/space/bvh/posed_mesh.hpp"
 #include "space/bvh/blocks.hpp"
 
@@ -127,6 +130,34 @@ inline void require_finite_pose(const char* function, const std::string& name, c
 /// The same of a mesh's: "first_hit: mesh.pose.columns[0].x is nan, not a real number; give a finite double".
 inline void require_pose(const char* function, const char* name, const Pose& pose) {
   require_finite_pose(function, std::string(name) + ".pose", pose);
+}
+
+/// Then it maps one to one, and what is in common has an image of its own.
+inline bool is_regular(const Pose& pose) {
+  const auto point = [](const Vector3& v) { return Point3{v.x, v.y, v.z}; };
+  const auto& c = pose.columns;
+  return orient3d(point(c[0]), point(c[1]), point(c[2]), Point3{0, 0, 0}) != Sign::zero;
+}
+
+/// Is it the question without poses?
+template <class Mesh>
+bool are_moved_alike(const char* function, const PosedMeshOf<Mesh>& a, const PosedMeshOf<Mesh>& b) {
+  require_pose(function, "a", a.pose);
+  require_pose(function, "b", b.pose);
+  return a.pose == b.pose && is_regular(a.pose);
+}
+
+/// The same of one mesh and itself.
+template <class Mesh>
+bool is_moved_regularly(const char* function, const PosedMeshOf<Mesh>& mesh) {
+  require_pose(function, "mesh", mesh.pose);
+  return is_regular(mesh.pose);
+}
+
+/// Which of two posed boxes is to be descended; a guess.
+inline Descend larger_posed(const Aabb3& a, const Aabb3& b) {
+  const auto size = [](const Aabb3& x) { return std::max({x.max.x - x.min.x, x.max.y - x.min.y, x.max.z - x.min.z}); };
+  return size(a) < size(b) ? Descend::second : Descend::first;
 }
 
 }  // namespace plumb::space

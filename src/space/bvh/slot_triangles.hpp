@@ -1,8 +1,12 @@
-// The triangles in a tree's slots, and their numbers, whichever way the mesh is kept.
+// The triangles in a tree's slots, and their numbers, whichever way the mesh is kept; and in which slots is each?  In one,
+// or in several where it is split.
 //
 // Law: triangle(slot) and number(slot) are those of the Bvh or CompactBvh that it was made of, which must outlive it.
-// Cost: six words; a load and a mask for each index.
+// Cost: six words; a load and a mask for each index.  Where each triangle is takes a pass over the slots.
 #pragma once
+
+#include <algorithm>
+#include <vector>
 
 #include "plumb/space/bvh/bvh.hpp"
 #include "plumb/space/bvh/compact_tree.hpp"
@@ -33,5 +37,29 @@ class SlotTriangles {
   PackedView corners_, numbers_;
   std::size_t slots_;
 };
+
+/// Of a Bvh or a CompactBvh.
+template <class Mesh>
+std::uint32_t triangles_in(const Mesh& bvh) {
+  const SlotTriangles triangles(bvh);
+  std::uint32_t n = 0;
+  for (std::size_t slot = 0; slot < triangles.slots(); ++slot) n = std::max(n, triangles.number(slot) + 1);
+  return n;
+}
+
+/// Is any in several?
+template <class Mesh>
+bool is_split(const Mesh& bvh) {
+  return triangles_in(bvh) < bvh.slots();
+}
+
+/// slot[triangle]; of one that is in several any.
+template <class Mesh>
+std::vector<std::uint32_t> slots_of(const Mesh& bvh) {
+  const SlotTriangles triangles(bvh);
+  std::vector<std::uint32_t> slots(triangles_in(bvh));
+  for (std::uint32_t slot = 0; slot < triangles.slots(); ++slot) slots[triangles.number(slot)] = slot;
+  return slots;
+}
 
 }  // namespace plumb::space

@@ -7,7 +7,7 @@
 
 #include "plumb/arith/interval.hpp"
 #include "space/bvh/slot_boxes.hpp"
-#include "space/bvh/triangle_slots.hpp"
+#include "space/bvh/slot_triangles.hpp"
 
 namespace plumb::space {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "query/time_of_impact/posed_motion.hpp"
-#include "space/bvh/alike_poses.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/moving/motion_search.hpp"

@@ -4,7 +4,6 @@
 #include "figure/basic/finite_parts.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "query/time_of_impact/posed_contact.hpp"
-#include "space/bvh/alike_poses.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/moving/translating_search.hpp"
 

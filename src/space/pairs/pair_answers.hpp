@@ -12,7 +12,7 @@
 
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
-#include "space/bvh/triangle_slots.hpp"
+#include "space/bvh/slot_triangles.hpp"
 #include "space/pairs/leaf_pairs.hpp"
 
 namespace plumb::space {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "plumb/space/pairs/mesh_pairs.hpp"
-#include "space/bvh/triangle_slots.hpp"
+#include "space/bvh/slot_triangles.hpp"
 
 namespace plumb::space {
 

@@ -12,7 +12,6 @@
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "query/overlap/posed_triangles.hpp"
-#include "space/bvh/alike_poses.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/pairs/leaf_pairs.hpp"
 #include "space/pairs/posed_neighbors.hpp"
