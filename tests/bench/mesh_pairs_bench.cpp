@@ -2,7 +2,8 @@
 // Embree's boxes asked by CGAL's exact test, and FCL, which rounds.
 //
 // Meshes: a torus of 4 n^2 / 2 triangles against itself turned a little, which crosses it along curves; against itself
-// moved by nothing, where every pair is exactly degenerate; and itself alone, which has no pairs but neighbors.
+// moved by nothing, where every pair is exactly degenerate; and itself alone, which has no pairs but neighbors.  Others
+// against themselves: of short integers, of floats, in one plane, and so many times one triangle.
 // `s_pair` is the time of each pair found, `s_triangle` that of each triangle of a mesh; trees are built beforehand.
 #include <benchmark/benchmark.h>
 
@@ -160,7 +161,40 @@ void add_mesh(std::uint32_t around) {
   add_pairs("mesh_pairs/itself/" + size + "/plumb", n, [=] { return self_intersecting_pairs(*bvh, serial).size(); });
 }
 
+/// On itself as it is, where each pair is exactly degenerate.
+void add_same(const std::string& about, const TriangleMesh& mesh) {
+  const auto bvh = std::make_shared<Bvh>(build_bvh(mesh));
+  const auto cgal = std::make_shared<CgalMesh>(mesh);
+  const auto own = std::make_shared<TriangleMesh>(mesh);
+  const std::string name = "mesh_pairs/same_" + about + "/" + std::to_string(mesh.triangles.size());
+  const std::size_t n = mesh.triangles.size();
+  const PairOptions serial{.execution = Execution::serial};
+  add_pairs(name + "/plumb", n, [=] { return intersecting_pairs(*bvh, *bvh, serial).size(); });
+  add_pairs(name + "/cgal", n, [=] { return cgal->pairs_with(*own); });
+}
+
+TriangleMesh rounded(TriangleMesh mesh, double (*round)(double)) {
+  for (Point3& p : mesh.vertices) p = {round(p.x), round(p.y), round(p.z)};
+  return mesh;
+}
+
+TriangleMesh flat_grid(std::uint32_t n) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i)
+    mesh.vertices.push_back({0.25 * (i % (n + 1)), 0.5 * (i / (n + 1)), 0});
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const std::uint32_t a = i / n * (n + 1) + i % n;
+    mesh.triangles.push_back({a, a + 1, a + n + 2});
+    mesh.triangles.push_back({a, a + n + 2, a + n + 1});
+  }
+  return mesh;
+}
+
 const bool added = [] {
+  add_same("lattice", rounded(torus(208), [](double x) { return std::round(1024 * x) / 1024; }));  // of 20 bits
+  add_same("float", rounded(torus(208), [](double x) { return static_cast<double>(static_cast<float>(x)); }));
+  add_same("flat", flat_grid(100));
+  add_same("copies", {{{1, 2, 3}, {4, 5.1, 6}, {7.3, 8, 10}}, {1000, {0, 1, 2}}});
   add_mesh(64);
   add_mesh(294);
   add_mesh(416);
