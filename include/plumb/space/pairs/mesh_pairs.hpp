@@ -12,8 +12,8 @@
 // round.  (6) An empty mesh meets nothing.
 // progress may stop each of these (plumb/space/bvh/progress.hpp).
 // Source: RTCD 6.3.3, 5.2.10; Guigue and Devillers 2003.
-// Cost: a comparison of boxes for each pair of nodes that may meet, one of doubles for the triangles of leaves, and
-// relate for those whose boxes meet; sorting in linear time.
+// Cost: comparisons of boxes for each pair of wide nodes that may meet, and of triangles with planes for those of leaves,
+// eight at once; relate for those that are left; sorting in linear time.
 #pragma once
 
 #include <cstddef>
