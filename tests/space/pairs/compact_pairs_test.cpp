@@ -133,7 +133,7 @@ TEST(CompactPairs, AreThoseOfMovedTriangles) {
     EXPECT_EQ(intersections(a, b, expected), intersections({whole_a, pose_a}, {whole_b, pose_b}, expected));
     found += expected.size();
   });
-  EXPECT_GT(found, battery::fitting(300u));
+  EXPECT_GT(found, battery::fitting(150u));
 }
 
 // Trees of many levels, leaves that were divided, and boxes on all grids.
