@@ -188,9 +188,9 @@ void add_distances(const std::shared_ptr<Scene>& apart, const std::shared_ptr<Sc
   });
   guessed("closest_on_mesh/posed", [=](int i, LastPair& last, Work& w) {
     const Point3 p{0.1, 0.2, 0.3};
-    last.slot_a =
-        space::nearest_posed({apart->still, apart->poses[i]}, p, 1, last.slot_a, Counted{&w.nodes, &w.triangles})[0]
-            .slot;
+    last.slot_a = space::nearest_posed(PosedMesh(apart->still, apart->poses[i]), p, 1, last.slot_a,
+                                       Counted{&w.nodes, &w.triangles})[0]
+                      .slot;
   });
 }
 
