@@ -11,6 +11,7 @@
 #include "figure/basic/shape_cases.hpp"
 #include "figure/obb/cases.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/measures/measures.hpp"
 #include "plumb/figure/obb/minimum_obb.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
@@ -247,6 +248,57 @@ TEST(ObbFitsTest, ImagesAreContained) {
   EXPECT_LT(static_cast<std::uint64_t>(beyond), 150 * more);
 }
 
+// A point of the plane times a pose of the plane.
+obb_cases::Rational3 image_of(const obb_cases::Rational3& p, const Pose2& pose) {
+  const auto row = [&](double x, double y, double t) -> mpq_class {
+    return mpq_class(x) * p[0] + mpq_class(y) * p[1] + mpq_class(t);
+  };
+  return {row(pose.columns[0].x, pose.columns[1].x, pose.translation.x),
+          row(pose.columns[0].y, pose.columns[1].y, pose.translation.y), 0};
+}
+
+// Has a rectangle this corner of another, by the rational judge of boxes that stand on them?
+bool holds_in_plane(const Obb2& box, const obb_cases::Rational3& p) {
+  Obb3 standing = obb_cases::lifted(box);
+  standing.axes[2] = {0, 0, 1};
+  return holds(standing, p);
+}
+
+TEST(ObbFitsTest, RectanglesMergedAndMovedContainWhatTheyAreMadeOf) {
+  int kept = 0, beyond = 0;
+  on_shapes(418, 600, [&](Material& m) {
+    const auto a = m.shape<Obb2>(), b = m.shape<Obb2>();
+    const Pose2 pose{{m.vector2(), m.vector2()}, m.vector2()};
+    try {
+      const Obb2 both = merge(a, b);
+      kept += static_cast<int>(both == a || both == b);
+      if (!(both == a || both == b) || area(both) > 0) {
+        for (const Obb2& part : {a, b}) {
+          for (const auto& corner : exact_corners(obb_cases::lifted(part)))
+            ASSERT_TRUE(holds_in_plane(both, corner)) << m.about(a, b);
+        }
+      }
+      const Obb2 image = transform(a, pose);
+      for (const auto& corner : exact_corners(obb_cases::lifted(a)))
+        ASSERT_TRUE(holds_in_plane(image, image_of(corner, pose))) << m.about(a) << ' ' << m.about(image);
+    } catch (const BeyondDoubles&) {
+      ++beyond;
+    }
+  });
+  std::cout << "one held the other " << kept << ", beyond doubles " << beyond << '\n';
+  EXPECT_GT(kept, 5);
+  EXPECT_LT(static_cast<std::uint64_t>(beyond), 150 * more);
+  const Obb2 left{{-1, 0}, {Vector2{3, 4}, Vector2{-4, 3}}, {1, 1}};
+  Obb2 right = left;
+  right.center = {5, 8};  // two of its axes on
+  EXPECT_EQ(area(merge(left, right)), 2 * area(left));
+  EXPECT_EQ(merge(left, left), left);
+  EXPECT_EQ(merge(left, Obb2{{-1, 0}, left.axes, {0.5, 1}}), left);
+  const Pose2 quarter{{Vector2{0, 1}, Vector2{-1, 0}}, {10, 0}};
+  EXPECT_EQ(transform(left, quarter), (Obb2{{10, -1}, {Vector2{-4, 3}, Vector2{-3, -4}}, {1, 1}}));
+  EXPECT_EQ(oriented_box(Aabb2{{0, 0}, {2, 4}}), (Obb2{{1, 2}, {Vector2{1, 0}, Vector2{0, 1}}, {1, 2}}));
+}
+
 TEST(ObbFitsTest, MeasuresAreNearest) {
   int exact = 0;
   on_shapes(417, 600, [&](Material& m) {
@@ -294,6 +346,8 @@ TEST(ObbFitsTest, RefuseWhatIsNoShape) {
   EXPECT_THROW((void)fit_obb({Vector2{1, 2}, Vector2{2, 4}}, std::array{Point2{1, 2}}), InvalidShape);
   EXPECT_THROW((void)minimum_obb(std::span<const Point2>()), InvalidShape);
   EXPECT_THROW((void)oriented_box(Aabb3{{1, 0, 0}, {0, 1, 1}}), InvalidShape);
+  EXPECT_THROW((void)oriented_box(Aabb2{{1, 0}, {0, 1}}), InvalidShape);
+  EXPECT_THROW((void)merge(Obb2{}, Obb2{{HUGE_VAL, 0}, {}, {}}), NonFinite);
   EXPECT_THROW((void)fit_obb_surface(p, std::vector<TriangleMesh::Triangle>{{0, 0, 1}}), InvalidShape);
   EXPECT_EQ(oriented_box(Aabb3{{0, 0, 0}, {2, 4, 6}}).half, (Vector3{1, 2, 3}));
 }

@@ -40,13 +40,16 @@ Obb3 fit_obb(const std::array<Vector3, 3>& axes, std::span<const Point3> points)
 Obb2 fit_obb(const std::array<Vector2, 2>& axes, std::span<const Point2> points);
 
 /// Around a box; throws InvalidShape for an empty one.
+Obb2 oriented_box(const Aabb2& box);
 Obb3 oriented_box(const Aabb3& box);
 
-/// Around both: of boxes with the axes of one, of the other, and with axes halfway between, the one of least volume.
-/// Where a box lies in the other, that one.
+/// Around both: of boxes with the axes of one, of the other, and with axes halfway between, the one of least volume, in
+/// the plane of least area.  Where a box lies in the other, that one.
+Obb2 merge(const Obb2& a, const Obb2& b);
 Obb3 merge(const Obb3& a, const Obb3& b);
 
 /// Around the image of the box.  Its axes are the images of the box's, where these are doubles the image itself.
+Obb2 transform(const Obb2& box, const Pose2& pose);
 Obb3 transform(const Obb3& box, const Pose& pose);
 
 double volume(const Obb3& box);
