@@ -5,6 +5,7 @@
 
 #include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/basic/in_space.hpp"
 #include "figure/measures/local_frame.hpp"
 #include "figure/swept_sphere/swept_guess.hpp"
 #include "figure/swept_sphere/swept_reach.hpp"
@@ -88,6 +89,17 @@ std::vector<figure::swept::LocalBall> balls(const LocalFrame& frame, std::span<c
   return all;
 }
 
+// Cores along the principal axis.
+std::vector<Capsule3> capsules_around(std::span<const Point3> points) {
+  const LocalFrame frame = figure::principal_frame(points);
+  // The segment between the extremal points themselves: exact for points on a line.
+  const auto order = [&](const Point3& p, const Point3& q) {
+    return sign_of(predicates::OrderAlongDirection3d{}, p, q, frame.axes[0]) == Sign::negative;
+  };
+  const auto [least, most] = std::ranges::minmax_element(points, order);
+  return {figure::swept::guess_capsule(frame, balls(frame, points)), {*least, *most, 0}};
+}
+
 // From the line: the square of the area over that of the length.
 struct AreaSquare {
   static constexpr std::string_view name = "fit_cylinder";
@@ -122,15 +134,18 @@ bool lies_between(const Point3& p, const Point3& a, const Point3& b) {
 
 Capsule3 fit_capsule(std::span<const Point3> points) {
   check_points("fit_capsule", points);
-  const LocalFrame frame = figure::principal_frame(points);
-  std::vector<Capsule3> candidates{figure::swept::guess_capsule(frame, balls(frame, points))};
-  // The segment between the extremal points themselves: exact for points on a line.
-  const auto order = [&](const Point3& p, const Point3& q) {
-    return sign_of(predicates::OrderAlongDirection3d{}, p, q, frame.axes[0]) == Sign::negative;
-  };
-  const auto [least, most] = std::ranges::minmax_element(points, order);
-  candidates.push_back({*least, *most, 0});
-  return smallest("fit_capsule", points, std::move(candidates));
+  return smallest("fit_capsule", points, capsules_around(points));
+}
+
+Capsule2 fit_capsule(std::span<const Point2> points) {
+  if (points.empty()) throw InvalidShape("fit_capsule: no points; give at least one");
+  figure::require_finite_points("fit_capsule", "points", points);
+  std::vector<Point3> raised;
+  raised.reserve(points.size());
+  for (const Point2& p : points) raised.push_back(in_space(p));
+  std::vector<Capsule3> candidates = capsules_around(raised);
+  for (Capsule3& c : candidates) c = in_space(figure::swept::flattened(c));
+  return figure::swept::flattened(smallest("fit_capsule", raised, std::move(candidates)));
 }
 
 Lozenge3 fit_lozenge(std::span<const Point3> points) {

@@ -23,6 +23,9 @@ struct LocalBall {
 Capsule3 guess_capsule(const figure::LocalFrame& frame, const std::vector<LocalBall>& balls);
 std::vector<Lozenge3> guess_lozenges(const figure::LocalFrame& frame, const std::vector<LocalBall>& balls);
 
+/// A guess of the plane, which roundings may have lifted out of it.
+inline Capsule2 flattened(const Capsule3& c) { return {{c.a.x, c.a.y}, {c.b.x, c.b.y}, c.radius}; }
+
 /// Are all its numbers finite?
 bool is_finite(const Capsule3& c);
 bool is_finite(const Lozenge3& l);

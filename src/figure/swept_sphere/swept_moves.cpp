@@ -1,10 +1,12 @@
 // Swept spheres that hold others: contained, merged, moved.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "arith/certain.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
+#include "figure/basic/in_space.hpp"
 #include "figure/swept_sphere/swept_guess.hpp"
 #include "figure/swept_sphere/swept_input.hpp"
 #include "figure/swept_sphere/swept_reach.hpp"
@@ -95,8 +97,9 @@ std::array<Vector3, 3> directions(const Capsule3& c) {
 }
 std::array<Vector3, 3> directions(const Lozenge3& l) { return {l.edges[0], l.edges[1], {0, 0, 0}}; }
 
-template <class Shape>
-Shape merged(const Shape& a, const Shape& b) {
+// `settled` makes the shape that is wanted of a guess.
+template <class Shape, class Settle = std::identity>
+Shape merged(const Shape& a, const Shape& b, Settle settled = {}) {
   check("merge", "a", a);
   check("merge", "b", b);
   if (holds(a, b)) return a;
@@ -115,7 +118,8 @@ Shape merged(const Shape& a, const Shape& b) {
   for (const auto& axes : {principal.axes, directions(a), directions(b)}) {
     figure::LocalFrame frame = principal;
     frame.axes = figure::frame::orthonormal(axes);
-    for (Shape& s : guesses(frame, a, b)) {
+    for (const Shape& guess : guesses(frame, a, b)) {
+      Shape s = settled(guess);
       if (!figure::swept::is_finite(s)) continue;
       s.radius = std::max(radius_for(s, a), radius_for(s, b));
       if (figure::swept::is_finite(s)) candidates.push_back(s);
@@ -139,14 +143,14 @@ Vector3 near_image(const Pose& pose, const Vector3& v) {
 }
 
 template <class Shape>
-Shape moved(const Shape& shape, Shape core, const Pose& pose) {
+Shape moved(const Shape& shape, Shape core, const Pose& pose, double stretch) {
   core.radius = 0;
   if (!figure::swept::is_finite(core)) return figure::swept::smallest("transform", std::vector<Shape>{});
   double off = 0;
   for (std::size_t i = 0; i < vertices<Interval>(shape).size(); ++i)
     off = std::max(
         off, figure::swept::distance_up([&]<class T>() { return image(pose, vertices<T>(shape)[i], true); }, core));
-  const double stretched = shape.radius == 0 ? 0 : Interval::product_up(largest_stretch(pose), shape.radius);
+  const double stretched = shape.radius == 0 ? 0 : Interval::product_up(stretch, shape.radius);
   core.radius = figure::within_doubles(off == 0 ? stretched : Interval::sum_up(off, stretched), "transform", "radius");
   return core;
 }
@@ -162,13 +166,27 @@ void check_pose(const Pose& pose) {
 bool contains(const Capsule3& outer, const Capsule3& inner) { return contained(outer, inner); }
 bool contains(const Lozenge3& outer, const Lozenge3& inner) { return contained(outer, inner); }
 
+Capsule2 merge(const Capsule2& a, const Capsule2& b) {
+  return figure::swept::flattened(
+      merged(in_space(a), in_space(b), [](const Capsule3& c) { return in_space(figure::swept::flattened(c)); }));
+}
 Capsule3 merge(const Capsule3& a, const Capsule3& b) { return merged(a, b); }
 Lozenge3 merge(const Lozenge3& a, const Lozenge3& b) { return merged(a, b); }
 
 Capsule3 transform(const Capsule3& capsule, const Pose& pose) {
   check("transform", "capsule", capsule);
   check_pose(pose);
-  return moved(capsule, {near_image(pose, capsule.a), near_image(pose, capsule.b), 0}, pose);
+  return moved(capsule, {near_image(pose, capsule.a), near_image(pose, capsule.b), 0}, pose, largest_stretch(pose));
+}
+
+Capsule2 transform(const Capsule2& capsule, const Pose2& pose) {
+  const auto& [c, t] = pose;
+  const Pose raised{{in_space(c[0]), in_space(c[1]), Vector3{0, 0, 1}}, in_space(t)};
+  const Capsule3 shape = in_space(capsule);
+  check("transform", "capsule", shape);
+  check_pose(raised);
+  return figure::swept::flattened(
+      moved(shape, {near_image(raised, shape.a), near_image(raised, shape.b), 0}, raised, largest_stretch(pose)));
 }
 
 Lozenge3 transform(const Lozenge3& lozenge, const Pose& pose) {
@@ -177,7 +195,7 @@ Lozenge3 transform(const Lozenge3& lozenge, const Pose& pose) {
   return moved(
       lozenge,
       {near_image(pose, lozenge.corner), {near_image(pose, lozenge.edges[0]), near_image(pose, lozenge.edges[1])}, 0},
-      pose);
+      pose, largest_stretch(pose));
 }
 
 }  // namespace plumb

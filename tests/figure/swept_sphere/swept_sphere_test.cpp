@@ -280,6 +280,57 @@ TEST(SweptSphere, MergedAndMovedOnesHoldWhatTheyAreMadeOf) {
   moves_hold<Lozenge3>(622, 250);
 }
 
+// In the plane: the same promises, by the rational judge of space.
+TEST(SweptSphere, CapsulesOfThePlaneHoldWhatTheyAreMadeOf) {
+  int fitted = 0, merged = 0, moved = 0;
+  const auto raised = [](const Capsule2& c) { return Capsule3{{c.a.x, c.a.y, 0}, {c.b.x, c.b.y, 0}, c.radius}; };
+  on_shapes(623, 400, [&](Material& m) {
+    std::vector<Point2> points;
+    std::vector<Point3> in_space;
+    for (std::size_t i = 0; i <= m.below(12); ++i) {
+      points.push_back(m.point2());
+      in_space.push_back({points.back().x, points.back().y, 0});
+    }
+    const auto a = m.shape<Capsule2>(), b = m.shape<Capsule2>();
+    const Pose2 pose{{m.vector2(), m.vector2()}, m.vector2()};
+    const auto holds = [&](const Capsule2& outer, const Capsule2& inner) {
+      return std::ranges::all_of(exact_vertices(raised(inner)), [&](const Rational3& v) {
+        return holds_exactly(raised(outer), v, Rational(inner.radius));
+      });
+    };
+    try {
+      const Capsule3 around = raised(fit_capsule(points));
+      ASSERT_TRUE(reaches(around, around.radius, in_space)) << m.about(around);
+      ASSERT_FALSE(reaches(around, next_down(around.radius), in_space)) << m.about(around);
+      ++fitted;
+      const Capsule2 both = merge(a, b);
+      ASSERT_TRUE(holds(both, a) && holds(both, b)) << m.about(a, b, both);
+      ++merged;
+      const Capsule2 image_of_a = transform(a, pose);
+      const Pose in_plane{{Vector3{pose.columns[0].x, pose.columns[0].y, 0},
+                           Vector3{pose.columns[1].x, pose.columns[1].y, 0}, Vector3{0, 0, 0}},
+                          {pose.translation.x, pose.translation.y, 0}};
+      for (const Rational3& v : exact_vertices(raised(a))) {
+        for (const Vector3& c : in_plane.columns) {
+          const Rational3 ahead = sum(image(v, in_plane), times(Rational(a.radius), rational(c)));
+          ASSERT_TRUE(holds_exactly(raised(image_of_a), ahead, 0)) << m.about(a, image_of_a);
+        }
+      }
+      ++moved;
+    } catch (const BeyondDoubles&) {
+    }
+  });
+  EXPECT_GT(fitted, 300);
+  EXPECT_GT(merged, 250);
+  EXPECT_GT(moved, 200);
+  EXPECT_EQ(fit_capsule(std::array{Point2{0, 0}, Point2{3, 1}, Point2{6, 2}}).radius, 0);
+  EXPECT_EQ(merge(Capsule2{{0, 0}, {4, 0}, 2}, Capsule2{{1, 1}, {1, 1}, 1}), (Capsule2{{0, 0}, {4, 0}, 2}));
+  const Pose2 half{{Vector2{0.5, 0}, Vector2{0, 0.5}}, {1, 1}};  // no stretch by what is upright
+  EXPECT_NEAR(transform(Capsule2{{0, 0}, {4, 0}, 2}, half).radius, 1, 1e-15);
+  EXPECT_THROW((void)fit_capsule(std::span<const Point2>()), InvalidShape);
+  EXPECT_THROW((void)merge(Capsule2{{0, 0}, {1, 0}, -1}, Capsule2{}), InvalidShape);
+}
+
 Rational inner(const Rational3& u, const Rational3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
 /// Is the point within the cylinder, or within the ball where its ends are equal?

@@ -41,17 +41,20 @@ bool contains(const Capsule3& outer, const Capsule3& inner);
 bool contains(const Lozenge3& outer, const Lozenge3& inner);
 
 /// Around the points: along their principal axis, in the plane of their two principal axes.
+Capsule2 fit_capsule(std::span<const Point2> points);
 Capsule3 fit_capsule(std::span<const Point3> points);
 Lozenge3 fit_lozenge(std::span<const Point3> points);
 Cylinder3 fit_cylinder(std::span<const Point3> points);
 
 /// Around both.
+Capsule2 merge(const Capsule2& a, const Capsule2& b);
 Capsule3 merge(const Capsule3& a, const Capsule3& b);
 Lozenge3 merge(const Lozenge3& a, const Lozenge3& b);
 /// Along the axis of one of them or the line of their middles, whichever takes less room.
 Cylinder3 merge(const Cylinder3& a, const Cylinder3& b);
 
 /// Around the image: the image of the core, its ends rounded, and the radius times the largest stretch of the matrix.
+Capsule2 transform(const Capsule2& capsule, const Pose2& pose);
 Capsule3 transform(const Capsule3& capsule, const Pose& pose);
 Lozenge3 transform(const Lozenge3& lozenge, const Pose& pose);
 /// Around the image: along the image of the axis, as long as the image of the ends asks for.
