@@ -183,6 +183,14 @@ KDop3 tighten(const KDop3& k_dop) {
   return tight(k_dop, std::array{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}});
 }
 
+Aabb2 fit_aabb(const KDop2& k_dop) {
+  check("fit_aabb", "k_dop", k_dop);
+  const arith::Constraints set = halfspaces(k_dop);
+  if (is_empty(set)) return {{1, 1}, {-1, -1}};
+  const auto along = [&](double x, double y, const char* part) { return greatest({x, y}, 0, set, "fit_aabb", part); };
+  return {{0.0 - along(-1, 0, "min.x"), 0.0 - along(0, -1, "min.y")}, {along(1, 0, "max.x"), along(0, 1, "max.y")}};
+}
+
 Aabb3 fit_aabb(const KDop3& k_dop) {
   check("fit_aabb", "k_dop", k_dop);
   const arith::Constraints set = halfspaces(k_dop);

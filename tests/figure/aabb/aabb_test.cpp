@@ -269,6 +269,51 @@ TEST(Aabb, CylindersLieWithin) {
   EXPECT_GT(fitted, 500);
 }
 
+TEST(Aabb, ConesLieWithin) {
+  EXPECT_EQ(fit_aabb(Cone3{{0, 0, 4}, {0, 0, 0}, 1}), (Aabb3{{-1, -1, 0}, {1, 1, 4}}));
+  EXPECT_EQ(fit_aabb(Cone3{{2, 0, 0}, {2, 0, 0}, 1}), (Aabb3{{1, -1, -1}, {3, 1, 1}}));
+  on_shapes(416, 600, [](Material& m) {
+    const auto s = m.shape<Cone3>();
+    Aabb3 box, of_disk;
+    try {
+      box = fit_aabb(s);
+      of_disk = fit_aabb(Cylinder3{s.base, s.apex, s.radius});
+    } catch (const BeyondDoubles&) {
+      return;
+    }
+    // What is above the least disk's bound is above the cone's, where the apex is not beyond it.
+    ASSERT_TRUE(contains(of_disk, box)) << m.about(s, box);
+    const Aabb3 apex{s.apex, s.apex}, base{s.base, s.base};
+    ASSERT_TRUE(contains(box, apex) && contains(box, base)) << m.about(s, box);
+    if (s.apex == s.base) return;
+    const Rational3 d = sum(rational(s.apex), times(-1, rational(s.base)));
+    const auto reaches = [&](double bound, double end, const Rational& along) {
+      const Rational by = abs(Rational(Rational(bound) - Rational(end))), r(s.radius);
+      return by * by * dot(d, d) >= r * r * (dot(d, d) - along * along);
+    };
+    ASSERT_TRUE(reaches(box.min.x, s.base.x, d[0]) && reaches(box.max.x, s.base.x, d[0]) &&
+                reaches(box.min.y, s.base.y, d[1]) && reaches(box.max.z, s.base.z, d[2]))
+        << m.about(s, box);
+  });
+}
+
+TEST(Aabb, PolygonsAndPolyhedraAreBoxedByTheirVertices) {
+  const Polygon2 outer{{{0, 0}, {4, 1}, {2, 5}}}, hole{{{1, 1}, {2, 1}, {2, 2}}};
+  EXPECT_EQ(fit_aabb(outer), (Aabb2{{0, 0}, {4, 5}}));
+  EXPECT_EQ(fit_aabb(HoledPolygon2{outer, {hole}}), fit_aabb(outer));
+  EXPECT_EQ(fit_aabb(Quadrilateral2{{0, 0}, {1, -1}, {2, 0}, {1, 7}}), (Aabb2{{0, -1}, {2, 7}}));
+  EXPECT_EQ(fit_aabb(Polygon3{{{0, 0, 1}, {4, 1, 2}, {2, 5, 3}}}), (Aabb3{{0, 0, 1}, {4, 5, 3}}));
+  EXPECT_EQ(fit_aabb(Quadrilateral3{{0, 0, 1}, {1, -1, 1}, {2, 0, 1}, {1, 7, 9}}), (Aabb3{{0, -1, 1}, {2, 7, 9}}));
+  const std::vector<Point3> corners{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 5}};
+  EXPECT_EQ(fit_aabb(convex_polyhedron(TriangleMesh{corners, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}})),
+            (Aabb3{{0, 0, 0}, {3, 4, 5}}));
+  EXPECT_EQ(fit_aabb(KDop2{Directions2({{1, 1}, {1, -1}}), {0, -1}, {2, 1}}), (Aabb2{{-0.5, -0.5}, {1.5, 1.5}}));
+  EXPECT_EQ(fit_aabb(KDop2{Directions2({{1, 1}, {1, -1}}), {3, -1}, {2, 1}}), (Aabb2{{1, 1}, {-1, -1}}));
+  EXPECT_THROW((void)fit_aabb(Polygon2{{{0, 0}, {1, 1}}}), InvalidShape);
+  EXPECT_THROW((void)fit_aabb(HoledPolygon2{outer, {Polygon2{{{0, 0}, {1, HUGE_VAL}, {2, 2}}}}}), NonFinite);
+  EXPECT_THROW((void)fit_aabb(KDop2{Directions2({{1, 1}}), {0}, {2}}), InvalidShape);
+}
+
 TEST(Aabb, MergeAndExpand) {
   on_shapes(414, 1500, [](Material& m) {
     const auto a = m.shape<Aabb3>(), b = m.shape<Aabb3>();

@@ -1,7 +1,7 @@
 // Bounding volume (AABB): which axis-aligned box holds it?  Of points, of shapes, of two boxes, of what moves.
 //
 // Laws: (1) a box certainly contains what it was made for; (2) it is the smallest box of doubles that does: each bound
-// is the exact one, rounded outward once (those of ellipsoids and cylinders in three steps).  (3) merge is commutative,
+// is the exact one, rounded outward once (those of ellipsoids, cylinders and cones in three steps).  (3) merge is commutative,
 // associative and idempotent as sets, and an empty box changes nothing.  (4) The transform of a box is the box of its
 // exact image; an empty box stays as it is.
 // No points throw InvalidShape, as does a negative radius; NaN and infinities throw NonFinite; a bound that no double
@@ -15,7 +15,9 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/pose.hpp"
 #include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/convex_polyhedron.hpp"
 #include "plumb/figure/basic/linear.hpp"
+#include "plumb/figure/basic/polygon.hpp"
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 
@@ -34,6 +36,13 @@ Aabb3 fit_aabb(const Segment3& shape);
 Aabb2 fit_aabb(const Triangle2& shape);
 Aabb3 fit_aabb(const Triangle3& shape);
 Aabb3 fit_aabb(const Tetrahedron3& shape);
+Aabb2 fit_aabb(const Quadrilateral2& shape);
+Aabb3 fit_aabb(const Quadrilateral3& shape);
+Aabb2 fit_aabb(const Polygon2& shape);
+Aabb3 fit_aabb(const Polygon3& shape);
+Aabb2 fit_aabb(const HoledPolygon2& shape);
+Aabb3 fit_aabb(const HoledPolygon3& shape);
+Aabb3 fit_aabb(const ConvexPolyhedron3& shape);
 
 /// With the bounding sphere of an object that turns about the sphere's center: a box that need not turn (RTCD 4.2.3).
 Aabb2 fit_aabb(const Circle2& shape);
@@ -46,6 +55,7 @@ Aabb3 fit_aabb(const Obb3& shape);
 Aabb3 fit_aabb(const Rectangle3& shape);
 Aabb3 fit_aabb(const Ellipsoid3& shape);
 Aabb3 fit_aabb(const Cylinder3& shape);
+Aabb3 fit_aabb(const Cone3& shape);
 
 /// The box of both.
 Aabb2 merge(const Aabb2& a, const Aabb2& b);

@@ -76,6 +76,7 @@ KDop2 tighten(const KDop2& k_dop);
 KDop3 tighten(const KDop3& k_dop);
 
 /// The box of the set; of an empty set that of all intervals [1, -1].
+Aabb2 fit_aabb(const KDop2& k_dop);
 Aabb3 fit_aabb(const KDop3& k_dop);
 
 /// Do the intervals of every direction overlap?  The usual test: conservative.
