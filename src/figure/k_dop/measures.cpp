@@ -17,14 +17,14 @@ KDop<Vector> no_points(const KDop<Vector>& k_dop) {
 
 // The greatest direction . x + by, of the halfspaces' common points.
 double greatest(const arith::RationalVector& direction, const mpq_class& by, const arith::Constraints& halfspaces,
-                std::string_view function, const std::string& part) {
+                std::string_view function, const std::string& part, Rounding rounding = Rounding::up) {
   const arith::Optimum farthest = arith::maximize(direction, halfspaces);
   if (farthest.kind != arith::Optimum::Kind::optimal)
     throw InvalidShape(std::string(function)
                            .append(": the k-DOP is unbounded along ")
                            .append(part)
                            .append("; give directions that span all of space"));
-  return within_doubles(rounded(Rounding::up, arith::dot(direction, farthest.at) + by), function, part);
+  return within_doubles(rounded(rounding, arith::dot(direction, farthest.at) + by), function, part);
 }
 
 // The interval of each direction, of the image under columns and translation.
@@ -176,7 +176,23 @@ mpq_class sum_over_faces(std::string_view function, const KDop3& k_dop, Measure 
   return sum;
 }
 
+template <class Vector>
+double value_along(const KDop<Vector>& k_dop, const Vector& direction, Rounding rounding) {
+  check("support_value", "k_dop", k_dop);
+  require_finite_parts("support_value", {"direction"}, direction);
+  const arith::Constraints set = halfspaces(k_dop);
+  if (is_empty(set)) throw InvalidShape("support_value: k_dop is empty; it has no farthest point");
+  return greatest(rational(direction), 0, set, "support_value", "direction", rounding);
+}
+
 }  // namespace
+
+double support_value(const KDop2& k_dop, const Vector2& direction, Rounding rounding) {
+  return value_along(k_dop, direction, rounding);
+}
+double support_value(const KDop3& k_dop, const Vector3& direction, Rounding rounding) {
+  return value_along(k_dop, direction, rounding);
+}
 
 KDop2 tighten(const KDop2& k_dop) { return tight(k_dop, std::array{Vector2{1, 0}, Vector2{0, 1}}); }
 KDop3 tighten(const KDop3& k_dop) {

@@ -221,6 +221,12 @@ TEST(SupportRound, InThePlaneIsThatInSpace) {
       const Support3 on_solid =
           support_point(Capsule3{raised(capsule.a), raised(capsule.b), capsule.radius}, {d.x, d.y, 0});
       EXPECT_EQ(support_point(capsule, d), flat(on_solid));
+      for (const Rounding r : {Rounding::down, Rounding::nearest, Rounding::up}) {
+        EXPECT_EQ(support_value(circle, d, r),
+                  support_value(Sphere3{raised(circle.center), circle.radius}, {d.x, d.y, 0}, r));
+        EXPECT_EQ(support_value(capsule, d, r),
+                  support_value(Capsule3{raised(capsule.a), raised(capsule.b), capsule.radius}, {d.x, d.y, 0}, r));
+      }
     } catch (const BeyondDoubles&) {
       EXPECT_GT(std::fabs(circle.radius) + std::fabs(capsule.radius) + std::fabs(circle.center.x) +
                     std::fabs(capsule.a.x) + std::fabs(capsule.a.y) + std::fabs(circle.center.y),

@@ -13,6 +13,7 @@
 #include "figure/basic/shape_cases.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/hull/hull3.hpp"
+#include "plumb/figure/k_dop/k_dop.hpp"
 
 namespace plumb {
 namespace {
@@ -26,6 +27,19 @@ struct Seen {
   int unique = 0, tied = 0, beyond = 0;
 };
 
+/// Where there is a value along a direction, the exact one rounded as asked, beyond all doubles infinite.
+template <class Shape, class Direction>
+void hold_value(const Shape& shape, const mpq_class& exact, const Direction& d) {
+  if constexpr (requires { support_value(shape, d); }) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto at_least = [&](double x) { return x == infinity || (x != -infinity && mpq_class(x) >= exact); };
+    const double up = support_value(shape, d), down = support_value(shape, d, Rounding::down);
+    EXPECT_TRUE(at_least(up) && !at_least(std::nextafter(up, -infinity)));
+    EXPECT_TRUE(down == up || std::nextafter(down, infinity) == up);
+    EXPECT_EQ(down == up, std::isfinite(up) && mpq_class(up) == exact);
+  }
+}
+
 /// The corners in the order of their numbers.
 template <class Shape, class Direction>
 void hold_against(const Shape& shape, const std::vector<Vector>& corners, const Direction& d, Seen& seen) {
@@ -33,6 +47,7 @@ void hold_against(const Shape& shape, const std::vector<Vector>& corners, const 
   for (const Vector& corner : corners) height.push_back(dot(corner, exact(d)));
   const auto most = std::ranges::max_element(height);
   const auto first = static_cast<std::size_t>(most - height.begin());
+  hold_value(shape, *most, d);
   bool unique = true, overflows = false;
   for (std::size_t i = 0; i < corners.size(); ++i)
     unique = unique && (height[i] != *most || corners[i] == corners[first]);
@@ -160,6 +175,21 @@ TEST(Support, OfBoxesIsTheFirstOfTheFarthestCorners) {
   EXPECT_GT(seen.tied, 2000);
   EXPECT_GT(seen.beyond, 20);
   EXPECT_GT(empty, 50);
+}
+
+TEST(Support, OfKDopsIsThatOfTheirCorners) {
+  const Directions2 diagonals({{1, 1}, {1, -1}});
+  const KDop2 square{diagonals, {0, -1}, {2, 1}};
+  EXPECT_EQ(support_value(square, {1, 0}), 1.5);
+  EXPECT_EQ(support_value(square, {-3, 0}), 1.5);
+  const KDop2 third{Directions2({{3, 0}, {0, 1}}), {0, 0}, {1, 1}};
+  EXPECT_EQ(support_value(third, {1, 0}, Rounding::nearest), 1.0 / 3);
+  EXPECT_EQ(support_value(third, {1, 0}, Rounding::up), std::nextafter(1.0 / 3, 1.0));
+  EXPECT_EQ(support_value(third, {1, 0}, Rounding::down), 1.0 / 3);
+  const std::vector<Point3> points{{0, 0, 0}, {3, 0, 1}, {0, 4, 2}, {1, 1, 7}};
+  EXPECT_EQ(support_value(fit_k_dop(points, 6), {1, 2, 3}), 3.0 + 8 + 21);
+  EXPECT_THROW((void)support_value(KDop2{Directions2({{1, 0}}), {0}, {1}}, {0, 1}), InvalidShape);
+  EXPECT_THROW((void)support_value(KDop2{diagonals, {3, 0}, {1, 1}}, {0, 1}), InvalidShape);
 }
 
 /// Vertices and faces of the hull of what is on its boundary, whole or in triangles: with coplanar faces and vertices

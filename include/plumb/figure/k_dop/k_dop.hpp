@@ -19,6 +19,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/pose.hpp"
+#include "plumb/arith/rounding.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/relation.hpp"
 
@@ -78,6 +79,11 @@ KDop3 tighten(const KDop3& k_dop);
 /// The box of the set; of an empty set that of all intervals [1, -1].
 Aabb2 fit_aabb(const KDop2& k_dop);
 Aabb3 fit_aabb(const KDop3& k_dop);
+
+/// The greatest direction . x of the set, rounded once as asked; up gives a halfspace that certainly contains it.  Of an
+/// empty set, and along a direction in which it is unbounded, InvalidShape.
+double support_value(const KDop2& k_dop, const Vector2& direction, Rounding rounding = Rounding::up);
+double support_value(const KDop3& k_dop, const Vector3& direction, Rounding rounding = Rounding::up);
 
 /// Do the intervals of every direction overlap?  The usual test: conservative.
 bool intervals_overlap(const KDop2& a, const KDop2& b);

@@ -87,8 +87,15 @@ Support3 support_point(const ConvexPolyhedron3& polyhedron, const Vector3& direc
 
 /// direction . x at the support point, rounded once as asked; infinite where that is beyond all doubles and the
 /// rounding leads there.  Up gives a halfspace that certainly contains the shape.
+double support_value(std::span<const Point2> points, const Vector2& direction, Rounding rounding = Rounding::up);
+double support_value(const Aabb2& box, const Vector2& direction, Rounding rounding = Rounding::up);
+double support_value(const Obb2& box, const Vector2& direction, Rounding rounding = Rounding::up);
+double support_value(const Circle2& circle, const Vector2& direction, Rounding rounding = Rounding::up);
+double support_value(const Capsule2& capsule, const Vector2& direction, Rounding rounding = Rounding::up);
 double support_value(std::span<const Point3> points, const Vector3& direction, Rounding rounding = Rounding::up);
 double support_value(const ConvexPolyhedron3& polyhedron, const Vector3& direction, Rounding rounding = Rounding::up);
+double support_value(const AabbWidths3& box, const Vector3& direction, Rounding rounding = Rounding::up);
+double support_value(const AabbCenter3& box, const Vector3& direction, Rounding rounding = Rounding::up);
 double support_value(const Aabb3& box, const Vector3& direction, Rounding rounding = Rounding::up);
 double support_value(const Obb3& box, const Vector3& direction, Rounding rounding = Rounding::up);
 double support_value(const Sphere3& sphere, const Vector3& direction, Rounding rounding = Rounding::up);
