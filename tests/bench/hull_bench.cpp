@@ -63,7 +63,6 @@ const bool registered = [] {
   for (const std::string name : {"ball", "cube", "grid", "sphere"}) {
     for (const std::size_t count : {10'000, 100'000, 1'000'000}) {
       add(name, count, "plumb", ours({}));
-      add(name, count, "plumb_parallel", ours({.execution = Execution::parallel}));
       add(name, count, "plumb_all_points", ours({.all_boundary_points = true}));
       add(name, count, "plumb_incremental", ours({.method = HullMethod::incremental}));
       add(name, count, "qhull", [](const std::vector<Point3>& points) { return qhull_vertices(points); });

@@ -71,7 +71,7 @@ class Inside {
   Inside(std::span<const Point2> points, const Extremes& e) {
     std::vector<Indexed> corners;
     for (const std::uint32_t i : e.index) corners.push_back({points[i], i});
-    sort_distinct(corners, Execution::serial);
+    sort_distinct(corners);
     const Hull2 hull = monotone_chain(corners, false);
     if (hull.dimension < 2) return;
     for (std::size_t i = 0; i < hull.vertices.size(); ++i)

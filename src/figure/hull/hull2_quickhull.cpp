@@ -66,7 +66,7 @@ Hull2 quickhull(std::vector<Indexed> points, bool all_boundary_points) {
       open.push_back(part(now.a, *tip, now.points, all_boundary_points));
       continue;
     }
-    sort_distinct(now.points, Execution::serial);  // all of them on ab
+    sort_distinct(now.points);  // all of them on ab
     if (before(now.b, now.a)) std::ranges::reverse(now.points);
     for (const Indexed& p : now.points) hull.vertices.push_back(p.index);
     if (now.b.index != first.index) hull.vertices.push_back(now.b.index);

@@ -28,7 +28,7 @@ inline Sign turn(const Indexed& a, const Indexed& b, const Indexed& c) {
 }
 
 /// Sorted, one of equal points.
-void sort_distinct(std::vector<Indexed>& points, Execution execution);
+void sort_distinct(std::vector<Indexed>& points, Execution execution = Execution::serial);
 
 /// Those of the points that may lie on the hull's boundary, in their order.  Throws NonFinite.
 std::vector<Indexed> candidates(std::span<const Point2> points, const Hull2Options& options);

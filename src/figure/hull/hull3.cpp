@@ -34,7 +34,7 @@ Hull3 convex_hull(std::span<const Point3> points, HullOptions options) {
   figure::require_finite_points("convex_hull", "points", points);
   if (points.empty()) return {};
   const Extents extents = extents_of(points);
-  std::vector<Node> nodes = outer_nodes(points, extents, options.all_boundary_points, options.execution);
+  std::vector<Node> nodes = outer_nodes(points, extents, options.all_boundary_points);
   const Start start = find_start(nodes);
   if (start.dimension < 3) {
     std::array<Point3, 3> span{};

@@ -157,7 +157,7 @@ class AllPoints {
   void cut(const Outline& outline, std::span<const Id> nodes, FaceList& faces) const {
     std::vector<figure::hull2::Indexed> seen;
     for (const Id q : nodes) seen.push_back({projected(outline.look, point(q)), surface_.nodes()[q].index});
-    figure::hull2::sort_distinct(seen, Execution::serial);
+    figure::hull2::sort_distinct(seen);
     sweep(seen, outline.flipped, faces);
   }
 

@@ -75,8 +75,7 @@ Hull3 flat_hull(std::span<const Point3> points, int dimension, const std::array<
   for (const Point3& p : points) seen.push_back(projected(look, p));
   FaceList faces;
   const auto polygon = [&](bool all) {
-    return convex_hull(std::span<const Point2>(seen), {.all_boundary_points = all, .execution = options.execution})
-        .vertices;
+    return convex_hull(std::span<const Point2>(seen), {.all_boundary_points = all}).vertices;
   };
   if (!options.all_boundary_points) {
     hull.vertices = polygon(false);
@@ -84,7 +83,7 @@ Hull3 flat_hull(std::span<const Point3> points, int dimension, const std::array<
   } else {
     std::vector<figure::hull2::Indexed> all;
     for (std::uint32_t i = 0; i < seen.size(); ++i) all.push_back({seen[i], i});
-    figure::hull2::sort_distinct(all, options.execution);
+    figure::hull2::sort_distinct(all);
     options.triangulate ? sweep(all, false, faces) : faces.polygon(polygon(true));
     for (const figure::hull2::Indexed& p : all) hull.vertices.push_back(p.index);
   }

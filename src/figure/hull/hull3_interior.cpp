@@ -8,9 +8,6 @@
 // numbers of a column are an interval of doubles, whose first one is searched for.
 #include "figure/hull/hull3_interior.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
 
@@ -21,7 +18,7 @@
 namespace plumb::figure::hull3 {
 namespace {
 
-constexpr std::size_t least_points = 1 << 15, sample_size = 1 << 12, block_size = 1 << 15;
+constexpr std::size_t least_points = 1 << 15, sample_size = 1 << 12;
 
 std::vector<Node> all_nodes(std::span<const Point3> points) {
   std::vector<Node> nodes(points.size());
@@ -188,8 +185,7 @@ std::vector<Node> sample_of(std::span<const Point3> points) {
 
 }  // namespace
 
-std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& extents, bool all_boundary_points,
-                              Execution execution) {
+std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& extents, bool all_boundary_points) {
   if (points.size() < least_points) return all_nodes(points);
   std::vector<Node> sample = sample_of(points);
   const Start start = find_start(sample);
@@ -200,28 +196,10 @@ std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& ext
   grow_quickhull(hull, start.simplex, false);
   columns.fill(hull, all_boundary_points);
 
-  const std::size_t blocks = (points.size() + block_size - 1) / block_size;
-  std::vector<std::vector<Node>> outer(blocks);
-  const auto search = [&](std::size_t block) {
-    const std::size_t end = std::min(points.size(), (block + 1) * block_size);
-    std::vector<Node>& found = outer[block];
-    found.reserve(block_size / 4);
-    for (std::size_t i = block * block_size; i < end; ++i) {
-      if (!columns.hold(points[i])) found.push_back({points[i], none, static_cast<Id>(i)});
-    }
-  };
-  if (execution == Execution::parallel) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks), [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t b = range.begin(); b < range.end(); ++b) search(b);
-    });
-  } else {
-    for (std::size_t b = 0; b < blocks; ++b) search(b);
-  }
-  std::size_t count = 0;
-  for (const auto& found : outer) count += found.size();
   std::vector<Node> nodes;
-  nodes.reserve(count);
-  for (const auto& found : outer) nodes.insert(nodes.end(), found.begin(), found.end());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!columns.hold(points[i])) nodes.push_back({points[i], none, static_cast<Id>(i)});
+  }
   return nodes;
 }
 

@@ -163,7 +163,7 @@ CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Hull3&
 CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const MinimumObbOptions& options) {
   figure::require_finite_points("minimum_obb", "points", points);
   if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
-  return certified_minimum_obb(points, convex_hull(points, {.execution = options.execution}), options);
+  return certified_minimum_obb(points, convex_hull(points), options);
 }
 
 Obb3 minimum_obb(std::span<const Point3> points, const Hull3& hull, const MinimumObbOptions& options) {

@@ -276,7 +276,6 @@ TEST(Hull3, OfLargeSets) {
     const Hull3 hull = convex_hull(points);
     const HullVerdict verdict = verify_hull(hull, points);
     EXPECT_TRUE(verdict) << verdict.flaw;
-    EXPECT_EQ(convex_hull(points, {.execution = Execution::parallel}), hull);
     if (cloud.cloud == Cloud::facets) {
       const HullOptions all{.triangulate = true, .all_boundary_points = true};
       const HullVerdict of_all = verify_hull(convex_hull(points, all), points, all);

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "plumb/arith/point.hpp"
-#include "plumb/certify/batch.hpp"
 #include "plumb/figure/basic/convex_polyhedron.hpp"
 
 namespace plumb {
@@ -32,7 +31,6 @@ struct HullOptions {
   bool triangulate = false;          // faces as triangles, coplanar ones side by side
   bool all_boundary_points = false;  // every point on the boundary, instead of the extreme ones
   HullMethod method = HullMethod::quickhull;
-  Execution execution = Execution::serial;  // parallel: points that are certainly inside are sought on all threads
 };
 
 /// Corners of face f: corners[first[f]] up to corners[first[f + 1]], counterclockwise seen from outside.

@@ -26,7 +26,7 @@ struct HullVerdict {
   explicit operator bool() const { return flaw.empty(); }
 };
 
-/// The options say what the hull was asked for; method and execution do not matter.
+/// The options say what the hull was asked for; the method does not matter.
 HullVerdict verify_hull(const Hull3& hull, std::span<const Point3> points, const HullOptions& options = {});
 
 }  // namespace plumb

@@ -30,7 +30,6 @@ struct MinimumObbOptions {
   std::size_t most_vertices = 8'192;
   /// After so many parts of the orientations the search ends with what is certain by then: about a second.
   std::size_t most_parts = 4'194'304;
-  Execution execution = Execution::serial;  // of the hull
 };
 
 Obb3 minimum_obb(std::span<const Point3> points, const MinimumObbOptions& options = {});
