@@ -11,6 +11,7 @@
 #include "plumb/query/body/answered.hpp"    // what is said where there is no answer
 #include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
 #include "plumb/query/body/pairs.hpp"       // every pair, and the algorithm that answers it
+#include "plumb/query/body/posed.hpp"       // a figure as it stands or under a pose
 
 // Do they meet?  relate, intersects
 #include "plumb/query/overlap/batch.hpp"          // one against many
@@ -20,6 +21,7 @@
 #include "plumb/query/overlap/overlap.hpp"        // all pairs
 #include "plumb/query/overlap/overlap2.hpp"       // in the plane
 #include "plumb/query/overlap/plane.hpp"          // planes and halfspaces
+#include "plumb/query/overlap/posed.hpp"          // figures under poses, which are not rounded
 #include "plumb/query/overlap/round.hpp"          // balls, capsules, lozenges
 #include "plumb/query/overlap/round2.hpp"         // disks and capsules of the plane
 #include "plumb/query/overlap/triangle.hpp"       // triangles in space

@@ -46,6 +46,12 @@ struct InvalidShape : Error {
   using Error::Error;
 };
 
+/// A pose makes an ellipsoid of what is round, and what was asked of it is answered of balls alone; the text names the
+/// figures and what is answered.
+struct UnevenPose : Error {
+  using Error::Error;
+};
+
 /// Two arguments of a perturbed predicate have the same index; the text names both.
 struct RepeatedIndex : Error {
   using Error::Error;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "arith/vec.hpp"
+#include "plumb/arith/rational.hpp"
 #include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/plane.hpp"
 #include "plumb/figure/basic/relation.hpp"
@@ -49,5 +50,17 @@ inline bool is_point(const ThreePointPlane3& plane) { return plane.a == plane.b 
 /// Of three points on one line against a shape with an interior.
 Relation relate_spanned_line(const ThreePointPlane3& line, const Cylinder3& shape);
 Relation relate_spanned_line(const ThreePointPlane3& line, const Cone3& shape);
+
+/// Of exact numbers, against a shape whose radius is above zero and whose ends differ.
+Relation relate_exact_line(const Straight<Rational>& line, const Cylinder3& shape);
+Relation relate_exact_line(const Straight<Rational>& line, const Cone3& shape);
+/// All x with normal . x - offset = 0, or <= 0; the normal is not zero.
+struct ExactPlane {
+  arith::Vec<Rational> normal;
+  Rational offset;
+  bool is_halfspace;
+};
+Relation relate_exact_plane(const ExactPlane& plane, const Cylinder3& shape);
+Relation relate_exact_plane(const ExactPlane& plane, const Cone3& shape);
 
 }  // namespace plumb::query

@@ -107,14 +107,19 @@ Point3 origin(const Shape& s) {
   }
 }
 
+bool is_posed_view(const PosedView& v) { return v.in_space != nullptr || v.in_plane != nullptr; }
+
 class Test {
  public:
-  Test(const FlatView& a, const FlatView& b)
-      : a_(a), b_(b), origin_(with_shape(a, [](const auto& s) { return origin(s); })) {}
+  Test(const PosedView& a, const PosedView& b)
+      : a_(a),
+        b_(b),
+        origin_(is_posed_view(a) || is_posed_view(b) ? Point3{0, 0, 0}
+                                                     : with_shape(a.figure, [](const auto& s) { return origin(s); })) {}
 
   std::optional<Relation> relation() {
     if (is_apart_by_middles()) return Relation::disjoint;
-    if (a_.dimension == 2) {
+    if (a_.figure.dimension == 2) {
       const arith::Vec<Running> up{Running(0.0), Running(0.0), Running(1.0)};
       for (std::size_t i = 0; i < near_a_.edge_count; ++i) {
         if (!add(cross(near_a_.edges[i], up), {i, 6}, {}, i, none)) return result();
@@ -143,14 +148,17 @@ class Test {
  private:
   static constexpr std::size_t none = 100, face = 200;
   template <class T>
-  [[nodiscard]] AxisBody<T> body(const FlatView& v) const {
-    return with_shape(v, [this](const auto& s) {
+  [[nodiscard]] AxisBody<T> body(const PosedView& v) const {
+    AxisBody<T> made = with_shape(v.figure, [this](const auto& s) {
       if constexpr (has_body<std::remove_cvref_t<decltype(s)>>) {
         return axis_body_of<T>(s, origin_);
       } else {
         return AxisBody<T>{};
       }
     });
+    if (v.in_space != nullptr) pose(made, *v.in_space);
+    if (v.in_plane != nullptr) pose(made, *v.in_plane);
+    return made;
   }
 
   // Along the line of their middles, which most pairs that lie apart are.
@@ -199,7 +207,7 @@ class Test {
     return exactly(a, b, axis);
   }
 
-  const FlatView &a_, &b_;
+  const PosedView &a_, &b_;
   Point3 origin_;
   AxisBody<Running> near_a_ = body<Running>(a_), near_b_ = body<Running>(b_);
   std::optional<AxisBody<BigDyadic>> exact_a_, exact_b_;
@@ -212,6 +220,6 @@ bool has_axes(const FlatView& v) {
   return with_shape(v, []<class Shape>(const Shape&) { return has_body<Shape>; });
 }
 
-std::optional<Relation> relate_by_axes(const FlatView& a, const FlatView& b) { return Test(a, b).relation(); }
+std::optional<Relation> relate_by_axes(const PosedView& a, const PosedView& b) { return Test(a, b).relation(); }
 
 }  // namespace plumb::query

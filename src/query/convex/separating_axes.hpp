@@ -16,6 +16,7 @@
 
 #include <optional>
 
+#include "plumb/query/body/posed.hpp"
 #include "query/convex/flat_view.hpp"
 
 namespace plumb::query {
@@ -23,6 +24,7 @@ namespace plumb::query {
 /// Has it the points and edges that the test needs?
 bool has_axes(const FlatView& v);
 
-std::optional<Relation> relate_by_axes(const FlatView& a, const FlatView& b);
+/// Posed or not.
+std::optional<Relation> relate_by_axes(const PosedView& a, const PosedView& b);
 
 }  // namespace plumb::query

@@ -219,6 +219,13 @@ Relation relate_spanned_line(const ThreePointPlane3& line, const Cylinder3& shap
 }
 Relation relate_spanned_line(const ThreePointPlane3& line, const Cone3& shape) { return relate_spanned(line, shape); }
 
+Relation relate_exact_line(const Straight<Rational>& line, const Cylinder3& shape) {
+  return *LineThroughRound<Rational>(line, axis_of(shape)).relation();
+}
+Relation relate_exact_line(const Straight<Rational>& line, const Cone3& shape) {
+  return *LineThroughRound<Rational>(line, axis_of(shape)).relation();
+}
+
 }  // namespace query
 
 using query::relate_line, query::relate_point;

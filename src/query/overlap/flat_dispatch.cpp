@@ -46,7 +46,7 @@ std::optional<Relation> relate_figures(const FlatView& a, const FlatView& b) {
   if (is_many_planes(b)) return relate_by_slack(b, a);
   if (is_one_plane(a)) return relate_by_extent(a, b);
   if (is_one_plane(b)) return relate_by_extent(b, a);
-  if (has_axes(a) && has_axes(b)) return relate_by_axes(a, b);
+  if (has_axes(a) && has_axes(b)) return relate_by_axes({a}, {b});
   if (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) {
     if (const auto found = relate_by_search(a, b)) return found;
     return a.kind == FigureKind::convex_polyhedron ? relate_by_slack(a, b) : relate_by_slack(b, a);

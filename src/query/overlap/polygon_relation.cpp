@@ -49,53 +49,27 @@ struct PlaneRegion {
   [[nodiscard]] Exact2 seen(const Exact3& p) const { return {p[(dropped + 1) % 3], p[(dropped + 2) % 3]}; }
 };
 
-/// A convex set with its relative interior, or without: a point beside others on one line.
-struct LinePiece {
-  FlatSet set;
-  bool has_inside;
-};
-
 /// A figure as a region of a plane, or as convex pieces.
 struct Parts {
   std::optional<PlaneRegion> region;
   std::vector<LinePiece> pieces;
 };
 
-/// The union of the edges of chains on one line.
-std::vector<LinePiece> pieces_on_line(const std::vector<ChainCopy>& chains) {
-  std::vector<std::pair<Exact3, Exact3>> spans;  // of a chain, which is connected; ordered as coordinates are
-  for (const ChainCopy& chain : chains) {
-    std::vector<Exact3> all;
-    for (const Point3& p : chain) all.push_back(exact(p));
-    const auto [first, last] = std::ranges::minmax_element(all);
-    spans.emplace_back(*first, *last);
-  }
-  std::ranges::sort(spans);
-  std::vector<std::pair<Exact3, Exact3>> merged;
-  for (const auto& span : spans) {
-    if (merged.empty() || merged.back().second < span.first) {
-      merged.push_back(span);
-    } else if (merged.back().second < span.second) {
-      merged.back().second = span.second;
-    }
-  }
-  std::vector<LinePiece> pieces;
-  for (const auto& [from, to] : merged) pieces.push_back({{{from, to}, {}, {}, {}}, merged.size() == 1 || from != to});
-  return pieces;
-}
-
-PlaneRegion region_of(const std::vector<ChainCopy>& chains, const std::vector<Point3>& all,
-                      const PlaneOfPoints& plane) {
-  const Exact3 a = exact(all[plane.span[0]]);
+PlaneRegion region_of(const ExactChains& chains, const Exact3& normal) {
   PlaneRegion r;
-  r.normal = cross(exact(all[plane.span[1]]) - a, exact(all[plane.span[2]]) - a);
-  r.offset = dot(r.normal, a);
+  r.normal = normal;
+  r.offset = dot(r.normal, chains[0][0]);
   r.dropped = sgn(r.normal[2]) != 0 ? 2 : sgn(r.normal[0]) != 0 ? 0 : 1;
-  for (const ChainCopy& chain : chains) {
+  for (const auto& chain : chains) {
     r.region.chains.emplace_back();
-    for (const Point3& p : chain) r.region.chains.back().push_back(r.seen(exact(p)));
+    for (const Exact3& p : chain) r.region.chains.back().push_back(r.seen(p));
   }
   return r;
+}
+
+Parts parts_of(const ExactChains& chains) {
+  if (const auto normal = normal_of(chains)) return {region_of(chains, *normal), {}};
+  return {{}, pieces_on_line(chains)};
 }
 
 /// The chains, and the plane that they lie in; nothing of other figures.
@@ -137,10 +111,18 @@ Relation relate_point(const FlatView& point, const FlatView& polygon) {
                               : place_of(polygon, *static_cast<const Point3*>(point.shape));
 }
 
+ExactChains exactly(const std::vector<ChainCopy>& chains) {
+  ExactChains all;
+  for (const ChainCopy& chain : chains) {
+    all.emplace_back();
+    for (const Point3& p : chain) all.back().push_back(exact(p));
+  }
+  return all;
+}
+
 Parts parts_of(const FlatView& v, const PolygonInput& input) {
   if (!is_polygon(v)) return {{}, {{flat_set(v), true}}};
-  if (input.plane.dimension < 2) return {{}, pieces_on_line(input.chains)};
-  return {region_of(input.chains, input.all, input.plane), {}};
+  return parts_of(exactly(input.chains));
 }
 
 /// A convex set of the plane by its generators.
@@ -276,6 +258,15 @@ Relation relate_to_pieces(const Part& part, const std::vector<LinePiece>& pieces
   return most;
 }
 
+Relation relate(const Parts& p, const Parts& q) {
+  if (p.region && q.region) return relate(*p.region, *q.region);
+  if (p.region) return relate_to_pieces(*p.region, q.pieces);
+  if (q.region) return relate_to_pieces(*q.region, p.pieces);
+  Relation most = Relation::disjoint;
+  for (const LinePiece& piece : p.pieces) most = std::max(most, relate_to_pieces(piece, q.pieces));
+  return most;
+}
+
 }  // namespace
 
 Relation relate_polygon(std::string_view function, const FlatView& a, const FlatView& b) {
@@ -284,13 +275,36 @@ Relation relate_polygon(std::string_view function, const FlatView& a, const Flat
   if (b.kind == FigureKind::point && of_a.span()) return relate_point(b, a);
   if (is_polygon(a) && are_surely_apart(a, of_a.span(), b)) return Relation::disjoint;
   if (is_polygon(b) && are_surely_apart(b, of_b.span(), a)) return Relation::disjoint;
-  const Parts p = parts_of(a, of_a), q = parts_of(b, of_b);
-  if (p.region && q.region) return relate(*p.region, *q.region);
-  if (p.region) return relate_to_pieces(*p.region, q.pieces);
-  if (q.region) return relate_to_pieces(*q.region, p.pieces);
-  Relation most = Relation::disjoint;
-  for (const LinePiece& piece : p.pieces) most = std::max(most, relate_to_pieces(piece, q.pieces));
-  return most;
+  return relate(parts_of(a, of_a), parts_of(b, of_b));
+}
+
+Relation relate_chains(const ExactChains& a, const ExactChains& b) { return relate(parts_of(a), parts_of(b)); }
+Relation relate_chains(const ExactChains& a, const FlatSet& b, bool of_inside) {
+  return relate(parts_of(a), Parts{{}, {{b, of_inside}}});
+}
+
+std::vector<LinePiece> pieces_on_line(const ExactChains& chains) {
+  std::vector<std::pair<Exact3, Exact3>> spans;  // of a chain, which is connected; ordered as coordinates are
+  for (const auto& chain : chains) {
+    const auto [first, last] = std::ranges::minmax_element(chain);
+    spans.emplace_back(*first, *last);
+  }
+  std::ranges::sort(spans);
+  std::vector<std::pair<Exact3, Exact3>> merged;
+  for (const auto& span : spans) {
+    if (merged.empty() || merged.back().second < span.first) {
+      merged.push_back(span);
+    } else if (merged.back().second < span.second) {
+      merged.back().second = span.second;
+    }
+  }
+  std::vector<LinePiece> pieces;
+  for (const auto& [from, to] : merged) pieces.push_back({{{from, to}, {}, {}, {}}, merged.size() == 1 || from != to});
+  return pieces;
+}
+
+ExactChains exact_chains(std::string_view function, const FlatView& polygon) {
+  return exactly(input_of(function, polygon).chains);
 }
 
 Relation relate_convex(std::string_view function, const FlatView& polygon, const FlatSet& other) {

@@ -82,6 +82,10 @@ PlaneOver<T> plane_over(const auto& plane) {
   return {arith::vec<T>(plane.normal), T(plane.offset)};
 }
 template <class T>
+PlaneOver<T> plane_over(const ExactPlane& plane) {
+  return {plane.normal, plane.offset};
+}
+template <class T>
 PlaneThrough<T> plane_over(const ThreePointPlane3& plane) {
   const Vec<T> a = arith::vec<T>(plane.a);
   return {arith::cross(arith::vec<T>(plane.b) - a, arith::vec<T>(plane.c) - a), a};
@@ -190,6 +194,14 @@ Relation relate_round_shape(const Plane& plane, const Round& round, Asked asked)
 }
 
 }  // namespace
+
+Relation relate_exact_plane(const ExactPlane& plane, const Cylinder3& shape) {
+  return relation_of(*sides_of<Rational>(plane, shape), plane.is_halfspace);
+}
+Relation relate_exact_plane(const ExactPlane& plane, const Cone3& shape) {
+  return relation_of(*sides_of<Rational>(plane, shape), plane.is_halfspace);
+}
+
 }  // namespace query
 
 using query::relate_round_shape;

@@ -1,0 +1,51 @@
+// Narrow phase of moved figures: do figures under poses meet, and do they overlap or only touch?  Without rounding a
+// corner.
+//
+//   relate(Posed{box, pose}, Posed{triangle, pose})   that of the box and the triangle, whatever the pose
+//   contains(Posed{ball, sheared}, p)                 is p in the ellipsoid?
+//
+// Laws: (1) those of query/overlap/overlap.hpp, of the exact images; every pair of the table, one or both posed, in
+// either order.  (2) A common pose whose matrix is not singular changes no answer; one that stays changes none.  (3) A
+// singular matrix makes the flat figure that it makes: its interior is that of its own affine hull.
+// Two round figures (balls, capsules, lozenges) are answered where one pose is a similarity as seen from the other (its
+// columns at right angles and of one length, exactly), or where one maps all to a point; round figures flattened by
+// their pose are not asked of polygons, cylinders and cones flattened so not of rays and segments: UnevenPose.
+// NaN and infinities throw NonFinite, naming the part ("relate: triangle.shape.b.y is nan"), what is no shape throws
+// InvalidShape.
+// Source: RTCD 3.2, 5.2.
+// Cost: about a microsecond for points, lines, triangles, tetrahedra and boxes; others in rationals, 100 us and more.
+#pragma once
+
+#include "plumb/figure/basic/answered.hpp"
+#include "plumb/query/body/posed.hpp"
+
+namespace plumb {
+
+namespace query {
+
+Relation relate_posed(std::string_view function, const PosedView& a, const PosedView& b);
+
+template <class A, class B>
+concept PosedPair = PosedFigures<A, B> && RelatedPair<UnposedType<A>, UnposedType<B>>;
+
+}  // namespace query
+
+template <class A, class B>
+requires query::PosedPair<A, B> Relation relate(const A& a, const B& b) {
+  return query::relate_posed("relate", query::posed_view(a), query::posed_view(b));
+}
+
+template <class A, class B>
+requires query::PosedPair<A, B>
+bool intersects(const A& a, const B& b) {
+  return query::relate_posed("intersects", query::posed_view(a), query::posed_view(b)) != Relation::disjoint;
+}
+
+/// Of a point, posed or not.
+template <class Shape, class Point>
+requires(query::PosedPair<Shape, Point>&& figure_kind<query::UnposedType<Point>> == FigureKind::point)  //
+    bool contains(const Shape& shape, const Point& p) {
+  return query::relate_posed("contains", query::posed_view(shape), query::posed_view(p)) != Relation::disjoint;
+}
+
+}  // namespace plumb

@@ -1,0 +1,15 @@
+// Are these figures and their poses ones at all?  One answer for all questions about posed figures.
+//
+// Laws: those of query/body/figure_input.hpp; the parts of a posed figure are named as its members are: "relate:
+// triangle.shape.b.y is nan", "relate: triangle.pose.columns[1].x is nan".
+// Cost: an addition a number.
+#pragma once
+
+#include "plumb/query/body/posed.hpp"
+
+namespace plumb::query {
+
+void require_posed(std::string_view function, std::string_view name, const PosedView& figure);
+void require_posed(std::string_view function, const PosedView& a, const PosedView& b);
+
+}  // namespace plumb::query

@@ -1,0 +1,71 @@
+#include "query/convex/posed_set.hpp"
+
+#include "query/body/figure_view.hpp"
+#include "query/convex/exact_gap.hpp"
+#include "query/convex/flat_view.hpp"
+
+namespace plumb::query {
+namespace {
+
+/// The core, and the radius; flat sets without one.
+template <class Shape>
+void fill(PosedSet& s, const Shape& shape) {
+  if constexpr (std::is_same_v<Shape, Cylinder3> || std::is_same_v<Shape, Cone3>) {
+    const auto [from, to] = [&] {
+      if constexpr (std::is_same_v<Shape, Cone3>) {
+        return std::pair{shape.apex, shape.base};
+      } else {
+        return std::pair{shape.a, shape.b};
+      }
+    }();
+    if (from != to && shape.radius > 0) {
+      s.axis = &shape;
+      return;
+    }
+    s.core = from == to ? flat_set(from) : flat_set(Segment3{from, to});
+    s.radius = from == to ? shape.radius : 0;
+  } else if constexpr (requires { core_set(shape); }) {
+    s.core = core_set(shape);
+    s.radius = shape.radius;
+  } else if constexpr (std::is_same_v<Shape, Circle2>) {
+    s.core = flat_set(shape.center);
+    s.radius = shape.radius;
+  } else if constexpr (std::is_same_v<Shape, Capsule2>) {
+    s.core = flat_set(Segment2{shape.a, shape.b});
+    s.radius = shape.radius;
+  } else if constexpr (requires { flat_set(shape); }) {
+    s.core = flat_set(shape);
+  }
+}
+
+}  // namespace
+
+PosedSet posed_set(const PosedView& figure) {
+  PosedSet s;
+  s.dimension = figure.figure.dimension;
+  s.map = figure.in_space != nullptr   ? exact_map(*figure.in_space)
+          : figure.in_plane != nullptr ? exact_map(*figure.in_plane)
+                                       : exact_identity();
+  with_figure(figure.figure, [&](const auto& shape) { fill(s, shape); });
+  if (s.is_round() && squared_scale(s.map, s.dimension) == 0) s.radius = 0;
+  return s;
+}
+
+FlatSet image(const PosedSet& s) { return image(s.map, s.core); }
+
+ExactChains image(const ExactMap& map, const ExactChains& chains) {
+  ExactChains all = chains;
+  for (auto& chain : all) {
+    for (Exact3& p : chain) p = image(map, p);
+  }
+  return all;
+}
+
+// root(a) + root(b) against root(c): 2 root(a b) against c - a - b.
+int sign_of_roots(const mpq_class& first, const mpq_class& second, const mpq_class& third) {
+  const mpq_class rest = third - first - second, product = 4 * first * second;
+  if (sgn(rest) < 0) return 1;
+  return sgn(mpq_class(product - rest * rest));
+}
+
+}  // namespace plumb::query

@@ -1,0 +1,42 @@
+// What is a figure under a pose made of?  The exact set before it, what is near to that, and the map.
+//
+// Laws: exact; of a radius above zero the set is the core, all that is near to which is meant, before the map.
+// Cost: GMP; what flat_set takes.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "plumb/query/body/posed.hpp"
+#include "query/convex/exact_map.hpp"
+#include "query/convex/trapezoids.hpp"
+
+namespace plumb::query {
+
+/// A cylinder or a cone whose ends differ and whose radius is above zero.
+using AxisRound = std::variant<std::monostate, const Cylinder3*, const Cone3*>;
+
+struct PosedSet {
+  FlatSet core = {};        // of what is convex
+  ExactChains chains = {};  // of polygons
+  mpq_class radius = 0;     // beyond the core
+  AxisRound axis = {};      // instead of all that
+  ExactMap map = {};
+  int dimension = 3;  // of the space
+
+  [[nodiscard]] bool is_polygon() const { return !chains.empty(); }
+  [[nodiscard]] bool is_round() const { return sgn(radius) > 0; }
+  [[nodiscard]] bool has_axis() const { return axis.index() != 0; }
+};
+
+/// Of what has been looked at: finite numbers, radii that are not negative.  Balls of radius zero are points, and what
+/// the matrix zero maps is one.  Chains are left to who asks.
+PosedSet posed_set(const PosedView& figure);
+
+FlatSet image(const PosedSet& s);
+ExactChains image(const ExactMap& map, const ExactChains& chains);
+
+/// The sign of root(first) + root(second) - root(third), of numbers that are not negative.
+int sign_of_roots(const mpq_class& first, const mpq_class& second, const mpq_class& third);
+
+}  // namespace plumb::query

@@ -1,0 +1,173 @@
+#include "query/overlap/posed_relation.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "plumb/arith/big.hpp"
+#include "plumb/arith/error.hpp"
+#include "query/body/axis_shape.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/body/posed_input.hpp"
+#include "query/convex/exact_gap.hpp"
+#include "query/convex/posed_set.hpp"
+#include "query/convex/separating_axes.hpp"
+#include "query/overlap/polygon_relation.hpp"
+
+namespace plumb::query {
+namespace {
+
+constexpr bool is_flat_kind(FigureKind kind) {
+  return !is_one_of(
+      kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+}
+
+Relation on_boundary_alone(Relation r) { return std::min(r, Relation::touching); }
+Relation of_part(Relation r, bool of_inside) { return of_inside ? r : on_boundary_alone(r); }
+
+/// Of balls around the sets, of radii whose squares these are.
+Relation relate_near(const FlatSet& a, const mpq_class& a_reach, const FlatSet& b, const mpq_class& b_reach) {
+  const auto square = squared_distance(a, b);
+  return square ? static_cast<Relation>(sign_of_roots(a_reach, b_reach, *square)) : Relation::disjoint;
+}
+
+Relation relate_axis_line(const Straight<Rational>& line, const AxisRound& shape) {
+  const auto* cone = std::get_if<const Cone3*>(&shape);
+  return cone != nullptr ? relate_exact_line(line, **cone)
+                         : relate_exact_line(line, *std::get<const Cylinder3*>(shape));
+}
+Relation relate_axis_plane(const ExactPlane& plane, const AxisRound& shape) {
+  const auto* cone = std::get_if<const Cone3*>(&shape);
+  return cone != nullptr ? relate_exact_plane(plane, **cone)
+                         : relate_exact_plane(plane, *std::get<const Cylinder3*>(shape));
+}
+
+/// One question, of figures that doubles did not tell.
+class PosedRelation {
+ public:
+  PosedRelation(std::string_view function, const PosedView& a, const PosedView& b)
+      : function_(function), views_{a, b}, a_(set_of(a)), b_(set_of(b)) {}
+
+  Relation operator()() const {
+    if (a_.has_axis()) return axis_with(a_, b_);
+    if (b_.has_axis()) return axis_with(b_, a_);
+    if (a_.is_round() && b_.is_round()) return round_with_round();
+    if (a_.is_round()) return round_with(a_, b_);
+    if (b_.is_round()) return round_with(b_, a_);
+    if (a_.is_polygon() && b_.is_polygon()) return relate_chains(image(a_.map, a_.chains), image(b_.map, b_.chains));
+    if (a_.is_polygon()) return relate_chains(image(a_.map, a_.chains), image(b_));
+    if (b_.is_polygon()) return relate_chains(image(b_.map, b_.chains), image(a_));
+    return relate(image(a_), image(b_));
+  }
+
+ private:
+  PosedSet set_of(const PosedView& v) const {
+    PosedSet s = posed_set(v);
+    if (is_flat_kind(v.figure.kind) && is_polygon(v.figure)) s.chains = exact_chains(function_, v.figure);
+    return s;
+  }
+
+  [[noreturn]] void refuse(std::string_view why) const {
+    throw UnevenPose(std::string(function_)
+                         .append(": ")
+                         .append(spoken(views_[0].figure))
+                         .append(" and ")
+                         .append(spoken(views_[1].figure))
+                         .append(": ")
+                         .append(why));
+  }
+
+  Relation round_with(const PosedSet& round, const PosedSet& other) const {
+    const mpq_class reach = round.radius * round.radius;
+    if (!other.is_polygon()) {
+      const Preimage part = preimage(round.map, image(other));
+      return of_part(relate_near(round.core, reach, part.set, 0), part.of_inside);
+    }
+    if (is_singular(round.map)) refuse("a pose flattens what is round; of polygons ask their triangles");
+    const ExactChains chains = image(composed(inverse(round.map), other.map), other.chains);
+    Relation most = Relation::disjoint;
+    if (!normal_of(chains)) {
+      for (const auto& [piece, has_inside] : pieces_on_line(chains))
+        most = std::max(most, of_part(relate_near(round.core, reach, piece, 0), has_inside));
+      return most;
+    }
+    for (const FlatSet& cell : trapezoids(chains)) most = std::max(most, relate_near(round.core, reach, cell, 0));
+    for (const FlatSet& edge : edges_of(chains)) {
+      if (most != Relation::disjoint) break;
+      most = on_boundary_alone(relate_near(round.core, reach, edge, 0));
+    }
+    return most;
+  }
+
+  /// As one of them sees the other, which must be as round to it.
+  Relation round_with_round() const {
+    const bool swap = is_singular(a_.map);
+    const PosedSet &still = swap ? b_ : a_, &other = swap ? a_ : b_;
+    if (!is_singular(still.map)) {
+      const ExactMap seen = still.map == other.map ? exact_identity() : composed(inverse(still.map), other.map);
+      if (const auto scale = squared_scale(seen, still.dimension)) {
+        const mpq_class reach = other.radius * other.radius * *scale;
+        return relate_near(still.core, mpq_class(still.radius * still.radius), image(seen, other.core), reach);
+      }
+    }
+    refuse(
+        "neither pose is a similarity to the other; give round figures poses of columns at right angles and of one "
+        "length, or one pose");
+  }
+
+  /// Of a line, a plane or a part of one, as the shape sees it before its pose.
+  Relation axis_with(const PosedSet& round, const PosedSet& other) const {
+    const Preimage part = preimage(round.map, image(other));
+    return of_part(straight_with(part.set, round.axis), part.of_inside);
+  }
+
+  Relation straight_with(const FlatSet& s, const AxisRound& shape) const {
+    std::vector<Exact3> points = s.points, lines;
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.empty()) return Relation::disjoint;
+    for (const Exact3& l : s.lines) {
+      const bool is_new = lines.empty() || (lines.size() == 1 ? !is_zero(cross(lines[0], l))
+                                                              : sgn(dot(cross(lines[0], lines[1]), l)) != 0);
+      if (is_new && lines.size() < 3) lines.push_back(l);
+    }
+    const std::size_t ends = points.size(), ways = s.directions.size();
+    if (lines.size() == 3) return Relation::overlapping;
+    const auto number = [](const mpq_class& x) { return Rational(BigRational{x}); };
+    const auto vector = [&](const Exact3& v) { return arith::Vec<Rational>{number(v[0]), number(v[1]), number(v[2])}; };
+    const auto line = [&](const Exact3& along, bool starts, bool stops) {
+      return relate_axis_line(Straight<Rational>{vector(points[0]), vector(along), starts, stops}, shape);
+    };
+    if (lines.empty() && ways == 0 && ends <= 2) return line(points.back() - points[0], true, true);
+    if (lines.empty() && ways == 1 && ends == 1) return line(s.directions[0], true, false);
+    if (lines.size() == 1 && ways == 0 && ends == 1) return line(lines[0], false, false);
+    if (lines.size() == 2 && ways <= 1 && ends == 1) {
+      Exact3 normal = cross(lines[0], lines[1]);
+      if (ways == 1 && sgn(dot(normal, s.directions[0])) > 0) normal = mpq_class(-1) * normal;
+      return relate_axis_plane({vector(normal), number(dot(normal, points[0])), ways == 1}, shape);
+    }
+    refuse("a pose flattens the shape; give one whose matrix is not singular");
+  }
+
+  std::string_view function_;
+  std::array<PosedView, 2> views_;
+  PosedSet a_, b_;
+};
+
+std::optional<Relation> relate_posed_quickly(const PosedView& a, const PosedView& b) {
+  if (!is_flat_kind(a.figure.kind) || !is_flat_kind(b.figure.kind)) return {};
+  if (!has_axes(a.figure) || !has_axes(b.figure)) return {};
+  return relate_by_axes(a, b);
+}
+
+}  // namespace
+
+Relation relate_posed(std::string_view function, const PosedView& a, const PosedView& b) {
+  require_posed(function, a, b);
+  for (const PosedView* v : {&a, &b}) {
+    if (with_figure(v->figure, [](const auto& s) { return is_nothing(s); })) return Relation::disjoint;
+  }
+  if (const auto quick = relate_posed_quickly(a, b)) return *quick;
+  return PosedRelation(function, a, b)();
+}
+
+}  // namespace plumb::query

@@ -1,0 +1,208 @@
+// Posed figures, in every pair of the table: one that stays put, a common pose, and exact images on one side change no
+// answer; what a singular pose flattens is the flat figure that it becomes.
+#include "plumb/query/overlap/posed.hpp"
+
+#include "figure/basic/thrown.hpp"
+#include "query/body/pair_laws.hpp"
+#include "query/body/posed_cases.hpp"
+
+namespace plumb::pair_cases {
+namespace {
+
+using query::PosedView;
+
+struct PosedSeen {
+  int cases = 0, moved = 0;
+  Answers answers;
+};
+
+PosedView posed_by(const query::FigureView& v, const Pose& in_space, const Pose2& in_plane) {
+  return v.dimension == 3 ? PosedView{v, &in_space, nullptr} : PosedView{v, nullptr, &in_plane};
+}
+
+constexpr Pose2 identity_pose2{{{{1, 0}, {0, 1}}}, {0, 0}};
+
+/// Which of the laws fails: a bit each.  Without the types, so that it is compiled once.
+int broken(const query::FigureView& a, const query::FigureView& b, const Pose& pose, Relation expected) {
+  const Pose2 flat = in_plane(pose);
+  const auto stays = [](const query::FigureView& v) { return posed_by(v, identity_pose, identity_pose2); };
+  const auto by = [&](const query::FigureView& v) { return posed_by(v, pose, flat); };
+  const std::array answers{query::relate_posed("relate", stays(a), PosedView{b}),
+                           query::relate_posed("relate", PosedView{b}, stays(a)),
+                           query::relate_posed("relate", by(a), by(b)), query::relate_posed("relate", by(b), by(a))};
+  int bits = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) bits |= answers[i] != expected ? 1 << i : 0;
+  return bits;
+}
+
+int broken_maps(const query::FigureView& a, const query::FigureView& a_image, const query::FigureView& b,
+                const query::FigureView& b_image, const Pose& pose, Relation expected) {
+  const Pose2 flat = in_plane(pose);
+  const std::array answers{query::relate_posed("relate", posed_by(a, pose, flat), PosedView{b_image}),
+                           query::relate_posed("relate", PosedView{a_image}, posed_by(b, pose, flat))};
+  return (answers[0] != expected ? 1 : 0) | (answers[1] != expected ? 2 : 0);
+}
+
+template <class A, class B>
+void expect_posed_laws(PosedSeen& seen, std::uint64_t start) {
+  shape_cases::on_shapes(start, battery::sanitized ? 1 : 4, [&](Material& m) {
+    const auto pair = pair_of<A, B>(m);
+    const A& a = pair.first;
+    const B& b = pair.second;
+    const Relation r = relate(a, b);
+    const auto name = [&] { return pair_name<A, B>() + m.about(a, b); };
+    ++seen.cases;
+    seen.answers.add(r);
+    const Pose pose = regular_pose(m);
+    EXPECT_EQ(broken(query::view_of(a), query::view_of(b), pose, r), 0) << name();
+    Map map(m, figure_dimension<A>, map_kind<A, B>(m), m.below(2) == 0);
+    const Pose exact = pose_of(map);
+    const A c = mapped(a, map);
+    const B d = mapped(b, map);
+    if (!map.exact()) return;
+    ++seen.moved;
+    EXPECT_EQ(broken_maps(query::view_of(a), query::view_of(c), query::view_of(b), query::view_of(d), exact, r), 0)
+        << name() << " to" << m.about(c, d);
+  });
+}
+
+template <class All>
+void expect_posed_laws_of_all(std::uint64_t start) {
+  PosedSeen seen;
+  on_pairs(All{}, [&]<class A, class B>(const A*, const B*) { expect_posed_laws<A, B>(seen, start++); });
+  std::printf("%d cases, %d mapped; disjoint %d, touching %d, overlapping %d\n", seen.cases, seen.moved,
+              seen.answers.of(Relation::disjoint), seen.answers.of(Relation::touching),
+              seen.answers.of(Relation::overlapping));
+  EXPECT_GT(seen.moved * 3, seen.cases);
+  EXPECT_GT(seen.answers.of(Relation::touching) * 20, seen.cases);
+}
+
+TEST(PosedOverlap, LawsHoldForAllPairsOfThePlane) { expect_posed_laws_of_all<Plane>(801); }
+TEST(PosedOverlap, LawsHoldForAllPairsOfSpace) { expect_posed_laws_of_all<Space>(1201); }
+
+double small(Material& m) { return static_cast<double>(m.below(7)) - 3; }
+Point3 small_point(Material& m) { return {small(m), small(m), small(m)}; }
+
+/// The image of whole numbers, exact in doubles.
+Point3 moved(const Point3& p, const Pose& pose) {
+  const auto& [c, t] = pose;
+  return {c[0].x * p.x + c[1].x * p.y + c[2].x * p.z + t.x, c[0].y * p.x + c[1].y * p.y + c[2].y * p.z + t.y,
+          c[0].z * p.x + c[1].z * p.y + c[2].z * p.z + t.z};
+}
+Vector3 moved(const Vector3& v, const Pose& pose) {
+  const Point3 p = moved(Point3{v.x, v.y, v.z}, {pose.columns, {0, 0, 0}});
+  return {p.x, p.y, p.z};
+}
+
+/// Of rank 0, 1 or 2.
+Pose singular_pose(Material& m) {
+  Pose pose = whole_pose(m);
+  auto& c = pose.columns;
+  const double k = small(m), l = small(m);
+  c[2] = {k * c[0].x + l * c[1].x, k * c[0].y + l * c[1].y, k * c[0].z + l * c[1].z};
+  if (m.below(4) == 0) c[1] = c[2] = {};
+  if (m.below(8) == 0) c[0] = {};
+  std::swap(c[m.below(3)], c[m.below(3)]);
+  return pose;
+}
+
+TEST(PosedOverlap, WhatIsFlattenedIsTheFlatFigureThatItBecomes) {
+  Answers answers;
+  shape_cases::on_shapes(31, battery::sanitized ? 20 : 100, [&](Material& m) {
+    const Pose pose = singular_pose(m);
+    const std::array p{small_point(m), small_point(m), small_point(m), small_point(m)};
+    const std::array q{moved(p[0], pose), moved(p[1], pose), moved(p[2], pose), moved(p[3], pose)};
+    const Vector3 u{small(m), small(m), small(m)}, v{small(m), small(m), small(m)}, w{small(m), small(m), small(m)};
+    const Obb3 box{p[0], {u, v, w}, {1, 2, 0.5}},
+        flat_box{q[0], {moved(u, pose), moved(v, pose), moved(w, pose)}, {1, 2, 0.5}};
+    const Quadrilateral3 quad{{p[0].x, p[0].y, 0}, {p[1].x, p[1].y, 0}, {p[2].x, p[2].y, 0}, {p[3].x, p[3].y, 0}};
+    const Quadrilateral3 flat_quad{moved(quad.a, pose), moved(quad.b, pose), moved(quad.c, pose), moved(quad.d, pose)};
+    const std::array r{small_point(m), small_point(m), small_point(m), small_point(m)};
+    const auto expect = [&](const auto& other) {
+      const auto ask = [&](const auto& shape, const auto& image) {
+        const Relation expected = relate(image, other);
+        answers.add(expected);
+        EXPECT_EQ(relate(Posed{shape, pose}, other), expected) << m.about(image, other);
+        EXPECT_EQ(relate(other, Posed{shape, pose}), expected) << m.about(image, other);
+        EXPECT_EQ(intersects(Posed{shape, pose}, other), expected != Relation::disjoint) << m.about(image, other);
+      };
+      ask(Segment3{p[0], p[1]}, Segment3{q[0], q[1]});
+      ask(Triangle3{p[0], p[1], p[2]}, Triangle3{q[0], q[1], q[2]});
+      ask(Tetrahedron3{p[0], p[1], p[2], p[3]}, Tetrahedron3{q[0], q[1], q[2], q[3]});
+      ask(box, flat_box);
+      ask(quad, flat_quad);
+    };
+    expect(Triangle3{r[0], r[1], r[2]});
+    expect(Aabb3{{-1, -1, -1}, {r[0].x + 4, 1, 2}});
+    expect(Sphere3{r[0], 2});
+    expect(Plane3{{r[0].x, r[0].y, r[0].z}, r[1].x});
+  });
+  for (const Relation r : {Relation::disjoint, Relation::touching, Relation::overlapping})
+    EXPECT_GT(answers.of(r) * 50, answers.all());
+}
+
+// A ball under any matrix is the ellipsoid of its columns.
+TEST(PosedOverlap, EllipsoidsContainPointsAsTheirOwnStructSays) {
+  int inside = 0, boundary = 0, all = 0;
+  shape_cases::on_shapes(32, battery::sanitized ? 100 : 600, [&](Material& m) {
+    const bool regular = m.below(2) == 0;
+    const Pose pose = regular ? whole_pose(m) : singular_pose(m);
+    const auto& [c, t] = pose;
+    const Posed ball{Sphere3{{0, 0, 0}, 5}, pose};
+    const std::array on{Point3{0, 0, 0}, Point3{3, 4, 0}, Point3{0, -3, 4}, Point3{0, 0, 5}, Point3{1, 2, 2}};
+    const Point3 p = m.below(3) == 0 ? small_point(m) : moved(on[m.below(on.size())], pose);
+    const Location expected = locate(Ellipsoid3{{t.x, t.y, t.z}, c, {5, 5, 5}}, p);
+    ++all, inside += expected == Location::inside, boundary += expected == Location::boundary;
+    EXPECT_EQ(contains(ball, p), expected != Location::outside) << m.about(p);
+    if (determinant(pose) != 0) {
+      EXPECT_EQ(relate(ball, p), static_cast<Relation>(expected)) << m.about(p);
+    }
+  });
+  EXPECT_GT(inside * 10, all);
+  EXPECT_GT(boundary * 10, all);
+}
+
+TEST(PosedOverlap, BallsFlattenedOntoAPlaneAreDisks) {
+  const Pose flatten{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 1}};
+  shape_cases::on_shapes(33, battery::sanitized ? 50 : 200, [&](Material& m) {
+    const Point2 c{small(m), small(m)}, p{small(m), small(m)}, q{small(m), small(m)}, r{small(m), small(m)};
+    const auto lift = [](const Point2& x) { return Point3{x.x, x.y, 1}; };
+    const Posed disk{Sphere3{{c.x, c.y, small(m)}, 2}, flatten};
+    EXPECT_EQ(relate(disk, Segment3{lift(p), lift(q)}), relate(Circle2{c, 2}, Segment2{p, q})) << m.about(p, q);
+    EXPECT_EQ(relate(disk, Triangle3{lift(p), lift(q), lift(r)}), relate(Circle2{c, 2}, Triangle2{p, q, r}));
+    EXPECT_EQ(relate(disk, Triangle3{lift(p), lift(q), {r.x, r.y, 1.5}}),
+              std::min(relate(Circle2{c, 2}, Segment2{p, q}), Relation::touching));
+    EXPECT_EQ(relate(disk, Point3{p.x, p.y, 0x1.0000000000001p0}), Relation::disjoint);
+  });
+}
+
+TEST(PosedOverlap, WhatIsNotAnsweredSaysSo) {
+  const Pose sheared{{{{1, 0, 0}, {1, 1, 0}, {0, 0, 1}}}, {0, 0, 0}}, flat{{{{1, 0, 0}, {0, 1, 0}, {}}}, {0, 0, 0}};
+  const Sphere3 ball{{0, 0, 0}, 1};
+  EXPECT_THROW(relate(Posed{ball, sheared}, ball), UnevenPose);
+  EXPECT_EQ(relate(Posed{ball, sheared}, Posed{Capsule3{{2, 0, 0}, {3, 0, 0}, 1}, sheared}), Relation::touching);
+  EXPECT_EQ(relate(Posed{ball, sheared}, Sphere3{{1, 0, 0}, 0}), Relation::touching);  // a point
+  EXPECT_EQ(relate(Posed{ball, Pose{{}, {3, 0, 0}}}, Sphere3{{1, 0, 0}, 2}), Relation::touching);
+  EXPECT_THROW(relate(Posed{ball, flat}, Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), UnevenPose);
+  EXPECT_THROW(relate(Posed{Cylinder3{{0, 0, 0}, {1, 0, 0}, 1}, flat}, Segment3{{0, 0, 0}, {1, 0, 0}}), UnevenPose);
+}
+
+TEST(PosedOverlap, NumbersThatAreNoneAreNamed) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Triangle3 t{{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}, good{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const auto told = [](auto f) { return text_of<NonFinite>(f).substr(0, 48); };
+  EXPECT_EQ(told([&] {
+              relate(Posed{t, identity_pose}, Point3{0, 0, 0});
+            }),
+            std::string("relate: triangle.shape.b.y is nan, not a real number").substr(0, 48));
+  Pose pose = identity_pose;
+  pose.columns[1].x = nan;
+  EXPECT_EQ(told([&] {
+              intersects(good, Posed{good, pose});
+            }),
+            std::string("intersects: b.pose.columns[1].x is nan, not a real number").substr(0, 48));
+  EXPECT_THROW(relate(Posed{Sphere3{{0, 0, 0}, -1}, identity_pose}, good), InvalidShape);
+}
+
+}  // namespace
+}  // namespace plumb::pair_cases
