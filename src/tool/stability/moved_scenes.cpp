@@ -4,9 +4,9 @@
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/overlap/posed.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "tool/stability/float_ways.hpp"
-#include "tool/stability/posed_tests.hpp"
 #include "tool/stability/question_figures.hpp"
 #include "tool/stability/share_curves.hpp"
 #include "tool/trial/location_tests.hpp"
@@ -136,15 +136,16 @@ Asker asker(const std::string& name, bool exact, const Scenery& scene, const std
 /// Ours, of the points as the pose moves them: nothing is rounded, whatever the pose.
 Asker posed_asker(const Scenery& scene, const std::vector<Move>& moves) {
   const auto meet = [](const Pair& q, const Move& m) {
-    return posed_meet(triangle_at(q.data()), triangle_at(&q[9]), pose_of(m));
+    const Pose pose = pose_of(m);
+    return intersects(Posed{triangle_at(q.data()), pose}, Posed{triangle_at(&q[9]), pose});
   };
   const auto hit = [](const Shot& q, const Move& m) {
-    const double far = 0x1p13;  // a direction is at least 2^-8 long: beyond everything
-    const Segment3 s{point_at(q.data()), {q[0] + far * q[3], q[1] + far * q[4], q[2] + far * q[5]}};
-    return posed_meet(s, triangle_at(&q[6]), pose_of(m));
+    const Pose pose = pose_of(m);
+    return intersects(Posed{ray_at(q.data()), pose}, Posed{triangle_at(&q[6]), pose});
   };
   const auto held = [](const Spot& q, const Move& m) {
-    return posed_in_polygon(corners_of(q), Point2{q[0], q[1]}, flat_pose_of(m));
+    const Pose2 pose = flat_pose_of(m);
+    return contains(Posed{Polygon2{corners_of(q)}, pose}, Posed{Point2{q[0], q[1]}, pose});
   };
   return {"exact, posed",
           true,

@@ -4,9 +4,9 @@
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/overlap/posed.hpp"
 #include "tool/mesh/flange.hpp"
 #include "tool/stability/float_ways.hpp"
-#include "tool/stability/posed_tests.hpp"
 #include "tool/stability/question_figures.hpp"
 #include "tool/trial/triangle_tests.hpp"
 
@@ -157,7 +157,9 @@ std::vector<Posing> posings() {
   add("exact, rounded points", both_posed<double>, meet_as_given);
   add("exact, in one's space", second_in_first<double>, meet_as_given);
   all.push_back({"exact, posed",
-                 [](const Pair& q, const Pose& p) { return posed_meet(triangle_at(q.data()), triangle_at(&q[9]), p); },
+                 [](const Pair& q, const Pose& p) {
+                   return intersects(Posed{triangle_at(q.data()), p}, Posed{triangle_at(&q[9]), p});
+                 },
                  true});
   return all;
 }
