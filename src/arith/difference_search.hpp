@@ -97,6 +97,7 @@ class DifferenceSearch {
   }
 
   [[nodiscard]] const std::vector<DifferenceCorner>& corners() const { return corners_; }
+  [[nodiscard]] const std::vector<T>& weights() const { return weights_; }
   [[nodiscard]] const T& square() const { return square_; }  // as the last step found it
   [[nodiscard]] const T& whole() const { return whole_; }
 

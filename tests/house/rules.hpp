@@ -30,7 +30,7 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
     {"figure",
      {"basic", "containment", "support", "hull", "measures", "minkowski", "sphere", "aabb", "k_dop", "obb",
       "swept_sphere", "bound", "generated"}},
-    {"query", {"body", "closest", "convex", "overlap", "ray", "section", "time_of_impact", "kinds"}},
+    {"query", {"body", "closest", "convex", "overlap", "ray", "section", "separation", "time_of_impact", "kinds"}},
     {"space", {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence"}},
     {"tool", {"terminal", "drawing",  "mesh",    "trial", "manual",    "bounds",  "bvh",       "check",      "chart",
               "convert",  "distance", "doctor",  "fuzz",  "help",      "inside",  "intersect", "placements", "plan",

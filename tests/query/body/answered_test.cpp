@@ -40,8 +40,9 @@ TEST(Answered, EachQuestionHasItsConcept) {
   EXPECT_FALSE((Intersectable<Sphere3, Sphere3>) || (Intersectable<Segment2, Segment3>));
   EXPECT_TRUE((Hittable<Ray3, Triangle3>)&&(Hittable<Segment2, Aabb2>)&&(Hittable<Ray3, TriangleMesh>));
   EXPECT_FALSE((Hittable<Ray3, Ray3>) || (Hittable<Ray2, Sphere3>) || (Hittable<Triangle3, Ray3>));
-  EXPECT_TRUE((Measurable<Point3, Obb3>)&&(Measurable<Obb3, Point3>)&&(Measurable<Line2, Ray2>));
-  EXPECT_FALSE((Measurable<Sphere3, Sphere3>) || (Measurable<Point2, Obb3>) || (Measurable<TriangleMesh, Point3>));
+  EXPECT_TRUE((Measurable<Point3, Obb3>)&&(Measurable<Obb3, Point3>)&&(Measurable<Line2, Ray2>)&&(
+      Measurable<Sphere3, Sphere3>)&&(Measurable<Capsule3, Aabb3>)&&(Measurable<Polygon2, Circle2>));
+  EXPECT_FALSE((Measurable<Sphere3, Cylinder3>) || (Measurable<Point2, Obb3>) || (Measurable<TriangleMesh, Point3>));
   EXPECT_TRUE(
       (Collidable<Translating<Sphere3>, Translating<Sphere3>>)&&(Collidable<Moving<Point3>, Moving<Triangle3>>));
   EXPECT_FALSE((Collidable<Sphere3, Sphere3>) || (Collidable<Moving<Point3>, Foreign>));

@@ -2,10 +2,10 @@
 #include <cstring>
 
 #include "figure/basic/thrown.hpp"
-#include "plumb/query/closest/closest.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "plumb/query/section/intersection.hpp"
 #include "plumb/query/section/intersection2.hpp"
+#include "plumb/query/separation/separation.hpp"
 #include "plumb/query/time_of_impact/translating_contact.hpp"
 #include "query/body/pair_laws.hpp"
 #include "query/body/pair_moves.hpp"

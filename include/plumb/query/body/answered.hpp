@@ -43,16 +43,16 @@ concept Hittable = requires(const Straight& straight, const Shape& shape) {
 template <class T = Closest>
 figure::NoAnswer<T> closest_points(const figure::Anything&, const figure::Anything&) {
   static_assert(figure::never<T>,
-                "plumb: closest_points takes a point and a figure of its space, or two of line, ray, segment and "
-                "triangle: docs/closest.md lists the pairs; of a mesh ask its triangles");
+                "plumb: closest_points takes two figures of one space, neither of which is a cylinder or a cone "
+                "(include <plumb/query.hpp>): docs/closest.md lists the pairs; of a mesh ask its triangles");
   __builtin_unreachable();
 }
 
 template <class T = double>
 figure::NoAnswer<T> distance(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
   static_assert(figure::never<T>,
-                "plumb: distance takes a point and a figure of its space, or two of line, ray, segment and triangle: "
-                "docs/closest.md lists the pairs; of a mesh ask its triangles");
+                "plumb: distance takes two figures of one space, neither of which is a cylinder or a cone (include "
+                "<plumb/query.hpp>): docs/closest.md lists the pairs; of a mesh ask its triangles");
   __builtin_unreachable();
 }
 template <class A, class B>

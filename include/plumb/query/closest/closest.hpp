@@ -128,11 +128,10 @@ requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { exact_distance
   return exact_distance(b, a, asked);
 }
 
-/// Of two figures neither of which is a point.
+/// Of two straight ones.
 template <class A, class B>
-requires(!query::AnyOf<A, Point2, Point3> && !OtherWayRound<A, B> &&
-         requires(const A& a, const B& b) { squared_distance_exact(a, b); })  //
-    ExactDistance exact_distance(const A& a, const B& b, Asked asked = Asked::exact_distance) {
+requires query::StraightPair<A, B> ExactDistance exact_distance(const A& a, const B& b,
+                                                                Asked asked = Asked::exact_distance) {
   return {squared_distance_exact(a, b, asked)};
 }
 

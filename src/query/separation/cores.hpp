@@ -1,0 +1,20 @@
+// Closest points: which points of the cores of two figures are nearest to one another, exactly, whatever the figures?
+//
+// A polygon is its edges and, where it has an inside, what of its plane is in it: a nearest pair whose point is inside
+// is one of the plane's, and all pairs next to it are until they leave the polygon across an edge.
+// Laws: (1) the distance is that of the sets.  (2) Of several nearest pairs that one is told whose points come first in
+// lexicographic order: the earlier of its two points, then the later, whichever figure is named first; where none comes
+// first, of figures that go on, one of them, the same whichever is named first.
+// Source: query/convex/nearest_pair.hpp.
+// Cost: that of nearest_pair; with polygons that of each pair of edges whose boxes are near enough.
+#pragma once
+
+#include "query/convex/flat_view.hpp"
+#include "query/convex/nearest_pair.hpp"
+
+namespace plumb::query {
+
+/// Nothing where one of the figures has no point.
+std::optional<NearestPair> nearest_of_cores(const FigureView& a, const FigureView& b, WhichPair which);
+
+}  // namespace plumb::query

@@ -1,0 +1,21 @@
+// Closest features: which vertex, edge or face of a figure holds this point of it?  Of a point that no doubles need
+// hold.
+//
+// Laws: the feature of the lowest dimension and then of the lowest number that holds the point, as the headers of
+// query/closest/ number them; of a round figure that of its core at the core's point, numbered as its surface, or the
+// interior.  Of a k-DOP and of an intersection of halfspaces only sides are features: 2 times the direction, plus 1 at its
+// upper end; the number of the halfspace.
+// Source: figure/containment/voronoi_region.hpp.
+// Cost: a few rational comparisons a feature; some 10 us for each whose box holds the point.
+#pragma once
+
+#include "plumb/figure/containment/voronoi_region.hpp"
+#include "query/convex/flat_set.hpp"
+#include "query/convex/flat_view.hpp"
+
+namespace plumb::query {
+
+/// Of a point of the figure, or of its core where it is round.  `is_inside`: strictly inside the round figure.
+Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside);
+
+}  // namespace plumb::query
