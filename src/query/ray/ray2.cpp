@@ -1,26 +1,18 @@
-// A shape of the plane with straight edges is hit where one of them is first, or where the ray begins inside; a circle
-// as the ball about its center: the plane z = 0 rounds nothing.
+// A shape of the plane with straight edges is hit where one of them is first, or where the ray begins inside.
 #include "plumb/query/ray/ray2.hpp"
 
 #include <tuple>
 #include <vector>
 
 #include "certify/certainly.hpp"
-#include "figure/basic/in_space.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
-#include "query/ray/numbers.hpp"
+#include "query/ray/lifted.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
 
-AnyRay in_space(const AnyRay2& r) {
-  if (r.kind == AnyRay::Kind::segment) return Segment3{in_space(r.origin), in_space(r.end)};
-  const Vector3 direction{r.direction.x, r.direction.y, 0};
-  if (r.kind == AnyRay::Kind::line) return Line3{in_space(r.origin), direction};
-  return Ray3{in_space(r.origin), direction};
-}
 struct Edge2 {
   Point2 a, b;
   std::uint32_t at_a, at_b, number;
@@ -209,18 +201,6 @@ FirstEdge first_edge(const AnyRay2& ray, const Shape& s) {
 }
 
 template <class Shape>
-void require_ray2(std::string_view function, const AnyRay2& ray, const Shape& s) {
-  switch (ray.kind) {
-    case AnyRay::Kind::ray:
-      return require_figures(function, Ray2{ray.origin, ray.direction}, s);
-    case AnyRay::Kind::segment:
-      return require_figures(function, Segment2{ray.origin, ray.end}, s);
-    default:
-      return require_figures(function, Line2{ray.origin, ray.direction}, s);
-  }
-}
-
-template <class Shape>
 std::optional<Hit2> hit_straight(const AnyRay2& ray, const Shape& s) {
   require_ray2("first_hit", ray, s);
   if (begins_inside(ray, s)) return Hit2{0, {ray.origin.x + 0.0, ray.origin.y + 0.0}, {FeatureKind::face, 0}, {0, 0}};
@@ -233,27 +213,10 @@ std::optional<RayParameter> parameter_straight(const AnyRay2& ray, const Shape& 
   return first_edge(ray, s).parameter();
 }
 
-template <class Shape>
-std::optional<Hit2> hit_round(const AnyRay2& ray, const Shape& s) {
-  require_ray2("first_hit", ray, s);
-  const std::optional<Hit> hit = first_hit(in_space(ray), in_space(s));
-  if (!hit) return {};
-  const bool inside = hit->feature.kind == FeatureKind::interior;
-  return Hit2{hit->t,
-              {hit->point.x, hit->point.y},
-              {inside ? FeatureKind::face : FeatureKind::edge, hit->feature.index},
-              {hit->normal.x, hit->normal.y}};
-}
-template <class Shape>
-std::optional<RayParameter> parameter_round(const AnyRay2& ray, const Shape& s) {
-  require_ray2("first_hit_parameter", ray, s);
-  return first_hit_parameter(in_space(ray), in_space(s));
-}
-
 }  // namespace
 }  // namespace query
 
-using query::hit_straight, query::hit_round, query::parameter_straight, query::parameter_round;
+using query::hit_straight, query::parameter_straight;
 
 std::optional<Hit2> first_hit(const AnyRay2& r, const Segment2& s) { return hit_straight(r, s); }
 std::optional<Hit2> first_hit(const AnyRay2& r, const Triangle2& s) { return hit_straight(r, s); }
@@ -261,8 +224,6 @@ std::optional<Hit2> first_hit(const AnyRay2& r, const Aabb2& s) { return hit_str
 std::optional<Hit2> first_hit(const AnyRay2& r, const Quadrilateral2& s) { return hit_straight(r, s); }
 std::optional<Hit2> first_hit(const AnyRay2& r, const Polygon2& s) { return hit_straight(r, s); }
 std::optional<Hit2> first_hit(const AnyRay2& r, const HoledPolygon2& s) { return hit_straight(r, s); }
-std::optional<Hit2> first_hit(const AnyRay2& r, const Circle2& s) { return hit_round(r, s); }
-std::optional<Hit2> first_hit(const AnyRay2& r, const Capsule2& s) { return hit_round(r, s); }
 
 using Parameter = std::optional<RayParameter>;
 Parameter first_hit_parameter(const AnyRay2& r, const Segment2& s) { return parameter_straight(r, s); }
@@ -271,7 +232,5 @@ Parameter first_hit_parameter(const AnyRay2& r, const Aabb2& s) { return paramet
 Parameter first_hit_parameter(const AnyRay2& r, const Quadrilateral2& s) { return parameter_straight(r, s); }
 Parameter first_hit_parameter(const AnyRay2& r, const Polygon2& s) { return parameter_straight(r, s); }
 Parameter first_hit_parameter(const AnyRay2& r, const HoledPolygon2& s) { return parameter_straight(r, s); }
-Parameter first_hit_parameter(const AnyRay2& r, const Circle2& s) { return parameter_round(r, s); }
-Parameter first_hit_parameter(const AnyRay2& r, const Capsule2& s) { return parameter_round(r, s); }
 
 }  // namespace plumb

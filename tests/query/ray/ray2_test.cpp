@@ -241,6 +241,138 @@ TEST(FirstHit2, OfCirclesIsThatOfTheirEquation) {
   EXPECT_GT(misses, 100);
 }
 
+mpq_class value(const Vector2& n, const Pair& x) { return dot(exact({n.x, n.y}), x); }
+
+/// What is left of the ray by each slab: the way of an oriented box's corner or of a k-DOP's interval along directions.
+struct Slabs {
+  std::vector<std::array<mpq_class, 4>> all;  // of n: n . from, n . way, least, most
+  [[nodiscard]] bool holds(const mpq_class& t) const {
+    for (const auto& [at, speed, least, most] : all) {
+      const mpq_class x = at + t * speed;
+      if (x < least || x > most) return false;
+    }
+    return true;
+  }
+  /// The first of all candidates that is held.
+  [[nodiscard]] std::optional<mpq_class> first(const Shot& shot) const {
+    std::vector<mpq_class> times;
+    const bool still = dot(shot.way, shot.way) == 0;
+    if (shot.begins || still) times.emplace_back(0);
+    for (const auto& [at, speed, least, most] : all) {
+      if (speed != 0) times.push_back((least - at) / speed), times.push_back((most - at) / speed);
+    }
+    std::sort(times.begin(), times.end());
+    for (const mpq_class& t : times) {
+      if ((!shot.begins || t >= 0) && (!shot.ends || t <= 1) && holds(t)) return t;
+    }
+    return {};
+  }
+};
+
+TEST(FirstHit2, OfOrientedBoxesIsThatOfRationals) {
+  Tally tally;
+  on_shapes(909, 1500, [&](Material& m) {
+    const auto box = m.shape<Obb2>();
+    const AnyRay2 ray = ray_of(m);
+    const Shot shot(ray);
+    const std::string about = m.about(box).append(" ").append(text_of_ray(ray));
+    // Corners as differences of the halves; the hull of four points is a polygon to rationals, whatever the axes.
+    const Pair c = exact(box.center), u = exact({box.axes[0].x, box.axes[0].y}),
+               v = exact({box.axes[1].x, box.axes[1].y});
+    const mpq_class h = abs(mpq_class(box.half.x)), k = abs(mpq_class(box.half.y)), turn = cross(u, v) * h * k;
+    const auto hit = first_hit(ray, box);
+    if (turn == 0) {  // a segment, at least where all four corners are on one line: told by intersection alone
+      const bool meet = ray.kind == AnyRay::Kind::segment ? intersects(Segment2{ray.origin, ray.end}, box)
+                        : ray.kind == AnyRay::Kind::ray   ? intersects(Ray2{ray.origin, ray.direction}, box)
+                                                          : intersects(Line2{ray.origin, ray.direction}, box);
+      EXPECT_EQ(hit.has_value(), meet) << about;
+      return;
+    }
+    Slabs slabs;
+    const auto slab = [&](const Pair& along, const mpq_class& reach) {
+      const Pair n{mpq_class(-along[1]), along[0]};
+      slabs.all.push_back({dot(n, shot.from - c), dot(n, shot.way), mpq_class(-abs(reach)), abs(reach)});
+    };
+    slab(u, dot({mpq_class(-u[1]), u[0]}, v) * k), slab(v, dot({mpq_class(-v[1]), v[0]}, u) * h);
+    const auto t = slabs.first(shot);
+    ASSERT_EQ(hit.has_value(), t.has_value()) << about;
+    if (!t) {
+      ++tally.missed;
+      return;
+    }
+    EXPECT_TRUE(first_hit_parameter(ray, box)->base == Rational(BigRational{*t})) << about;
+    EXPECT_EQ(hit->t, Rational(BigRational{*t}).rounded(Rounding::nearest)) << about;
+    // Weights of the axes tell the feature.
+    const Pair x = shot.at(*t) - c;
+    const mpq_class s = cross(x, v) / cross(u, v), r = cross(u, x) / cross(u, v);
+    const bool at_u = abs(s) == h, at_v = abs(r) == k;
+    Feature expected = face0;
+    if (at_u && at_v) {
+      expected = vertex((s > 0 ? 1u : 0u) + (r > 0 ? 2u : 0u));
+      ++tally.vertices;
+    } else if (at_v || at_u) {
+      expected = edge(at_v ? (r > 0 ? 1u : 0u) : 2 + (s > 0 ? 1u : 0u));
+      ++tally.edges;
+    } else {
+      ++tally.inside;
+    }
+    EXPECT_EQ(hit->feature, expected) << about;
+    // Perpendicular to its edge, against the ray.
+    if (expected == face0) {
+      EXPECT_EQ(hit->normal, (Vector2{0, 0})) << about;
+      return;
+    }
+    Pair along = at_v ? u : v;
+    mpq_class half = at_v ? h : k;
+    if (at_u && at_v && cross(shot.way, u) == 0) along = v, half = k;
+    mpq_class across = cross(shot.way, along);
+    mpq_class way = across > 0 ? -2 * half : across < 0 ? 2 * half : mpq_class(0);
+    EXPECT_EQ(hit->normal.x, Rational(BigRational{mpq_class(way * along[1])}).rounded(Rounding::nearest)) << about;
+    EXPECT_EQ(hit->normal.y, Rational(BigRational{mpq_class(-way * along[0])}).rounded(Rounding::nearest)) << about;
+  });
+  for (const int n : {tally.missed, tally.vertices, tally.edges, tally.inside}) EXPECT_GT(n, 5);
+}
+
+TEST(FirstHit2, OfKDopsIsThatOfTheirIntervals) {
+  Tally tally;
+  on_shapes(910, 1000, [&](Material& m) {
+    std::vector<Vector2> directions;
+    for (std::size_t n = 1 + m.below(4); directions.size() < n;) {
+      const Vector2 d = m.direction2();
+      if (d != Vector2{0, 0}) directions.push_back(d);
+    }
+    KDop2 k_dop{Directions2(directions), {}, {}};
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const double a = m.number(), b = m.number();
+      k_dop.min.push_back(m.below(12) == 0 ? std::max(a, b) : std::min(a, b)), k_dop.max.push_back(std::max(a, b));
+    }
+    const AnyRay2 ray = ray_of(m);
+    const Shot shot(ray);
+    const std::string about = m.about().append(" ").append(text_of_ray(ray));
+    Slabs slabs;
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      slabs.all.push_back({value(directions[i], shot.from), value(directions[i], shot.way), mpq_class(k_dop.min[i]),
+                           mpq_class(k_dop.max[i])});
+    auto t = slabs.first(shot);
+    if (!t && slabs.holds(0)) t = 0;  // along all slabs
+    const auto hit = first_hit(ray, k_dop);
+    ASSERT_EQ(hit.has_value(), t.has_value()) << about;
+    ++(t ? tally.edges : tally.missed);
+    if (!t) return;
+    EXPECT_TRUE(first_hit_parameter(ray, k_dop)->base == Rational(BigRational{*t})) << about;
+    EXPECT_EQ(hit->t, Rational(BigRational{*t}).rounded(Rounding::nearest)) << about;
+    Feature expected = face0;
+    for (std::size_t i = 0; i < slabs.all.size() && expected == face0; ++i) {
+      const auto& [at, speed, least, most] = slabs.all[i];
+      const mpq_class x = at + *t * speed;
+      if (x == least || x == most) expected = edge(static_cast<std::uint32_t>(2 * i + (x == least ? 0 : 1)));
+    }
+    EXPECT_EQ(hit->feature, expected) << about;
+  });
+  EXPECT_GT(tally.missed, 20);
+  EXPECT_GT(tally.edges, 20);
+}
+
 TEST(FirstHit2, OfCapsulesWhereTheyMeet) {
   int met = 0, apart = 0;
   on_shapes(908, 800, [&](Material& m) {
@@ -266,6 +398,12 @@ TEST(FirstHit2, ByHand) {
   EXPECT_EQ(first_hit(Line2{{5, 1}, {1, 0}}, box)->t, -5);
   EXPECT_EQ(first_hit(Line2{{1, 1}, {0, 0}}, box), (Hit2{0, {1, 1}, face0, {0, 0}}));  // a point
   EXPECT_TRUE(first_hit_parameter(Line2{{1, 1}, {0, 0}}, box));
+  const Obb2 turned{{0, 0}, {{{3, 4}, {-4, 3}}}, {1, 1}};  // corners (1, -7), (7, 1), (-1, 7), (-7, -1)
+  EXPECT_EQ(*first_hit(Ray2{{10, 4}, {-1, 0}}, turned), (Hit2{7, {3, 4}, edge(3), {6, 8}}));
+  EXPECT_EQ(first_hit(Ray2{{-10, -1}, {1, 0}}, turned)->feature, vertex(2));
+  EXPECT_EQ(*first_hit(Ray2{{1, 1}, {1, 0}}, turned), (Hit2{0, {1, 1}, face0, {0, 0}}));
+  EXPECT_EQ(*first_hit(Ray2{{9, 1}, {-2, 0}}, KDop2{Directions2(std::vector<Vector2>{{1, 1}, {1, 0}}), {0, 0}, {4, 9}}),
+            (Hit2{3, {3, 1}, edge(1), {1, 1}}));
   const Polygon2 notched{{{0, 0}, {6, 0}, {6, 6}, {3, 3}, {0, 6}}};
   EXPECT_EQ(*first_hit(Ray2{{3, 9}, {0, -1}}, notched), (Hit2{6, {3, 3}, vertex(3), {-3, 3}}));
   const Capsule2 pill{{0, 0}, {9, 0}, 2};

@@ -13,21 +13,22 @@
 // edge or in the plane of a triangle hits where it first touches.  (4) The t of a line is the least one at which it is
 // in the shape, which may be negative; where there is no least one (a halfspace, a plane that holds the line), it is
 // the one nearest to zero.  (5) A zero direction makes the point that it is, at t = 0.  (6) Degenerate shapes are the
-// sets that they are; a Quadrilateral3 is what figure/basic/polygon.hpp says, convex or not.
+// sets that they are; a Quadrilateral3 or Polygon3 is what figure/basic/polygon.hpp says, convex or not.
 // Features are those of figure/containment/voronoi_region.hpp; a rectangle's are numbered as a box's (an edge 2 times its axis,
 // plus 1 at the upper end of the other); a sphere, plane or halfspace is face 0, three points on one line are edge 0,
 // equal ones vertex 0; a cylinder's side is face 0, its ends about a and b are faces 1 and 2, their circles edges 0 and
 // 1; a capsule likewise, without edges; slab i of a k-DOP has the faces 2 i at its min and 2 i + 1 at its max, and
-// neither edges nor vertices.  A quadrilateral's vertices are a to d, its edges ab, bc, cd, da.
+// neither edges nor vertices.  A quadrilateral's vertices are a to d, its edges ab, bc, cd, da; a polygon's count
+// through its chains, an edge by the vertex that it leaves.
 // The normal is not normalized, and points out of a solid: of the faces that hold the point that of the first one that
 // faces the ray, else of the first; zero where the feature is the interior.  Of a box it is a unit vector, of a plane,
 // halfspace or k-DOP the vector given, of balls and capsules the way from the center or axis to the point, of flat
-// faces a cross product: (b - a) x (c - a) of a triangle, whichever side is hit; of a quadrilateral of the first three
-// of its corners that are not on one line; of two axes, which of an oriented box are as long as given.  A shape without
-// area has the normal zero, a solid without inside that of its first face that is hit.
+// faces a cross product: (b - a) x (c - a) of a triangle, whichever side is hit; of a quadrilateral or polygon of the
+// first three of its corners that are not on one line; of two axes, which of an oriented box are as long as given.  A
+// shape without area has the normal zero, a solid without inside that of its first face that is hit.
 // An empty shape is never hit.
-// A negative radius, a quadrilateral that is not planar, a polyhedron without faces throw InvalidShape; NaN and
-// infinity throw NonFinite, by name.
+// A negative radius, a quadrilateral or polygon that is not planar, a polyhedron without faces throw InvalidShape; NaN
+// and infinity throw NonFinite, by name.
 // Source: RTCD 5.3, 5.3.1 to 5.3.8.
 // Cost: some 0.2 us for a hit, half of it for rounding, less for a miss; microseconds where pairs of doubles leave a
 // doubt.  A yes or no alone: query/ray/hits.hpp.
@@ -82,6 +83,8 @@ std::optional<Hit> first_hit(const AnyRay& ray, const ThreePointPlane3& plane);
 std::optional<Hit> first_hit(const AnyRay& ray, const Halfspace3& halfspace);
 std::optional<Hit> first_hit(const AnyRay& ray, const Triangle3& triangle, HitRule rule = HitRule::closed);
 std::optional<Hit> first_hit(const AnyRay& ray, const Quadrilateral3& quadrilateral);
+std::optional<Hit> first_hit(const AnyRay& ray, const Polygon3& polygon);
+std::optional<Hit> first_hit(const AnyRay& ray, const HoledPolygon3& polygon);
 std::optional<Hit> first_hit(const AnyRay& ray, const Rectangle3& rectangle);
 std::optional<Hit> first_hit(const AnyRay& ray, const Tetrahedron3& tetrahedron);
 std::optional<Hit> first_hit(const AnyRay& ray, const Sphere3& sphere);
@@ -99,6 +102,8 @@ std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Halfspa
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Triangle3& triangle,
                                                 HitRule rule = HitRule::closed);
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Quadrilateral3& quadrilateral);
+std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Polygon3& polygon);
+std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const HoledPolygon3& polygon);
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Rectangle3& rectangle);
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Tetrahedron3& tetrahedron);
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Sphere3& sphere);

@@ -7,11 +7,12 @@
 // ones rounded once.  Shapes are closed sets; what begins inside one hits it at t = 0, at face 0, without a normal.
 // Features: a triangle's vertices are a, b, c and its edges ab, bc, ca; a polygon's count through its chains, an edge
 // by the vertex that it leaves; a box's vertex bits are its ends, an edge is 2 times its axis, plus 1 at the upper end
-// of the other; a segment's vertices are a and b; a circle is edge 0, a capsule's sides are edge 0, its rounds about a
+// of the other, also of an oriented one; slab i of a k-DOP has the edges 2 i at its min and 2 i + 1 at its max, and no
+// vertices; a segment's vertices are a and b; a circle is edge 0, a capsule's sides are edge 0, its rounds about a
 // and b edges 1 and 2.
 // A normal is not normalized, and faces the ray: it is perpendicular to the first edge that holds the point and that
 // the ray does not run along, as long as the edge; zero where there is none.  Of circles and capsules it is the way
-// from the center or the axis to the point.
+// from the center or the axis to the point, of a k-DOP the direction of the slab, out of it.
 // A negative radius or a chain of fewer than three vertices throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 5.1.9.1, 5.3, 5.3.2, 5.3.3.
 // Cost: some 0.3 us a hit of a straight edge, 50 ns for each edge that is missed; microseconds where pairs of doubles
@@ -54,6 +55,8 @@ struct AnyRay2 {
 std::optional<Hit2> first_hit(const AnyRay2& ray, const Segment2& segment);
 std::optional<Hit2> first_hit(const AnyRay2& ray, const Triangle2& triangle);
 std::optional<Hit2> first_hit(const AnyRay2& ray, const Aabb2& box);
+std::optional<Hit2> first_hit(const AnyRay2& ray, const Obb2& box);
+std::optional<Hit2> first_hit(const AnyRay2& ray, const KDop2& k_dop);
 std::optional<Hit2> first_hit(const AnyRay2& ray, const Quadrilateral2& quadrilateral);
 std::optional<Hit2> first_hit(const AnyRay2& ray, const Polygon2& polygon);
 std::optional<Hit2> first_hit(const AnyRay2& ray, const HoledPolygon2& polygon);
@@ -64,6 +67,8 @@ std::optional<Hit2> first_hit(const AnyRay2& ray, const Capsule2& capsule);
 std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Segment2& segment);
 std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Triangle2& triangle);
 std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Aabb2& box);
+std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Obb2& box);
+std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const KDop2& k_dop);
 std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Quadrilateral2& quadrilateral);
 std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Polygon2& polygon);
 std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const HoledPolygon2& polygon);
