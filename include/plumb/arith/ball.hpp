@@ -34,37 +34,23 @@ struct Ball {
     const auto pattern = std::bit_cast<std::uint64_t>(x);
     return std::bit_cast<double>((x > 0) == (way > 0) ? pattern + 1 : pattern - 1);
   }
-  // A sum of what is not negative, after a few roundings: rounded up.
-  static constexpr double widened(double r) { return r * (1 + 0x1p-48); }
+  // What the text of sums and products is made of.
+  using Self = Ball;
+  using Number = double;
+  using Truth = bool;
+  static constexpr double number(double x) { return x; }
+  static constexpr double negated(double x) { return -x; }
+  static constexpr bool at_most(double a, double b) { return a <= b; }
+  static constexpr bool above(double a, double b) { return a > b; }
+  static constexpr bool is_zero(double x) { return x == 0; }
+  static constexpr bool both(bool a, bool b) { return a && b; }
+  static constexpr bool either(bool a, bool b) { return a || b; }
+  static constexpr double chosen(bool first, double a, double b) { return first ? a : b; }
+#define PLUMB_BALL_INLINE constexpr
+#include "plumb/arith/detail/ball_text.hpp"
+#undef PLUMB_BALL_INLINE
 
-  friend constexpr Ball operator+(const Ball& a, const Ball& b) {
-    const Rounded s = two_sum(a.high, b.high), t = two_sum(a.low, b.low);
-    if (!(size(s.value) <= 0x1p1022)) return {s.value, 0, infinity};
-    const Rounded c = two_sum(s.error, t.value);
-    const Rounded v = two_sum(s.value, c.value);
-    const Rounded w = two_sum(t.error, v.error);
-    const Rounded r = two_sum(v.value, w.value);
-    return {r.value, r.error, widened(a.radius + b.radius + size(c.error) + size(w.error))};
-  }
-  friend constexpr Ball operator-(const Ball& a, const Ball& b) { return a + Ball{-b.high, -b.low, b.radius}; }
   friend constexpr Ball magnitude(const Ball& x) { return x.high < 0 ? Ball{-x.high, -x.low, x.radius} : x; }
-
-  friend constexpr Ball operator*(const Ball& a, const Ball& b) {
-    const Rounded p = two_product(a.high, b.high);
-    const bool zero = a.high == 0 || b.high == 0;
-    const bool holds = size(a.high) < 0x1p960 && size(b.high) < 0x1p960 &&
-                       (zero || (size(p.value) > 0x1p-960 && size(p.value) < 0x1p960));
-    if (!holds) return {p.value, 0, infinity};
-    const double q = a.high * b.low, r = a.low * b.high, least = size(a.low * b.low);
-    const Rounded t = two_sum(q, r);
-    const Rounded s = two_sum(p.error, t.value);
-    const Rounded v = two_sum(p.value, s.value);
-    const bool exact = a.low == 0 && b.low == 0 && a.radius == 0 && b.radius == 0;
-    const double rounded = (size(q) + size(r)) * 0x1p-53 + least + size(t.error) + size(s.error);
-    const double inherited =
-        (size(a.high) + size(a.low)) * b.radius + (size(b.high) + size(b.low)) * a.radius + a.radius * b.radius;
-    return {v.value, v.error, exact ? 0 : widened(rounded + inherited) + 0x1p-1060};
-  }
 
   /// a / b; of infinite radius where b may be zero.
   friend constexpr Ball quotient(const Ball& a, const Ball& b) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <optional>
 #include <string>
 
 #include "figure/sphere/point_scan.hpp"
@@ -69,9 +68,8 @@ class SphereSearch {
  public:
   using Point = PointOf<Ball>;
 
-  SphereSearch(std::span<const Point> points, const Extent<Point>& extent, std::vector<Ball>* history)
-      : points_(points), scan_(points, scale_for(half_width(extent))), history_(history) {
-    center_ = middle_of(extent);
+  SphereSearch(std::span<const Point> points, PointScan<Point>& scan, const Point& middle, std::vector<Ball>* history)
+      : points_(points), scan_(scan), history_(history), center_(middle) {
     scan_.pass(center_);
     gather(-1);
     become({{points[candidates_[0]]}, 1});
@@ -88,29 +86,38 @@ class SphereSearch {
       gather(limit_);
       if (!candidates_.empty() && outside(candidates_[0])) continue;
       // The farthest one is not outside; nearly always no other is.
-      boundary.clear();
-      const bool all = scan_.from(limit_, center_, [&](std::size_t i) {
-        const Sign s = fine_side(points_[i]);
-        if (s == Sign::zero) boundary.push_back(static_cast<std::uint32_t>(i));
-        if (s == Sign::negative) candidates_.assign(1, i);
-        return s != Sign::negative;
-      });
-      if (all) return boundary;
+      if (holds_all(boundary)) return boundary;
     }
   }
 
   [[nodiscard]] const Ball& ball() const { return ball_; }
-  [[nodiscard]] const Point& center() const { return center_; }
-  PointScan<Point>& scan() { return scan_; }
 
  private:
   static constexpr std::size_t most_candidates = 64;
 
-  /// As side, for many points that lie off the boundary by ulps.
-  Sign fine_side(const Point& p) {
-    if (!fine_) fine_ = fine_ball(ball_);
-    const int s = fine_->side(p);
-    return s != 0 ? static_cast<Sign>(s) : side(ball_, p);
+  /// Is no point outside?  Then `boundary` has those on the boundary; otherwise candidates_ has the farthest, about, of
+  /// those first found outside.
+  bool holds_all(std::vector<std::uint32_t>& boundary) {
+    constexpr std::size_t enough = 32;  // for the next ball, which takes in most of the others as well
+    const FineBall<Ball> fine = fine_ball(ball_);
+    boundary.clear();
+    candidates_.clear();
+    double least = 0;
+    std::size_t outside = 0;
+    std::vector<std::size_t> open;
+    scan_.blocks_from(limit_, [&](std::size_t first, std::span<const Point> points) {
+      open.clear();
+      not_certainly_inside(fine, points, first, open);
+      for (const std::size_t i : open) {
+        const plumb::Ball rest = fine.rest(points_[i]);
+        const Sign s = rest.sign().certain() ? rest.sign().value() : side(ball_, points_[i]);
+        if (s == Sign::zero) boundary.push_back(static_cast<std::uint32_t>(i));
+        if (s != Sign::negative) continue;
+        if (++outside == 1 || rest.high < least) candidates_.assign(1, i), least = rest.high;
+      }
+      return outside < enough;
+    });
+    return outside == 0;
   }
 
   [[nodiscard]] bool outside(std::size_t i) const { return side(ball_, points_[i]) == Sign::negative; }
@@ -142,7 +149,6 @@ class SphereSearch {
 
   void become(const Ball& ball) {
     ball_ = ball;
-    fine_.reset();
     if (history_ != nullptr) history_->push_back(ball);
     center_ = center_of(ball_);
     // The exact center is off the rounded one by at most half an ulp in each axis; for `off` twice that is taken, and
@@ -160,14 +166,31 @@ class SphereSearch {
   }
 
   std::span<const Point> points_;
-  PointScan<Point> scan_;
+  PointScan<Point>& scan_;
   std::vector<Ball>* history_;
   Ball ball_{};
-  std::optional<FineBall<Ball>> fine_;
-  Point center_{};
+  Point center_;
   double limit_ = -1;  // whoever is at this computed distance or nearer is in the ball
   std::vector<std::size_t> candidates_;
 };
+
+/// The smallest ball of few points: one after the other is taken in, around and around until none is outside.
+template <class Ball, class At>
+Ball gone_around(std::size_t count, At at, std::vector<Ball>* history = nullptr) {
+  const auto become = [&](Ball& to, const Ball& ball) {
+    to = ball;
+    if (history != nullptr) history->push_back(ball);
+  };
+  Ball ball;
+  become(ball, {{at(0)}, 1});
+  // Ends, for each ball is larger than the one before.
+  for (std::size_t i = 0, in = 0; in < count; i = (i + 1) % count, ++in) {
+    if (side(ball, at(i)) != Sign::negative) continue;
+    become(ball, with(ball, at(i)));
+    in = 0;
+  }
+  return ball;
+}
 
 /// One support of all that are possible, whatever the order of the input: the points in lexicographic order go around
 /// until all are in the ball of the ones taken.
@@ -180,13 +203,7 @@ std::vector<std::uint32_t> support_of(std::span<const PointOf<Ball>> points, std
   const auto equal = [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; };
   boundary.erase(std::unique(boundary.begin(), boundary.end(), equal), boundary.end());
   if (boundary.size() != size(ball)) {
-    ball = {{points[boundary[0]]}, 1};
-    // Ends, for each ball is larger than the one before.
-    for (std::size_t i = 0, in = 0; in < boundary.size(); i = (i + 1) % boundary.size(), ++in) {
-      if (side(ball, points[boundary[i]]) != Sign::negative) continue;
-      ball = with(ball, points[boundary[i]]);
-      in = 0;
-    }
+    ball = gone_around<Ball>(boundary.size(), [&](std::size_t i) { return points[boundary[i]]; });
     std::erase_if(boundary, [&](std::uint32_t i) {
       return std::ranges::find(ball.points.begin(), ball.points.begin() + ball.count, points[i]) ==
              ball.points.begin() + ball.count;
@@ -200,14 +217,25 @@ template <class Result, class Round, class Ball>
 Result minimum(std::string_view function, std::span<const PointOf<Ball>> points, std::vector<Ball>* history,
                Round Result::*round) {
   if (points.empty()) throw InvalidShape(std::string(function).append(": no points; give at least one"));
+  constexpr std::size_t few = 12;  // of whom no doubles need to say who is far from the center
   const auto all = extent(function, points);
-  SphereSearch<Ball> search(points, all, history);
-  std::vector<std::uint32_t> boundary = search.run();
+  PointScan<PointOf<Ball>> scan(points, scale_for(half_width(all)));
   Result result{};
-  result.exact = search.ball();
+  std::vector<std::uint32_t> boundary;
+  if (points.size() <= few) {
+    result.exact = gone_around<Ball>(
+        points.size(), [&](std::size_t i) { return points[i]; }, history);
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      if (side(result.exact, points[i]) == Sign::zero) boundary.push_back(i);
+    }
+  } else {
+    SphereSearch<Ball> search(points, scan, middle_of(all), history);
+    boundary = search.run();
+    result.exact = search.ball();
+  }
   result.support = support_of(points, std::move(boundary), result.exact);
   const auto center = center_of(result.exact);
-  const double radius = enclosing_radius(points, search.scan(), center);
+  const double radius = enclosing_radius(points, scan, center);
   result.*round = {center, figure::within_doubles(radius, function, "radius")};
   return result;
 }

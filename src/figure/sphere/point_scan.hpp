@@ -15,6 +15,7 @@
 
 #include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/sphere/fine_scan.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/error_free.hpp"
@@ -120,16 +121,13 @@ class PointScan {
     return quotient(m - (relative() - Interval(1)) * m - slack() - slack(), relative()).lower;
   }
 
-  /// Calls visit(index) for every point at this computed distance or farther, until that says false.
+  /// Calls visit(first, points) for every block with a point at this computed distance or farther, until that says false.
   template <class Visit>
-  bool from(double least, const Point& c, Visit visit) const {
+  void blocks_from(double least, Visit visit) const {
     for (std::size_t b = 0; b < most_.size(); ++b) {
-      if (!(most_[b] >= least)) continue;
-      for (std::size_t i = b * block; i < end_of(b); ++i) {
-        if (distance(c, i) >= least && !visit(i)) return false;
-      }
+      const std::size_t first = b * block;
+      if (most_[b] >= least && !visit(first, points_.subspan(first, end_of(b) - first))) return;
     }
-    return true;
   }
 
   /// The farthest point of each of the `count` farthest blocks that reach beyond `limit`, the very farthest first.
@@ -200,30 +198,22 @@ class PointScan {
   std::vector<double> most_;
 };
 
-/// |cp|^2 to some hundred bits.
-template <class Point>
-Ball fine_square(const Point& c, const Point& p) {
-  const auto from = coordinates(c), to = coordinates(p);
-  const auto term = [&](std::size_t a) {
-    const Rounded d = two_sum(to[a], -from[a]);
-    const Ball difference{d.value, d.error, Ball::size(d.value) <= 0x1p1022 ? 0 : Ball::infinity};
-    return difference * difference;
-  };
-  const Ball sum = term(0) + term(1);
-  if constexpr (std::is_same_v<Point, Point3>) return sum + term(2);
-  return sum;
-}
-
 /// The distance of the farthest point from the center, rounded up once; infinite beyond all doubles.
 template <class Point>
 double enclosing_radius(std::span<const Point> points, PointScan<Point>& scan, const Point& center) {
-  Ball most{-1};
-  std::vector<std::size_t> farthest;  // whoever was not certainly nearer than another
-  scan.from(scan.rivals(scan.pass(center)), center, [&](std::size_t i) {
-    const Ball square = fine_square(center, points[i]), more = square - most;
-    const int s = beyond(more.high, more.radius + Ball::size(more.high) * 0x1p-52);
-    if (s > 0 || (s == 0 && !(more.high == 0 && more.radius == 0))) farthest.push_back(i);
-    if (s > 0) most = square;
+  using Spanned = std::conditional_t<std::is_same_v<Point, Point2>, SpannedCircle2, SpannedSphere3>;
+  const auto exactly = [](auto... x) { return FineBall<Spanned>{{Ball{x}...}, Ball{-1}}; };
+  FineBall<Spanned> most = std::apply(exactly, std::tuple_cat(coordinates(center)));
+  std::vector<std::size_t> open, farthest;  // whoever was not certainly nearer than another
+  scan.blocks_from(scan.rivals(scan.pass(center)), [&](std::size_t first, std::span<const Point> block) {
+    open.clear();
+    not_certainly_inside(most, block, first, open);
+    for (const std::size_t i : open) {
+      const Ball nearer = most.rest(points[i]);
+      const Unsure<Sign> s = nearer.sign();
+      if (!s.certain() || s.value() == Sign::negative) farthest.push_back(i);
+      if (s.certain() && s.value() == Sign::negative) most.square = most.square_of_distance(points[i]);
+    }
     return true;
   });
   double radius = 0;

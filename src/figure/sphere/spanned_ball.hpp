@@ -61,12 +61,8 @@ struct FineBall {
   std::array<Ball, static_cast<std::size_t>(dimension<Spanned>)> center;
   Ball square;
 
-  /// -1 outside, 1 inside, 0 unsure.
-  [[nodiscard]] int side(const PointOf<Spanned>& p) const {
-    const Ball rest = square - square_of_distance(p);
-    // What the high part is off the sum of both is within an ulp of it.
-    return beyond(rest.high, rest.radius + Ball::size(rest.high) * 0x1p-52);
-  }
+  /// Positive inside, negative outside.
+  [[nodiscard]] Ball rest(const PointOf<Spanned>& p) const { return square - square_of_distance(p); }
   [[nodiscard]] Ball square_of_distance(const PointOf<Spanned>& p) const {
     const auto x = coordinates(p);
     const auto term = [&](std::size_t a) {
