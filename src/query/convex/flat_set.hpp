@@ -73,6 +73,9 @@ struct ExactHalfspace {
 /// What lies in all of them.
 FlatSet flat_set(const std::vector<ExactHalfspace>& halfspaces);
 
+/// Those whose common part a set is that is not empty: the facets, and planes that hold it in both directions.
+std::vector<ExactHalfspace> halfspaces_of(const FlatSet& s);
+
 /// What of the set lies in the plane normal . x = offset.
 struct PlaneSection {
   FlatSet set;

@@ -129,6 +129,24 @@ class Cone {
 
 }  // namespace
 
+// They are the dual cone of the set's own: a halfspace is (normal, -offset), a generator what it must not be beyond.
+std::vector<ExactHalfspace> halfspaces_of(const FlatSet& s) {
+  Cone cone;
+  for (const Exact3& p : s.points) cone.cut({p[0], p[1], p[2], 1});
+  for (const Exact3& d : s.directions) cone.cut({d[0], d[1], d[2], 0});
+  for (const Exact3& l : s.lines) {
+    cone.cut({l[0], l[1], l[2], 0});
+    cone.cut({-l[0], -l[1], -l[2], 0});
+  }
+  std::vector<ExactHalfspace> all;
+  for (const Extreme& e : cone.extremes()) all.push_back({{e.at[0], e.at[1], e.at[2]}, -e.at[3]});
+  for (const auto& [x, y, z, w] : cone.lines()) {
+    all.push_back({{x, y, z}, -w});
+    all.push_back({{-x, -y, -z}, w});
+  }
+  return all;
+}
+
 FlatSet flat_set(const std::vector<ExactHalfspace>& halfspaces) {
   Cone cone;
   cone.cut({0, 0, 0, -1});

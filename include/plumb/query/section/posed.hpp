@@ -1,0 +1,44 @@
+// Intersection of moved figures: which points do figures under poses have in common?  With exact corners.
+//
+//   intersection(Posed{triangle, pose}, Posed{other, pose})   the image of what they have in common
+//
+// Laws: those of query/section/intersection.hpp and intersection2.hpp, of the exact images, in every pair of theirs, one
+// or both posed, in either order.  What a singular matrix flattens is the flat figure that it becomes.  Corners that
+// are no doubles are held as rational points.
+// A polygon that is not convex throws InvalidShape, NaN and infinity NonFinite, by name.
+// Source: RTCD 3.2, 5.3.
+// Cost: rationals: some 100 us, of polyhedra times their corners and more.
+#pragma once
+
+#include "plumb/query/body/posed.hpp"
+#include "plumb/query/section/intersection.hpp"
+#include "plumb/query/section/intersection2.hpp"
+
+namespace plumb {
+
+namespace query {
+
+Intersection2 posed_intersection2(const PosedView& a, const PosedView& b);
+Intersection3 posed_intersection3(const PosedView& a, const PosedView& b);
+
+template <class Answer>
+concept SectionAnswer = std::same_as<Answer, Intersection2> || std::same_as<Answer, Intersection3>;
+
+template <class A, class B>
+concept PosedSection = PosedFigures<A, B> && requires(const UnposedType<A>& a, const UnposedType<B>& b) {
+  { intersection(a, b) } -> SectionAnswer;
+};
+
+}  // namespace query
+
+template <class A, class B>
+requires query::PosedSection<A, B>
+auto intersection(const A& a, const B& b) {
+  if constexpr (figure_dimension<query::UnposedType<A>> == 2) {
+    return query::posed_intersection2(query::posed_view(a), query::posed_view(b));
+  } else {
+    return query::posed_intersection3(query::posed_view(a), query::posed_view(b));
+  }
+}
+
+}  // namespace plumb

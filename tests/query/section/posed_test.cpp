@@ -1,0 +1,99 @@
+// What posed figures have in common: as the plain question tells it where poses stay or images are doubles, and the
+// image of the common part under a common pose.
+#include "plumb/query/section/posed.hpp"
+
+#include "plumb/figure/basic/polyhedron.hpp"
+#include "plumb/figure/hull/hull3.hpp"
+#include "query/body/pair_laws.hpp"
+#include "query/body/pair_types.hpp"
+#include "query/body/posed_cases.hpp"
+
+namespace plumb::pair_cases {
+namespace {
+
+template <class Answer>
+Answer ask(const query::PosedView& a, const query::PosedView& b) {
+  if constexpr (std::is_same_v<Answer, Intersection2>) {
+    return query::posed_intersection2(a, b);
+  } else {
+    return query::posed_intersection3(a, b);
+  }
+}
+query::PosedView by(const query::FigureView& v, const Pose& in_space, const Pose2& flat) {
+  return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
+}
+
+/// The same kind and the same number of corners under a common pose, which maps corners to corners.
+template <class Answer>
+bool is_told_alike(const query::FigureView& a, const query::FigureView& b, const Pose& pose, const Answer& plain) {
+  const Pose2 flat = in_plane(pose);
+  const Pose2 stays{{{{1, 0}, {0, 1}}}, {0, 0}};
+  const Answer moved = ask<Answer>(by(a, pose, flat), by(b, pose, flat));
+  return ask<Answer>(by(a, identity_pose, stays), {b}) == plain &&
+         ask<Answer>({b}, by(a, identity_pose, stays)) == plain && moved.kind == plain.kind &&
+         moved.vertices.size() == plain.vertices.size();
+}
+
+struct SectionSeen {
+  int cases = 0, met = 0, mapped = 0;
+};
+
+template <class A, class B>
+void expect_sections(SectionSeen& seen, std::uint64_t start) {
+  if constexpr (query::PosedSection<Posed<A, std::conditional_t<figure_dimension<A> == 2, Pose2, Pose>>, B>) {
+    shape_cases::on_shapes(start, battery::sanitized ? 3 : 10, [&](Material& m) {
+      const auto pair = pair_of<A, B>(m);
+      const A& a = pair.first;
+      const B& b = pair.second;
+      if constexpr (std::is_same_v<A, Polygon2> || std::is_same_v<B, Polygon2>) {
+        try {
+          (void)intersection(a, b);
+        } catch (const InvalidShape&) {
+          EXPECT_THROW(ask<Intersection2>({query::view_of(a)}, {query::view_of(b)}), InvalidShape);
+          return;
+        }
+      }
+      const auto plain = intersection(a, b);
+      ++seen.cases, seen.met += !plain.empty();
+      EXPECT_TRUE(is_told_alike(query::view_of(a), query::view_of(b), regular_pose(m), plain))
+          << pair_name<A, B>() << m.about(a, b);
+      Map map(m, figure_dimension<A>, map_kind<A, B>(m), m.below(2) == 0);
+      const Pose pose = pose_of(map);
+      const A c = mapped(a, map);
+      const B d = mapped(b, map);
+      if (!map.exact()) return;
+      ++seen.mapped;
+      const Pose2 flat = in_plane(pose);
+      const auto expected = intersection(c, d);
+      EXPECT_EQ(
+          ask<std::remove_cvref_t<decltype(plain)>>(by(query::view_of(a), pose, flat), {query::view_of(d)}) == expected,
+          true)
+          << pair_name<A, B>() << m.about(a, b);
+    });
+  }
+}
+
+template <class All>
+void expect_all_sections(std::uint64_t start) {
+  SectionSeen seen;
+  on_pairs(All{}, [&]<class A, class B>(const A*, const B*) { expect_sections<A, B>(seen, start++); });
+  std::printf("%d cases, %d meet, %d mapped\n", seen.cases, seen.met, seen.mapped);
+  EXPECT_GT(seen.met * 4, seen.cases);
+  EXPECT_GT(seen.mapped * 3, seen.cases);
+}
+
+TEST(PosedSection, AllPairsOfThePlane) { expect_all_sections<Plane>(2101); }
+TEST(PosedSection, AllPairsOfSpace) { expect_all_sections<Space>(2301); }
+
+TEST(PosedSection, WhatIsFlattenedIsCutAsAFlatFigure) {
+  const Pose flatten{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 2}};
+  const Aabb3 box{{0, 0, -5}, {2, 3, 5}};
+  const Intersection3 square = intersection(Posed{box, flatten}, Triangle3{{-9, -9, 2}, {9, -9, 2}, {0, 30, 2}});
+  EXPECT_EQ(square, intersection(Aabb3{{0, 0, 2}, {2, 3, 2}}, Triangle3{{-9, -9, 2}, {9, -9, 2}, {0, 30, 2}}));
+  const Intersection3 across = intersection(Line3{{1, 1, 0}, {0, 0, 1}}, Posed{box, flatten});
+  ASSERT_EQ(across.kind, IntersectionKind::point);
+  EXPECT_EQ(approximate(across)[0], (Point3{1, 1, 2}));
+}
+
+}  // namespace
+}  // namespace plumb::pair_cases
