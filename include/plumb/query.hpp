@@ -57,4 +57,5 @@
 #include "plumb/query/time_of_impact/interval_halving.hpp"     // any motion of bounded speed
 #include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
 #include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance
+#include "plumb/query/time_of_impact/posed.hpp"                // figures under poses, along lines
 #include "plumb/query/time_of_impact/translating_contact.hpp"  // convex figures along lines

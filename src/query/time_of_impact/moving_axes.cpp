@@ -156,6 +156,14 @@ struct BoxAround {
     const auto corners = posed_corners<Running>(*t);
     return joined(joined(box_of(corners[0]), box_of(corners[1])), box_of(corners[2]));
   }
+  FeatureBox operator()(const PosedView* v) const {
+    const auto body = moving_body<Running>(v);
+    if (body.vertices.empty()) return (*this)(static_cast<const Plane3*>(nullptr));
+    FeatureBox box = box_of(body.vertices[0]);
+    for (const Vec3<Running>& p : body.vertices) box = joined(box, box_of(p));
+    const double reach = body.reach.upper();
+    return grown(box, {reach, reach, reach});
+  }
   FeatureBox operator()(const Aabb3* b) const { return joined((*this)(&b->min), (*this)(&b->max)); }
   FeatureBox operator()(const Obb3* b) const {
     const auto reach = [&](double x, double y, double z) {

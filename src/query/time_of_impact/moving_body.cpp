@@ -1,8 +1,11 @@
 #include "query/time_of_impact/moving_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "query/body/figure_input.hpp"
+#include "query/body/figure_view.hpp"
+#include "query/convex/exact_map.hpp"
 
 namespace plumb::query {
 namespace {
@@ -24,6 +27,21 @@ class Maker {
     for (const Vec3<T>& v : posed_corners<T>(*t)) vertex(v);
     for (std::uint32_t i = 0; i < 3; ++i) edge(i, (i + 1) % 3, i);
     face({0, 1, 2}, 0);
+  }
+  void operator()(const PosedView* v) {
+    pose_ = v->in_space;
+    with_figure(v->figure, [this](const auto& s) {
+      if constexpr (requires { (*this)(&s); }) (*this)(&s);
+    });
+    if (pose_ == nullptr) return;
+    if (made.swept) made.reach = made.reach * T(*scale_of(*pose_));
+    for (auto& face : made.faces) {
+      if (!face.corners.empty()) continue;  // a plane: its normal by the cofactors, of which the determinant is made
+      const auto& [c, t] = *pose_;
+      const Vec3<T> u = vector_of<T>(c[0]), v2 = vector_of<T>(c[1]), w = vector_of<T>(c[2]), n = face.normal;
+      face.normal = cross(v2, w) * n.x + cross(w, u) * n.y + cross(u, v2) * n.z;
+      face.offset = face.offset * dot(u, cross(v2, w)) + dot(face.normal, vector_of<T>(t));
+    }
   }
   void operator()(const Aabb3* box) {
     const auto& [low, high] = *box;
@@ -77,7 +95,11 @@ class Maker {
  private:
   void vertex(const Vec3<T>& v) {
     made.vertex_features.push_back({FeatureKind::vertex, static_cast<std::uint32_t>(made.vertices.size())});
-    made.vertices.push_back(v);
+    made.vertices.push_back(pose_ != nullptr ? image(v) : v);
+  }
+  [[nodiscard]] Vec3<T> image(const Vec3<T>& v) const {
+    const auto& [c, t] = *pose_;
+    return vector_of<T>(c[0]) * v.x + vector_of<T>(c[1]) * v.y + vector_of<T>(c[2]) * v.z + vector_of<T>(t);
   }
   void vertices(std::initializer_list<Point3> points) {
     for (const Point3& p : points) vertex(vector_of<T>(p));
@@ -95,6 +117,7 @@ class Maker {
     const T offset = dot(normal, first);
     made.faces.push_back({std::move(corners), normal, offset, {FeatureKind::face, number}});
   }
+  const Pose* pose_ = nullptr;
   /// Bit k of a vertex's number: at the upper end of axis k.
   void box_features() {
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
@@ -110,6 +133,14 @@ class Maker {
 
 }  // namespace
 
+std::optional<double> scale_of(const Pose& pose) {
+  const auto square = squared_scale(exact_map(pose), 3);
+  if (!square) return {};
+  const double root = std::sqrt(square->get_d());  // a guess
+  if (root - root != 0 || mpq_class(root) * mpq_class(root) != *square) return {};
+  return root;
+}
+
 template <class T>
 MovingBody<T> moving_body(const BodyShape& shape) {
   Maker<T> maker;
@@ -123,8 +154,18 @@ template MovingBody<BigDyadic> moving_body(const BodyShape&);
 bool check_body(std::string_view function, std::string_view name, const BodyShape& shape) {
   return std::visit(
       [&](const auto* s) {
-        if constexpr (!requires { s->pose; }) require_figure(function, name, *s);
-        if constexpr (requires { s->normal; }) {
+        if constexpr (
+            !requires { s->pose; } && !requires { s->figure; })
+          require_figure(function, name, *s);
+        if constexpr (requires { s->figure; }) {
+          return with_figure(s->figure, [](const auto& given) {
+            if constexpr (requires { given.normal.z, given.offset; }) {
+              return given.normal != Vector3{0, 0, 0} || given.offset == 0;
+            } else {
+              return !is_nothing(given);
+            }
+          });
+        } else if constexpr (requires { s->normal; }) {
           return s->normal != Vector3{0, 0, 0} || s->offset == 0;
         } else {
           return !is_nothing(*s);

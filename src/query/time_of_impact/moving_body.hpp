@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -21,13 +22,14 @@
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
+#include "plumb/query/body/posed.hpp"
 #include "query/body/posed_corners.hpp"
 
 namespace plumb::query {
 
 using BodyShape =
     std::variant<const Point3*, const Segment3*, const Triangle3*, const Aabb3*, const Obb3*, const ConvexPolyhedron3*,
-                 const Sphere3*, const Capsule3*, const Plane3*, const PosedTriangle3*>;
+                 const Sphere3*, const Capsule3*, const Plane3*, const PosedTriangle3*, const PosedView*>;
 
 template <class T>
 struct MovingBody {
@@ -51,12 +53,14 @@ struct MovingBody {
 
 template <class T>
 MovingBody<T> moving_body(const BodyShape& shape);
+/// What a pose of space multiplies lengths by, where that is one number for all, and a double.
+std::optional<double> scale_of(const Pose& pose);
 extern template MovingBody<Running> moving_body(const BodyShape&);
 extern template MovingBody<Ball> moving_body(const BodyShape&);
 extern template MovingBody<BigDyadic> moving_body(const BodyShape&);
 
 /// Throws NonFinite and InvalidShape, naming the function and the part; says whether the shape has a point at all.  Of
-/// a posed shape finite numbers are taken for granted.
+/// a posed shape finite numbers are taken for granted, and of a round one or a plane a pose that leaves it one.
 bool check_body(std::string_view function, std::string_view name, const BodyShape& shape);
 
 }  // namespace plumb::query

@@ -18,6 +18,8 @@ struct Translating {
   Vector3 by;
   friend bool operator==(const Translating&, const Translating&) = default;
 };
+template <class Shape>
+Translating(Shape, Vector3) -> Translating<Shape>;
 
 /// Every vertex moves linearly during time [0, 1].
 template <class Shape>

@@ -1,0 +1,58 @@
+// Figures under poses as bodies, whose vertices are the posed ones.
+#include <string>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/query/time_of_impact/posed.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/body/posed_input.hpp"
+#include "query/convex/exact_map.hpp"
+#include "query/overlap/posed_relation.hpp"
+#include "query/time_of_impact/body_meeting.hpp"
+
+namespace plumb::query {
+namespace {
+
+Relation posed_figures_at_start(const BodyShape& a, const BodyShape& b) {
+  return relate_posed("first_contact", *std::get<const PosedView*>(a), *std::get<const PosedView*>(b));
+}
+
+/// Leaves the pose what is round round, and a plane a plane?
+void require_even(std::string_view function, const PosedView& v) {
+  if (v.in_space == nullptr) return;
+  const auto refuse = [&](std::string_view why) {
+    throw UnevenPose(std::string(function).append(": ").append(spoken(v.figure)).append(": ").append(why));
+  };
+  if (v.figure.kind == FigureKind::plane && is_singular(exact_map(*v.in_space)))
+    refuse("its pose flattens it; give one whose matrix is not singular");
+  const bool is_round = is_one_of(v.figure.kind, {FigureKind::ball, FigureKind::capsule});
+  if (is_round && !scale_of(*v.in_space))
+    refuse("its pose makes an ellipsoid of it; give one of columns at right angles and of one length that is a double");
+}
+
+/// In the terms of bodies, looked at.
+struct PosedBodies {
+  PosedBodies(std::string_view function, const PosedMotion& of_a, const PosedMotion& of_b)
+      : a{&of_a.figure, of_a.by}, b{&of_b.figure, of_b.by} {
+    require_posed(function, of_a.figure, of_b.figure);
+    require_even(function, of_a.figure);
+    require_even(function, of_b.figure);
+  }
+  BodyMotion a, b;
+};
+
+}  // namespace
+
+std::optional<Contact> posed_contact(const PosedMotion& a, const PosedMotion& b) {
+  const PosedBodies bodies("first_contact", a, b);
+  return body_contact("first_contact", bodies.a, bodies.b, posed_figures_at_start);
+}
+std::optional<Root> posed_contact_time(const PosedMotion& a, const PosedMotion& b) {
+  const PosedBodies bodies("first_contact_time", a, b);
+  return body_contact_time("first_contact_time", bodies.a, bodies.b, posed_figures_at_start);
+}
+bool posed_bodies_meet(const PosedMotion& a, const PosedMotion& b) {
+  const PosedBodies bodies("intersects", a, b);
+  return bodies_meet("intersects", bodies.a, bodies.b, posed_figures_at_start);
+}
+
+}  // namespace plumb::query
