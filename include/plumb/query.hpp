@@ -35,13 +35,14 @@
 #include "plumb/query/section/posed.hpp"                // of figures under poses
 
 // How near, and where?  closest_points, distance, compare_distance
-#include "plumb/arith/exact_distance.hpp"         // a distance as it is
-#include "plumb/query/closest/batch.hpp"          // the nearest of many
-#include "plumb/query/closest/closest.hpp"        // a point and any shape
-#include "plumb/query/closest/pairs.hpp"          // lines, rays, segments, triangles
-#include "plumb/query/closest/result.hpp"         // points, features, distance
-#include "plumb/query/convex/location.hpp"        // a point and a convex polygon, in logarithmic time
-#include "plumb/query/separation/separation.hpp"  // any two figures
+#include "plumb/arith/exact_distance.hpp"          // a distance as it is
+#include "plumb/query/closest/batch.hpp"           // the nearest of many
+#include "plumb/query/closest/closest.hpp"         // a point and any shape
+#include "plumb/query/closest/pairs.hpp"           // lines, rays, segments, triangles
+#include "plumb/query/closest/result.hpp"          // points, features, distance
+#include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
+#include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses
+#include "plumb/query/separation/separation.hpp"   // any two figures
 
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is

@@ -1,0 +1,55 @@
+// Distance of moved figures: how far apart are figures under poses?  In the space that the poses lead to.
+//
+//   distance(Posed{point, pose}, Posed{triangle, other})   the number; exact_distance, squared_distance_exact without
+//                                                           rounding; compare_distance(query/closest/closest.hpp) compares
+//
+// Laws: the distance of the exact images, rounded once to the nearest double, of every pair that distance answers without
+// poses, one or both posed, in either order; zero where they meet.  What a singular matrix flattens is the flat figure
+// that it becomes.  A common pose that turns and mirrors alone, exactly, changes no answer.
+// Round figures take poses whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
+// else.  An empty figure throws InvalidShape, NaN and infinity NonFinite, by name.
+// Source: RTCD 3.2, 5.1.
+// Cost: rationals: some 10 to 100 us, of polygons times the square of their corners.
+#pragma once
+
+#include "plumb/query/body/posed.hpp"
+#include "plumb/query/closest/closest.hpp"
+
+namespace plumb {
+
+namespace query {
+
+double posed_distance(const PosedView& a, const PosedView& b, Asked asked);
+ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Asked asked);
+
+template <class A, class B>
+concept PosedMeasured = PosedFigures<A, B> && requires(const UnposedType<A>& a, const UnposedType<B>& b) {
+  { distance(a, b) } -> std::same_as<double>;
+};
+template <class A, class B>
+concept PosedFlatMeasured = PosedMeasured<A, B> && requires(const UnposedType<A>& a, const UnposedType<B>& b) {
+  { squared_distance_exact(a, b) } -> std::same_as<Rational>;
+};
+
+}  // namespace query
+
+template <class A, class B>
+requires query::PosedMeasured<A, B>
+double distance(const A& a, const B& b, Asked asked = Asked::distance) {
+  return query::posed_distance(query::posed_view(a), query::posed_view(b), asked);
+}
+
+template <class A, class B>
+requires query::PosedFlatMeasured<A, B> Rational squared_distance_exact(const A& a, const B& b,
+                                                                        Asked asked = Asked::squared_distance_exact) {
+  return query::posed_exact_distance(query::posed_view(a), query::posed_view(b), asked).square;
+}
+
+/// Of two that are not round query/closest/closest.hpp has it, but where the first is a point as it stands.
+template <class A, class B>
+requires(query::PosedMeasured<A, B> && (!query::PosedFlatMeasured<A, B> || query::AnyOf<A, Point2, Point3>))  //
+    ExactDistance exact_distance(const A& a, const B& b, Asked asked = Asked::exact_distance) {
+  return query::posed_exact_distance(query::posed_view(a), query::posed_view(b), asked);
+}
+
+}  // namespace plumb

@@ -1,0 +1,98 @@
+#include "plumb/query/overlap/posed_distance.hpp"
+
+#include <string>
+
+#include "arith/rounded_radical.hpp"
+#include "plumb/arith/big.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/body/posed_input.hpp"
+#include "query/convex/exact_gap.hpp"
+#include "query/convex/flat_view.hpp"
+#include "query/convex/posed_set.hpp"
+#include "query/overlap/polygon_relation.hpp"
+
+namespace plumb::query {
+namespace {
+
+/// Convex sets whose union is the figure, or that of its core, and the radius that the image has.
+struct MeasuredImage {
+  std::vector<FlatSet> pieces;
+  mpq_class radius = 0;
+};
+
+[[noreturn]] void refuse_measure(std::string_view function, const PosedView& v, bool is_uneven) {
+  const std::string name = std::string(function).append(": ").append(spoken(v.figure));
+  if (!is_uneven) throw InvalidShape(name + " has no point; give a figure that is not empty");
+  throw UnevenPose(name +
+                   ": its pose makes an ellipsoid of it, or its scale is not rational; give one whose columns "
+                   "are at right angles and of one rational length");
+}
+
+std::optional<mpq_class> rational_root(const mpq_class& x) {
+  mpq_class root;
+  if (mpz_perfect_square_p(x.get_num_mpz_t()) == 0 || mpz_perfect_square_p(x.get_den_mpz_t()) == 0) return {};
+  mpz_sqrt(root.get_num_mpz_t(), x.get_num_mpz_t());
+  mpz_sqrt(root.get_den_mpz_t(), x.get_den_mpz_t());
+  return root;
+}
+
+MeasuredImage measured_image(std::string_view function, const PosedView& v) {
+  const PosedSet s = posed_set(v);
+  MeasuredImage r;
+  if (s.is_round()) {
+    const auto square = squared_scale(s.map, s.dimension);
+    const auto scale = square ? rational_root(*square) : std::nullopt;
+    if (!scale) refuse_measure(function, v, true);
+    r.radius = s.radius * *scale;
+  }
+  if (is_polygon(v.figure)) {
+    const ExactChains chains = image(s.map, exact_chains(function, v.figure));
+    r.pieces = trapezoids(chains);
+    for (FlatSet& edge : edges_of(chains)) r.pieces.push_back(std::move(edge));
+  } else {
+    if (s.core.points.empty()) refuse_measure(function, v, false);
+    r.pieces.push_back(image(s));
+  }
+  return r;
+}
+
+/// The distance of the cores, squared, and what the radii take of it.
+struct MeasuredGap {
+  mpq_class square, inset;
+  [[nodiscard]] bool is_open() const { return square > inset * inset; }
+};
+
+MeasuredGap measured_gap(Asked asked, const PosedView& a, const PosedView& b) {
+  const std::string_view function = name_of(asked);
+  require_posed(function, a, b);
+  const MeasuredImage p = measured_image(function, a), q = measured_image(function, b);
+  MeasuredGap gap{-1, p.radius + q.radius};
+  for (const FlatSet& s : p.pieces) {
+    for (const FlatSet& t : q.pieces) {
+      const mpq_class square = *squared_distance(s, t);
+      if (sgn(gap.square) < 0 || square < gap.square) gap.square = square;
+      if (sgn(square) == 0) return gap;
+    }
+  }
+  return gap;
+}
+
+}  // namespace
+
+// root(p / q) - n / m is (m root(p q) - n q) / (m q).
+double posed_distance(const PosedView& a, const PosedView& b, Asked asked) {
+  const MeasuredGap gap = measured_gap(asked, a, b);
+  if (!gap.is_open()) return 0;
+  const mpz_class &p = gap.square.get_num(), &q = gap.square.get_den();
+  const mpz_class &n = gap.inset.get_num(), &m = gap.inset.get_den();
+  return rounded_radical(Rounding::nearest, BigDyadic(mpz_class(-n * q)), BigDyadic(m), BigDyadic(mpz_class(p * q)),
+                         BigDyadic(mpz_class(m * q)));
+}
+
+ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Asked asked) {
+  const MeasuredGap gap = measured_gap(asked, a, b);
+  if (!gap.is_open()) return {Rational(0.0), Rational(0.0)};
+  return {Rational(BigRational{gap.square}), Rational(BigRational{gap.inset})};
+}
+
+}  // namespace plumb::query
