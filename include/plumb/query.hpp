@@ -49,6 +49,7 @@
 #include "plumb/query/ray/batch.hpp"        // of many triangles or boxes
 #include "plumb/query/ray/hits.hpp"         // yes or no
 #include "plumb/query/ray/parity.hpp"       // is a point in a mesh?
+#include "plumb/query/ray/posed.hpp"        // figures and rays under poses
 #include "plumb/query/ray/ray.hpp"          // in space
 #include "plumb/query/ray/ray2.hpp"         // in the plane
 

@@ -1,10 +1,12 @@
-#include "query/overlap/posed_relation.hpp"
+// Straight figures by separating axes over numbers that know their errors, else by their images' generators; round ones
+// by what goes into them under their pose, against them as they stand.
 
 #include <algorithm>
 #include <string>
 
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/query/overlap/posed.hpp"
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"

@@ -2,11 +2,11 @@
 #include <string>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/query/overlap/posed.hpp"
 #include "plumb/query/time_of_impact/posed.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/exact_map.hpp"
-#include "query/overlap/posed_relation.hpp"
 #include "query/time_of_impact/body_meeting.hpp"
 
 namespace plumb::query {

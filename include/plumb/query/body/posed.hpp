@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace query {
 
-/// A figure whose type the compiler need not know, and its pose, if it has one: in_space of space, in_plane of the plane.
+/// A figure whose type the compiler need not know, and its pose, if it has one: of space or of the plane.
 struct PosedView {
   FigureView figure;
   const Pose* in_space = nullptr;

@@ -23,6 +23,7 @@ namespace plumb {
 
 namespace query {
 
+/// The function is named in what is thrown.
 Relation relate_posed(std::string_view function, const PosedView& a, const PosedView& b);
 
 template <class A, class B>

@@ -1,10 +1,10 @@
 // Distance of moved figures: how far apart are figures under poses?  In the space that the poses lead to.
 //
-//   distance(Posed{point, pose}, Posed{triangle, other})   the number; exact_distance, squared_distance_exact without
-//                                                           rounding; compare_distance(query/closest/closest.hpp) compares
+//   distance(Posed{point, pose}, Posed{triangle, other})   the number; exact_distance and squared_distance_exact without
+//                                                           rounding; compare_distance compares
 //
-// Laws: the distance of the exact images, rounded once to the nearest double, of every pair that distance answers without
-// poses, one or both posed, in either order; zero where they meet.  What a singular matrix flattens is the flat figure
+// Laws: the distance of the exact images, rounded once to the nearest double, of every pair that distance answers
+// without poses, one or both posed, in either order; zero where they meet.  What a singular matrix flattens is the flat figure
 // that it becomes.  A common pose that turns and mirrors alone, exactly, changes no answer.
 // Round figures take poses whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
 // else.  An empty figure throws InvalidShape, NaN and infinity NonFinite, by name.

@@ -1,0 +1,79 @@
+// Rays at posed figures: t as the plain question tells it where poses stay or images are doubles, and the same under a
+// common pose.
+#include "plumb/query/ray/posed.hpp"
+
+#include "query/body/pair_laws.hpp"
+#include "query/body/posed_cases.hpp"
+
+namespace plumb::pair_cases {
+namespace {
+
+struct ShotSeen {
+  int cases = 0, hit = 0, mapped = 0;
+};
+using Parameter = std::optional<RayParameter>;
+
+query::PosedView posed_by(const query::FigureView& v, const Pose& in_space, const Pose2& flat) {
+  return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
+}
+Parameter asked(const query::PosedView& a, const query::PosedView& b) {
+  return query::posed_first_hit_parameter("first_hit_parameter", a, b);
+}
+bool same(const Parameter& a, const Parameter& b) { return a.has_value() == b.has_value() && (!a || (*a <=> *b) == 0); }
+
+/// Which laws fail, a bit each.
+int broken(const query::FigureView& a, const query::FigureView& b, const Pose& pose, const Parameter& plain) {
+  const Pose2 flat = in_plane(pose), stays{{{{1, 0}, {0, 1}}}, {0, 0}};
+  const bool stays_same = same(asked({a}, posed_by(b, identity_pose, stays)), plain);
+  const bool moves_alike = same(asked(posed_by(a, pose, flat), posed_by(b, pose, flat)), plain);
+  return (stays_same ? 0 : 1) | (moves_alike ? 0 : 2);
+}
+
+template <class A, class B>
+void expect_shots(ShotSeen& seen, std::uint64_t start) {
+  using By = std::conditional_t<figure_dimension<A> == 2, Pose2, Pose>;
+  if constexpr (query::PosedShot<Posed<A, By>, B>) {
+    shape_cases::on_shapes(start, battery::sanitized ? 3 : 16, [&](Material& m) {
+      const auto pair = pair_of<A, B>(m);
+      const A& a = pair.first;
+      const B& b = pair.second;
+      const Parameter plain = first_hit_parameter(a, b);
+      ++seen.cases, seen.hit += plain.has_value();
+      EXPECT_EQ(broken(query::view_of(a), query::view_of(b), regular_pose(m), plain), 0)
+          << pair_name<A, B>() << m.about(a, b);
+      Map map(m, figure_dimension<A>, map_kind<A, B>(m), m.below(2) == 0);
+      const Pose pose = pose_of(map);
+      const B d = mapped(b, map);
+      const A c = mapped(a, map);
+      if (!map.exact()) return;
+      ++seen.mapped;
+      const Pose2 flat = in_plane(pose);
+      EXPECT_TRUE(same(asked({query::view_of(c)}, posed_by(query::view_of(b), pose, flat)), first_hit_parameter(c, d)))
+          << pair_name<A, B>() << m.about(a, b);
+    });
+  }
+}
+
+template <class All>
+void expect_all_shots(std::uint64_t start) {
+  ShotSeen seen;
+  on_pairs(All{}, [&]<class A, class B>(const A*, const B*) { expect_shots<A, B>(seen, start++); });
+  std::printf("%d cases, %d hit, %d mapped\n", seen.cases, seen.hit, seen.mapped);
+  EXPECT_GT(seen.hit * 5, seen.cases);
+  EXPECT_GT(seen.mapped * 3, seen.cases);
+}
+
+TEST(PosedRay, AllFiguresOfThePlane) { expect_all_shots<Plane>(5101); }
+TEST(PosedRay, AllFiguresOfSpace) { expect_all_shots<Space>(5301); }
+
+TEST(PosedRay, WhatPosesMakeIsHit) {
+  const Pose flat{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 1}}, long_z{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 3}}}, {}};
+  const Ray3 up{{0.5, 0.5, 0}, {0, 0, 2}};
+  EXPECT_EQ(first_hit_parameter(up, Posed{Aabb3{{0, 0, 0}, {1, 1, 9}}, flat})->rounded(), 0.5);
+  EXPECT_FALSE(hits(Ray3{{1.5, 0.5, 0}, {0, 0, 2}}, Posed{Aabb3{{0, 0, 0}, {1, 1, 9}}, flat}));
+  EXPECT_EQ(first_hit_parameter(Line3{{0, 0, 0}, {0, 0, 1}}, Posed{Sphere3{{0, 0, 0}, 1}, long_z})->rounded(), -3);
+  EXPECT_THROW(hits(up, Posed{Sphere3{{0, 0, 0}, 1}, flat}), UnevenPose);
+}
+
+}  // namespace
+}  // namespace plumb::pair_cases
