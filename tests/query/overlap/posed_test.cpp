@@ -45,7 +45,7 @@ int broken_maps(const query::FigureView& a, const query::FigureView& a_image, co
 
 template <class A, class B>
 void expect_posed_laws(PosedSeen& seen, std::uint64_t start) {
-  shape_cases::on_shapes(start, battery::sanitized ? 1 : 4, [&](Material& m) {
+  shape_cases::on_shapes(start, battery::sanitized ? 1 : 3, [&](Material& m) {
     const auto pair = pair_of<A, B>(m);
     const A& a = pair.first;
     const B& b = pair.second;

@@ -3,6 +3,7 @@
 //
 //   relate(Posed{box, pose}, Posed{triangle, pose})   that of the box and the triangle, whatever the pose
 //   contains(Posed{ball, sheared}, p)                 is p in the ellipsoid?
+//   contains(Posed{box, pose}, Posed{other, pose})    every point of the other?
 //
 // Laws: (1) those of query/overlap/overlap.hpp, of the exact images; every pair of the table, one or both posed, in
 // either order.  (2) A common pose whose matrix is not singular changes no answer; one that stays changes none.  (3) A
@@ -10,13 +11,19 @@
 // Two round figures (balls, capsules, lozenges) are answered where one pose is a similarity as seen from the other (its
 // columns at right angles and of one length, exactly), or where one maps all to a point; round figures flattened by
 // their pose are not asked of polygons, cylinders and cones flattened so not of rays and segments: UnevenPose.
+// contains takes a point, and every pair of figures that it takes without poses, but for outer polygons, cylinders and
+// cones.  A round figure in a round one is answered as above, in a flat one under any pose.
 // NaN and infinities throw NonFinite, naming the part ("relate: triangle.shape.b.y is nan"), what is no shape throws
 // InvalidShape.
 // Source: RTCD 3.2, 5.2.
 // Cost: about a microsecond for points, lines, triangles, tetrahedra and boxes; others in rationals, 100 us and more.
 #pragma once
 
+#include "plumb/figure/aabb/relation.hpp"
 #include "plumb/figure/basic/answered.hpp"
+#include "plumb/figure/k_dop/k_dop.hpp"
+#include "plumb/figure/sphere/sphere.hpp"
+#include "plumb/figure/swept_sphere/swept_sphere.hpp"
 #include "plumb/query/body/posed.hpp"
 
 namespace plumb {
@@ -26,8 +33,22 @@ namespace query {
 /// The function is named in what is thrown.
 Relation relate_posed(std::string_view function, const PosedView& a, const PosedView& b);
 
+bool posed_contains(const PosedView& outer, const PosedView& inner);
+
 template <class A, class B>
 concept PosedPair = PosedFigures<A, B> && RelatedPair<UnposedType<A>, UnposedType<B>>;
+
+constexpr bool may_hold_posed(FigureKind outer, FigureKind inner) {
+  const auto has_disks = [](FigureKind k) { return is_one_of(k, {FigureKind::cylinder, FigureKind::cone}); };
+  return inner != FigureKind::point && !has_disks(outer) && !has_disks(inner) &&
+         !is_one_of(outer, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon});
+}
+template <class Outer, class Inner>
+concept PosedHolder = PosedFigures<Outer, Inner> &&
+    may_hold_posed(figure_kind<UnposedType<Outer>>, figure_kind<UnposedType<Inner>>) &&
+    requires(const UnposedType<Outer>& outer, const UnposedType<Inner>& inner) {
+  { contains(outer, inner) } -> std::same_as<bool>;
+};
 
 }  // namespace query
 
@@ -47,6 +68,13 @@ template <class Shape, class Point>
 requires(query::PosedPair<Shape, Point>&& figure_kind<query::UnposedType<Point>> == FigureKind::point)  //
     bool contains(const Shape& shape, const Point& p) {
   return query::relate_posed("contains", query::posed_view(shape), query::posed_view(p)) != Relation::disjoint;
+}
+
+/// Every point of the inner one?
+template <class Outer, class Inner>
+requires query::PosedHolder<Outer, Inner>
+bool contains(const Outer& outer, const Inner& inner) {
+  return query::posed_contains(query::posed_view(outer), query::posed_view(inner));
 }
 
 }  // namespace plumb
