@@ -2,37 +2,30 @@
 
 #include <algorithm>
 
+#include "query/body/axis_body.hpp"
+
 namespace plumb::query {
 namespace {
 
 Exact3 exact(double x, double y, double z) { return {mpq_class(x), mpq_class(y), mpq_class(z)}; }
-Exact3 exact(const Point2& p) { return exact(p.x, p.y, 0); }
 Exact3 exact(const Point3& p) { return exact(p.x, p.y, p.z); }
 Exact3 exact(const Vector2& v) { return exact(v.x, v.y, 0); }
 Exact3 exact(const Vector3& v) { return exact(v.x, v.y, v.z); }
 
 const Exact3 along_z{0, 0, 1};
 
-void add_unless_zero(std::vector<Exact3>& vectors, const Exact3& v) {
-  if (!is_zero(v)) vectors.push_back(v);
-}
-
-template <class... Points>
-FlatSet hull(const Points&... points) {
-  return {{exact(points)...}, {}, {}};
-}
-
-template <class Point, class Vector>
-FlatSet line(const Point& p, const Vector& v) {
-  FlatSet s{{exact(p)}, {}, {}};
-  add_unless_zero(s.lines, exact(v));
-  return s;
-}
-template <class Point, class Vector>
-FlatSet ray(const Point& p, const Vector& v) {
-  FlatSet s{{exact(p)}, {}, {}};
-  add_unless_zero(s.directions, exact(v));
-  return s;
+/// The points, and the edges that go on, of what has a body of them.
+template <class Shape>
+FlatSet set_of_body(const Shape& s) {
+  const auto exact_of = [](const arith::Vec<mpq_class>& v) { return Exact3{v.x, v.y, v.z}; };
+  const auto body = axes::axis_body_of<mpq_class>(s, {0, 0, 0});
+  FlatSet set;
+  for (std::size_t i = 0; i < body.point_count; ++i) set.points.push_back(exact_of(body.points[i]));
+  for (std::size_t i = 0; i < body.edge_count; ++i) {
+    if (body.ends[i] == axes::EdgeEnd::one) set.directions.push_back(exact_of(body.edges[i]));
+    if (body.ends[i] == axes::EdgeEnd::both) set.lines.push_back(exact_of(body.edges[i]));
+  }
+  return set;
 }
 
 /// Two vectors that span the plane at right angles to v, which is not zero.
@@ -84,21 +77,6 @@ FlatSet corners_of(const Exact3& min, const Exact3& max) {
   return s;
 }
 
-template <std::size_t N>
-FlatSet zonotope(const Exact3& center, const std::array<Exact3, N>& generators) {
-  FlatSet s{{center}, {}, {}};
-  for (const Exact3& g : generators) {
-    if (is_zero(g)) continue;
-    std::vector<Exact3> both;
-    for (const Exact3& p : s.points) {
-      both.push_back(p - g);
-      both.push_back(p + g);
-    }
-    s.points = std::move(both);
-  }
-  return s;
-}
-
 template <class Vector>
 void add(std::vector<ExactHalfspace>& all, const Vector& normal, double offset) {
   all.push_back({exact(normal), mpq_class(offset)});
@@ -137,28 +115,27 @@ Exact3 operator*(const mpq_class& t, const Exact3& v) {
 }
 bool is_zero(const Exact3& v) { return sgn(v[0]) == 0 && sgn(v[1]) == 0 && sgn(v[2]) == 0; }
 
-FlatSet flat_set(const Point2& p) { return hull(p); }
-FlatSet flat_set(const Point3& p) { return hull(p); }
-FlatSet flat_set(const Line2& l) { return line(l.point, l.direction); }
-FlatSet flat_set(const Line3& l) { return line(l.point, l.direction); }
-FlatSet flat_set(const Ray2& r) { return ray(r.origin, r.direction); }
-FlatSet flat_set(const Ray3& r) { return ray(r.origin, r.direction); }
-FlatSet flat_set(const Segment2& s) { return hull(s.a, s.b); }
-FlatSet flat_set(const Segment3& s) { return hull(s.a, s.b); }
-FlatSet flat_set(const Triangle2& t) { return hull(t.a, t.b, t.c); }
-FlatSet flat_set(const Triangle3& t) { return hull(t.a, t.b, t.c); }
-FlatSet flat_set(const Tetrahedron3& t) { return hull(t.a, t.b, t.c, t.d); }
+FlatSet flat_set(const Point2& s) { return set_of_body(s); }
+FlatSet flat_set(const Point3& s) { return set_of_body(s); }
+FlatSet flat_set(const Line2& s) { return set_of_body(s); }
+FlatSet flat_set(const Line3& s) { return set_of_body(s); }
+FlatSet flat_set(const Ray2& s) { return set_of_body(s); }
+FlatSet flat_set(const Ray3& s) { return set_of_body(s); }
+FlatSet flat_set(const Segment2& s) { return set_of_body(s); }
+FlatSet flat_set(const Segment3& s) { return set_of_body(s); }
+FlatSet flat_set(const Triangle2& s) { return set_of_body(s); }
+FlatSet flat_set(const Triangle3& s) { return set_of_body(s); }
+FlatSet flat_set(const Tetrahedron3& s) { return set_of_body(s); }
+FlatSet flat_set(const ThreePointPlane3& s) { return set_of_body(s); }
+FlatSet flat_set(const Obb2& s) { return set_of_body(s); }
+FlatSet flat_set(const Obb3& s) { return set_of_body(s); }
+FlatSet flat_set(const Rectangle3& s) { return set_of_body(s); }
+FlatSet flat_set(const Aabb2& box) { return is_empty(box) ? FlatSet{} : set_of_body(box); }
+FlatSet flat_set(const Aabb3& box) { return is_empty(box) ? FlatSet{} : set_of_body(box); }
 
 FlatSet flat_set(const Plane3& plane) {
   const mpq_class offset(plane.offset);
   return between(exact(plane.normal), &offset, offset, false);
-}
-FlatSet flat_set(const ThreePointPlane3& plane) {
-  const Exact3 a = exact(plane.a);
-  FlatSet s{{a}, {}, {}};
-  add_unless_zero(s.lines, exact(plane.b) - a);
-  add_unless_zero(s.lines, exact(plane.c) - a);
-  return s;
 }
 FlatSet flat_set(const Halfspace2& h) { return between(exact(h.normal), nullptr, mpq_class(h.offset), true); }
 FlatSet flat_set(const Halfspace3& h) { return between(exact(h.normal), nullptr, mpq_class(h.offset), false); }
@@ -182,8 +159,6 @@ FlatSet flat_set(const HalfspaceIntersection3& intersection) {
   return flat_set(all);
 }
 
-FlatSet flat_set(const Aabb2& box) { return corners_of(exact(box.min), exact(box.max)); }
-FlatSet flat_set(const Aabb3& box) { return corners_of(exact(box.min), exact(box.max)); }
 FlatSet flat_set(const AabbWidths3& box) {
   const Exact3 min = exact(box.min);
   const Exact3 widths{abs(mpq_class(box.widths.x)), abs(mpq_class(box.widths.y)), abs(mpq_class(box.widths.z))};
@@ -193,20 +168,6 @@ FlatSet flat_set(const AabbCenter3& box) {
   const Exact3 half{abs(mpq_class(box.half.x)), abs(mpq_class(box.half.y)), abs(mpq_class(box.half.z))};
   return corners_of(exact(box.center) - half, exact(box.center) + half);
 }
-FlatSet flat_set(const Obb2& box) {
-  return zonotope(exact(box.center),
-                  std::array{mpq_class(box.half.x) * exact(box.axes[0]), mpq_class(box.half.y) * exact(box.axes[1])});
-}
-FlatSet flat_set(const Obb3& box) {
-  return zonotope(exact(box.center),
-                  std::array{mpq_class(box.half.x) * exact(box.axes[0]), mpq_class(box.half.y) * exact(box.axes[1]),
-                             mpq_class(box.half.z) * exact(box.axes[2])});
-}
-FlatSet flat_set(const Rectangle3& r) {
-  return zonotope(exact(r.center),
-                  std::array{mpq_class(r.half.x) * exact(r.axes[0]), mpq_class(r.half.y) * exact(r.axes[1])});
-}
-
 FlatSet flat_set(const KDop2& k_dop) {
   auto all = halfspaces(k_dop);
   add_plane_of_2d(all);

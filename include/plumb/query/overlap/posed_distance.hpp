@@ -9,7 +9,7 @@
 // Round figures take poses whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
 // else.  An empty figure throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.1.
-// Cost: rationals: some 10 to 100 us, of polygons times the square of their corners.
+// Cost: rationals: some 20 us for a point and a triangle, of polygons times the square of their corners.
 #pragma once
 
 #include "plumb/query/body/posed.hpp"
