@@ -17,13 +17,13 @@ const Exact3 along_z{0, 0, 1};
 /// The points, and the edges that go on, of what has a body of them.
 template <class Shape>
 FlatSet set_of_body(const Shape& s) {
-  const auto exact_of = [](const arith::Vec<mpq_class>& v) { return Exact3{v.x, v.y, v.z}; };
+  const auto as_exact = [](const arith::Vec<mpq_class>& v) { return Exact3{v.x, v.y, v.z}; };
   const auto body = axes::axis_body_of<mpq_class>(s, {0, 0, 0});
   FlatSet set;
-  for (std::size_t i = 0; i < body.point_count; ++i) set.points.push_back(exact_of(body.points[i]));
+  for (std::size_t i = 0; i < body.point_count; ++i) set.points.push_back(as_exact(body.points[i]));
   for (std::size_t i = 0; i < body.edge_count; ++i) {
-    if (body.ends[i] == axes::EdgeEnd::one) set.directions.push_back(exact_of(body.edges[i]));
-    if (body.ends[i] == axes::EdgeEnd::both) set.lines.push_back(exact_of(body.edges[i]));
+    if (body.ends[i] == axes::EdgeEnd::one) set.directions.push_back(as_exact(body.edges[i]));
+    if (body.ends[i] == axes::EdgeEnd::both) set.lines.push_back(as_exact(body.edges[i]));
   }
   return set;
 }

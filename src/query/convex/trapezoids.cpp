@@ -115,4 +115,24 @@ std::vector<FlatSet> edges_of(const ExactChains& chains) {
   return all;
 }
 
+std::vector<LinePiece> pieces_on_line(const ExactChains& chains) {
+  std::vector<std::pair<Exact3, Exact3>> spans;  // of a chain, which is connected; ordered as coordinates are
+  for (const auto& chain : chains) {
+    const auto [first, last] = std::ranges::minmax_element(chain);
+    spans.emplace_back(*first, *last);
+  }
+  std::ranges::sort(spans);
+  std::vector<std::pair<Exact3, Exact3>> merged;
+  for (const auto& span : spans) {
+    if (merged.empty() || merged.back().second < span.first) {
+      merged.push_back(span);
+    } else if (merged.back().second < span.second) {
+      merged.back().second = span.second;
+    }
+  }
+  std::vector<LinePiece> pieces;
+  for (const auto& [from, to] : merged) pieces.push_back({{{from, to}, {}, {}, {}}, merged.size() == 1 || from != to});
+  return pieces;
+}
+
 }  // namespace plumb::query

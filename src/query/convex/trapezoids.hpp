@@ -27,4 +27,12 @@ std::vector<FlatSet> trapezoids(const ExactChains& chains);
 /// The edges, as sets: all that is on the chains.
 std::vector<FlatSet> edges_of(const ExactChains& chains);
 
+/// A convex set with its relative interior, or without: a point beside others on one line.
+struct LinePiece {
+  FlatSet set;
+  bool has_inside;
+};
+/// The union of the edges of chains on one line.
+std::vector<LinePiece> pieces_on_line(const ExactChains& chains);
+
 }  // namespace plumb::query

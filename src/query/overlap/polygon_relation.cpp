@@ -283,26 +283,6 @@ Relation relate_chains(const ExactChains& a, const FlatSet& b, bool of_inside) {
   return relate(parts_of(a), Parts{{}, {{b, of_inside}}});
 }
 
-std::vector<LinePiece> pieces_on_line(const ExactChains& chains) {
-  std::vector<std::pair<Exact3, Exact3>> spans;  // of a chain, which is connected; ordered as coordinates are
-  for (const auto& chain : chains) {
-    const auto [first, last] = std::ranges::minmax_element(chain);
-    spans.emplace_back(*first, *last);
-  }
-  std::ranges::sort(spans);
-  std::vector<std::pair<Exact3, Exact3>> merged;
-  for (const auto& span : spans) {
-    if (merged.empty() || merged.back().second < span.first) {
-      merged.push_back(span);
-    } else if (merged.back().second < span.second) {
-      merged.back().second = span.second;
-    }
-  }
-  std::vector<LinePiece> pieces;
-  for (const auto& [from, to] : merged) pieces.push_back({{{from, to}, {}, {}, {}}, merged.size() == 1 || from != to});
-  return pieces;
-}
-
 ExactChains exact_chains(std::string_view function, const FlatView& polygon) {
   return exactly(input_of(function, polygon).chains);
 }

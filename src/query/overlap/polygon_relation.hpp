@@ -21,14 +21,6 @@ Relation relate_polygon(std::string_view function, const FlatView& a, const Flat
 /// A polygon and any convex set.
 Relation relate_convex(std::string_view function, const FlatView& polygon, const FlatSet& other);
 
-/// A convex set with its relative interior, or without: a point beside others on one line.
-struct LinePiece {
-  FlatSet set;
-  bool has_inside;
-};
-/// The union of the edges of chains on one line.
-std::vector<LinePiece> pieces_on_line(const ExactChains& chains);
-
 /// The chains of a polygon; throws where they do not lie in one plane.
 ExactChains exact_chains(std::string_view function, const FlatView& polygon);
 Relation relate_chains(const ExactChains& a, const ExactChains& b);
