@@ -6,6 +6,7 @@
 #include "plumb/arith/big.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
+#include "query/closest/posed_triangle.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_set.hpp"
@@ -78,6 +79,16 @@ MeasuredGap measured_gap(Asked asked, const PosedView& a, const PosedView& b) {
 }
 
 }  // namespace
+
+Closest posed_closest_points(const Posed<Triangle3>& a, const Posed<Triangle3>& b) {
+  require_posed("closest_points", posed_view(a), posed_view(b));
+  return closest_points(a, b);
+}
+Closest posed_closest_points(const Point3& p, const Posed<Triangle3>& triangle) {
+  require_posed("closest_points", posed_view(p), posed_view(triangle));
+  const ClosestOnPosed near = closest_on(triangle, p);
+  return {p, near.point, near.distance, {FeatureKind::vertex, 0}, near.feature};
+}
 
 // root(p / q) - n / m is (m root(p q) - n q) / (m q).
 double posed_distance(const PosedView& a, const PosedView& b, Asked asked) {

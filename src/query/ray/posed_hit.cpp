@@ -10,6 +10,8 @@
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_set.hpp"
 #include "query/overlap/polygon_relation.hpp"
+#include "query/ray/posed_triangle.hpp"
+#include "query/ray/shot.hpp"
 
 namespace plumb::query {
 namespace {
@@ -75,6 +77,12 @@ std::optional<RayParameter> first_in_ball(const ExactShot& s, const Exact3& cent
 }
 
 }  // namespace
+
+std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& triangle, HitRule rule) {
+  const PosedView view = posed_view(triangle);
+  as_given(ray, [&](const auto& given) { require_posed("first_hit", posed_view(given), view); });
+  return first_hit(ray, triangle, rule);
+}
 
 std::optional<RayParameter> posed_first_hit_parameter(std::string_view function, const PosedView& ray,
                                                       const PosedView& figure) {

@@ -70,6 +70,22 @@ void expect_all_distances(std::uint64_t start) {
 TEST(PosedDistance, AllPairsOfThePlane) { expect_all_distances<Plane>(4101); }
 TEST(PosedDistance, AllPairsOfSpace) { expect_all_distances<Space>(4301); }
 
+TEST(PosedDistance, ClosestPointsOfTrianglesAsWithoutPoses) {
+  shape_cases::on_shapes(4501, battery::sanitized ? 30 : 150, [&](Material& m) {
+    const Triangle3 t = m.shape<Triangle3>(), u = near_figure<Triangle3>(m);
+    const Point3 p = m.probe3();
+    EXPECT_EQ(closest_points(Posed{t, identity_pose}, Posed{u, identity_pose}), closest_points(t, u)) << m.about(t, u);
+    EXPECT_EQ(closest_points(p, Posed{t, identity_pose}), closest_points(p, t)) << m.about(t, p);
+    EXPECT_EQ(closest_points(Posed{t, identity_pose}, p), closest_points(t, p)) << m.about(t, p);
+    Map map(m, 3, MapKind::turned, true);
+    const Pose pose = pose_of(map);
+    const Triangle3 v = mapped(t, map), w = mapped(u, map);
+    if (map.exact()) {
+      EXPECT_EQ(closest_points(Posed{t, pose}, Posed{u, pose}), closest_points(v, w)) << m.about(t, u);
+    }
+  });
+}
+
 TEST(PosedDistance, IsMeasuredInTheSpaceOfThePoses) {
   const Pose turned{{{{0.96, 0.28, 0}, {-0.28, 0.96, 0}, {0, 0, 1}}}, {0.1, 0.2, 0.3}};  // not quite a rotation
   const Triangle3 t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};

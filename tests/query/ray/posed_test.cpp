@@ -66,6 +66,26 @@ void expect_all_shots(std::uint64_t start) {
 TEST(PosedRay, AllFiguresOfThePlane) { expect_all_shots<Plane>(5101); }
 TEST(PosedRay, AllFiguresOfSpace) { expect_all_shots<Space>(5301); }
 
+TEST(PosedRay, FirstHitsOfTrianglesAsWithoutPoses) {
+  int hit = 0, all = 0;
+  shape_cases::on_shapes(5501, battery::sanitized ? 50 : 300, [&](Material& m) {
+    const Triangle3 t = m.shape<Triangle3>();
+    const Ray3 ray = near_figure<Ray3>(m);
+    const auto plain = first_hit(ray, t);
+    ++all, hit += plain.has_value();
+    EXPECT_EQ(first_hit(ray, Posed{t, identity_pose}), plain) << m.about(t, ray);
+    Map map(m, 3, MapKind::turned, true);
+    const Pose pose = pose_of(map);
+    const Triangle3 image = mapped(t, map);
+    const Ray3 moved = mapped(ray, map);
+    if (!map.exact()) return;
+    EXPECT_EQ(first_hit(moved, Posed{t, pose}), first_hit(moved, image)) << m.about(t, ray);
+  });
+  EXPECT_GT(hit * 10, all);
+  EXPECT_THROW(first_hit(Ray3{}, Posed{Triangle3{}, Pose{{}, {0, 0, std::numeric_limits<double>::infinity()}}}),
+               NonFinite);
+}
+
 TEST(PosedRay, WhatPosesMakeIsHit) {
   const Pose flat{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 1}}, long_z{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 3}}}, {}};
   const Ray3 up{{0.5, 0.5, 0}, {0, 0, 2}};

@@ -41,9 +41,11 @@ void expect_motions(MotionSeen& seen, std::uint64_t start) {
     if (!map.exact()) return;
     ++seen.mapped;
     const auto of_images = first_contact(Translating{c, way}, d);
-    constexpr bool is_box = figure_kind<A> == FigureKind::aabb || figure_kind<B> == FigureKind::aabb;
+    constexpr auto is_renamed = [](FigureKind k) {
+      return query::is_one_of(k, {FigureKind::aabb, FigureKind::convex_polyhedron});
+    };
     const auto posed = first_contact(Translating{Posed{a, pose}, way}, d), both = first_contact(moving, b);
-    if constexpr (is_box) {  // whose corners the map names anew
+    if constexpr (is_renamed(figure_kind<A>) || is_renamed(figure_kind<B>)) {  // corners that the map names anew
       EXPECT_TRUE(alike(posed, of_images)) << pair_name<A, B>() << m.about(a, b);
     } else {
       EXPECT_TRUE(same(posed, of_images)) << pair_name<A, B>() << m.about(a, b);

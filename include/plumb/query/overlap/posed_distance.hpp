@@ -19,6 +19,8 @@ namespace plumb {
 
 namespace query {
 
+Closest posed_closest_points(const Posed<Triangle3>& a, const Posed<Triangle3>& b);
+Closest posed_closest_points(const Point3& p, const Posed<Triangle3>& triangle);
 double posed_distance(const PosedView& a, const PosedView& b, Asked asked);
 ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Asked asked);
 
@@ -50,6 +52,20 @@ template <class A, class B>
 requires(query::PosedMeasured<A, B> && (!query::PosedFlatMeasured<A, B> || query::AnyOf<A, Point2, Point3>))  //
     ExactDistance exact_distance(const A& a, const B& b, Asked asked = Asked::exact_distance) {
   return query::posed_exact_distance(query::posed_view(a), query::posed_view(b), asked);
+}
+
+/// Points and features as well, of triangles and points.
+template <std::same_as<Triangle3> Shape>
+Closest closest_points(const Posed<Shape>& a, const Posed<Shape>& b) {
+  return query::posed_closest_points(a, b);
+}
+template <std::same_as<Triangle3> Shape>
+Closest closest_points(const Point3& p, const Posed<Shape>& triangle) {
+  return query::posed_closest_points(p, triangle);
+}
+template <std::same_as<Triangle3> Shape>
+Closest closest_points(const Posed<Shape>& triangle, const Point3& p) {
+  return swapped(query::posed_closest_points(p, triangle));
 }
 
 }  // namespace plumb

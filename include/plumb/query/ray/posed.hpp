@@ -2,6 +2,7 @@
 //
 //   first_hit_parameter(ray, Posed{box, pose})   nothing, or the exact t; t.rounded() is the nearest double
 //   hits(ray, Posed{ball, sheared})              yes or no
+//   first_hit(ray, Posed{triangle, pose})        t, point, feature and normal, of a triangle
 //
 // Laws: (1) the t of query/ray/ray.hpp and ray2.hpp, of the exact image: of every figure with straight edges and flat faces
 // that is asked there, under any matrix, and of balls and disks under those that are not singular, which make ellipsoids
@@ -13,6 +14,7 @@
 // Cost: rationals: some 40 us for a ball, 120 us for a box.
 #pragma once
 
+#include <concepts>
 #include <optional>
 
 #include "plumb/query/body/posed.hpp"
@@ -22,6 +24,8 @@
 namespace plumb {
 
 namespace query {
+
+std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& triangle, HitRule rule);
 
 /// The first is a line, a ray or a segment.
 std::optional<RayParameter> posed_first_hit_parameter(std::string_view function, const PosedView& ray,
@@ -48,6 +52,13 @@ template <class Ray, class Shape>
 requires query::PosedShot<Ray, Shape>
 bool hits(const Ray& ray, const Shape& shape) {
   return query::posed_first_hit_parameter("hits", query::posed_view(ray), query::posed_view(shape)).has_value();
+}
+
+/// By either rule; the normal is the cross product of the posed edges.
+template <class Ray>
+requires std::convertible_to<Ray, AnyRay> std::optional<Hit> first_hit(const Ray& ray, const Posed<Triangle3>& triangle,
+                                                                       HitRule rule = HitRule::closed) {
+  return query::posed_first_hit(ray, triangle, rule);
 }
 
 }  // namespace plumb
