@@ -196,23 +196,20 @@ Feature feature_on(const Shape& s, const Exact3& p) {
   }
 }
 
-/// The surface of a round figure about a feature of its core.
-Feature on_surface(FigureKind kind, int dimension, const Feature& core) {
-  std::uint32_t part = 0;
-  if (kind == FigureKind::capsule && core.kind == FeatureKind::vertex) part = 1 + core.index;
-  if (kind == FigureKind::lozenge && core.kind == FeatureKind::edge) part = 1 + core.index;
-  if (kind == FigureKind::lozenge && core.kind == FeatureKind::vertex) part = 5 + core.index;
-  return side(dimension == 2, part);
-}
-
 }  // namespace
+
+Feature on_surface(const FigureView& figure, const Feature& core) {
+  if (!is_one_of(figure.kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge})) return core;
+  std::uint32_t part = 0;
+  if (figure.kind == FigureKind::capsule && core.kind == FeatureKind::vertex) part = 1 + core.index;
+  if (figure.kind == FigureKind::lozenge && core.kind == FeatureKind::edge) part = 1 + core.index;
+  if (figure.kind == FigureKind::lozenge && core.kind == FeatureKind::vertex) part = 5 + core.index;
+  return side(figure.dimension == 2, part);
+}
 
 Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside) {
   if (is_inside) return figure.dimension == 2 ? the_one_face : interior;
-  const Feature f = with_figure(figure, [&](const auto& s) { return feature_on(s, point); });
-  if (is_one_of(figure.kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge}))
-    return on_surface(figure.kind, figure.dimension, f);
-  return f;
+  return on_surface(figure, with_figure(figure, [&](const auto& s) { return feature_on(s, point); }));
 }
 
 }  // namespace plumb::query

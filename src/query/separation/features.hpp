@@ -18,4 +18,7 @@ namespace plumb::query {
 /// Of a point of the figure, or of its core where it is round.  `is_inside`: strictly inside the round figure.
 Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside);
 
+/// A feature of the core as one of the figure, on its surface where it is round.
+Feature on_surface(const FigureView& figure, const Feature& core);
+
 }  // namespace plumb::query

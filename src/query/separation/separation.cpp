@@ -7,6 +7,7 @@
 #include "query/separation/core.hpp"
 #include "query/separation/cores.hpp"
 #include "query/separation/features.hpp"
+#include "query/separation/quick.hpp"
 
 namespace plumb::query {
 namespace {
@@ -99,7 +100,12 @@ mpq_class both_radii(const FigureView& a, const FigureView& b) {
 }  // namespace
 
 Closest closest_points_of(const FigureView& a, const FigureView& b) {
-  const NearestPair pair = sound_pair("closest_points", a, b, WhichPair::first);
+  std::optional<NearestPair> known;
+  if (const auto quick = QuickPair::of(a, b)) {
+    if (const auto c = quick->closest(a, b)) return *c;
+    known = quick->pair();
+  }
+  const NearestPair pair = known ? std::move(*known) : sound_pair("closest_points", a, b, WhichPair::first);
   const double radius_a = radius_of(a), radius_b = radius_of(b);
   const mpq_class radii = both_radii(a, b), reach = radii * radii;
   const bool meet = pair.square <= reach, overlap = pair.square < reach;
@@ -120,10 +126,16 @@ Closest closest_points_of(const FigureView& a, const FigureView& b) {
 }
 
 double distance_of(const FigureView& a, const FigureView& b, Asked asked) {
+  if (const auto quick = QuickPair::of(a, b)) {
+    const auto d = quick->distance();
+    return d ? *d : rounded_distance(quick->square(), both_radii(a, b));
+  }
   return rounded_distance(sound_pair(name_of(asked), a, b, WhichPair::any).square, both_radii(a, b));
 }
 
 ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Asked asked) {
+  if (const auto quick = QuickPair::of(a, b))
+    return {Rational(BigRational{quick->square()}), Rational(BigRational{both_radii(a, b)})};
   return {Rational(BigRational{sound_pair(name_of(asked), a, b, WhichPair::any).square}),
           Rational(BigRational{both_radii(a, b)})};
 }

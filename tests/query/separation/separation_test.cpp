@@ -12,6 +12,7 @@
 #include "query/closest/straight_oracle.hpp"
 #include "query/separation/certificate.hpp"
 #include "query/separation/cores.hpp"
+#include "query/separation/features.hpp"
 
 namespace plumb {
 namespace {
@@ -62,6 +63,8 @@ void expect_rounded(const FigureView& a, const FigureView& b, const NearestPair&
     return;
   }
   EXPECT_TRUE(is_nearest_distance(d, pair.square, radii)) << name << " " << d;
+  EXPECT_EQ(c.feature_a, query::feature_at(a, pair.on_a, false)) << name;
+  EXPECT_EQ(c.feature_b, query::feature_at(b, pair.on_b, false)) << name;
   const std::array on_a{c.on_a.x, c.on_a.y, c.on_a.z}, on_b{c.on_b.x, c.on_b.y, c.on_b.z};
   for (std::size_t k = 0; k < 3; ++k) {
     const mpq_class way = pair.on_b[k] - pair.on_a[k];

@@ -1,0 +1,97 @@
+// A guess in doubles, which holds no bound.
+#include "query/separation/corner_search.hpp"
+
+#include "figure/support/gjk_simplex.hpp"
+
+namespace plumb::query {
+namespace {
+
+using arith::Plain;
+using Ends = DifferenceCorners::Ends;
+
+/// A figure in doubles, seen from near to it.
+class PlainHull {
+ public:
+  PlainHull(const CoreCorners& c, const Plain& origin) : corners_(c), origin_(origin) {
+    if (c.polyhedron() != nullptr) return;
+    for (std::size_t k = 0; k < c.ways(); ++k) ways_[k] = c.way<double>(k);
+    for (std::size_t i = 0; i < c.size(); ++i) points_[i] = c.at<double>(i) - origin;
+  }
+
+  [[nodiscard]] Plain at(std::size_t i) const {
+    return corners_.polyhedron() != nullptr ? corners_.at<double>(i) - origin_ : points_[i];
+  }
+  /// The least corner along a direction, from the one that was found last.
+  std::uint32_t least(const Plain& n) {
+    if (corners_.polyhedron() != nullptr) return climb(n);
+    std::uint32_t best = 0;
+    if (corners_.ways() > 0) {
+      for (std::uint32_t k = 0; k < corners_.ways(); ++k) best |= arith::dot(ways_[k], n) < 0 ? 1u << k : 0u;
+      return best;
+    }
+    double along = arith::dot(points_[0], n);
+    for (std::uint32_t i = 1; i < corners_.size(); ++i) {
+      const double d = arith::dot(points_[i], n);
+      if (d < along) best = i, along = d;
+    }
+    return best;
+  }
+
+ private:
+  std::uint32_t climb(const Plain& n) {
+    double along = arith::dot(at(last_), n);
+    for (bool better = true; better;) {  // ends, for `along` falls with each vertex
+      better = false;
+      for (const std::uint32_t i : corners_.polyhedron()->neighbors_of(last_)) {
+        const double d = arith::dot(at(i), n);
+        if (d < along) along = d, last_ = i, better = true;
+      }
+    }
+    return last_;
+  }
+
+  const CoreCorners& corners_;
+  Plain origin_;
+  std::array<Plain, 8> points_;
+  std::array<Plain, 3> ways_;
+  std::uint32_t last_ = 0;
+};
+
+using EndsSimplex = figure::gjk::Simplex<Ends>;
+
+}  // namespace
+
+DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
+  constexpr int most_rounds = 48;
+  const Plain origin = a.at<double>(0);
+  PlainHull p(a, origin), q(b, origin);
+  EndsSimplex simplex({{0, 0}, p.at(0) - q.at(0)});
+  double square = arith::dot(simplex.nearest(), simplex.nearest());
+  EndsSimplex last = simplex;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Plain x = simplex.nearest();
+    const Ends ends{p.least(x), q.least(x * -1)};
+    const Plain w = p.at(ends[0]) - q.at(ends[1]);
+    const bool is_new =
+        std::ranges::find(simplex.corners(), ends, &EndsSimplex::Corner::ends) == simplex.corners().end();
+    if (!is_new || !(arith::dot(x, w) < square)) break;
+    last = simplex;
+    simplex.add({ends, w});
+    if (simplex.is_full()) break;
+    const Plain next = simplex.nearest();
+    const double nearer = arith::dot(next, next);
+    if (!(nearer < square)) {
+      simplex = last;
+      break;
+    }
+    square = nearer;
+  }
+  DifferenceCorners corners;
+  for (const auto& c : simplex.corners()) {
+    if (c.weight > 0) corners.add(c.ends);
+  }
+  if (corners.size == 0) corners.add({0, 0});
+  return corners;
+}
+
+}  // namespace plumb::query

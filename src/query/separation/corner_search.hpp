@@ -1,0 +1,14 @@
+// GJK: between which corners of two hulls is the least way?  A guess in doubles.
+//
+// Law: nothing is certain of it; four corners say that the hulls are likely to meet.
+// Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5.
+// Cost: some 100 to 300 ns; of polyhedra the way climbed.
+#pragma once
+
+#include "query/separation/nearest_corners.hpp"
+
+namespace plumb::query {
+
+DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b);
+
+}  // namespace plumb::query

@@ -1,0 +1,55 @@
+#include "query/separation/corners.hpp"
+
+#include "figure/basic/in_space.hpp"
+#include "plumb/certify/accepted.hpp"
+#include "query/body/figure_input.hpp"
+
+namespace plumb::query {
+
+std::optional<CoreCorners> CoreCorners::of(const FigureView& figure) {
+  return with_figure(figure, [](const auto& s) -> std::optional<CoreCorners> {
+    constexpr FigureKind kind = figure_kind<std::remove_cvref_t<decltype(s)>>;
+    CoreCorners c;
+    if constexpr (kind == FigureKind::point) {
+      c.take(std::array{in_space(s)});
+    } else if constexpr (kind == FigureKind::ball) {
+      c.take(std::array{in_space(s.center)});
+    } else if constexpr (kind == FigureKind::segment || kind == FigureKind::capsule) {
+      c.take(std::array{in_space(s.a), in_space(s.b)});
+    } else if constexpr (kind == FigureKind::triangle) {
+      c.take(std::array{in_space(s.a), in_space(s.b), in_space(s.c)});
+    } else if constexpr (kind == FigureKind::tetrahedron) {
+      c.take(std::array{s.a, s.b, s.c, s.d});
+    } else if constexpr (kind == FigureKind::aabb) {
+      if (is_empty(s)) return {};
+      c.take(std::array{in_space(s.min), in_space(s.max)});
+      c.aligned_ = true;
+      c.ways_ = figure_dimension<std::remove_cvref_t<decltype(s)>> == 2 ? 2 : 3;
+      c.size_ = std::size_t{1} << c.ways_;
+    } else if constexpr (kind == FigureKind::obb || kind == FigureKind::rectangle) {
+      c.take(std::array{in_space(s.center)});
+      const auto half = coordinates(s.half);
+      for (std::size_t i = 0; i < half.size(); ++i) c.take_way(in_space(s.axes[i]), std::fabs(half[i]));
+    } else if constexpr (kind == FigureKind::lozenge) {
+      c.take(std::array{s.corner});
+      c.both_ = false;
+      for (const Vector3& e : s.edges) c.take_way(e, 1);
+    } else if constexpr (kind == FigureKind::convex_polyhedron) {
+      if (s.mesh.corners.empty()) return {};
+      c.polyhedron_ = &s;
+    } else {
+      return {};
+    }
+    return c;
+  });
+}
+
+bool CoreCorners::is_finite() const {
+  if (polyhedron_ != nullptr) return is_sound(*polyhedron_);
+  double sum = 0;
+  for (std::size_t i = 0; i < (aligned_ ? 2 : ways_ > 0 ? 1 : size_); ++i) sum += sum_of(points_[i]);
+  for (std::size_t k = 0; k < ways_ && !aligned_; ++k) sum += sum_of(axes_[k]) + half_[k];
+  return is_real(sum);
+}
+
+}  // namespace plumb::query

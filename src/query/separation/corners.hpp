@@ -1,0 +1,78 @@
+// What are the corners of a convex core, over any number type?  Points as given, or sums of a point and some ways.
+//
+// Law: corner i of a sum is its point plus or minus every way, plus where bit i is set; of a box as voronoi_region numbers it.
+// Source: RTCD 4.4.
+// Cost: none.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "arith/vec.hpp"
+#include "query/convex/flat_view.hpp"
+
+namespace plumb::query {
+
+class CoreCorners {
+ public:
+  /// Of points, segments, triangles, tetrahedra, boxes, rectangles, polyhedra, balls, capsules and lozenges.
+  static std::optional<CoreCorners> of(const FigureView& figure);
+
+  [[nodiscard]] std::size_t size() const { return polyhedron_ != nullptr ? polyhedron_->mesh.vertices.size() : size_; }
+  [[nodiscard]] bool is_finite() const;
+  /// How many ways there are; no corner but by them.
+  [[nodiscard]] std::size_t ways() const { return ways_; }
+  [[nodiscard]] const ConvexPolyhedron3* polyhedron() const { return polyhedron_; }
+
+  template <class T>
+  [[nodiscard]] arith::Vec<T> at(std::size_t i) const {
+    if (polyhedron_ != nullptr) return arith::vec<T>(polyhedron_->mesh.vertices[i]);
+    if (ways_ == 0) return arith::vec<T>(points_[i]);
+    if (aligned_) return {T(points_[i & 1].x), T(points_[i >> 1 & 1].y), T(points_[i >> 2 & 1].z)};
+    arith::Vec<T> p = arith::vec<T>(points_[0]);
+    for (std::size_t k = 0; k < ways_; ++k) {
+      if ((i >> k & 1) != 0) {
+        p = p + way<T>(k);
+      } else if (both_) {
+        p = p - way<T>(k);
+      }
+    }
+    return p;
+  }
+  /// From one corner to the other along way k, but for its length.
+  template <class T>
+  [[nodiscard]] arith::Vec<T> way(std::size_t k) const {
+    if (aligned_) {
+      const auto along = [&](std::size_t axis, double from, double to) { return k == axis ? T(to) - T(from) : T(0.0); };
+      return {along(0, points_[0].x, points_[1].x), along(1, points_[0].y, points_[1].y),
+              along(2, points_[0].z, points_[1].z)};
+    }
+    return arith::vec<T>(axes_[k]) * T(half_[k]);
+  }
+  [[nodiscard]] bool has_length(std::size_t k) const {
+    if (!aligned_) return half_[k] != 0 && axes_[k] != Vector3{};
+    const auto [a, b] = std::pair(points_[0], points_[1]);
+    return k == 0 ? a.x != b.x : k == 1 ? a.y != b.y : a.z != b.z;
+  }
+
+ private:
+  template <class Points>
+  void take(const Points& points) {
+    for (const Point3& p : points) points_[size_++] = p;
+  }
+  void take_way(const Vector3& axis, double half) {
+    axes_[ways_] = axis, half_[ways_++] = half;
+    size_ = std::size_t{1} << ways_;
+  }
+
+  const ConvexPolyhedron3* polyhedron_ = nullptr;
+  std::array<Point3, 4> points_;
+  std::array<Vector3, 3> axes_;
+  std::array<double, 3> half_;
+  std::size_t size_ = 0, ways_ = 0;
+  bool both_ = true, aligned_ = false;
+};
+
+}  // namespace plumb::query

@@ -1,0 +1,98 @@
+#include "query/separation/quick.hpp"
+
+#include "plumb/arith/ball.hpp"
+#include "plumb/arith/big.hpp"
+#include "query/body/vectors.hpp"
+#include "query/separation/core.hpp"
+
+namespace plumb::query {
+namespace {
+
+mpq_class quotient_of(const BigDyadic& n, const BigDyadic& d) {
+  return mpq_class(big_rational(n).value / big_rational(d).value);
+}
+
+/// Weighted by the corners of the difference that they belong to.
+template <class T>
+Vec<T> weighted_corners(const CoreCorners& c, const DifferenceCorners& corners, std::size_t which,
+                        const NearestOfCorners<T>& n) {
+  Vec<T> sum = c.at<T>(corners.ends[0][which]) * n.weight[0];
+  for (std::size_t i = 1; i < corners.size; ++i) sum = sum + c.at<T>(corners.ends[i][which]) * n.weight[i];
+  return sum;
+}
+
+Vec<Ball> over(const Vec<Ball>& v, const Ball& whole) {
+  return {quotient(v.x, whole), quotient(v.y, whole), quotient(v.z, whole)};
+}
+
+std::optional<Point3> nearest_doubles_of(const Vec<Ball>& v) {
+  const auto x = v.x.nearest(), y = v.y.nearest(), z = v.z.nearest();
+  if (!x || !y || !z) return {};
+  return told(Point3{*x, *y, *z});
+}
+
+}  // namespace
+
+std::optional<QuickPair> QuickPair::of(const FigureView& a, const FigureView& b) {
+  const double radius_a = radius_of(a), radius_b = radius_of(b);
+  if (!(radius_a >= 0 && radius_b >= 0 && radius_a + radius_b < Ball::infinity)) return {};
+  const auto p = CoreCorners::of(a), q = CoreCorners::of(b);
+  if (!p || !q) return {};
+  const auto proved = proved_nearest(*p, *q);
+  if (!proved) return {};
+  return QuickPair(*p, *q, radius_a, radius_b, *proved);
+}
+
+std::optional<double> QuickPair::distance() const {
+  if (proved_.meets) return 0;
+  CertainSigns ask;
+  const auto n = nearest_of<Ball>(a_, b_, proved_.corners, ask);
+  const Ball between = root(quotient(n.square, n.square_whole));
+  const Ball left = between - (Ball(radius_a_) + Ball(radius_b_));
+  const Unsure<Sign> sign = left.sign();
+  if (!sign.certain()) return {};
+  if (sign.value() != Sign::positive) return 0;
+  return left.nearest();
+}
+
+mpq_class QuickPair::square() const {
+  if (proved_.meets) return 0;
+  CertainSigns ask;
+  const auto n = nearest_of<BigDyadic>(a_, b_, proved_.corners, ask);
+  return quotient_of(n.square, n.square_whole);
+}
+
+std::optional<NearestPair> QuickPair::pair() const {
+  if (proved_.meets || !proved_.is_alone) return {};
+  CertainSigns ask;
+  const auto n = nearest_of<BigDyadic>(a_, b_, proved_.corners, ask);
+  const auto place = [&](const CoreCorners& c, std::size_t which) -> Exact3 {
+    const Vec<BigDyadic> sum = weighted_corners(c, proved_.corners, which, n);
+    return {quotient_of(sum.x, n.whole), quotient_of(sum.y, n.whole), quotient_of(sum.z, n.whole)};
+  };
+  return NearestPair{place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole), true};
+}
+
+std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView& b) const {
+  if (proved_.meets || !proved_.is_alone) return {};
+  const auto feature_a = feature_of_corners(a, a_, named(proved_.corners, 0).all(), proved_.a);
+  const auto feature_b = feature_of_corners(b, b_, named(proved_.corners, 1).all(), proved_.b);
+  if (!feature_a || !feature_b) return {};
+  CertainSigns ask;
+  const auto n = nearest_of<Ball>(a_, b_, proved_.corners, ask);
+  const Ball between = root(quotient(n.square, n.square_whole));
+  const Ball left = between - (Ball(radius_a_) + Ball(radius_b_));
+  const Unsure<Sign> sign = left.sign();
+  if (!sign.certain() || sign.value() != Sign::positive) return {};
+  Vec<Ball> p = over(weighted_corners(a_, proved_.corners, 0, n), n.whole);
+  Vec<Ball> q = over(weighted_corners(b_, proved_.corners, 1, n), n.whole);
+  const Vec<Ball> way = q - p;
+  if (radius_a_ > 0) p = p + way * quotient(Ball(radius_a_), between);
+  if (radius_b_ > 0) q = q - way * quotient(Ball(radius_b_), between);
+  const auto on_a = nearest_doubles_of(p), on_b = nearest_doubles_of(q);
+  const auto d = left.nearest();
+  if (!on_a || !on_b || !d) return {};
+  return Closest{*on_a, *on_b, *d, *feature_a, *feature_b};
+}
+
+}  // namespace plumb::query
