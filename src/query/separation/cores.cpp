@@ -15,13 +15,26 @@ struct Pieces {
   std::optional<FlatSet> plane;
 };
 
-Pieces pieces_of(const FigureView& figure) {
+void move(std::vector<Exact3>& points, const FigureAt& f) {
+  if (f.time == 0) return;
+  const Exact3 way = mpq_class(f.time) * Exact3{f.by.x, f.by.y, f.by.z};
+  for (Exact3& p : points) p = p + way;
+}
+
+FlatSet moved_core(const FigureAt& f) {
+  FlatSet set = core_of(f.figure);
+  move(set.points, f);
+  return set;
+}
+
+Pieces pieces_of(const FigureAt& f) {
   Pieces all;
-  if (!is_polygon(figure)) {
-    all.sets.push_back(core_of(figure));
+  if (!is_polygon(f.figure)) {
+    all.sets.push_back(moved_core(f));
     return all;
   }
-  all.chains = chains_of(figure);
+  all.chains = chains_of(f.figure);
+  move(all.chains.vertices, f);
   const auto& [vertices, next, span] = all.chains;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     FlatSet edge{{vertices[i]}, {}, {}};
@@ -89,7 +102,7 @@ void see_inside(const Pieces& polygon, const Pieces& other, WhichPair which, con
   }
 }
 
-std::optional<NearestPair> nearest_of_pieces(const FigureView& a, const FigureView& b, WhichPair which) {
+std::optional<NearestPair> nearest_of_pieces(const FigureAt& a, const FigureAt& b, WhichPair which) {
   const Pieces p = pieces_of(a), q = pieces_of(b);
   if (p.sets[0].points.empty() || q.sets[0].points.empty()) return {};
   NearestOfPairs nearest;
@@ -112,12 +125,12 @@ bool is_before(const FlatSet& a, const FlatSet& b) {
 
 }  // namespace
 
-std::optional<NearestPair> nearest_of_cores(const FigureView& a, const FigureView& b, WhichPair which) {
-  if (is_polygon(a) || is_polygon(b)) return nearest_of_pieces(a, b, which);
-  const FlatSet p = core_of(a), q = core_of(b);
+std::optional<NearestPair> nearest_of_cores(const FigureAt& a, const FigureAt& b, WhichPair which) {
+  if (is_polygon(a.figure) || is_polygon(b.figure)) return nearest_of_pieces(a, b, which);
+  const FlatSet p = moved_core(a), q = moved_core(b);
   auto pair = nearest_pair(p, q, which);
   if (!pair || pair->is_first) return pair;
-  const bool in_order = a.kind != b.kind ? a.kind < b.kind : !is_before(q, p);
+  const bool in_order = a.figure.kind != b.figure.kind ? a.figure.kind < b.figure.kind : !is_before(q, p);
   return in_order ? pair : turned(*nearest_pair(q, p, which));
 }
 

@@ -14,7 +14,17 @@
 
 namespace plumb::query {
 
+/// A figure at a time of a straight motion.
+struct FigureAt {
+  FigureView figure;
+  Vector3 by{};
+  double time = 0;
+
+  FigureAt(const FigureView& f) : figure(f) {}  // NOLINT: one at rest
+  FigureAt(const FigureView& f, const Vector3& way, double t) : figure(f), by(way), time(t) {}
+};
+
 /// Nothing where one of the figures has no point.
-std::optional<NearestPair> nearest_of_cores(const FigureView& a, const FigureView& b, WhichPair which);
+std::optional<NearestPair> nearest_of_cores(const FigureAt& a, const FigureAt& b, WhichPair which);
 
 }  // namespace plumb::query

@@ -45,8 +45,8 @@ std::optional<CoreCorners> CoreCorners::of(const FigureView& figure) {
 }
 
 bool CoreCorners::is_finite() const {
-  if (polyhedron_ != nullptr) return is_sound(*polyhedron_);
-  double sum = 0;
+  double sum = sum_of(by_) + time_;
+  if (polyhedron_ != nullptr) return is_real(sum) && is_sound(*polyhedron_);
   for (std::size_t i = 0; i < (aligned_ ? 2 : ways_ > 0 ? 1 : size_); ++i) sum += sum_of(points_[i]);
   for (std::size_t k = 0; k < ways_ && !aligned_; ++k) sum += sum_of(axes_[k]) + half_[k];
   return is_real(sum);

@@ -26,20 +26,12 @@ class CoreCorners {
   [[nodiscard]] std::size_t ways() const { return ways_; }
   [[nodiscard]] const ConvexPolyhedron3* polyhedron() const { return polyhedron_; }
 
+  /// The same at a time of a straight motion.
+  void move(const Vector3& by, double time) { by_ = by, time_ = time; }
+
   template <class T>
   [[nodiscard]] arith::Vec<T> at(std::size_t i) const {
-    if (polyhedron_ != nullptr) return arith::vec<T>(polyhedron_->mesh.vertices[i]);
-    if (ways_ == 0) return arith::vec<T>(points_[i]);
-    if (aligned_) return {T(points_[i & 1].x), T(points_[i >> 1 & 1].y), T(points_[i >> 2 & 1].z)};
-    arith::Vec<T> p = arith::vec<T>(points_[0]);
-    for (std::size_t k = 0; k < ways_; ++k) {
-      if ((i >> k & 1) != 0) {
-        p = p + way<T>(k);
-      } else if (both_) {
-        p = p - way<T>(k);
-      }
-    }
-    return p;
+    return time_ == 0 ? at_rest<T>(i) : at_rest<T>(i) + arith::vec<T>(by_) * T(time_);
   }
   /// From one corner to the other along way k, but for its length.
   template <class T>
@@ -58,6 +50,21 @@ class CoreCorners {
   }
 
  private:
+  template <class T>
+  [[nodiscard]] arith::Vec<T> at_rest(std::size_t i) const {
+    if (polyhedron_ != nullptr) return arith::vec<T>(polyhedron_->mesh.vertices[i]);
+    if (ways_ == 0) return arith::vec<T>(points_[i]);
+    if (aligned_) return {T(points_[i & 1].x), T(points_[i >> 1 & 1].y), T(points_[i >> 2 & 1].z)};
+    arith::Vec<T> p = arith::vec<T>(points_[0]);
+    for (std::size_t k = 0; k < ways_; ++k) {
+      if ((i >> k & 1) != 0) {
+        p = p + way<T>(k);
+      } else if (both_) {
+        p = p - way<T>(k);
+      }
+    }
+    return p;
+  }
   template <class Points>
   void take(const Points& points) {
     for (const Point3& p : points) points_[size_++] = p;
@@ -73,6 +80,8 @@ class CoreCorners {
   std::array<double, 3> half_;
   std::size_t size_ = 0, ways_ = 0;
   bool both_ = true, aligned_ = false;
+  Vector3 by_{};
+  double time_ = 0;
 };
 
 }  // namespace plumb::query

@@ -56,7 +56,10 @@ Vec<T> difference_of(const CoreCorners& a, const CoreCorners& b, const Differenc
   return a.at<T>(e[0]) - b.at<T>(e[1]);
 }
 
-template <class T>
+enum class Sought : unsigned char { all, square };
+
+/// All of it, or the square of the distance alone, of corners that are proved.
+template <class T, Sought sought = Sought::all>
 NearestOfCorners<T> nearest_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners,
                                CertainSigns& ask) {
   NearestOfCorners<T> n;
@@ -72,27 +75,29 @@ NearestOfCorners<T> nearest_of(const CoreCorners& a, const CoreCorners& b, const
   const Vec<T> u = n.at[1] - d;
   if (corners.size == 2) {
     n.whole = dot(u, u);
+    const Vec<T> turn = cross(d, u);
+    n.square = dot(turn, turn), n.square_whole = n.whole;
+    if (sought == Sought::square) return n;
     n.is_independent = ask(n.whole) == Sign::positive;
     n.weight[1] = zero - dot(u, d);
     n.weight[0] = n.whole - n.weight[1];
-    const Vec<T> turn = cross(d, u);
     n.way = cross(u, turn);
-    n.square = dot(turn, turn), n.square_whole = n.whole;
     return n;
   }
   const Vec<T> v = n.at[2] - d;
   if (corners.size == 3) {
     const Vec<T> normal = cross(u, v);
     n.whole = dot(normal, normal);
+    const T height = dot(normal, d);
+    n.square = height * height, n.square_whole = n.whole;
+    if (sought == Sought::square) return n;
     n.is_independent = ask(n.whole) == Sign::positive;
     n.weight[1] = zero - dot(cross(d, v), normal);
     n.weight[2] = zero - dot(cross(u, d), normal);
     n.weight[0] = n.whole - n.weight[1] - n.weight[2];
-    const T height = dot(normal, d);
     const Sign side = ask(height);
     if (side == Sign::positive) n.way = normal;
     if (side == Sign::negative) n.way = Vec<T>{zero, zero, zero} - normal;
-    n.square = height * height, n.square_whole = n.whole;
     return n;
   }
   const Vec<T> w = n.at[3] - d;

@@ -33,11 +33,12 @@ std::optional<Point3> nearest_doubles_of(const Vec<Ball>& v) {
 
 }  // namespace
 
-std::optional<QuickPair> QuickPair::of(const FigureView& a, const FigureView& b) {
-  const double radius_a = radius_of(a), radius_b = radius_of(b);
+std::optional<QuickPair> QuickPair::of(const FigureAt& a, const FigureAt& b) {
+  const double radius_a = radius_of(a.figure), radius_b = radius_of(b.figure);
   if (!(radius_a >= 0 && radius_b >= 0 && radius_a + radius_b < Ball::infinity)) return {};
-  const auto p = CoreCorners::of(a), q = CoreCorners::of(b);
+  auto p = CoreCorners::of(a.figure), q = CoreCorners::of(b.figure);
   if (!p || !q) return {};
+  p->move(a.by, a.time), q->move(b.by, b.time);
   const auto proved = proved_nearest(*p, *q);
   if (!proved) return {};
   return QuickPair(*p, *q, radius_a, radius_b, *proved);
@@ -46,7 +47,7 @@ std::optional<QuickPair> QuickPair::of(const FigureView& a, const FigureView& b)
 std::optional<double> QuickPair::distance() const {
   if (proved_.meets) return 0;
   CertainSigns ask;
-  const auto n = nearest_of<Ball>(a_, b_, proved_.corners, ask);
+  const auto n = nearest_of<Ball, Sought::square>(a_, b_, proved_.corners, ask);
   const Ball between = root(quotient(n.square, n.square_whole));
   const Ball left = between - (Ball(radius_a_) + Ball(radius_b_));
   const Unsure<Sign> sign = left.sign();
@@ -58,7 +59,7 @@ std::optional<double> QuickPair::distance() const {
 mpq_class QuickPair::square() const {
   if (proved_.meets) return 0;
   CertainSigns ask;
-  const auto n = nearest_of<BigDyadic>(a_, b_, proved_.corners, ask);
+  const auto n = nearest_of<BigDyadic, Sought::square>(a_, b_, proved_.corners, ask);
   return quotient_of(n.square, n.square_whole);
 }
 

@@ -7,14 +7,14 @@
 #pragma once
 
 #include "plumb/query/closest/result.hpp"
-#include "query/convex/nearest_pair.hpp"
+#include "query/separation/cores.hpp"
 #include "query/separation/proved_corners.hpp"
 
 namespace plumb::query {
 
 class QuickPair {
  public:
-  static std::optional<QuickPair> of(const FigureView& a, const FigureView& b);
+  static std::optional<QuickPair> of(const FigureAt& a, const FigureAt& b);
 
   [[nodiscard]] std::optional<double> distance() const;
   /// Of the cores.

@@ -38,10 +38,11 @@ void require_one(std::string_view function, std::string_view name, const FigureV
 }
 
 /// What is nearest, of figures that are some.
-NearestPair sound_pair(std::string_view function, const FigureView& a, const FigureView& b, WhichPair which) {
+NearestPair sound_pair(std::string_view function, const FigureAt& at_a, const FigureAt& at_b, WhichPair which) {
+  const FigureView &a = at_a.figure, &b = at_b.figure;
   const std::string_view name_a = name_in_pair(a, b, "a"), name_b = name_in_pair(b, a, "b");
   require_one(function, name_a, a), require_one(function, name_b, b);
-  auto pair = nearest_of_cores(a, b, which);
+  auto pair = nearest_of_cores(at_a, at_b, which);
   if (!pair) throw_nothing_there(function, is_polygon(a) || core_of(a).points.empty() ? name_a : name_b);
   return std::move(*pair);
 }
@@ -125,12 +126,20 @@ Closest closest_points_of(const FigureView& a, const FigureView& b) {
   return c;
 }
 
-double distance_of(const FigureView& a, const FigureView& b, Asked asked) {
+double distance_at(const FigureAt& a, const FigureAt& b, std::string_view function) {
   if (const auto quick = QuickPair::of(a, b)) {
     const auto d = quick->distance();
-    return d ? *d : rounded_distance(quick->square(), both_radii(a, b));
+    return d ? *d : rounded_distance(quick->square(), both_radii(a.figure, b.figure));
   }
-  return rounded_distance(sound_pair(name_of(asked), a, b, WhichPair::any).square, both_radii(a, b));
+  const mpq_class square = sound_pair(function, a, b, WhichPair::any).square;
+  return rounded_distance(square, both_radii(a.figure, b.figure));
+}
+
+double distance_of(const FigureView& a, const FigureView& b, Asked asked) { return distance_at(a, b, name_of(asked)); }
+
+double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureView& b, const Vector3& by_b,
+                         double time, std::string_view function) {
+  return distance_at({a, by_a, time}, {b, by_b, time}, function);
 }
 
 ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Asked asked) {

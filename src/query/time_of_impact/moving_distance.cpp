@@ -39,4 +39,14 @@ void require_way(std::string_view name, const Vector3& by) {
   require_figure("first_contact_span", name, p);
 }
 
+TranslatingPair::TranslatingPair(const FigureView& a, const Vector3& by_a, const FigureView& b, const Vector3& by_b)
+    : a_(a), b_(b), by_a_(by_a), by_b_(by_b) {
+  const auto way = [](double x, double y) { return Interval(x) - Interval(y); };
+  speed_ = length_at_most(way(by_a.x, by_b.x), way(by_a.y, by_b.y), way(by_a.z, by_b.z));
+}
+
+double TranslatingPair::distance_at(double t) const {
+  return surely_apart(distance_of_moved(a_, by_a_, b_, by_b_, t, "first_contact_span"), 0, 0);
+}
+
 }  // namespace plumb::query

@@ -185,7 +185,7 @@ class Numbers {
 };
 
 TEST(IntervalHalving, OfDistancesIsNeverLate) {
-  Held straight, corners, edges;
+  Held straight, corners, edges, solids;
   for (std::uint64_t i = 0; i < 400; ++i) {
     Entropy entropy(41, i);
     Numbers n(entropy);
@@ -194,6 +194,15 @@ TEST(IntervalHalving, OfDistancesIsNeverLate) {
     const Translating<Point3> p{n.point(), n.vector()};
     const Translating<Capsule3> c{{n.point(), n.point(), std::fabs(n())}, n.vector()};
     straight.ask(p, c, first_contact_time(p, c), i);
+    const Vector3 u = n.vector(), v = n.vector(), w = n.vector();
+    const Translating<Obb3> rock{{n.point(), {u, v, w}, {0.5, 0.25, 0.5}}, n.vector()};
+    const Translating<Sphere3> ball{{n.point(), std::fabs(n())}, n.vector()};
+    const Point3 low = n.point(), high = n.point();
+    const Translating<Aabb3> box{{{std::fmin(low.x, high.x), std::fmin(low.y, high.y), std::fmin(low.z, high.z)},
+                                  {std::fmax(low.x, high.x), std::fmax(low.y, high.y), std::fmax(low.z, high.z)}},
+                                 n.vector()};
+    solids.ask(rock, box, first_contact_time(rock, box), i);
+    solids.ask(ball, box, first_contact_time(ball, box), i);
     const Moving<Point3> corner{n.point(), n.point()};
     const Moving<Triangle3> face{n.triangle(), n.triangle()};
     corners.ask(corner, face, first_contact_time(corner, face), i);

@@ -43,6 +43,9 @@ inline constexpr bool is_round = is_one_of(figure_kind<S>,
 
 Closest closest_points_of(const FigureView& a, const FigureView& b);
 double distance_of(const FigureView& a, const FigureView& b, Asked asked);
+/// At a time of two straight motions, in real arithmetic.
+double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureView& b, const Vector3& by_b,
+                         double time, std::string_view function);
 ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Asked asked);
 
 }  // namespace query

@@ -4,10 +4,11 @@
 //   first_contact_span(Moving<Triangle3>{from, to}, Moving<Triangle3>{rest, rest})
 //   first_contact_span(Translating<Point3>{p, by}, Translating<Polygon3>{polygon, {0, 0, 0}})
 //
-// For pairs that distance(a, b) answers (query/closest/closest.hpp, query/closest/pairs.hpp) and first_contact does not.
+// For all pairs that distance(a, b) answers (query/closest/closest.hpp, query/separation/separation.hpp).
 // Laws: those of query/time_of_impact/interval_halving.hpp, with the distances of the figures themselves: nothing means that they
 // never meet in [0, 1], and a span that they do not meet before it.  Places at a time between are rounded, by no more
-// than is taken off the distance.
+// than is taken off the distance; of Translating figures neither of which is a point, line, ray, segment or triangle they
+// are exact.
 // NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 5.5.1.
 // Cost: two distances for each span that cannot be told apart, some tens of them where figures come close or meet.
@@ -20,6 +21,7 @@
 #include "plumb/query/body/pairs.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
+#include "plumb/query/separation/separation.hpp"
 #include "plumb/query/time_of_impact/interval_halving.hpp"
 #include "plumb/query/time_of_impact/motion.hpp"
 
@@ -29,7 +31,8 @@ namespace query {
 
 /// Whose corners say it.
 template <class Shape>
-concept OfCorners = std::same_as<Shape, Point3> || std::same_as<Shape, Segment3> || std::same_as<Shape, Triangle3>;
+concept OfCorners = std::same_as<Shape, Point3> || std::same_as<Shape, Segment3> || std::same_as<Shape, Triangle3> ||
+    std::same_as<Shape, Tetrahedron3>;
 /// Those, and what a place moves that has a direction.
 template <class Shape>
 concept OfPlaces = OfCorners<Shape> || std::same_as<Shape, Line3> || std::same_as<Shape, Ray3>;
@@ -61,8 +64,10 @@ Shape with_places(const Shape& s, F f) {
     return {f(s.origin), s.direction};
   } else if constexpr (std::same_as<Shape, Segment3>) {
     return {f(s.a), f(s.b)};
-  } else {
+  } else if constexpr (std::same_as<Shape, Triangle3>) {
     return {f(s.a), f(s.b), f(s.c)};
+  } else {
+    return {f(s.a), f(s.b), f(s.c), f(s.d)};
   }
 }
 
@@ -114,8 +119,10 @@ class CornerMotion {
       return f(m.from, m.to);
     } else if constexpr (std::same_as<Shape, Segment3>) {
       return {f(m.from.a, m.to.a), f(m.from.b, m.to.b)};
-    } else {
+    } else if constexpr (std::same_as<Shape, Triangle3>) {
       return {f(m.from.a, m.to.a), f(m.from.b, m.to.b), f(m.from.c, m.to.c)};
+    } else {
+      return {f(m.from.a, m.to.a), f(m.from.b, m.to.b), f(m.from.c, m.to.c), f(m.from.d, m.to.d)};
     }
   }
   template <class Shape>
@@ -143,16 +150,33 @@ class CornerMotion {
   Interval speed_;
 };
 
+/// Whatever the two are.
+class TranslatingPair {
+ public:
+  TranslatingPair(const FigureView& a, const Vector3& by_a, const FigureView& b, const Vector3& by_b);
+
+  [[nodiscard]] double distance_at(double t) const;
+  [[nodiscard]] double speed_between(double, double) const { return speed_; }
+
+ private:
+  FigureView a_, b_;
+  Vector3 by_a_, by_b_;
+  double speed_;
+};
+
 }  // namespace query
 
 /// The first span of time in which the two may meet; nothing where they never do.
 template <Figure A, Figure B>
-requires(HasDistance<A, B> && (query::OfPlaces<A> || query::OfPlaces<B>))  //
+requires(HasDistance<A, B>&& figure_dimension<A> == 3)  //
     std::optional<TimeSpan> first_contact_span(const Translating<A>& a, const Translating<B>& b,
                                                const HalvingOptions& options = {}) {
   query::require_moving("a.shape", query::view_of(a.shape)), query::require_way("a.by", a.by);
   query::require_moving("b.shape", query::view_of(b.shape)), query::require_way("b.by", b.by);
-  if constexpr (query::OfPlaces<A>) {
+  if constexpr (!query::OfPlaces<A> && !query::OfPlaces<B>) {
+    return first_contact_span(query::TranslatingPair(query::view_of(a.shape), a.by, query::view_of(b.shape), b.by),
+                              options);
+  } else if constexpr (query::OfPlaces<A>) {
     return first_contact_span(query::RelativeMotion<A, B>(a, b), options);
   } else {
     return first_contact_span(query::RelativeMotion<B, A>(b, a), options);
