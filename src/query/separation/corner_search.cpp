@@ -63,6 +63,7 @@ using EndsSimplex = figure::gjk::Simplex<Ends>;
 
 DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
   constexpr int most_rounds = 48;
+  constexpr double nearer_by = 1 - 0x1p-40;  // what is level but for roundings is no corner more
   const Plain origin = a.at<double>(0);
   PlainHull p(a, origin), q(b, origin);
   EndsSimplex simplex({{0, 0}, p.at(0) - q.at(0)});
@@ -74,7 +75,7 @@ DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
     const Plain w = p.at(ends[0]) - q.at(ends[1]);
     const bool is_new =
         std::ranges::find(simplex.corners(), ends, &EndsSimplex::Corner::ends) == simplex.corners().end();
-    if (!is_new || !(arith::dot(x, w) < square)) break;
+    if (!is_new || !(arith::dot(x, w) < square * nearer_by)) break;
     last = simplex;
     simplex.add({ends, w});
     if (simplex.is_full()) break;

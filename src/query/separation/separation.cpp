@@ -4,6 +4,8 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
+#include "query/closest/flat_box.hpp"
+#include "query/separation/aligned_boxes.hpp"
 #include "query/separation/core.hpp"
 #include "query/separation/cores.hpp"
 #include "query/separation/features.hpp"
@@ -101,6 +103,12 @@ mpq_class both_radii(const FigureView& a, const FigureView& b) {
 }  // namespace
 
 Closest closest_points_of(const FigureView& a, const FigureView& b) {
+  if (const auto f = facing_points(a, b)) {
+    const auto feature = [&](const Aabb3& box, const Point3& p) {
+      return a.dimension == 2 ? of_flat_box(voronoi_region(box, p)) : voronoi_region(box, p);
+    };
+    return {told(f->on_a), told(f->on_b), distance(f->on_a, f->on_b), feature(f->a, f->on_a), feature(f->b, f->on_b)};
+  }
   std::optional<NearestPair> known;
   if (const auto quick = QuickPair::of(a, b)) {
     if (const auto c = quick->closest(a, b)) return *c;
@@ -135,7 +143,10 @@ double distance_at(const FigureAt& a, const FigureAt& b, std::string_view functi
   return rounded_distance(square, both_radii(a.figure, b.figure));
 }
 
-double distance_of(const FigureView& a, const FigureView& b, Asked asked) { return distance_at(a, b, name_of(asked)); }
+double distance_of(const FigureView& a, const FigureView& b, Asked asked) {
+  if (const auto f = facing_points(a, b)) return distance(f->on_a, f->on_b);
+  return distance_at(a, b, name_of(asked));
+}
 
 double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureView& b, const Vector3& by_b,
                          double time, std::string_view function) {
@@ -143,6 +154,7 @@ double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureV
 }
 
 ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Asked asked) {
+  if (const auto f = facing_points(a, b)) return exact_distance(f->on_a, f->on_b);
   if (const auto quick = QuickPair::of(a, b))
     return {Rational(BigRational{quick->square()}), Rational(BigRational{both_radii(a, b)})};
   return {Rational(BigRational{sound_pair(name_of(asked), a, b, WhichPair::any).square}),

@@ -18,7 +18,7 @@
 // that they are.
 // NaN and infinity throw NonFinite, an empty figure, a negative radius and a polygon that is not planar InvalidShape, by
 // name.
-// Source: Gilbert, Johnson and Keerthi 1988; Wolfe 1976; RTCD 5.1.8 to 5.1.11, 9.5.
+// Source: RTCD 5.1.8, 5.1.9, 5.1.10, 5.1.11; Gilbert, Johnson and Keerthi 1988; Wolfe 1976.
 // Cost: docs/closest.md.
 #pragma once
 
