@@ -193,7 +193,8 @@ RayParameter parameter_of(const AnyRay& ray, const Model& model, const Decided& 
   if (decided.when.at == When::At::root) {
     const Quadratic<BigDyadic> q = quadratic_of<BigDyadic>(line, model, decided.when);
     const Rational square = Rational(big_rational(q.square));
-    return {-Rational(big_rational(q.half)) / square, Rational(big_rational(q.discriminant)) / (square * square)};
+    return {-Rational(big_rational(q.half)) / square, Rational(big_rational(q.discriminant)) / (square * square),
+            square.sign() == Sign::negative};
   }
   RaySigns ask;
   const Time<BigDyadic> t = time_of<BigDyadic>(line, model, decided.when, ask);
