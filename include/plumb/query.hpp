@@ -56,6 +56,7 @@
 // When do they meet on their way?  first_contact
 #include "plumb/arith/root.hpp"                                // a time as it is
 #include "plumb/query/time_of_impact/continuous_contact.hpp"   // vertices that move linearly
+#include "plumb/query/time_of_impact/flat_contact.hpp"         // figures of the plane along lines
 #include "plumb/query/time_of_impact/interval_halving.hpp"     // any motion of bounded speed
 #include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
 #include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance

@@ -6,10 +6,27 @@
 // Cost: none.
 #pragma once
 
+#include <concepts>
+
 #include "plumb/arith/point.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 
 namespace plumb {
+
+struct Segment2;
+struct Triangle2;
+struct Aabb2;
+struct Obb2;
+struct Circle2;
+struct Capsule2;
+struct Polygon2;
+struct HoledPolygon2;
+
+/// What moves in the plane.
+template <class Shape>
+concept MovesInPlane = std::same_as<Shape, Point2> || std::same_as<Shape, Segment2> || std::same_as<Shape, Triangle2> ||
+    std::same_as<Shape, Aabb2> || std::same_as<Shape, Obb2> || std::same_as<Shape, Circle2> ||
+    std::same_as<Shape, Capsule2> || std::same_as<Shape, Polygon2> || std::same_as<Shape, HoledPolygon2>;
 
 /// Moves by `by` during time [0, 1].
 template <class Shape>
@@ -18,8 +35,16 @@ struct Translating {
   Vector3 by;
   friend bool operator==(const Translating&, const Translating&) = default;
 };
+template <MovesInPlane Shape>
+struct Translating<Shape> {
+  Shape shape;
+  Vector2 by;
+  friend bool operator==(const Translating&, const Translating&) = default;
+};
 template <class Shape>
 Translating(Shape, Vector3) -> Translating<Shape>;
+template <MovesInPlane Shape>
+Translating(Shape, Vector2) -> Translating<Shape>;
 
 /// Every vertex moves linearly during time [0, 1].
 template <class Shape>
