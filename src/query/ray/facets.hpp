@@ -219,6 +219,14 @@ struct FacetModel {
     return facet_time<T>(line, static_cast<const Derived&>(*this), when, ask);
   }
   template <class T>
+  std::optional<PlaneMeeting<T>> plane_meeting(const ShotLine<T>& line, const Decided& decided) const {
+    const When& when = decided.when;
+    if (when.at != When::At::quotient || meeting_of(when) != Meeting::plane || decided.normal != when.index) return {};
+    const Facet<T> f = static_cast<const Derived&>(*this).template facet<T>(line, when.index);
+    const Vec3<T> n = facet_normal(f);
+    return PlaneMeeting<T>{{dot(f.corners[0], n), dot(line.direction, n)}, n};
+  }
+  template <class T>
   NormalForm<T> normal(const ShotLine<T>& line, const Decided& decided, RaySigns&) const {
     return still_normal(facet_normal(static_cast<const Derived&>(*this).template facet<T>(line, decided.normal)));
   }

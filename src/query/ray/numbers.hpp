@@ -9,11 +9,11 @@
 #pragma once
 
 #include <array>
-#include <tuple>
 
 #include "arith/rounded_radical.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/ray/clip.hpp"
+#include "query/ray/quick_hit.hpp"
 
 namespace plumb::query {
 
@@ -38,6 +38,13 @@ template <class T>
 NormalForm<T> still_normal(const Vec3<T>& n) {
   return {n, n, T(1.0), false};
 }
+
+/// Of a facet met by its plane: when, and its normal, which both take the same products.
+template <class T>
+struct PlaneMeeting {
+  Time<T> time;
+  Vec3<T> normal;
+};
 
 /// The quotient at which a model's constraint or facet is met.
 template <class T, class Model>
@@ -124,10 +131,17 @@ class QuickNumbers {
     if (decided.when.at == When::At::root) {
       const Quadratic<Ball> q = quadratic_of<Ball>(line_, model, decided.when);
       t_ = quotient(Ball{0} - q.half - root(q.discriminant), q.square);
-    } else {
-      time_ = time_of<Ball>(line_, model, decided.when, ask_);
-      t_ = quotient(time_.numerator, time_.denominator);
+      return;
     }
+    if constexpr (requires { model.template plane_meeting<Ball>(line_, decided); }) {
+      if (auto meeting = model.template plane_meeting<Ball>(line_, decided)) {
+        time_ = meeting->time, normal_ = meeting->normal;
+        t_ = quotient(time_.numerator, time_.denominator);
+        return;
+      }
+    }
+    time_ = time_of<Ball>(line_, model, decided.when, ask_);
+    t_ = quotient(time_.numerator, time_.denominator);
   }
 
   [[nodiscard]] std::optional<double> parameter() const { return sure(t_); }
@@ -140,6 +154,7 @@ class QuickNumbers {
   }
   [[nodiscard]] std::array<std::optional<double>, 3> normal() const {
     if (!decided_.has_normal) return {0.0, 0.0, 0.0};
+    if (normal_) return {sure(normal_->x), sure(normal_->y), sure(normal_->z)};
     RaySigns ask;
     const NormalForm<Ball> n = model_.template normal<Ball>(line_, decided_, ask);
     if (!ask.certain()) return {};
@@ -161,13 +176,20 @@ class QuickNumbers {
   RaySigns ask_;
   Time<Ball> time_ = time_zero<Ball>();
   Ball t_{0};
+  std::optional<Vec3<Ball>> normal_;  // where it was needed for the time
 };
 
 template <class Model>
 Hit numbers_of(const AnyRay& ray, const Model& model, const Decided& decided) {
   Known known = known_of(ray, decided.when);
   if constexpr (requires { model.know(decided, known); }) model.know(decided, known);
-  const QuickNumbers<Model> quick(ray, model, decided);
+  QuickHit pairs{};
+  if constexpr (requires { model.quick(ray, decided); }) pairs = model.quick(ray, decided);
+  std::optional<QuickNumbers<Model>> quick;  // where pairs leave a doubt
+  const auto sharper = [&]() -> const QuickNumbers<Model>& {
+    if (!quick) quick.emplace(ray, model, decided);
+    return *quick;
+  };
   std::optional<Forms<BigDyadic>> exact;
   const auto sure_or = [&](const std::optional<double>& x, std::size_t i) {
     if (x) return *x + 0.0;
@@ -175,15 +197,18 @@ Hit numbers_of(const AnyRay& ray, const Model& model, const Decided& decided) {
     if (!exact) exact = forms_of<BigDyadic>(ray, model, decided, ask);
     return nearest((*exact)[i]);
   };
-  const auto& [o, d] = std::tie(ray.origin, quick.direction());
-  const auto coordinate = [&](std::size_t i, double origin, const Ball& along) {
-    return sure_or(known[i] ? known[i] : quick.coordinate(origin, along), 1 + i);
+  const auto coordinate = [&](std::size_t i, double origin, Ball Vec3<Ball>::*along) {
+    if (known[i]) return *known[i] + 0.0;
+    if (pairs[1 + i]) return *pairs[1 + i];
+    return sure_or(sharper().coordinate(origin, sharper().direction().*along), 1 + i);
   };
-  const auto normal = quick.normal();
-  return {sure_or(quick.parameter(), 0),
-          {coordinate(0, o.x, d.x), coordinate(1, o.y, d.y), coordinate(2, o.z, d.z)},
-          decided.feature,
-          {sure_or(normal[0], 4), sure_or(normal[1], 5), sure_or(normal[2], 6)}};
+  const Point3& o = ray.origin;
+  const double t = pairs[0] ? *pairs[0] : sure_or(sharper().parameter(), 0);
+  const Point3 point{coordinate(0, o.x, &Vec3<Ball>::x), coordinate(1, o.y, &Vec3<Ball>::y),
+                     coordinate(2, o.z, &Vec3<Ball>::z)};
+  std::array<std::optional<double>, 3> normal{pairs[4], pairs[5], pairs[6]};
+  if (!(normal[0] && normal[1] && normal[2])) normal = sharper().normal();
+  return {t, point, decided.feature, {sure_or(normal[0], 4), sure_or(normal[1], 5), sure_or(normal[2], 6)}};
 }
 
 template <class Model>

@@ -18,6 +18,10 @@ struct TriangleModel : FacetModel<TriangleModel> {
     const Vec3<T> a = line.from_origin(triangle.a);
     return {3, {a, line.from_origin(triangle.b), line.from_origin(triangle.c), a}, {0, 1, 2, 0}, {0, 1, 2, 0}, 0};
   }
+  [[nodiscard]] QuickHit quick(const AnyRay& ray, const Decided& decided) const {
+    if (decided.when.at != When::At::quotient || meeting_of(decided.when) != Meeting::plane) return {};
+    return quick_hit(ray, triangle);
+  }
   void know(const Decided& decided, Known& known) const {
     const auto& [a, b, c] = triangle;
     if (a.x == b.x && b.x == c.x) known[0] = a.x;
