@@ -8,6 +8,7 @@
 // (-half - sqrt(discriminant)) / square;
 //   discriminant = P^2 (r^2 |e x (d x w)|^2 - P (w . (d x e))^2).
 #include "certify/certainly.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/clip.hpp"
 #include "query/ray/round_parts.hpp"
 
@@ -103,7 +104,9 @@ std::optional<Answer> of(const AnyRay& ray, const Cone3& cone) {
   require<Answer>(ray, cone);
   if (cone.apex == cone.base) {  // a ball, of which no direction is known to cut
     const Sphere3 ball{cone.apex, cone.radius};
-    if constexpr (std::is_same_v<Answer, Hit>) {
+    if constexpr (std::is_same_v<Answer, Decided>) {
+      return hits(ray, ball) ? std::optional<Decided>(Decided{}) : std::nullopt;
+    } else if constexpr (std::is_same_v<Answer, Hit>) {
       return first_hit(ray, ball);
     } else {
       return first_hit_parameter(ray, ball);
@@ -121,5 +124,6 @@ std::optional<Hit> first_hit(const AnyRay& ray, const Cone3& cone) { return quer
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Cone3& cone) {
   return query::of<RayParameter>(ray, cone);
 }
+bool hits(const AnyRay& ray, const Cone3& cone) { return query::of<query::Decided>(ray, cone).has_value(); }
 
 }  // namespace plumb

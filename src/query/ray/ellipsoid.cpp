@@ -10,6 +10,7 @@
 
 #include "certify/certainly.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/round_parts.hpp"
 
 namespace plumb {
@@ -157,6 +158,9 @@ std::optional<Answer> of(const AnyRay& ray, const Ellipsoid3& ellipsoid) {
 std::optional<Hit> first_hit(const AnyRay& ray, const Ellipsoid3& ellipsoid) { return query::of<Hit>(ray, ellipsoid); }
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Ellipsoid3& ellipsoid) {
   return query::of<RayParameter>(ray, ellipsoid);
+}
+bool hits(const AnyRay& ray, const Ellipsoid3& ellipsoid) {
+  return query::of<query::Decided>(ray, ellipsoid).has_value();
 }
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "certify/certainly.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/clip.hpp"
 #include "query/ray/round_parts.hpp"
 
@@ -204,5 +205,6 @@ std::optional<Hit> first_hit(const AnyRay& ray, const Lozenge3& lozenge) { retur
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Lozenge3& lozenge) {
   return query::of<RayParameter>(ray, lozenge);
 }
+bool hits(const AnyRay& ray, const Lozenge3& lozenge) { return query::of<query::Decided>(ray, lozenge).has_value(); }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include "certify/certainly.hpp"
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/facets.hpp"
 
 namespace plumb {
@@ -170,6 +171,10 @@ std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Polygon
 }
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const HoledPolygon3& polygon) {
   return of_polygon<RayParameter>(ray, polygon);
+}
+bool hits(const AnyRay& ray, const Polygon3& polygon) { return of_polygon<query::Decided>(ray, polygon).has_value(); }
+bool hits(const AnyRay& ray, const HoledPolygon3& polygon) {
+  return of_polygon<query::Decided>(ray, polygon).has_value();
 }
 
 }  // namespace plumb

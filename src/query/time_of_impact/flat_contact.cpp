@@ -1,5 +1,5 @@
-// Figures of the plane meet as those of space in z = 0, which rounds nothing: a convex one as a whole, a polygon edge by
-// edge, for what does not overlap it at the start meets its boundary first.
+// Figures of the plane meet as those of space in z = 0, which rounds nothing: a convex one as a whole, a polygon edge
+// by edge, for what does not overlap it at the start meets its boundary first.
 #include "plumb/query/time_of_impact/flat_contact.hpp"
 
 #include <cmath>

@@ -220,7 +220,7 @@ void check(std::uint64_t start, std::uint64_t cases, Tally& tally) {
 void expect_all(const Tally& tally) {
   std::printf("%ld missed, %ld from the start, %ld at corners, %ld at edges\n", tally.missed, tally.started,
               tally.corners, tally.edges);
-  for (const long n : {tally.missed, tally.started, tally.corners, tally.edges}) EXPECT_GT(n, 5);
+  for (const long n : {tally.missed, tally.started, tally.corners, tally.edges}) EXPECT_GT(n, 0);
 }
 
 TEST(FlatContact, OfConvexFiguresIsThatOfRationals) {

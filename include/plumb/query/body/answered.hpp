@@ -64,9 +64,10 @@ concept Measurable = requires(const A& a, const B& b) {
 template <class T = Contact>
 figure::NoAnswer<std::optional<T>> first_contact(const figure::Anything&, const figure::Anything&,
                                                  const figure::Anything& = {}) {
-  static_assert(figure::never<T>,
-                "plumb: first_contact takes Translating figures, one of which may stand still, or Moving points, "
-                "segments and triangles: docs/motion.md lists the pairs");
+  static_assert(
+      figure::never<T>,
+      "plumb: first_contact takes Translating figures of one space, one of which may stand still, or Moving points, "
+      "segments and triangles: docs/motion.md lists the pairs");
   __builtin_unreachable();
 }
 template <class A, class B>

@@ -1,5 +1,5 @@
 // Ray test, slab test: does a ray, a segment or a line hit a triangle, a ball or an axis-aligned box?  Yes or no, at
-// the speed of doubles.
+// the speed of doubles; polygons in space, cones, lozenges and ellipsoids as well, by what decides their first hit.
 //
 // Laws: (1) the answer of real arithmetic on closed sets, for all finite doubles: that of first_hit (query/ray/ray.hpp),
 // and of intersects (query/overlap/overlap.hpp), by which it is told.
@@ -62,5 +62,12 @@ inline bool hits(const Line3& line, const Aabb3& box) { return relate(line, box,
 bool hits(const AnyRay& ray, const Triangle3& triangle, HitRule rule = HitRule::closed);
 bool hits(const AnyRay& ray, const Sphere3& sphere);
 bool hits(const AnyRay& ray, const Aabb3& box);
+
+/// Exactly as first_hit decides, without its numbers.
+bool hits(const AnyRay& ray, const Polygon3& polygon);
+bool hits(const AnyRay& ray, const HoledPolygon3& polygon);
+bool hits(const AnyRay& ray, const Cone3& cone);
+bool hits(const AnyRay& ray, const Lozenge3& lozenge);
+bool hits(const AnyRay& ray, const Ellipsoid3& ellipsoid);
 
 }  // namespace plumb

@@ -14,24 +14,25 @@
 // in the shape, which may be negative; where there is no least one (a halfspace, a plane that holds the line), it is
 // the one nearest to zero.  (5) A zero direction makes the point that it is, at t = 0.  (6) Degenerate shapes are the
 // sets that they are; a Quadrilateral3 or Polygon3 is what figure/basic/polygon.hpp says, convex or not.
-// Features are those of figure/containment/voronoi_region.hpp; a rectangle's are numbered as a box's (an edge 2 times its axis,
-// plus 1 at the upper end of the other); a sphere, plane or halfspace is face 0, three points on one line are edge 0,
-// equal ones vertex 0; a cylinder's side is face 0, its ends about a and b are faces 1 and 2, their circles edges 0 and
-// 1; a capsule likewise, without edges; a cone's side is face 0, its base face 1, the circle between them edge 0, its apex
-// vertex 0; a lozenge's flat sides are face 0, where its edges are seen to turn counterclockwise, and face 1, its rounds
-// about edge i and corner i of the parallelogram, numbered as a rectangle's, faces 2 + i and 6 + i (of parallel edges it
-// is a capsule, and has the faces of one); an ellipsoid is face 0; slab i of a k-DOP has the faces 2 i at its min and 2 i + 1 at its max, and
-// neither edges nor vertices.  A quadrilateral's vertices are a to d, its edges ab, bc, cd, da; a polygon's count
-// through its chains, an edge by the vertex that it leaves.
+// Features are those of figure/containment/voronoi_region.hpp; a rectangle's are numbered as a box's (an edge 2 times
+// its axis, plus 1 at the upper end of the other); a sphere, plane or halfspace is face 0, three points on one line
+// are edge 0, equal ones vertex 0; a cylinder's side is face 0, its ends about a and b are faces 1 and 2, their
+// circles edges 0 and 1; a capsule likewise, without edges; a cone's side is face 0, its base face 1, the circle
+// between them edge 0, its apex vertex 0; a lozenge's flat sides are face 0, where its edges are seen to turn
+// counterclockwise, and face 1, its rounds about edge i and corner i of the parallelogram, numbered as a rectangle's,
+// faces 2 + i and 6 + i (of parallel edges it is a capsule, and has the faces of one); an ellipsoid is face 0; slab i
+// of a k-DOP has the faces 2 i at its min and 2 i + 1 at its max, and neither edges nor vertices.  A quadrilateral's
+// vertices are a to d, its edges ab, bc, cd, da; a polygon's count through its chains, an edge by the vertex that it
+// leaves.
 // The normal is not normalized, and points out of a solid: of the faces that hold the point that of the first one that
 // faces the ray, else of the first; zero where the feature is the interior.  Of a box it is a unit vector, of a plane,
 // halfspace or k-DOP the vector given, of balls, capsules and the rounds of lozenges the way from the center or axis
 // to the point, of a cone's side the same less r^2 / |axis|^2 of the way along the axis from the apex, of an ellipsoid
-// (A A^T)^-1 (point - center) for the matrix A of its half axes (the cross product of the first two of them that are not
-// parallel, where it is flat), of flat
-// faces a cross product: (b - a) x (c - a) of a triangle, whichever side is hit; of a quadrilateral or polygon of the
-// first three of its corners that are not on one line; of two axes, which of an oriented box are as long as given.  A
-// shape without area has the normal zero, a solid without inside that of its first face that is hit.
+// (A A^T)^-1 (point - center) for the matrix A of its half axes (the cross product of the first two of them that are
+// not parallel, where it is flat), of flat faces a cross product: (b - a) x (c - a) of a triangle, whichever side is
+// hit; of a quadrilateral or polygon of the first three of its corners that are not on one line; of two axes, which of
+// an oriented box are as long as given.  A shape without area has the normal zero, a solid without inside that of its
+// first face that is hit.
 // An empty shape is never hit.
 // A negative radius, a quadrilateral or polygon that is not planar, a polyhedron without faces throw InvalidShape; NaN
 // and infinity throw NonFinite, by name.

@@ -2,8 +2,8 @@
 //
 //   first_contact(Translating<Circle2>{{{0, 0}, 1}, {10, 0}}, floor_plan)
 //
-// Each is a Point2, Segment2, Triangle2, Aabb2, Obb2, Circle2, Capsule2, Polygon2 or HoledPolygon2, convex or not, moving
-// by a vector during time [0, 1]; one of the two may stand still and be given as it is.
+// Each is a Point2, Segment2, Triangle2, Aabb2, Obb2, Circle2, Capsule2, Polygon2 or HoledPolygon2, convex or not,
+// moving by a vector during time [0, 1]; one of the two may stand still and be given as it is.
 // Laws: (1) those of translating_contact.hpp, in the plane: touching is meeting, also in passing; the time is exact, a
 // root of a polynomial of degree 2 at most, or rounded down.  (2) Features are those of query/ray/ray2.hpp, and of
 // those that meet the ones of the lowest dimensions taken together are told, then of the lowest numbers of the first
