@@ -33,6 +33,7 @@
 #include "plumb/query/section/intersection_result.hpp"  // nothing, a point, a segment, a polygon
 #include "plumb/query/section/planes.hpp"               // of two planes, or three
 #include "plumb/query/section/posed.hpp"                // of figures under poses
+#include "plumb/query/section/solid.hpp"                // of two solids
 
 // How near, and where?  closest_points, distance, compare_distance
 #include "plumb/arith/exact_distance.hpp"          // a distance as it is

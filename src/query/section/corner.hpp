@@ -107,43 +107,59 @@ Sign turn(const Corner<T, N>& a, const Corner<T, N>& b, const Corner<T, N>& c, S
   return ask(det2(d[0], d[1], e[0], e[1]));
 }
 
+/// Where a corner stands among ascending ones, and whether one of them is it.
+struct Place {
+  std::size_t index;
+  bool taken;
+};
+template <class T, std::size_t N>
+Place place_of(const Corner<T, N>& c, const std::vector<Corner<T, N>>& sorted, CertainSigns& ask) {
+  std::size_t low = 0, high = sorted.size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    const Sign s = compare(c, sorted[middle], ask);
+    if (s == Sign::zero || !ask.certain()) return {middle, true};
+    (s == Sign::positive ? low : high) = s == Sign::positive ? middle + 1 : middle;
+  }
+  return {low, false};
+}
+
 /// Ascending, equal ones once.
 template <class T, std::size_t N>
 void sort_corners(std::vector<Corner<T, N>>& corners, CertainSigns& ask) {
   std::vector<Corner<T, N>> sorted;
   sorted.reserve(corners.size());
   for (Corner<T, N>& c : corners) {
-    std::size_t low = 0, high = sorted.size();
-    bool equal = false;
-    while (low < high && !equal) {
-      const std::size_t middle = low + (high - low) / 2;
-      const Sign s = compare(c, sorted[middle], ask);
-      if (!ask.certain()) return;
-      equal = s == Sign::zero;
-      (s == Sign::positive ? low : high) = s == Sign::positive ? middle + 1 : middle;
-    }
-    if (!equal) sorted.insert(sorted.begin() + static_cast<std::ptrdiff_t>(low), std::move(c));
+    const Place place = place_of(c, sorted, ask);
+    if (!ask.certain()) return;
+    if (!place.taken) sorted.insert(sorted.begin() + static_cast<std::ptrdiff_t>(place.index), std::move(c));
   }
   corners = std::move(sorted);
 }
 
-/// Of ascending corners the extreme ones, counterclockwise from the first (Andrew 1979).
-template <class T, std::size_t N>
-std::vector<Corner<T, N>> extreme(const std::vector<Corner<T, N>>& corners, Seen look, CertainSigns& ask) {
+/// Of ascending corners at(0) ... at(count - 1) the extreme ones, counterclockwise from the first (Andrew 1979).
+template <class At>
+std::vector<std::size_t> extreme_chain(std::size_t count, const At& at, Seen look, CertainSigns& ask) {
   std::vector<std::size_t> chain;
   const auto add = [&](std::size_t i, std::size_t keep) {
     while (chain.size() > keep &&
-           turn(corners[chain[chain.size() - 2]], corners[chain.back()], corners[i], look, ask) != Sign::positive) {
+           turn(at(chain[chain.size() - 2]), at(chain.back()), at(i), look, ask) != Sign::positive) {
       chain.pop_back();
     }
     chain.push_back(i);
   };
-  for (std::size_t i = 0; i < corners.size(); ++i) add(i, 1);
+  for (std::size_t i = 0; i < count; ++i) add(i, 1);
   const std::size_t lower = chain.size();
-  for (std::size_t i = corners.size() - 1; i-- > 0;) add(i, lower);
+  for (std::size_t i = count - 1; i-- > 0;) add(i, lower);
   chain.pop_back();
+  return chain;
+}
+
+template <class T, std::size_t N>
+std::vector<Corner<T, N>> extreme(const std::vector<Corner<T, N>>& corners, Seen look, CertainSigns& ask) {
+  const auto at = [&](std::size_t i) -> const Corner<T, N>& { return corners[i]; };
   std::vector<Corner<T, N>> hull;
-  for (const std::size_t i : chain) hull.push_back(corners[i]);
+  for (const std::size_t i : extreme_chain(corners.size(), at, look, ask)) hull.push_back(corners[i]);
   return hull;
 }
 

@@ -1,0 +1,72 @@
+#include "query/convex/convex_view.hpp"
+
+#include "query/body/figure_view.hpp"
+#include "query/convex/bound_value.hpp"
+
+namespace plumb::query::meeting {
+namespace {
+
+template <std::size_t N>
+std::optional<ConvexSet<N>> set_of_view(const FigureView& v) {
+  return with_figure(v, [](const auto& s) -> std::optional<ConvexSet<N>> {
+    if constexpr (requires {
+                    { convex_set(s) } -> std::same_as<ConvexSet<N>>;
+                  }) {
+      return convex_set(s);
+    } else {
+      return {};
+    }
+  });
+}
+
+mpq_class number_of(const BigDyadic& x) { return big_rational(x).value; }
+
+template <class Vector>
+ExactHalfspace exact_halfspace(const Vector& normal, double offset, int sign) {
+  ExactHalfspace h{{sign * mpq_class(normal.x), sign * mpq_class(normal.y), 0}, sign * mpq_class(offset)};
+  if constexpr (requires { normal.z; }) h.normal[2] = sign * mpq_class(normal.z);
+  return h;
+}
+
+}  // namespace
+
+std::optional<ConvexSet<2>> convex_set2(const FigureView& v) { return set_of_view<2>(v); }
+std::optional<ConvexSet<3>> convex_set3(const FigureView& v) { return set_of_view<3>(v); }
+
+std::vector<ExactHalfspace> halfspaces_of(const ConvexSet<3>& set) {
+  if (set.dimension < 0) return {{{0, 0, 0}, -1}};
+  std::vector<ExactHalfspace> all;
+  const auto unit = [](std::size_t axis) {
+    Vec<BigDyadic, 3> e{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
+    if (axis < 3) e[axis] = BigDyadic(1.0);
+    return e;
+  };
+  for (const Bound<3>& b : set.bounds) {
+    ExactHalfspace h{{}, -number_of(value<BigDyadic, 3>(b, unit(3)))};
+    for (std::size_t axis = 0; axis < 3; ++axis) h.normal[axis] = number_of(slope<BigDyadic, 3>(b, unit(axis)));
+    const ExactHalfspace against{mpq_class(-1) * h.normal, -h.offset};
+    if (b.side >= 0) all.push_back(h);
+    if (b.side <= 0) all.push_back(against);
+  }
+  return all;
+}
+
+std::vector<ExactHalfspace> halfspaces_of(const FigureView& v) {
+  if (const auto set = convex_set3(v)) return halfspaces_of(*set);
+  std::vector<ExactHalfspace> all;
+  with_figure(v, [&](const auto& s) {
+    if constexpr (requires { s.halfspaces; }) {
+      for (const auto& h : s.halfspaces) all.push_back(exact_halfspace(h.normal, h.offset, 1));
+    } else if constexpr (requires { s.directions; }) {
+      for (std::size_t i = 0; i < s.min.size(); ++i) {
+        all.push_back(exact_halfspace(s.directions.all()[i], s.max[i], 1));
+        all.push_back(exact_halfspace(s.directions.all()[i], s.min[i], -1));
+      }
+    } else if constexpr (requires { s.normal; }) {
+      all.push_back(exact_halfspace(s.normal, s.offset, 1));
+    }
+  });
+  return all;
+}
+
+}  // namespace plumb::query::meeting
