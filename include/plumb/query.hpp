@@ -26,6 +26,9 @@
 #include "plumb/query/overlap/round2.hpp"         // disks and capsules of the plane
 #include "plumb/query/overlap/triangle.hpp"       // triangles in space
 
+// Does one hold the other?  contains
+#include "plumb/query/convex/containment.hpp"  // bounds of every kind
+
 // What have they in common?  intersection
 #include "plumb/certify/exact_point.hpp"                // a corner as it is
 #include "plumb/query/section/intersection.hpp"         // in space

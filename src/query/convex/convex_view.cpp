@@ -28,22 +28,18 @@ ExactHalfspace exact_halfspace(const Vector& normal, double offset, int sign) {
   return h;
 }
 
-}  // namespace
-
-std::optional<ConvexSet<2>> convex_set2(const FigureView& v) { return set_of_view<2>(v); }
-std::optional<ConvexSet<3>> convex_set3(const FigureView& v) { return set_of_view<3>(v); }
-
-std::vector<ExactHalfspace> halfspaces_of(const ConvexSet<3>& set) {
+template <std::size_t N>
+std::vector<ExactHalfspace> halfspaces_of_set(const ConvexSet<N>& set) {
   if (set.dimension < 0) return {{{0, 0, 0}, -1}};
   std::vector<ExactHalfspace> all;
   const auto unit = [](std::size_t axis) {
-    Vec<BigDyadic, 3> e{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
-    if (axis < 3) e[axis] = BigDyadic(1.0);
+    Vec<BigDyadic, N> e;
+    for (std::size_t k = 0; k < N; ++k) e[k] = BigDyadic(k == axis ? 1.0 : 0.0);
     return e;
   };
-  for (const Bound<3>& b : set.bounds) {
-    ExactHalfspace h{{}, -number_of(value<BigDyadic, 3>(b, unit(3)))};
-    for (std::size_t axis = 0; axis < 3; ++axis) h.normal[axis] = number_of(slope<BigDyadic, 3>(b, unit(axis)));
+  for (const Bound<N>& b : set.bounds) {
+    ExactHalfspace h{{}, -number_of(value<BigDyadic, N>(b, unit(N)))};
+    for (std::size_t axis = 0; axis < N; ++axis) h.normal[axis] = number_of(slope<BigDyadic, N>(b, unit(axis)));
     const ExactHalfspace against{mpq_class(-1) * h.normal, -h.offset};
     if (b.side >= 0) all.push_back(h);
     if (b.side <= 0) all.push_back(against);
@@ -51,8 +47,16 @@ std::vector<ExactHalfspace> halfspaces_of(const ConvexSet<3>& set) {
   return all;
 }
 
+}  // namespace
+
+std::optional<ConvexSet<2>> convex_set2(const FigureView& v) { return set_of_view<2>(v); }
+std::optional<ConvexSet<3>> convex_set3(const FigureView& v) { return set_of_view<3>(v); }
+
+std::vector<ExactHalfspace> halfspaces_of(const ConvexSet<3>& set) { return halfspaces_of_set(set); }
+
 std::vector<ExactHalfspace> halfspaces_of(const FigureView& v) {
-  if (const auto set = convex_set3(v)) return halfspaces_of(*set);
+  if (const auto set = convex_set3(v)) return halfspaces_of_set(*set);
+  if (const auto set = convex_set2(v)) return halfspaces_of_set(*set);
   std::vector<ExactHalfspace> all;
   with_figure(v, [&](const auto& s) {
     if constexpr (requires { s.halfspaces; }) {

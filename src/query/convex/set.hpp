@@ -127,6 +127,7 @@ ConvexSet<2> convex_set(const Triangle2& triangle);
 ConvexSet<2> convex_set(const Aabb2& box);
 /// Throws InvalidShape where the polygon is not convex.
 ConvexSet<2> convex_set(const Polygon2& polygon);
+ConvexSet<2> convex_set(const Obb2& box);
 
 ConvexSet<3> convex_set(const Line3& line);
 ConvexSet<3> convex_set(const Ray3& ray);
@@ -139,5 +140,8 @@ ConvexSet<3> convex_set(const Aabb3& box);
 ConvexSet<3> convex_set(const Tetrahedron3& tetrahedron);
 ConvexSet<3> convex_set(const ConvexPolyhedron3& polyhedron);
 ConvexSet<3> convex_set(const Obb3& box);
+ConvexSet<3> convex_set(const Rectangle3& rectangle);
+/// Throws InvalidShape where the polygon is not planar or not convex.
+ConvexSet<3> convex_set(const Polygon3& polygon);
 
 }  // namespace plumb::query::meeting

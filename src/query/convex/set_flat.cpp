@@ -112,6 +112,15 @@ ConvexSet<2> convex_set(const Polygon2& polygon) {
   return segment_set<2>(from, to);
 }
 
+ConvexSet<3> convex_set(const Polygon3& polygon) {
+  const PolygonKind kind = convexity(polygon).kind;
+  if (kind == PolygonKind::not_planar)
+    throw InvalidShape("intersection: polygon is not planar; triangulate it or intersect its triangles");
+  if (kind == PolygonKind::concave || kind == PolygonKind::self_winding)
+    throw InvalidShape("intersection: polygon is not convex; triangulate it or intersect its convex pieces");
+  return flat_set(polygon.vertices);
+}
+
 ConvexSet<3> convex_set(const Triangle3& t) {
   for (const std::size_t axis : {2u, 0u, 1u}) {
     const Seen look = looks[axis];

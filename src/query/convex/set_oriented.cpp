@@ -1,5 +1,6 @@
 // Oriented boxes, and hulls of points that no doubles hold, as what bounds them: by integers.
 #include <algorithm>
+#include <span>
 
 #include "plumb/certify/direction.hpp"
 #include "query/convex/bound_value.hpp"
@@ -37,7 +38,78 @@ Bound<3> bound_at(const Numbers3& gradient, const Numbers3& on, int side) {
   return bound;
 }
 
+/// The center, plus or minus half extents times axes.
+template <std::size_t N, class Box>
+std::vector<Vec<BigDyadic, N>> corners_of(const Box& box, std::span<const double> half) {
+  std::vector<Vec<BigDyadic, N>> corners;
+  for (unsigned k = 0; k < 1U << half.size(); ++k) {
+    Vec<BigDyadic, N> p = made<BigDyadic, N>(box.center);
+    for (std::size_t i = 0; i < half.size(); ++i) {
+      const Vec<BigDyadic, N> direction = made<BigDyadic, N>(box.axes[i]);
+      const BigDyadic reach((k >> i & 1) != 0 ? half[i] : -half[i]);
+      for (std::size_t axis = 0; axis < N; ++axis) p[axis] = p[axis] + direction[axis] * reach;
+    }
+    corners.push_back(std::move(p));
+  }
+  return corners;
+}
+
+using Numbers2 = Vec<BigDyadic, 2>;
+
+BigDyadic dot(const Numbers2& a, const Numbers2& b) { return a[0] * b[0] + a[1] * b[1]; }
+Numbers2 operator-(const Numbers2& a, const Numbers2& b) { return {a[0] - b[0], a[1] - b[1]}; }
+Sign compare(const Numbers2& a, const Numbers2& b) {
+  const Sign s = (a[0] - b[0]).sign();
+  return s == Sign::zero ? (a[1] - b[1]).sign() : s;
+}
+/// To the right.
+Numbers2 across(const Numbers2& d) { return {d[1], BigDyadic() - d[0]}; }
+
+/// side * gradient . (x - on) <= 0.
+Bound<2> bound_at(const Numbers2& gradient, const Numbers2& on, int side) {
+  Bound<2> bound{Bound<2>::Kind::given, side};
+  bound.given = std::make_shared<const Given<2>>(Given<2>{gradient, dot(gradient, on)});
+  return bound;
+}
+
 }  // namespace
+
+ConvexSet<2> convex_set(const Obb2& box) {
+  std::vector<Numbers2> corners = corners_of<2>(box, std::array{box.half.x, box.half.y});
+  std::swap(corners[2], corners[3]);  // once around
+  const Numbers2 d = corners[1] - corners[0], e = corners[3] - corners[0];
+  const Sign turn = det2(d[0], d[1], e[0], e[1]).sign();
+  ConvexSet<2> set;
+  if (turn != Sign::zero) {
+    set.dimension = 2;
+    set.first_side = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Numbers2 &from = corners[static_cast<std::size_t>(i)], &to = corners[static_cast<std::size_t>((i + 1) % 4)];
+      set.edges.push_back({.from = i, .to = (i + 1) % 4});
+      set.bounds.push_back(bound_at(across(to - from), from, static_cast<int>(turn)));
+    }
+    set.exact_vertices = std::move(corners);
+    return set;
+  }
+  const auto [low, high] = std::minmax_element(
+      corners.begin(), corners.end(), [](const auto& a, const auto& b) { return compare(a, b) == Sign::negative; });
+  const Numbers2 first = *low, last = *high, along = last - first;
+  const bool is_point = compare(first, last) == Sign::zero;
+  set.dimension = is_point ? 0 : 1;
+  set.exact_vertices = {first, last};
+  set.edges = {{.from = 0, .to = is_point ? 0 : 1}};
+  if (is_point) {
+    const BigDyadic one(1.0), none(0.0);
+    set.bounds = {bound_at({one, none}, first, 0), bound_at({none, one}, first, 0)};
+  } else {
+    set.bounds = {bound_at(across(along), first, 0), bound_at(along, first, -1), bound_at(along, last, 1)};
+  }
+  return set;
+}
+
+ConvexSet<3> convex_set(const Rectangle3& rectangle) {
+  return flat_set(corners_of<3>(rectangle, std::array{rectangle.half.x, rectangle.half.y}));
+}
 
 ConvexSet<3> flat_set(std::vector<Vec<BigDyadic, 3>> corners) {
   std::sort(corners.begin(), corners.end(),

@@ -36,8 +36,13 @@ Figure solid_figure(Material& m) {
     }
     return convex_polyhedron(convex_hull(points), points);
   } else if constexpr (std::is_same_v<Figure, KDop3>) {
-    const Directions3 directions = k_dop_directions(m.below(2) == 0 ? 6 : 14);
-    KDop3 k = fit_k_dop(std::vector{m.point3(), m.point3(), m.point3()}, directions);
+    const std::vector points{m.point3(), m.point3(), m.point3()};
+    const Directions3 axes = k_dop_directions(6), directions = m.below(2) == 0 ? axes : k_dop_directions(14);
+    KDop3 k = fit_k_dop(points, axes);
+    try {
+      k = fit_k_dop(points, directions);
+    } catch (const BeyondDoubles&) {  // a sum of coordinates: the axes alone
+    }
     if (m.below(3) == 0) k.max[m.below(k.max.size())] = m.number();
     return k;
   } else {

@@ -74,7 +74,8 @@ template <class T = bool>
 figure::NoAnswer<T> contains(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
   static_assert(
       figure::never<T>,
-      "plumb: contains takes a figure and a point of its space, or two boxes, balls, capsules or lozenges of one kind");
+      "plumb: contains takes a figure and a point of its space, or two bounds, the pairs of docs/bounds.md (include "
+      "<plumb/query.hpp>)");
   __builtin_unreachable();
 }
 template <class Outer, class Inner>

@@ -1,0 +1,179 @@
+#include "plumb/query/convex/containment.hpp"
+
+#include <algorithm>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/figure/basic/convexity.hpp"
+#include "plumb/figure/basic/polyhedron.hpp"
+#include "plumb/figure/containment/contains.hpp"
+#include "plumb/figure/containment/polygon_location.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/body/figure_view.hpp"
+#include "query/convex/convex_view.hpp"
+#include "query/convex/round_parts.hpp"
+
+namespace plumb::query {
+namespace {
+
+/// Is the root of c at most x?
+bool root_is_at_most(const mpq_class& c, const mpq_class& x) { return sgn(x) >= 0 && c <= x * x; }
+
+bool halfspace_holds(const ExactHalfspace& h, const RoundParts& inner) {
+  const auto along = [&](const Exact3& d) { return sgn(dot(h.normal, d)); };
+  if (std::ranges::any_of(inner.lines, [&](const Exact3& d) { return along(d) != 0; })) return false;
+  if (std::ranges::any_of(inner.directions, [&](const Exact3& d) { return along(d) > 0; })) return false;
+  return std::ranges::all_of(inner.parts, [&](const RoundPart& part) {
+    const mpq_class slack = h.offset - dot(h.normal, part.at);
+    if (sgn(part.radius) == 0) return sgn(slack) >= 0;
+    mpq_class reach = part.radius * part.radius;  // the square of how far it goes along the normal
+    if (part.is_disk) {
+      const Exact3 across = cross(h.normal, part.axis);
+      reach *= dot(across, across) / dot(part.axis, part.axis);
+    } else {
+      reach *= dot(h.normal, h.normal);
+    }
+    return root_is_at_most(reach, slack);
+  });
+}
+
+bool ball_holds(const Exact3& center, const mpq_class& radius, const RoundPart& part) {
+  const Exact3 w = part.at - center;
+  const mpq_class square = dot(w, w);
+  if (!part.is_disk) return root_is_at_most(square, radius - part.radius);
+  // Its farthest point is off the axis by the center's distance from there, and the disk's radius.
+  const Exact3 across = cross(w, part.axis);
+  const mpq_class off = dot(across, across) / dot(part.axis, part.axis), r = part.radius * part.radius;
+  return root_is_at_most(4 * r * off, radius * radius - square - r);
+}
+
+bool core_holds(const Exact3& corner, const Exact3& e, const Exact3& f, const mpq_class& radius,
+                const RoundPart& part) {
+  return root_is_at_most(squared_distance(part.at, corner, e, f), radius - part.radius);
+}
+
+/// Of a point or ball.
+bool tube_holds(const Exact3& a, const Exact3& axis, const mpq_class& radius, const RoundPart& part) {
+  const Exact3 across = cross(part.at - a, axis);
+  return root_is_at_most(dot(across, across) / dot(axis, axis), radius - part.radius);
+}
+
+template <class Numbers>
+Exact3 exact3(const Numbers& p) {
+  Exact3 x{mpq_class(p.x), mpq_class(p.y), 0};
+  if constexpr (requires { p.z; }) x[2] = p.z;
+  return x;
+}
+
+bool round_holds(const FigureView& outer, const RoundParts& inner) {
+  if (!inner.directions.empty() || !inner.lines.empty()) return false;
+  const auto all = [&](const auto& holds_part) { return std::ranges::all_of(inner.parts, holds_part); };
+  return with_figure(outer, [&](const auto& s) {
+    if constexpr (requires { s.corner; }) {
+      const Exact3 c = exact3(s.corner), e = exact3(s.edges[0]), f = exact3(s.edges[1]);
+      return all([&](const RoundPart& part) { return core_holds(c, e, f, s.radius, part); });
+    } else if constexpr (requires { s.center, s.radius; }) {
+      return all([&](const RoundPart& part) { return ball_holds(exact3(s.center), s.radius, part); });
+    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>) {
+      const Exact3 a = exact3(s.a), axis = exact3(s.b) - a;
+      if (is_zero(axis)) return all([&](const RoundPart& part) { return ball_holds(a, s.radius, part); });
+      const Exact3 back = mpq_class(-1) * axis;
+      return halfspace_holds({axis, dot(axis, a + axis)}, inner) && halfspace_holds({back, dot(back, a)}, inner) &&
+             all([&](const RoundPart& part) { return tube_holds(a, axis, s.radius, part); });
+    } else if constexpr (requires { s.a, s.radius; }) {
+      const Exact3 a = exact3(s.a), along = exact3(s.b) - a;
+      return all([&](const RoundPart& part) { return core_holds(a, along, {0, 0, 0}, s.radius, part); });
+    } else {
+      return false;
+    }
+  });
+}
+
+bool is_round(FigureKind kind) {
+  return is_one_of(kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder});
+}
+
+/// Calls f(p) for the corners, where they are points as given and the hull of them is that of the figure.
+template <class Shape, class F>
+bool all_corners(const Shape& s, const F& f) {
+  if constexpr (requires { s.outer; }) {
+    return all_corners(s.outer, f) &&
+           std::ranges::all_of(s.holes, [&](const auto& hole) { return std::ranges::all_of(hole.vertices, f); });
+  } else if constexpr (requires { s.mesh; }) {
+    return std::ranges::all_of(s.mesh.vertices, f);
+  } else if constexpr (requires { s.vertices; }) {
+    return std::ranges::all_of(s.vertices, f);
+  } else if constexpr (requires { s.min.x, s.max.x; }) {
+    if (is_empty(s)) return true;
+    auto p = s.min;
+    for (unsigned k = 0; k < 8; ++k) {
+      p.x = (k & 1) != 0 ? s.max.x : s.min.x;
+      p.y = (k & 2) != 0 ? s.max.y : s.min.y;
+      if constexpr (requires { p.z; }) p.z = (k & 4) != 0 ? s.max.z : s.min.z;
+      if (!f(p)) return false;
+    }
+    return true;
+  } else if constexpr (requires { s.d; }) {
+    return f(s.a) && f(s.b) && f(s.c) && f(s.d);
+  } else if constexpr (requires { s.c; }) {
+    return f(s.a) && f(s.b) && f(s.c);
+  } else {
+    return f(s.a) && f(s.b);
+  }
+}
+constexpr bool has_corners_as_given(FigureKind kind) {
+  return is_one_of(
+      kind, {FigureKind::segment, FigureKind::triangle, FigureKind::quadrilateral, FigureKind::polygon,
+             FigureKind::holed_polygon, FigureKind::tetrahedron, FigureKind::aabb, FigureKind::convex_polyhedron});
+}
+
+template <class Shape, class Point>
+bool holds_corners(const Shape& s, const FigureView& inner) {
+  const auto held = [&](const Point& p) { return contains(s, p); };
+  return with_figure(inner, [&](const auto& of) {
+    using Inner = std::remove_cvref_t<decltype(of)>;
+    if constexpr (has_corners_as_given(figure_kind<Inner>) && figure_dimension<Inner> == figure_dimension<Shape>) {
+      return all_corners(of, held);
+    } else {
+      return false;
+    }
+  });
+}
+
+void require_convex(const FigureView& outer) {
+  if (outer.kind != FigureKind::polygon) return;
+  const PolygonKind kind = with_figure(outer, [](const auto& s) {
+    if constexpr (requires { convexity(s).kind; }) {
+      return convexity(s).kind;
+    } else {
+      return PolygonKind::convex;
+    }
+  });
+  if (kind == PolygonKind::not_planar) throw InvalidShape("contains: the outer polygon is not planar");
+  if (kind == PolygonKind::concave || kind == PolygonKind::self_winding)
+    throw InvalidShape("contains: the outer polygon is not convex; ask its convex pieces, or locate points in it");
+}
+
+}  // namespace
+
+bool holds(const FigureView& outer, const FigureView& inner) {
+  require_figures("contains", outer, inner);
+  require_convex(outer);
+  if (has_corners_as_given(inner.kind) && outer.kind != FigureKind::rectangle) {
+    return with_figure(outer, [&](const auto& s) {
+      using Shape = std::remove_cvref_t<decltype(s)>;
+      using Point = std::conditional_t<figure_dimension<Shape> == 2, Point2, Point3>;
+      if constexpr (may_be_outer(figure_kind<Shape>)) {
+        return holds_corners<Shape, Point>(s, inner);
+      } else {
+        return false;
+      }
+    });
+  }
+  const RoundParts parts = round_parts(inner);
+  if (parts.parts.empty()) return true;
+  if (is_round(outer.kind)) return round_holds(outer, parts);
+  return std::ranges::all_of(meeting::halfspaces_of(outer),
+                             [&](const ExactHalfspace& h) { return halfspace_holds(h, parts); });
+}
+
+}  // namespace plumb::query

@@ -1,0 +1,91 @@
+#include "query/convex/round_parts.hpp"
+
+#include <algorithm>
+
+#include "query/body/figure_view.hpp"
+#include "query/convex/flat_view.hpp"
+
+namespace plumb::query {
+namespace {
+
+template <class Numbers>
+Exact3 exact_numbers(const Numbers& p) {
+  Exact3 x{mpq_class(p.x), mpq_class(p.y), 0};
+  if constexpr (requires { p.z; }) x[2] = p.z;
+  return x;
+}
+
+/// At both ends of an axis, or a ball where they are one.
+void add_disk(RoundParts& all, const Exact3& at, const Exact3& axis, double radius) {
+  all.parts.push_back({at, mpq_class(radius), !is_zero(axis), axis});
+}
+
+mpq_class squared(const Exact3& v) { return dot(v, v); }
+
+mpq_class squared_distance(const Exact3& p, const Exact3& from, const Exact3& along) {
+  const Exact3 w = p - from;
+  const mpq_class square = squared(along);
+  if (square == 0) return squared(w);
+  const mpq_class t = std::clamp(mpq_class(dot(w, along) / square), mpq_class(0), mpq_class(1));
+  return squared(w - t * along);
+}
+
+}  // namespace
+
+mpq_class squared_distance(const Exact3& p, const Exact3& corner, const Exact3& e, const Exact3& f) {
+  const Exact3 w = p - corner, n = cross(e, f);
+  const mpq_class square = squared(n);
+  if (square != 0) {
+    const mpq_class s = dot(cross(w, f), n) / square, t = dot(cross(e, w), n) / square;
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1) {
+      const mpq_class height = dot(w, n);
+      return height * height / square;
+    }
+  }
+  return std::min({squared_distance(p, corner, e), squared_distance(p, corner, f), squared_distance(p, corner + f, e),
+                   squared_distance(p, corner + e, f)});
+}
+
+RoundParts round_parts(const FigureView& v) {
+  RoundParts all;
+  const auto add = [&](const auto& p, double radius) {
+    all.parts.push_back({exact_numbers(p), mpq_class(radius), false, {}});
+  };
+  const auto add_chain = [&](const auto& polygon) {
+    for (const auto& p : polygon.vertices) add(p, 0);
+  };
+  with_figure(v, [&](const auto& s) {
+    if constexpr (requires { s.apex; }) {
+      add(s.apex, 0);
+      add_disk(all, exact_numbers(s.base), exact_numbers(s.base) - exact_numbers(s.apex), s.radius);
+    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>) {
+      const Exact3 a = exact_numbers(s.a), b = exact_numbers(s.b);
+      add_disk(all, a, b - a, s.radius);
+      add_disk(all, b, b - a, s.radius);
+    } else if constexpr (requires { s.corner; }) {
+      const Exact3 c = exact_numbers(s.corner), e = exact_numbers(s.edges[0]), f = exact_numbers(s.edges[1]);
+      const std::array corners{c, Exact3(c + e), Exact3(c + f), Exact3(c + e + f)};
+      for (const Exact3& p : corners) all.parts.push_back({p, mpq_class(s.radius), false, {}});
+    } else if constexpr (requires { s.center, s.radius; }) {
+      add(s.center, s.radius);
+    } else if constexpr (requires { s.a, s.radius; }) {
+      add(s.a, s.radius);
+      add(s.b, s.radius);
+    } else if constexpr (requires { s.outer; }) {
+      add_chain(s.outer);
+      for (const auto& hole : s.holes) add_chain(hole);
+    } else if constexpr (requires { s.vertices; }) {
+      add_chain(s);
+    } else if constexpr (figure_kind<std::remove_cvref_t<decltype(s)>> == FigureKind::quadrilateral) {
+      add(s.a, 0), add(s.b, 0), add(s.c, 0), add(s.d, 0);
+    } else {
+      FlatSet flat = flat_set(v);
+      for (const Exact3& p : flat.points) all.parts.push_back({p, mpq_class(0), false, {}});
+      all.directions = std::move(flat.directions);
+      all.lines = std::move(flat.lines);
+    }
+  });
+  return all;
+}
+
+}  // namespace plumb::query
