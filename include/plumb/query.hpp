@@ -26,8 +26,9 @@
 #include "plumb/query/overlap/round2.hpp"         // disks and capsules of the plane
 #include "plumb/query/overlap/triangle.hpp"       // triangles in space
 
-// Does one hold the other?  contains
+// Does one hold the other?  contains, side_of
 #include "plumb/query/convex/containment.hpp"  // bounds of every kind
+#include "plumb/query/convex/thick_plane.hpp"  // within so much of a plane, in front or behind
 
 // What have they in common?  intersection
 #include "plumb/certify/exact_point.hpp"                // a corner as it is
