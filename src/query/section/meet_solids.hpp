@@ -4,7 +4,7 @@
 // edges alone are clipped, as in meet.hpp.  A face lies on a bound of one of them; on which bounds a corner lies is
 // known from what it is made of, and of corners at one place by what all of them are made of.  What has no volume lies on
 // one bound whole: solids that touch are parted by the plane of a face.
-// Source: RTCD 5.3.8; Preparata and Shamos 1985, section 7.3.
+// Source: RTCD 5.3.8; Preparata and Shamos, Computational Geometry, 1985.
 // Cost: edges times bounds.
 #pragma once
 

@@ -34,7 +34,7 @@ TEST(Answered, EachQuestionHasItsConcept) {
   EXPECT_TRUE((Relatable<Point2, Polygon2>)&&(Relatable<Polygon2, Point2>));
   EXPECT_FALSE((Relatable<Point2, Point3>) || (Relatable<int, int>) || (Relatable<TriangleMesh, Point3>));
   EXPECT_TRUE((Containing<Sphere3, Point3>)&&(Containing<Aabb2, Aabb2>));
-  EXPECT_FALSE((Containing<Sphere3, Point2>) || (Containing<Aabb3, Segment3>));
+  EXPECT_FALSE((Containing<Sphere3, Point2>) || (Containing<Aabb3, Plane3>));
   EXPECT_TRUE((Intersectable<Segment3, Triangle3>)&&(Intersectable<Triangle3, Segment3>)&&(
       Intersectable<Aabb2, Polygon2>)&&(Intersectable<Polygon2, Aabb2>));
   EXPECT_FALSE((Intersectable<Sphere3, Sphere3>) || (Intersectable<Segment2, Segment3>));

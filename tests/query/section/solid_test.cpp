@@ -11,19 +11,14 @@
 #include "figure/basic/shape_cases.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "plumb/query/overlap/overlap.hpp"
-#include "query/body/exact_sets.hpp"
+#include "query/section/enumerated.hpp"
 
 namespace plumb {
 namespace {
 
-using exact::Coordinates, exact::difference, exact::dot;
+using exact::Bound, exact::bound, exact::Bounds, exact::Coordinates, exact::cross, exact::difference, exact::dot,
+    exact::enumerate, exact::Enumerated, exact::supports;
 using shape_cases::Material, shape_cases::on_shapes;
-
-Coordinates cross(const Coordinates& u, const Coordinates& v) {
-  Coordinates w(3);
-  for (std::size_t i = 0; i < 3; ++i) w[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
-  return w;
-}
 
 template <class Figure>
 Figure solid_figure(Material& m) {
@@ -86,75 +81,6 @@ std::string wrong_faces(const SolidIntersection3& s) {
 std::string wrong(const SolidIntersection3& s, const exact::CommonSet& set) {
   const std::string text = exact::wrong(Intersection3{s.kind, s.vertices}, set);
   return text.empty() ? wrong_faces(s) : text;
-}
-
-/// normal . x <= offset.
-struct Bound {
-  Coordinates normal;
-  exact::Rational offset;
-};
-using Bounds = std::vector<Bound>;
-
-template <class Vector>
-Bound bound(const Vector& normal, double offset, int sign = 1) {
-  return {exact::combination({0, 0, 0}, sign, exact::of(normal)), sign * exact::Rational(offset)};
-}
-/// Of corners that span space: the planes of three of them that have all others to one side.
-Bounds supports(const std::vector<Coordinates>& p) {
-  Bounds all;
-  std::set<std::vector<bool>> seen;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    for (std::size_t j = 0; j < p.size(); ++j) {
-      for (std::size_t k = std::min(i, j) + 1; k < p.size(); ++k) {
-        if (i == j || k == j || k < i) continue;
-        const Coordinates n = cross(difference(p[j], p[i]), difference(p[k], p[i]));
-        std::vector<bool> on;
-        bool holds = exact::square(n) != 0;
-        for (const Coordinates& q : p) {
-          const int side = sgn(dot(n, difference(q, p[i])));
-          on.push_back(side == 0);
-          holds = holds && side <= 0;
-        }
-        if (holds && seen.insert(on).second) all.push_back({n, dot(n, p[i])});
-      }
-    }
-  }
-  return all;
-}
-
-/// What lies in all of them, from all places where three planes meet and all directions of two.
-struct Enumerated {
-  std::vector<Coordinates> points, directions;
-  bool has_corners = false;  // three normals are independent
-};
-Enumerated enumerate(const Bounds& all) {
-  Enumerated set;
-  const auto insert = [](std::vector<Coordinates>& to, const Coordinates& x) {
-    if (std::ranges::find(to, x) == to.end()) to.push_back(x);
-  };
-  const auto holds = [&](const Coordinates& x, bool is_direction) {
-    return std::ranges::all_of(all, [&](const Bound& b) { return dot(b.normal, x) <= (is_direction ? 0 : b.offset); });
-  };
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const Coordinates line = cross(all[i].normal, all[j].normal);
-      for (const int sign : {1, -1}) {
-        const Coordinates d = exact::combination({0, 0, 0}, sign, line);
-        if (exact::square(d) != 0 && holds(d, true)) insert(set.directions, d);
-      }
-      for (std::size_t k = 0; k < j; ++k) {
-        const exact::Rational volume = dot(line, all[k].normal);
-        if (volume == 0) continue;
-        set.has_corners = true;
-        Coordinates x = exact::combination({0, 0, 0}, all[k].offset, line);
-        x = exact::combination(x, all[i].offset, cross(all[j].normal, all[k].normal));
-        x = exact::combination(x, all[j].offset, cross(all[k].normal, all[i].normal));
-        x = exact::combination({0, 0, 0}, 1 / volume, x);
-        if (holds(x, false)) insert(set.points, x);
-      }
-    }
-  }
-  return set;
 }
 
 std::string wrong(const SolidIntersection3& s, const Bounds& all) {

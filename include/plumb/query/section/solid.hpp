@@ -17,9 +17,10 @@
 // in them.  (6) What goes on forever is told by its vertices and the directions in which it goes on; it has no list of
 // faces.
 // NaN and infinity throw NonFinite, by name.
-// Source: RTCD 5.3.8, 5.4; Preparata and Shamos 1985, section 7.3.
-// Cost: edges times bounds of both; some 10 us for two boxes in general position, 100 us where exact integers
-// decide; of k-DOPs and intersections of halfspaces milliseconds, in rationals.
+// Source: RTCD 5.3.8, 5.4; Preparata and Shamos, Computational Geometry, 1985.
+// Cost: edges times bounds of both; some 10 us for two boxes or tetrahedra in general position, 200 us for oriented boxes,
+// where exact integers decide; of k-DOPs and intersections of halfspaces a millisecond and more, in rationals.  A volume
+// some 300 us.
 #pragma once
 
 #include <cstdint>
