@@ -2,8 +2,8 @@
 //
 // Laws: a vertex of the common set is a vertex of one solid, or lies on an edge of one and a face of the other, so that
 // edges alone are clipped, as in meet.hpp.  A face lies on a bound of one of them; on which bounds a corner lies is
-// known from what it is made of, and of corners at one place by what all of them are made of.  What has no volume lies on
-// one bound whole: solids that touch are parted by the plane of a face.
+// known from what it is made of, and of corners at one place by what all of them are made of.  What has no volume lies
+// on one bound whole: solids that touch are parted by the plane of a face.
 // Source: RTCD 5.3.8; Preparata and Shamos, Computational Geometry, 1985.
 // Cost: edges times bounds.
 #pragma once

@@ -4,14 +4,15 @@
 //
 // Outer: halfspaces, convex polygons and triangles, rectangles, tetrahedra, balls, boxes, oriented boxes, capsules,
 // lozenges, cylinders, k-DOPs, intersections of halfspaces, convex polyhedra.  Inner: these, and segments, rays, lines,
-// any polygon, cones.  Each with each of one space, but cylinders and cones in what is swept by a ball or a disk: how far
-// a circle goes from a line is a root of degree four.
+// any polygon, cones.  Each with each of one space, but cylinders and cones in what is swept by a ball or a disk: how
+// far a circle goes from a line is a root of degree four.
 // Laws: (1) true exactly when every point of the inner closed set is one of the outer, in real arithmetic: touching
 // from inside is held.  (2) Nothing is held by all, and nothing but it is held by an empty figure.  (3) Degenerate
 // figures are the sets they are; all holds itself; what is held by what is held is held.
 // NaN and infinity throw NonFinite, by name; an outer polygon that is not convex, or not planar, throws InvalidShape.
-// Method: an outer figure is convex, so that it holds a hull where it holds what the hull is of: points, balls and disks.
-// Source: RTCD 4.2, 4.3, 4.4, 4.5, 4.6; Rockafellar, Convex Analysis, 1970, theorem 13.1.
+// Method: an outer figure is convex, so that it holds a hull where it holds what the hull is of: points, balls and
+// disks.
+// Source: RTCD 4.2, 4.3, 4.4, 4.5, 4.6; Rockafellar, Convex Analysis, 1970.
 // Cost: that of locating the corners where doubles hold them; else in rationals: some 20 us for a ball in a box or a
 // capsule, 120 us for an oriented box in another, from 0.3 ms on for inner k-DOPs and intersections of halfspaces.
 #pragma once

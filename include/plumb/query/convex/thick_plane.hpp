@@ -3,10 +3,10 @@
 //   side_of({{0, 0, 1}, 5, 0.01}, triangle) == ThickSide::coplanar    // all of it is within 0.01 of z = 5
 //
 // A tolerance is the user's wish, and the decision against it is exact: no rounded distance is compared.
-// Laws: (1) a point is in front where normal . x - offset > radius |normal|, behind where it is < -radius |normal|, else
-// within; a figure is coplanar where all its points are within, in front where some are in front and none behind.  So
-// faces whose corners are within are coplanar though their planes cross, and what touches a side of the plane is within.
-// (2) Turning the normal and the offset around swaps front and behind; a factor of both changes nothing else.
+// Laws: (1) a point is in front where normal . x - offset > radius |normal|, behind where it is < -radius |normal|,
+// else within; a figure is coplanar where all its points are within, in front where some are in front and none behind.
+//  So faces whose corners are within are coplanar though their planes cross, and what touches a side of the plane is
+// within. (2) Turning the normal and the offset around swaps front and behind; a factor of both changes nothing else.
 // (3) A figure that is nothing is coplanar, and so is all where normal and offset are zero.
 // A negative radius throws InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 11.3.2, 8.3.4.

@@ -3,8 +3,8 @@
 // Convex polygons and rectangles in space with lines, rays, segments, planes, halfspaces, triangles, boxes, tetrahedra,
 // convex polyhedra and one another; oriented boxes of the plane with lines, rays, segments, triangles, boxes, convex
 // polygons and one another; in either order.
-// Laws: those of query/section/intersection.hpp; corners of rectangles and oriented boxes, which no doubles hold, are held
-// as rational points.  A polygon that is not planar or not convex throws InvalidShape, NaN and infinity NonFinite.
+// Laws: those of query/section/intersection.hpp; corners of rectangles and oriented boxes, which no doubles hold, are
+// held as rational points.  A polygon that is not planar or not convex throws InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 5.3.8, 5.4.
 // Cost: microseconds; tens where exact integers decide, as for all oriented boxes and rectangles.
 #pragma once
