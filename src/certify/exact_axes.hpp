@@ -111,11 +111,15 @@ Axes<T> smaller(const Axes<T>& a, const Axes<T>& b) {
 }
 inline Axes<bool> operator&(const Axes<bool>& a, const Axes<bool>& b) { return {a.x && b.x, a.y && b.y, a.z && b.z}; }
 
-/// N is made of a double.
+/// N is made of a double.  Where its numbers have a range, nothing is certain of what left it.
 template <class N, WorldKind which>
 class ExactAxes {
  public:
+  ExactAxes() {
+    if constexpr (requires { N::clear_range(); }) N::clear_range();
+  }
   static constexpr WorldKind kind = which;
+  static constexpr bool on_lattice = true;
   using Given = Axes<double>;
 
   static Given given(const Point3& p) { return {p.x, p.y, p.z}; }
@@ -173,7 +177,12 @@ class ExactAxes {
   static Axes<bool> is_real(const auto&) { return {true, true, true}; }
   void require(const Axes<bool>& a) { open_ = open_ || !is_all(a); }
   void leave_open() { open_ = true; }
-  [[nodiscard]] bool certain() const { return !open_; }
+  [[nodiscard]] bool certain() const {
+    if constexpr (requires { N::left_range(); }) {
+      if (N::left_range()) return false;
+    }
+    return !open_;
+  }
 
   class Gaps {
    public:
@@ -183,6 +192,11 @@ class ExactAxes {
       const Axes<Sign> s = signs(gap);
       Axes<bool> is_none{false, false, false};
       if constexpr (sizeof...(parts) != 0) is_none = (zero(parts) & ...);
+      heed_one(s.x, is_none.x), heed_one(s.y, is_none.y), heed_one(s.z, is_none.z);
+    }
+    void heed_from(const auto& gap, const auto& way, const auto&...) {
+      const Axes<Sign> s = signs(gap);
+      const Axes<bool> is_none = zero(way);
       heed_one(s.x, is_none.x), heed_one(s.y, is_none.y), heed_one(s.z, is_none.z);
     }
     void heed_ahead(const auto& way, const auto& up, const auto& down) {
@@ -197,10 +211,10 @@ class ExactAxes {
     [[nodiscard]] bool is_apart() const { return apart_; }
 
     template <class Answer>
-    Answer relation(const auto& have_inside) {
+    Answer relation(const auto&... have_inside) {
       if (apart_) return static_cast<Answer>(-1);
       if (!level_) return static_cast<Answer>(1);
-      if (!is_all(positive(have_inside))) world_.leave_open();
+      if (!(is_all(positive(have_inside)) && ...)) world_.leave_open();
       return static_cast<Answer>(0);
     }
 

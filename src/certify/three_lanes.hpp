@@ -15,8 +15,10 @@
 
 #include <hwy/highway.h>
 
+#include "plumb/arith/error_free.hpp"
 #include "plumb/arith/filtered.hpp"
 #include "plumb/arith/point.hpp"
+#include "plumb/certify/certainly.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::certify::three_lanes::HWY_NAMESPACE {
@@ -60,6 +62,23 @@ HWY_INLINE double total(const Three& a) {
 HWY_INLINE double largest(const Three& a) {
   const __m128d xy = _mm256_castpd256_pd128(a.v), z = _mm256_extractf128_pd(a.v, 1);
   return _mm_cvtsd_f64(_mm_max_sd(_mm_max_sd(xy, _mm_unpackhi_pd(xy, xy)), z));
+}
+HWY_INLINE double least(const Three& a) {
+  const __m128d xy = _mm256_castpd256_pd128(a.v), z = _mm256_extractf128_pd(a.v, 1);
+  return _mm_cvtsd_f64(_mm_min_sd(_mm_min_sd(xy, _mm_unpackhi_pd(xy, xy)), z));
+}
+/// What a product of two, rounded, lost; exact, as two_product is.
+HWY_INLINE Three product_error(const Three& a, const Three& b, const Three& p) {
+  return {_mm256_fmsub_pd(a.v, b.v, p.v)};
+}
+/// The largest power of two of which this is a multiple; infinity for zero.
+HWY_INLINE Three lowest_bit(const Three& a) {
+  const __m256i x = _mm256_castpd_si256(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)), zero = _mm256_setzero_si256();
+  const __m256i without = _mm256_and_si256(x, _mm256_add_epi64(x, _mm256_set1_epi64x(-1)));
+  const __m256d size = _mm256_castsi256_pd(x), low = _mm256_sub_pd(size, _mm256_castsi256_pd(without));
+  const __m256i is_power = _mm256_cmpeq_epi64(_mm256_slli_epi64(x, 12), zero), is_none = _mm256_cmpeq_epi64(x, zero);
+  const __m256d bit = _mm256_blendv_pd(low, size, _mm256_castsi256_pd(is_power));
+  return {_mm256_blendv_pd(bit, _mm256_set1_pd(__builtin_huge_val()), _mm256_castsi256_pd(is_none))};
 }
 /// Lane i of the first is x of the i-th argument; and so on.
 struct Columns {
@@ -119,6 +138,13 @@ HWY_INLINE Three spread(const Three& a) {
 HWY_INLINE double x_of(const Three& a) { return a.x; }
 HWY_INLINE double total(const Three& a) { return a.x + a.y + a.z; }
 HWY_INLINE double largest(const Three& a) { return larger_of(larger_of(a.x, a.y), a.z); }
+HWY_INLINE double least(const Three& a) { return smaller_of(smaller_of(a.x, a.y), a.z); }
+HWY_INLINE Three product_error(const Three& a, const Three& b, const Three&) {
+  return {two_product(a.x, b.x).error, two_product(a.y, b.y).error, two_product(a.z, b.z).error};
+}
+HWY_INLINE Three lowest_bit(const Three& a) {
+  return {one_lane::lowest_bit(a.x), one_lane::lowest_bit(a.y), one_lane::lowest_bit(a.z)};
+}
 struct Columns {
   Three x, y, z;
 };
@@ -142,6 +168,7 @@ HWY_INLINE bool all(const Truth& t) { return (t.x & t.y & t.z) != 0; }
 
 #endif
 
+HWY_INLINE Truth both(const Truth& a, const Truth& b) { return a & b; }
 HWY_INLINE Three loaded(const Point3& p) { return loaded(&p.x); }
 HWY_INLINE Three loaded(const Vector3& v) { return loaded(&v.x); }
 /// Is none a NaN or positive infinity?

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/rivals/obb_rival.hpp"
@@ -61,6 +62,54 @@ void overlap_exact(benchmark::State& state) {
 void overlap_plain(benchmark::State& state) { overlap(state, boxes_meet_in_doubles); }
 BENCHMARK(overlap_exact)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->Arg(8);
 BENCHMARK(overlap_plain)->Arg(1)->Arg(2)->Arg(3)->Arg(4)->Arg(8);
+
+// The hard classes of charts.md: the same axes and touching but for rounding; integers along the coordinates; those, one
+// axis off by ulps.
+Obb3 aligned(Entropy& entropy) {
+  Obb3 box{};
+  const std::size_t turn = entropy.below(3);
+  const auto at = [&] { return static_cast<double>(entropy.within(4)); };
+  const auto half = [&] { return static_cast<double>(entropy.below(4)); };
+  for (std::size_t k = 0; k < 3; ++k) (&box.axes[k].x)[(k + turn) % 3] = entropy.coin() ? 1 : -1;
+  box.center = {at(), at(), at()}, box.half = {half(), half(), half()};
+  return box;
+}
+std::pair<Obb3, Obb3> hard_pair(std::int64_t kind, Entropy& entropy) {
+  if (kind == 0) {
+    const Obb3 a = turned(entropy, 2);
+    Obb3 b = turned(entropy, 2);
+    const std::size_t i = entropy.below(3);
+    const double reach = (&a.half.x)[i] + (&b.half.x)[i];
+    b.axes = a.axes;
+    b.center = {a.center.x + a.axes[i].x * reach, a.center.y + a.axes[i].y * reach, a.center.z + a.axes[i].z * reach};
+    return {a, b};
+  }
+  const Obb3 a = aligned(entropy);
+  Obb3 b = aligned(entropy);
+  if (kind == 2) (&b.axes[entropy.below(3)].x)[entropy.below(3)] += static_cast<double>(entropy.within(8)) * 0x1p-53;
+  return {a, b};
+}
+template <class Meet>
+void hard(benchmark::State& state, Meet meet) {
+  Entropy entropy(46);
+  std::vector<std::pair<Obb3, Obb3>> boxes;
+  for (std::size_t i = 0; i < pairs; ++i) boxes.push_back(hard_pair(state.range(0), entropy));
+  std::size_t hits = 0;
+  for (auto _ : state) {
+    hits = 0;
+    for (const auto& [a, b] : boxes) hits += static_cast<std::size_t>(meet(a, b));
+    benchmark::DoNotOptimize(hits);
+  }
+  state.counters["hits"] = static_cast<double>(hits) / pairs;
+  state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * pairs * 1e-9,
+                                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+void hard_exact(benchmark::State& state) {
+  hard(state, [](const Obb3& a, const Obb3& b) { return intersects(a, b); });
+}
+void hard_plain(benchmark::State& state) { hard(state, boxes_meet_in_doubles); }
+BENCHMARK(hard_exact)->Arg(0)->Arg(1)->Arg(2);
+BENCHMARK(hard_plain)->Arg(0)->Arg(1)->Arg(2);
 
 template <class Volume>
 void fit(benchmark::State& state, Volume volume_of) {

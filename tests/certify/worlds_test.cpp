@@ -16,14 +16,21 @@ namespace plumb {
 namespace {
 
 constexpr int highest = 6;
-using World = certify::one_lane::Floats<double, highest, Scales{2, 0, 0b10}>;
+template <Precision precision>
+using World = certify::one_lane::Floats<double, highest, Scales{2, 0, 0b10}, NoBoundListener, precision>;
 using Numbers = std::array<double, 6>;
 
+mpq_class value_of(double x) { return mpq_class(x); }
+mpq_class value_of(const certify::one_lane::Pair<double>& x) { return mpq_class(x.high) + mpq_class(x.low); }
+double low_of(double) { return 0; }
+double low_of(const certify::one_lane::Pair<double>& x) { return x.low; }
+
+template <class Number>
 struct Seen {
-  double value;
+  Number number;
   mpq_class exact;
   Track track;
-  int certain_sign;
+  int certain_sign;  // 2: none
 };
 
 /// A number of both worlds; what is computed is noted.
@@ -35,8 +42,11 @@ struct Both {
 template <class T>
 Both(T, mpq_class) -> Both<T>;
 
+template <Precision precision>
 class Run {
  public:
+  using Seen = plumb::Seen<typename World<precision>::Number>;
+
   explicit Run(const Numbers& numbers) : x_(numbers) {}
 
   template <class T>
@@ -50,37 +60,39 @@ class Run {
     constexpr std::size_t i = seed % 6, j = seed / 6 % 6;
     const mpq_class a(x_[i]), b(x_[j]);
     if constexpr (scale == 3) {  // a weight: of power 1 of scale 0, -1 of scale 1
-      return noted(world_.weight<1>(world_.given(x_[i])), a);
+      return noted(world_.template weight<1>(world_.given(x_[i])), a);
     } else if constexpr (seed / 36 % 3 == 0) {
-      return noted(world_.number<scale>(x_[i]), a);
+      return noted(world_.template number<scale>(x_[i]), a);
     } else if constexpr (seed / 36 % 3 == 1) {
-      return noted(world_.sum<scale>(world_.given(x_[i]), world_.given(x_[j])), a + b);
+      return noted(world_.template sum<scale>(world_.given(x_[i]), world_.given(x_[j])), a + b);
     } else {
-      return noted(world_.difference<scale>(x_[i], x_[j]), a - b);
+      return noted(world_.template difference<scale>(x_[i], x_[j]), a - b);
     }
   }
   /// Signs are asked at the end, when all leaves are in their scales.
   std::vector<Seen> finished() {
-    for (std::size_t i = 0; i < seen_.size(); ++i) seen_[i].certain_sign = judges_[i](world_, seen_[i].value);
+    for (std::size_t i = 0; i < seen_.size(); ++i) seen_[i].certain_sign = judges_[i](world_, seen_[i].number);
     return std::move(seen_);
   }
-  World& world() { return world_; }
+  World<precision>& world() { return world_; }
 
  private:
-  using Judge = int (*)(const World&, double);
+  using Number = typename World<precision>::Number;
+  using Judge = int (*)(const World<precision>&, const Number&);
   template <class T>
   static Judge judge_of() {
-    return [](const World& w, double x) -> int {
+    return [](const World<precision>& w, const Number& x) -> int {
       if constexpr (T::track.power(1, 0) < 0) {
-        return 0;
+        return 2;
       } else {
-        return static_cast<int>(w.positive(T{x})) - static_cast<int>(w.negative(T{x}));
+        const int sign = static_cast<int>(w.positive(T{x})) - static_cast<int>(w.negative(T{x}));
+        return sign == 0 && !w.zero(T{x}) ? 2 : sign;
       }
     };
   }
 
   Numbers x_;
-  World world_;
+  World<precision> world_;
   std::vector<Seen> seen_;
   std::vector<Judge> judges_;
 };
@@ -91,15 +103,15 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
 }
 
 /// Of powers p and q of scales 0 and 1.
-template <std::uint64_t seed, int depth, int p, int q>
+template <std::uint64_t seed, int depth, int p, int q, class Run>
 auto tree(Run& run) {
   constexpr std::uint64_t h = mixed(seed);
   constexpr auto next = [](std::uint64_t i) { return mixed(h + i * 0x51ed27); };
   if constexpr (p + q == 1 && (depth == 0 || h % 4 == 0)) {
-    return run.leaf<h, q>();
+    return run.template leaf<h, q>();
   } else if constexpr (p + q > 1 && (depth == 0 || h % 3 == 0)) {
     if constexpr (q > 1 && p > 0 && h % 5 == 0) {  // a weight
-      const auto a = run.leaf<h, 3>();
+      const auto a = run.template leaf<h, 3>();
       const auto b = tree<next(1), 0, p - 1, q + 1>(run);
       return run.noted(a.floats * b.floats, a.exact * b.exact);
     } else {
@@ -153,7 +165,7 @@ Numbers drawn(Entropy& e) {
 }
 
 struct Tally {
-  std::uint64_t numbers = 0, certain = 0, in_range = 0, out_of_range = 0;
+  std::uint64_t numbers = 0, certain = 0, zero = 0, in_range = 0, out_of_range = 0;
   double nearest = 0;  // the largest part of its bound that an error took
 };
 
@@ -163,30 +175,33 @@ mpq_class power_of(const mpq_class& x, int n) {
   return n < 0 ? mpq_class(1 / r) : r;
 }
 
-template <std::uint64_t seed>
+template <Precision precision, std::uint64_t seed>
 void expect_laws(Tally& tally) {
   Entropy e(seed, 18);
   for (int round = 0; round < 60; ++round) {
-    Run run(drawn(e));
+    Run<precision> run(drawn(e));
     (void)tree<seed, 5, seed % 3, 2 - seed % 2>(run);
     if (!run.world().certain()) {
       ++tally.out_of_range;
       continue;
     }
     ++tally.in_range;
-    const mpq_class first(run.world().scale<0>()), second(run.world().scale<1>()), unit(0x1p-85);
-    for (const Seen& n : run.finished()) {
+    const mpq_class first(run.world().template scale<0>()), second(run.world().template scale<1>()), u(0x1p-53),
+        unit(precision == Precision::pairs ? 0x1p-138 : 0x1p-85);
+    for (const auto& n : run.finished()) {
       const mpq_class most = power_of(first, n.track.power(0, 0)) * power_of(second, n.track.power(1, 0));
-      ASSERT_LE(abs(mpq_class(n.value)), most * n.track.size * mpq_class(0x1p-32))
+      const mpq_class value = value_of(n.number), low(low_of(n.number));
+      ASSERT_LE(abs(mpq_class(value - low)), most * n.track.size * mpq_class(0x1p-32))
           << "replay: " << seed << ' ' << round;
-      const mpq_class off = abs(mpq_class(n.value) - n.exact), bound = most * n.track.error * unit;
+      ASSERT_LE(abs(low), most * n.track.low * mpq_class(0x1p-32) * u) << "replay: " << seed << ' ' << round;
+      const mpq_class off = abs(mpq_class(value - n.exact)), bound = most * n.track.error * unit;
       ASSERT_LE(off, bound) << "replay: " << seed << ' ' << round;
       if (n.track.root == 0) {
-        ASSERT_EQ(sgn(n.exact), (n.value > 0) - (n.value < 0));
+        ASSERT_EQ(sgn(n.exact), sgn(value));
       }
-      if (n.certain_sign != 0) {
+      if (n.certain_sign != 2) {
         ASSERT_EQ(sgn(n.exact), n.certain_sign) << "replay: " << seed << ' ' << round;
-        ++tally.certain;
+        ++tally.certain, tally.zero += n.certain_sign == 0 && n.track.root != 0;
       }
       if (bound > 0) tally.nearest = std::max(tally.nearest, mpq_class(off / bound).get_d());
       ++tally.numbers;
@@ -194,21 +209,92 @@ void expect_laws(Tally& tally) {
   }
 }
 
-template <std::uint64_t... seeds>
+template <Precision precision, std::uint64_t... seeds>
 Tally tally_of(std::integer_sequence<std::uint64_t, seeds...>) {
   Tally tally;
-  (expect_laws<seeds + 1>(tally), ...);
+  (expect_laws<precision, seeds + 1>(tally), ...);
   return tally;
 }
 
 TEST(Worlds, SizesAndErrorsAreTrueOfStatementsAtRandom) {
-  const Tally t = tally_of(std::make_integer_sequence<std::uint64_t, 24>());
+  const Tally t = tally_of<Precision::doubles>(std::make_integer_sequence<std::uint64_t, 24>());
   EXPECT_GT(t.numbers, 10'000u);
   EXPECT_GT(t.certain, t.numbers / 2);
   EXPECT_LT(t.certain, t.numbers);
   EXPECT_GT(t.in_range, 8 * t.out_of_range);
   EXPECT_GT(t.out_of_range, 20u);
   EXPECT_GT(t.nearest, 0.3) << "no error comes near to its bound: it would not be noticed if it were wrong";
+}
+
+TEST(Worlds, DoublesOnALatticeTellZeroAsWell) {
+  const Tally t = tally_of<Precision::lattice>(std::make_integer_sequence<std::uint64_t, 10>());
+  EXPECT_GT(t.numbers, 4'000u);
+  EXPECT_GT(t.zero, t.numbers / 200);
+  EXPECT_LT(t.certain, t.numbers);
+}
+
+TEST(Worlds, PairsKeepTwiceAsManyDigits) {
+  const Tally t = tally_of<Precision::pairs>(std::make_integer_sequence<std::uint64_t, 24>());
+  EXPECT_GT(t.numbers, 10'000u);
+  EXPECT_GT(t.certain, t.numbers * 3 / 4);
+  EXPECT_GT(t.zero, t.numbers / 200);
+  EXPECT_LT(t.certain, t.numbers);
+  EXPECT_GT(t.nearest, 0.05) << "no error comes near to its bound: it would not be noticed if it were wrong";
+}
+
+mpq_class exact_product(const mpq_class& a, const mpq_class& b) { return a * b; }
+TEST(Worlds, IntegersOnTheStackAreExactUpToTheirRange) {
+  int zeros = 0, left = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    Entropy e(27, i);
+    const auto number = [&] {
+      const double x = static_cast<double>(e.within(std::int64_t{1} << (1 + e.below(53))));
+      return std::ldexp(x, static_cast<int>(e.within(e.below(3) == 0 ? 900 : 40)));
+    };
+    std::vector<StackDyadic> numbers;
+    std::vector<mpq_class> exact;
+    for (int k = 0; k < 6; ++k) {
+      const double x = k == 5 ? exact[0].get_d() : number();
+      numbers.emplace_back(x), exact.emplace_back(x);
+    }
+    StackDyadic::clear_range();
+    for (int step = 0; step < 12; ++step) {
+      const std::size_t a = e.below(numbers.size()), b = e.below(numbers.size());
+      const StackDyadic &x = numbers[a], &y = numbers[b];
+      const std::uint64_t which = e.below(5);
+      numbers.push_back(which == 0   ? x + y
+                        : which == 1 ? x - y
+                        : which == 2 ? larger(x, y)
+                        : which == 3 ? magnitude(negated(twice(x)))
+                                     : x * y);
+      exact.push_back(which == 0   ? mpq_class(exact[a] + exact[b])
+                      : which == 1 ? mpq_class(exact[a] - exact[b])
+                      : which == 2 ? (exact[a] < exact[b] ? exact[b] : exact[a])
+                      : which == 3 ? mpq_class(2 * abs(exact[a]))
+                                   : exact_product(exact[a], exact[b]));
+      if (StackDyadic::left_range()) break;
+      ASSERT_EQ(static_cast<int>(numbers.back().sign()), sgn(exact.back())) << "replay: " << i;
+      zeros += numbers.back().sign() == Sign::zero;
+    }
+    if (StackDyadic::left_range()) {
+      ++left;
+      continue;
+    }
+    for (std::size_t a = 0; a < numbers.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        const Sign s = (numbers[a] - numbers[b]).sign();
+        if (!StackDyadic::left_range()) {
+          ASSERT_EQ(static_cast<int>(s), sgn(mpq_class(exact[a] - exact[b]))) << "replay: " << i;
+        }
+      }
+    }
+  }
+  StackDyadic::clear_range();
+  static_cast<void>(StackDyadic(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_TRUE(StackDyadic::left_range());
+  EXPECT_GT(zeros, 30);
+  EXPECT_GT(left, 10);
+  EXPECT_LT(left, 900);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 // Laws: |computed| <= size M;  |computed - exact| <= error u M;  before its last rounding it was off by root u M at
 // most, so that nothing is off where root is 0, and its sign is exact.  Every M lies between 2^-968 and 2^968, or
 // nothing is claimed; a statement whose numbers' powers do not agree does not compile.
+// Of pairs of doubles, of_pairs: |high| <= size M, |low| <= low u M, and both together are off by error u^2 M at most.
 // Proof: docs/proof.md, "Tracked errors".
 // Source: RTCD 11.2; the idea is that of static filters.
 // Cost: none at run time.
@@ -38,6 +39,8 @@ struct Track {
   std::uint64_t others;  // where M is a sum of two products, the powers in the second, which are no less; else 0
   int highest;           // no sum of the powers' magnitudes is more
   unsigned each_axis;    // bit s: scale s has a number for each axis
+  Fixed low = 0;
+  bool of_pairs = false;
 
   static constexpr std::size_t scales = 4;
 
@@ -71,7 +74,13 @@ struct Track {
     if (x >> 52) throw_bound_too_large();  // a unit pays for 2^-53 of anything smaller
     return static_cast<Fixed>(x);
   }
-  static constexpr Fixed product(Fixed a, Fixed b) { return checked((static_cast<Wide>(a) * b + (one - 1)) >> 32); }
+  /// Of pairs, whose errors nothing is multiplied by but what is accounted for.
+  static constexpr Fixed checked_error(Wide x) {
+    if (x >> 62) throw_bound_too_large();
+    return static_cast<Fixed>(x);
+  }
+  static constexpr Wide wide_product(Fixed a, Fixed b) { return (static_cast<Wide>(a) * b + (one - 1)) >> 32; }
+  static constexpr Fixed product(Fixed a, Fixed b) { return checked(wide_product(a, b)); }
 };
 
 namespace arith::track {
@@ -83,10 +92,10 @@ constexpr Track given(std::size_t scale, const Track& of_world) {
   t.set_power(scale, 0, 1);
   return t;
 }
-/// A difference of two numbers as given, rounded once; the scale knows the rounded one.
+/// A difference of two numbers as given, rounded once, or kept as a pair; the scale knows the rounded one.
 constexpr Track difference(std::size_t scale, const Track& of_world) {
   Track t = given(scale, of_world);
-  t.error = Track::one;
+  (t.of_pairs ? t.low : t.error) = Track::one;
   return t;
 }
 /// A difference that is no larger than two of them together.
@@ -116,13 +125,23 @@ constexpr bool of_one_degree(std::uint64_t a, std::uint64_t b) {
 }
 constexpr bool same_powers(const Track& a, const Track& b) { return a.powers == b.powers && a.others == b.others; }
 
+/// Of a sum of pairs whose operands have these lows, errors and sizes together.
+constexpr Track sum_of_pairs(const Track& of, Track::Wide low, Track::Wide error, Track::Wide size) {
+  Track t = of;
+  t.low = Track::checked(low + size + 1);
+  t.error = t.root = Track::checked_error(low == 0 ? error : error + low + t.low + 1);
+  t.size = Track::checked(size + 1);
+  return t;
+}
 /// Of a + b and of a - b.  Where the scales' axes differ, as in a cross product, M is the sum of both products.
 constexpr Track sum(const Track& a, const Track& b) {
+  if (a.of_pairs && same_powers(a, b)) return sum_of_pairs(a, a.low + b.low, a.error + b.error, a.size + b.size);
   if (!same_powers(a, b)) {
     if (a.others != 0 || b.others != 0 || !of_one_degree(a.powers, b.powers)) throw_unequal_powers();
     Track t = a;
     t.powers = a.powers < b.powers ? a.powers : b.powers;
     t.others = a.powers < b.powers ? b.powers : a.powers;
+    if (a.of_pairs) return sum_of_pairs(t, larger(a.low, b.low), larger(a.error, b.error), larger(a.size, b.size));
     t.size = larger(a.size, b.size);
     t.root = larger(a.error, b.error);
     t.error = Track::checked(static_cast<Track::Wide>(t.root) + t.size);
@@ -138,7 +157,9 @@ constexpr Track sum(const Track& a, const Track& b) {
 /// Of x + x, which rounds nothing.
 constexpr Track twice(const Track& a) {
   Track t = a;
-  t.size = Track::checked(2 * a.size), t.error = Track::checked(2 * a.error), t.root = Track::checked(2 * a.root);
+  t.size = Track::checked(2 * a.size), t.error = 2 * a.error, t.root = 2 * a.root;
+  if (!t.of_pairs) Track::checked(t.error);
+  t.low = Track::checked(2 * a.low);
   return t;
 }
 constexpr Track product(const Track& a, const Track& b) {
@@ -149,6 +170,20 @@ constexpr Track product(const Track& a, const Track& b) {
   }
   if (t.total_power() > t.highest) throw_powers_too_high();
   const Track::Fixed size = Track::product(a.size, b.size);
+  if (a.of_pairs) {
+    const Track::Fixed across = Track::product(a.size, b.low) + Track::product(b.size, a.low);
+    const Track::Wide inherited =
+        Track::wide_product(a.size, b.error) + Track::wide_product(b.size, a.error) + Track::wide_product(a.low, b.low);
+    // Errors times lows, and units for errors times errors and for underflow.
+    const Track::Wide second =
+        ((static_cast<Track::Wide>(a.low) * b.error + static_cast<Track::Wide>(b.low) * a.error) >> 85) + 3;
+    t.low = Track::checked(static_cast<Track::Wide>(across) + size + 1);
+    t.error = Track::checked_error(inherited + second +
+                                   (across == 0 ? 0 : 2 * static_cast<Track::Wide>(across) + size + t.low));
+    t.root = t.error;
+    t.size = Track::checked(size + 1);
+    return t;
+  }
   // The product of both errors, and a unit for underflow: 2^-32 u M is more than 2^-1075.
   const auto second = static_cast<Track::Fixed>((static_cast<Track::Wide>(a.error) * b.error >> 85) + 2);
   t.root = Track::checked(static_cast<Track::Wide>(Track::product(a.size, b.error)) + Track::product(b.size, a.error) +
@@ -162,6 +197,16 @@ constexpr Track either(const Track& a, const Track& b) {
   if (!same_powers(a, b)) throw_unequal_powers();
   Track t = a;
   t.size = larger(a.size, b.size), t.error = larger(a.error, b.error), t.root = larger(a.root, b.root);
+  t.low = larger(a.low, b.low);
+  return t;
+}
+/// Of the one that looks larger, or smaller: of pairs that differ by less than their difference is off it may be either.
+constexpr Track extreme(const Track& a, const Track& b) {
+  Track t = either(a, b);
+  if (t.of_pairs) {
+    const Track difference = sum(a, b);
+    t.error = t.root = Track::checked_error(t.error + a.low + b.low + difference.low);
+  }
   return t;
 }
 /// Of numbers of three axes that take one another's places: lane k has what lane k + 1 had.
@@ -202,12 +247,15 @@ constexpr std::size_t next_part(std::uint64_t powers, std::size_t from) {
 
 /// What a computed number must exceed for its sign to be certain, M being one; some roundings of its product with M, a
 /// double of up to a dozen factors, are paid for.
-constexpr double threshold(const Track& t) { return static_cast<double>(t.root) * 0x1p-85 * (1 + 0x1p-47); }
+constexpr double threshold(const Track& t) {
+  return static_cast<double>(t.root) * (t.of_pairs ? 0x1p-138 : 0x1p-85) * (1 + 0x1p-47);
+}
 
-/// The least power of two that a scale starts from, and the greatest that it may reach is one over it.
-constexpr double floor_of(int highest) {
+/// The least power of two that a scale starts from, and the greatest that it may reach is one over it.  The low parts
+/// of pairs need room below.
+constexpr double floor_of(int highest, bool of_pairs = false) {
   double x = 1;
-  for (int i = 0; i < 968 / highest; ++i) x /= 2;
+  for (int i = 0; i < (of_pairs ? 880 : 968) / highest; ++i) x /= 2;
   return x;
 }
 

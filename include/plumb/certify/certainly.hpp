@@ -12,18 +12,24 @@
 //   };
 //   const bool longer = certainly(IsBeyond{}, p, q, r, s);
 //
-// Doubles whose error is derived when the statement is compiled, then rational numbers.  A statement whose numbers are of
+// Doubles whose error is derived when the statement is compiled; pairs of doubles likewise, which on a lattice of few
+// bits tell zero as well; integers of as many limbs as they need, on the stack, up to 1,024 bits; then rational numbers.  A statement whose numbers are of
 // a higher power of its scales than 6 says so: `static constexpr int highest = 8;`; one whose leaves belong to
 // more than one scale, `static constexpr Scales scales{.count = 2};`.
 // Laws: those of certify/world.hpp.
 // Source: docs/add_a_decision.md.
-// Cost: that of the plain operations, and a magnitude and a sum for each leaf; some microseconds in rationals.
+// Cost: that of the plain operations, and a magnitude and a sum for each leaf; a few times as much in pairs; no
+// allocation but in rationals, which take some microseconds.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <optional>
+#include <type_traits>
 
+#include "plumb/arith/error_free.hpp"
 #include "plumb/arith/rational.hpp"
+#include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/arith/track.hpp"
 #include "plumb/certify/checked.hpp"
 #include "plumb/certify/world.hpp"
@@ -47,9 +53,20 @@ constexpr double minus_product(double sum, double a, double b) { return sum - a 
 constexpr bool above(double a, double b) { return a > b; }
 constexpr bool is_zero(double x) { return x == 0; }
 constexpr double chosen(bool first, double a, double b) { return first ? a : b; }
+constexpr double least(double x) { return x; }
+constexpr double lowest_bit(double x) {
+  const auto pattern = std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 63);
+  const double size = std::bit_cast<double>(pattern);
+  if (pattern == 0) return __builtin_huge_val();
+  return pattern << 12 == 0 ? size : size - std::bit_cast<double>(pattern & (pattern - 1));
+}
+constexpr double product_error(double a, double b, double) { return two_product(a, b).error; }
 constexpr bool any(bool x) { return x; }
 constexpr bool all(bool x) { return x; }
+constexpr bool both(bool a, bool b) { return a && b; }
 
+#define PLUMB_PAIRS_TEXT
+#include "plumb/certify/detail/pairs_text.hpp"
 #define PLUMB_FLOATS_TEXT
 #include "plumb/certify/detail/floats_text.hpp"
 
@@ -88,6 +105,13 @@ class ExactNumbers {
   static constexpr bool certain() { return true; }
 };
 
+/// Integers of just the width, on the stack: certain where none takes more than 1,024 bits.
+class IntegerWorld : public ExactNumbers<StackDyadic, WorldKind::integers> {
+ public:
+  IntegerWorld() { StackDyadic::clear_range(); }
+  static bool certain() { return !StackDyadic::left_range(); }
+};
+
 template <class Statement>
 inline constexpr int highest_power = [] {
   if constexpr (requires { Statement::highest; }) {
@@ -107,13 +131,17 @@ inline constexpr Scales scales_of = [] {
 }();
 template <class Statement>
 using FloatWorld = certify::one_lane::Floats<double, highest_power<Statement>, scales_of<Statement>>;
+template <class Statement>
+using PairWorld = certify::one_lane::Floats<double, highest_power<Statement>, scales_of<Statement>, NoBoundListener,
+                                            Precision::pairs>;
 using RationalWorld = ExactNumbers<Rational, WorldKind::rationals>;
 
 /// The answer; the recorder is told which world gave it.
 template <class Recorder, class Statement, class... Input>
 auto certainly_recorded(Recorder&& recorder, const Statement& statement, const Input&... input) {
   assert_sound_thread();
-  return certify::one_lane::ask_worlds<FloatWorld<Statement>, RationalWorld>(recorder, statement, input...);
+  return certify::one_lane::ask_worlds<FloatWorld<Statement>, PairWorld<Statement>, IntegerWorld, RationalWorld>(
+      recorder, statement, input...);
 }
 template <class Statement, class... Input>
 auto certainly(const Statement& statement, const Input&... input) {

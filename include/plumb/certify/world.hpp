@@ -11,7 +11,7 @@
 // may be anything, so that a statement must end whatever the signs are.
 // A number that is NaN or infinite throws NonFinite, as far as the statement looks at it.
 // Source: docs/proof.md, "Tracked errors".
-// Cost: as a rule that of plain doubles; microseconds where rationals answer.
+// Cost: as a rule that of plain doubles; a few times as much in pairs; microseconds where rationals answer.
 #pragma once
 
 #include <array>
@@ -30,6 +30,10 @@ inline constexpr std::array<std::string_view, 4> world_names{"floats", "pairs", 
 
 constexpr std::string_view to_string(WorldKind w) { return world_names[static_cast<std::size_t>(w)]; }
 
+/// What the numbers of the world of doubles are: doubles; doubles of which it is known on which lattice they lie, so that
+/// those that are off by less than its unit are not off; pairs of doubles, on a lattice as well.
+enum class Precision : std::uint8_t { doubles, lattice, pairs };
+
 /// Is told the tracks of what doubles judge (certify/judged_bounds.hpp).  This one does nothing and costs nothing.
 struct NoBoundListener {
   static constexpr void judged(const Track&) {}
@@ -46,6 +50,12 @@ struct WorldCounts {
 
   constexpr void answered(WorldKind w) { ++count[static_cast<std::size_t>(w)]; }
   [[nodiscard]] constexpr std::uint64_t of(WorldKind w) const { return count[static_cast<std::size_t>(w)]; }
+  /// The last of the worlds that answered.
+  [[nodiscard]] constexpr WorldKind last() const {
+    std::size_t w = 0;
+    for (std::size_t i = 0; i < count.size(); ++i) w = count[i] != 0 ? i : w;
+    return static_cast<WorldKind>(w);
+  }
   [[nodiscard]] constexpr std::uint64_t total() const {
     std::uint64_t sum = 0;
     for (const std::uint64_t c : count) sum += c;

@@ -8,7 +8,14 @@
 // the axes of a; those of b.
 // Included once for each target by files that Highway compiles for several.
 // Laws: the relation is that of the closed sets, as far as the world tells it: doubles leave open where a gap is about
-// zero, so all parallel edges; a first box without an inside gets its answer where no gap is zero.
+// zero, so all parallel edges; a first box whose axes lie in a plane gets its answer where a gap is above zero.
+//
+// That the axes of a are independent is enough, whatever the half extents.  Made longer by any amount a has an inside,
+// and the facets of the boxes' difference have normals among the fifteen axes.  So boxes that are apart are so along
+// one of them for lengths as near to those given as one likes, and of finitely many axes along one for the lengths
+// themselves.  Likewise, where the difference holds the origin in its boundary, and the center not there, an origin
+// moved out a little is outside along one axis: the gap there is zero, and the center's part is not.  Where both are
+// zero all of it lies in that plane, and nothing is told (Gaps::heed_from).
 // Source: RTCD 4.4.1, table 4.1.
 // Cost: that of the world.
 #if defined(PLUMB_FIFTEEN_AXES) == defined(HWY_TARGET_TOGGLE)
@@ -25,7 +32,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::figure::fifteen_axes::HWY_NAMESPACE {
 
-using certify::three_lanes::HWY_NAMESPACE::crossed;
+using certify::three_lanes::HWY_NAMESPACE::crossed, certify::three_lanes::HWY_NAMESPACE::parallel;
 
 /// The sum of columns' parts along a vector, lane by lane: the dot products of the vectors that were transposed.
 template <class C, class X>
@@ -48,17 +55,18 @@ HWY_INLINE auto sums(const C& c) {
   return c.x + c.y + c.z;
 }
 
-/// In the frame of a: the way between the centers, a's half extents, b's axes one by one, b's half extents.  Of whose
-/// normals the parts are zero where a has none.
-template <class W, class Gaps, class T, class H, class R, class K, class... N>
-HWY_INLINE Relation along_all(W& w, Gaps& gaps, const T& t, const H& h, const R& r, const K& k, const N&... normals) {
+/// In the frame of a: the way between the centers, a's half extents, b's axes one by one, b's half extents; which edges of
+/// a an edge of b is parallel to, where that is known; and what is positive if a's axes are independent.
+template <class W, class Gaps, class T, class H, class R, class K, class P, class... I>
+HWY_INLINE Relation along_all(W& w, Gaps& gaps, const T& t, const H& h, const R& r, const K& k, const P& are_parallel,
+                              const I&... independent) {
   const std::array k_of{spread<0>(k), spread<1>(k), spread<2>(k)};
   const std::array size_r{magnitude(r[0]), magnitude(r[1]), magnitude(r[2])};
   const auto beyond_a = magnitude(t) - h;
   const auto gap_a =
       minus_product(minus_product(minus_product(beyond_a, k_of[0], size_r[0]), k_of[1], size_r[1]), k_of[2], size_r[2]);
   w.require(w.is_real(gap_a));  // all numbers are in it
-  gaps.heed(gap_a, normals...);
+  gaps.heed_from(gap_a, magnitude(t));
   if (gaps.is_apart()) return Relation::disjoint;
   if (w.is_all(w.negative(beyond_a))) return Relation::overlapping;  // the center of b is inside a
 
@@ -73,19 +81,17 @@ HWY_INLINE Relation along_all(W& w, Gaps& gaps, const T& t, const H& h, const R&
     const std::size_t j1 = (j + 1) % 3, j2 = (j + 2) % 3;
     const auto of_a = plus_product(h * magnitude(r_turned[j]), h_turned, size_r[j]);
     const auto of_b = plus_product(k_of[j1] * size_c[j2], k_of[j2], size_c[j1]);
-    gaps.heed(magnitude(crossed(t, t_turned, r[j], r_turned[j])) - (of_a + of_b), r[j], r_turned[j]);
+    const auto way = magnitude(crossed(t, t_turned, r[j], r_turned[j]));
+    gaps.heed_from(way - (of_a + of_b), way, [&]() HWY_ATTR { return are_parallel(j); });
   }
   const auto determinant = magnitude(total(turned(r_turned[0]) * c[0]));
   const auto t_back = turned(t_turned);
   const auto h_back = turned(h_turned);
   const auto along_b = magnitude(sums(transposed(t_back * c[0], t_back * c[1], t_back * c[2])));
   const auto reach = sums(transposed(h_back * size_c[0], h_back * size_c[1], h_back * size_c[2]));
-  const auto of_b = transposed(c[0], c[1], c[2]);
-  gaps.heed(along_b - plus_product(reach, k, determinant), of_b.x, of_b.y, of_b.z);
-  // If all six edges lay in a plane, two that are not parallel would have shown its normal, along which no gap is
-  // negative; so they span space, and the fifteen axes are all there are.
-  gaps.need(w.positive(h));
-  return gaps.template relation<Relation>(h);
+  gaps.heed_from(along_b - plus_product(reach, k, determinant), along_b);
+  (gaps.need(w.positive(independent)), ...);
+  return gaps.template relation<Relation>(independent...);
 }
 
 struct ObbPair {
@@ -115,8 +121,9 @@ struct ObbPair {
     const auto normals = cofactors(axes);
     const auto volume = magnitude(along(normals, axes.x, axes.y, axes.z));  // three times, but for roundings
     const auto seen = [&](const auto& v) HWY_ATTR { return along(normals, spread<0>(v), spread<1>(v), spread<2>(v)); };
+    const auto are_parallel = [&](std::size_t j) HWY_ATTR { return parallel<1, 2>(w, axes, of_b[j]); };
     return along_all(w, gaps, seen(d), half * volume, std::array{seen(of_b[0]), seen(of_b[1]), seen(of_b[2])}, k,
-                     normals.x, normals.y, normals.z);
+                     are_parallel, volume);
   }
 };
 
@@ -133,7 +140,8 @@ struct BoxAndObb {
                           w.template number<1>(b.axes[2])};
     const auto k = twice(magnitude(w.template weight<1>(w.given(b.half))));
     auto gaps = w.gaps();
-    return along_all(w, gaps, from_min + from_max, widths, of_b, k);
+    const auto none_known = [](std::size_t) HWY_ATTR { return std::false_type(); };
+    return along_all(w, gaps, from_min + from_max, widths, of_b, k, none_known);
   }
 };
 

@@ -145,6 +145,7 @@ Relation relate(const Obb3& a, const Obb3& b, Asked asked) {
   assert_sound_thread();
   if (const auto quick = quick_relation(a, b)) [[likely]]
     return *quick;
+  if (const auto near = near_relation(a, b)) return *near;
   return exactly(a, b, asked);
 }
 

@@ -234,7 +234,6 @@ std::optional<Relation> by(const Shape& a, const Obb3& b) {
   return frame.volume() == Sign::positive ? frame.relation(a) : std::nullopt;
 }
 
-bool is_solid(const Aabb3& box) { return box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z; }
 bool has_extents(const Obb3& box) { return box.half.x != 0 && box.half.y != 0 && box.half.z != 0; }
 
 template <class Shape>
@@ -280,31 +279,6 @@ struct BoxPair {
   }
 };
 
-template <class T>
-std::optional<Relation> by_pair(const BoxPair<T>& pair) {
-  const auto& [d, box, g] = pair;
-  Gaps<T> gaps;
-  for (std::size_t k = 0; k < 3; ++k) {
-    gaps.add(magnitude(part(d, k)) -
-             (box.half_of(k) + (magnitude(part(g[0], k)) + magnitude(part(g[1], k)) + magnitude(part(g[2], k)))));
-  }
-  const std::array n{cross(g[1], g[2]), cross(g[2], g[0]), cross(g[0], g[1])};
-  const T volume = magnitude(dot(g[0], n[0]));
-  for (std::size_t i = 0; i < 3 && !gaps.apart(); ++i) {
-    const T along = magnitude(n[i].x) * box.half.x + magnitude(n[i].y) * box.half.y + magnitude(n[i].z) * box.half.z;
-    gaps.add(magnitude(dot(d, n[i])) - (along + volume), n[i].x, n[i].y, n[i].z);
-  }
-  for (std::size_t i = 0; i < 3 && !gaps.apart(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Across<T> axis(g[i], k);
-      gaps.add(magnitude(axis.of(d)) -
-                   (axis.reach(box) + (magnitude(part(n[(i + 1) % 3], k)) + magnitude(part(n[(i + 2) % 3], k)))),
-               axis.j, axis.k);
-    }
-  }
-  return gaps.relation();
-}
-
 Relation exactly(const Aabb3& a, const Obb3& b) {
   const BoxPair<BigDyadic> pair(a, b);
   const auto numbers = [](const Vec3<BigDyadic>& v) { return BigVector{v.x, v.y, v.z}; };
@@ -331,10 +305,7 @@ Relation relate(const Aabb3& a, const Obb3& b, Asked asked) {
     return *r;
   query::require_figures(asked, a, b);
   if (is_empty(a)) return Relation::disjoint;
-  if (query::is_solid(a)) {
-    if (const auto r = query::by_pair(query::BoxPair<Approximate>(a, b))) return *r;
-    if (const auto r = query::by_pair(query::BoxPair<Ball>(a, b))) return *r;
-  }
+  if (const auto r = near_relation(a, b)) return *r;
   return query::exactly(a, b);
 }
 

@@ -2,7 +2,8 @@
 //
 // One text for several kinds of lanes: certify/certainly.hpp includes it for one double, src/certify/three_axes.hpp for a
 // vector of space, once for each set of instructions.  It stands in the namespace of the lanes V, which has: + - *, size,
-// larger, smaller, plus_product, minus_product (fused or not), above, of_all, any, all, Truth, turned, total.
+// larger, smaller, plus_product, minus_product (fused or not), above, of_all, any, all, both, Truth, turned, total; of pairs
+// what certify/detail/pairs_text.hpp asks for, and lowest_bit, least.
 // Laws: those of arith/track.hpp.  A scale is the sum of its leaves' magnitudes, and so NaN where one of them is; or the
 // largest, where arith/track.hpp says so.
 // Source: docs/proof.md, "Tracked errors".
@@ -60,7 +61,7 @@ template <class V, Track A>
 }
 template <class V, Track A>
 [[gnu::always_inline]] constexpr auto negated(const Tracked<V, A>& a) {
-  return Tracked<V, A>{of_all(0) - a.value};
+  return Tracked<V, A>{opposite(a.value)};
 }
 template <class V, Track A>
 [[gnu::always_inline]] constexpr auto magnitude(const Tracked<V, A>& a) {
@@ -68,11 +69,11 @@ template <class V, Track A>
 }
 template <class V, Track A, Track B>
 [[gnu::always_inline]] constexpr auto larger(const Tracked<V, A>& a, const Tracked<V, B>& b) {
-  return Tracked<V, derive::either(A, B)>{larger(a.value, b.value)};
+  return Tracked<V, derive::extreme(A, B)>{larger(a.value, b.value)};
 }
 template <class V, Track A, Track B>
 [[gnu::always_inline]] constexpr auto smaller(const Tracked<V, A>& a, const Tracked<V, B>& b) {
-  return Tracked<V, derive::either(A, B)>{smaller(a.value, b.value)};
+  return Tracked<V, derive::extreme(A, B)>{smaller(a.value, b.value)};
 }
 /// One of two, by what was judged.
 template <class V, Track A, Track B>
@@ -107,30 +108,43 @@ class Gaps;
 
 /// No number of a statement is of a higher power of its scales than `highest`: the higher, the nearer to 1 they must
 /// be.  The listener is told the track of each number that is judged.
-template <class V, int highest, plumb::Scales of = plumb::Scales(), class Listener = plumb::NoBoundListener>
+template <class V, int highest, plumb::Scales of = plumb::Scales(), class Listener = plumb::NoBoundListener,
+          plumb::Precision precision = plumb::Precision::doubles>
 class Floats {
  public:
-  static constexpr plumb::WorldKind kind = plumb::WorldKind::floats;
-  using Number = V;
+  static constexpr bool of_pairs = precision == plumb::Precision::pairs;
+  static constexpr bool on_lattice = precision != plumb::Precision::doubles;
+  static constexpr plumb::WorldKind kind = of_pairs     ? plumb::WorldKind::pairs
+                                           : on_lattice ? plumb::WorldKind::integers
+                                                        : plumb::WorldKind::floats;
+  using Number = std::conditional_t<of_pairs, Pair<V>, V>;
 
   [[gnu::always_inline]] constexpr Floats()
       : scales_{of_all(floor), of_all(floor), of_all(floor), of_all(floor)},
-        weights_{of_all(0), of_all(0), of_all(0), of_all(0)} {}
+        weights_{of_all(0), of_all(0), of_all(0), of_all(0)} {
+    if constexpr (on_lattice) {
+      const V none = of_all(__builtin_huge_val());
+      units_ = {none, none, none, none}, weight_units_ = units_;
+    }
+  }
 
   [[gnu::always_inline]] constexpr Given<V> given(const auto& x) const { return {loaded(x)}; }
 
   /// A leaf of this scale: b - a of numbers as given; their sum; one by itself.
   template <std::size_t scale = 0>
   [[gnu::always_inline]] constexpr auto difference(const Given<V>& b, const Given<V>& a) {
-    return leaf<scale, derive::difference(scale, start)>(b.value - a.value);
+    note_units<scale>(b, a);
+    return leaf<scale, derive::difference(scale, start)>(plain_difference(b.value, a.value));
   }
   template <std::size_t scale = 0>
   [[gnu::always_inline]] constexpr auto sum(const Given<V>& a, const Given<V>& b) {
-    return leaf<scale, derive::difference(scale, start)>(a.value + b.value);
+    note_units<scale>(b, a);
+    return leaf<scale, derive::difference(scale, start)>(plain_sum(a.value, b.value));
   }
   template <std::size_t scale = 0>
   [[gnu::always_inline]] constexpr auto number(const Given<V>& a) {
-    return leaf<scale, derive::given(scale, start)>(a.value);
+    note_units<scale>(a);
+    return leaf<scale, derive::given(scale, start)>(as_number(a.value));
   }
   /// A number by itself of which scale 0 has the product with scale `over`: of its power, over that scale's.
   template <std::size_t over>
@@ -138,14 +152,15 @@ class Floats {
     static_assert(over != 0 && (of.weights >> over & 1) != 0 && !start.is_of_axes(0));
     weights_[over] = has_weight_[over] ? weights_[over] + size(a.value) : size(a.value);
     has_weight_[over] = true;
-    return Tracked<V, derive::weight(0, over, start)>{a.value};
+    if constexpr (on_lattice) weight_units_[over] = smaller(weight_units_[over], lowest_bit(a.value));
+    return Tracked<Number, derive::weight(0, over, start)>{as_number(a.value)};
   }
   /// b - a, which is no larger than two leaves of this scale together, so that it need not be added to it.
   template <std::size_t scale = 0, Track A, Track B>
-  [[gnu::always_inline]] constexpr auto difference_within(const Given<V>& b, const Given<V>& a, const Tracked<V, A>&,
-                                                          const Tracked<V, B>&) const {
+  [[gnu::always_inline]] constexpr auto difference_within(const Given<V>& b, const Given<V>& a,
+                                                          const Tracked<Number, A>&, const Tracked<Number, B>&) const {
     static_assert(A == derive::difference(scale, start) && B == A && (of.maxima >> scale & 1) == 0);
-    return Tracked<V, derive::within(scale, start)>{b.value - a.value};
+    return Tracked<Number, derive::within(scale, start)>{plain_difference(b.value, a.value)};
   }
   /// The same leaves of what is given outright.
   template <std::size_t scale = 0>
@@ -170,29 +185,27 @@ class Floats {
     Listener::judged(T);
     if constexpr (T.root == 0) {
       return of_all(0);
+    } else if constexpr (!on_lattice) {
+      return error<T>();
     } else {
-      if constexpr (T.others == 0) {
-        return of_all(derive::threshold(T)) * all_powers<T.powers>();
-      } else {
-        constexpr std::size_t first = derive::next_part(T.others, 0);
-        return of_all(derive::threshold(T)) *
-               plus_product(all_powers<T.powers>(), part<T.others, first>(), all_powers<T.others, first + 1>());
-      }
+      return chosen(is_exact<T>(), of_all(0), error<T>());
     }
   }
   template <Track T>
-  [[gnu::always_inline]] constexpr Truth positive(const Tracked<V, T>& x) const {
-    return above(x.value, doubt<T>());
+  [[gnu::always_inline]] constexpr Truth positive(const Tracked<Number, T>& x) const {
+    return above(rounded(x.value), doubt<T>());
   }
   template <Track T>
-  [[gnu::always_inline]] constexpr Truth negative(const Tracked<V, T>& x) const {
-    return above(of_all(0) - doubt<T>(), x.value);
+  [[gnu::always_inline]] constexpr Truth negative(const Tracked<Number, T>& x) const {
+    return above(of_all(0) - doubt<T>(), rounded(x.value));
   }
   /// What is exactly zero; nothing of what is not known exactly.
   template <Track T>
-  [[gnu::always_inline]] constexpr Truth zero(const Tracked<V, T>& x) const {
+  [[gnu::always_inline]] constexpr Truth zero(const Tracked<Number, T>& x) const {
     if constexpr (T.root == 0) {
-      return is_zero(x.value);
+      return is_zero(rounded(x.value));
+    } else if constexpr (on_lattice) {
+      return both(is_exact<T>(), is_zero(rounded(x.value)));
     } else {
       return above(of_all(0), of_all(0));
     }
@@ -218,13 +231,13 @@ class Floats {
   [[gnu::always_inline]] constexpr void require(const Truth& t) { required_.both(t); }
   /// Below infinity, and a number.
   template <Track T>
-  [[gnu::always_inline]] constexpr Truth is_real(const Tracked<V, T>& x) const {
-    return above(of_all(__builtin_huge_val()), x.value);
+  [[gnu::always_inline]] constexpr Truth is_real(const Tracked<Number, T>& x) const {
+    return above(of_all(__builtin_huge_val()), rounded(x.value));
   }
   template <Track T>
-  [[gnu::always_inline]] constexpr Truth not_negative(const Tracked<V, T>& x) const {
+  [[gnu::always_inline]] constexpr Truth not_negative(const Tracked<Number, T>& x) const {
     static_assert(T.root == 0, "of what is known exactly");
-    return above(x.value, of_all(-0x1p-1074));
+    return above(rounded(x.value), of_all(-0x1p-1074));
   }
 
   /// The scale, with what weighs in it; no leaf of it so far is larger.
@@ -238,6 +251,18 @@ class Floats {
       return in_all<s>();
     }
   }
+  /// A power of two of which all leaves of this scale are multiples; infinity, where all are zero.
+  template <std::size_t s>
+  [[gnu::always_inline]] constexpr V unit() const {
+    static_assert(on_lattice);
+    if constexpr (start.is_of_axes(s)) {
+      return units_[s];
+    } else if constexpr (s == 0 && of.weights != 0) {
+      return of_all(least(smaller(units_[0], unit_of_weights<1>())));
+    } else {
+      return of_all(least(units_[s]));
+    }
+  }
   /// May the answer be believed?  Not where a sign was unsure, a number none, or a scale too large.
   [[gnu::always_inline]] constexpr bool certain() const {
     if constexpr (of.each_axis == 0) {
@@ -249,18 +274,72 @@ class Floats {
   }
 
  private:
-  static constexpr plumb::Track start{0, 0, 0, 0, 0, highest, of.each_axis};
-  static constexpr double floor = derive::floor_of(highest);
+  static constexpr plumb::Track start{0, 0, 0, 0, 0, highest, of.each_axis, 0, of_pairs};
+  static constexpr double floor = derive::floor_of(highest, of_pairs);
 
+  [[gnu::always_inline]] static constexpr Number as_number(const V& x) {
+    if constexpr (of_pairs) {
+      return {x, of_all(0)};
+    } else {
+      return x;
+    }
+  }
+  [[gnu::always_inline]] static constexpr Number plain_sum(const V& a, const V& b) {
+    if constexpr (of_pairs) {
+      return sum_of_two(a, b);
+    } else {
+      return a + b;
+    }
+  }
+  [[gnu::always_inline]] static constexpr Number plain_difference(const V& a, const V& b) {
+    if constexpr (of_pairs) {
+      return difference_of_two(a, b);
+    } else {
+      return a - b;
+    }
+  }
+  template <std::size_t scale>
+  [[gnu::always_inline]] constexpr void note_units(const auto&... leaves) {
+    if constexpr (on_lattice) ((units_[scale] = smaller(units_[scale], lowest_bit(leaves.value))), ...);
+  }
   template <std::size_t scale, Track T>
-  [[gnu::always_inline]] constexpr Tracked<V, T> leaf(const V& x) {
+  [[gnu::always_inline]] constexpr Tracked<Number, T> leaf(const Number& x) {
     static_assert(scale < of.count);
     if constexpr ((of.maxima >> scale & 1) != 0) {
-      scales_[scale] = larger(size(x), scales_[scale]);
+      scales_[scale] = larger(size(main_part(x)), scales_[scale]);
     } else {
-      scales_[scale] = scales_[scale] + size(x);
+      scales_[scale] = scales_[scale] + size(main_part(x));
     }
     return {x};
+  }
+  template <Track T>
+  [[gnu::always_inline]] constexpr V error() const {
+    if constexpr (T.others == 0) {
+      return of_all(derive::threshold(T)) * all_powers<false, T.powers>();
+    } else {
+      constexpr std::size_t first = derive::next_part(T.others, 0);
+      return of_all(derive::threshold(T)) * plus_product(all_powers<false, T.powers>(), part<false, T.others, first>(),
+                                                         all_powers<false, T.others, first + 1>());
+    }
+  }
+  /// A number and what is computed of it are multiples of one power of two: equal, where they differ by less.
+  template <Track T>
+  [[gnu::always_inline]] constexpr Truth is_exact() const {
+    if constexpr (T.others == 0) {
+      return above(all_powers<true, T.powers>(), error<T>());
+    } else {
+      return above(smaller(all_powers<true, T.powers>(), all_powers<true, T.others>()), error<T>());
+    }
+  }
+  template <std::size_t over>
+  [[gnu::always_inline]] constexpr V unit_of_weights() const {
+    if constexpr ((of.weights >> over) == 0) {
+      return of_all(__builtin_huge_val());
+    } else if constexpr ((of.weights >> over & 1) == 0) {
+      return unit_of_weights<over + 1>();
+    } else {
+      return smaller(unit_of_weights<over + 1>(), unit<over>() * weight_units_[over]);
+    }
   }
   template <std::size_t s>
   [[gnu::always_inline]] constexpr V in_all() const {
@@ -302,115 +381,50 @@ class Floats {
       return raised<power - 1>(x) * x;
     }
   }
-  template <std::size_t s, std::size_t k>
-  [[gnu::always_inline]] constexpr V of_axis() const {
-    if constexpr (k == 0) {
-      return scale<s>();
-    } else if constexpr (k == 1) {
-      return turned(scale<s>());
+  template <bool of_units, std::size_t s>
+  [[gnu::always_inline]] constexpr V scale_or_unit() const {
+    if constexpr (of_units) {
+      return unit<s>();
     } else {
-      return turned_back(scale<s>());
+      return scale<s>();
     }
   }
-  /// The product of the scales in these powers, from that of number `at` on, 3 s + k.
-  template <std::uint64_t powers, std::size_t at = 0>
+  template <bool of_units, std::size_t s, std::size_t k>
+  [[gnu::always_inline]] constexpr V of_axis() const {
+    if constexpr (k == 0) {
+      return scale_or_unit<of_units, s>();
+    } else if constexpr (k == 1) {
+      return turned(scale_or_unit<of_units, s>());
+    } else {
+      return turned_back(scale_or_unit<of_units, s>());
+    }
+  }
+  /// The product of the scales in these powers, or of their units, from that of number `at` on, 3 s + k.
+  template <bool of_units, std::uint64_t powers, std::size_t at = 0>
   [[gnu::always_inline]] constexpr V all_powers() const {
     constexpr std::size_t next = derive::next_part(powers, at), end = 3 * plumb::Track::scales;
     static_assert(next < end, "a number without a scale");
     if constexpr (derive::next_part(powers, next + 1) == end) {
-      return part<powers, next>();
+      return part<of_units, powers, next>();
     } else {
-      return part<powers, next>() * all_powers<powers, next + 1>();
+      return part<of_units, powers, next>() * all_powers<of_units, powers, next + 1>();
     }
   }
-  template <std::uint64_t powers, std::size_t at>
+  template <bool of_units, std::uint64_t powers, std::size_t at>
   [[gnu::always_inline]] constexpr V part() const {
-    return raised<Track::power_in(powers, at / 3, at % 3)>(of_axis<at / 3, at % 3>());
+    return raised<Track::power_in(powers, at / 3, at % 3)>(of_axis<of_units, at / 3, at % 3>());
   }
 
+  struct Nothing {};
   std::array<V, plumb::Track::scales> scales_, weights_;
+  [[no_unique_address]] std::conditional_t<on_lattice, std::array<V, plumb::Track::scales>, Nothing> units_,
+      weight_units_;
   std::array<bool, plumb::Track::scales> has_weight_{};
   Merged required_;
   bool unsure_ = false;
 };
 
-/// The gaps of two convex sets along axes, lane by lane: apart along one, below zero along all, or level along some.
-template <class World>
-class Gaps {
- public:
-  [[gnu::always_inline]] constexpr explicit Gaps(World& world) : world_(world) {}
-
-  /// Along an axis; with parts along that which they make, where they are not all exactly zero.
-  [[gnu::always_inline]] constexpr void heed(const auto& gap, const auto&... parts) {
-    const Truth below = world_.negative(gap);
-    apart_.either(world_.positive(gap));
-    if constexpr (sizeof...(parts) == 0) {
-      below_.both(below);
-      settled_.both(below | world_.zero(gap));
-    } else {
-      const Truth none = (world_.zero(parts) & ...);
-      below_.both(below | none);
-      settled_.both(below | none);
-    }
-  }
-  /// Of what goes on that way for ever: where the way is up the first gap counts, where it is down the second, else both.
-  [[gnu::always_inline]] constexpr void heed_ahead(const auto& way, const auto& up, const auto& down) {
-    const Truth is_up = world_.positive(way), is_down = world_.negative(way);
-    const Truth below_up = world_.negative(up), below_down = world_.negative(down);
-    const Truth below = ((below_up & is_up) | (below_down & is_down)) | (below_up & below_down);
-    apart_.either((world_.positive(up) & is_up) | (world_.positive(down) & is_down));
-    below_.both(below), settled_.both(below);
-  }
-  /// Doubles pass over no axis whose parts are computed, and so need nothing of those that are left.
-  [[gnu::always_inline]] constexpr void need(const auto&) {}
-  /// Along what may be no axis: only a gap tells.
-  [[gnu::always_inline]] constexpr void heed_above(const auto& gap) { apart_.either(world_.positive(gap)); }
-  [[gnu::always_inline]] constexpr bool is_apart() const { return any(apart_.truth()); }
-
-  /// For sets of which touching is told where a gap is zero, if they have an inside.
-  template <class Answer>
-  [[gnu::always_inline]] constexpr Answer relation(const auto& have_inside) {
-    const int apart = any(apart_.truth()), below = all(below_.truth());
-    if ((apart | below) != 0) [[likely]]
-      return static_cast<Answer>(below - apart);
-    if (!all(settled_.truth()) || !all(world_.positive(have_inside))) world_.leave_open();
-    return static_cast<Answer>(0);
-  }
-
- private:
-  World& world_;
-  Merged apart_, below_, settled_;
-};
-
-/// The answer of the first of these worlds that is certain; of the last one in any case.
-template <class First, class... Rest, class Recorder, class Statement, class... Input>
-[[gnu::always_inline]] constexpr auto ask_worlds(Recorder&& recorder, const Statement& statement,
-                                                 const Input&... input) {
-  First world;
-  auto answer = statement(world, input...);
-  if constexpr (sizeof...(Rest) != 0) {
-    if (!world.certain()) [[unlikely]]
-      return ask_worlds<Rest...>(recorder, statement, input...);
-  }
-  recorder.answered(First::kind);
-  return answer;
-}
-
-/// The answer of the first of these worlds that is certain, if one is.
-template <class First, class... Rest, class Recorder, class Statement, class... Input>
-[[gnu::always_inline]] constexpr auto told_by_worlds(Recorder&& recorder, const Statement& statement,
-                                                     const Input&... input) {
-  First world;
-  const auto answer = statement(world, input...);
-  if (world.certain()) [[likely]] {
-    recorder.answered(First::kind);
-    return std::optional(answer);
-  }
-  if constexpr (sizeof...(Rest) != 0) {
-    return told_by_worlds<Rest...>(recorder, statement, input...);
-  } else {
-    return std::optional<std::remove_cv_t<decltype(answer)>>();
-  }
-}
+#define PLUMB_GAPS_TEXT
+#include "plumb/certify/detail/gaps_text.hpp"
 
 #endif
