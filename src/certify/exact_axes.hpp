@@ -136,7 +136,8 @@ class ExactAxes {
   template <std::size_t scale = 0>
   static Axes<N> difference_within(const Given& b, const Given& a, const Axes<N>& c, const Axes<N>& d) {
     const Axes<N> between = difference(b, a);
-    if (&c == &d || is_any(negative((magnitude(c) + magnitude(d)) - magnitude(between))))
+    const bool is_beyond = &c == &d || is_any(negative((magnitude(c) + magnitude(d)) - magnitude(between)));
+    if (is_beyond && is_in_range())
       throw std::logic_error("a difference is larger than the two that it is said to lie within");
     return between;
   }
@@ -177,12 +178,7 @@ class ExactAxes {
   static Axes<bool> is_real(const auto&) { return {true, true, true}; }
   void require(const Axes<bool>& a) { open_ = open_ || !is_all(a); }
   void leave_open() { open_ = true; }
-  [[nodiscard]] bool certain() const {
-    if constexpr (requires { N::left_range(); }) {
-      if (N::left_range()) return false;
-    }
-    return !open_;
-  }
+  [[nodiscard]] bool certain() const { return !open_ && is_in_range(); }
 
   class Gaps {
    public:
@@ -234,6 +230,11 @@ class ExactAxes {
   Gaps gaps() { return Gaps(*this); }
 
  private:
+  static bool is_in_range() {
+    if constexpr (requires { N::left_range(); }) return !N::left_range();
+    return true;
+  }
+
   bool open_ = false;
 };
 

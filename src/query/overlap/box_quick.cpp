@@ -1,7 +1,10 @@
 // The axes of boxes (query/overlap/box_axes.hpp) over doubles, an axis a lane.
 #include "query/overlap/box_quick.hpp"
 
+#include "certify/exact_axes.hpp"
 #include "certify/fused_lanes.hpp"
+#include "plumb/arith/big.hpp"
+#include "plumb/arith/stack_dyadic.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/overlap/box_quick.cpp"
@@ -21,6 +24,11 @@ template <class Statement, class... Input>
 HWY_INLINE std::optional<Relation> by_doubles(const Input&... input) {
   using Doubles = lanes::Floats<lanes::Three, Statement::highest, Statement::scales>;
   return lanes::told_by_worlds<Doubles>(NoWorldRecorder{}, Statement{}, input...);
+}
+template <class Statement, class... Input>
+HWY_INLINE std::optional<Relation> by_pairs(const Input&... input) {
+  using Pairs = lanes::Floats<lanes::Three, Statement::highest, Statement::scales, NoBoundListener, Precision::pairs>;
+  return lanes::told_by_worlds<Pairs>(NoWorldRecorder{}, Statement{}, input...);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Segment3& s, const Aabb3& b) {
   return by_doubles<SegmentAndBox>(s, b);
@@ -48,6 +56,19 @@ HWY_INLINE std::optional<Relation> by_doubles(const Input&... input) {
   return by_doubles<TriangleAndObb>(t, b);
 }
 
+[[maybe_unused]] std::optional<Relation> near_relation(const Segment3& s, const Obb3& b) {
+  return by_pairs<StraightAndObb<LinearKind::segment>>(s.a, s.b, b);
+}
+[[maybe_unused]] std::optional<Relation> near_relation(const Ray3& r, const Obb3& b) {
+  return by_pairs<StraightAndObb<LinearKind::ray>>(r.origin, r.direction, b);
+}
+[[maybe_unused]] std::optional<Relation> near_relation(const Line3& l, const Obb3& b) {
+  return by_pairs<StraightAndObb<LinearKind::line>>(l.point, l.direction, b);
+}
+[[maybe_unused]] std::optional<Relation> near_relation(const Triangle3& t, const Obb3& b) {
+  return by_pairs<TriangleAndObb>(t, b);
+}
+
 }  // namespace
 }  // namespace plumb::query::box_quick::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -66,6 +87,35 @@ PLUMB_QUICK_RELATION(Ray3, Obb3)
 PLUMB_QUICK_RELATION(Line3, Obb3)
 PLUMB_QUICK_RELATION(Triangle3, Obb3)
 #undef PLUMB_QUICK_RELATION
+
+namespace {
+
+namespace stated = box_axes::HWY_NAMESPACE;
+template <class Statement, class... Input>
+[[gnu::noinline]] std::optional<Relation> by_integers(const Input&... input) {
+  using Integers = certify::exact_axes::ExactAxes<StackDyadic, WorldKind::integers>;
+  using Numbers = certify::exact_axes::ExactAxes<BigDyadic, WorldKind::rationals>;
+  return certify::one_lane::told_by_worlds<Integers, Numbers>(NoWorldRecorder{}, Statement{}, input...);
+}
+
+}  // namespace
+
+std::optional<Relation> near_relation(const Segment3& a, const Obb3& b) {
+  if (const auto told = PLUMB_BY_LANES(box_quick, near_relation(a, b))) return told;
+  return by_integers<stated::StraightAndObb<LinearKind::segment>>(a.a, a.b, b);
+}
+std::optional<Relation> near_relation(const Ray3& a, const Obb3& b) {
+  if (const auto told = PLUMB_BY_LANES(box_quick, near_relation(a, b))) return told;
+  return by_integers<stated::StraightAndObb<LinearKind::ray>>(a.origin, a.direction, b);
+}
+std::optional<Relation> near_relation(const Line3& a, const Obb3& b) {
+  if (const auto told = PLUMB_BY_LANES(box_quick, near_relation(a, b))) return told;
+  return by_integers<stated::StraightAndObb<LinearKind::line>>(a.point, a.direction, b);
+}
+std::optional<Relation> near_relation(const Triangle3& a, const Obb3& b) {
+  if (const auto told = PLUMB_BY_LANES(box_quick, near_relation(a, b))) return told;
+  return by_integers<stated::TriangleAndObb>(a, b);
+}
 
 }  // namespace plumb::query
 #endif

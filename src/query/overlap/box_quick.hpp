@@ -22,4 +22,11 @@ std::optional<Relation> quick_relation(const Ray3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Line3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Triangle3& a, const Obb3& b);
 
+/// For what that leaves: pairs of doubles, then integers on the stack, then those of GMP.  Nothing is told of a box without
+/// an inside that touches, of axes that lie in a plane, and of a direction that is zero.
+std::optional<Relation> near_relation(const Segment3& a, const Obb3& b);
+std::optional<Relation> near_relation(const Ray3& a, const Obb3& b);
+std::optional<Relation> near_relation(const Line3& a, const Obb3& b);
+std::optional<Relation> near_relation(const Triangle3& a, const Obb3& b);
+
 }  // namespace plumb::query

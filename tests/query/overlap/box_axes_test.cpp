@@ -7,6 +7,7 @@
 #include "certify/exact_axes.hpp"
 #include "certify/golden_statements.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/overlap/box.hpp"
 
@@ -15,16 +16,27 @@ namespace {
 
 namespace axes = box_axes::HWY_NAMESPACE;
 namespace lanes = certify::three_lanes::HWY_NAMESPACE;
+using Integers = certify::exact_axes::ExactAxes<StackDyadic, WorldKind::integers>;
 using Rationals = certify::exact_axes::ExactAxes<BigDyadic, WorldKind::rationals>;
 
 /// The answers of both worlds, where they are certain, and who is.
 struct Answers {
-  std::optional<Relation> floats, exact;
+  std::optional<Relation> floats, pairs, integers, exact;
+
+  [[nodiscard]] bool are(Relation truth) const {
+    for (const auto& told : {floats, pairs, integers, exact}) {
+      if (told && told != truth) return false;
+    }
+    return true;
+  }
 };
 template <class Statement, class... Input>
 Answers ask(const Statement& statement, const Input&... input) {
   using Floats = lanes::Floats<lanes::Three, Statement::highest, Statement::scales>;
+  using Pairs = lanes::Floats<lanes::Three, Statement::highest, Statement::scales, NoBoundListener, Precision::pairs>;
   return {lanes::told_by_worlds<Floats>(NoWorldRecorder{}, statement, input...),
+          lanes::told_by_worlds<Pairs>(NoWorldRecorder{}, statement, input...),
+          lanes::told_by_worlds<Integers>(NoWorldRecorder{}, statement, input...),
           lanes::told_by_worlds<Rationals>(NoWorldRecorder{}, statement, input...)};
 }
 
@@ -126,7 +138,7 @@ Obb3 turned_box(Entropy& e) {
   return {{number(3), number(3), number(3)}, {vector(), vector(), vector()}, {number(1), number(2), number(1)}};
 }
 TEST(BoxAxes, EveryWorldGivesTheRelationToTurnedBoxes) {
-  std::array<int, 4> by_floats{}, by_exact{};
+  std::array<int, 4> by_floats{}, by_pairs{}, by_exact{};
   for (std::uint64_t i = 0; i < 1000; ++i) {
     Entropy e(21, i);
     const Obb3 box = turned_box(e);
@@ -140,34 +152,36 @@ TEST(BoxAxes, EveryWorldGivesTheRelationToTurnedBoxes) {
     const std::array truths{relate(Segment3{p, q}, box), relate(Ray3{p, d}, box), relate(Line3{p, d}, box),
                             relate(Triangle3{p, q, r}, box)};
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto& [floats, exact] = answers[k];
-      by_floats[k] += floats.has_value(), by_exact[k] += exact.has_value();
-      ASSERT_TRUE(!floats || floats == truths[k]) << k << ", replay: " << i;
-      ASSERT_TRUE(!exact || exact == truths[k]) << k << ", replay: " << i;
+      const auto& [floats, pairs, integers, exact] = answers[k];
+      by_floats[k] += floats.has_value(), by_pairs[k] += pairs.has_value(), by_exact[k] += exact.has_value();
+      ASSERT_TRUE(answers[k].are(truths[k])) << k << ", replay: " << i;
+      ASSERT_EQ(integers, exact) << k << ", replay: " << i;
     }
   }
   for (std::size_t k = 0; k < 4; ++k) EXPECT_GE(by_floats[k], 600) << k;
   for (std::size_t k = 0; k < 4; ++k) EXPECT_GE(by_exact[k], 450) << k;
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_GE(by_pairs[k], by_floats[k]) << k;
 }
 
 TEST(BoxAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {
   for (const FamilyInfo& info : families) {
     for (std::size_t which = 0; which < cases.size(); ++which) {
       const Case& c = cases[which];
-      int by_floats = 0, by_exact = 0;
+      int by_floats = 0, by_pairs = 0, by_exact = 0;
       for (std::uint64_t i = 0; i < 1000; ++i) {
         Entropy entropy(18, i);
         std::array<double, 15> x{};
         fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
         std::array<Point3, 5> p;
         for (std::size_t k = 0; k < 5; ++k) p[k] = {x[3 * k], x[3 * k + 1], x[3 * k + 2]};
-        const auto [floats, exact] = c.ask(p);
-        const Relation truth = c.relate(p);
-        by_floats += floats.has_value(), by_exact += exact.has_value();
-        ASSERT_TRUE(!floats || floats == truth) << c.name << ' ' << info.name << ", replay: " << i;
-        ASSERT_TRUE(!exact || exact == truth) << c.name << ' ' << info.name << ", replay: " << i;
+        const Answers told = c.ask(p);
+        by_floats += told.floats.has_value(), by_pairs += told.pairs.has_value(), by_exact += told.exact.has_value();
+        ASSERT_TRUE(told.are(c.relate(p))) << c.name << ' ' << info.name << ", replay: " << i;
       }
       EXPECT_GE(by_floats, promised(info.family)[which]) << c.name << ' ' << info.name;
+      if (info.family != Family::extreme && info.family != Family::mixture) {
+        EXPECT_GE(by_pairs, by_floats) << c.name << ' ' << info.name;
+      }
       EXPECT_GE(by_exact, by_floats) << c.name << ' ' << info.name;
     }
   }

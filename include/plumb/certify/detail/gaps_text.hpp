@@ -17,6 +17,7 @@ class Gaps {
   [[gnu::always_inline]] constexpr void heed(const auto& gap, const auto&... parts) {
     const Truth below = world_.negative(gap);
     apart_.either(world_.positive(gap));
+    if constexpr (World::on_lattice) strictly_.both(below);
     if constexpr (sizeof...(parts) == 0) {
       below_.both(below);
       settled_.both(below | world_.zero(gap));
@@ -40,8 +41,9 @@ class Gaps {
   [[gnu::always_inline]] constexpr void heed_from(const auto& gap, const auto& way, const auto& is_none) {
     apart_.either(world_.positive(gap));
     if constexpr (World::on_lattice) {
-      const Truth zero = world_.zero(gap);
-      Truth below = world_.negative(gap) | (zero & world_.zero(way));
+      const Truth zero = world_.zero(gap), strictly = world_.negative(gap);
+      Truth below = strictly | (zero & world_.zero(way));
+      strictly_.both(strictly);
       if constexpr (!std::is_same_v<decltype(is_none()), std::false_type>) below = below | is_none();
       below_.both(below);
       settled_.both(below | (zero & world_.positive(way)));
@@ -56,10 +58,22 @@ class Gaps {
     const Truth below_up = world_.negative(up), below_down = world_.negative(down);
     const Truth below = ((below_up & is_up) | (below_down & is_down)) | (below_up & below_down);
     apart_.either((world_.positive(up) & is_up) | (world_.positive(down) & is_down));
-    below_.both(below), settled_.both(below);
+    below_.both(below);
+    if constexpr (World::on_lattice) {
+      strictly_.both(below);
+      const Truth level_up = below_up | world_.zero(up), level_down = below_down | world_.zero(down);
+      settled_.both(below | (level_up & is_up) | (level_down & is_down) | (level_up & level_down & world_.zero(way)));
+      // Neither up nor down, either gap tells.
+      apart_.either((world_.positive(up) | world_.positive(down)) & world_.zero(way));
+    } else {
+      settled_.both(below);
+    }
   }
-  /// Doubles pass over no axis whose parts are computed, and so need nothing of those that are left.
-  [[gnu::always_inline]] constexpr void need(const auto&) {}
+  /// If axes that are zero were passed over, those left are all only if this is so.  Doubles pass over no axis whose parts
+  /// are computed.
+  [[gnu::always_inline]] constexpr void need(const Truth& t) {
+    if constexpr (World::on_lattice) needed_.both(t);
+  }
   /// Along what may be no axis: only a gap tells.
   [[gnu::always_inline]] constexpr void heed_above(const auto& gap) { apart_.either(world_.positive(gap)); }
   [[gnu::always_inline]] constexpr bool is_apart() const { return any(apart_.truth()); }
@@ -69,8 +83,11 @@ class Gaps {
   [[gnu::always_inline]] constexpr Answer relation(const auto&... have_inside) {
     const int apart = any(apart_.truth()), below = all(below_.truth());
     if constexpr (World::on_lattice) {  // which pass over axes that are zero
-      if (apart == 0 && !(all(settled_.truth()) && (all(world_.positive(have_inside)) && ...))) world_.leave_open();
-      return static_cast<Answer>(apart != 0 ? -1 : below);
+      if (apart != 0) return static_cast<Answer>(-1);
+      if (all(strictly_.truth())) return static_cast<Answer>(1);
+      if (needed_.is_some() && !all(needed_.truth())) world_.leave_open();
+      if (!all(settled_.truth()) || !(all(world_.positive(have_inside)) && ...)) world_.leave_open();
+      return static_cast<Answer>(below);
     }
     if ((apart | below) != 0) [[likely]]
       return static_cast<Answer>(below - apart);
@@ -80,7 +97,7 @@ class Gaps {
 
  private:
   World& world_;
-  Merged apart_, below_, settled_;
+  Merged apart_, below_, settled_, needed_, strictly_;
 };
 
 /// The answer of the first of these worlds that is certain; of the last one in any case.
