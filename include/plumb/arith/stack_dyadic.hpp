@@ -1,9 +1,9 @@
-// What is the exact value, in integers of just the width?  An integer of as many limbs as its value needs, times a power
-// of two, without allocation.
+// What is the exact value, in integers of just the width?  An integer of as many limbs as its value needs, times a
+// power of two, without allocation.
 //
-// Laws: every operation is exact, as long as no integer takes more than 1,024 bits.  One that would, and what is computed
-// of it, is no number: its sign is zero, and this thread's left_range() is true from then on, until it is cleared.  So
-// is what is made of a double that is NaN or infinite.
+// Laws: every operation is exact, as long as no integer takes more than 1,024 bits.  One that would, and what is
+// computed of it, is no number, and this thread's left_range() is true from then on, until it is cleared.  So is what is
+// made of a double that is NaN or infinite.
 // Source: Knuth, TAOCP 4.3.1; RTCD 11.5.1.
 // Cost: 3 to 5 ns an operation on numbers of one or two limbs; a product of limbs is one of machine words each.
 #pragma once

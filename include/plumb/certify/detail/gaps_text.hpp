@@ -2,7 +2,7 @@
 //
 // The end of certify/detail/floats_text.hpp, which includes it.
 // Laws: those of certify/world.hpp.
-// Source: RTCD 5.2.1.
+// Source: docs/proof.md, "Tracked errors"; src/figure/obb/fifteen_axes.hpp for when a gap of zero is level.
 // Cost: a few comparisons a gap.
 #ifdef PLUMB_GAPS_TEXT  // alone it is nothing
 #undef PLUMB_GAPS_TEXT
@@ -32,8 +32,8 @@ class Gaps {
       }
     }
   }
-  /// Along an axis, with how far apart two centers are along it.  A gap of zero is level only where they are; an axis that
-  /// is zero, or along which both are flat and as far, tells nothing.
+  /// Along an axis, with how far apart two centers are along it.  A gap of zero is level only where they are; an axis
+  /// that is zero, or along which both are flat and as far, tells nothing.
   [[gnu::always_inline]] constexpr void heed_from(const auto& gap, const auto& way) {
     heed_from(gap, way, [] { return std::false_type(); });
   }
@@ -52,7 +52,8 @@ class Gaps {
       below_.both(below), settled_.both(below);
     }
   }
-  /// Of what goes on that way for ever: where the way is up the first gap counts, where it is down the second, else both.
+  /// Of what goes on that way for ever: where the way is up the first gap counts, where it is down the second, else
+  /// both.
   [[gnu::always_inline]] constexpr void heed_ahead(const auto& way, const auto& up, const auto& down) {
     const Truth is_up = world_.positive(way), is_down = world_.negative(way);
     const Truth below_up = world_.negative(up), below_down = world_.negative(down);
@@ -69,8 +70,8 @@ class Gaps {
       settled_.both(below);
     }
   }
-  /// If axes that are zero were passed over, those left are all only if this is so.  Doubles pass over no axis whose parts
-  /// are computed.
+  /// If axes that are zero were passed over, those left are all only if this is so.  Doubles pass over no axis whose
+  /// parts are computed.
   [[gnu::always_inline]] constexpr void need(const Truth& t) {
     if constexpr (World::on_lattice) needed_.both(t);
   }
