@@ -13,9 +13,9 @@
 //   const bool longer = certainly(IsBeyond{}, p, q, r, s);
 //
 // Doubles whose error is derived when the statement is compiled; pairs of doubles likewise, which on a lattice of few
-// bits tell zero as well; integers of as many limbs as they need, on the stack, up to 1,024 bits; then rational numbers.  A statement whose numbers are of
-// a higher power of its scales than 6 says so: `static constexpr int highest = 8;`; one whose leaves belong to
-// more than one scale, `static constexpr Scales scales{.count = 2};`.
+// bits tell zero as well; integers of as many limbs as they need, on the stack, up to 1,024 bits; then rational
+// numbers.  A statement whose numbers are of a higher power of its scales than 6 says so: `static constexpr int highest
+// = 8;`; one whose leaves belong to more than one scale, `static constexpr Scales scales{.count = 2};`.
 // Laws: those of certify/world.hpp.
 // Source: docs/add_a_decision.md.
 // Cost: that of the plain operations, and a magnitude and a sum for each leaf; a few times as much in pairs; no
