@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "plumb/arith/lattice_integers.hpp"
 #include "plumb/certify/decide.hpp"
 #include "query/time_of_impact/contact_wanted.hpp"
 
@@ -25,8 +26,8 @@ constexpr double unit = 0x1p-53;
 constexpr double least_filtered = 0x1p-960;
 constexpr double cross_constant = 2 * 16 * unit;
 constexpr double cubic_constant = 6 * 32 * unit;
-constexpr double finest = 0x1p-24, narrow = 0x1p-8;  // pieces of time
-constexpr int most_steps = 80;
+constexpr double finest = 0x1p-10;  // pieces of time
+constexpr int most_steps = 24;
 
 struct DoubleVec {
   double x, y, z;
@@ -148,6 +149,18 @@ std::optional<Bracket> bracket_of(const Cubic& b, double bound, double from, dou
   return Bracket{from, to, from + x * width, 3 * slope / width, 1.25 * step / width};
 }
 
+/// At the one root in a piece: over a part of it so short that the cubic's sign at its ends is just certain.
+template <std::size_t Count>
+Crossing crossing_near_root(const Figures<Count>& f, const Cubic& cubic, double bound, const Bracket& b) {
+  double reach = 4 * bound / __builtin_fabs(b.slope) + b.guess * 0x1p-52;  // a guess, as far as it tells
+  for (int i = 0; i < 2; ++i, reach *= 16) {
+    const double from = larger(b.guess - reach, b.from), to = smaller(b.guess + reach, b.to);
+    const Cubic there = piece_of(cubic, from, to);
+    if ((certain_sign(there[0], bound) & opposite(certain_sign(there[3], bound))) != 0) return crossing(f, from, to);
+  }
+  return Crossing::unknown;
+}
+
 /// Along the axis that shows the figures largest.
 template <std::size_t Count>
 Crossing crossing_at_root(const Figures<Count>& f, const ContactAtRoot& close, const Ball& time) {
@@ -164,6 +177,18 @@ Crossing crossing_at_root(const Figures<Count>& f, const ContactAtRoot& close, c
   }
   const std::size_t axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : size[1] > size[2] ? 1 : 2;
   return close.crossing(time, axis);
+}
+
+/// A guess: on coarse lattices what doubles leave open is as a rule zero, which integers tell sooner.
+bool pairs_may_tell(const ContactQuestion& q) {
+  constexpr int few_bits = 30;
+  std::array<double, 24> all;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::array six{q.at_0[i].x, q.at_0[i].y, q.at_0[i].z, q.at_1[i].x, q.at_1[i].y, q.at_1[i].z};
+    for (std::size_t k = 0; k < 6; ++k) all[6 * i + k] = six[k];
+  }
+  const LatticeIntegers<24> lattice(all);
+  return lattice.bits() == 0 || lattice.bits() - lattice.zeros() > few_bits;
 }
 
 /// All of time, halved where it does not tell, from its start on.
@@ -191,15 +216,17 @@ FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound
     if (c == Crossing::apart) continue;
     const bool changes = (certain_sign(b[0], bound) & opposite(certain_sign(b[3], bound))) != 0;
     if (asked == ContactWanted::whether && c == Crossing::across && changes) return {ContactVerdict::yes, {}};
-    if (changes && (c == Crossing::across || t - s <= narrow)) {
+    if (changes) {
       if (const auto bracket = bracket_of(b, bound, s, t)) {
-        if (!close) close.emplace(question.kind, question.at_0, question.at_1);
-        const auto time = close->root(*bracket);
-        const Crossing there = !time                   ? Crossing::unknown
-                               : c == Crossing::across ? c
-                                                       : crossing_at_root(f, *close, *time);
+        Crossing there = c == Crossing::across ? c : crossing_near_root(f, cubic, bound, *bracket);
+        if (asked == ContactWanted::whether && there == Crossing::across) return {ContactVerdict::yes, {}};
+        if (there == Crossing::across || (there == Crossing::unknown && pairs_may_tell(question))) {
+          if (!close) close.emplace(question.kind, question.at_0, question.at_1);
+          const auto time = close->root(*bracket);
+          if (time && there == Crossing::unknown) there = crossing_at_root(f, *close, *time);
+          if (time && there == Crossing::across) return {ContactVerdict::yes, time};
+        }
         if (there == Crossing::apart) continue;
-        if (there == Crossing::across) return {ContactVerdict::yes, time};
         if (asked == ContactWanted::when) return {ContactVerdict::unsure, {}};
         doubt = true;
         continue;

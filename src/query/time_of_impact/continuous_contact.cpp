@@ -4,6 +4,7 @@
 
 #include "figure/basic/finite_parts.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/time_of_impact/brief_contact.hpp"
 #include "query/time_of_impact/contact_filter.hpp"
 #include "query/time_of_impact/exact_contact.hpp"
 #include "query/time_of_impact/separation_filter.hpp"
@@ -66,6 +67,9 @@ bool meet(const A& a, const B& b, const ContactOptions& options) {
   if (options.separation > 0) {
     const ContactVerdict near = query::moving::separation_filter(m, options.separation);
     if (near != ContactVerdict::unsure) return near == ContactVerdict::yes;
+  } else {
+    const ContactVerdict brief = query::moving::brief_contact(m, query::ContactWanted::whether).verdict;
+    if (brief != ContactVerdict::unsure) return brief == ContactVerdict::yes;
   }
   return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, options.separation).has_value();
 }
@@ -82,6 +86,8 @@ std::optional<Contact> contact(const A& a, const B& b, const ContactOptions& opt
                      {edges ? FeatureKind::edge : FeatureKind::vertex, 0},
                      {edges ? FeatureKind::edge : FeatureKind::face, 0}};
     }
+    const auto [brief, found] = query::moving::brief_contact(m, query::ContactWanted::when);
+    if (brief != ContactVerdict::unsure) return brief == ContactVerdict::yes ? std::optional(found) : std::nullopt;
   }
   if (options.separation > 0) {
     const auto [verdict, near] = query::moving::first_near_contact(m, options.separation);

@@ -2,12 +2,10 @@
 
 #include <utility>
 
+#include "query/time_of_impact/contact_features.hpp"
+
 namespace plumb::query::moving {
 namespace {
-
-struct FeaturesInContact {
-  Feature a, b;
-};
 
 /// Signs of projections along the first axis that shows them; in the order of edges of the triangle, or of the
 /// vertices a, b, c, d of the edges.
@@ -36,28 +34,6 @@ arith::Polynomial coplanarity(const FourMoving& p) {
   return dot(difference(p[1], p[0]), cross(difference(p[2], p[0]), difference(p[3], p[0])));
 }
 
-FeaturesInContact triangle_features(const std::array<int, 4>& side) {
-  std::uint32_t zeros = 0, edge = 0;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    if (side[i] == 0) ++zeros, edge = i;
-  }
-  const Feature point{FeatureKind::vertex, 0};
-  if (zeros == 0) return {point, {FeatureKind::face, 0}};
-  if (zeros == 1) return {point, {FeatureKind::edge, edge}};
-  // Two edges of a triangle meet in the vertex that the later one starts with: ab, bc in b; bc, ca in c; ca, ab in a.
-  const std::uint32_t vertex = side[2] != 0 ? 1 : side[0] != 0 ? 2 : 0;
-  return {point, {FeatureKind::vertex, vertex}};
-}
-
-FeaturesInContact edge_features(const std::array<int, 4>& side) {
-  const auto feature = [](int first, int second) {
-    if (first == 0) return Feature{FeatureKind::vertex, 0};
-    if (second == 0) return Feature{FeatureKind::vertex, 1};
-    return Feature{FeatureKind::edge, 0};
-  };
-  return {feature(side[0], side[1]), feature(side[2], side[3])};
-}
-
 /// Which features meet at a time when the four points are in one plane?
 class ContactInPlane {
  public:
@@ -70,12 +46,7 @@ class ContactInPlane {
       if (whole == 0) continue;
       std::array<int, 4> side{};
       for (std::size_t i = 0; i < projection_.count; ++i) side[i] = arith::sign_at(projection_.sides[i][axis], time);
-      if (kind_ == MovingKind::vertex_triangle) {
-        if (side[0] == -whole || side[1] == -whole || side[2] == -whole) return {};
-        return triangle_features(side);
-      }
-      if (side[0] * side[1] > 0 || side[2] * side[3] > 0) return {};
-      return edge_features(side);
+      return features_in_contact(kind_, side, whole);
     }
     return when_flat(time);
   }

@@ -11,6 +11,9 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/containment/contains.hpp"
+#include "query/time_of_impact/brief_contact.hpp"
+#include "query/time_of_impact/contact_filter.hpp"
+#include "query/time_of_impact/exact_contact.hpp"
 #include "tool/trial/contact_judge.hpp"
 #include "tool/trial/moving_cases.hpp"
 
@@ -111,6 +114,53 @@ TEST(ContinuousContactTest, AgreesWithSturmSequencesAtADistance) {
     if (kind == Kind::family) continue;
     ASSERT_NO_FATAL_FAILURE(check_all(kind, 0.5, cases / 20));
     ASSERT_NO_FATAL_FAILURE(check_all(kind, 1, cases / 20));
+  }
+}
+
+/// The same motion, with coordinates of some hundred bits together.
+Case in_odd_places(Case c) {
+  for (auto* points : {&c.at_0, &c.at_1}) {
+    for (Point3& p : *points) p = {p.x / 3, p.y / 5 + 1, p.z / 7 - 0x1p-30};
+  }
+  return c;
+}
+
+TEST(ContinuousContactTest, IntegersOnTheStackAgreeWithThoseOfAnyLength) {
+  using namespace query::moving;
+  for (const Kind kind : kinds) {
+    int filtered = 0, brief = 0, asked = 0;
+    for (std::uint64_t i = 0; i < cases; ++i) {
+      Entropy entropy(2032, i);
+      Case c = make(kind, entropy);
+      if (kind == Kind::family && i % 8 != 0) continue;
+      if (kind != Kind::family && i % 2 == 0) c = in_odd_places(c);
+      const ContactQuestion q{c.vertex_face ? MovingKind::vertex_triangle : MovingKind::edge_edge, c.at_0, c.at_1};
+      const auto exact = exact_first_contact(q.kind, q.at_0, q.at_1, 0);
+      const BriefContact first = brief_contact(q, query::ContactWanted::when);
+      const BriefContact met = brief_contact(q, query::ContactWanted::whether);
+      const ContactVerdict rough = contact_filter(q);
+      const ContactVerdict truth = exact ? ContactVerdict::yes : ContactVerdict::no;
+      ++asked;
+      filtered += rough != ContactVerdict::unsure ? 1 : 0;
+      if (rough != ContactVerdict::unsure) {
+        ASSERT_EQ(rough, truth) << shown(kind, i, c);
+      }
+      if (met.verdict != ContactVerdict::unsure) {
+        ASSERT_EQ(met.verdict, truth) << shown(kind, i, c);
+      }
+      if (first.verdict == ContactVerdict::unsure) continue;
+      ++brief;
+      ASSERT_EQ(first.verdict, truth) << shown(kind, i, c);
+      if (!exact) continue;
+      ASSERT_EQ(first.contact, (Contact{arith::rounded(Rounding::down, exact->time), exact->a, exact->b}))
+          << shown(kind, i, c);
+    }
+    std::cout << name_of(kind) << ": of " << asked << " doubles tell " << filtered << ", integers on the stack "
+              << brief << '\n';
+    // Of families, whose exponents are any, some are too long.
+    EXPECT_GE(brief, kind == Kind::family ? asked / 2 : asked - asked / 50 - 1) << name_of(kind);
+    const bool is_hard = kind == Kind::planar || kind == Kind::parallel || kind == Kind::flat || kind == Kind::planted;
+    EXPECT_GE(filtered, is_hard ? 0 : asked / 4) << name_of(kind);
   }
 }
 
