@@ -209,6 +209,14 @@ constexpr Track extreme(const Track& a, const Track& b) {
   }
   return t;
 }
+/// Of (1 - t) a + t b, for t in [0, 1].
+constexpr Track between(const Track& a, const Track& b) {
+  Track t = either(a, b);
+  t.root = Track::checked(static_cast<Track::Wide>(t.error) + 2 * t.size + 4);  // units for underflow and second orders
+  t.error = Track::checked(static_cast<Track::Wide>(t.root) + t.size + 1);
+  t.size = Track::checked(t.size + 2);
+  return t;
+}
 /// Of numbers of three axes that take one another's places: lane k has what lane k + 1 had.
 constexpr std::uint64_t turned(std::uint64_t powers, const Track& of) {
   Track t = of;

@@ -79,6 +79,7 @@ inline Rational negated(const Rational& x) { return -x; }
 inline Rational larger(const Rational& a, const Rational& b) { return a < b ? b : a; }
 inline Rational smaller(const Rational& a, const Rational& b) { return b < a ? b : a; }
 inline Rational twice(const Rational& x) { return x + x; }
+inline Rational between(const Rational& a, const Rational& b, double t) { return a + (b - a) * Rational(t); }
 inline Rational select(bool first, const Rational& a, const Rational& b) { return first ? a : b; }
 
 /// Exact numbers, one at a time; N is made of a double.

@@ -6,108 +6,56 @@
 #include "plumb/arith/lattice_integers.hpp"
 #include "plumb/certify/decide.hpp"
 #include "query/time_of_impact/contact_wanted.hpp"
+#include "query/time_of_impact/swept_signs.hpp"
 
 namespace plumb::query::moving {
 namespace {
 
-// Bounds.  u = 2^-53.  A difference of coordinates is rounded once: it is the exact one times 1 + e, |e| <= u.  X, Y, Z
-// are the largest differences in size, as rounded, at time 0 and 1.
-// A coefficient of a cross product is x1 y2 - x2 y1 at an end, or half the sum of two of these in the middle: its terms
-// are at most X Y (1 + u)^2 each, and it is off by 2 u of each term for the differences, u for the product, u for the
-// sum, u for the sum of two (halving is exact): below 2 X Y * 6 u.  Taking it to a piece, by two convex combinations
-// whose weights are exact, adds 3 u of 2 X Y each: in all below 2 X Y * 13 u.
-// A coefficient of the cubic is a third of the sum of at most three products of a difference and a cross product's
-// coefficient, along three axes: of size at most 6 X Y Z (1 + u)^3; to the 6 u of the cross product come u for the
-// difference, u for the product, 2 u for the sum of three axes, 3 u for the combination of three and its third: below
-// 6 X Y Z * 14 u; three combinations for the piece add 9 u: below 6 X Y Z * 24 u.
-// The roundings of X, Y, Z and of the bounds themselves are far below what the constants leave.  `least_filtered` pays for
-// underflow: of a cross product, times the largest difference, in the cubic.
-constexpr double unit = 0x1p-53;
-constexpr double least_filtered = 0x1p-960;
-constexpr double cross_constant = 2 * 16 * unit;
-constexpr double cubic_constant = 6 * 32 * unit;
-constexpr double finest = 0x1p-10;  // pieces of time
-constexpr int most_steps = 24;
-
-struct DoubleVec {
-  double x, y, z;
-};
-
-DoubleVec double_difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-DoubleVec cross_product(const DoubleVec& a, const DoubleVec& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot_product(const DoubleVec& a, const DoubleVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-DoubleVec half_sum(const DoubleVec& a, const DoubleVec& b) {
-  return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5, (a.z + b.z) * 0.5};
-}
-
-/// A vector that moves linearly, and the Bernstein coefficients of a product of two.
-struct Linear {
-  DoubleVec at_0, at_1;
-};
-struct TimeQuadratic {
-  std::array<DoubleVec, 3> c;
-};
-using Cubic = std::array<double, 4>;
-
-TimeQuadratic cross_product(const Linear& a, const Linear& b) {
-  return {{cross_product(a.at_0, b.at_0), half_sum(cross_product(a.at_0, b.at_1), cross_product(a.at_1, b.at_0)),
-           cross_product(a.at_1, b.at_1)}};
-}
-Cubic dot_product(const Linear& a, const TimeQuadratic& q) {
-  return {dot_product(a.at_0, q.c[0]), (2 * dot_product(a.at_0, q.c[1]) + dot_product(a.at_1, q.c[0])) * (1.0 / 3),
-          (dot_product(a.at_0, q.c[2]) + 2 * dot_product(a.at_1, q.c[1])) * (1.0 / 3), dot_product(a.at_1, q.c[2])};
-}
-
-double between(double a, double b, double t) { return (1 - t) * a + t * b; }
-
-/// The polar form, whose values at ends of a piece are the coefficients there.
-double polar(double a, double b, double c, double s, double t) {
-  return between(between(a, b, s), between(b, c, s), t);
-}
-Cubic piece_of(const Cubic& b, double s, double t) {
-  const Cubic first{between(b[0], b[1], s), between(b[1], b[2], s), between(b[2], b[3], s), 0};
-  const Cubic last{between(b[0], b[1], t), between(b[1], b[2], t), between(b[2], b[3], t), 0};
-  return {polar(first[0], first[1], first[2], s, s), polar(first[0], first[1], first[2], s, t),
-          polar(first[0], first[1], first[2], t, t), polar(last[0], last[1], last[2], t, t)};
-}
+constexpr double finest = 0x1p-10;  // piece of time: a guess at what pays
+constexpr int most_steps = 24;      // likewise
 
 /// The sign that all of some numbers have, certainly: bit 0 where they are positive, bit 1 where negative.
 constexpr unsigned either = 3;
-unsigned certain_sign(double x, double bound) {
-  return static_cast<unsigned>(x > bound) | static_cast<unsigned>(x < -bound) << 1;
-}
 constexpr unsigned opposite(unsigned signs) { return (signs << 1 | signs >> 1) & either; }
+template <class W>
+unsigned certain_sign(const W& w, const auto& x) {
+  return static_cast<unsigned>(w.positive(x)) | static_cast<unsigned>(w.negative(x)) << 1;
+}
+template <class W, class N, std::size_t Count>
+unsigned common_sign(const W& w, const std::array<N, Count>& all) {
+  unsigned signs = either;
+  for (const N& x : all) signs &= certain_sign(w, x);
+  return signs;
+}
+/// Does it go from one certain sign to the other?
+template <class W, class N>
+bool changes_sign(const W& w, const std::array<N, 4>& b) {
+  return (certain_sign(w, b[0]) & opposite(certain_sign(w, b[3]))) != 0;
+}
 
+using Floats = SweptFloats<>;
+using Difference = Swept<decltype(swept_difference(std::declval<Floats&>(), {}, {}))>;
+using Side = decltype(swept_side(std::declval<Difference>(), std::declval<Difference>()));
+using Cubic = decltype(swept_cubic(std::declval<Difference>(), std::declval<Side>()));
+using CubicPiece = decltype(piece_of(std::declval<Cubic>(), 0, 0));
+
+/// Three differences and sides for a triangle, four for two edges.
 template <std::size_t Count>
 struct Figures {
-  std::array<Linear, Count> differences;
-  std::array<TimeQuadratic, Count> sides;  // 3 for a triangle, 4 for two edges
-  DoubleVec bound;                         // of a coefficient of a side
+  Floats w;
+  std::array<Difference, Count> differences;
+  std::array<Side, Count> sides;
 };
 
+double between(double a, double b, double t) { return (1 - t) * a + t * b; }
 double smaller(double a, double b) { return a < b ? a : b; }
 double larger(double a, double b) { return a > b ? a : b; }
 
-void include(DoubleVec& largest, const Linear& l) {
-  for (const DoubleVec& v : {l.at_0, l.at_1}) {
-    largest.x = larger(largest.x, __builtin_fabs(v.x));
-    largest.y = larger(largest.y, __builtin_fabs(v.y));
-    largest.z = larger(largest.z, __builtin_fabs(v.z));
-  }
-}
-
 /// Along one axis, over a piece.
-template <std::size_t Count, double DoubleVec::*axis>
-Crossing crossing(const Figures<Count>& f, double s, double t) {
+template <std::size_t Count>
+Crossing crossing(const Figures<Count>& f, auto axis, double s, double t) {
   std::array<unsigned, Count> side{};
-  const double bound = f.bound.*axis;
-  for (std::size_t i = 0; i < Count; ++i) {
-    const double a = f.sides[i].c[0].*axis, b = f.sides[i].c[1].*axis, c = f.sides[i].c[2].*axis;
-    side[i] = certain_sign(polar(a, b, c, s, s), bound) & certain_sign(polar(a, b, c, s, t), bound) &
-              certain_sign(polar(a, b, c, t, t), bound);
-  }
+  for (std::size_t i = 0; i < Count; ++i) side[i] = common_sign(f.w, piece_of(f.sides[i].*axis, s, t));
   if constexpr (Count == 3) {
     if ((side[0] | side[1] | side[2]) == either) return Crossing::apart;
     return (side[0] & side[1] & side[2]) != 0 ? Crossing::across : Crossing::unknown;
@@ -121,8 +69,7 @@ Crossing crossing(const Figures<Count>& f, double s, double t) {
 template <std::size_t Count>
 Crossing crossing(const Figures<Count>& f, double s, double t) {
   bool across = false;
-  for (const Crossing c : {crossing<Count, &DoubleVec::x>(f, s, t), crossing<Count, &DoubleVec::y>(f, s, t),
-                           crossing<Count, &DoubleVec::z>(f, s, t)}) {
+  for (const Crossing c : {crossing(f, &Side::x, s, t), crossing(f, &Side::y, s, t), crossing(f, &Side::z, s, t)}) {
     if (c == Crossing::apart) return c;
     across |= c == Crossing::across;
   }
@@ -130,33 +77,38 @@ Crossing crossing(const Figures<Count>& f, double s, double t) {
 }
 
 /// The part of time in which the cubic has exactly one root, if its coefficients there say so.
-std::optional<Bracket> bracket_of(const Cubic& b, double bound, double from, double to) {
-  if ((certain_sign(b[0], bound) & opposite(certain_sign(b[3], bound))) == 0) return {};
-  const std::array<double, 3> steps{b[1] - b[0], b[2] - b[1], b[3] - b[2]};
-  unsigned signs = either;
-  for (const double step : steps) signs &= certain_sign(step, 4 * bound);
-  if (signs == 0) return {};
-  // A step is off by 2 bounds at most, besides its rounding.
+std::optional<Bracket> bracket_of(const Floats& w, const CubicPiece& piece, double from, double to) {
+  if (!changes_sign(w, piece)) return {};
+  const std::array certain{piece[1] - piece[0], piece[2] - piece[1], piece[3] - piece[2]};
+  if (common_sign(w, certain) == 0) return {};
   const auto size = [](double x) { return __builtin_fabs(x); };
-  const double step = smaller(size(steps[0]), smaller(size(steps[1]), size(steps[2])));
+  const std::array b{piece[0].value, piece[1].value, piece[2].value, piece[3].value};
+  const std::array steps{certain[0].value, certain[1].value, certain[2].value};
   const double width = to - from;
   double x = b[0] / (b[0] - b[3]), slope = 0;
-  for (int i = 0; i < 5; ++i) {
-    slope = polar(steps[0], steps[1], steps[2], x, x);
-    x -= polar(between(b[0], b[1], x), between(b[1], b[2], x), between(b[2], b[3], x), x, x) / (3 * slope);
+  for (int i = 0; i < 5; ++i) {  // a guess
+    slope = between(between(steps[0], steps[1], x), between(steps[1], steps[2], x), x);
+    const auto of_three = [&](std::size_t k) {
+      return between(between(b[k], b[k + 1], x), between(b[k + 1], b[k + 2], x), x);
+    };
+    x -= between(of_three(0), of_three(1), x) / (3 * slope);
     x = x > 0 ? smaller(x, 1) : 0;
   }
-  return Bracket{from, to, from + x * width, 3 * slope / width, 1.25 * step / width};
+  // Thrice the least step that is possible, of six times the cubic; a little less, for the roundings here.
+  const double step = smaller(size(steps[0]), smaller(size(steps[1]), size(steps[2])));
+  const double least = (step - w.doubt<std::remove_cvref_t<decltype(certain[0])>::track>()) * (0.5 - 0x1p-40);
+  if (!(least > 0)) return {};
+  return Bracket{from, to, from + x * width, 0.5 * slope / width, least / width};
 }
 
 /// At the one root in a piece: over a part of it so short that the cubic's sign at its ends is just certain.
 template <std::size_t Count>
-Crossing crossing_near_root(const Figures<Count>& f, const Cubic& cubic, double bound, const Bracket& b) {
-  double reach = 4 * bound / __builtin_fabs(b.slope) + b.guess * 0x1p-52;  // a guess, as far as it tells
+Crossing crossing_near_root(const Figures<Count>& f, const Cubic& cubic, const Bracket& b) {
+  const double doubt = f.w.template doubt<CubicPiece::value_type::track>();
+  double reach = doubt / __builtin_fabs(b.slope) + b.guess * 0x1p-52;  // a guess: six times the cubic, and more
   for (int i = 0; i < 2; ++i, reach *= 16) {
     const double from = larger(b.guess - reach, b.from), to = smaller(b.guess + reach, b.to);
-    const Cubic there = piece_of(cubic, from, to);
-    if ((certain_sign(there[0], bound) & opposite(certain_sign(there[3], bound))) != 0) return crossing(f, from, to);
+    if (changes_sign(f.w, piece_of(cubic, from, to))) return crossing(f, from, to);
   }
   return Crossing::unknown;
 }
@@ -164,17 +116,15 @@ Crossing crossing_near_root(const Figures<Count>& f, const Cubic& cubic, double 
 /// Along the axis that shows the figures largest.
 template <std::size_t Count>
 Crossing crossing_at_root(const Figures<Count>& f, const ContactAtRoot& close, const Ball& time) {
-  std::array<double, 3> size{};
-  const auto at = [&](std::size_t i, double DoubleVec::*axis) {
-    const std::array<DoubleVec, 3>& c = f.sides[i].c;
-    return polar(c[0].*axis, c[1].*axis, c[2].*axis, time.high, time.high);
+  const double t = time.high;  // a guess
+  const auto size_along = [&](auto axis) {
+    const auto at = [&](std::size_t i) {
+      const auto& c = f.sides[i].*axis;
+      return between(between(c[0].value, c[1].value, t), between(c[1].value, c[2].value, t), t);
+    };
+    return __builtin_fabs(Count == 3 ? at(0) + at(1) + at(2) : at(0) - at(1));
   };
-  constexpr std::array axes{&DoubleVec::x, &DoubleVec::y, &DoubleVec::z};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double whole =
-        Count == 3 ? at(0, axes[k]) + at(1, axes[k]) + at(2, axes[k]) : at(0, axes[k]) - at(1, axes[k]);
-    size[k] = __builtin_fabs(whole);
-  }
+  const std::array size{size_along(&Side::x), size_along(&Side::y), size_along(&Side::z)};
   const std::size_t axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : size[1] > size[2] ? 1 : 2;
   return close.crossing(time, axis);
 }
@@ -193,7 +143,7 @@ bool pairs_may_tell(const ContactQuestion& q) {
 
 /// All of time, halved where it does not tell, from its start on.
 template <ContactWanted asked, std::size_t Count>
-FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound, const ContactQuestion& question) {
+FilteredContact search(const Figures<Count>& f, const Cubic& cubic, const ContactQuestion& question) {
   struct Piece {
     double from, to;
   };
@@ -204,21 +154,17 @@ FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound
   std::optional<ContactAtRoot> close;
   for (int steps = 0; count > 0; ++steps) {
     const auto [s, t] = waiting[--count];
-    const Cubic b = piece_of(cubic, s, t);
-    unsigned signs = either;
-    bool tiny = true;
-    for (const double c : b) {
-      signs &= certain_sign(c, bound);
-      tiny &= __builtin_fabs(c) <= 4 * bound;
-    }
-    if (signs != 0) continue;
+    const CubicPiece b = piece_of(cubic, s, t);
+    if (common_sign(f.w, b) != 0) continue;
+    const bool tells =
+        (certain_sign(f.w, b[0]) | certain_sign(f.w, b[1]) | certain_sign(f.w, b[2]) | certain_sign(f.w, b[3])) != 0;
     const Crossing c = crossing(f, s, t);
     if (c == Crossing::apart) continue;
-    const bool changes = (certain_sign(b[0], bound) & opposite(certain_sign(b[3], bound))) != 0;
+    const bool changes = changes_sign(f.w, b);
     if (asked == ContactWanted::whether && c == Crossing::across && changes) return {ContactVerdict::yes, {}};
     if (changes) {
-      if (const auto bracket = bracket_of(b, bound, s, t)) {
-        Crossing there = c == Crossing::across ? c : crossing_near_root(f, cubic, bound, *bracket);
+      if (const auto bracket = bracket_of(f.w, b, s, t)) {
+        Crossing there = c == Crossing::across ? c : crossing_near_root(f, cubic, *bracket);
         if (asked == ContactWanted::whether && there == Crossing::across) return {ContactVerdict::yes, {}};
         if (there == Crossing::across || (there == Crossing::unknown && pairs_may_tell(question))) {
           if (!close) close.emplace(question.kind, question.at_0, question.at_1);
@@ -232,7 +178,7 @@ FilteredContact search(const Figures<Count>& f, const Cubic& cubic, double bound
         continue;
       }
     }
-    if (tiny || t - s <= finest || steps > most_steps) {
+    if (!tells || t - s <= finest || steps > most_steps) {
       if (asked == ContactWanted::when) return {ContactVerdict::unsure, {}};
       doubt = true;
       continue;
@@ -249,55 +195,37 @@ bool coplanar(std::span<const Point3, 4> p) {
                                               p[2].x, p[2].y, p[2].z, p[3].x, p[3].y, p[3].z}) == Sign::zero;
 }
 
-TimeQuadratic side(const Figures<3>& f, std::size_t i) {
-  return cross_product(f.differences[i], f.differences[(i + 1) % 3]);
-}
-TimeQuadratic side(const Figures<4>& f, std::size_t i) {  // of the differences ac, ad, bc, bd
+Side side(const Figures<3>& f, std::size_t i) { return swept_side(f.differences[i], f.differences[(i + 1) % 3]); }
+Side side(const Figures<4>& f, std::size_t i) {  // of the differences ac, ad, bc, bd
   constexpr std::array<std::size_t, 4> left{0, 2, 0, 1}, right{1, 3, 2, 3};
-  return cross_product(f.differences[left[i]], f.differences[right[i]]);
+  return swept_side(f.differences[left[i]], f.differences[right[i]]);
 }
 
 template <ContactWanted asked, std::size_t Count>
 FilteredContact decide(Figures<Count>& f, const ContactQuestion& question) {
   const auto linear = [&](std::size_t i, std::size_t j) {
-    return Linear{double_difference(question.at_0[i], question.at_0[j]),
-                  double_difference(question.at_1[i], question.at_1[j])};
+    return Swept{swept_difference(f.w, question.at_0[i], question.at_0[j]),
+                 swept_difference(f.w, question.at_1[i], question.at_1[j])};
   };
   // The cubic takes three differences.
   constexpr bool edges = Count == 4;
   f.differences[0] = edges ? linear(2, 0) : linear(1, 0);
   f.differences[1] = edges ? linear(3, 0) : linear(2, 0);
   f.differences[2] = edges ? linear(2, 1) : linear(3, 0);
-  DoubleVec m{0, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) include(m, f.differences[i]);
   f.sides[0] = side(f, 0);
-  const Cubic cubic = dot_product(f.differences[2], f.sides[0]);
-  // Products of the bounds must not vanish before they are done, and what has overflowed is certain of nothing: NaN.
-  const auto product = [](double x, double y, double z) {
-    constexpr double floor = 0x1p-320;
-    return larger(x, floor) * larger(y, floor) * larger(z, floor);
-  };
-  double bound = cubic_constant * product(m.x, m.y, m.z) + least_filtered * (1 + m.x + m.y + m.z);
-  for (const double c : cubic) bound += c - c;
-  unsigned signs = either;
-  for (const double c : cubic) signs &= certain_sign(c, bound);
-  if (signs != 0) return {ContactVerdict::no, {}};
-  if constexpr (edges) include(m, f.differences[3] = linear(3, 1));
-  f.bound = {cross_constant * product(1, m.y, m.z) + least_filtered,
-             cross_constant * product(1, m.z, m.x) + least_filtered,
-             cross_constant * product(1, m.x, m.y) + least_filtered};
+  const Cubic cubic = swept_cubic(f.differences[2], f.sides[0]);
+  if (!f.w.certain()) return {ContactVerdict::unsure, {}};
+  if (common_sign(f.w, cubic) != 0) return {ContactVerdict::no, {}};
+  if constexpr (edges) f.differences[3] = linear(3, 1);
+  if (edges && !f.w.certain()) return {ContactVerdict::unsure, {}};
   for (std::size_t i = 1; i < Count; ++i) f.sides[i] = side(f, i);
-  for (const TimeQuadratic& side : f.sides) {
-    for (const DoubleVec& c : side.c)
-      f.bound = {f.bound.x + (c.x - c.x), f.bound.y + (c.y - c.y), f.bound.z + (c.z - c.z)};
-  }
   // In one plane at an end of time: no piece around that root would ever do.
-  const auto meet_at = [&](double coefficient, std::span<const Point3, 4> p, double time) {
-    return certain_sign(coefficient, bound) == 0 && crossing(f, time, time) == Crossing::across && coplanar(p);
+  const auto meet_at = [&](const auto& coefficient, std::span<const Point3, 4> p, double time) {
+    return certain_sign(f.w, coefficient) == 0 && crossing(f, time, time) == Crossing::across && coplanar(p);
   };
   if (meet_at(cubic[0], question.at_0, 0)) return {ContactVerdict::yes, Ball{0}};
   if (asked == ContactWanted::whether && meet_at(cubic[3], question.at_1, 1)) return {ContactVerdict::yes, {}};
-  return search<asked>(f, cubic, bound, question);
+  return search<asked>(f, cubic, question);
 }
 
 /// Do the coordinates along an axis keep one order?  Between the first `Count` points and the others, by comparisons.

@@ -75,6 +75,11 @@ template <class V, Track A, Track B>
 [[gnu::always_inline]] constexpr auto smaller(const Tracked<V, A>& a, const Tracked<V, B>& b) {
   return Tracked<V, derive::extreme(A, B)>{smaller(a.value, b.value)};
 }
+/// (1 - t) a + t b, for t in [0, 1].
+template <class V, Track A, Track B>
+[[gnu::always_inline]] constexpr auto between(const Tracked<V, A>& a, const Tracked<V, B>& b, const V& t) {
+  return Tracked<V, derive::between(A, B)>{(of_all(1) - t) * a.value + t * b.value};
+}
 /// One of two, by what was judged.
 template <class V, Track A, Track B>
 [[gnu::always_inline]] constexpr auto select(bool first, const Tracked<V, A>& a, const Tracked<V, B>& b) {

@@ -1,0 +1,128 @@
+// Are the coefficients of what moves as near to those of real arithmetic as doubles say, and are mistakes noticed?
+#include "query/time_of_impact/swept_signs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <tuple>
+
+#include "certify/golden_statements.hpp"
+#include "tool/trial/moving_cases.hpp"
+
+namespace plumb::query::moving {
+namespace {
+
+using tool::moving_cases::Case, tool::moving_cases::Kind;
+using Listening = SweptFloats<BoundListener>;
+
+/// What a mutant has wrong.
+enum class Mistake { none, middle, thrice, corner, side };
+
+/// Three differences, the cubic and a side, on a piece of time, and the steps of the cubic.
+template <Mistake mistake, class W>
+auto coefficients(W& w, const Case& c, double s, double t) {
+  const auto between_points = [&](std::size_t i) {
+    return Swept{swept_difference(w, c.at_0[i], c.at_0[0]), swept_difference(w, c.at_1[i], c.at_1[0])};
+  };
+  const auto first = between_points(1), second = between_points(2), third = between_points(3);
+  auto side = mistake == Mistake::side ? swept_side(second, first) : swept_side(first, second);
+  if constexpr (mistake == Mistake::middle) side.x[1] = side.x[0];
+  auto cubic = swept_cubic(third, side);
+  if constexpr (mistake == Mistake::thrice) cubic[0] = cubic[1];
+  auto piece = piece_of(cubic, s, mistake == Mistake::corner ? s : t);
+  const std::array steps{piece[1] - piece[0], piece[2] - piece[1], piece[3] - piece[2]};
+  return std::tuple(side.x, cubic, piece, piece_of(side.x, s, t), steps);
+}
+
+/// What a number of this track may be off, by the largest differences.
+template <Track track>
+Rational reach(const SweptFloats<>& w) {
+  Rational m = Rational(static_cast<double>(track.error)) * Rational(0x1p-85);
+  const std::array scales{w.scale<0>(), w.scale<1>(), w.scale<2>()};
+  for (std::size_t s = 0; s < 3; ++s) {
+    for (int i = 0; i < track.power(s, 0); ++i) m = m * Rational(scales[s]);
+  }
+  return m;
+}
+
+struct Tally {
+  int numbers = 0, beyond = 0, false_signs = 0;
+};
+
+template <Mistake mistake>
+Tally tally_of(int count) {
+  Tally tally;
+  for (const Kind kind : {Kind::any, Kind::planted, Kind::double_root, Kind::parallel}) {
+    for (int i = 0; i < count; ++i) {
+      Entropy entropy(2033, static_cast<std::uint64_t>(i));
+      Case c = tool::moving_cases::make(kind, true, entropy);
+      for (auto* points : {&c.at_0, &c.at_1}) {
+        for (Point3& p : *points) p = {p.x / 3, p.y / 7 + 1e3, std::ldexp(p.z / 5, i % 2 == 0 ? 0 : -200)};
+      }
+      const auto part = [&] { return static_cast<double>(entropy.below(1ULL << 30)) / 0x1.8p31; };
+      const double s = part(), t = i % 4 == 0 ? s : 1 - part();
+      SweptFloats<> floats;
+      RationalWorld rationals;
+      const auto computed = coefficients<mistake>(floats, c, s, t);
+      const auto exact = coefficients<Mistake::none>(rationals, c, s, t);
+      EXPECT_TRUE(floats.certain());
+      const auto compare = [&]<std::size_t k>() {
+        const auto& numbers = std::get<k>(computed);
+        const auto& truths = std::get<k>(exact);
+        for (std::size_t j = 0; j < numbers.size(); ++j) {
+          constexpr Track track = std::remove_cvref_t<decltype(numbers[0])>::track;
+          ++tally.numbers;
+          const Rational off = magnitude(Rational(numbers[j].value) - truths[j]);
+          tally.beyond += reach<track>(floats) < off ? 1 : 0;
+          const bool is_positive = truths[j].sign() == Sign::positive, is_negative = truths[j].sign() == Sign::negative;
+          tally.false_signs += floats.positive(numbers[j]) && !is_positive ? 1 : 0;
+          tally.false_signs += floats.negative(numbers[j]) && !is_negative ? 1 : 0;
+        }
+      };
+      compare.template operator()<0>(), compare.template operator()<1>(), compare.template operator()<2>();
+      compare.template operator()<3>(), compare.template operator()<4>();
+    }
+  }
+  return tally;
+}
+
+TEST(SweptSigns, CoefficientsAreWithinTheirDerivedErrors) {
+  const Tally tally = tally_of<Mistake::none>(60);
+  EXPECT_EQ(tally.beyond, 0);
+  EXPECT_EQ(tally.false_signs, 0);
+  EXPECT_GT(tally.numbers, 4000);
+}
+
+TEST(SweptSigns, MutantsAreNoticed) {
+  const auto noticed = [](const char* name, const Tally& tally) {
+    std::cout << name << ": " << tally.beyond << " of " << tally.numbers << " beyond, " << tally.false_signs
+              << " false signs\n";
+    EXPECT_GT(tally.beyond, 0) << name;
+    EXPECT_GT(tally.false_signs, 0) << name;
+  };
+  noticed("the side's middle", tally_of<Mistake::middle>(10));
+  noticed("the cubic's ends", tally_of<Mistake::thrice>(10));
+  noticed("the piece's corner", tally_of<Mistake::corner>(10));
+  noticed("the side turned over", tally_of<Mistake::side>(10));
+}
+
+TEST(SweptSigns, BoundsAreTheGoldenOnes) {
+  Entropy entropy(2034, 0);
+  const Case c = tool::moving_cases::make(Kind::any, true, entropy);
+  Listening w;
+  const auto [side, cubic, piece, side_piece, steps] = coefficients<Mistake::none>(w, c, 0.25, 0.5);
+  const auto golden = [&](const std::string& name, const auto& number) {
+    BoundListener::taken();
+    static_cast<void>(w.positive(number));
+    expect_golden(name);
+  };
+  golden("swept_side", side[0]);
+  golden("swept_side_piece", side_piece[0]);
+  golden("swept_cubic", cubic[0]);
+  golden("swept_cubic_piece", piece[0]);
+  golden("swept_cubic_step", steps[0]);
+}
+
+}  // namespace
+}  // namespace plumb::query::moving
