@@ -64,10 +64,10 @@ std::optional<Relation> by_signs(const Obb3& a, const Obb3& b) {
   return verdict.relation();
 }
 
-[[gnu::noinline]] Relation exactly(const Obb3& a, const Obb3& b, Asked asked) {
+[[gnu::noinline]] Relation exactly(const Obb3& a, const Obb3& b, std::string_view function) {
   require_finite<BothSpace>(coordinates_of<BothSpace>(a.center, b.center, a.axes[0], a.axes[1], a.axes[2], b.axes[0],
                                                       b.axes[1], b.axes[2], a.half, b.half),
-                            name_of(asked));
+                            function);
   if (const auto answer = by_signs(a, b)) return *answer;
   return locate_origin(
       difference(a.center, b.center),
@@ -139,20 +139,18 @@ struct BothPlane {
                                                                   "b.center", "b.axes[0]", "b.axes[1]", "b.half"};
 };
 
-}  // namespace
-
-Relation relate(const Obb3& a, const Obb3& b, Asked asked) {
+inline Relation relate_boxes(const Obb3& a, const Obb3& b, std::string_view function) {
   assert_sound_thread();
   if (const auto quick = quick_relation(a, b)) [[likely]]
     return *quick;
   if (const auto near = near_relation(a, b)) return *near;
-  return exactly(a, b, asked);
+  return exactly(a, b, function);
 }
 
-Relation relate(const Obb2& a, const Obb2& b, Asked asked) {
+Relation relate_boxes(const Obb2& a, const Obb2& b, std::string_view function) {
   const auto p =
       coordinates_of<BothPlane>(a.center, a.axes[0], a.axes[1], a.half, b.center, b.axes[0], b.axes[1], b.half);
-  require_finite<BothPlane>(p, name_of(asked));
+  require_finite<BothPlane>(p, function);
   GapVerdict verdict;
   if (!verdict.add(plane_gap(a, b, 0)) || !verdict.add(plane_gap(a, b, 1)) || !verdict.add(plane_gap(b, a, 0)) ||
       !verdict.add(plane_gap(b, a, 1)))
@@ -162,5 +160,12 @@ Relation relate(const Obb2& a, const Obb2& b, Asked asked) {
                        std::array{generator(in_space(a.axes[0]), a.half.x), generator(in_space(a.axes[1]), a.half.y),
                                   generator(in_space(b.axes[0]), b.half.x), generator(in_space(b.axes[1]), b.half.y)});
 }
+
+}  // namespace
+
+Relation relate(const Obb3& a, const Obb3& b) { return relate_boxes(a, b, "relate"); }
+Relation relate(const Obb2& a, const Obb2& b) { return relate_boxes(a, b, "relate"); }
+bool intersects(const Obb3& a, const Obb3& b) { return relate_boxes(a, b, "intersects") != Relation::disjoint; }
+bool intersects(const Obb2& a, const Obb2& b) { return relate_boxes(a, b, "intersects") != Relation::disjoint; }
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "plumb/figure/basic/relation.hpp"
+#include "plumb/query/body/detail/question.hpp"
 #include "plumb/query/body/pairs.hpp"
 #include "query/body/figure_parts.hpp"
 
@@ -82,9 +83,9 @@ void require_figures(std::string_view function, const A& a, const B& b) {
 }
 
 template <Figure A, Figure B>
-void require_figures(Asked asked, const A& a, const B& b) {
+void require_figures(Question question, const A& a, const B& b) {
   if (!is_sound(a) || !is_sound(b)) [[unlikely]]
-    require_figures(name_of(asked), view_of(a), view_of(b));
+    require_figures(name_of(question), view_of(a), view_of(b));
 }
 
 /// What a text calls it.

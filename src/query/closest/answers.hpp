@@ -103,15 +103,15 @@ PointOf<Shape> closest_point_of(const Shape& shape, const PointOf<Shape>& p) {
 }
 
 template <class Shape>
-double distance_of(const PointOf<Shape>& p, const Shape& shape, Asked asked) {
+double distance_of(const PointOf<Shape>& p, const Shape& shape, Question question) {
   double to;
-  if (!told_quickly(shape, p, to)) to = answer(name_of(asked), Wanted::distance, shape, p).numbers.distance;
+  if (!told_quickly(shape, p, to)) to = answer(name_of(question), Wanted::distance, shape, p).numbers.distance;
   return to;
 }
 
 template <class Shape>
-ExactDistance exact_distance_of(const PointOf<Shape>& p, const Shape& shape, Asked asked) {
-  require(name_of(asked), shape, p);
+ExactDistance exact_distance_of(const PointOf<Shape>& p, const Shape& shape, Question question) {
+  require(name_of(question), shape, p);
   const Feature feature = Nearest<Shape>::feature(shape, p);
   const Foot<BigDyadic> foot = Nearest<Shape>::template foot<BigDyadic>(shape, p, feature);
   return {rational_square(foot), foot.carrier == Carrier::itself ? Rational(0.0) : Rational(radius_of(shape))};
@@ -136,36 +136,36 @@ Point3 closest_point(const Shape& shape, const Point3& p) {
   return query::closest_point_of(shape, p);
 }
 template <NearPoint2 Shape>
-double distance(const Point2& p, const Shape& shape, Asked asked) {
-  return query::distance_of(p, shape, asked);
+double query::distance_as(Question question, const Point2& p, const Shape& shape) {
+  return distance_of(p, shape, question);
 }
 template <NearPoint3 Shape>
-double distance(const Point3& p, const Shape& shape, Asked asked) {
-  return query::distance_of(p, shape, asked);
+double query::distance_as(Question question, const Point3& p, const Shape& shape) {
+  return distance_of(p, shape, question);
 }
 template <FlatNearPoint2 Shape>
 Rational squared_distance_exact(const Point2& p, const Shape& shape) {
-  return query::exact_distance_of(p, shape, Asked::squared_distance_exact).square;
+  return query::exact_distance_of(p, shape, query::Question::squared_distance_exact).square;
 }
 template <FlatNearPoint3 Shape>
 Rational squared_distance_exact(const Point3& p, const Shape& shape) {
-  return query::exact_distance_of(p, shape, Asked::squared_distance_exact).square;
+  return query::exact_distance_of(p, shape, query::Question::squared_distance_exact).square;
 }
 template <NearPoint2 Shape>
-ExactDistance exact_distance(const Point2& p, const Shape& shape, Asked asked) {
-  return query::exact_distance_of(p, shape, asked);
+ExactDistance exact_distance(const Point2& p, const Shape& shape) {
+  return query::exact_distance_of(p, shape, query::Question::exact_distance);
 }
 template <NearPoint3 Shape>
-ExactDistance exact_distance(const Point3& p, const Shape& shape, Asked asked) {
-  return query::exact_distance_of(p, shape, asked);
+ExactDistance exact_distance(const Point3& p, const Shape& shape) {
+  return query::exact_distance_of(p, shape, query::Question::exact_distance);
 }
 
 // In the .cpp file of a shape, for each dimension: everything that is asked.
-#define PLUMB_CLOSEST_ROUND(Answer, Point, Shape)                            \
-  template Answer closest_points(const Point& p, const Shape& shape);        \
-  template Point closest_point(const Shape& shape, const Point& p);          \
-  template double distance(const Point& p, const Shape& shape, Asked asked); \
-  template ExactDistance exact_distance(const Point& p, const Shape& shape, Asked asked);
+#define PLUMB_CLOSEST_ROUND(Answer, Point, Shape)                                            \
+  template Answer closest_points(const Point& p, const Shape& shape);                        \
+  template Point closest_point(const Shape& shape, const Point& p);                          \
+  template double query::distance_as(Question question, const Point& p, const Shape& shape); \
+  template ExactDistance exact_distance(const Point& p, const Shape& shape);
 #define PLUMB_CLOSEST_FLAT(Answer, Point, Shape) \
   PLUMB_CLOSEST_ROUND(Answer, Point, Shape)      \
   template Rational squared_distance_exact(const Point& p, const Shape& shape);

@@ -109,27 +109,27 @@ requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b) { re
 
 template <class A, class B>
 requires query::StraightPair<A, B>
-double distance(const A& a, const B& b, Asked asked) {
+double query::distance_as(Question question, const A& a, const B& b) {
   [[maybe_unused]] double quick;
   if constexpr (std::is_same_v<A, Segment3> && std::is_same_v<B, Segment3>) {
     if (quickly(a, b, quick)) [[likely]]
       return quick;
   }
-  const SpotsOnLines places = places_of(a, b, name_of(asked));
+  const SpotsOnLines places = places_of(a, b, name_of(question));
   if constexpr (is_in_space<A>) {
     if (quickly(LineAt(a), LineAt(b), places, quick)) [[likely]]
       return quick;
   }
   if (const auto d = quick_distance(straight(a), straight(b), places)) [[likely]]
     return *d;
-  require_figures(asked, a, b);
+  require_figures(question, a, b);
   return distance_exactly(straight(a), straight(b), places);
 }
 
 template <class A, class B>
-requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b, Asked asked) {
-  require_figures(asked, a, b);
-  return square_of(pair_over<BigDyadic>(straight(a), straight(b), places_of(a, b, name_of(asked))));
+requires query::StraightPair<A, B> Rational query::squared_distance_as(Question question, const A& a, const B& b) {
+  require_figures(question, a, b);
+  return square_of(pair_over<BigDyadic>(straight(a), straight(b), places_of(a, b, name_of(question))));
 }
 
 template <class A, class B>
@@ -165,11 +165,11 @@ requires StraightPair<A, B>
 
 }  // namespace query
 
-#define PLUMB_LINEAR_PAIR(Result, A, B)                                  \
-  template Result closest_points(const A&, const B&);                    \
-  template double distance(const A&, const B&, Asked);                   \
-  template Rational squared_distance_exact(const A&, const B&, Asked);   \
-  template std::array<double, 2> closest_parameters(const A&, const B&); \
+#define PLUMB_LINEAR_PAIR(Result, A, B)                                       \
+  template Result closest_points(const A&, const B&);                         \
+  template double query::distance_as(Question, const A&, const B&);           \
+  template Rational query::squared_distance_as(Question, const A&, const B&); \
+  template std::array<double, 2> closest_parameters(const A&, const B&);      \
   template std::optional<Sign> query::quick_comparison(const A&, const B&, double);
 PLUMB_LINEAR_PAIR(Closest2, Line2, Line2)
 PLUMB_LINEAR_PAIR(Closest2, Line2, Ray2)

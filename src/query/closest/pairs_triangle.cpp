@@ -178,7 +178,7 @@ template <class A, class B>
 }
 
 template <class A, class B>
-double distance_of(const A& a, const B& b, Asked asked) {
+double distance_of(const A& a, const B& b, Question question) {
   const auto& p = in_one_form(a);
   const auto& q = in_one_form(b);
   if (const auto features = certain_features(p, q)) {
@@ -187,13 +187,13 @@ double distance_of(const A& a, const B& b, Asked asked) {
       return to;
     if (const auto d = distance_between(p, q, *features)) return *d;
   }
-  require_figures(asked, a, b);
+  require_figures(question, a, b);
   return distance_of_all(p, q);
 }
 
 template <class A, class B>
-Rational square_exactly(const A& a, const B& b, Asked asked) {
-  require_figures(asked, a, b);
+Rational square_exactly(const A& a, const B& b, Question question) {
+  require_figures(question, a, b);
   const auto& p = in_one_form(a);
   const auto& q = in_one_form(b);
   return square_of(found_over<BigDyadic>(p, q, shortlist(p, q))->pair);
@@ -211,20 +211,20 @@ requires StraightPair2<A, B> Closest2 closest_points(const A& a, const B& b) {
 
 template <class A, class B>
 requires query::StraightPair<A, B>
-double distance(const A& a, const B& b, Asked asked) {
+double query::distance_as(Question question, const A& a, const B& b) {
   if constexpr (is_in_space<A>) {
-    return distance_of(a, b, asked);
+    return distance_of(a, b, question);
   } else {
-    return distance_of(in_space(a), in_space(b), asked);
+    return distance_of(in_space(a), in_space(b), question);
   }
 }
 
 template <class A, class B>
-requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b, Asked asked) {
+requires query::StraightPair<A, B> Rational query::squared_distance_as(Question question, const A& a, const B& b) {
   if constexpr (is_in_space<A>) {
-    return square_exactly(a, b, asked);
+    return square_exactly(a, b, question);
   } else {
-    return square_exactly(in_space(a), in_space(b), asked);
+    return square_exactly(in_space(a), in_space(b), question);
   }
 }
 
@@ -241,10 +241,10 @@ requires StraightPair<A, B> std::optional<Sign> quick_comparison(const A& a, con
 
 }  // namespace query
 
-#define PLUMB_TRIANGLE_PAIR(Result, A, B)                              \
-  template Result closest_points(const A&, const B&);                  \
-  template double distance(const A&, const B&, Asked);                 \
-  template Rational squared_distance_exact(const A&, const B&, Asked); \
+#define PLUMB_TRIANGLE_PAIR(Result, A, B)                                     \
+  template Result closest_points(const A&, const B&);                         \
+  template double query::distance_as(Question, const A&, const B&);           \
+  template Rational query::squared_distance_as(Question, const A&, const B&); \
   template std::optional<Sign> query::quick_comparison(const A&, const B&, double);
 PLUMB_TRIANGLE_PAIR(Closest2, Line2, Triangle2)
 PLUMB_TRIANGLE_PAIR(Closest2, Ray2, Triangle2)

@@ -1,6 +1,6 @@
 #include "query/kinds/kind_hit.hpp"
 
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/ray/ray.hpp"
 #include "plumb/query/section/intersection.hpp"
 

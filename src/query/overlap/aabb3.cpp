@@ -1,7 +1,7 @@
 // Axis-aligned boxes in space, with what is straight and with triangles.
-#include "plumb/query/overlap/box.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/overlap/box_quick.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/shapes3.hpp"
 
 namespace plumb {
@@ -33,28 +33,32 @@ bool any_vertex(const Triangle3& t, const auto& is_so) { return is_so(t.a) || is
 
 /// Where it is asked whether they meet, any relation but disjoint is an answer.
 template <class A>
-[[gnu::noinline]] Relation exactly(const A& a, const Aabb3& b, Asked asked) {
-  query::require_figures(asked, a, b);
+[[gnu::noinline]] Relation exactly(const A& a, const Aabb3& b, query::Question question) {
+  query::require_figures(question, a, b);
   if (is_empty(b)) return Relation::disjoint;
   // What lies next to a vertex is inside as well.
   if (any_vertex(a, [&b](const Point3& p) { return is_strictly_inside(p, b); })) return Relation::overlapping;
-  if (asked != Asked::relate && any_vertex(a, [&b](const Point3& p) { return is_inside(p, b); }))
+  if (question != query::Question::relate && any_vertex(a, [&b](const Point3& p) { return is_inside(p, b); }))
     return Relation::touching;
   return exact_relation(a, b);
 }
 
 template <class A>
-Relation relation(const A& a, const Aabb3& b, Asked asked) {
+Relation relate_to_aabb(const A& a, const Aabb3& b, query::Question question) {
   assert_sound_thread();
   const auto answer = query::quick_relation(a, b);
-  return answer ? *answer : exactly(a, b, asked);
+  return answer ? *answer : exactly(a, b, question);
 }
 
 }  // namespace
 
-Relation relate(const Line3& a, const Aabb3& b, Asked asked) { return relation(a, b, asked); }
-Relation relate(const Ray3& a, const Aabb3& b, Asked asked) { return relation(a, b, asked); }
-Relation relate(const Segment3& a, const Aabb3& b, Asked asked) { return relation(a, b, asked); }
-Relation relate(const Triangle3& a, const Aabb3& b, Asked asked) { return relation(a, b, asked); }
+namespace query {
+
+PLUMB_PAIR_ANSWER(Line3, Aabb3, relate_to_aabb)
+PLUMB_PAIR_ANSWER(Ray3, Aabb3, relate_to_aabb)
+PLUMB_PAIR_ANSWER(Segment3, Aabb3, relate_to_aabb)
+PLUMB_PAIR_ANSWER(Triangle3, Aabb3, relate_to_aabb)
+
+}  // namespace query
 
 }  // namespace plumb

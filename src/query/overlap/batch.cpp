@@ -173,7 +173,7 @@ HWY_AFTER_NAMESPACE();
 #include <string>
 
 #include "certify/batch/chosen_target.hpp"
-#include "plumb/query/overlap/box.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "query/body/figure_input.hpp"
 
 namespace plumb {

@@ -1,6 +1,4 @@
 // Lines, rays and segments against cylinders and cones.
-#include "plumb/query/overlap/cylinder_cone.hpp"
-
 #include <optional>
 
 #include "arith/approximate.hpp"
@@ -10,11 +8,11 @@
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/figure/containment/contains.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
 #include "query/convex/exact_gap.hpp"
+#include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
 namespace query {
@@ -183,15 +181,15 @@ Relation relation_of_point(const Point3& p, const Round& round) {
 }
 
 template <class Round>
-Relation relate_point(const Point3& p, const Round& round, Asked asked) {
+Relation relate_point(const Point3& p, const Round& round, Question question) {
   const auto [from, to, radius, is_cone] = axis_of(round);
-  require_figures(asked, p, round);
+  require_figures(question, p, round);
   if (from != to && radius == 0) return relate(flat_set(p), flat_set(Segment3{from, to}));
   return from == to ? relate(p, Sphere3{from, radius}) : relation_of_point(p, round);
 }
 
 template <class Line, class Round>
-Relation relate_line(const Line& line, const Round& round, Asked asked) {
+Relation relate_line(const Line& line, const Round& round, Question question) {
   const auto [from, to, radius, is_cone] = axis_of(round);
   if (is_sound(line) && is_sound(round) && radius > 0 && from != to && !is_point(line)) [[likely]] {
     if (passes_by(line, axis_of(round))) return Relation::disjoint;
@@ -199,7 +197,7 @@ Relation relate_line(const Line& line, const Round& round, Asked asked) {
       return *r;
     if (const auto r = crossing<Running>(line, round)) return *r;
   }
-  require_figures(asked, line, round);
+  require_figures(question, line, round);
   if (from == to) return relate(line, Sphere3{from, radius});
   if (radius == 0) return relate(flat_set(line), flat_set(Segment3{from, to}));
   if (is_point(line)) return relation_of_point(start_of(line), round);
@@ -226,17 +224,14 @@ Relation relate_exact_line(const Straight<Rational>& line, const Cone3& shape) {
   return *LineThroughRound<Rational>(line, axis_of(shape)).relation();
 }
 
+PLUMB_PAIR_ANSWER(Point3, Cylinder3, relate_point)
+PLUMB_PAIR_ANSWER(Point3, Cone3, relate_point)
+PLUMB_PAIR_ANSWER(Line3, Cylinder3, relate_line)
+PLUMB_PAIR_ANSWER(Ray3, Cylinder3, relate_line)
+PLUMB_PAIR_ANSWER(Segment3, Cylinder3, relate_line)
+PLUMB_PAIR_ANSWER(Line3, Cone3, relate_line)
+PLUMB_PAIR_ANSWER(Ray3, Cone3, relate_line)
+PLUMB_PAIR_ANSWER(Segment3, Cone3, relate_line)
+
 }  // namespace query
-
-using query::relate_line, query::relate_point;
-
-Relation relate(const Point3& a, const Cylinder3& b, Asked asked) { return relate_point(a, b, asked); }
-Relation relate(const Point3& a, const Cone3& b, Asked asked) { return relate_point(a, b, asked); }
-Relation relate(const Line3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Ray3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Segment3& a, const Cylinder3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Line3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Ray3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Segment3& a, const Cone3& b, Asked asked) { return relate_line(a, b, asked); }
-
 }  // namespace plumb

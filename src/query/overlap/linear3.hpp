@@ -7,6 +7,7 @@
 // Cost: five signs of degree 3; in one plane some ten of degree 2.
 #pragma once
 
+#include "plumb/query/body/detail/question.hpp"
 #include "query/overlap/shapes2.hpp"
 
 namespace plumb::query {
@@ -46,6 +47,6 @@ Linear3 flattened(const Triangle3& t);
 
 Relation relate(const Linear3& a, const Linear3& b);
 Relation relate(const Linear3& a, const Triangle3& b);
-Relation relate(const Triangle3& a, const Triangle3& b, Asked asked = {});
+Relation relate(const Triangle3& a, const Triangle3& b, Question question = {});
 
 }  // namespace plumb::query

@@ -11,11 +11,11 @@
 #include "figure/minkowski/zonotope.hpp"
 #include "figure/obb/quick.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/query/overlap/box.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
 #include "query/convex/flat_set.hpp"
 #include "query/overlap/box_quick.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/shapes3.hpp"
 #include "query/overlap/signs.hpp"
 
@@ -24,14 +24,14 @@ namespace query {
 namespace {
 
 template <class Shape>
-Relation relate_obb(const Shape& a, const Obb3& b, Asked asked) {
+Relation relate_obb(const Shape& a, const Obb3& b, Question question) {
   assert_sound_thread();
   if (const auto r = quick_relation(a, b)) [[likely]]
     return *r;
-  require_figures(asked, a, b);
+  require_figures(question, a, b);
   if constexpr (std::is_same_v<Shape, Triangle3>) {
-    if (a.a == a.b || a.c == a.a) return relate_obb(Segment3{a.b, a.c}, b, asked);
-    if (a.b == a.c) return relate_obb(Segment3{a.a, a.b}, b, asked);
+    if (a.a == a.b || a.c == a.a) return relate_obb(Segment3{a.b, a.c}, b, question);
+    if (a.b == a.c) return relate_obb(Segment3{a.a, a.b}, b, question);
   }
   if (const auto r = near_relation(a, b)) return *r;
   return relate(flat_set(a), flat_set(b));
@@ -58,23 +58,20 @@ Relation exactly(const Aabb3& a, const Obb3& b) {
 }
 
 }  // namespace
-}  // namespace query
+PLUMB_PAIR_ANSWER(Line3, Obb3, relate_obb)
+PLUMB_PAIR_ANSWER(Ray3, Obb3, relate_obb)
+PLUMB_PAIR_ANSWER(Segment3, Obb3, relate_obb)
+PLUMB_PAIR_ANSWER(Triangle3, Obb3, relate_obb)
 
-using query::relate_obb;
-
-Relation relate(const Line3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
-Relation relate(const Ray3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
-Relation relate(const Segment3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
-Relation relate(const Triangle3& a, const Obb3& b, Asked asked) { return relate_obb(a, b, asked); }
-
-Relation relate(const Aabb3& a, const Obb3& b, Asked asked) {
+Relation relate_pair(PairFunction<Aabb3, Obb3>, const Aabb3& a, const Obb3& b, Question question) {
   assert_sound_thread();
   if (const auto r = quick_relation(a, b); r && !is_empty(a)) [[likely]]
     return *r;
-  query::require_figures(asked, a, b);
+  require_figures(question, a, b);
   if (is_empty(a)) return Relation::disjoint;
   if (const auto r = near_relation(a, b)) return *r;
-  return query::exactly(a, b);
+  return exactly(a, b);
 }
 
+}  // namespace query
 }  // namespace plumb

@@ -1,6 +1,5 @@
-#include "plumb/query/overlap/overlap2.hpp"
-
 #include "query/body/figure_input.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/quick2.hpp"
 #include "query/overlap/shapes2.hpp"
 
@@ -8,8 +7,8 @@ namespace plumb {
 namespace {
 
 template <class A, class B>
-Relation related(const A& a, const B& b, Asked asked) {
-  query::require_figures(asked, a, b);
+Relation relate_in_plane(const A& a, const B& b, query::Question question) {
+  query::require_figures(question, a, b);
   if constexpr (requires { query::linear(b); }) {
     return query::relate(query::linear(a), query::linear(b));
   } else if constexpr (requires { query::linear(a); }) {
@@ -20,27 +19,31 @@ Relation related(const A& a, const B& b, Asked asked) {
 }
 
 template <class A, class B>
-Relation quickly_related(const A& a, const B& b, Asked asked) {
+Relation relate_quickly_in_plane(const A& a, const B& b, query::Question question) {
   assert_sound_thread();
   if (const auto answer = query::quickly(a, b)) return *answer;
-  return related(a, b, asked);
+  return relate_in_plane(a, b, question);
 }
 
 }  // namespace
 
-Relation relate(const Line2& a, const Line2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Line2& a, const Ray2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Line2& a, const Segment2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Line2& a, const Triangle2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Line2& a, const Aabb2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Ray2& a, const Ray2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Ray2& a, const Segment2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Ray2& a, const Triangle2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Ray2& a, const Aabb2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Segment2& a, const Segment2& b, Asked asked) { return quickly_related(a, b, asked); }
-Relation relate(const Segment2& a, const Triangle2& b, Asked asked) { return quickly_related(a, b, asked); }
-Relation relate(const Segment2& a, const Aabb2& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Triangle2& a, const Triangle2& b, Asked asked) { return quickly_related(a, b, asked); }
-Relation relate(const Triangle2& a, const Aabb2& b, Asked asked) { return related(a, b, asked); }
+namespace query {
+
+PLUMB_PAIR_ANSWER(Line2, Line2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Line2, Ray2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Line2, Segment2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Line2, Triangle2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Line2, Aabb2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Ray2, Ray2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Ray2, Segment2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Ray2, Triangle2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Ray2, Aabb2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Segment2, Segment2, relate_quickly_in_plane)
+PLUMB_PAIR_ANSWER(Segment2, Triangle2, relate_quickly_in_plane)
+PLUMB_PAIR_ANSWER(Segment2, Aabb2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Triangle2, Triangle2, relate_quickly_in_plane)
+PLUMB_PAIR_ANSWER(Triangle2, Aabb2, relate_in_plane)
+
+}  // namespace query
 
 }  // namespace plumb

@@ -1,9 +1,8 @@
-#include "plumb/query/overlap/plane.hpp"
-
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates/plane_distance.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/flat_set.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/shapes3.hpp"
 #include "query/overlap/signs.hpp"
 
@@ -146,8 +145,8 @@ Relation relate_plane(const Halfspace3& half, const Shape& s) {
 }
 
 template <class A, class B>
-Relation related(const A& a, const B& b, Asked asked) {
-  require_figures(asked, a, b);
+Relation relate_to_plane(const A& a, const B& b, Question question) {
+  require_figures(question, a, b);
   if constexpr (requires { relate_plane(a, b); }) {
     return relate_plane(a, b);
   } else {
@@ -156,42 +155,39 @@ Relation related(const A& a, const B& b, Asked asked) {
 }
 
 }  // namespace
-}  // namespace query
-
-using query::related;
-
-Relation relate(const Point3& a, const Plane3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Segment3& a, const Plane3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Plane3& a, const Triangle3& b, Asked asked) {
+PLUMB_PAIR_ANSWER(Point3, Plane3, relate_to_plane)
+PLUMB_PAIR_ANSWER(Segment3, Plane3, relate_to_plane)
+Relation relate_pair(PairFunction<Plane3, Triangle3>, const Plane3& a, const Triangle3& b, Question question) {
   assert_sound_thread();
-  const int p = query::quick_side(a, b.a), q = query::quick_side(a, b.b), r = query::quick_side(a, b.c);
-  if (p * q * r == 0) return related(a, b, asked);
+  const int p = quick_side(a, b.a), q = quick_side(a, b.b), r = quick_side(a, b.c);
+  if (p * q * r == 0) return relate_to_plane(a, b, question);
   return p == q && q == r ? Relation::disjoint : Relation::overlapping;
 }
-Relation relate(const Plane3& a, const Tetrahedron3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Plane3& a, const Aabb3& b, Asked asked) {
+PLUMB_PAIR_ANSWER(Plane3, Tetrahedron3, relate_to_plane)
+Relation relate_pair(PairFunction<Plane3, Aabb3>, const Plane3& a, const Aabb3& b, Question question) {
   assert_sound_thread();
   const bool x = a.normal.x > 0, y = a.normal.y > 0, z = a.normal.z > 0;
   const auto& [min, max] = b;
-  const int high = query::quick_side(a, {x ? max.x : min.x, y ? max.y : min.y, z ? max.z : min.z});
-  const int low = query::quick_side(a, {x ? min.x : max.x, y ? min.y : max.y, z ? min.z : max.z});
-  if (low * high == 0 || is_empty(b)) return related(a, b, asked);
+  const int high = quick_side(a, {x ? max.x : min.x, y ? max.y : min.y, z ? max.z : min.z});
+  const int low = quick_side(a, {x ? min.x : max.x, y ? min.y : max.y, z ? min.z : max.z});
+  if (low * high == 0 || is_empty(b)) return relate_to_plane(a, b, question);
   return low == high ? Relation::disjoint : Relation::overlapping;
 }
-Relation relate(const Plane3& a, const Obb3& b, Asked asked) { return related(a, b, asked); }
+PLUMB_PAIR_ANSWER(Plane3, Obb3, relate_to_plane)
 
-Relation relate(const Point3& a, const ThreePointPlane3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Segment3& a, const ThreePointPlane3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Tetrahedron3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Aabb3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Obb3& b, Asked asked) { return related(a, b, asked); }
+PLUMB_PAIR_ANSWER(Point3, ThreePointPlane3, relate_to_plane)
+PLUMB_PAIR_ANSWER(Segment3, ThreePointPlane3, relate_to_plane)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Triangle3, relate_to_plane)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Tetrahedron3, relate_to_plane)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Aabb3, relate_to_plane)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Obb3, relate_to_plane)
 
-Relation relate(const Point3& a, const Halfspace3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Segment3& a, const Halfspace3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Halfspace3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Halfspace3& a, const Tetrahedron3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Halfspace3& a, const Aabb3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Halfspace3& a, const Obb3& b, Asked asked) { return related(a, b, asked); }
+PLUMB_PAIR_ANSWER(Point3, Halfspace3, relate_to_plane)
+PLUMB_PAIR_ANSWER(Segment3, Halfspace3, relate_to_plane)
+PLUMB_PAIR_ANSWER(Halfspace3, Triangle3, relate_to_plane)
+PLUMB_PAIR_ANSWER(Halfspace3, Tetrahedron3, relate_to_plane)
+PLUMB_PAIR_ANSWER(Halfspace3, Aabb3, relate_to_plane)
+PLUMB_PAIR_ANSWER(Halfspace3, Obb3, relate_to_plane)
 
+}  // namespace query
 }  // namespace plumb

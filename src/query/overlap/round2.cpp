@@ -1,9 +1,7 @@
 // Figures of the plane as figures of space: what is flat lies in z = 0, what halfplanes bound goes up and down forever.
-#include "plumb/query/overlap/round2.hpp"
-
 #include "figure/basic/in_space.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
 namespace query {
@@ -42,43 +40,40 @@ HalfspaceIntersection3 in_space(const KDop2& k_dop) {
 }
 
 template <class A, class B>
-Relation relate_lifted(const A& a, const B& b, Asked asked) {
-  require_figures(asked, a, b);
+Relation relate_lifted(const A& a, const B& b, Question question) {
+  require_figures(question, a, b);
   return relate(in_space(a), in_space(b));
 }
 
 }  // namespace
+PLUMB_PAIR_ANSWER(Point2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Line2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Ray2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Segment2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Halfspace2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Triangle2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Quadrilateral2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Polygon2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(HoledPolygon2, Circle2, relate_lifted)
+PLUMB_PAIR_ANSWER(Circle2, Aabb2, relate_lifted)
+PLUMB_PAIR_ANSWER(Circle2, Obb2, relate_lifted)
+PLUMB_PAIR_ANSWER(Circle2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Circle2, KDop2, relate_lifted)
+PLUMB_PAIR_ANSWER(Circle2, HalfspaceIntersection2, relate_lifted)
+
+PLUMB_PAIR_ANSWER(Point2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Line2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Ray2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Segment2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Halfspace2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Triangle2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Quadrilateral2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Polygon2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(HoledPolygon2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Aabb2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Obb2, Capsule2, relate_lifted)
+PLUMB_PAIR_ANSWER(Capsule2, KDop2, relate_lifted)
+PLUMB_PAIR_ANSWER(Capsule2, HalfspaceIntersection2, relate_lifted)
+
 }  // namespace query
-
-using query::relate_lifted;
-
-Relation relate(const Point2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Line2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Ray2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Segment2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Halfspace2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Triangle2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Quadrilateral2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Polygon2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const HoledPolygon2& a, const Circle2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Circle2& a, const Aabb2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Circle2& a, const Obb2& b, Asked asked) { return relate_lifted(b, a, asked); }
-Relation relate(const Circle2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Circle2& a, const KDop2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Circle2& a, const HalfspaceIntersection2& b, Asked asked) { return relate_lifted(a, b, asked); }
-
-Relation relate(const Point2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Line2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Ray2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Segment2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Halfspace2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Triangle2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Quadrilateral2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Polygon2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const HoledPolygon2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Aabb2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Obb2& a, const Capsule2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Capsule2& a, const KDop2& b, Asked asked) { return relate_lifted(a, b, asked); }
-Relation relate(const Capsule2& a, const HalfspaceIntersection2& b, Asked asked) { return relate_lifted(a, b, asked); }
-
 }  // namespace plumb

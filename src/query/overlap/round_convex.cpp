@@ -1,9 +1,9 @@
 // Balls, capsules and lozenges against convex shapes that are given by vertices.
 #include "figure/support/near_points.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
+#include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
 namespace query {
@@ -22,65 +22,67 @@ std::optional<Sign> near_or_far(const Aabb3& box, const Capsule3& c) {
 }
 
 template <class Flat, class Round>
-[[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round, Asked asked) {
+[[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round, Question question) {
   if (is_sound(flat) && is_sound(round) && !is_nothing(flat)) {
     if (const auto gap = quick_gap(query::vertices(flat), query::vertices(round), 0, round.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  require_figures(asked, flat, round);
+  require_figures(question, flat, round);
   return relate_swept(core_set(round), round.radius, flat_set(flat));
 }
 
 template <class Flat, class Round>
-Relation relate_vertices(const Flat& flat, const Round& round, Asked asked) {
+Relation relate_vertices(const Flat& flat, const Round& round, Question question) {
   if constexpr (requires { near_or_far(flat, round); }) {
     if (const auto gap = near_or_far(flat, round)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  return relate_slowly(flat, round, asked);
+  return relate_slowly(flat, round, question);
+}
+
+template <class Round, class Flat>
+Relation relate_vertices_of_other(const Round& round, const Flat& flat, Question question) {
+  return relate_vertices(flat, round, question);
 }
 
 template <class A, class B>
-Relation relate_round(const A& a, const B& b, Asked asked) {
+Relation relate_round(const A& a, const B& b, Question question) {
   if (is_sound(a) && is_sound(b)) [[likely]] {
     if (const auto gap = quick_gap(query::vertices(a), query::vertices(b), a.radius, b.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  require_figures(asked, a, b);
+  require_figures(question, a, b);
   return relate_swept(core_set(a), a.radius, core_set(b), b.radius);
 }
 
 }  // namespace
+PLUMB_PAIR_ANSWER(Triangle3, Sphere3, relate_vertices)
+PLUMB_PAIR_ANSWER(Rectangle3, Sphere3, relate_vertices)
+PLUMB_PAIR_ANSWER(Tetrahedron3, Sphere3, relate_vertices)
+PLUMB_PAIR_ANSWER(Sphere3, Obb3, relate_vertices_of_other)
+PLUMB_PAIR_ANSWER(Sphere3, ConvexPolyhedron3, relate_vertices_of_other)
+
+PLUMB_PAIR_ANSWER(Point3, Capsule3, relate_vertices)
+PLUMB_PAIR_ANSWER(Segment3, Capsule3, relate_vertices)
+PLUMB_PAIR_ANSWER(Triangle3, Capsule3, relate_vertices)
+PLUMB_PAIR_ANSWER(Rectangle3, Capsule3, relate_vertices)
+PLUMB_PAIR_ANSWER(Tetrahedron3, Capsule3, relate_vertices)
+PLUMB_PAIR_ANSWER(Aabb3, Capsule3, relate_vertices)
+PLUMB_PAIR_ANSWER(Obb3, Capsule3, relate_vertices)
+PLUMB_PAIR_ANSWER(Capsule3, ConvexPolyhedron3, relate_vertices_of_other)
+
+PLUMB_PAIR_ANSWER(Point3, Lozenge3, relate_vertices)
+PLUMB_PAIR_ANSWER(Segment3, Lozenge3, relate_vertices)
+PLUMB_PAIR_ANSWER(Triangle3, Lozenge3, relate_vertices)
+PLUMB_PAIR_ANSWER(Rectangle3, Lozenge3, relate_vertices)
+PLUMB_PAIR_ANSWER(Tetrahedron3, Lozenge3, relate_vertices)
+PLUMB_PAIR_ANSWER(Aabb3, Lozenge3, relate_vertices)
+PLUMB_PAIR_ANSWER(Obb3, Lozenge3, relate_vertices)
+PLUMB_PAIR_ANSWER(Lozenge3, ConvexPolyhedron3, relate_vertices_of_other)
+
+PLUMB_PAIR_ANSWER(Sphere3, Capsule3, relate_round)
+PLUMB_PAIR_ANSWER(Sphere3, Lozenge3, relate_round)
+PLUMB_PAIR_ANSWER(Capsule3, Lozenge3, relate_round)
+
 }  // namespace query
-
-using query::relate_vertices, query::relate_round;
-
-Relation relate(const Triangle3& a, const Sphere3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Rectangle3& a, const Sphere3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Tetrahedron3& a, const Sphere3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Sphere3& a, const Obb3& b, Asked asked) { return relate_vertices(b, a, asked); }
-Relation relate(const Sphere3& a, const ConvexPolyhedron3& b, Asked asked) { return relate_vertices(b, a, asked); }
-
-Relation relate(const Point3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Segment3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Triangle3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Rectangle3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Tetrahedron3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Aabb3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Obb3& a, const Capsule3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Capsule3& a, const ConvexPolyhedron3& b, Asked asked) { return relate_vertices(b, a, asked); }
-
-Relation relate(const Point3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Segment3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Triangle3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Rectangle3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Tetrahedron3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Aabb3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Obb3& a, const Lozenge3& b, Asked asked) { return relate_vertices(a, b, asked); }
-Relation relate(const Lozenge3& a, const ConvexPolyhedron3& b, Asked asked) { return relate_vertices(b, a, asked); }
-
-Relation relate(const Sphere3& a, const Capsule3& b, Asked asked) { return relate_round(a, b, asked); }
-Relation relate(const Sphere3& a, const Lozenge3& b, Asked asked) { return relate_round(a, b, asked); }
-Relation relate(const Capsule3& a, const Lozenge3& b, Asked asked) { return relate_round(a, b, asked); }
-
 }  // namespace plumb

@@ -1,10 +1,10 @@
 // Balls, capsules and lozenges against k-DOPs and other intersections of halfspaces.
 #include <cmath>
 
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
+#include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
 namespace query {
@@ -165,8 +165,8 @@ class HalfspaceSearch {
 };
 
 template <class Round, class Set>
-Relation relate_halfspaces(const Round& a, const Set& b, Asked asked) {
-  require_figures(asked, a, b);
+Relation relate_halfspaces(const Round& a, const Set& b, Question question) {
+  require_figures(question, a, b);
   const std::vector<Side> sides = sides_of(b);
   const auto core = vertices(a);
   if (const auto gap = HalfspaceSearch(sides, core, a.radius).run()) return static_cast<Relation>(-*gap);
@@ -174,21 +174,13 @@ Relation relate_halfspaces(const Round& a, const Set& b, Asked asked) {
 }
 
 }  // namespace
+
+PLUMB_PAIR_ANSWER(Sphere3, KDop3, relate_halfspaces)
+PLUMB_PAIR_ANSWER(Sphere3, HalfspaceIntersection3, relate_halfspaces)
+PLUMB_PAIR_ANSWER(Capsule3, KDop3, relate_halfspaces)
+PLUMB_PAIR_ANSWER(Capsule3, HalfspaceIntersection3, relate_halfspaces)
+PLUMB_PAIR_ANSWER(Lozenge3, KDop3, relate_halfspaces)
+PLUMB_PAIR_ANSWER(Lozenge3, HalfspaceIntersection3, relate_halfspaces)
+
 }  // namespace query
-
-using query::relate_halfspaces;
-
-Relation relate(const Sphere3& a, const KDop3& b, Asked asked) { return relate_halfspaces(a, b, asked); }
-Relation relate(const Sphere3& a, const HalfspaceIntersection3& b, Asked asked) {
-  return relate_halfspaces(a, b, asked);
-}
-Relation relate(const Capsule3& a, const KDop3& b, Asked asked) { return relate_halfspaces(a, b, asked); }
-Relation relate(const Capsule3& a, const HalfspaceIntersection3& b, Asked asked) {
-  return relate_halfspaces(a, b, asked);
-}
-Relation relate(const Lozenge3& a, const KDop3& b, Asked asked) { return relate_halfspaces(a, b, asked); }
-Relation relate(const Lozenge3& a, const HalfspaceIntersection3& b, Asked asked) {
-  return relate_halfspaces(a, b, asked);
-}
-
 }  // namespace plumb

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
+#include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
 namespace query {
@@ -116,23 +116,21 @@ std::optional<Sign> quick_line(const Line& line, const Lozenge3& l) {
 }
 
 template <class Line, class Round>
-Relation relate_line(const Line& line, const Round& round, Asked asked) {
+Relation relate_line_round(const Line& line, const Round& round, Question question) {
   if (is_sound(line) && is_sound(round)) [[likely]] {
     if (const auto gap = quick_line(line, round)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
-  require_figures(asked, line, round);
+  require_figures(question, line, round);
   return relate_swept(core_set(round), round.radius, flat_set(line));
 }
 
 }  // namespace
+
+PLUMB_PAIR_ANSWER(Line3, Capsule3, relate_line_round)
+PLUMB_PAIR_ANSWER(Line3, Lozenge3, relate_line_round)
+PLUMB_PAIR_ANSWER(Ray3, Capsule3, relate_line_round)
+PLUMB_PAIR_ANSWER(Ray3, Lozenge3, relate_line_round)
+
 }  // namespace query
-
-using query::relate_line;
-
-Relation relate(const Line3& a, const Capsule3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Line3& a, const Lozenge3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Ray3& a, const Capsule3& b, Asked asked) { return relate_line(a, b, asked); }
-Relation relate(const Ray3& a, const Lozenge3& b, Asked asked) { return relate_line(a, b, asked); }
-
 }  // namespace plumb

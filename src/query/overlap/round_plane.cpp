@@ -5,11 +5,10 @@
 #include "figure/swept_sphere/core_distance.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates/plane_distance.hpp"
-#include "plumb/query/overlap/cylinder_cone.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
+#include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
 namespace query {
@@ -167,14 +166,14 @@ bool is_itself(const Cone3& c) { return c.radius > 0 && c.apex != c.base; }
 bool is_itself(const auto& round) { return round.radius > 0; }
 
 template <class Plane, class Round>
-Relation relate_round_shape(const Plane& plane, const Round& round, Asked asked) {
+Relation relate_round_shape(const Plane& plane, const Round& round, Question question) {
   constexpr bool of_halfspace = std::is_same_v<Plane, Halfspace3>;
   if (is_sound(plane) && is_sound(round) && is_itself(round)) [[likely]] {
     if (const auto r = quick(plane, round)) [[likely]]
       return *r;
     if (const auto sides = sides_of<Running>(plane, round)) return relation_of(*sides, of_halfspace);
   }
-  require_figures(asked, plane, round);
+  require_figures(question, plane, round);
   if constexpr (std::is_same_v<Round, Cylinder3>) {
     if (round.a == round.b) return relate(plane, Sphere3{round.a, round.radius});
     if (round.radius == 0) return relate_swept(flat_set(Segment3{round.a, round.b}), 0, flat_set(plane));
@@ -202,32 +201,25 @@ Relation relate_exact_plane(const ExactPlane& plane, const Cone3& shape) {
   return relation_of(*sides_of<Rational>(plane, shape), plane.is_halfspace);
 }
 
-}  // namespace query
-
-using query::relate_round_shape;
-
-namespace query::round_overlap {
 
 constinit const double plane_constant = filter_constant<predicates::NormalDistanceAgainst3d>();
 static_assert(filter_constant<predicates::SideOfPlane>() <= filter_constant<predicates::NormalDistanceAgainst3d>());
 
-Relation relate_exactly(const Plane3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate_exactly(const Halfspace3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
+PLUMB_PAIR_ANSWER(Plane3, Sphere3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Plane3, Capsule3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Plane3, Lozenge3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Plane3, Cylinder3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Plane3, Cone3, relate_round_shape)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Sphere3, relate_round_shape)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Capsule3, relate_round_shape)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Lozenge3, relate_round_shape)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Cylinder3, relate_round_shape)
+PLUMB_PAIR_ANSWER(ThreePointPlane3, Cone3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Halfspace3, Sphere3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Halfspace3, Capsule3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Halfspace3, Lozenge3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Halfspace3, Cylinder3, relate_round_shape)
+PLUMB_PAIR_ANSWER(Halfspace3, Cone3, relate_round_shape)
 
-}  // namespace query::round_overlap
-
-Relation relate(const Plane3& a, const Capsule3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const Plane3& a, const Lozenge3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const Plane3& a, const Cylinder3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const Plane3& a, const Cone3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Sphere3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Capsule3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Lozenge3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Cylinder3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const ThreePointPlane3& a, const Cone3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const Halfspace3& a, const Capsule3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const Halfspace3& a, const Lozenge3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const Halfspace3& a, const Cylinder3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-Relation relate(const Halfspace3& a, const Cone3& b, Asked asked) { return relate_round_shape(a, b, asked); }
-
+}  // namespace query
 }  // namespace plumb

@@ -4,10 +4,10 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
 #include "plumb/query/overlap/overlap.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/odd_edges.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/polygon_relation.hpp"
 
 namespace plumb {
@@ -169,41 +169,28 @@ std::vector<Chain3> chains_of(const HoledPolygon3& a) {
 }
 
 template <class Polygon, class Round>
-Relation relate_round_polygon(const Polygon& a, const Round& b, Asked asked) {
-  require_figures(asked, a, b);
-  if (b.radius == 0) return relate_convex(name_of(asked), view_of(a), core_set(b));
+Relation relate_round_polygon(const Polygon& a, const Round& b, Question question) {
+  require_figures(question, a, b);
+  if (b.radius == 0) return relate_convex(name_of(question), view_of(a), core_set(b));
   if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
     const std::array corners{a.a, a.b, a.c, a.d};
-    return relate_edges(std::array<Chain3, 1>{corners}, b, name_of(asked), spoken(view_of(a)));
+    return relate_edges(std::array<Chain3, 1>{corners}, b, name_of(question), spoken(view_of(a)));
   } else {
-    return relate_edges(chains_of(a), b, name_of(asked), spoken(view_of(a)));
+    return relate_edges(chains_of(a), b, name_of(question), spoken(view_of(a)));
   }
 }
 
 }  // namespace
 
+PLUMB_PAIR_ANSWER(Quadrilateral3, Sphere3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(Quadrilateral3, Capsule3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(Polygon3, Sphere3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(Polygon3, Capsule3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(HoledPolygon3, Sphere3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(HoledPolygon3, Capsule3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(Quadrilateral3, Lozenge3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(Polygon3, Lozenge3, relate_round_polygon)
+PLUMB_PAIR_ANSWER(HoledPolygon3, Lozenge3, relate_round_polygon)
+
 }  // namespace query
-
-Relation relate(const Quadrilateral3& a, const Sphere3& b, Asked asked) {
-  return query::relate_round_polygon(a, b, asked);
-}
-Relation relate(const Quadrilateral3& a, const Capsule3& b, Asked asked) {
-  return query::relate_round_polygon(a, b, asked);
-}
-Relation relate(const Polygon3& a, const Sphere3& b, Asked asked) { return query::relate_round_polygon(a, b, asked); }
-Relation relate(const Polygon3& a, const Capsule3& b, Asked asked) { return query::relate_round_polygon(a, b, asked); }
-Relation relate(const HoledPolygon3& a, const Sphere3& b, Asked asked) {
-  return query::relate_round_polygon(a, b, asked);
-}
-Relation relate(const HoledPolygon3& a, const Capsule3& b, Asked asked) {
-  return query::relate_round_polygon(a, b, asked);
-}
-Relation relate(const Quadrilateral3& a, const Lozenge3& b, Asked asked) {
-  return query::relate_round_polygon(a, b, asked);
-}
-Relation relate(const Polygon3& a, const Lozenge3& b, Asked asked) { return query::relate_round_polygon(a, b, asked); }
-Relation relate(const HoledPolygon3& a, const Lozenge3& b, Asked asked) {
-  return query::relate_round_polygon(a, b, asked);
-}
-
 }  // namespace plumb

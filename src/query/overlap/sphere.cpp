@@ -5,9 +5,9 @@
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/predicates/distance.hpp"
 #include "plumb/predicates/line_distance.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
+#include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
 namespace query {
@@ -144,11 +144,11 @@ std::optional<Relation> by_doubles(const Segment3& a, const Sphere3& b) {
 std::optional<Relation> by_doubles(const auto&, const Sphere3&) { return {}; }
 
 template <class Flat>
-Relation relate_nearest(const Flat& flat, const Sphere3& ball, Asked asked) {
+Relation relate_nearest(const Flat& flat, const Sphere3& ball, Question question) {
   assert_sound_thread();
   if (const auto told = by_doubles(flat, ball)) [[likely]]
     return *told;
-  require_figures(asked, flat, ball);
+  require_figures(question, flat, ball);
   if (is_nothing(flat)) return Relation::disjoint;
   const Sign s = gap(flat, ball);
   if (s == Sign::zero && ball.radius == 0) return relate_swept(core_set(ball), 0, flat_set(flat));
@@ -156,17 +156,14 @@ Relation relate_nearest(const Flat& flat, const Sphere3& ball, Asked asked) {
 }
 
 }  // namespace
+
+PLUMB_PAIR_ANSWER(Point3, Sphere3, relate_nearest)
+PLUMB_PAIR_ANSWER(Line3, Sphere3, relate_nearest)
+PLUMB_PAIR_ANSWER(Ray3, Sphere3, relate_nearest)
+PLUMB_PAIR_ANSWER(Segment3, Sphere3, relate_nearest)
+Relation relate_pair(PairFunction<Sphere3, Aabb3>, const Sphere3& a, const Aabb3& b, Question question) {
+  return relate_nearest(b, a, question);
+}
+
 }  // namespace query
-
-Relation relate(const Point3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
-Relation relate(const Line3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
-Relation relate(const Ray3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
-Relation relate(const Segment3& a, const Sphere3& b, Asked asked) { return query::relate_nearest(a, b, asked); }
-
-namespace query::round_overlap {
-
-Relation relate_exactly(const Sphere3& a, const Aabb3& b, Asked asked) { return query::relate_nearest(b, a, asked); }
-
-}  // namespace query::round_overlap
-
 }  // namespace plumb

@@ -1,45 +1,49 @@
 // What is straight in space: among itself, and with triangles.
-#include "plumb/query/overlap/triangle.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/lattice3.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/signs.hpp"
 
 namespace plumb {
 namespace {
 
 template <class A>
-[[gnu::noinline]] Relation exactly(const A& a, const Triangle3& b, Asked asked) {
+[[gnu::noinline]] Relation exactly(const A& a, const Triangle3& b, query::Question question) {
   if constexpr (std::is_same_v<A, Segment3>) {
     if (const auto answer = query::by_lattice(a, b)) return *answer;
   }
-  query::require_figures(asked, a, b);
+  query::require_figures(question, a, b);
   return query::relate(query::linear(a), b);
 }
 
 template <class A>
-Relation related(const A& a, const Triangle3& b, Asked asked) {
+Relation relate_straight(const A& a, const Triangle3& b, query::Question question) {
   assert_sound_thread();
   if (const auto answer = query::by_doubles(a, b)) return *answer;
-  return exactly(a, b, asked);
+  return exactly(a, b, question);
 }
 template <class A, class B>
-Relation related(const A& a, const B& b, Asked asked) {
-  query::require_figures(asked, a, b);
+Relation relate_straight(const A& a, const B& b, query::Question question) {
+  query::require_figures(question, a, b);
   return query::relate(query::linear(a), query::linear(b));
 }
 
 }  // namespace
 
-Relation relate(const Line3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Ray3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Segment3& a, const Triangle3& b, Asked asked) { return related(a, b, asked); }
+namespace query {
 
-Relation relate(const Line3& a, const Line3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Line3& a, const Ray3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Line3& a, const Segment3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Ray3& a, const Ray3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Ray3& a, const Segment3& b, Asked asked) { return related(a, b, asked); }
-Relation relate(const Segment3& a, const Segment3& b, Asked asked) { return related(a, b, asked); }
+PLUMB_PAIR_ANSWER(Line3, Triangle3, relate_straight)
+PLUMB_PAIR_ANSWER(Ray3, Triangle3, relate_straight)
+PLUMB_PAIR_ANSWER(Segment3, Triangle3, relate_straight)
+
+PLUMB_PAIR_ANSWER(Line3, Line3, relate_straight)
+PLUMB_PAIR_ANSWER(Line3, Ray3, relate_straight)
+PLUMB_PAIR_ANSWER(Line3, Segment3, relate_straight)
+PLUMB_PAIR_ANSWER(Ray3, Ray3, relate_straight)
+PLUMB_PAIR_ANSWER(Ray3, Segment3, relate_straight)
+PLUMB_PAIR_ANSWER(Segment3, Segment3, relate_straight)
+
+}  // namespace query
 
 }  // namespace plumb

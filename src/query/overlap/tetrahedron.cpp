@@ -7,10 +7,10 @@
 
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates/line_triangle.hpp"
-#include "plumb/query/overlap/triangle.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/flat_set.hpp"
 #include "query/overlap/linear3.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/signs.hpp"
 
 namespace plumb {
@@ -149,18 +149,17 @@ Relation by_axes(const Tetrahedron3& a, const Tetrahedron3& b) {
   return relation(least(all, beyond_edges(p, of_a, q)));
 }
 
-}  // namespace
-
 template <class A, class B>
-Relation related(const A& a, const B& b, Asked asked) {
-  require_figures(asked, a, b);
+Relation relate_to_tetrahedron(const A& a, const B& b, Question question) {
+  require_figures(question, a, b);
   return by_axes(a, b);
 }
 
+}  // namespace
+
+PLUMB_PAIR_ANSWER(Segment3, Tetrahedron3, relate_to_tetrahedron)
+PLUMB_PAIR_ANSWER(Triangle3, Tetrahedron3, relate_to_tetrahedron)
+PLUMB_PAIR_ANSWER(Tetrahedron3, Tetrahedron3, relate_to_tetrahedron)
+
 }  // namespace query
-
-Relation relate(const Segment3& a, const Tetrahedron3& b, Asked asked) { return query::related(a, b, asked); }
-Relation relate(const Triangle3& a, const Tetrahedron3& b, Asked asked) { return query::related(a, b, asked); }
-Relation relate(const Tetrahedron3& a, const Tetrahedron3& b, Asked asked) { return query::related(a, b, asked); }
-
 }  // namespace plumb

@@ -3,10 +3,10 @@
 #include <bit>
 #include <limits>
 
-#include "plumb/query/overlap/triangle.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/lattice_volumes.hpp"
+#include "query/overlap/pair_answer.hpp"
 #include "query/overlap/shared_corners.hpp"
 #include "query/overlap/signs.hpp"
 #include "query/overlap/triangle_signs.hpp"
@@ -166,8 +166,8 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   return telling_axis(b) == 3 ? relate(flattened(b), a) : relate(flattened(a), b);
 }
 
-[[gnu::noinline]] std::optional<Relation> by_points(const Triangle3& a, const Triangle3& b, Asked asked) {
-  require_figures(asked, a, b);
+[[gnu::noinline]] std::optional<Relation> by_points(const Triangle3& a, const Triangle3& b, Question question) {
+  require_figures(question, a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
   const WideVolumes<6> wide(std::bit_cast<CornerNumbers>(corners));
@@ -175,25 +175,25 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   return relate_by(a, b, PointSigns(corners));
 }
 
-[[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Asked asked) {
+[[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Question question) {
   const LatticePoints<6, 3> points(std::bit_cast<CornerNumbers>(std::array{a, b}));
   const auto ask = [&](const auto& signs) { return relate_by(a, b, signs); };
-  const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, asked);
+  const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, question);
   return answer ? *answer : without_area(a, b);
 }
 
 }  // namespace
 
-Relation relate(const Triangle3& a, const Triangle3& b, Asked asked) {
+Relation relate(const Triangle3& a, const Triangle3& b, Question question) {
   if (const auto answer = by_doubles(a, b)) return *answer;
-  return by_signs(a, b, asked);
+  return by_signs(a, b, question);
+}
+
+Relation relate_pair(PairFunction<Triangle3, Triangle3>, const Triangle3& a, const Triangle3& b, Question question) {
+  assert_sound_thread();
+  return relate(a, b, question);
 }
 
 }  // namespace query
-
-Relation relate(const Triangle3& a, const Triangle3& b, Asked asked) {
-  assert_sound_thread();
-  return query::relate(a, b, asked);
-}
 
 }  // namespace plumb

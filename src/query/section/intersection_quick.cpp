@@ -2,8 +2,7 @@
 #include "query/section/intersection_quick.hpp"
 
 #include "figure/basic/plane_of_points.hpp"
-#include "plumb/query/overlap/overlap2.hpp"
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/quick2.hpp"
 #include "query/section/corner_name.hpp"

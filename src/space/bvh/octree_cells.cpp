@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "plumb/query/overlap/box.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "space/bvh/slot_boxes.hpp"
 
 namespace plumb::space {
@@ -62,7 +62,7 @@ std::vector<OctreeCell> parts_of(const Bvh& mesh, const OctreeCell& cell) {
         OctreeCell part{{{x.begin(i), y.begin(j), z.begin(k)}, {x.end(i), y.end(j), z.end(k)}}, {}};
         for (const std::uint32_t slot : cell.slots) {
           if (!boxes_meet(part.box, box_of_slot(mesh, slot))) continue;
-          if (relate(mesh.triangle(slot), part.box, Asked::intersects) != Relation::disjoint)
+          if (intersects(mesh.triangle(slot), part.box))
             part.slots.push_back(slot);
         }
         if (!part.slots.empty()) parts.push_back(std::move(part));

@@ -6,7 +6,7 @@
 #include "plumb/figure/aabb/aabb.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/sphere/fits.hpp"
-#include "plumb/query/overlap/round.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/build.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "space/bvh/blocks.hpp"

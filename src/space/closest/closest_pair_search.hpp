@@ -13,7 +13,7 @@
 
 #include "plumb/arith/rational.hpp"
 #include "plumb/query/closest/closest.hpp"
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "plumb/space/closest/closest_triangles.hpp"
 #include "space/bvh/slot_boxes.hpp"

@@ -2,7 +2,7 @@
 #include "plumb/space/moving/translating_mesh.hpp"
 
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/time_of_impact/translating_contact.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/moving/translating_search.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/descend_compact_pairs.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/pairs/neighbors.hpp"

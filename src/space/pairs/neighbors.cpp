@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "plumb/predicates.hpp"
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/section/intersection.hpp"
 
 namespace plumb {

@@ -1,7 +1,7 @@
 // As in mesh_pairs.cpp: pairs of nodes down to some hundred parts, each down to its leaves, all pairs in order.
 #include "plumb/space/pairs/volume_pairs.hpp"
 
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/pair_parts.hpp"

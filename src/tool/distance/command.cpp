@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
 #include "tool/terminal/output_files.hpp"

@@ -15,7 +15,7 @@
 #include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/figure/obb/obb.hpp"
-#include "plumb/query/overlap/box.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 namespace {
 

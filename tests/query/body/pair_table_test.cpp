@@ -19,17 +19,6 @@ template <class... As, class... Bs>
 Types<As..., Bs...> together(Types<As...>, Types<Bs...>);
 using AllFigures = decltype(together(pair_cases::Plane{}, pair_cases::Space{}));
 
-/// What no template's parameter can be deduced from, and every function of its figure takes.
-template <class Shape>
-struct Stand {
-  operator const Shape&() const;  // NOLINT: that is what it is for
-};
-
-template <class A, class B>
-concept HasOwnFunction = requires(const Stand<A>& a, const Stand<B>& b) {
-  { relate(a, b) } -> std::same_as<Relation>;
-};
-
 template <class A, class B>
 std::string name_of_pair() {
   return std::string(name_of(figure_kind<A>)) + " and " + std::string(name_of(figure_kind<B>)) + " in " +
@@ -43,12 +32,6 @@ void expect_as_in_table() {
   EXPECT_EQ((Relatable<A, B>), present) << name_of_pair<A, B>();
   const bool has_oracle = oracle_of(figure_kind<A>, figure_kind<B>) != PairOracle::none;
   EXPECT_TRUE(!present || has_oracle) << name_of_pair<A, B>();
-  if constexpr (figure_dimension<A> == figure_dimension<B> && figure_kind<A> <= figure_kind<B>) {
-    const bool own = method == PairMethod::signs || method == PairMethod::distance || method == PairMethod::bounds;
-    EXPECT_EQ((HasOwnFunction<A, B>), own) << name_of_pair<A, B>();
-  } else {
-    EXPECT_FALSE((HasOwnFunction<A, B>)) << name_of_pair<A, B>();
-  }
 }
 
 template <class A, class... Bs>

@@ -9,7 +9,7 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/degenerate/points.hpp"
-#include "plumb/query/overlap/box.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 namespace plumb::query {
 namespace {

@@ -1,5 +1,5 @@
 // Boxes in space against a linear program in rationals.
-#include "plumb/query/overlap/box.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 #include "figure/basic/powers_of_two.hpp"
 #include "plumb/figure/obb/obb.hpp"

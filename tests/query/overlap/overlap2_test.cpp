@@ -1,5 +1,5 @@
 // Figures of the plane against a linear program in rationals.
-#include "plumb/query/overlap/overlap2.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 #include "query/overlap/flat_lattices.hpp"
 

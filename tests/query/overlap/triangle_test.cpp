@@ -1,5 +1,5 @@
 // Triangles, tetrahedra and what is straight in space against a linear program in rationals.
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 #include "query/overlap/flat_lattices.hpp"
 

@@ -14,7 +14,7 @@
 #include "plumb/predicates.hpp"
 #include "plumb/query/convex/location.hpp"
 #include "plumb/query/overlap/lattice2.hpp"
-#include "plumb/query/overlap/overlap2.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 
 namespace plumb {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "plumb/query/overlap/overlap.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "plumb/query/ray/ray.hpp"
 #include "plumb/query/time_of_impact/translating_contact.hpp"
 

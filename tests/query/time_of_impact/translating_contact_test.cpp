@@ -16,7 +16,6 @@
 #include "plumb/degenerate.hpp"
 #include "plumb/figure.hpp"
 #include "plumb/query/overlap/overlap.hpp"
-#include "plumb/query/overlap/round.hpp"
 #include "query/time_of_impact/translating_cases.hpp"
 #include "query/time_of_impact/translating_oracle.hpp"
 

@@ -8,7 +8,7 @@
 #include "arith/rational_lp.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/meshes.hpp"

@@ -8,8 +8,6 @@
 // Cost: none.
 #pragma once
 
-#include "plumb/figure/basic/asked.hpp"
-
 namespace plumb {
 
 enum class Location : signed char { outside = -1, boundary = 0, inside = 1 };

@@ -23,12 +23,12 @@
 namespace plumb {
 
 /// By the fifteen axes; what lies in a plane or on a line is compared there.
-Relation relate(const Obb3& a, const Obb3& b, Asked asked = {});
+Relation relate(const Obb3& a, const Obb3& b);
 /// By the four axes.
-Relation relate(const Obb2& a, const Obb2& b, Asked asked = {});
+Relation relate(const Obb2& a, const Obb2& b);
 
-inline bool intersects(const Obb3& a, const Obb3& b) { return relate(a, b, Asked::intersects) != Relation::disjoint; }
-inline bool intersects(const Obb2& a, const Obb2& b) { return relate(a, b, Asked::intersects) != Relation::disjoint; }
+bool intersects(const Obb3& a, const Obb3& b);
+bool intersects(const Obb2& a, const Obb2& b);
 
 /// Corner i is center + sum of s_k half_k axes_k with s_k = 1 where bit k of i is set, else -1.
 std::array<Point3, 8> corners(const Obb3& box);

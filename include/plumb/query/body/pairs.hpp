@@ -2,8 +2,8 @@
 // data.
 //
 // Laws: (1) a pair is named in the order of FigureKind; the other order is answered by it.  (2) relate and intersects
-// (query/overlap/overlap.hpp) take exactly the pairs whose method is not `absent`: the table is what their overloads are made
-// of, and docs/overlap.md shows it.
+// (query/overlap/overlap.hpp) take exactly the pairs whose method is not `absent`: they are templates over this table, and
+// docs/overlap.md shows it.
 // Source: RTCD 5.2.
 // Cost: none, all of it is constexpr.
 #pragma once
@@ -63,13 +63,13 @@ constexpr std::string_view name_of(FigureKind kind) { return figure_names[static
 enum class PairMethod : unsigned char {
   absent,
   location,  // of a point: signs of figure/containment/contains.hpp, figure/basic/polyhedron.hpp
-  signs,  // few signs of their own: query/overlap/overlap2.hpp, query/overlap/triangle.hpp, query/overlap/box.hpp, query/overlap/plane.hpp
+  signs,     // few signs of their own
   extent,    // of a figure along a plane's normal
   axes,      // separating axes of what generates the figures
   search,    // a separating plane or common point guessed in doubles and proved
   program,   // a linear program in rationals, after guesses that are proved
   pieces,    // pieces of a polygon's chains, and what is beside them
-  distance,  // of a core, against a radius: query/overlap/round.hpp
+  distance,  // of a core, against a radius
   bounds  // of one kind of bounding volume: figure/aabb/relation.hpp, obb.hpp, sphere.hpp, swept_sphere.hpp, k_dop.hpp
 };
 inline constexpr std::array<std::string_view, 10> method_names{"-",      "location", "signs",  "extent",   "axes",

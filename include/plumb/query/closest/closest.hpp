@@ -29,7 +29,6 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/exact_distance.hpp"
-#include "plumb/figure/basic/asked.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/convex_polyhedron.hpp"
 #include "plumb/figure/basic/linear.hpp"
@@ -38,6 +37,7 @@
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 #include "plumb/query/body/answered.hpp"
+#include "plumb/query/body/detail/question.hpp"
 #include "plumb/query/closest/pairs.hpp"
 #include "plumb/query/closest/result.hpp"
 
@@ -64,6 +64,16 @@ concept NearPoint2 = FlatNearPoint2<Shape> || query::AnyOf<Shape, Circle2, Capsu
 template <class Shape>
 concept NearPoint3 = FlatNearPoint3<Shape> || query::AnyOf<Shape, Sphere3, Capsule3, Lozenge3>;
 
+namespace query {
+
+/// By whose name errors begin.
+template <NearPoint2 Shape>
+double distance_as(Question question, const Point2& p, const Shape& shape);
+template <NearPoint3 Shape>
+double distance_as(Question question, const Point3& p, const Shape& shape);
+
+}  // namespace query
+
 template <NearPoint2 Shape>
 Closest2 closest_points(const Point2& p, const Shape& shape);
 template <NearPoint3 Shape>
@@ -76,9 +86,13 @@ template <NearPoint3 Shape>
 Point3 closest_point(const Shape& shape, const Point3& p);
 
 template <NearPoint2 Shape>
-double distance(const Point2& p, const Shape& shape, Asked asked = Asked::distance);
+double distance(const Point2& p, const Shape& shape) {
+  return query::distance_as(query::Question::distance, p, shape);
+}
 template <NearPoint3 Shape>
-double distance(const Point3& p, const Shape& shape, Asked asked = Asked::distance);
+double distance(const Point3& p, const Shape& shape) {
+  return query::distance_as(query::Question::distance, p, shape);
+}
 
 template <FlatNearPoint2 Shape>
 Rational squared_distance_exact(const Point2& p, const Shape& shape);
@@ -86,9 +100,9 @@ template <FlatNearPoint3 Shape>
 Rational squared_distance_exact(const Point3& p, const Shape& shape);
 
 template <NearPoint2 Shape>
-ExactDistance exact_distance(const Point2& p, const Shape& shape, Asked asked = Asked::exact_distance);
+ExactDistance exact_distance(const Point2& p, const Shape& shape);
 template <NearPoint3 Shape>
-ExactDistance exact_distance(const Point3& p, const Shape& shape, Asked asked = Asked::exact_distance);
+ExactDistance exact_distance(const Point3& p, const Shape& shape);
 
 /// Where along it the nearest point is: point + t direction, a + t (b - a).  Rounded once.
 double closest_parameter(const Line2& line, const Point2& p);
@@ -114,8 +128,8 @@ template <class A, class B>
 requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) {
   { distance(b, a) } -> figure::Answer;
 })  //
-    double distance(const A& a, const B& b, Asked asked = Asked::distance) {
-  return distance(b, a, asked);
+    double distance(const A& a, const B& b) {
+  return distance(b, a);
 }
 template <class A, class B>
 requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { squared_distance_exact(b, a); })  //
@@ -124,15 +138,14 @@ requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { squared_distan
 }
 template <class A, class B>
 requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { exact_distance(b, a); })  //
-    ExactDistance exact_distance(const A& a, const B& b, Asked asked = Asked::exact_distance) {
-  return exact_distance(b, a, asked);
+    ExactDistance exact_distance(const A& a, const B& b) {
+  return exact_distance(b, a);
 }
 
 /// Of two straight ones.
 template <class A, class B>
-requires query::StraightPair<A, B> ExactDistance exact_distance(const A& a, const B& b,
-                                                                Asked asked = Asked::exact_distance) {
-  return {squared_distance_exact(a, b, asked)};
+requires query::StraightPair<A, B> ExactDistance exact_distance(const A& a, const B& b) {
+  return {query::squared_distance_as(query::Question::exact_distance, a, b)};
 }
 
 /// What distance and exact_distance answer for.
@@ -142,10 +155,27 @@ concept HasDistance = requires(const A& a, const B& b) {
   { exact_distance(a, b) } -> std::same_as<ExactDistance>;
 };
 
+namespace query {
+
+/// In the order of the table.
+template <class A, class B>
+requires HasDistance<A, B>
+double distance_in_order(Question question, const A& a, const B& b) {
+  if constexpr (OtherWayRound<A, B>) {
+    return distance_as(question, b, a);
+  } else {
+    return distance_as(question, a, b);
+  }
+}
+
+}  // namespace query
+
 /// |ab| against |cd|.  Rounding keeps order, so that doubles that differ tell.
 template <class A, class B, class C, class D>
 requires(HasDistance<A, B>&& HasDistance<C, D>) Sign compare_distance(const A& a, const B& b, const C& c, const D& d) {
-  const double first = distance(a, b, Asked::compare_distance), second = distance(c, d, Asked::compare_second_distance);
+  using query::Question, query::distance_in_order;
+  const double first = distance_in_order(Question::compare_distance, a, b);
+  const double second = distance_in_order(Question::compare_second_distance, c, d);
   if (first != second) return first < second ? Sign::negative : Sign::positive;
   return compare(exact_distance(a, b), exact_distance(c, d));
 }
@@ -157,7 +187,7 @@ requires HasDistance<A, B> Sign compare_distance(const A& a, const B& b, double 
   if constexpr (query::StraightPair<A, B>) {
     if (const auto quick = query::quick_comparison(a, b, than)) return *quick;
   }
-  const double first = distance(a, b, Asked::compare_distance);
+  const double first = query::distance_in_order(query::Question::compare_distance, a, b);
   if (first != than) return first < than ? Sign::negative : Sign::positive;
   return compare(exact_distance(a, b), than);
 }

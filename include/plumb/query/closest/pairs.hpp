@@ -24,9 +24,9 @@
 
 #include "plumb/arith/rational.hpp"
 #include "plumb/arith/sign.hpp"
-#include "plumb/figure/basic/asked.hpp"
 #include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/simplex.hpp"
+#include "plumb/query/body/detail/question.hpp"
 #include "plumb/query/body/pairs.hpp"
 #include "plumb/query/closest/result.hpp"
 
@@ -45,6 +45,13 @@ template <class A, class B>
 concept StraightPair = StraightFigure<A> && StraightFigure<B> &&
     (figure_dimension<A> == figure_dimension<B>)&&!OtherWayRound<A, B>;
 
+/// By whose name errors begin.
+template <class A, class B>
+requires StraightPair<A, B>
+double distance_as(Question question, const A& a, const B& b);
+template <class A, class B>
+requires StraightPair<A, B> Rational squared_distance_as(Question question, const A& a, const B& b);
+
 }  // namespace query
 
 template <class A, class B>
@@ -61,11 +68,12 @@ requires StraightPair3<A, B> Closest closest_points(const A& a, const B& b);
 
 template <class A, class B>
 requires query::StraightPair<A, B>
-double distance(const A& a, const B& b, Asked asked = Asked::distance);
+double distance(const A& a, const B& b) { return query::distance_as(query::Question::distance, a, b); }
 
 template <class A, class B>
-requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b,
-                                                                   Asked asked = Asked::squared_distance_exact);
+requires query::StraightPair<A, B> Rational squared_distance_exact(const A& a, const B& b) {
+  return query::squared_distance_as(query::Question::squared_distance_exact, a, b);
+}
 
 /// s and t of the closest points a.point + s a.direction and b.point + t b.direction; of segments a + s (b - a). Zero
 /// where the direction is.

@@ -6,7 +6,7 @@
 //   tests.relate({p[0], p[1]}, {p[2], p[3]});          // p = kernel.points(vertices), checked once
 //   tests.relate(these, those, relations);              // many: the arithmetic is chosen once
 //
-// Laws: (1) what relate, intersects and locate say of the same figures as given (query/overlap/overlap2.hpp,
+// Laws: (1) what relate, intersects and locate say of the same figures as given (query/overlap/overlap.hpp,
 // figure/containment/contains.hpp, figure/containment/polygon_location.hpp), degenerate ones included.  (2) Every sign is orient2d in the
 // cheapest arithmetic that is exact for all points of the lattice (certify/plan.hpp): plain doubles up to 25 bits,
 // doubles with a bound and integers up to 62.  (3) Points that another lattice took in throw OffLattice: no wrong input gets an answer.

@@ -14,9 +14,7 @@
 // Cost: that of intersects (docs/overlap.md); by the half-open rule microseconds where doubles are in doubt.
 #pragma once
 
-#include "plumb/query/overlap/box.hpp"
-#include "plumb/query/overlap/round.hpp"
-#include "plumb/query/overlap/triangle.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/ray/ray.hpp"
 
 namespace plumb {
@@ -30,33 +28,37 @@ bool hits_half_open(const Line3& line, const Triangle3& triangle);
 }  // namespace query
 
 inline bool hits(const Ray3& ray, const Triangle3& triangle, HitRule rule = HitRule::closed) {
-  return rule == HitRule::closed ? relate(ray, triangle, Asked::hits) != Relation::disjoint
+  return rule == HitRule::closed ? query::relate_as(query::Question::hits, ray, triangle) != Relation::disjoint
                                  : query::hits_half_open(ray, triangle);
 }
 inline bool hits(const Segment3& segment, const Triangle3& triangle, HitRule rule = HitRule::closed) {
-  return rule == HitRule::closed ? relate(segment, triangle, Asked::hits) != Relation::disjoint
+  return rule == HitRule::closed ? query::relate_as(query::Question::hits, segment, triangle) != Relation::disjoint
                                  : query::hits_half_open(segment, triangle);
 }
 inline bool hits(const Line3& line, const Triangle3& triangle, HitRule rule = HitRule::closed) {
-  return rule == HitRule::closed ? relate(line, triangle, Asked::hits) != Relation::disjoint
+  return rule == HitRule::closed ? query::relate_as(query::Question::hits, line, triangle) != Relation::disjoint
                                  : query::hits_half_open(line, triangle);
 }
 
 inline bool hits(const Ray3& ray, const Sphere3& sphere) {
-  return relate(ray, sphere, Asked::hits) != Relation::disjoint;
+  return query::relate_as(query::Question::hits, ray, sphere) != Relation::disjoint;
 }
 inline bool hits(const Segment3& segment, const Sphere3& sphere) {
-  return relate(segment, sphere, Asked::hits) != Relation::disjoint;
+  return query::relate_as(query::Question::hits, segment, sphere) != Relation::disjoint;
 }
 inline bool hits(const Line3& line, const Sphere3& sphere) {
-  return relate(line, sphere, Asked::hits) != Relation::disjoint;
+  return query::relate_as(query::Question::hits, line, sphere) != Relation::disjoint;
 }
 
-inline bool hits(const Ray3& ray, const Aabb3& box) { return relate(ray, box, Asked::hits) != Relation::disjoint; }
-inline bool hits(const Segment3& segment, const Aabb3& box) {
-  return relate(segment, box, Asked::hits) != Relation::disjoint;
+inline bool hits(const Ray3& ray, const Aabb3& box) {
+  return query::relate_as(query::Question::hits, ray, box) != Relation::disjoint;
 }
-inline bool hits(const Line3& line, const Aabb3& box) { return relate(line, box, Asked::hits) != Relation::disjoint; }
+inline bool hits(const Segment3& segment, const Aabb3& box) {
+  return query::relate_as(query::Question::hits, segment, box) != Relation::disjoint;
+}
+inline bool hits(const Line3& line, const Aabb3& box) {
+  return query::relate_as(query::Question::hits, line, box) != Relation::disjoint;
+}
 
 /// Of what is known at run time alone.
 bool hits(const AnyRay& ray, const Triangle3& triangle, HitRule rule = HitRule::closed);

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <string_view>
 
-namespace plumb {
+namespace plumb::query {
 
-enum class Asked : unsigned char {
+enum class Question : unsigned char {
   relate,
   intersects,
   hits,
@@ -19,7 +19,7 @@ enum class Asked : unsigned char {
   compare_distance,
   compare_second_distance
 };
-constexpr std::string_view name_of(Asked asked) {
+constexpr std::string_view name_of(Question question) {
   constexpr std::array<std::string_view, 8> names{"relate",
                                                   "intersects",
                                                   "hits",
@@ -28,7 +28,7 @@ constexpr std::string_view name_of(Asked asked) {
                                                   "squared_distance_exact",
                                                   "compare_distance",
                                                   "compare_distance, second pair"};
-  return names[static_cast<std::size_t>(asked)];
+  return names[static_cast<std::size_t>(question)];
 }
 
-}  // namespace plumb
+}  // namespace plumb::query
