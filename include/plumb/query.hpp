@@ -1,7 +1,7 @@
 // The face of questions about two figures: whether, what in common, how near, what first, and when?
 //
 // Answers are exact; where a number is given it is the true one, rounded once.  Which pairs a question takes is a table
-// (query/body/pairs.hpp), and docs/overlap.md, closest.md, intersection.md, rays.md and motion.md print it.
+// of query/body/, and docs/overlap.md, closest.md, intersection.md, rays.md, motion.md and figures.md print it.
 // Apart: kinds of questions, on which other people's functions are tried (query/kinds/kinds.hpp).
 // Source: RTCD 2.3.
 #pragma once
@@ -12,6 +12,15 @@
 #include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
 #include "plumb/query/body/pairs.hpp"       // every pair, and the algorithm that answers it
 #include "plumb/query/body/posed.hpp"       // a figure as it stands or under a pose
+
+// Which pairs?
+#include "plumb/query/body/closest_pairs.hpp"       // of closest_points and distance
+#include "plumb/query/body/contact_pairs.hpp"       // of first_contact
+#include "plumb/query/body/contains_pairs.hpp"      // of contains
+#include "plumb/query/body/hit_pairs.hpp"           // of first_hit
+#include "plumb/query/body/intersection_pairs.hpp"  // of intersection
+#include "plumb/query/body/pairs.hpp"               // of relate and intersects, and the algorithm that answers each
+#include "plumb/query/body/question_table.hpp"      // what these tables have in common
 
 // Do they meet?  relate, intersects
 #include "plumb/query/overlap/batch.hpp"          // one against many

@@ -1,11 +1,15 @@
-// Do the table of pairs (query/body/pairs.hpp), what compiles, and the tables of docs/overlap.md say the same?  Is each pair
-// held against an oracle?
+// Do the tables of pairs (query/body/pairs.hpp and one for each other question), what compiles, and the pages say the
+// same?  Is each pair that relate takes held against an oracle?
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
 
+#include "plumb/figure.hpp"
+#include "plumb/query.hpp"
 #include "query/body/pair_types.hpp"
 
 namespace plumb {
@@ -15,43 +19,145 @@ using pair_cases::oracle_of;
 using pair_cases::PairOracle;
 using pair_cases::Types;
 
-template <class... As, class... Bs>
-Types<As..., Bs...> together(Types<As...>, Types<Bs...>);
-using AllFigures = decltype(together(pair_cases::Plane{}, pair_cases::Space{}));
+/// What the compiler says, as plain numbers, so that nothing is instantiated for a pair but the concept.
+using Answered = std::array<std::array<bool, figure_kinds>, figure_kinds>;
 
-template <class A, class B>
-std::string name_of_pair() {
-  return std::string(name_of(figure_kind<A>)) + " and " + std::string(name_of(figure_kind<B>)) + " in " +
-         std::to_string(figure_dimension<A>) + "D";
-}
+#define PLUMB_ASKS(Name, ...)                    \
+  struct Name {                                  \
+    template <class A, class B>                  \
+    static constexpr bool holds = (__VA_ARGS__); \
+  };
+PLUMB_ASKS(AskRelatable, Relatable<A, B>)
+PLUMB_ASKS(AskContaining, Containing<A, B>)
+PLUMB_ASKS(AskMeasurable, Measurable<A, B>)
+PLUMB_ASKS(AskHittable, Hittable<A, B>)
+PLUMB_ASKS(AskIntersectable, Intersectable<A, B>)
+PLUMB_ASKS(AskTranslating, Collidable<Translating<A>, Translating<B>>)
+PLUMB_ASKS(AskMoving, Collidable<Moving<A>, Moving<B>>)
+#undef PLUMB_ASKS
 
-template <class A, class B>
-void expect_as_in_table() {
-  constexpr PairMethod method = method_of<A, B>;
-  const bool present = method != PairMethod::absent;
-  EXPECT_EQ((Relatable<A, B>), present) << name_of_pair<A, B>();
-  const bool has_oracle = oracle_of(figure_kind<A>, figure_kind<B>) != PairOracle::none;
-  EXPECT_TRUE(!present || has_oracle) << name_of_pair<A, B>();
+template <class Ask, class A, class... Bs>
+constexpr void fill_row(Answered& to, Types<Bs...>) {
+  ((to[static_cast<std::size_t>(figure_kind<A>)][static_cast<std::size_t>(figure_kind<Bs>)] =
+        Ask::template holds<A, Bs>),
+   ...);
 }
-
-template <class A, class... Bs>
-void expect_row(Types<Bs...>) {
-  (expect_as_in_table<A, Bs>(), ...);
+template <class Ask, class... As>
+constexpr Answered answered(Types<As...> all) {
+  Answered to{};
+  (fill_row<Ask, As>(to, all), ...);
+  return to;
 }
-template <class... As>
-void expect_all(Types<As...> all) {
-  (expect_row<As>(all), ...);
-}
-
-TEST(PairTable, SaysWhatCompiles) { expect_all(AllFigures{}); }
 
 template <class... Shapes>
-std::set<FigureKind> kinds_of(Types<Shapes...>, int dimension) {
-  std::set<FigureKind> kinds;
-  (static_cast<void>(figure_dimension<Shapes> == dimension ? static_cast<void>(kinds.insert(figure_kind<Shapes>))
-                                                           : static_cast<void>(0)),
-   ...);
-  return kinds;
+std::set<FigureKind> kinds_of(Types<Shapes...>) {
+  return {figure_kind<Shapes>...};
+}
+const std::set<FigureKind>& kinds_of(int dimension) {
+  static const std::set<FigureKind> plane = kinds_of(pair_cases::Plane{}), space = kinds_of(pair_cases::Space{});
+  return dimension == 2 ? plane : space;
+}
+
+std::string of_space(int dimension) { return dimension == 2 ? " of the plane" : " of space"; }
+
+/// `answers` is the table.
+template <class Ask, class Answers>
+void expect_as_compiled(const std::string& table, Answers answers) {
+  constexpr Answered plane = answered<Ask>(pair_cases::Plane{}), space = answered<Ask>(pair_cases::Space{});
+  for (const int dimension : {2, 3}) {
+    for (const FigureKind a : kinds_of(dimension)) {
+      for (const FigureKind b : kinds_of(dimension)) {
+        const bool compiles =
+            (dimension == 2 ? plane : space)[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+        EXPECT_EQ(answers(a, b, dimension), compiles)
+            << table << of_space(dimension) << ": the letter in row " << name_of(a) << ", column " << name_of(b)
+            << (compiles ? " is '-' (or that of the other order), but the compiler finds an answer: say which it is"
+                         : " promises an answer, but the compiler finds none: it is '-'");
+      }
+    }
+  }
+}
+
+struct Question {
+  const query::QuestionTable& table;
+  const char* file;  // where the letter stands
+  const char* page;
+};
+constexpr Question asked_contains{query::contains_pairs, "query/body/contains_pairs.hpp", "docs/figures.md"},
+    asked_closest{query::closest_pairs, "query/body/closest_pairs.hpp", "docs/closest.md"},
+    asked_hit{query::hit_pairs, "query/body/hit_pairs.hpp", "docs/rays.md"},
+    asked_intersection{query::intersection_pairs, "query/body/intersection_pairs.hpp", "docs/intersection.md"},
+    asked_translating{query::translating_pairs, "query/body/contact_pairs.hpp, translating_pairs", "docs/motion.md"},
+    asked_moving{query::moving_pairs, "query/body/contact_pairs.hpp, moving_pairs", "docs/motion.md"};
+
+template <class Ask>
+void expect_as_compiled(const Question& q) {
+  expect_as_compiled<Ask>(q.file,
+                          [&q](FigureKind a, FigureKind b, int dimension) { return q.table.answers(a, b, dimension); });
+}
+
+TEST(PairTable, SaysWhatCompiles) {
+  expect_as_compiled<AskRelatable>("query/body/pairs.hpp", [](FigureKind a, FigureKind b, int dimension) {
+    return pair_method(a, b, dimension) != PairMethod::absent;
+  });
+}
+TEST(PairTable, SaysWhatContainsTakes) { expect_as_compiled<AskContaining>(asked_contains); }
+TEST(PairTable, SaysWhatClosestPointsTakes) { expect_as_compiled<AskMeasurable>(asked_closest); }
+TEST(PairTable, SaysWhatFirstHitTakes) { expect_as_compiled<AskHittable>(asked_hit); }
+TEST(PairTable, SaysWhatIntersectionTakes) { expect_as_compiled<AskIntersectable>(asked_intersection); }
+TEST(PairTable, SaysWhatFirstContactTakesAlongLines) { expect_as_compiled<AskTranslating>(asked_translating); }
+TEST(PairTable, SaysWhatFirstContactTakesOfMovingVertices) { expect_as_compiled<AskMoving>(asked_moving); }
+
+TEST(PairTable, NoQuestionIsAskedAcrossSpaces) {
+  const auto across = []<class Ask>(Ask) {
+    return Ask::template holds<Point2, Point3> || Ask::template holds<Segment3, Segment2> ||
+           Ask::template holds<Aabb2, Aabb3> || Ask::template holds<Ray2, Sphere3> ||
+           Ask::template holds<Triangle3, Point2>;
+  };
+  EXPECT_FALSE(across(AskRelatable{}) || across(AskContaining{}) || across(AskMeasurable{}) || across(AskHittable{}) ||
+               across(AskIntersectable{}) || across(AskTranslating{}) || across(AskMoving{}));
+}
+
+TEST(PairTable, RowsAreAsLongAsTheyShallBe) {
+  for (const Question& q :
+       {asked_contains, asked_closest, asked_hit, asked_intersection, asked_translating, asked_moving}) {
+    for (const query::PairRows* rows : {&q.table.space, &q.table.plane}) {
+      for (std::size_t i = 0; i < figure_kinds; ++i) {
+        const std::string_view row = (*rows)[i];
+        if (row.empty()) continue;
+        EXPECT_EQ(row.size(), figure_kinds) << q.file << ", row " << figure_names[i];
+        const std::size_t from = q.table.order == query::PairOrder::either ? i : 0;
+        EXPECT_EQ(row.find_first_not_of(' '), from) << q.file << ", row " << figure_names[i];
+        EXPECT_EQ(row.find_first_not_of(q.table.letters, from), std::string_view::npos)
+            << q.file << ", row " << figure_names[i] << ": the letters are " << q.table.letters;
+      }
+    }
+  }
+}
+
+TEST(PairTable, EachPairHasAnOracle) {
+  for (const int dimension : {2, 3}) {
+    for (const FigureKind a : kinds_of(dimension)) {
+      for (const FigureKind b : kinds_of(dimension)) {
+        EXPECT_TRUE(pair_method(a, b, dimension) == PairMethod::absent || oracle_of(a, b) != PairOracle::none)
+            << name_of(a) << " and " << name_of(b) << of_space(dimension);
+      }
+    }
+  }
+}
+
+std::multiset<std::string> lines_of(const std::string& page, const std::string& from) {
+  std::multiset<std::string> rows;
+  std::ifstream in(PLUMB_SOURCE_DIR "/" + page);
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(from)) rows.insert(line);
+  }
+  return rows;
+}
+void expect_rows(const std::string& page, const std::string& from, const std::multiset<std::string>& wanted) {
+  const auto rows = lines_of(page, from);
+  for (const std::string& row : wanted) EXPECT_TRUE(rows.contains(row)) << page << " lacks\n" << row;
+  for (const std::string& row : rows) EXPECT_TRUE(wanted.contains(row)) << page << " has\n" << row;
 }
 
 /// A row of the page: methods from the diagonal on.
@@ -63,24 +169,52 @@ std::string row_of(FigureKind kind, const std::set<FigureKind>& kinds, int dimen
   return row;
 }
 
-std::multiset<std::string> rows_of_page() {
+TEST(PairTable, IsThatOfThePage) {
+  std::multiset<std::string> wanted;
+  for (const int dimension : {2, 3}) {
+    for (const FigureKind kind : kinds_of(dimension)) wanted.insert(row_of(kind, kinds_of(dimension), dimension));
+  }
+  expect_rows("docs/overlap.md", "| **", wanted);
+}
+
+/// A row of another question's page: what it is asked with, by method; nothing where there is nothing.
+std::string row_of(const query::QuestionTable& table, FigureKind kind, int dimension) {
+  std::string row;
+  for (std::size_t method = 1; method < table.letters.size(); ++method) {
+    std::string others;
+    for (const FigureKind other : kinds_of(dimension)) {
+      if (table.order == query::PairOrder::either && other < kind) continue;
+      if (table.number(kind, other, dimension) != method) continue;
+      others += (others.empty() ? "" : ", ") + std::string(name_of(other));
+    }
+    if (!others.empty()) row += (row.empty() ? "" : "; ") + std::string(table.methods[method]) + ": " + others;
+  }
+  return row;
+}
+
+/// Kinds that are asked with the same are one row.
+std::multiset<std::string> rows_of(const query::QuestionTable& table, const std::string& from) {
   std::multiset<std::string> rows;
-  std::ifstream page(PLUMB_SOURCE_DIR "/docs/overlap.md");
-  for (std::string line; std::getline(page, line);) {
-    if (line.starts_with("| **")) rows.insert(line);
+  for (const int dimension : {2, 3}) {
+    std::map<std::string, std::string> kinds_of_row;
+    for (const FigureKind kind : kinds_of(dimension)) {
+      const std::string row = row_of(table, kind, dimension);
+      std::string& kinds = kinds_of_row[row];
+      if (!row.empty()) kinds += (kinds.empty() ? "" : ", ") + std::string(name_of(kind));
+    }
+    for (const auto& [row, kinds] : kinds_of_row) {
+      if (!row.empty()) rows.insert(from + std::to_string(dimension) + "D | " + kinds + " | " + row + " |");
+    }
   }
   return rows;
 }
 
-TEST(PairTable, IsThatOfThePage) {
-  std::multiset<std::string> wanted;
-  for (const int dimension : {2, 3}) {
-    const auto kinds = kinds_of(AllFigures{}, dimension);
-    for (const FigureKind kind : kinds) wanted.insert(row_of(kind, kinds, dimension));
+TEST(PairTable, OfEachQuestionIsThatOfItsPage) {
+  for (const Question& q :
+       {asked_contains, asked_closest, asked_hit, asked_intersection, asked_translating, asked_moving}) {
+    const std::string from = "| " + std::string(q.table.name) + ", ";
+    expect_rows(q.page, from, rows_of(q.table, from));
   }
-  const auto rows = rows_of_page();
-  for (const std::string& row : wanted) EXPECT_TRUE(rows.contains(row)) << "docs/overlap.md lacks\n" << row;
-  for (const std::string& row : rows) EXPECT_TRUE(wanted.contains(row)) << "docs/overlap.md has\n" << row;
 }
 
 TEST(PairTable, LeavesOutWhatThePageSays) {

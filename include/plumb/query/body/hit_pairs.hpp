@@ -1,0 +1,27 @@
+// Where does a straight figure first hit another?  The pairs that first_hit takes, what is straight first.
+//
+// Laws: those of query/body/question_table.hpp.  A line, a ray and a segment hit the same figures.
+// Source: RTCD 5.3.
+// Cost: none, all of it is constexpr.
+#pragma once
+
+#include "plumb/query/body/question_table.hpp"
+
+namespace plumb::query {
+
+// clang-format off
+inline constexpr QuestionTable hit_pairs{
+    "first_hit", PairOrder::as_named, "-cehq", {"-", "clipping", "edges", "inequality", "quadratic"},
+    rows_named({
+     //                        plrsPTHtqghRebAOczynKIC (a column a letter)
+     {FigureKind::line,       "----hhhee--ecqccq-q-c-c"},
+     {FigureKind::ray,        "----hhhee--ecqccq-q-c-c"},
+     {FigureKind::segment,    "----hhhee--ecqccq-q-c-c"}}),
+    rows_named({
+     //                        plrsPTHtqghRebAOczynKIC (a column a letter)
+     {FigureKind::line,       "---e---eeee--qc-q------"},
+     {FigureKind::ray,        "---e---eeee--qc-q------"},
+     {FigureKind::segment,    "---e---eeee--qc-q------"}})};
+// clang-format on
+
+}  // namespace plumb::query
