@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "arith/approximate.hpp"
 #include "arith/running_error.hpp"
 #include "arith/samples.hpp"

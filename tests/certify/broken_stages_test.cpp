@@ -2,6 +2,8 @@
 // the families and the known cases must catch the lie; with the safeguard in place the same rebuilt stage tells none.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "certify/battery.hpp"
 #include "certify/case_files.hpp"
 #include "plumb/certify/decide.hpp"

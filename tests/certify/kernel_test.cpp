@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "certify/lattice_cases.hpp"
 #include "plumb/arith/big.hpp"
 

@@ -1,6 +1,8 @@
 // Are signs with square roots of polynomials exact?  Sums of distances, as users state them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "certify/space_cases.hpp"
 #include "oracle/radicals.hpp"
 #include "plumb/certify/radical.hpp"

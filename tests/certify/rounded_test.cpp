@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "arith/big_rounding.hpp"
 #include "arith/samples.hpp"
 #include "plumb/arith/error.hpp"

@@ -1,6 +1,7 @@
 // How do shapes and pairs of shapes look?  Their wire frames, one picture for each kind, form and position.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 

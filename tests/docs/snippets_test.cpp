@@ -50,7 +50,7 @@ TEST(Snippets, DotsStandForAnything) {
 }
 
 constexpr auto faces =
-    "#include <plumb/degenerate.hpp>\n#include <plumb/figure.hpp>\n#include <plumb/predicates.hpp>\n"
+    "#include <cmath>\n#include <plumb/degenerate.hpp>\n#include <plumb/figure.hpp>\n#include <plumb/predicates.hpp>\n"
     "#include <plumb/query.hpp>\n#include <plumb/space.hpp>\n#include <plumb/surface.hpp>\n";
 
 /// Preset names of CMakePresets.json.

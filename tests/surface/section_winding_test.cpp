@@ -1,6 +1,7 @@
 // The winding number of a section about points of its plane is that of the mesh: law 3, where much lies in the plane.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <random>

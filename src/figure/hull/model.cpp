@@ -1,6 +1,7 @@
 #include "figure/hull/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "figure/hull/local_points.hpp"

@@ -1,4 +1,5 @@
 #include <bit>
+#include <cmath>
 
 #include "figure/support/input.hpp"
 #include "plumb/figure/support/support.hpp"

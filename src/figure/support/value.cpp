@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "certify/rounded.hpp"
 #include "figure/support/forms.hpp"
 #include "plumb/figure/support/support.hpp"

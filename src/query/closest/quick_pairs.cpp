@@ -12,6 +12,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <cmath>
+
 #include "query/closest/lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();

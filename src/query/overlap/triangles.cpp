@@ -1,6 +1,7 @@
 // Two triangles in space: by doubles; by the integers that the corners are on their common lattice; by exact signs of
 // the corners; and what has no area as the segment or point that it is.
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "query/body/figure_input.hpp"

@@ -1,5 +1,6 @@
 #include "plumb/query/time_of_impact/moving_distance.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "query/body/figure_input.hpp"

@@ -62,8 +62,7 @@ std::vector<OctreeCell> parts_of(const Bvh& mesh, const OctreeCell& cell) {
         OctreeCell part{{{x.begin(i), y.begin(j), z.begin(k)}, {x.end(i), y.end(j), z.end(k)}}, {}};
         for (const std::uint32_t slot : cell.slots) {
           if (!boxes_meet(part.box, box_of_slot(mesh, slot))) continue;
-          if (intersects(mesh.triangle(slot), part.box))
-            part.slots.push_back(slot);
+          if (intersects(mesh.triangle(slot), part.box)) part.slots.push_back(slot);
         }
         if (!part.slots.empty()) parts.push_back(std::move(part));
       }

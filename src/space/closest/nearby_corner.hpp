@@ -3,6 +3,8 @@
 // Sums and differences are rounded outward (plumb/arith/interval.hpp); of 0 they are exact.
 #pragma once
 
+#include <cmath>
+
 #include "plumb/query/time_of_impact/moving_distance.hpp"
 
 namespace plumb::space {

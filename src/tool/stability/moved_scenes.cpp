@@ -1,5 +1,6 @@
 // One scene far from the origin, very large and very small, and turned: answers that change though nothing happened.
 #include <algorithm>
+#include <cmath>
 
 #include "plumb/degenerate/exact.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"

@@ -1,5 +1,6 @@
 // Two meshes that one rotation turns alike: which contacts do the ways of posing them lose?
 #include <algorithm>
+#include <cmath>
 
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/figure/aabb/relation.hpp"

@@ -2,6 +2,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "plumb/degenerate/entropy.hpp"

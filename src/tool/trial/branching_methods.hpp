@@ -7,6 +7,8 @@
 // Cost: what is measured.
 #pragma once
 
+#include <cmath>
+
 #include "tool/trial/bounded_number.hpp"
 #include "tool/trial/branching_numbers.hpp"
 #include "tool/trial/compensated.hpp"

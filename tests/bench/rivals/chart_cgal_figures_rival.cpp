@@ -14,6 +14,8 @@
 #include <CGAL/intersections.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <cmath>
+
 #include "bench/rivals/chart_rival.hpp"
 #include "tool/trial/location_tests.hpp"
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "plumb/figure/obb/fits.hpp"
 
 namespace plumb {

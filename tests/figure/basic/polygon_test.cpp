@@ -1,6 +1,7 @@
 // Polygons: the figures of RTCD 3.7, and random ones against rationals and CGAL.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "figure/basic/rational_polygon.hpp"

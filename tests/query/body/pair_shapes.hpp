@@ -4,6 +4,7 @@
 // Laws: those of a Material; a polygon in space is exactly planar, a polyhedron proved convex.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "figure/basic/shape_cases.hpp"

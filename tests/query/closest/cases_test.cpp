@@ -2,6 +2,7 @@
 // what is no shape.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 
 #include "arith/difference_search.hpp"

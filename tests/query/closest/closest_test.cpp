@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "figure/basic/shape_cases.hpp"
 #include "plumb/arith/big.hpp"
 #include "query/closest/oracle.hpp"

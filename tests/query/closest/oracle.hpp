@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "figure/basic/rationals.hpp"
 #include "plumb/figure.hpp"

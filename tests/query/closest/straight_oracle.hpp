@@ -6,6 +6,7 @@
 // the library's formulas.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 

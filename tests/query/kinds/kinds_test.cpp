@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "degenerate/rational_signs.hpp"

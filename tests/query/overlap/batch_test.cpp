@@ -1,6 +1,8 @@
 // One against many, in lanes, against the same question asked one by one.
 #include "plumb/query/overlap/batch.hpp"
 
+#include <cmath>
+
 #include "plumb/figure/aabb/aabb.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/relation_counts.hpp"

@@ -1,8 +1,9 @@
 // Boxes in space against a linear program in rationals.
-#include "plumb/query/overlap/overlap.hpp"
+#include <cmath>
 
 #include "figure/basic/powers_of_two.hpp"
 #include "plumb/figure/obb/obb.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/relation_counts.hpp"
 
 namespace plumb {

@@ -1,4 +1,5 @@
 // The laws of relate and intersects, for every pair of the table: swapped, renamed, mapped, and bad numbers refused.
+#include <cmath>
 #include <cstring>
 
 #include "figure/basic/thrown.hpp"

@@ -1,5 +1,7 @@
 // Every pair of figures with straight edges in space, against brute force in rationals, both ways round; and all that
 // CGAL has.
+#include <cmath>
+
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "query/body/pair_laws.hpp"

@@ -1,6 +1,5 @@
 // Planes and halfspaces against a linear program in rationals.
 #include "plumb/query/overlap/overlap.hpp"
-
 #include "query/overlap/relation_counts.hpp"
 
 namespace plumb {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "figure/basic/shape_cases.hpp"
 #include "plumb/query/overlap/overlap.hpp"

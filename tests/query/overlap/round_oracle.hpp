@@ -8,6 +8,7 @@
 // Cost: some 0.1 ms.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "query/body/pair_laws.hpp"

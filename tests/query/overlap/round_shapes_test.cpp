@@ -1,6 +1,8 @@
 // Cylinders and cones; the book's figures of round shapes, laws and bad input.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "figure/basic/powers_of_two.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/axis_oracle.hpp"

@@ -1,8 +1,7 @@
 // Balls, circles, capsules and lozenges against everything that the table has: against brute force over rationals.
-#include "plumb/query/overlap/overlap.hpp"
-
 #include <gtest/gtest.h>
 
+#include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/round_oracle.hpp"
 
 namespace plumb {

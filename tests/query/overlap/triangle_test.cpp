@@ -1,6 +1,7 @@
 // Triangles, tetrahedra and what is straight in space against a linear program in rationals.
-#include "plumb/query/overlap/overlap.hpp"
+#include <cmath>
 
+#include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/flat_lattices.hpp"
 
 namespace plumb {

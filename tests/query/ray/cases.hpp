@@ -3,6 +3,8 @@
 // A ray of a Material is drawn after the shape, so that its probes lie on what was drawn.
 #pragma once
 
+#include <cmath>
+
 #include "figure/basic/shape_cases.hpp"
 #include "plumb/query/ray/ray.hpp"
 

@@ -1,6 +1,7 @@
 // Does nothing slip through a closed mesh, by either rule, and do batches say what single questions say?
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "certify/sanitized.hpp"

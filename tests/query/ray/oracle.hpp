@@ -8,6 +8,8 @@
 // Cost: 20 us to 5 ms.
 #pragma once
 
+#include <cmath>
+
 #include "figure/basic/rationals.hpp"
 #include "figure/containment/exact_locations.hpp"
 #include "plumb/query/ray/ray.hpp"

@@ -2,6 +2,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "plumb/arith/big.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"

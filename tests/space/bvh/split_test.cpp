@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "figure/basic/thrown.hpp"

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "space/closest/nearest_search.hpp"

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
+
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "space/coherence/frames.hpp"

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
+
 #include "certify/batch/take_instruction_set.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
+
 #include "certify/sanitized.hpp"
 #include "figure/basic/solids.hpp"
 #include "figure/basic/thrown.hpp"

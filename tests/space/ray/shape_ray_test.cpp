@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "certify/sanitized.hpp"
 #include "space/ray/rays.hpp"
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "query/ray/posed_triangle.hpp"

@@ -2,6 +2,7 @@
 // every closed one of the models.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "certify/sanitized.hpp"

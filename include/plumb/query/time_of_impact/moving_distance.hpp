@@ -14,7 +14,6 @@
 // Cost: two distances for each span that cannot be told apart, some tens of them where figures come close or meet.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <string_view>
 
@@ -139,7 +138,8 @@ class CornerMotion {
     double most = 0;
     on_corners(m, [&](const Point3& p, const Point3& q) {
       const auto way = [](double from, double to) { return Interval(to) - Interval(from); };
-      most = std::fmax(most, length_at_most(way(p.x, q.x), way(p.y, q.y), way(p.z, q.z)));
+      const double length = length_at_most(way(p.x, q.x), way(p.y, q.y), way(p.z, q.z));
+      if (most < length) most = length;
       return p;
     });
     return Interval(most);

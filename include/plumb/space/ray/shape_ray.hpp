@@ -13,7 +13,6 @@
 // Cost: the descent, and `parameter` for the items of the leaves that it comes to.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <queue>
