@@ -7,7 +7,7 @@ namespace plumb {
 namespace {
 
 template <class A, class B>
-Relation relate_in_plane(const A& a, const B& b, query::Question question) {
+Relation relate_given2(const A& a, const B& b, query::Question question) {
   query::require_figures(question, a, b);
   if constexpr (requires { query::linear(b); }) {
     return query::relate(query::linear(a), query::linear(b));
@@ -19,30 +19,30 @@ Relation relate_in_plane(const A& a, const B& b, query::Question question) {
 }
 
 template <class A, class B>
-Relation relate_quickly_in_plane(const A& a, const B& b, query::Question question) {
+Relation relate_quickly2(const A& a, const B& b, query::Question question) {
   assert_sound_thread();
   if (const auto answer = query::quickly(a, b)) return *answer;
-  return relate_in_plane(a, b, question);
+  return relate_given2(a, b, question);
 }
 
 }  // namespace
 
 namespace query {
 
-PLUMB_PAIR_ANSWER(Line2, Line2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Line2, Ray2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Line2, Segment2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Line2, Triangle2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Line2, Aabb2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Ray2, Ray2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Ray2, Segment2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Ray2, Triangle2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Ray2, Aabb2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Segment2, Segment2, relate_quickly_in_plane)
-PLUMB_PAIR_ANSWER(Segment2, Triangle2, relate_quickly_in_plane)
-PLUMB_PAIR_ANSWER(Segment2, Aabb2, relate_in_plane)
-PLUMB_PAIR_ANSWER(Triangle2, Triangle2, relate_quickly_in_plane)
-PLUMB_PAIR_ANSWER(Triangle2, Aabb2, relate_in_plane)
+PLUMB_PAIR_ANSWER(Line2, Line2, relate_given2)
+PLUMB_PAIR_ANSWER(Line2, Ray2, relate_given2)
+PLUMB_PAIR_ANSWER(Line2, Segment2, relate_given2)
+PLUMB_PAIR_ANSWER(Line2, Triangle2, relate_given2)
+PLUMB_PAIR_ANSWER(Line2, Aabb2, relate_given2)
+PLUMB_PAIR_ANSWER(Ray2, Ray2, relate_given2)
+PLUMB_PAIR_ANSWER(Ray2, Segment2, relate_given2)
+PLUMB_PAIR_ANSWER(Ray2, Triangle2, relate_given2)
+PLUMB_PAIR_ANSWER(Ray2, Aabb2, relate_given2)
+PLUMB_PAIR_ANSWER(Segment2, Segment2, relate_quickly2)
+PLUMB_PAIR_ANSWER(Segment2, Triangle2, relate_quickly2)
+PLUMB_PAIR_ANSWER(Segment2, Aabb2, relate_given2)
+PLUMB_PAIR_ANSWER(Triangle2, Triangle2, relate_quickly2)
+PLUMB_PAIR_ANSWER(Triangle2, Aabb2, relate_given2)
 
 }  // namespace query
 

@@ -18,13 +18,13 @@ template <class A>
 }
 
 template <class A>
-Relation relate_straight(const A& a, const Triangle3& b, query::Question question) {
+Relation relate_given3(const A& a, const Triangle3& b, query::Question question) {
   assert_sound_thread();
   if (const auto answer = query::by_doubles(a, b)) return *answer;
   return exactly(a, b, question);
 }
 template <class A, class B>
-Relation relate_straight(const A& a, const B& b, query::Question question) {
+Relation relate_given3(const A& a, const B& b, query::Question question) {
   query::require_figures(question, a, b);
   return query::relate(query::linear(a), query::linear(b));
 }
@@ -33,16 +33,16 @@ Relation relate_straight(const A& a, const B& b, query::Question question) {
 
 namespace query {
 
-PLUMB_PAIR_ANSWER(Line3, Triangle3, relate_straight)
-PLUMB_PAIR_ANSWER(Ray3, Triangle3, relate_straight)
-PLUMB_PAIR_ANSWER(Segment3, Triangle3, relate_straight)
+PLUMB_PAIR_ANSWER(Line3, Triangle3, relate_given3)
+PLUMB_PAIR_ANSWER(Ray3, Triangle3, relate_given3)
+PLUMB_PAIR_ANSWER(Segment3, Triangle3, relate_given3)
 
-PLUMB_PAIR_ANSWER(Line3, Line3, relate_straight)
-PLUMB_PAIR_ANSWER(Line3, Ray3, relate_straight)
-PLUMB_PAIR_ANSWER(Line3, Segment3, relate_straight)
-PLUMB_PAIR_ANSWER(Ray3, Ray3, relate_straight)
-PLUMB_PAIR_ANSWER(Ray3, Segment3, relate_straight)
-PLUMB_PAIR_ANSWER(Segment3, Segment3, relate_straight)
+PLUMB_PAIR_ANSWER(Line3, Line3, relate_given3)
+PLUMB_PAIR_ANSWER(Line3, Ray3, relate_given3)
+PLUMB_PAIR_ANSWER(Line3, Segment3, relate_given3)
+PLUMB_PAIR_ANSWER(Ray3, Ray3, relate_given3)
+PLUMB_PAIR_ANSWER(Ray3, Segment3, relate_given3)
+PLUMB_PAIR_ANSWER(Segment3, Segment3, relate_given3)
 
 }  // namespace query
 
