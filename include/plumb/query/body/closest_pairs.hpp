@@ -1,7 +1,7 @@
 // How near are two figures, and where?  The pairs that closest_points and distance take.
 //
 // Laws: those of query/body/question_table.hpp.
-// Source: RTCD 5.1.
+// Source: RTCD 2.3.
 // Cost: none, all of it is constexpr.
 #pragma once
 

@@ -1,7 +1,7 @@
 // When do two figures first meet that move?  The pairs that first_contact takes.
 //
 // Laws: those of query/body/question_table.hpp.
-// Source: RTCD 5.5.
+// Source: RTCD 2.3.
 // Cost: none, all of it is constexpr.
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // Laws: those of query/body/question_table.hpp.  A point is told by locate (figure/containment/contains.hpp), two bounds of
 // one kind where they are declared.
-// Source: RTCD 4.2.1, 5.4.
+// Source: RTCD 2.3.
 // Cost: none, all of it is constexpr.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Where does a straight figure first hit another?  The pairs that first_hit takes, what is straight first.
 //
 // Laws: those of query/body/question_table.hpp.  A line, a ray and a segment hit the same figures.
-// Source: RTCD 5.3.
+// Source: RTCD 2.3.
 // Cost: none, all of it is constexpr.
 #pragma once
 

@@ -1,7 +1,7 @@
 // What have two figures in common?  The pairs that intersection takes.
 //
 // Laws: those of query/body/question_table.hpp.
-// Source: RTCD 5.2.9, 5.2.10, 5.3.
+// Source: RTCD 2.3.
 // Cost: none, all of it is constexpr.
 #pragma once
 

@@ -2,7 +2,7 @@
 // inlined where it is asked.
 //
 // Law: where doubles leave a doubt, and of what is no figure, `exactly` answers.
-// Source: RTCD 5.2.2, 5.2.5.
+// Source: that of query/overlap/overlap.hpp.
 // Cost: the filter of a formula or two.
 #pragma once
 
