@@ -10,7 +10,6 @@
 #include "plumb/certify/accepted.hpp"       // first, so that what a compiler says of a misuse is short
 #include "plumb/query/body/answered.hpp"    // what is said where there is no answer
 #include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
-#include "plumb/query/body/pairs.hpp"       // every pair, and the algorithm that answers it
 #include "plumb/query/body/posed.hpp"       // a figure as it stands or under a pose
 
 // Which pairs?
@@ -23,17 +22,10 @@
 #include "plumb/query/body/question_table.hpp"      // what these tables have in common
 
 // Do they meet?  relate, intersects
-#include "plumb/query/overlap/batch.hpp"          // one against many
-#include "plumb/query/overlap/box.hpp"            // boxes in space with what is straight
-#include "plumb/query/overlap/cylinder_cone.hpp"  // cylinders, cones
-#include "plumb/query/overlap/lattice2.hpp"       // integers of a lattice, in a plan's arithmetic
-#include "plumb/query/overlap/overlap.hpp"        // all pairs
-#include "plumb/query/overlap/overlap2.hpp"       // in the plane
-#include "plumb/query/overlap/plane.hpp"          // planes and halfspaces
-#include "plumb/query/overlap/posed.hpp"          // figures under poses, which are not rounded
-#include "plumb/query/overlap/round.hpp"          // balls, capsules, lozenges
-#include "plumb/query/overlap/round2.hpp"         // disks and capsules of the plane
-#include "plumb/query/overlap/triangle.hpp"       // triangles in space
+#include "plumb/query/overlap/batch.hpp"     // one against many
+#include "plumb/query/overlap/lattice2.hpp"  // integers of a lattice, in a plan's arithmetic
+#include "plumb/query/overlap/overlap.hpp"   // all pairs
+#include "plumb/query/overlap/posed.hpp"     // figures under poses, which are not rounded
 
 // Does one hold the other?  contains, side_of
 #include "plumb/query/convex/containment.hpp"  // bounds of every kind

@@ -63,8 +63,8 @@ struct MeasuredGap {
   [[nodiscard]] bool is_open() const { return square > inset * inset; }
 };
 
-MeasuredGap measured_gap(Asked asked, const PosedView& a, const PosedView& b) {
-  const std::string_view function = name_of(asked);
+MeasuredGap measured_gap(Question question, const PosedView& a, const PosedView& b) {
+  const std::string_view function = name_of(question);
   require_posed(function, a, b);
   const MeasuredImage p = measured_image(function, a), q = measured_image(function, b);
   MeasuredGap gap{-1, p.radius + q.radius};
@@ -91,8 +91,8 @@ Closest posed_closest_points(const Point3& p, const Posed<Triangle3>& triangle) 
 }
 
 // root(p / q) - n / m is (m root(p q) - n q) / (m q).
-double posed_distance(const PosedView& a, const PosedView& b, Asked asked) {
-  const MeasuredGap gap = measured_gap(asked, a, b);
+double posed_distance(const PosedView& a, const PosedView& b, Question question) {
+  const MeasuredGap gap = measured_gap(question, a, b);
   if (!gap.is_open()) return 0;
   const mpz_class &p = gap.square.get_num(), &q = gap.square.get_den();
   const mpz_class &n = gap.inset.get_num(), &m = gap.inset.get_den();
@@ -100,8 +100,8 @@ double posed_distance(const PosedView& a, const PosedView& b, Asked asked) {
                          BigDyadic(mpz_class(m * q)));
 }
 
-ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Asked asked) {
-  const MeasuredGap gap = measured_gap(asked, a, b);
+ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Question question) {
+  const MeasuredGap gap = measured_gap(question, a, b);
   if (!gap.is_open()) return {Rational(0.0), Rational(0.0)};
   return {Rational(BigRational{gap.square}), Rational(BigRational{gap.inset})};
 }

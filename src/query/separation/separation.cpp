@@ -143,9 +143,9 @@ double distance_at(const FigureAt& a, const FigureAt& b, std::string_view functi
   return rounded_distance(square, both_radii(a.figure, b.figure));
 }
 
-double distance_of(const FigureView& a, const FigureView& b, Asked asked) {
+double distance_of(const FigureView& a, const FigureView& b, Question question) {
   if (const auto f = facing_points(a, b)) return distance(f->on_a, f->on_b);
-  return distance_at(a, b, name_of(asked));
+  return distance_at(a, b, name_of(question));
 }
 
 double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureView& b, const Vector3& by_b,
@@ -153,11 +153,11 @@ double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureV
   return distance_at({a, by_a, time}, {b, by_b, time}, function);
 }
 
-ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Asked asked) {
+ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Question question) {
   if (const auto f = facing_points(a, b)) return exact_distance(f->on_a, f->on_b);
   if (const auto quick = QuickPair::of(a, b))
     return {Rational(BigRational{quick->square()}), Rational(BigRational{both_radii(a, b)})};
-  return {Rational(BigRational{sound_pair(name_of(asked), a, b, WhichPair::any).square}),
+  return {Rational(BigRational{sound_pair(name_of(question), a, b, WhichPair::any).square}),
           Rational(BigRational{both_radii(a, b)})};
 }
 

@@ -22,8 +22,8 @@ namespace query {
 
 Closest posed_closest_points(const Posed<Triangle3>& a, const Posed<Triangle3>& b);
 Closest posed_closest_points(const Point3& p, const Posed<Triangle3>& triangle);
-double posed_distance(const PosedView& a, const PosedView& b, Asked asked);
-ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Asked asked);
+double posed_distance(const PosedView& a, const PosedView& b, Question question);
+ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Question question);
 
 template <class A, class B>
 concept PosedMeasured = PosedFigures<A, B> && requires(const UnposedType<A>& a, const UnposedType<B>& b) {
@@ -34,25 +34,30 @@ concept PosedFlatMeasured = PosedMeasured<A, B> && requires(const UnposedType<A>
   { squared_distance_exact(a, b) } -> std::same_as<Rational>;
 };
 
+template <class A, class B>
+requires PosedMeasured<A, B>
+double distance_as(Question question, const A& a, const B& b) {
+  return posed_distance(posed_view(a), posed_view(b), question);
+}
+
 }  // namespace query
 
 template <class A, class B>
 requires query::PosedMeasured<A, B>
-double distance(const A& a, const B& b, Asked asked = Asked::distance) {
-  return query::posed_distance(query::posed_view(a), query::posed_view(b), asked);
-}
+double distance(const A& a, const B& b) { return query::distance_as(query::Question::distance, a, b); }
 
 template <class A, class B>
-requires query::PosedFlatMeasured<A, B> Rational squared_distance_exact(const A& a, const B& b,
-                                                                        Asked asked = Asked::squared_distance_exact) {
-  return query::posed_exact_distance(query::posed_view(a), query::posed_view(b), asked).square;
+requires query::PosedFlatMeasured<A, B> Rational squared_distance_exact(const A& a, const B& b) {
+  return query::posed_exact_distance(query::posed_view(a), query::posed_view(b),
+                                     query::Question::squared_distance_exact)
+      .square;
 }
 
 /// Of two that are not round query/closest/closest.hpp has it, but where the first is a point as it stands.
 template <class A, class B>
 requires(query::PosedMeasured<A, B> && (!query::PosedFlatMeasured<A, B> || query::AnyOf<A, Point2, Point3>))  //
-    ExactDistance exact_distance(const A& a, const B& b, Asked asked = Asked::exact_distance) {
-  return query::posed_exact_distance(query::posed_view(a), query::posed_view(b), asked);
+    ExactDistance exact_distance(const A& a, const B& b) {
+  return query::posed_exact_distance(query::posed_view(a), query::posed_view(b), query::Question::exact_distance);
 }
 
 /// Points and features as well, of triangles and points.

@@ -42,11 +42,15 @@ inline constexpr bool is_round = is_one_of(figure_kind<S>,
                                            {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
 
 Closest closest_points_of(const FigureView& a, const FigureView& b);
-double distance_of(const FigureView& a, const FigureView& b, Asked asked);
+double distance_of(const FigureView& a, const FigureView& b, Question question);
 /// At a time of two straight motions, in real arithmetic.
 double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureView& b, const Vector3& by_b,
                          double time, std::string_view function);
-ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Asked asked);
+ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Question question);
+
+template <class A, class B>
+requires SeparatedPair<A, B>
+double distance_as(Question question, const A& a, const B& b) { return distance_of(view_of(a), view_of(b), question); }
 
 }  // namespace query
 
@@ -69,21 +73,18 @@ requires SeparatedPair2<A, B> Closest2 closest_points(const A& a, const B& b) {
 
 template <class A, class B>
 requires query::SeparatedPair<A, B>
-double distance(const A& a, const B& b, Asked asked = Asked::distance) {
-  return query::distance_of(query::view_of(a), query::view_of(b), asked);
-}
+double distance(const A& a, const B& b) { return query::distance_as(query::Question::distance, a, b); }
 
 template <class A, class B>
-requires query::SeparatedPair<A, B> ExactDistance exact_distance(const A& a, const B& b,
-                                                                 Asked asked = Asked::exact_distance) {
-  return query::exact_distance_of(query::view_of(a), query::view_of(b), asked);
+requires query::SeparatedPair<A, B> ExactDistance exact_distance(const A& a, const B& b) {
+  return query::exact_distance_of(query::view_of(a), query::view_of(b), query::Question::exact_distance);
 }
 
 /// Of two figures neither of which is round.
 template <class A, class B>
 requires(query::SeparatedPair<A, B> && !query::is_round<A> && !query::is_round<B>)  //
-    Rational squared_distance_exact(const A& a, const B& b, Asked asked = Asked::squared_distance_exact) {
-  return query::exact_distance_of(query::view_of(a), query::view_of(b), asked).square;
+    Rational squared_distance_exact(const A& a, const B& b) {
+  return query::exact_distance_of(query::view_of(a), query::view_of(b), query::Question::squared_distance_exact).square;
 }
 
 }  // namespace plumb
