@@ -76,6 +76,7 @@ std::optional<bool> looked_up(const std::string& line) {
 std::string placed(std::string line) {
   const std::pair<std::string_view, std::string_view> places[]{
       {"cmake --install build/demo ", "cmake --install " PLUMB_BINARY_DIR " "},
+      {"-DPLUMB_SOURCES=", "-DCMAKE_UNITY_BUILD=" PLUMB_UNITY " -DPLUMB_SOURCES="},
       {"$HOME/src/plumb", PLUMB_SOURCE_DIR},
       {"-DCMAKE_PREFIX_PATH=", "-DCMAKE_CXX_FLAGS='" PLUMB_SANITIZE_FLAGS "' -DCMAKE_PREFIX_PATH="},
       {"$HOME/plumb", "$PWD/installed"},
@@ -100,14 +101,19 @@ class Documents : public testing::TestWithParam<fs::path> {
   static void SetUpTestSuite() {
     ::unsetenv("GTEST_BRIEF");  // a reader's tests tell of themselves
     ::setenv("CXX", PLUMB_CXX, 1);
-    ::setenv("CMAKE_CXX_COMPILER_LAUNCHER", PLUMB_LAUNCHER, 1);
     faces_ = std::make_unique<Folder>();
+    // A reader's project that builds our sources takes over what this build has compiled by the same commands.
+    write(launcher(), "#!/bin/sh\nexec bash '" PLUMB_SOURCE_DIR "/tests/house/take_over.sh' '" PLUMB_BINARY_DIR
+                      "' '.*' '" PLUMB_LAUNCHER "' \"$@\"\n");
+    fs::permissions(launcher(), fs::perms::owner_all);
+    ::setenv("CMAKE_CXX_COMPILER_LAUNCHER", launcher().c_str(), 1);
     write(header(), faces);
     const Outcome read = tool::run(PLUMB_COMPILE " " PLUMB_INCLUDES " -x c++-header '" + header() + "'");
     ASSERT_EQ(read.code, 0) << read.err;
   }
   static void TearDownTestSuite() { faces_.reset(); }
   static std::string header() { return *faces_ / "faces.hpp"; }
+  static std::string launcher() { return *faces_ / "launcher"; }
 
   void SetUp() override {
     fs::create_directory(folder_ / "bin");

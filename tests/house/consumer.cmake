@@ -111,6 +111,12 @@ elseif(WAY STREQUAL "add_subdirectory")
   if(LINKAGE STREQUAL "shared")
     set(build_shared ON)
   endif()
+  # The smaller libraries are compiled as the consumer's flags have it; the largest is taken from BUILD where its commands
+  # are the same.
+  file(WRITE ${place}/launcher
+    "#!/bin/sh\nexec bash ${CMAKE_CURRENT_LIST_DIR}/take_over.sh '${BUILD}' plumb '${LAUNCHER}' \"$@\"\n")
+  file(CHMOD ${place}/launcher PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  set(LAUNCHER ${place}/launcher)
   build_consumer(-DPLUMB_BESIDE=${SOURCE} -DBUILD_SHARED_LIBS=${build_shared} -DPLUMB_INSTALL=ON)
   file(REMOVE_RECURSE ${prefix})
   run(${CMAKE_COMMAND} --install ${place}/build --prefix ${prefix})
