@@ -14,14 +14,14 @@ inline constexpr QuestionTable hit_pairs{
     "first_hit", PairOrder::as_named, "-cehq", {"-", "clipping", "edges", "inequality", "quadratic"},
     rows_named({
      //                        plrsPTHtqghRebAOczynKIC (a column a letter)
-     {FigureKind::line,       "----hhhee--ecqccq-q-c-c"},
-     {FigureKind::ray,        "----hhhee--ecqccq-q-c-c"},
-     {FigureKind::segment,    "----hhhee--ecqccq-q-c-c"}}),
+     {FigureKind::line,       "----hhheeeeecqccqqqqc-c"},
+     {FigureKind::ray,        "----hhheeeeecqccqqqqc-c"},
+     {FigureKind::segment,    "----hhheeeeecqccqqqqc-c"}}),
     rows_named({
      //                        plrsPTHtqghRebAOczynKIC (a column a letter)
-     {FigureKind::line,       "---e---eeee--qc-q------"},
-     {FigureKind::ray,        "---e---eeee--qc-q------"},
-     {FigureKind::segment,    "---e---eeee--qc-q------"}})};
+     {FigureKind::line,       "---e---eeee--qccq---c--"},
+     {FigureKind::ray,        "---e---eeee--qccq---c--"},
+     {FigureKind::segment,    "---e---eeee--qccq---c--"}})};
 // clang-format on
 
 }  // namespace plumb::query
