@@ -55,7 +55,8 @@ struct Seen {
 /// The answer rounded from this pair of points, both exact.
 void expect_rounded(const FigureView& a, const FigureView& b, const NearestPair& pair, const std::string& name) {
   const Closest c = query::closest_points_of(a, b);
-  const double ra = query::radius_of(a), rb = query::radius_of(b), d = query::distance_of(a, b, Asked::distance);
+  const double ra = query::radius_of(a), rb = query::radius_of(b),
+               d = query::distance_of(a, b, query::Question::distance);
   const mpq_class radii = mpq_class(ra) + mpq_class(rb);
   EXPECT_EQ(c.distance, d) << name;
   if (pair.square <= radii * radii) {
@@ -97,7 +98,7 @@ void expect_certified(const std::vector<Maker>& makers, std::uint64_t start, std
         ASSERT_EQ(pair.has_value(), !set_a.points.empty() && !set_b.points.empty()) << name;
         if (!pair) {
           EXPECT_THROW((void)query::closest_points_of(a, b), InvalidShape) << name;
-          EXPECT_THROW((void)query::distance_of(a, b, Asked::distance), InvalidShape) << name;
+          EXPECT_THROW((void)query::distance_of(a, b, query::Question::distance), InvalidShape) << name;
           return;
         }
         EXPECT_TRUE(are_nearest(set_a, set_b, pair->on_a, pair->on_b)) << name;

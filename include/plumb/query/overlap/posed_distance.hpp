@@ -53,10 +53,8 @@ requires query::PosedFlatMeasured<A, B> Rational squared_distance_exact(const A&
       .square;
 }
 
-/// Of two that are not round query/closest/closest.hpp has it, but where the first is a point as it stands.
 template <class A, class B>
-requires(query::PosedMeasured<A, B> && (!query::PosedFlatMeasured<A, B> || query::AnyOf<A, Point2, Point3>))  //
-    ExactDistance exact_distance(const A& a, const B& b) {
+requires query::PosedMeasured<A, B> ExactDistance exact_distance(const A& a, const B& b) {
   return query::posed_exact_distance(query::posed_view(a), query::posed_view(b), query::Question::exact_distance);
 }
 
