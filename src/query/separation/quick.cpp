@@ -2,6 +2,7 @@
 
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
+#include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
 #include "query/separation/core.hpp"
 
@@ -34,6 +35,9 @@ std::optional<Point3> nearest_doubles_of(const Vec<Ball>& v) {
 }  // namespace
 
 std::optional<QuickPair> QuickPair::of(const FigureAt& a, const FigureAt& b) {
+  for (const FigureAt* at : {&a, &b}) {
+    if (!with_figure(at->figure, [](const auto& s) { return is_sound(s); })) return {};
+  }
   const double radius_a = radius_of(a.figure), radius_b = radius_of(b.figure);
   if (!(radius_a >= 0 && radius_b >= 0 && radius_a + radius_b < Ball::infinity)) return {};
   auto p = CoreCorners::of(a.figure), q = CoreCorners::of(b.figure);

@@ -24,8 +24,13 @@ Intersection3 posed_intersection3(const PosedView& a, const PosedView& b);
 template <class Answer>
 concept SectionAnswer = std::same_as<Answer, Intersection2> || std::same_as<Answer, Intersection3>;
 
+/// A polygon of space is asked as it stands: under a pose, of its convex pieces in the plane.
+template <class Shape>
+inline constexpr bool is_cut_under_poses = figure_kind<Shape> != FigureKind::polygon || figure_dimension<Shape> == 2;
+
 template <class A, class B>
-concept PosedSection = PosedFigures<A, B> && requires(const UnposedType<A>& a, const UnposedType<B>& b) {
+concept PosedSection = PosedFigures<A, B> && is_cut_under_poses<UnposedType<A>> && is_cut_under_poses<UnposedType<B>> &&
+    requires(const UnposedType<A>& a, const UnposedType<B>& b) {
   { intersection(a, b) } -> SectionAnswer;
 };
 
