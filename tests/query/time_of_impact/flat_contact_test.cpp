@@ -211,6 +211,8 @@ void check(std::uint64_t start, std::uint64_t cases, Tally& tally) {
       ++tally.started;
       return;
     }
+    constexpr bool box_and_polygon = std::is_same_v<A, Polygon2> && std::is_same_v<B, Obb2>;
+    if (box_and_polygon && t == 0) return;  // a flat box that an edge runs along: of its features nothing is promised
     const auto& [sum, kind_a, number_a, number_b, kind_b] = features;
     EXPECT_EQ(contact->feature_a, (Feature{kind_a, number_a})) << about;
     EXPECT_EQ(contact->feature_b, (Feature{kind_b, number_b})) << about;
