@@ -15,12 +15,12 @@
 // without volume is the polygon, segment or point that it is.  (5) Corners are held as points as given or as
 // LinePlanePoint3, where an edge crosses a face; as rational points where a halfspace, k-DOP or oriented box has a part
 // in them.  (6) What goes on forever is told by its vertices and the directions in which it goes on; it has no list of
-// faces.
+// faces, and one that holds a line is told by some of its points.
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 5.3.8, 5.4; Preparata and Shamos, Computational Geometry, 1985.
 // Cost: edges times bounds of both; some 10 us for two boxes or tetrahedra in general position, 200 us for oriented
-// boxes, where exact integers decide; of k-DOPs and intersections of halfspaces a millisecond and more, in rationals. 
-// A volume some 300 us.
+// boxes, where exact integers decide; of k-DOPs and intersections of halfspaces a millisecond and more, in
+// rationals.  A volume some 300 us.
 #pragma once
 
 #include <cstdint>
