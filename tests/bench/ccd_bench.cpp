@@ -1,14 +1,30 @@
 // How long does a continuous collision query take, and is its answer true?  The queries of ../shared/ccd by scene,
-// beside the plain double test; the counters say what is false.
+// beside the plain double test; the counters say what is false.  And hard motions, with what they allocate: those of
+// tool/trial/moving_cases.hpp, as they are, moved off their lattice, and far from the origin.
 #include <benchmark/benchmark.h>
+#include <gmp.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <map>
+#include <new>
 
 #include "bench/rivals/ccd_rival.hpp"
 #include "tool/stability/ccd_queries.hpp"
+#include "tool/trial/moving_cases.hpp"
+
+namespace {
+double allocations = 0;  // by new, and by GMP
+}
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace plumb::bench {
 namespace {
@@ -90,7 +106,72 @@ void add(const std::string& name, const std::vector<Query>& queries) {
   one("plain", plain);
 }
 
+enum class Place { lattice, off_lattice, far };
+
+std::vector<Query> hard_motions(tool::moving_cases::Kind kind, bool vertex_face, Place place) {
+  constexpr std::uint64_t count = 300;
+  std::vector<Query> all;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Entropy entropy(2031, i);
+    const tool::moving_cases::Case c = tool::moving_cases::make(kind, vertex_face, entropy);
+    Query q{};
+    q.vertex_face = vertex_face, q.at_0 = c.at_0, q.at_1 = c.at_1;
+    for (auto* points : {&q.at_0, &q.at_1}) {
+      for (Point3& p : *points) {
+        if (place == Place::off_lattice) p = {p.x / 3, p.y / 5 + 1, p.z * 0x1p-40};
+        if (place == Place::far) p = {p.x + 0x1p40, p.y - 0x1p41, p.z + 0x1p42};
+      }
+    }
+    all.push_back(q);
+  }
+  return all;
+}
+
+void run_hard(benchmark::State& state, const std::vector<Query>& queries, bool (*answer)(const Query&)) {
+  double most = 0;
+  const double before = allocations;
+  for (const Query& q : queries) {
+    const double start = allocations;
+    benchmark::DoNotOptimize(answer(q));
+    most = std::max(most, allocations - start);
+  }
+  const auto size = static_cast<double>(queries.size());
+  state.counters["allocations"] = (allocations - before) / size;
+  state.counters["most_allocations"] = most;
+  for (auto _ : state) {
+    for (const Query& q : queries) benchmark::DoNotOptimize(answer(q));
+  }
+  state.counters["mean_ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * size * 1e-9,
+                                                 benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void add_hard_motions() {
+  mp_set_memory_functions([](std::size_t n) { return ++allocations, std::malloc(n); },
+                          [](void* p, std::size_t, std::size_t n) { return ++allocations, std::realloc(p, n); },
+                          [](void* p, std::size_t) { std::free(p); });
+  constexpr std::array places{Place::lattice, Place::off_lattice, Place::far};
+  constexpr std::array place_names{"", "_off_lattice", "_far"};
+  for (const tool::moving_cases::Kind kind : tool::moving_cases::kinds) {
+    for (std::size_t place = 0; place < places.size(); ++place) {
+      if (kind == tool::moving_cases::Kind::family && place != 0) continue;
+      for (const bool vertex_face : {true, false}) {
+        const std::vector<Query> queries = hard_motions(kind, vertex_face, places[place]);
+        const std::string name =
+            "hard/" + std::string(name_of(kind)) + place_names[place] + (vertex_face ? "/vertex_face" : "/edge_edge");
+        const auto one = [&](const char* method, bool (*answer)(const Query&)) {
+          benchmark::RegisterBenchmark((name + "/" + method).c_str(),
+                                       [=](benchmark::State& state) { run_hard(state, queries, answer); });
+        };
+        one("plumb", [](const Query& q) { return tool::ccd::intersects(q); });
+        one("plumb_first_contact", [](const Query& q) { return tool::ccd::first_contact(q).has_value(); });
+        one("plain", plain);
+      }
+    }
+  }
+}
+
 const bool registered = [] {
+  add_hard_motions();
   std::map<std::string, std::vector<Query>> scenes;
   for (const Query& q : tool::ccd::all_queries(PLUMB_SOURCE_DIR "/../shared/ccd")) {
     scenes[q.scene + (q.vertex_face ? "/vertex_face" : "/edge_edge")].push_back(q);

@@ -47,7 +47,7 @@ struct Figures {
   std::array<Side, Count> sides;
 };
 
-double between(double a, double b, double t) { return (1 - t) * a + t * b; }
+double interpolated(double a, double b, double t) { return (1 - t) * a + t * b; }
 double smaller(double a, double b) { return a < b ? a : b; }
 double larger(double a, double b) { return a > b ? a : b; }
 
@@ -87,11 +87,11 @@ std::optional<Bracket> bracket_of(const Floats& w, const CubicPiece& piece, doub
   const double width = to - from;
   double x = b[0] / (b[0] - b[3]), slope = 0;
   for (int i = 0; i < 5; ++i) {  // a guess
-    slope = between(between(steps[0], steps[1], x), between(steps[1], steps[2], x), x);
+    slope = interpolated(interpolated(steps[0], steps[1], x), interpolated(steps[1], steps[2], x), x);
     const auto of_three = [&](std::size_t k) {
-      return between(between(b[k], b[k + 1], x), between(b[k + 1], b[k + 2], x), x);
+      return interpolated(interpolated(b[k], b[k + 1], x), interpolated(b[k + 1], b[k + 2], x), x);
     };
-    x -= between(of_three(0), of_three(1), x) / (3 * slope);
+    x -= interpolated(of_three(0), of_three(1), x) / (3 * slope);
     x = x > 0 ? smaller(x, 1) : 0;
   }
   // Thrice the least step that is possible, of six times the cubic; a little less, for the roundings here.
@@ -120,7 +120,7 @@ Crossing crossing_at_root(const Figures<Count>& f, const ContactAtRoot& close, c
   const auto size_along = [&](auto axis) {
     const auto at = [&](std::size_t i) {
       const auto& c = f.sides[i].*axis;
-      return between(between(c[0].value, c[1].value, t), between(c[1].value, c[2].value, t), t);
+      return interpolated(interpolated(c[0].value, c[1].value, t), interpolated(c[1].value, c[2].value, t), t);
     };
     return __builtin_fabs(Count == 3 ? at(0) + at(1) + at(2) : at(0) - at(1));
   };
