@@ -3,7 +3,7 @@
 // Laws: exact, of any finite double, until a number would take more than 16 limbs between the ends of its value: from then
 // on it is lost, and so is what comes of it, whose sign is not certain.
 // Source: GMP 6.2 manual, low-level functions.
-// Cost: some 5 to 20 ns an operation.
+// Cost: no allocation; the limbs' products.
 #pragma once
 
 #include <gmp.h>

@@ -3,7 +3,7 @@
 // Laws: those of query/separation/separation.hpp: along an axis that parts them the two ends that face each other, else the
 // first number that both have.  Nothing of what is not finite, or empty.
 // Source: RTCD 4.2, 5.1.3.
-// Cost: some 50 ns.
+// Cost: some 100 to 400 ns with the distance.
 #pragma once
 
 #include <optional>

@@ -2,7 +2,7 @@
 //
 // Law: nothing is certain of it; four corners say that the hulls are likely to meet.
 // Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5.
-// Cost: some 100 to 300 ns; of polyhedra the way climbed.
+// Cost: some 100 to 600 ns; of polyhedra the way climbed, of 200 vertices some 1,300 ns.
 #pragma once
 
 #include "query/separation/nearest_corners.hpp"

@@ -60,20 +60,18 @@ enum class Sought : unsigned char { all, square };
 
 /// All of it, or the square of the distance alone, of corners that are proved.
 template <class T, Sought sought = Sought::all>
-NearestOfCorners<T> nearest_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners,
-                               CertainSigns& ask) {
-  NearestOfCorners<T> n;
-  for (std::size_t i = 0; i < corners.size; ++i) n.at[i] = difference_of<T>(a, b, corners.ends[i]);
+NearestOfCorners<T> nearest_of(const std::array<Vec<T>, 4>& at, std::size_t size, CertainSigns& ask) {
+  NearestOfCorners<T> n{.at = at};
   const Vec<T>& d = n.at[0];
   const T zero(0.0);
-  if (corners.size == 1) {
+  if (size == 1) {
     n.weight[0] = n.whole = T(1.0);
     n.way = d;
     n.square = dot(d, d);
     return n;
   }
   const Vec<T> u = n.at[1] - d;
-  if (corners.size == 2) {
+  if (size == 2) {
     n.whole = dot(u, u);
     const Vec<T> turn = cross(d, u);
     n.square = dot(turn, turn), n.square_whole = n.whole;
@@ -85,7 +83,7 @@ NearestOfCorners<T> nearest_of(const CoreCorners& a, const CoreCorners& b, const
     return n;
   }
   const Vec<T> v = n.at[2] - d;
-  if (corners.size == 3) {
+  if (size == 3) {
     const Vec<T> normal = cross(u, v);
     n.whole = dot(normal, normal);
     const T height = dot(normal, d);
@@ -114,6 +112,18 @@ NearestOfCorners<T> nearest_of(const CoreCorners& a, const CoreCorners& b, const
   n.weight[0] = n.whole - n.weight[1] - n.weight[2] - n.weight[3];
   n.square = zero;
   return n;
+}
+
+template <class T>
+std::array<Vec<T>, 4> differences_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
+  std::array<Vec<T>, 4> at{no_way<T>(), no_way<T>(), no_way<T>(), no_way<T>()};
+  for (std::size_t i = 0; i < corners.size; ++i) at[i] = difference_of<T>(a, b, corners.ends[i]);
+  return at;
+}
+template <class T, Sought sought = Sought::all>
+NearestOfCorners<T> nearest_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners,
+                               CertainSigns& ask) {
+  return nearest_of<T, sought>(differences_of<T>(a, b, corners), corners.size, ask);
 }
 
 /// Does the point lie within the corners' hull, and need all of them?

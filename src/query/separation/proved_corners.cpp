@@ -100,17 +100,21 @@ std::uint32_t least_corner(const CoreCorners& c, std::uint32_t from, const Vec<I
 /// Of up to four corners those that the nearest point of their hull needs; all where it is the origin.
 std::optional<DifferenceCorners> needed(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& all) {
   const unsigned end = 1u << all.size;
+  const std::array<Vec<Integer>, 4> at = differences_of<Integer>(a, b, all);
   for (int size = 1; size <= static_cast<int>(all.size); ++size) {
     for (unsigned mask = 1; mask < end; ++mask) {
       if (std::popcount(mask) != size) continue;
       const DifferenceCorners part = all.part(mask);
+      std::array<Vec<Integer>, 4> of_part;
+      for (std::size_t i = 0, k = 0; i < all.size; ++i) {
+        if ((mask >> i & 1) != 0) of_part[k++] = at[i];
+      }
       CertainSigns ask;
-      const NearestOfCorners<Integer> n = nearest_of<Integer>(a, b, part, ask);
+      const NearestOfCorners<Integer> n = nearest_of<Integer>(of_part, part.size, ask);
       bool is_least = is_within(n, part.size, ask);
       const bool at_origin = size == 4 || certainly_zero(n.square);
       for (std::size_t i = 0; i < all.size && is_least && !at_origin; ++i) {
-        if ((mask >> i & 1) == 0)
-          is_least = ask(dot(n.way, difference_of<Integer>(a, b, all.ends[i]) - n.at[0])) != Sign::negative;
+        if ((mask >> i & 1) == 0) is_least = ask(dot(n.way, at[i] - n.at[0])) != Sign::negative;
       }
       if (!ask.certain()) return {};
       if (is_least) return part;

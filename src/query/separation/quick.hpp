@@ -3,7 +3,7 @@
 //
 // Laws: what is told is exact, or rounded once.  Where it is not told there is no answer here; what is no figure has none.
 // Source: query/separation/proved_corners.hpp.
-// Cost: some 500 ns to 1 us, some microseconds where planes are parallel or touch.
+// Cost: docs/measurements.md.
 #pragma once
 
 #include "plumb/query/closest/result.hpp"
