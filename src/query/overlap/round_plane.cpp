@@ -201,7 +201,6 @@ Relation relate_exact_plane(const ExactPlane& plane, const Cone3& shape) {
   return relation_of(*sides_of<Rational>(plane, shape), plane.is_halfspace);
 }
 
-
 constinit const double plane_constant = filter_constant<predicates::NormalDistanceAgainst3d>();
 static_assert(filter_constant<predicates::SideOfPlane>() <= filter_constant<predicates::NormalDistanceAgainst3d>());
 
