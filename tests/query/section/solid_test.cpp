@@ -160,8 +160,7 @@ constexpr std::array<Draw, 7> draws{drawn<Halfspace3>,
                                     drawn<HalfspaceIntersection3>,
                                     drawn<ConvexPolyhedron3>};
 
-constexpr auto nothing = IntersectionKind::nothing, polygon = IntersectionKind::polygon,
-               solid = IntersectionKind::solid;
+constexpr auto nothing = IntersectionKind::nothing, solid = IntersectionKind::solid;
 
 TEST(Solid, CornersAreWhereThreePlanesMeet) {
   std::map<IntersectionKind, int> count;
