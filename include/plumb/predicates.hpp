@@ -14,9 +14,10 @@
 // (certify/environment.hpp), the vectors that batches take (certify/instruction_set.hpp); what is derived from a formula
 // (certify/formula.hpp), in words (certify/bound_report.hpp) and as a claim to be proved (certify/proof_script.hpp);
 // points whose numbers are bounded (certify/bounded_points.hpp); decisions of many signs (certify/world.hpp,
-// certify/certainly.hpp, certify/judged_bounds.hpp); signs whose cost is known beforehand (certify/plan.hpp,
-// certify/kernel.hpp, certify/lattice_point.hpp), decisions that are counted (certify/decision.hpp) or checked
-// (certify/checked.hpp), and CGAL's kernel over ours (certify/cgal_kernel.hpp, certify/cgal_signs.hpp).
+// certify/certainly.hpp), their bounds in words (certify/judged_bounds.hpp) and as claims (certify/judged_proofs.hpp);
+// signs whose cost is known beforehand (certify/plan.hpp, certify/kernel.hpp, certify/lattice_point.hpp), decisions that
+// are counted (certify/decision.hpp) or checked (certify/checked.hpp), and CGAL's kernel over ours
+// (certify/cgal_kernel.hpp, certify/cgal_signs.hpp).
 // Source: RTCD 3.1.6, 11.2.
 // Cost: 1.5 to 2 times the plain formula where floating point suffices; tens of nanoseconds on degenerate input
 // (docs/measurements.md).

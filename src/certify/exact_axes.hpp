@@ -59,8 +59,14 @@ Axes<T> magnitude(const Axes<T>& a) {
   return each(a, [](const T& s) { return magnitude(s); });
 }
 template <class T>
-auto negated(const Axes<T>& a) {
-  return (a - a) - a;
+Axes<T> negated(const Axes<T>& a) {
+  return each(a, [](const T& s) {
+    if constexpr (requires { -s; }) {
+      return -s;
+    } else {
+      return (s - s) - s;
+    }
+  });
 }
 template <class T>
 auto twice(const Axes<T>& a) {

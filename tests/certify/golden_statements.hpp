@@ -11,11 +11,11 @@
 
 namespace plumb {
 
-/// What was judged since the listener was asked last, against the lines that begin with this name.
-inline void expect_golden(const std::string& name) {
+/// Against the lines that begin with this name.
+inline void expect_golden(const std::string& name, const std::vector<std::string>& lines) {
   std::vector<std::string> derived, recorded;
   std::string should;
-  for (const std::string& line : BoundListener::taken()) {
+  for (const std::string& line : lines) {
     derived.push_back(name + ' ' + line);
     should += derived.back() + '\n';
   }
@@ -25,5 +25,7 @@ inline void expect_golden(const std::string& name) {
   }
   EXPECT_EQ(recorded, derived) << "golden_statements.txt should hold\n" << should;
 }
+/// What was judged since the listener was asked last.
+inline void expect_golden(const std::string& name) { expect_golden(name, BoundListener::taken()); }
 
 }  // namespace plumb

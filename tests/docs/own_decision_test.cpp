@@ -2,8 +2,11 @@
 // answer, and mutants of the statement.
 #include <gtest/gtest.h>
 
+#include "certify/proved_statements.hpp"
 #include "docs/sees_box.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/judged_bounds.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 
 namespace plumb::docs {
@@ -89,6 +92,46 @@ TEST(OwnDecision, MutantsAreNoticed) {
   EXPECT_GT(noticed<1>(), 0);
   EXPECT_GT(noticed<2>(), 0);
   EXPECT_GT(noticed<3>(), 0);
+}
+
+TEST(OwnDecision, BoundsAreProved) {
+  const View view{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const Aabb3 box{{-1, -1, 2}, {1, 1, 3}};
+  const std::vector<std::string> scripts = judged_proofs("sees_box", SeesBox{}, view, box);
+  EXPECT_EQ(scripts.size(), 2);
+  expect_proved(judged_bounds(SeesBox{}, view, box), scripts);
+}
+
+/// All that a statement of one scale may compute with.
+struct Everything {
+  static constexpr int highest = 8;
+  template <class W>
+  Sign operator()(W& w, const std::array<double, 5>& x) const {
+    const auto a = w.difference(x[0], x[1]), c = w.difference(x[3], x[4]);
+    const auto b = w.number(x[2]);
+    const auto e = larger(magnitude(a), b) + twice(smaller(a, c));
+    const auto f = negated(a * b) - c * c;
+    return w.sign(e * e * f - select(w.sign(b) == Sign::positive, a, c) * (a + c) * f);
+  }
+};
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t at = text.find(what);
+  return at == std::string::npos ? "nowhere: " + what : text.replace(at, what.size(), by);
+}
+TEST(OwnDecision, WhatIsNotSoIsNotProved) {
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    Entropy e(22, i);
+    std::array<double, 5> x{};
+    for (double& one : x) one = static_cast<double>(e.within(9));
+    const std::vector<std::string> bounds = judged_bounds(Everything{}, x),
+                                   scripts = judged_proofs("", Everything{}, x);
+    expect_proved(bounds, scripts);
+    if (!gappa::is_installed() || battery::sanitized) return;
+    const std::string& script = scripts.back();
+    EXPECT_FALSE(gappa::refuses(script)) << script;
+    EXPECT_TRUE(gappa::refuses(replaced(script, "ieee_64", "ieee_32"))) << script;
+    EXPECT_TRUE(gappa::refuses(replaced(script, "| <= 1", "| <= 8"))) << script;
+  }
 }
 
 TEST(OwnDecision, RefusesWhatIsNoNumber) {

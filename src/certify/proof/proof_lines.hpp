@@ -47,7 +47,11 @@ class Lines {
   std::string definitions_, hypotheses_;
 };
 
-std::string unit_script(const certify::tape::Program& program, double constant);
+/// Remarks of Gappa end with their line: the text without ends of lines.
+std::string one_line(std::string_view text);
+
+/// For leaves up to 1 the computed value is off by this error at most; the exact one is at most so large.
+std::string unit_script(const certify::tape::Program& program, double error, double most);
 std::string every_scale_script(const certify::tape::Program& program, double constant);
 
 }  // namespace plumb::certify::proof

@@ -12,9 +12,8 @@
 namespace plumb {
 namespace certify::proof {
 
-std::string unit_script(const certify::tape::Program& program, double constant) {
-  const double terms = count_terms(program);
-  const std::string bound = hexadecimal(constant * terms), twice = hexadecimal(2 * terms);
+std::string unit_script(const certify::tape::Program& program, double error, double most) {
+  const std::string bound = hexadecimal(error), range = hexadecimal(most);
   Lines lines;
   lines.define("@double", " = ", "float<ieee_64, ne>");
   std::vector<Number> numbers;
@@ -49,16 +48,11 @@ std::string unit_script(const certify::tape::Program& program, double constant) 
     }
   }
   std::string goals = joined({"|", root.computed, " - ", root.exact, "| <= ", bound});
-  goals += joined({"\n  /\\ (", root.exact, " in [-", twice, ", 0] -> ", value, " <= ", bound, ")"});
-  goals += joined({"\n  /\\ (", root.exact, " in [0, ", twice, "] -> ", value, " >= -", bound, ")"});
+  goals += joined({"\n  /\\ (", root.exact, " in [-", range, ", 0] -> ", value, " <= ", bound, ")"});
+  goals += joined({"\n  /\\ (", root.exact, " in [0, ", range, "] -> ", value, " >= -", bound, ")"});
   return lines.claim(goals);
 }
 
-}  // namespace certify::proof
-
-namespace {
-
-/// Remarks of Gappa end with their line.
 std::string one_line(std::string_view text) {
   std::string line(text);
   for (char& c : line) {
@@ -67,7 +61,7 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-}  // namespace
+}  // namespace certify::proof
 
 double count_terms(const certify::tape::Program& program) {
   std::vector<double> terms(program.arity, 1);
@@ -92,9 +86,9 @@ std::string proof_script(std::string_view name, const certify::tape::Program& pr
   script += "\n# Written by Plumb from the formula.  `gappa FILE` exits with 0 when it found the proof,";
   script += "\n# `gappa -Bcoq FILE` writes it down for Coq.";
   script += joined({"\n# constant of the filter: ", hexadecimal(constant)});
-  script +=
-      joined({"\n# terms of the formula:   ", std::to_string(static_cast<std::uint64_t>(count_terms(program))), "\n"});
-  return script + (unit ? unit_script(program, constant) : every_scale_script(program, constant));
+  const double terms = count_terms(program);
+  script += joined({"\n# terms of the formula:   ", std::to_string(static_cast<std::uint64_t>(terms)), "\n"});
+  return script + (unit ? unit_script(program, constant * terms, 2 * terms) : every_scale_script(program, constant));
 }
 
 }  // namespace plumb

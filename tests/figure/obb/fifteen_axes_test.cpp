@@ -10,6 +10,8 @@
 
 #include "certify/exact_axes.hpp"
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "certify/written_axes.hpp"
 #include "figure/minkowski/zonotope.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/stack_dyadic.hpp"
@@ -146,9 +148,11 @@ void expect_bounds(const char* name, const Statement& statement, const Boxes&...
   lanes::Floats<lanes::Three, Statement::highest, Statement::scales, BoundListener> world;
   BoundListener::taken();
   static_cast<void>(statement(world, boxes...));
-  expect_golden(name);
+  const std::vector<std::string> bounds = BoundListener::taken();
+  expect_golden(name, bounds);
+  expect_proved(bounds, certify::written::axes_proofs(name, statement, boxes...));
 }
-TEST(FifteenAxes, DerivedBoundsAreAsRecorded) {
+TEST(FifteenAxes, DerivedBoundsAreAsRecordedAndProved) {
   // Apart along no axis until all are looked at: no center lies in the other box.
   const Obb3 a{{0, 0, 0}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};
   const Obb3 b{{1.5, 0.25, 0}, {Vector3{0.6, 0.7, 0.1}, Vector3{-0.7, 0.6, 0.2}, Vector3{0.1, 0.3, 0.9}}, {1, 2, 1}};

@@ -6,6 +6,8 @@
 
 #include "certify/exact_axes.hpp"
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "certify/written_axes.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -115,9 +117,11 @@ void expect_bounds(const char* name, const Statement& statement, const Input&...
   lanes::Floats<lanes::Three, Statement::highest, Statement::scales, BoundListener> world;
   BoundListener::taken();
   static_cast<void>(statement(world, input...));
-  expect_golden(name);
+  const std::vector<std::string> bounds = BoundListener::taken();
+  expect_golden(name, bounds);
+  expect_proved(bounds, certify::written::axes_proofs(name, statement, input...));
 }
-TEST(BoxAxes, DerivedBoundsAreAsRecorded) {
+TEST(BoxAxes, DerivedBoundsAreAsRecordedAndProved) {
   const Aabb3 box{{0, 0, 0}, {1, 1, 1}};
   const Point3 p{0.3, 0.4, 2}, q{0.2, 0.7, -1}, r{-1, 0.25, 0.5};
   expect_bounds("segment_box", axes::SegmentAndBox{}, Segment3{p, q}, box);
