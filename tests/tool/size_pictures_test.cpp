@@ -1,4 +1,4 @@
-// tests/bench/growth.py: what bench_growth measured, as a picture and as a table.
+// tests/bench/growth.py and sizes.py: what bench_growth and bench_sizes measured, as pictures and as tables.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,14 +32,14 @@ json sample() {
   return run;
 }
 
-Outcome drawn(const std::string& text, const std::string& options = "") {
-  return run("python3 " PLUMB_SOURCE_DIR "/tests/bench/growth.py " + options, text);
+Outcome drawn(const std::string& text, const std::string& options = "", const std::string& by = "growth.py") {
+  return run("python3 " PLUMB_SOURCE_DIR "/tests/bench/" + by + ' ' + options, text);
 }
 
 /// The places of the markers of one curve, from left to right: y grows downward.
-std::vector<double> heights_of(const std::string& svg, const std::string& key) {
+std::vector<double> heights_of(const std::string& svg, const std::string& curve) {
   std::vector<double> heights;
-  const std::regex marker("data-key=\"" + key + "\" cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"");
+  const std::regex marker("data-curve=\"" + curve + "\" cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"");
   double last = 0;
   for (std::sregex_iterator i(svg.begin(), svg.end(), marker), end; i != end; ++i) {
     EXPECT_GT(std::stod((*i)[1]), last);
@@ -56,14 +56,16 @@ TEST(GrowthPicture, HasEveryFigureWhereItBelongs) {
                                     testing::HasSubstr("2026-01-02"), testing::HasSubstr("build, binned: 290 at 1,024"),
                                     testing::HasSubstr("1,234 at 9,998,244"), testing::HasSubstr("57.5 at 10,000"),
                                     testing::HasSubstr("dark")));
-  const std::vector<double> flat = heights_of(o.out, "build_binned"), rising = heights_of(o.out, "rays_random");
+  const std::vector<double> flat = heights_of(o.out, "build, binned"),
+                            rising = heights_of(o.out, "random rays, together");
   ASSERT_EQ(flat.size(), 3U);
   EXPECT_EQ(flat[0], flat[2]);
   ASSERT_EQ(rising.size(), 3U);
   EXPECT_LT(rising[1], rising[0]);
-  EXPECT_EQ(heights_of(o.out, "peak").size(), 3U);
-  EXPECT_GT(heights_of(o.out, "bytes")[0], heights_of(o.out, "peak")[0]);
-  EXPECT_EQ(heights_of(o.out, "build_linear").size(), 0U);  // was not measured
+  const std::string peak = "most while it is built .binned.";
+  EXPECT_EQ(heights_of(o.out, peak).size(), 3U);
+  EXPECT_GT(heights_of(o.out, "the tree, mesh included")[0], heights_of(o.out, peak)[0]);
+  EXPECT_EQ(heights_of(o.out, "build, linear").size(), 0U);  // was not measured
   EXPECT_EQ(run("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.stdin)'", o.out).code, 0);
 }
 
@@ -78,13 +80,41 @@ TEST(GrowthPicture, IsATableAsWell) {
             "| most while it is built (binned): bytes a triangle | 200 | 200 | 200 |\n");
 }
 
+json sizes() {
+  json run{{"benchmarks", json::array()}};
+  for (const double n : {10.0, 100.0, 1000.0}) {
+    const std::string at = "/" + std::to_string(static_cast<int>(n)) + "/";
+    for (const double off : {0.5, 1.0, 1.5}) {
+      run["benchmarks"].push_back({{"name", "sizes/polygon" + at + "plumb"}, {"ns", 3 * n * off}});
+      run["benchmarks"].push_back({{"name", "sizes/hull2" + at + "qhull"}, {"ns", 50 * off}});
+    }
+  }
+  run["benchmarks"].push_back({{"name", "sizes/hull2/10/cgal"}, {"ns", 70}});
+  return run;
+}
+
+TEST(SizesPicture, SaysWithWhichPowerTimesGrow) {
+  const Outcome o = drawn(sizes().dump(), "", "sizes.py");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.out, testing::AllOf(testing::StartsWith("<svg"), testing::HasSubstr("plumb n^1.00: 300 at 100<"),
+                                    testing::HasSubstr("qhull n^1.00: 50 at 10<"), testing::HasSubstr("cgal : 70 at")));
+  EXPECT_EQ(heights_of(o.out, "plumb n.1.00").size(), 3U);
+  EXPECT_EQ(run("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.stdin)'", o.out).code, 0);
+  EXPECT_THAT(drawn(sizes().dump(), "--table", "sizes.py").out,
+              testing::HasSubstr("| 10 | 100 | 1,000 | grows as |\n| --- | ---: | ---: | ---: | ---: |\n"
+                                 "| plumb | 30 | 300 | 3,000 | n^1.00 |\n"));
+}
+
 TEST(GrowthPicture, RefusesWhatItIsNotMadeOf) {
   for (const std::string text : {"", "{}", "[]", R"({"benchmarks": []})", R"({"benchmarks": [{"name": "growth/x/y"}]})",
+                                 R"({"benchmarks": [{"name": "sizes/hull2/x/y", "ns": 1}]})",
                                  R"({"benchmarks": [{"name": "other/1/y", "ns": 1}]})"}) {
-    const Outcome o = drawn(text);
-    EXPECT_NE(o.code, 0) << text;
-    EXPECT_THAT(o.err, testing::StartsWith("growth.py: ")) << text;
-    EXPECT_EQ(o.out, "") << text;
+    for (const std::string by : {"growth.py", "sizes.py"}) {
+      const Outcome o = drawn(text, "", by);
+      EXPECT_NE(o.code, 0) << text;
+      EXPECT_THAT(o.err, testing::StartsWith(by + ": ")) << text;
+      EXPECT_EQ(o.out, "") << text;
+    }
   }
 }
 
