@@ -100,6 +100,20 @@ TEST(Report, HasItsMediansTakenOutByTheScript) {
   });
 }
 
+TEST(Report, HasNoMethodThatIsWrongOnHalfOfWhatIsHarmless) {
+  const std::string script = "python3 " PLUMB_SOURCE_DIR "/tests/bench/sane_methods.py";
+  const Outcome sane = run(script + " < " + report().folder() + "/chart.json");
+  EXPECT_EQ(sane.code, 0) << sane.err;
+  json raw = report().raw;
+  json& trial = *std::ranges::find_if(raw.at("trials"), [](const json& t) { return t.at("class") == "uniform"; });
+  json& method = trial.at("methods").at(0);
+  method["wrong"] = method.at("asked");
+  const Outcome broken = run(script, raw.dump());
+  EXPECT_EQ(broken.code, 1);
+  EXPECT_THAT(broken.err, testing::HasSubstr(": orient2d: " + method.at("method").get<std::string>()));
+  EXPECT_NE(run(script, R"({"trials": []})").code, 0);
+}
+
 TEST(Report, SaysWhereAndWhenItWasMade) {
   for (const char* key : {"version", "compiler", "flags", "machine", "date"}) {
     EXPECT_THAT(std::string(report().raw.at(key)), Not(testing::IsEmpty())) << key;
