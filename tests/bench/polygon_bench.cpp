@@ -1,4 +1,4 @@
-// How long does it take to locate a point in a polygon, beside CGAL?  Polygons of 1000 corners.
+// How long does it take to locate a point in a polygon, beside CGAL?  Polygons of 8 and of 1000 corners.
 //
 // round: on a circle.  jagged: of random distances from the middle.  teeth: from left to right, up and down.  chain:
 // any points, which CGAL takes as well, whatever it makes of them.
@@ -18,14 +18,14 @@
 namespace plumb::bench {
 namespace {
 
-constexpr std::size_t corners = 1000, points = 2048;
+constexpr std::size_t points = 2048;
 
-Polygon2 polygon_named(const std::string& name) {
+Polygon2 polygon_named(const std::string& name, std::size_t corners) {
   Entropy entropy(2040);
   Polygon2 polygon;
   for (std::size_t i = 0; i < corners; ++i) {
     const double x = signed_unit_coordinate(entropy), y = signed_unit_coordinate(entropy);
-    const double along = static_cast<double>(i) / corners, angle = 2 * std::acos(-1.0) * along;
+    const double along = static_cast<double>(i) / static_cast<double>(corners), angle = 2 * std::acos(-1.0) * along;
     const double r = name == "jagged" ? (std::fabs(x) + 1) / 2 : 1;
     polygon.vertices.push_back(name == "chain"   ? Point2{x, y}
                                : name == "teeth" ? Point2{2 * along - 1, (i % 2 == 0 ? 1 : -1) * std::fabs(y)}
@@ -48,20 +48,23 @@ void add(const std::string& name, std::function<long()> run) {
   std::vector<Point2> at(points);
   Entropy entropy(2041);
   for (Point2& p : at) p = {signed_unit_coordinate(entropy), signed_unit_coordinate(entropy)};
-  for (const std::string name : {"round", "jagged", "teeth", "chain"}) {
-    const Polygon2 polygon = polygon_named(name);
-    const auto each = [&at](auto locate_one) {
-      return [at, locate_one] {
-        long sum = 0;
-        for (const Point2& p : at) sum += static_cast<long>(locate_one(p));
-        return sum;
-      };
+  const auto each = [&at](auto locate_one) {
+    return [at, locate_one] {
+      long sum = 0;
+      for (const Point2& p : at) sum += static_cast<long>(locate_one(p));
+      return sum;
     };
-    add("polygon/" + name + "/plumb", each([polygon](const Point2& p) { return locate(polygon, p); }));
-    add("polygon/" + name + "/cgal", cgal_bounded_side(polygon, at));
-    if (name == "round") {
-      const auto locator = std::make_shared<const ConvexLocator2>(polygon);
-      add("polygon/round/plumb-convex", each([locator](const Point2& p) { return locator->locate(p); }));
+  };
+  for (const std::size_t corners : {8, 1000}) {
+    for (const std::string name : {"round", "jagged", "teeth", "chain"}) {
+      const Polygon2 polygon = polygon_named(name, corners);
+      const std::string label = "polygon/" + name + "/" + std::to_string(corners);
+      add(label + "/plumb", each([polygon](const Point2& p) { return locate(polygon, p); }));
+      add(label + "/cgal", cgal_bounded_side(polygon, at));
+      if (name == "round") {
+        const auto locator = std::make_shared<const ConvexLocator2>(polygon);
+        add(label + "/plumb-convex", each([locator](const Point2& p) { return locator->locate(p); }));
+      }
     }
   }
   return true;

@@ -2,61 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
 #include <string>
 
 #include "figure/basic/chain_input.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/plane_of_points.hpp"
-#include "plumb/certify/decide.hpp"
+#include "figure/containment/chain_winding.hpp"
+#include "plumb/predicates.hpp"
 
 namespace plumb {
 namespace {
 
 constexpr std::string_view kFunction = "locate";
-
-bool between(double x, double a, double b) { return (a <= x && x <= b) || (b <= x && x <= a); }
-
-/// To which side of the line ab p lies; without a branch where doubles tell, for nobody can predict it.
-Sign side_of(const Point2& a, const Point2& b, const Point2& p) {
-  using predicates::Orient2d;
-  const int quick = filter<Orient2d>({a.x, a.y, b.x, b.y, p.x, p.y});
-  return quick != 0 ? static_cast<Sign>(quick) : orient2d(a, b, p);
-}
-
-/// How often the chain winds around p; nothing on the chain.  Edges are counted that cross the horizontal ray from p to
-/// the right, an edge with its lower end and without its upper one.  The others are passed over by bits, 64 at a time.
-std::optional<int> winding(std::span<const Point2> chain, const Point2& p) {
-  assert_sound_thread();
-  constexpr std::size_t block = 64;
-  const auto at = [](std::uint64_t bits) { return static_cast<std::size_t>(std::countr_zero(bits)); };
-  int turns = 0;
-  Point2 last = chain.back();
-  for (std::size_t start = 0; start < chain.size(); start += block) {
-    const std::span<const Point2> corners = chain.subspan(start, std::min(block, chain.size() - start));
-    const auto before = [&](std::size_t i) -> const Point2& { return i == 0 ? last : corners[i - 1]; };
-    std::uint64_t low = 0, level = 0;  // bit i: corner i is not above p, is as high
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      low |= static_cast<std::uint64_t>(corners[i].y <= p.y) << i;
-      level |= static_cast<std::uint64_t>(corners[i].y == p.y) << i;
-    }
-    for (; level != 0; level &= level - 1) {
-      const Point2 &a = before(at(level)), &b = corners[at(level)];
-      if (b == p || (a.y == p.y && between(p.x, a.x, b.x))) return {};
-    }
-    const std::uint64_t all = ~std::uint64_t{0} >> (block - corners.size());
-    std::uint64_t crossing = (low ^ (low << 1 | static_cast<std::uint64_t>(last.y <= p.y))) & all;
-    for (; crossing != 0; crossing &= crossing - 1) {
-      const Point2 &a = before(at(crossing)), &b = corners[at(crossing)];
-      const Sign way = a.y < b.y ? Sign::positive : Sign::negative, side = side_of(a, b, p);
-      if (side == Sign::zero) return {};
-      turns += side == way ? static_cast<int>(way) : 0;
-    }
-    last = corners.back();
-  }
-  return turns;
-}
 
 template <class Point>
 void require_point(std::string_view function, const Point& p) {
@@ -75,19 +32,21 @@ void require_parts(const Quadrilateral& q, const Point& p) {
 class Windings {
  public:
   void add(std::span<const Point2> chain, const Point2& p) {
-    if (on_chain_) return;
-    if (const auto turns = winding(chain, p)) {
-      odd_ ^= (*turns & 1) != 0;
-    } else {
-      on_chain_ = true;
-    }
+    const ChainWinding w = chain.size() < 3 ? ChainWinding{.is_finite = false} : parity_of(chain, p);
+    is_sound_ = is_sound_ && w.is_finite;
+    is_on_ = is_on_ || w.is_on;
+    odd_ ^= (w.turns & 1) != 0;
   }
-  [[nodiscard]] Location location() const {
-    return on_chain_ ? Location::boundary : odd_ ? Location::inside : Location::outside;
+  /// Of chains or a point that are none, `require` throws.
+  template <class Require>
+  [[nodiscard]] Location location(const Require& require) const {
+    if (!is_sound_) [[unlikely]]
+      require();
+    return is_on_ ? Location::boundary : odd_ ? Location::inside : Location::outside;
   }
 
  private:
-  bool on_chain_ = false, odd_ = false;
+  bool is_sound_ = true, is_on_ = false, odd_ = false;
 };
 
 using Chain3 = std::span<const Point3>;
@@ -122,7 +81,7 @@ Location locate_in_space(std::span<const Chain3> chains, const Point3& p) {
     for (const Point3& v : chain) flat.push_back(projected(look, v));
     windings.add(flat, projected(look, p));
   }
-  return windings.location();
+  return windings.location([] {});
 }
 
 std::string hole_name(std::size_t k) {
@@ -134,36 +93,42 @@ Location surface(Location in_plane) { return in_plane == Location::outside ? Loc
 }  // namespace
 
 std::optional<int> winding_number(const Polygon2& polygon, const Point2& p) {
+  assert_sound_thread();
   require_chain<Point2>("winding_number", "polygon.vertices", polygon.vertices);
   require_point("winding_number", p);
-  return winding(polygon.vertices, p);
+  const ChainWinding w = winding_of(polygon.vertices, p);
+  return w.is_on ? std::nullopt : std::optional(w.turns);
 }
 
 Location locate(const Quadrilateral2& q, const Point2& p) {
-  require_parts(q, p);
+  assert_sound_thread();
   const std::array chain{q.a, q.b, q.c, q.d};
   Windings windings;
   windings.add(chain, p);
-  return windings.location();
+  return windings.location([&] { require_parts(q, p); });
 }
 
 Location locate(const Polygon2& polygon, const Point2& p) {
-  require_chain<Point2>(kFunction, "polygon.vertices", polygon.vertices);
-  require_point(kFunction, p);
+  assert_sound_thread();
   Windings windings;
   windings.add(polygon.vertices, p);
-  return windings.location();
+  return windings.location([&] {
+    require_chain<Point2>(kFunction, "polygon.vertices", polygon.vertices);
+    require_point(kFunction, p);
+  });
 }
 
 Location locate(const HoledPolygon2& polygon, const Point2& p) {
-  require_chain<Point2>(kFunction, "polygon.outer.vertices", polygon.outer.vertices);
-  for (std::size_t k = 0; k < polygon.holes.size(); ++k)
-    require_chain<Point2>(kFunction, hole_name(k), polygon.holes[k].vertices);
-  require_point(kFunction, p);
+  assert_sound_thread();
   Windings windings;
   windings.add(polygon.outer.vertices, p);
   for (const Polygon2& hole : polygon.holes) windings.add(hole.vertices, p);
-  return windings.location();
+  return windings.location([&] {
+    require_chain<Point2>(kFunction, "polygon.outer.vertices", polygon.outer.vertices);
+    for (std::size_t k = 0; k < polygon.holes.size(); ++k)
+      require_chain<Point2>(kFunction, hole_name(k), polygon.holes[k].vertices);
+    require_point(kFunction, p);
+  });
 }
 
 Location locate_in_plane(const Quadrilateral3& q, const Point3& p) {

@@ -331,6 +331,10 @@ TEST(BadInput, IsRefusedByName) {
             }),
             "locate: polygon.vertices[2].y is nan, not a real number; give a finite double");
   EXPECT_THROW(locate(bad, {0, 0}), NonFinite);
+  Polygon2 late{std::vector<Point2>(200, Point2{1, 2})};  // though the point is a corner before it
+  late.vertices[199].x = -kInfinity;
+  EXPECT_THROW(locate(late, {1, 2}), NonFinite);
+  EXPECT_THROW(winding_number(late, {1, 2}), NonFinite);
   EXPECT_THROW(is_convex(bad), NonFinite);
   EXPECT_EQ(text_of<Error>([&] {
               locate(good, {kInfinity, 0});

@@ -8,7 +8,7 @@
 // Fewer than three vertices in a chain throw InvalidShape; so do vertices that are not exactly in one plane, of which
 // no surface is known.  NaN and infinity throw NonFinite.
 // Source: RTCD 3.7, 5.4.1.
-// Cost: linear, a nanosecond a corner and three an edge as high as the point; logarithmic for convex polygons asked
+// Cost: linear, half a nanosecond a corner and three an edge around the point; logarithmic for convex polygons asked
 // many times: query/convex/location.hpp.
 #pragma once
 
