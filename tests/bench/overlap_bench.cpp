@@ -186,6 +186,7 @@ void register_batches(const std::string& inputs_name) {
   register_pair<Ray3, Aabb3>("ray-box");
   register_pair<Triangle3, Obb3>("triangle-obb");
   register_pair<Segment3, Obb3>("segment-obb");
+  register_pair<Aabb3, Aabb3>("box-box");
   register_pair<Aabb3, Obb3>("box-obb");
   register_pair<Plane3, Aabb3>("plane-box");
   register_pair<Plane3, Triangle3>("plane-triangle");

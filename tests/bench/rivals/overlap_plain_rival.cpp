@@ -231,6 +231,11 @@ bool intersects(const Ray3& r, const Aabb3& box) {  // slabs
   return true;
 }
 
+bool intersects(const Aabb3& a, const Aabb3& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+         b.min.z <= a.max.z;
+}
+
 bool intersects(const Aabb3& a, const Obb3& b) {
   constexpr double epsilon = 1e-12;
   const V h = half(a), k = vec(b.half), t = b.center - center(a);

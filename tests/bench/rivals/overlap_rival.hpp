@@ -26,6 +26,7 @@ bool intersects(const Triangle3& t, const Obb3& box);
 bool intersects(const Segment3& s, const Aabb3& box);
 bool intersects(const Ray3& r, const Aabb3& box);
 bool intersects(const Segment3& s, const Obb3& box);
+bool intersects(const Aabb3& a, const Aabb3& b);
 bool intersects(const Aabb3& a, const Obb3& b);
 bool intersects(const Plane3& plane, const Aabb3& box);
 bool intersects(const Plane3& plane, const Triangle3& t);
