@@ -12,6 +12,10 @@ namespace {
 
 using arith::Plain;
 
+/// Guesses, of which what they are of is proved: how much of the size a search still moves when it ends, and by how much
+/// of the radius a point is sought within the sides.
+inline constexpr double settled_guess = 0x1p-45, inner_guess = 0x1p-24;
+
 /// normal . x <= offset.
 struct Side {
   Side(const Plain& n, double at_most) : normal(n), offset(at_most), length(std::sqrt(arith::dot(n, n))) {}
@@ -59,7 +63,7 @@ struct Foot {
         at = at - n * step;
         change = std::fmax(change, magnitude_of(step) * length);
       }
-      if (change <= 0x1p-45 * (size + margin)) break;  // a guess for what is proved after it
+      if (change <= settled_guess * (size + margin)) break;
     }
   }
 };
@@ -91,7 +95,7 @@ class HalfspaceSearch {
 
   std::optional<Sign> run() const {
     constexpr int most_rounds = 48, most_at_once = 12;
-    const double radius = radius_.value, margin = radius * 0x1p-24;
+    const double radius = radius_.value, margin = radius * inner_guess;
     for (const Side& side : sides_) {
       if (!(side.length > 0)) return {};
       if (proved_beyond([&](const Vertex& v) { return height(side, v); }, arith::vec<Running>(side.normal)))

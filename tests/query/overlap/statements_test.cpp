@@ -1,0 +1,83 @@
+// Which world answers?  Statements of one number at a time, over doubles and over exact numbers, on every family of inputs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "certify/golden_statements.hpp"
+#include "plumb/degenerate/points.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "query/overlap/straight_and_ball.hpp"
+
+namespace plumb::query {
+namespace {
+
+/// The answers of these worlds, each by itself, where they are certain: doubles, pairs, integers, rationals.
+template <class Statement, class... Input>
+std::array<std::optional<Relation>, 4> ask_each(const Statement& statement, const Input&... input) {
+  using namespace certify::one_lane;
+  return {told_by_worlds<FloatWorld<Statement>>(NoWorldRecorder{}, statement, input...),
+          told_by_worlds<PairWorld<Statement>>(NoWorldRecorder{}, statement, input...),
+          told_by_worlds<IntegerWorld>(NoWorldRecorder{}, statement, input...),
+          told_by_worlds<RationalWorld>(NoWorldRecorder{}, statement, input...)};
+}
+
+template <class Statement, class... Input>
+void expect_bounds_of(const char* name, const Statement& statement, const Input&... input) {
+  BoundListener::taken();
+  certify::one_lane::Floats<double, highest_power<Statement>, scales_of<Statement>, BoundListener> world;
+  static_cast<void>(statement(world, input...));
+  expect_golden(name);
+}
+TEST(OverlapStatements, DerivedBoundsAreAsRecorded) {
+  const Sphere3 ball{{0, 0, 0}, 1};
+  const Point3 p{-3, 0.25, 0.25}, q{3, 0.5, 0.25};
+  expect_bounds_of("segment_ball", StraightAndBall<true, true>{}, p, q, ball);
+  expect_bounds_of("ray_ball", StraightAndBall<true, false>{}, p, Vector3{1, 0, 0}, ball);
+  expect_bounds_of("line_ball", StraightAndBall<false, false>{}, p, Vector3{1, 0, 0}, ball);
+}
+
+/// How many of 300 doubles answer, at least: of segments, rays and lines.  Every ninth is made to touch.
+constexpr int promised_of_balls(Family family) {
+  switch (family) {
+    case Family::uniform:
+    case Family::float32:
+      return 260;
+    case Family::extreme:
+      return 10;
+    case Family::mixture:
+    case Family::repeated:
+      return 100;
+    default:
+      return 200;
+  }
+}
+
+TEST(OverlapStatements, EveryWorldGivesTheRelationToBalls) {
+  for (const FamilyInfo& info : families) {
+    std::array<int, 3> by_floats{};
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      Entropy entropy(23, i);
+      std::array<double, 12> x{};
+      fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
+      const Point3 p{x[0], x[1], x[2]}, q{x[3], x[4], x[5]};
+      const Vector3 d{q.x, q.y, q.z};
+      // Now and then a radius with which something surely touches along an axis.
+      const double radius = entropy.below(3) == 0 ? std::fabs(x[0]) : std::fabs(x[9]);
+      const Sphere3 ball{entropy.below(3) == 0 ? Point3{0, x[1], x[2]} : Point3{x[6], x[7], x[8]}, radius};
+      if (radius == 0) continue;  // a point, of which touching is told otherwise
+      const std::array told{ask_each(StraightAndBall<true, true>{}, p, q, ball),
+                            ask_each(StraightAndBall<true, false>{}, p, d, ball),
+                            ask_each(StraightAndBall<false, false>{}, p, d, ball)};
+      const std::array truth{relate(Segment3{p, q}, ball), relate(Ray3{p, d}, ball), relate(Line3{p, d}, ball)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        by_floats[k] += told[k][0].has_value();
+        for (const auto& t : told[k]) EXPECT_EQ(t.value_or(truth[k]), truth[k]) << info.name << k << ", replay: " << i;
+        EXPECT_TRUE(told[k][3].has_value());
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_GE(by_floats[k], promised_of_balls(info.family)) << info.name << k;
+  }
+}
+
+}  // namespace
+}  // namespace plumb::query
