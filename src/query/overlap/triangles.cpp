@@ -73,10 +73,35 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
 
 namespace {
 
-/// Of corners whose coordinates take many bits.
+/// orient3d, of corners whose exponents may be far apart: the sums of magnitudes tell more of those, and most as seen from
+/// the corner whose coordinates are least.  Seen from one that is far, all others look like one.
+Sign spread_volume(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  using predicates::Orient3d;
+  const auto at = coordinates_of<Orient3d>(a, b, c, d);
+  if (const int s = magnitude_filter<Orient3d>(at); s != 0) return static_cast<Sign>(s);
+  const auto size = [](const Point3& p) {
+    return std::max(std::max(magnitude_of(p.x), magnitude_of(p.y)), magnitude_of(p.z));
+  };
+  const double of_a = size(a), of_b = size(b), of_c = size(c), of_d = size(d),
+               least = std::min({of_a, of_b, of_c, of_d});
+  const auto told = [&](const Point3& k, const Point3& l, const Point3& m, const Point3& n) {
+    return long_double_sign<Orient3d>(coordinates_of<Orient3d>(k, l, m, n));
+  };
+  const auto s = of_d == least   ? told(a, b, c, d)
+                 : of_c == least ? told(b, a, d, c)
+                 : of_b == least ? told(c, d, a, b)
+                                 : told(d, c, b, a);
+  return s.certain() ? s.value() : decide_exactly<Orient3d>(at).sign;
+}
+
+/// Of corners whose coordinates take many bits.  What two equal corners span is zero, however far apart the others are.
 class PointSigns {
  public:
-  explicit PointSigns(const std::array<Point3, 6>& p) : p_(p) {}
+  explicit PointSigns(const std::array<Point3, 6>& p) : PointSigns(p, Equal::not_sought) {
+    for (std::size_t i = 1; i < p.size(); ++i) {
+      for (std::size_t k = i; k-- > 0;) first_[i] = p[k] == p[i] ? k : first_[i];
+    }
+  }
 
   static constexpr bool doubles_first = true;
   static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
@@ -95,20 +120,27 @@ class PointSigns {
             {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
   }
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    // The exponents are far apart: the sums of magnitudes tell more of those.
-    const auto at = coordinates_of<predicates::Orient3d>(p_[i], p_[j], p_[k], p_[l]);
-    if (const int s = magnitude_filter<predicates::Orient3d>(at); s != 0) return static_cast<Sign>(s);
-    return decide_exactly<predicates::Orient3d>(at).sign;
+    if (are_equal(i, j) || are_equal(i, k) || are_equal(j, k) || are_equal(l, i) || are_equal(l, j) || are_equal(l, k))
+      return Sign::zero;
+    return spread_volume(p_[i], p_[j], p_[k], p_[l]);
   }
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
     return {-volume(i, i + 1, i + 2, j), -volume(i, i + 1, i + 2, j + 1), -volume(i, i + 1, i + 2, j + 2)};
   }
 
+ protected:
+  enum class Equal { not_sought };
+  PointSigns(const std::array<Point3, 6>& p, Equal) : p_(p) {}
+
  private:
+  [[nodiscard]] bool are_equal(std::size_t i, std::size_t j) const { return first_[i] == first_[j]; }
   [[nodiscard]] Sign area(std::size_t axis, std::size_t i, std::size_t j, std::size_t k) const {
+    if (are_equal(i, j) || are_equal(j, k) || are_equal(k, i)) return Sign::zero;
     return query::orient2d(seen(p_[i], axis), seen(p_[j], axis), seen(p_[k], axis));
   }
+  static constexpr std::array<std::size_t, 6> each_its_own{0, 1, 2, 3, 4, 5};
   const std::array<Point3, 6>& p_;
+  std::array<std::size_t, 6> first_ = each_its_own;  // of those that are equal
 };
 
 using CornerNumbers = std::array<double, 18>;
@@ -116,7 +148,8 @@ using CornerNumbers = std::array<double, 18>;
 /// Of corners on one lattice of many bits.
 class WideSigns : public PointSigns {
  public:
-  WideSigns(const std::array<Point3, 6>& p, const WideVolumes<6>& volumes) : PointSigns(p), volumes_(volumes) {}
+  WideSigns(const std::array<Point3, 6>& p, const WideVolumes<6>& volumes)
+      : PointSigns(p, Equal::not_sought), volumes_(volumes) {}
 
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
     return volumes_.volume(i, j, k, l);
