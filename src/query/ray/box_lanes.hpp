@@ -2,7 +2,7 @@
 //
 // The box is apart along an axis of its own where numbers as given say so, and along one across the direction and an
 // axis of the box where the corner of its rectangle at which u y - v x is least, or most, is on that side of the line
-// (PassesCorner of query/ray/filters.hpp).  Where none of these is apart they meet.
+// (query/ray/box_passed.hpp).  Where none of these is apart they meet.
 #pragma once
 
 #include <cstddef>

@@ -40,16 +40,6 @@ struct PlaneBehindEnd {
   }
 };
 
-/// (p, q, corner) in a plane of two axes.
-struct PassesCorner {
-  static constexpr std::string_view name = "hits";
-  static constexpr int points = 3, dimension = 2;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 6>& p) const {
-    return (p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0]);
-  }
-};
-
 /// Of the side of an edge, whether the direction is given or a rounded difference.
 inline constexpr double edge_constant = filter_constant<predicates::LineEdge>() > filter_constant<SegmentEdge>()
                                             ? filter_constant<predicates::LineEdge>()

@@ -268,13 +268,14 @@ class Floats {
       return of_all(least(units_[s]));
     }
   }
+  /// Lane by lane: is no number none, and no scale too large?
+  [[gnu::always_inline]] constexpr Truth in_range() const { return above(of_all(1 / floor), sum_of_scales<0>()); }
   /// May the answer be believed?  Not where a sign was unsure, a number none, or a scale too large.
   [[gnu::always_inline]] constexpr bool certain() const {
     if constexpr (of.each_axis == 0) {
       return !unsure_ && x_of(sum_of_scales<0>()) < 1 / floor && (!required_.is_some() || all(required_.truth()));
     } else {
-      const Truth in_range = above(of_all(1 / floor), sum_of_scales<0>());
-      return !unsure_ && all(required_.is_some() ? required_.truth() & in_range : in_range);
+      return !unsure_ && all(required_.is_some() ? required_.truth() & in_range() : in_range());
     }
   }
 
