@@ -43,8 +43,10 @@ struct BoxPassed {
       if (u == 0 && v == 0) continue;
       const auto most = d[j] * (u >= 0 ? high[k] : low[k]) - d[k] * (v >= 0 ? low[j] : high[j]);
       const auto least = d[j] * (u >= 0 ? low[k] : high[k]) - d[k] * (v >= 0 ? high[j] : low[j]);
-      apart = apart | w.negative(most) | w.positive(least);
-      meets = meets & w.positive(most) & w.negative(least);
+      const Truth below = w.negative(most), above = w.positive(least), reaches = w.positive(most),
+                  begins = w.negative(least);
+      apart = apart | below | above;
+      meets = meets & reaches & begins;
     }
   }
 };
