@@ -8,7 +8,10 @@
 namespace plumb::figure {
 namespace {
 
+// Of the guess, which is proved afterward: where it gives up, which weights and steps it takes for zero, and which
+// violations, as a part of the largest limit, for none.
 constexpr int most_pivots = 60;
+constexpr double nothing = 0x1p-30, no_violation = 0x1p-40;
 
 double certain_part(const Running& x) { return std::fabs(x.value) > x.error ? x.value : 0; }
 /// The power of two in a number that is not negative; infinite or zero beyond and below those of normal size.
@@ -24,7 +27,7 @@ void HalfspaceSlack::reserve(std::size_t rows) {
 }
 
 void HalfspaceSlack::add(const Near& row, double unit) {
-  const double by = std::clamp(power_below(unit), 0x1p-1000, 0x1p1000), times = 1 / by;
+  const double by = std::clamp(power_below(unit), 0x1p-1000, 0x1p1000), times = 1 / by;  // both powers of two
   rows_.push_back({row, by});
   const auto part = [times](const Running& x) { return certain_part(x) * times; };
   guess_.push_back({{part(row.normal[0]), part(row.normal[1]), part(row.normal[2])}, part(row.limit)});
@@ -47,7 +50,7 @@ std::optional<int> HalfspaceSlack::sign_by_doubles() {
 std::vector<std::size_t> HalfspaceSlack::deciding() const {
   std::vector<std::size_t> order, rows;
   for (std::size_t k = 0; k < most; ++k) {
-    if (guessed_ && basis_[k] < rows_.size() && weight_[k] > 0x1p-30) order.push_back(k);
+    if (guessed_ && basis_[k] < rows_.size() && weight_[k] > nothing) order.push_back(k);
   }
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return weight_[a] > weight_[b]; });
   for (const std::size_t k : order) rows.push_back(basis_[k]);
@@ -86,10 +89,10 @@ void HalfspaceSlack::multiply() {
   }
 }
 
-// The row that the point violates most.  Violations within rounding are none: whether the guess is right is proved.
+// The row that the point violates most.
 std::size_t HalfspaceSlack::entering() const {
   std::size_t best = held;
-  double largest = scale_ * 0x1p-40;
+  double largest = scale_ * no_violation;
   for (std::size_t j = 0; j < guess_.size(); ++j) {
     const auto& n = guess_[j].normal;
     const double above = ((n[0] * at_[0] + n[1] * at_[1]) + (n[2] * at_[2] + at_[3])) - guess_[j].limit;
@@ -99,7 +102,6 @@ std::size_t HalfspaceSlack::entering() const {
 }
 
 std::size_t HalfspaceSlack::leaving(const Column& step) const {
-  constexpr double nothing = 0x1p-30;
   std::size_t best = most;
   for (std::size_t k = 0; k < most; ++k) {
     if (basis_[k] == held && std::fabs(step[k]) > nothing) return k;

@@ -6,6 +6,7 @@
 #include "arith/certain.hpp"
 #include "arith/vec.hpp"
 #include "figure/k_dop/halfspace_slack.hpp"
+#include "plumb/arith/ball.hpp"
 
 namespace plumb::figure {
 namespace {
@@ -51,7 +52,8 @@ std::array<Running, numbers> near(const SlackPlanes& place) {
   for (std::size_t k = 0; k < numbers; ++k) {
     if (mantissa[k] == 0) continue;
     const double value = std::ldexp(mantissa[k], static_cast<int>(std::max(exponent[k] - most, -2000L)));
-    result[k] = {value, std::fabs(value) * 0x1p-52 + 0x1p-1022};
+    // Cut off, and rounded where that is subnormal: less than to the next double.
+    result[k] = {value, Ball::next(std::fabs(value), 1) - std::fabs(value)};
   }
   return result;
 }
