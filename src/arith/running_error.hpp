@@ -42,8 +42,11 @@ struct Running {
     return most == most ? most : __builtin_huge_val();
   }
 
+  /// No less than |exact - value|.
+  [[nodiscard]] constexpr double bound() const { return error * slack; }
+
   [[nodiscard]] constexpr Unsure<Sign> sign() const {
-    const double e = error * slack;
+    const double e = bound();
     if (value > e) return Unsure{Sign::positive};
     if (value < -e) return Unsure{Sign::negative};
     if (value == 0 && error == 0) return Unsure{Sign::zero};
@@ -52,7 +55,7 @@ struct Running {
 
  private:
   static constexpr double slack = 1 + 0x1p-39;
-  [[nodiscard]] constexpr double reach() const { return error * slack + size(value) * 0x1p-52; }
+  [[nodiscard]] constexpr double reach() const { return bound() + size(value) * 0x1p-52; }
 };
 
 }  // namespace plumb

@@ -36,7 +36,7 @@ inline Vector3 unit(const Vector3& v) {
   return times(w, 1 / std::sqrt(dot(w, w)));
 }
 
-/// What is left of v beside a unit vector, and whether that is more than its roundings.
+/// What is left of v beside a unit vector, and whether that is more than roundings, as guesses go.
 inline bool beside(const Vector3& u, Vector3& v) {
   const Vector3 w = minus(v, times(u, dot(u, v)));
   const Vector3 rest = minus(w, times(u, dot(u, w)));

@@ -9,14 +9,14 @@
 namespace plumb::figure::frame {
 namespace {
 
-// No volume is sought that is smaller by less than this part of it.
+// The tolerance of the result: no volume is sought that is smaller by less than this part of it.
 constexpr double precision = 0x1p-42;
-// A turn smaller than this is not halved: the ends of an arc are told apart by several times less, for they are rounded
-// and those between slightly shortened.  Nor are parts beyond this depth.
+// Where the search stops, guesses of what still pays: a turn smaller than this is not halved, nor are parts beyond this
+// depth; what is left so counts as what it may be.
 constexpr double finest = 0x1p-46;
 constexpr int deepest = 200;
-// Where a part has been halved so often, or its bound is so near to the limit, a box that is flush with a face may be
-// the least.
+// Guesses: where a part has been halved so often, or its bound is so near to the limit, a box that is flush with a face
+// may be the least.
 constexpr int ends_from = 6;
 constexpr double close = 1 - 0x1p-16;
 
@@ -37,7 +37,7 @@ class BoxSearch {
     double doubt = 0;
     for (const Vector3& n : best_.axes) doubt += error_.third / std::fabs(width(n));
     precision_ = precision + doubt;  // what roundings leave undecided is not worth the while
-    if (!(precision_ < 0.5) || !(direction_error_ < 0x1p-44)) return;
+    if (!(precision_ < 0.5) || !flush.are_sure) return;
     for (const FlushArc& f : flush.arcs) add({f, {0, 1}, {f.from, f.to}}, 0);
     std::ranges::stable_sort(arcs_, {}, &SearchedArc::width);
     least_width_ = arcs_.front().width;
@@ -55,10 +55,10 @@ class BoxSearch {
     for (std::size_t i = 0; i < n; ++i) {
       const SearchedArc& a = arcs_[i];
       if (parts_ >= most_parts_) {
-        leave(a.width * a.width * least_width_);
+        leave(below(below(a.width * a.width) * least_width_));
         break;
       }
-      const double enough = limit() / (a.width * least_width_);
+      const double enough = above(limit() / below(a.width * least_width_));
       const auto end = static_cast<std::size_t>(std::ranges::lower_bound(arcs_.begin() + static_cast<std::ptrdiff_t>(i),
                                                                          arcs_.end(), enough, {}, &SearchedArc::width) -
                                                 arcs_.begin());
@@ -74,10 +74,11 @@ class BoxSearch {
         look(a, b, {a.s, b.s, a.end, b.end}, 0);
       }
     }
-    return {best_, least_of(limit(), left_) * (1 - 0x1p-48)};  // less the roundings of products beside limits
+    return {best_, least_of(limit(), left_)};
   }
 
  private:
+  // Falls as better boxes are found: what was no less than a limit is no less than the last one.
   [[nodiscard]] double limit() const { return best_.volume * (1 - precision_); }
   // What is not looked at any further may be as small as this.
   void leave(double least) { left_ = least_of(left_, std::max(least, 0.0)); }
@@ -92,13 +93,20 @@ class BoxSearch {
   // Halved where the width of one pair of vertices says too little of the whole.
   void add(SearchedArc a, int depth) {
     a.center = unit(plus(a.end[0], a.end[1]));
-    const Vector3 l = minus(a.end[0], a.center), r = minus(a.end[1], a.center);
-    a.reach = std::sqrt(std::max(dot(l, l), dot(r, r))) + 0x1p-30;
+    a.center = times(a.center, shortening(dot(a.center, a.center), error_.square));
+    // Unit normals are no farther from the center than those at the ends, which are no shorter than `end`.
+    const auto center = known(a.center, 0);
+    double square = 0;
+    for (const Vector3& n : a.end) {
+      const Running along = arith::dot(known(n, error_.normal), center);
+      square = std::max(square, (Running(1.0) + arith::dot(center, center) - along - along).upper());
+    }
+    a.reach = above(above(std::sqrt(square)) + error_.product);  // with what products of centers are off
     double most = std::numeric_limits<double>::infinity();
     for (const Vector3& n : {a.center, a.end[0], a.end[1]}) {
       const std::uint32_t q = opposite(n);
       const Vector3 d = between(q, a.flush.vertex);
-      const double w = least_of(dot(d, a.end[0]), dot(d, a.end[1])) - error_.width;
+      const double w = below(least_of(dot(d, a.end[0]), dot(d, a.end[1])) - error_.width);
       if (!(w <= a.width)) a.width = w, a.beyond = q;
       most = least_of(most, dot(d, n));
     }
@@ -133,24 +141,14 @@ class BoxSearch {
   void try_box(const Vector3& n, const Vector3& edge) {
     const Vector3 n1 = unit(n);
     Vector3 n2 = cross(edge, n1);
-    if (!(dot(n2, n2) > 0x1p-80)) return;
-    (void)beside(n1, n2);
+    if (!beside(n1, n2)) return;
     const std::array normals{n1, n2, cross(n1, n2)};
     if (!(width(n1) * width(n2) * width(normals[2]) < best_.volume)) return;
     const double volume = volume_of(normals);
     if (volume < best_.volume && volume > 0) best_ = {normals, volume};
   }
 
-  [[nodiscard]] Vector3 at(const FlushArc& arc, double s) const { return flush_normal(arc, s, direction_error_); }
-
-  [[nodiscard]] Turning known(const Vector3& v, double error) const {
-    return {Running(v.x, error), Running(v.y, error), Running(v.z, error)};
-  }
-  // Of the exact arc.
-  [[nodiscard]] Turning turned(const FlushArc& arc, double s) const {
-    const Turning from = known(arc.from, direction_error_), to = known(arc.to, direction_error_);
-    return from * (Running(1.0) - Running(s)) + to * Running(s);
-  }
+  [[nodiscard]] Vector3 at(const FlushArc& arc, double s) const { return flush_normal(arc, s, error_); }
 
   // Vertices along n1, n2 and n3, and those opposite them.
   struct Across {
@@ -162,11 +160,11 @@ class BoxSearch {
                                     const Across& v) const {
     const Vector3 d1 = between(v.behind[0], v.ahead[0]), d2 = between(v.behind[1], v.ahead[1]),
                   d3 = between(v.behind[2], v.ahead[2]);
-    const double w1 = std::max(a.width, least_of(dot(d1, p.a[0]), dot(d1, p.a[1])) - error_.width);
-    const double w2 = std::max(b.width, least_of(dot(d2, p.b[0]), dot(d2, p.b[1])) - error_.width);
+    const double w1 = std::max(a.width, below(least_of(dot(d1, p.a[0]), dot(d1, p.a[1])) - error_.width));
+    const double w2 = std::max(b.width, below(least_of(dot(d2, p.b[0]), dot(d2, p.b[1])) - error_.width));
     const double w3 = least_of(least_of(dot(d3, cross(p.a[0], p.b[0])), dot(d3, cross(p.a[0], p.b[1]))),
                                least_of(dot(d3, cross(p.a[1], p.b[0])), dot(d3, cross(p.a[1], p.b[1]))));
-    return w1 * w2 * std::max(least_width_, w3 - error_.third) * (1 - 0x1p-50);
+    return below(below(w1 * w2) * std::max(least_width_, below(w3 - error_.third)));
   }
 
   // The curve is followed along the arc whose normals are farther from the other's edge.
@@ -183,16 +181,17 @@ class BoxSearch {
     const auto across = [&](std::size_t k) {
       return known(model_.vertices[v.ahead[k]], vertex_error_) - known(model_.vertices[v.behind[k]], vertex_error_);
     };
-    return no_smaller_flush({turned(along, s[0]), turned(along, s[1]), known(beside.edge, direction_error_),
-                             across(first), across(second), across(2)},
-                            limit());
+    const auto turned = [&](double at) { return exact_chord(along, at, direction_error_); };
+    return no_smaller_flush(
+        {turned(s[0]), turned(s[1]), known(beside.edge, direction_error_), across(first), across(second), across(2)},
+        limit());
   }
 
   // Of vertices that lie equally far at this end of the part, those that are farther in the part.
   [[nodiscard]] Across across_at_end(const SearchedArc& a, const SearchedArc& b, const SearchedPart& p,
                                      std::size_t end) const {
     const std::size_t other = std::fabs(dot(p.a[end], p.b[0])) <= std::fabs(dot(p.a[end], p.b[1])) ? 0 : 1;
-    constexpr double slightly = 0x1p-42;
+    constexpr double slightly = 0x1p-42;  // any vertices will do
     const Vector3 n1 = plus(p.a[end], times(p.a[1 - end], slightly));
     const Vector3 n2 = plus(p.b[other], times(p.b[1 - other], slightly)), n3 = cross(n1, n2);
     return {{a.flush.vertex, b.flush.vertex, farthest(n3)}, {opposite(n1), opposite(n2), opposite(n3)}};
@@ -227,12 +226,15 @@ class BoxSearch {
   }
 
   void halve(const SearchedArc& a, const SearchedArc& b, SearchedPart p, double least, int depth) {
+    const std::array given{p.s, p.t};
     narrow(a.flush, p.b, error_, p.s, p.a);
     narrow(b.flush, p.a, error_, p.t, p.b);
     if (!(p.s[0] <= p.s[1]) || !(p.t[0] <= p.t[1])) return;
     const Vector3 turn_a = minus(p.a[1], p.a[0]), turn_b = minus(p.b[1], p.b[0]);
     const double of_a = dot(turn_a, turn_a), of_b = dot(turn_b, turn_b);
-    if (std::max(of_a, of_b) < finest * finest || depth >= deepest || parts_ >= most_parts_) {
+    const bool is_finest = std::max(of_a, of_b) < finest * finest;
+    if (is_finest && given != std::array{p.s, p.t}) return look(a, b, p, depth + 1);
+    if (is_finest || depth >= deepest || parts_ >= most_parts_) {
       leave(least);
       return;
     }

@@ -55,7 +55,7 @@ FoundBox turned_about_axes(const HullModel& model, FoundBox box) {
   constexpr int most_rounds = 16;  // each halves what is left to gain, as a rule
   for (int round = 0, idle = 0; round < 3 * most_rounds && idle < 3; ++round) {
     const FoundBox next = box_along(model, box.axes[static_cast<std::size_t>(round % 3)]);
-    const bool better = next.volume < box.volume * (1 - 0x1p-40);
+    const bool better = next.volume < box.volume * (1 - 0x1p-40);  // a guess of what is a gain
     idle = better ? 0 : idle + 1;
     if (better) box = {{next.axes[0], next.axes[1], next.axes[2]}, next.volume};
   }

@@ -20,7 +20,7 @@ struct Calipers {
 };
 
 inline Calipers smallest_rectangle(std::span<const Vector2> polygon) {
-  constexpr double point = 0x1p-40;  // of coordinates up to one: an edge seen end-on has no direction
+  constexpr double point = 0x1p-40;  // a guess, of coordinates up to one: an edge seen end-on has no direction
   Calipers best;
   const std::size_t n = polygon.size();
   const auto next = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };

@@ -17,9 +17,10 @@ namespace {
 using arith::cross, arith::dot, arith::Vec;
 using Enclosed = Vec<Ball>;
 
-// What is so small that its square may underflow, as zero give or take that much.
+// What is so small that its square is unknown, as zero give or take that much: which is so small is a guess.
 Ball squarable(const Ball& x) {
-  return std::fabs(x.high) < 0x1p-400 ? Ball{0, 0, Ball::widened(2 * std::fabs(x.high) + x.radius)} : x;
+  return std::fabs(x.high) < 0x1p-400 ? Ball{0, 0, Ball::widened((std::fabs(x.high) + std::fabs(x.low)) + x.radius)}
+                                      : x;
 }
 
 // Of a vector of magnitude one or so.
@@ -38,18 +39,18 @@ Enclosed near(const Vec<BigDyadic>& v) {
   const auto part = [&most](const BigDyadic& x) {
     const double high = rounded_quotient(Rounding::nearest, x, most);
     const double low = rounded_quotient(Rounding::nearest, x - BigDyadic(high) * most, most);
-    return Ball{high, low, std::fabs(low) * 0x1p-52 + 0x1p-1000};
+    return Ball{high, low, Interval::step(low)};
   };
   return {part(v.x), part(v.y), part(v.z)};
 }
 
-// Is each coordinate known to a hundred bits of the largest, and of a size that lengths can be had of?
+// Is each coordinate known well, and of a size that lengths can be had of?  A guess of which way to take.
 bool is_known(const Enclosed& v) {
   const double most = std::max({std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)});
   return most > 0x1p-200 && most < 0x1p200 && std::max({v.x.radius, v.y.radius, v.z.radius}) < most * 0x1p-60;
 }
 
-// Points brought near to magnitude one by a power of two, and whether that rounded nothing.
+// Points brought near to magnitude one by a power of two, where they are far from it, and whether that rounded nothing.
 struct Scaled {
   std::vector<Point3> points;
   int exponent = 0;
@@ -125,16 +126,22 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
   }
   const int grow = frame::exponent(extent);
   vertices.resize(given.size());
-  double off = scaled.exact ? 0 : std::numeric_limits<double>::denorm_min();
+  double off = 0;
+  bool lost = false;
   for (std::size_t i = 0; i < given.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Rounded d = two_sum(scaled.points[i].*of_point[k], -middle[k]);
-      vertices[i].*of_vector[k] = std::ldexp(d.value, -grow);
+      const double x = std::ldexp(d.value, -grow);
+      vertices[i].*of_vector[k] = x;
       off = std::max(off, std::fabs(d.error));
+      lost = lost || std::ldexp(x, grow) != d.value;
     }
   }
   exponent = scaled.exponent + grow;
-  if (off > 0) vertex_error = std::ldexp(2 * off, -grow) + 0x1p-1000;  // twice: of two kinds, one may be hidden
+  constexpr double tiniest = std::numeric_limits<double>::denorm_min();
+  if (!scaled.exact) off = Interval::sum_up(off, tiniest);
+  if (off > 0) vertex_error = Interval::up(std::ldexp(off, -grow), 1);
+  if (lost) vertex_error = Interval::sum_up(vertex_error, tiniest);
 
   const auto known = [this](const Enclosed& v) {
     for (const Ball& x : {v.x, v.y, v.z}) {
@@ -151,9 +158,10 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
     faces.push_back(directions.normal(c[0], c[1], c[2]));
     normals.push_back(known(faces.back()));
   }
+  constexpr double sure_enough = 0x1p-44;  // a guess of what a search is worth
   const auto add = [&](const auto& again, const Enclosed& l, const Enclosed& r, const Enclosed& e,
                        std::uint32_t vertex) -> void {
-    constexpr double sure_enough = 0x1p-44, wide = -0.5, most_turn = 0.35;  // cosines of 120 and of some 70 degrees
+    constexpr double wide = -0.5, most_turn = 0.35;  // cosines of 120 and of some 70 degrees
     const FlushArc arc{known(l), known(r), known(e), vertex};
     const double turn = frame::dot(arc.from, arc.to);
     if (turn >= most_turn || !(direction_error < sure_enough)) {
@@ -169,15 +177,15 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
   for (const HullModel::Edge& e : model.edges)
     add(add, faces[e.left], faces[e.right], directions.edge(e.from, e.to), e.from);
 
+  are_sure = direction_error < sure_enough;
   if (!scaled.exact) return;
   TriangleMesh mesh{scaled.points, {}};
   for (std::size_t f = 0; f + 1 < model.first.size(); ++f) {
     for (std::uint32_t i = model.first[f] + 1; i + 1 < model.first[f + 1]; ++i)
       mesh.triangles.push_back({model.corners[model.first[f]], model.corners[i], model.corners[i + 1]});
   }
-  const double nearest = volume(mesh);
-  const double in_units = std::ldexp(Interval::down(nearest, -1), -3 * grow);
-  if (nearest > 0x1p-900 && in_units > 0x1p-900) hull_volume = in_units;
+  const double least = Interval::down(volume(mesh), -1), in_units = std::ldexp(least, -3 * grow);
+  if (std::ldexp(in_units, 3 * grow) == least) hull_volume = std::max(in_units, 0.0);
 }
 
 }  // namespace plumb::figure::frame

@@ -27,6 +27,7 @@ struct FlushArcs {
   std::vector<Vector3> vertices, normals;  // as numbered by HullModel
   double vertex_error = 0, direction_error = 0;
   int exponent = 0;
+  bool are_sure = false;   // enough for a search to be worth the while; only then are the arcs cut
   double hull_volume = 0;  // no more than the hull's
 
   /// Of a hull of dimension 3.

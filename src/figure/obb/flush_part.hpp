@@ -10,7 +10,9 @@
 #include <cmath>
 
 #include "arith/running_error.hpp"
+#include "arith/vec.hpp"
 #include "figure/obb/flush_arcs.hpp"
+#include "plumb/arith/interval.hpp"
 
 namespace plumb::figure::frame {
 
@@ -32,48 +34,67 @@ struct SearchedPart {
   std::array<Vector3, 2> a, b;
 };
 
+/// A double that is not above what was rounded to x, and one that is not below; x is finite.
+inline double below(double x) { return x - Interval::step(x); }
+inline double above(double x) { return x + Interval::step(x); }
+
+inline arith::Vec<Running> known(const Vector3& v, double error) {
+  return {Running(v.x, error), Running(v.y, error), Running(v.z, error)};
+}
+
+/// A factor that makes a vector no longer than one of which the square of the length is this, off by no more than the
+/// error.
+inline double shortening(double square, double error) { return below(1 / above(std::sqrt(above(square + error)))); }
+
 // By how much the doubles of the search can be off: the same sums over numbers that carry their errors.
 struct SearchErrors {
-  double product, width, third, direction;  // of two normals; of a width along a normal; along a product of two; of
-  // given directions
+  double normal, product, width, third, direction, square;  // of a normal; of two of them; of a width along one;
+  // along a product of two; of given directions; of the square of a chord's length
 
   SearchErrors(double of_vertices, double of_directions) : direction(of_directions) {
     // A normal of an arc, by what it is made of: an arc turns by some 70 degrees, so a chord's is longer than 4/5, and
     // the ends are no farther apart than 5/4.
     const Running end(1, of_directions), share(1, 0), stretch(1.25, 0);
     const Running apart_ends(1.25, (end + end).error);
-    const Running unit = (end + share * apart_ends) * stretch;
-    const Running normal(1, unit.error);
+    const Running chord = end + share * apart_ends, unit = chord * stretch;
+    const Running near_chord(1, chord.error);
+    const Running near(1, unit.error);
     const Running apart = Running(1, of_vertices) + Running(1, of_vertices);
-    const Running crossed = normal * normal + normal * normal;
-    product = upper_error(sum(normal * normal));
-    width = upper_error(sum(apart * normal));
-    third = upper_error(sum(apart * crossed));
+    const Running crossed = near * near + near * near;
+    normal = unit.bound();
+    square = sum(near_chord * near_chord).bound();
+    product = sum(near * near).bound();
+    width = sum(apart * near).bound();
+    third = sum(apart * crossed).bound();
   }
 
  private:
   static Running sum(const Running& x) { return x + x + x; }
-  static double upper_error(const Running& x) { return x.error * (1 + 0x1p-20); }
 };
 
-/// A normal of the arc, where its chord is divided by s.
-inline Vector3 flush_normal(const FlushArc& arc, double s, double direction_error) {
+/// Where the exact arc's chord is divided by s.
+inline arith::Vec<Running> exact_chord(const FlushArc& arc, double s, double direction_error) {
+  return known(arc.from, direction_error) * (Running(1.0) - Running(s)) + known(arc.to, direction_error) * Running(s);
+}
+
+/// A normal of the arc there; the exact chord, stretched by as much, is no longer than one.
+inline Vector3 flush_normal(const FlushArc& arc, double s, const SearchErrors& error) {
   const Vector3 chord = plus(arc.from, times(minus(arc.to, arc.from), s));
-  // The exact chord, stretched so, is no longer than one.
-  return times(chord, (1 - 0x1p-48 - 8 * direction_error) / std::sqrt(dot(chord, chord)));
+  return times(chord, shortening(dot(chord, chord), error.square));
 }
 
 /// How much of the way from one end to the other is certainly beyond zero, of two linear functions on the same side:
-/// f at this end and g at the other.
+/// f at this end and g at the other, off by no more than the error.
 inline double beyond_zero(const std::array<double, 2>& f, const std::array<double, 2>& g, double error) {
   const double side = f[0] < 0 ? -1 : 1;
   double least = 1;
   for (std::size_t k = 0; k < 2; ++k) {
-    const double from = side * f[k] - 2 * error, by = side * (f[k] - g[k]);
+    // Nearest where both are off by as much toward zero.
+    const double from = below(side * f[k] - error), by = above(side * (f[k] - g[k]));
     if (!(from > 0)) return 0;
     if (by > from && from / by < least) least = from / by;
   }
-  return least * (1 - 0x1p-20);
+  return below(least);
 }
 
 /// Leaves out what of an arc, from s[0] to s[1], is not perpendicular to anything between two other normals: along a
@@ -85,11 +106,11 @@ inline void narrow(const FlushArc& arc, const std::array<Vector3, 2>& others, co
     const Vector3 chord = plus(arc.from, times(minus(arc.to, arc.from), s[i]));
     f[i] = {dot(chord, others[0]), dot(chord, others[1])};
   }
-  const double first = beyond_zero(f[0], f[1], error.product), last = 1 - beyond_zero(f[1], f[0], error.product);
-  constexpr double worth = 0x1p-3;
-  const double from = s[0], by = s[1] - s[0];
-  if (first > worth) s[0] = from + by * first, end[0] = flush_normal(arc, s[0], error.direction);
-  if (last < 1 - worth) s[1] = from + by * last, end[1] = flush_normal(arc, s[1], error.direction);
+  const double first = beyond_zero(f[0], f[1], error.product), last = beyond_zero(f[1], f[0], error.product);
+  constexpr double worth = 0.125;  // a guess of what pays
+  const double from = s[0], to = s[1], by = below(to - from);
+  if (first > worth) s[0] = below(from + below(by * first)), end[0] = flush_normal(arc, s[0], error);
+  if (last > worth) s[1] = above(to - below(by * last)), end[1] = flush_normal(arc, s[1], error);
 }
 
 }  // namespace plumb::figure::frame

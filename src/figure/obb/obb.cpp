@@ -101,7 +101,7 @@ Axes between(const Axes& a, const Axes& b) {
 Axes spanning(const Axes& axes) {
   const Axes units{figure::frame::unit(axes[0]), figure::frame::unit(axes[1]), figure::frame::unit(axes[2])};
   const double volume = std::fabs(figure::frame::dot(units[0], figure::frame::cross(units[1], units[2])));
-  constexpr double slant = 0x1p-20;  // flatter than this a frame of right angles is tighter
+  constexpr double slant = 0x1p-20;  // a guess: flatter than this a frame of right angles is tighter
   return volume > slant && figure::enclosing::independent(axes) ? axes : figure::frame::orthonormal(axes);
 }
 

@@ -11,6 +11,7 @@
 
 #include "figure/basic/shape_cases.hpp"
 #include "figure/obb/cases.hpp"
+#include "figure/obb/flush_part.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
@@ -247,6 +248,47 @@ TEST(MinimumObbTest, IntervalsHoldKnownVolumes) {
   EXPECT_LE(c.least_volume.lower, 8);
   EXPECT_GE(c.least_volume.upper, 8);
   EXPECT_LE(c.excess, 1e-12);
+  // Faces and edges that are perpendicular exactly, of which parts of the search shrink to a point.
+  std::vector<Point3> lattice;
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      for (int z = -3; z <= 3; ++z) {
+        if (x * x + y * y + z * z <= 9) lattice.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+      }
+    }
+  }
+  EXPECT_LE(certified_minimum_obb(lattice).excess, 1e-12);
+}
+
+// What the search leaves out on the way from 0 to 1 is beyond zero for all functions that these doubles may stand for,
+// and what is made no longer than one is not longer.
+TEST(MinimumObbTest, BoundsOfTheSearchHold) {
+  using namespace figure::frame;
+  std::size_t crossing = 0;
+  for (std::uint64_t i = 0; i < 400 * more; ++i) {
+    Entropy entropy(424, i);
+    const double error = std::ldexp(unit_coordinate(entropy), -static_cast<int>(30 + entropy.below(20)));
+    const auto near = [&] {
+      return entropy.below(3) == 0 ? error * signed_unit_coordinate(entropy) * 4 : signed_unit_coordinate(entropy);
+    };
+    const std::array f{near(), near()}, g{near(), near()};
+    const mpq_class share(beyond_zero(f, g, error));
+    if (share > 0) {
+      const double side = f[0] < 0 ? -1 : 1;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const mpq_class from = mpq_class(side * f[k]) - mpq_class(error),
+                        to = mpq_class(side * g[k]) - mpq_class(error);
+        ASSERT_GE(from + (to - from) * share, 0) << "424 " << i;
+        crossing += to < 0 ? 1 : 0;
+      }
+    }
+    const double square = 0.1 + unit_coordinate(entropy);
+    const mpq_class factor(shortening(square, error));
+    const mpq_class longest = factor * factor * (mpq_class(square) + mpq_class(error));
+    ASSERT_LE(longest, 1) << "424 " << i;
+    ASSERT_GE(longest, 1 - mpq_class(0x1p-48)) << "424 " << i;
+  }
+  EXPECT_GE(crossing, 50 * more);
 }
 
 TEST(MinimumObbTest, PowersOfTwoChangeUnitsAlone) {
