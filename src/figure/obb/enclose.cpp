@@ -5,18 +5,18 @@
 #include <limits>
 
 #include "arith/big_rounding.hpp"
+#include "arith/running_error.hpp"
 #include "arith/vec.hpp"
 #include "figure/basic/frame.hpp"
 #include "plumb/arith/ball.hpp"
-#include "plumb/certify/detail/filter_stage.hpp"
+#include "plumb/arith/filtered.hpp"
+#include "plumb/arith/interval.hpp"
 #include "plumb/certify/determinant_sign.hpp"
-#include "plumb/predicates/cross_products.hpp"
 
 namespace plumb::figure::enclosing {
 namespace {
 
 using arith::cross, arith::dot, arith::Plain, arith::vec, arith::Vec;
-using predicates::OrderAlongCross;
 
 // What the faces through one axis are measured with.
 template <class N>
@@ -84,19 +84,19 @@ class Farthest {
   double reach_ = 0;
 };
 
-// Of OrderAlongCross over differences and axes of magnitude one.
-constexpr double terms = [] {
-  std::array<LargestMagnitude::Input, arity<OrderAlongCross>> ones;
-  ones.fill({1});
-  return LargestMagnitude(OrderAlongCross{}(ones)).magnitude;
-}();
-
 // |(u x v) . (p - c)| in doubles.
 struct Rough {
   Plain normal;
   const Point3& center;
 
   double operator()(const Point3& p) const { return magnitude_of(dot(normal, vec<double>(p) - vec<double>(center))); }
+
+  // By how much it can be off where no coordinate of u, of v or of p - c is larger: the same sums, at these values.
+  static double error(double u, double v, double apart) {
+    const Running product = Running(u) * Running(v), normal = product + product;
+    const Running along = normal * (Running(apart) + Running(0.0));
+    return (along + along + along).bound();
+  }
 };
 
 }  // namespace
@@ -107,8 +107,7 @@ bool independent(const std::array<Vector3, 3>& axes) {
 }
 
 Vector3 half(const std::array<Vector3, 3>& axes, const Point3& center, std::span<const Point3> points) {
-  constexpr double least = 0x1p-200;  // its third power, and that times the filter's constant, do not underflow
-  double apart = least;
+  double apart = 0;
   for (const Point3& p : points) {
     apart = std::max({apart, magnitude_of(p.x - center.x), magnitude_of(p.y - center.y), magnitude_of(p.z - center.z)});
   }
@@ -116,13 +115,10 @@ Vector3 half(const std::array<Vector3, 3>& axes, const Point3& center, std::span
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 &u = axes[(i + 1) % 3], &v = axes[(i + 2) % 3];
     const Rough rough{cross(vec<double>(u), vec<double>(v)), center};
-    // No rough distance is off by more: the magnitude of filter B, and its roundings.
-    const double error = filter_constant<OrderAlongCross>() * terms * (1 + 0x1p-40) *
-                         std::max(figure::frame::largest(u), least) * std::max(figure::frame::largest(v), least) *
-                         apart;
+    const double error = Rough::error(figure::frame::largest(u), figure::frame::largest(v), apart);
     double most = 0;
     for (const Point3& p : points) most = std::max(most, rough(p));
-    const double enough = most - 2.0 * error - most * 0x1p-50;
+    const double enough = Interval::sum_down(Interval::sum_down(most, -error), -error);
     Farthest farthest(axes, center, i);
     for (const Point3& p : points) {
       if (!(rough(p) < enough)) farthest.add(p);  // all of them where doubles overflow

@@ -94,8 +94,8 @@ Ball times(const Ball& ball, double factor) {
   return to;
 }
 
-/// The center of the smallest ball around two, neither of which holds the other: on the line of the centers, so that
-/// both backs are equally far.
+/// The center of the smallest ball around two, neither of which holds the other, as doubles guess it: on the line of the
+/// centers, so that both backs are equally far.
 template <class Ball>
 auto center_between(const Ball& a, const Ball& b) {
   using Point = decltype(a.center);
@@ -112,7 +112,7 @@ auto center_between(const Ball& a, const Ball& b) {
   return c;
 }
 
-/// Whether differences, sums and doubles of these numbers may leave the doubles.
+/// Whether differences, sums and doubles of these numbers may leave the doubles, where the guess is made of smaller ones.
 template <class Ball>
 bool is_large(const Ball& ball) {
   double most = ball.radius;

@@ -12,6 +12,9 @@ namespace plumb::figure::sphere {
 namespace {
 
 constexpr int most_steps = 100;
+// What does not reach beyond a ball by more than this part of it counts as within: of the balls that held the last one,
+// and of all others.
+constexpr double of_basis = 0x1p-40, of_all = 0x1p-46;
 
 template <std::size_t N>
 struct Plain {
@@ -101,7 +104,7 @@ bool take_in(std::vector<Plain<N>>& basis, Basis& indices, const Plain<N>& p, st
       }
       const auto found = around<N>(some, taken);
       if (!found) continue;
-      const double most = found->radius * (1 + 0x1p-40);
+      const double most = found->radius * (1 + of_basis);
       if (!std::ranges::all_of(basis, [&](const Plain<N>& b) { return reach(found->center, b) <= most; })) continue;
       Basis kept{index};
       for (std::size_t i = 0; i < old; ++i) {
@@ -129,7 +132,7 @@ Basis guess(std::span<const Ball> balls) {
       const double r = reach(ball.center, plain(balls[i]));
       if (r > most) most = r, farthest = i;
     }
-    if (!(most > ball.radius * (1 + 0x1p-46)) || std::ranges::find(indices, farthest) != indices.end()) break;
+    if (!(most > ball.radius * (1 + of_all)) || std::ranges::find(indices, farthest) != indices.end()) break;
     if (!take_in(basis, indices, plain(balls[farthest]), farthest, ball)) break;
   }
   return indices;

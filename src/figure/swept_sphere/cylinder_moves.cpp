@@ -102,6 +102,7 @@ std::optional<Cylinder3> enclosing(std::span<const Disk> disks, const Vector3& d
                   world([](const Vector3& v) { return v.z; })};
   };
   const auto local = [&](const Point3& p) { return scaled(arith::vec<Interval>(p), -exponent); };
+  // A guess, until intervals prove that all is held.
   for (double margin = std::max(0x1p-51, std::ldexp(1.0, -1070 - exponent)); margin < 4; margin *= 4) {
     Cylinder3 c{end(least - margin), end(most + margin), 0};
     const Vec<Interval> a = local(c.a), b = local(c.b), along = b - a;

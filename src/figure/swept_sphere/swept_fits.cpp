@@ -167,7 +167,7 @@ Cylinder3 fit_cylinder(std::span<const Point3> points) {
   }
   const Point2 center = minimum_circle(across).circle.center;
   Cylinder3 c{};
-  // The planes of the ends move outward until no point is beyond them.
+  // The planes of the ends move outward, from a guess, until no point is beyond them.
   const double unit = std::max(0x1p-51, std::ldexp(1.0, -1070 - frame.exponent));
   const auto end = [&](double along) {
     constexpr double largest = std::numeric_limits<double>::max();

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <optional>
+#include <vector>
 
 #include "arith/big_rounding.hpp"
 #include "arith/certain.hpp"
@@ -19,17 +19,17 @@ template <class Shape>
 std::optional<double> quick_distance_up(const arith::Vec<Ball>& point, const Shape& shape) {
   CertainSigns ask;
   std::vector<Ball> squares;
-  double least = std::numeric_limits<double>::infinity();
+  std::size_t least = 0;
   const figure::swept::Core<Ball> from{{point}, {}, false};
   figure::swept::visit_distances(from, figure::swept::core_of<Ball>(shape), ask,
                                  [&](const Ball& numerator, const Ball& denominator) {
                                    squares.push_back(quotient(numerator, denominator));
-                                   least = std::min(least, squares.back().high);
+                                   if (squares.back().high < squares[least].high) least = squares.size() - 1;
                                  });
   if (!ask.certain()) return {};
   std::optional<double> result;
   for (const Ball& square : squares) {
-    if (square.high - square.radius > least * (1 + 0x1p-40)) continue;
+    if ((square - squares[least]).sign() == Unsure{Sign::positive}) continue;
     const std::optional<double> r = root(square).rounded(Rounding::up);
     if (!r) return {};
     result = result ? std::min(*result, *r) : r;
