@@ -78,8 +78,11 @@ void boxes(const double* const* a, const double* const* b, std::size_t n, std::u
   }
 }
 
-// Twice the filter's constant pays for another order of the sum; 2^-960 for the guards of its four products.
-constexpr double constant = 2 * filter_constant<figure::sphere::Gap3>();
+// As figure::sphere::gap, operation by operation.
+using Apart = decltype(figure::sphere::square_of_distance(Point3{}, Point3{}));
+using Reach = decltype(figure::sphere::square_of_reach(0, 0));
+constexpr double doubtful_part = arith::squares::doubtful_part<Apart::error, Reach::error>;
+constexpr double doubtful_guard = arith::squares::doubtful_guard<Apart::error, Reach::error>;
 
 // The number of pairs in doubt, which are listed.
 template <bool one>
@@ -94,7 +97,8 @@ std::size_t spheres(const double* const* a, const double* const* b, std::size_t 
             r = hn::Add(load<one>(a, 3, i), load<false>(b, 3, i));
     const V distance = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)), reach = hn::Mul(r, r);
     const V value = hn::Sub(distance, reach);
-    const V doubt = hn::Mul(hn::Set(D(), constant), hn::Add(hn::Add(distance, reach), hn::Set(D(), 0x1p-960)));
+    const V doubt =
+        hn::Add(hn::Mul(hn::Set(D(), doubtful_part), hn::Add(distance, reach)), hn::Set(D(), doubtful_guard));
     put<lanes>(bits_of(hn::Lt(value, hn::Zero(D()))), out + i);
     unsigned open = ~bits_of(hn::Gt(hn::Abs(value), doubt)) & ((1u << lanes) - 1);
     for (; open != 0; open &= open - 1)

@@ -12,6 +12,7 @@
 #include "plumb/arith/interval.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
+#include "plumb/figure/sphere/sphere.hpp"
 
 namespace plumb {
 namespace figure::sphere {
@@ -55,17 +56,11 @@ Held with(std::span<const Ball> balls, const Basis& old, std::uint32_t p) {
   std::abort();  // finitely many balls always have a smallest one around them
 }
 
-/// Distance and radius together, in doubles: off by less than 2^-48 of it, for the sum of squares is by 5, its root and
-/// the last sum by 1 more roundings, and by 2^-500 where squares underflow.
+/// Distance and radius together, in doubles.
 template <class Ball>
-double plain_reach(const decltype(Ball::center)& from, const Ball& ball) {
-  const auto a = coordinates(from), b = coordinates(ball.center);
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum) + ball.radius;
+auto plain_reach(const decltype(Ball::center)& from, const Ball& ball) {
+  return plus_given(root(square_of_distance(from, ball.center)), ball.radius);
 }
-Interval relative() { return Interval(1 - 0x1p-48, 1 + 0x1p-48); }
-Interval absolute() { return Interval(-0x1p-500, 0x1p-500); }
 
 template <class Ball>
 class BallSearch {
@@ -88,7 +83,7 @@ class BallSearch {
       double most = -1;
       std::uint32_t farthest = 0;
       for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        const double r = plain_reach(center_, balls_[i]);
+        const double r = plain_reach(center_, balls_[i]).value;
         if (r > most) most = r, farthest = i;
       }
       if (side(farthest) == Sign::negative) {
@@ -108,7 +103,7 @@ class BallSearch {
 
   bool look_at_all(Basis& touched) {
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-      if (plain_reach(center_, balls_[i]) <= certain_) continue;
+      if (plain_reach(center_, balls_[i]).value <= certain_) continue;
       const Sign s = side(i);
       if (s == Sign::zero) touched.push_back(i);
       if (s == Sign::negative) {
@@ -122,16 +117,15 @@ class BallSearch {
   void become(Held held) {
     held_ = std::move(held);
     auto c = coordinates(center_);
-    double off = 0;  // twice what the rounded center may be off the exact one, and more
+    Interval off(0);  // the rounded center off the exact one
     for (std::size_t a = 0; a < c.size(); ++a) {
       c[a] = held_.ball.center(a);
-      off += 2 * (std::fabs(c[a]) * 0x1p-52 + 0x1p-1074);
+      off = off + Interval(Interval::step(c[a]));
     }
     center_ = std::apply([](auto... x) { return Point{x...}; }, c);
-    // The exact radius is that of a touched ball: off the plain reach by its error and by what the center is off.
-    const Interval reach(plain_reach(center_, balls_[held_.basis[0]]));
-    const Interval sure = reach * relative() + absolute() - Interval(off);
-    certain_ = sure.lower > 0 ? (quotient(Interval(sure.lower), relative()) + absolute()).lower : -1;
+    // The exact radius is that of a touched ball; both reaches change by what the center is off.
+    const auto reach = plain_reach(center_, balls_[held_.basis[0]]);
+    certain_ = reach.certainly_within((Interval(reach.lower()) - off - off).lower);
   }
 
   std::span<const Ball> balls_;
@@ -176,11 +170,12 @@ Result minimum(std::string_view function, std::string_view name, std::span<const
   Result result{};
   result.support = support_of(balls, std::move(touched), search.held().basis);
   const auto& center = search.center();
-  double most = 0, radius = 0;
-  for (const Ball& b : balls) most = std::max(most, plain_reach(center, b));
-  const double least = most < HUGE_VAL ? most * (1 - 0x1p-46) - 0x1p-490 : 0;  // who is below is not the farthest
+  auto most = plain_reach(center, balls[0]);
+  double radius = 0;
+  for (const Ball& b : balls) most.value = std::max(most.value, plain_reach(center, b).value);
+  const double certain = most.value < HUGE_VAL ? most.certainly_within(most.lower()) : -1;  // is not the farthest
   for (const Ball& b : balls) {
-    if (plain_reach(center, b) >= least) radius = std::max(radius, reach(center, b));
+    if (plain_reach(center, b).value > certain) radius = std::max(radius, reach(center, b));
   }
   result.*round = {center, figure::within_doubles(radius, function, "radius")};
   return result;

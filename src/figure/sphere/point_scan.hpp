@@ -2,7 +2,7 @@
 // what they say.
 //
 // Laws: what a pass computes is |cp|^2 times the square of a power of two, rounded; within() and rivals() turn it into
-// certain statements, by the error constant that is derived from the formula.  Points are finite.
+// certain statements, by the error that is part of its type.  Points are finite.
 // Cost: a pass 1 to 2 ns a point, or what memory allows.
 #pragma once
 
@@ -20,27 +20,9 @@
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/error_free.hpp"
 #include "plumb/arith/interval.hpp"
+#include "plumb/arith/square_sum.hpp"
 
 namespace plumb::figure::sphere {
-
-/// |cp|^2 k^2.
-struct ScaledDistance2 {
-  static constexpr std::string_view name = "scaled_distance";
-  static constexpr std::array arguments{2, 2, 1};
-  template <class T>
-  constexpr auto operator()(const std::array<T, 5>& p) const {
-    const auto d = predicates::difference2(p, 0, 1);
-    return predicates::squared(predicates::Pair{d.x * p[4], d.y * p[4]});
-  }
-};
-struct ScaledDistance3 {
-  static constexpr std::string_view name = "scaled_distance";
-  static constexpr std::array arguments{3, 3, 1};
-  template <class T>
-  constexpr auto operator()(const std::array<T, 7>& p) const {
-    return predicates::squared(predicates::scaled(predicates::difference(p, 0, 1), p[6]));
-  }
-};
 
 template <class Point>
 struct Extent {
@@ -83,17 +65,30 @@ inline double half_width(const Extent<Point3>& e) {
   return std::max({e.max.x / 2 - e.min.x / 2, e.max.y / 2 - e.min.y / 2, e.max.z / 2 - e.min.z / 2});
 }
 
-/// A power of two that brings this width to the order of 1; 1 where doubles need no such help.
+/// A power of two that brings this width to the order of 1; 1 where doubles need no such help, a guess.
 inline double scale_for(double width) {
   if (width == 0 || (width > 0x1p-300 && width < 0x1p300)) return 1;
   return std::ldexp(1.0, std::clamp(-std::ilogb(width), -1021, 1022));
+}
+
+/// |cp|^2 times the square of a power of two.
+template <bool scaled, class Point>
+auto square_of_distance(const Point& c, const Point& p, double power) {
+  const auto square = [power](double to, double from) {
+    const auto d = arith::squares::difference(to, from);
+    return squared(scaled ? arith::squares::scaled(d, power) : d);
+  };
+  if constexpr (std::is_same_v<Point, Point3>) {
+    return square(p.x, c.x) + square(p.y, c.y) + square(p.z, c.z);
+  } else {
+    return square(p.x, c.x) + square(p.y, c.y);
+  }
 }
 
 template <class Point>
 class PointScan {
  public:
   static constexpr std::size_t block = 128;
-  static constexpr bool solid = std::is_same_v<Point, Point3>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   PointScan(std::span<const Point> points, double scale)
@@ -110,15 +105,12 @@ class PointScan {
   [[nodiscard]] double within(double reach) const {
     if (!(reach > 0)) return -1;
     const Interval k = Interval(scale_) * Interval(reach);
-    const double limit = quotient(k * k - slack(), relative()).lower;
-    return limit < infinity ? limit : std::numeric_limits<double>::max();
+    return Square::certainly_within(std::min((k * k).lower, std::numeric_limits<double>::max()));
   }
 
   /// Whoever is nearer than this computed distance is certainly nearer than someone at the distance `most`.
   [[nodiscard]] double rivals(double most) const {
-    if (!(most < infinity)) return 0;
-    const Interval m(most);
-    return quotient(m - (relative() - Interval(1)) * m - slack() - slack(), relative()).lower;
+    return most < infinity ? Square::certainly_within(Square{most}.lower()) : 0;
   }
 
   /// Calls visit(first, points) for every block with a point at this computed distance or farther, until that says false.
@@ -150,26 +142,11 @@ class PointScan {
   }
 
  private:
-  using Formula = std::conditional_t<solid, ScaledDistance3, ScaledDistance2>;
-
-  // The filter's law: |computed - exact| <= constant * magnitude, where the magnitude is the computed sum and what its
-  // guards of 2^-968 add: below 2^-640, for differences are below 2^302.  Twice the constant pays for the roundings
-  // between that sum and this one.
-  static constexpr double constant = 2 * filter_constant<Formula>();
-  static Interval relative() { return Interval(1) + Interval(constant); }
-  static Interval slack() { return Interval(constant) * Interval(0x1p-640); }
+  using Square = decltype(square_of_distance<true>(Point{}, Point{}, 1));
 
   template <bool scaled>
   [[nodiscard]] double plain(const Point& c, const Point& p) const {
-    double x = p.x - c.x, y = p.y - c.y;
-    if constexpr (scaled) x *= scale_, y *= scale_;
-    if constexpr (solid) {
-      double z = p.z - c.z;
-      if constexpr (scaled) z *= scale_;
-      return x * x + y * y + z * z;
-    } else {
-      return x * x + y * y;
-    }
+    return square_of_distance<scaled>(c, p, scale_).value;
   }
 
   [[nodiscard]] std::size_t end_of(std::size_t b) const { return std::min(points_.size(), (b + 1) * block); }

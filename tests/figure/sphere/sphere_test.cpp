@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 
+#include "certify/golden_statements.hpp"
 #include "figure/basic/shape_cases.hpp"
 #include "figure/basic/thrown.hpp"
 #include "figure/sphere/rational_ball.hpp"
@@ -256,6 +258,19 @@ TEST(Sphere, AReachBeyondDoublesIsNotSure) {
   };
   EXPECT_EQ(relate(a, b), relate(scaled(a), scaled(b)));
   EXPECT_EQ(relate(a, b), Relation::disjoint);
+}
+
+TEST(Sphere, ConstantsDoNotChangeUnnoticed) {
+  using namespace figure::sphere;
+  const auto expect = [](const std::string& name, const auto& a, const auto& b) {
+    constexpr auto e = std::decay_t<decltype(a)>::error, f = std::decay_t<decltype(b)>::error;
+    std::array<char, 64> line{};
+    std::snprintf(line.data(), line.size(), "%a %a", arith::squares::doubtful_part<e, f>,
+                  arith::squares::doubtful_guard<e, f>);
+    expect_golden(name, {line.data()});
+  };
+  expect("balls2", square_of_distance(Point2{}, Point2{}), square_of_reach(0, 0));
+  expect("balls3", square_of_distance(Point3{}, Point3{}), square_of_reach(0, 0));
 }
 
 }  // namespace

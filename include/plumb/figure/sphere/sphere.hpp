@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "plumb/arith/pose.hpp"
+#include "plumb/arith/square_sum.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/figure/basic/round.hpp"
@@ -57,41 +58,32 @@ struct Gap3 {
 Sign gap_exactly(std::string_view function, const Circle2& a, const Circle2& b);
 Sign gap_exactly(std::string_view function, const Sphere3& a, const Sphere3& b);
 
-inline double square_of_distance(const Point2& a, const Point2& b) {
-  const double x = a.x - b.x, y = a.y - b.y;
-  return x * x + y * y;
+inline auto square_of_distance(const Point2& a, const Point2& b) {
+  using arith::squares::difference, arith::squares::squared;
+  return squared(difference(a.x, b.x)) + squared(difference(a.y, b.y));
 }
-inline double square_of_distance(const Point3& a, const Point3& b) {
-  const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-  return x * x + y * y + z * z;
+inline auto square_of_distance(const Point3& a, const Point3& b) {
+  using arith::squares::difference, arith::squares::squared;
+  return squared(difference(a.x, b.x)) + squared(difference(a.y, b.y)) + squared(difference(a.z, b.z));
 }
-
-/// The filter of Gap2 and Gap3 in fewer operations: |value| > c (square + reach + guards).  No product is negative, so
-/// that their sum is their magnitude, and is infinite or NaN where something has overflowed: then nothing is sure.
-/// Twice c pays for what rounds otherwise.
-inline constexpr double constant = 2 * filter_constant<Gap3>(), guard = 8 * filter_constant<Gap3>() * underflow_guard;
-static_assert(filter_constant<Gap2>() <= filter_constant<Gap3>());
+inline auto square_of_reach(double a, double b) { return arith::squares::squared(arith::squares::sum(a, b)); }
 
 /// Is one of them negative, or -0?  Asked of integers, who have time left.
 inline bool has_sign(double x, double y) {
   return static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) | std::bit_cast<std::uint64_t>(y)) < 0;
 }
 
-struct Gap {
-  double value;  // the sign, where sure
-  bool sure;
-};
+/// Gap2 and Gap3 in doubles.
 template <class Ball>
-PLUMB_CHECKABLE Gap gap(const Ball& a, const Ball& b) {
+PLUMB_CHECKABLE arith::squares::Comparison gap(const Ball& a, const Ball& b) {
   assert_sound_thread();
-  const double square = square_of_distance(a.center, b.center), sum = a.radius + b.radius, reach = sum * sum;
-  const double value = square - reach, threshold = constant * (square + reach) + guard;
-  return {value, magnitude_of(value) > threshold && !has_sign(a.radius, b.radius)};
+  const auto [value, sure] = compare(square_of_distance(a.center, b.center), square_of_reach(a.radius, b.radius));
+  return {value, sure && !has_sign(a.radius, b.radius)};
 }
 
 template <class Ball>
 Relation relate(const Ball& a, const Ball& b) {
-  const Gap g = gap(a, b);
+  const auto g = gap(a, b);
   if (g.sure) [[likely]]
     return g.value > 0 ? Relation::disjoint : Relation::overlapping;
   const Sign s = gap_exactly("relate", a, b);
@@ -102,7 +94,7 @@ Relation relate(const Ball& a, const Ball& b) {
 
 template <class Ball>
 bool intersects(const Ball& a, const Ball& b) {
-  const Gap g = gap(a, b);
+  const auto g = gap(a, b);
   if (g.sure) [[likely]]
     return g.value < 0;
   return gap_exactly("intersects", a, b) != Sign::positive;
