@@ -152,18 +152,12 @@ class SphereSearch {
     ball_ = ball;
     if (history_ != nullptr) history_->push_back(ball);
     center_ = center_of(ball_);
-    // The exact center is off the rounded one by at most half an ulp in each axis; for `off` twice that is taken, and
-    // once more for its own roundings.  A point of the boundary is nearer to the rounded center by no more than that,
-    // and whoever is nearer by twice that is in the exact ball.
-    double off = 0;
-    for (const double x : coordinates(center_)) off += 2 * ulp(x);
+    // The rounded center off the exact one: a point of the boundary is nearer to it by no more, and whoever is nearer by
+    // twice that is in the exact ball.
+    Interval off(0);
+    for (const double x : coordinates(center_)) off = off + Interval(Interval::step(x));
     const double reach = rounded_root(Rounding::down, SquaredDistance<Point>{}, center_, ball_.points[0]);
-    limit_ = scan_.within((Interval(reach) - Interval(off)).lower);
-  }
-  static double ulp(double x) {
-    const double size = std::fabs(x);
-    return size == std::numeric_limits<double>::max() ? 0x1p971
-                                                      : std::nextafter(size, std::numeric_limits<double>::max()) - size;
+    limit_ = scan_.within((Interval(reach) - off - off).lower);
   }
 
   std::span<const Point> points_;
