@@ -2,8 +2,9 @@
 //
 // Laws: (1) relate, intersects and contains are those of real arithmetic on the closed balls; relate and intersects are
 // symmetric.  (2) A merged ball certainly contains what it was made of, and is as small as its rounding allows: one of
-// the two where it holds the other, exactly decided; otherwise its center is that of the smallest ball in doubles, its
-// radius the least double that will do from there.  merge(a, b) is merge(b, a).  (3) A transformed ball certainly
+// the two where it holds the other, exactly decided; otherwise its center is a guess in doubles, its radius the least
+// double that will do from there, above that of the smallest ball by 2^-48 of itself or of the largest coordinate of its
+// center at most.  merge(a, b) is merge(b, a).  (3) A transformed ball certainly
 // contains the exact image, whatever the matrix; its center is the image's rounded once, its radius above the least by
 // some ulps, and by what the center is off.
 // A negative radius and an empty span throw InvalidShape; NaN and infinity throw NonFinite, naming the part; a bound
