@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -181,21 +182,37 @@ double enclosing_radius(std::span<const Point> points, PointScan<Point>& scan, c
   using Spanned = std::conditional_t<std::is_same_v<Point, Point2>, SpannedCircle2, SpannedSphere3>;
   const auto exactly = [](auto... x) { return FineBall<Spanned>{{Ball{x}...}, Ball{-1}}; };
   FineBall<Spanned> most = std::apply(exactly, std::tuple_cat(coordinates(center)));
-  std::vector<std::size_t> open, farthest;  // whoever was not certainly nearer than another
-  scan.blocks_from(scan.rivals(scan.pass(center)), [&](std::size_t first, std::span<const Point> block) {
+  struct Far {
+    std::size_t point;
+    Ball square;
+  };
+  std::vector<Far> farthest;  // whoever was not certainly nearer than another
+  std::vector<std::size_t> open;
+  farthest.reserve(std::min<std::size_t>(points.size(), 16)), open.reserve(std::min<std::size_t>(points.size(), 128));
+  const double least = scan.rivals(scan.pass(center));
+  scan.blocks_from(least, [&](std::size_t first, std::span<const Point> block) {
     open.clear();
-    not_certainly_inside(most, block, first, open);
+    if (farthest.empty()) {
+      for (std::size_t i = 0; i < block.size(); ++i) open.push_back(first + i);
+    } else {
+      not_certainly_inside(most, block, first, open);
+    }
     for (const std::size_t i : open) {
-      const Ball nearer = most.rest(points[i]);
-      const Unsure<Sign> s = nearer.sign();
-      if (!s.certain() || s.value() == Sign::negative) farthest.push_back(i);
-      if (s.certain() && s.value() == Sign::negative) most.square = most.square_of_distance(points[i]);
+      if (scan.distance(center, i) < least) continue;
+      const Ball square = most.square_of_distance(points[i]);
+      const Unsure<Sign> s = (most.square - square).sign();
+      if (s == Unsure{Sign::positive}) continue;
+      farthest.push_back({i, square});
+      if (s == Unsure{Sign::negative}) most.square = square;
     }
     return true;
   });
   double radius = 0;
-  for (const std::size_t i : farthest)
-    radius = std::max(radius, rounded_root(Rounding::up, SquaredDistance<Point>{}, center, points[i]));
+  for (const auto& [i, square] : farthest) {
+    if ((most.square - square).sign() == Unsure{Sign::positive}) continue;
+    const std::optional<double> quick = root(square).rounded(Rounding::up);
+    radius = std::max(radius, quick ? *quick : rounded_root(Rounding::up, SquaredDistance<Point>{}, center, points[i]));
+  }
   return radius;
 }
 

@@ -1,6 +1,8 @@
 // The formulas of the ball that points span, for those who know that it exists.
 #pragma once
 
+#include <algorithm>
+
 #include "plumb/arith/ball.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/sphere/spanned_sphere.hpp"
@@ -40,16 +42,24 @@ inline constexpr int dimension = std::is_same_v<Ball, SpannedCircle2> ? 2 : 3;
 template <class Ball>
 using PointOf = std::conditional_t<std::is_same_v<Ball, SpannedCircle2>, Point2, Point3>;
 
+/// Is it one of those that span the ball?
+template <class Spanned>
+bool spans(const Spanned& ball, const PointOf<Spanned>& p) {
+  return std::find(ball.points.begin(), ball.points.begin() + ball.count, p) != ball.points.begin() + ball.count;
+}
+
 /// Positive inside, zero on the boundary; zero everywhere where the points span no ball.
 inline Sign side(const SpannedCircle2& ball, const Point2& p) {
   const auto& [a, b, c] = ball.points;
-  if (ball.count == 1) return a == p ? Sign::zero : Sign::negative;
+  if (spans(ball, p)) return Sign::zero;
+  if (ball.count == 1) return Sign::negative;
   if (ball.count == 2) return sign_of(predicates::InSmallestCircle{}, a, b, p);
   return sign_of(predicates::Orient2d{}, a, b, c) * sign_of(predicates::InCircle{}, a, b, c, p);
 }
 inline Sign side(const SpannedSphere3& ball, const Point3& p) {
   const auto& [a, b, c, d] = ball.points;
-  if (ball.count == 1) return a == p ? Sign::zero : Sign::negative;
+  if (spans(ball, p)) return Sign::zero;
+  if (ball.count == 1) return Sign::negative;
   if (ball.count == 2) return sign_of(predicates::InSmallestSphere2{}, a, b, p);
   if (ball.count == 3) return sign_of(predicates::InSmallestSphere3{}, a, b, c, p);
   return sign_of(predicates::Orient3d{}, a, b, c, d) * sign_of(predicates::InSphere{}, a, b, c, d, p);

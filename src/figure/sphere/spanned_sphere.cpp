@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "arith/big_rounding.hpp"
-#include "certify/rounded.hpp"
+#include "arith/vec.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/error.hpp"
@@ -18,104 +19,64 @@ namespace plumb {
 namespace figure::sphere {
 namespace {
 
-using predicates::cross, predicates::difference, predicates::difference2, predicates::dot, predicates::squared;
-
-// Centers are a + offset / weight; the formulas give weight and a weight + offset, of the first axis alone: the other
-// axes follow by turning the axes.
-
-struct CircleWeight {
-  static constexpr std::string_view name = "center";
-  static constexpr int points = 3, dimension = 2;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 6>& p) const {
-    const auto w = cross(difference2(p, 0, 1), difference2(p, 0, 2));
-    return w + w;
-  }
-};
-struct CircleCenter {
-  static constexpr std::string_view name = "center";
-  static constexpr int points = 3, dimension = 2;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 6>& p) const {
-    const auto b = difference2(p, 0, 1), c = difference2(p, 0, 2);
-    return p[0] * CircleWeight{}(p) + (squared(b) * c.y - squared(c) * b.y);
-  }
+/// The center is the first point + offset / weight, over the numbers T, of the points of a circle or of three or four
+/// points of space.
+template <class T, std::size_t axes>
+struct CenterParts {
+  std::array<T, axes> offset;
+  T weight;
 };
 
-struct TriangleWeight {
-  static constexpr std::string_view name = "center";
-  static constexpr int points = 3, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 9>& p) const {
-    const auto w = squared(cross(difference(p, 0, 1), difference(p, 0, 2)));
-    return w + w;
+template <class T>
+CenterParts<T, 2> center_parts(const SpannedCircle2& circle) {
+  const auto& [a, p, q] = circle.points;
+  const auto b = arith::vec<T>(p) - arith::vec<T>(a), c = arith::vec<T>(q) - arith::vec<T>(a);
+  const T b2 = b.x * b.x + b.y * b.y, c2 = c.x * c.x + c.y * c.y, w = b.x * c.y - b.y * c.x;
+  return {{b2 * c.y - c2 * b.y, c2 * b.x - b2 * c.x}, w + w};
+}
+
+template <class T>
+CenterParts<T, 3> center_parts(const SpannedSphere3& sphere) {
+  using arith::cross, arith::dot;
+  const auto from_first = [&](std::size_t i) {
+    return arith::vec<T>(sphere.points[i]) - arith::vec<T>(sphere.points[0]);
+  };
+  const auto b = from_first(1), c = from_first(2), n = cross(b, c);
+  const T b2 = dot(b, b), c2 = dot(c, c);
+  const auto parts = [](const arith::Vec<T>& offset, const T& w) {
+    return CenterParts<T, 3>{{offset.x, offset.y, offset.z}, w + w};
+  };
+  if (sphere.count == 3) return parts(cross(n, b) * c2 + cross(c, n) * b2, dot(n, n));
+  const auto d = from_first(3);
+  return parts(n * dot(d, d) + cross(d, b) * c2 + cross(c, d) * b2, dot(d, n));
+}
+
+/// Of three points or four, three in the plane.
+template <class Spanned>
+auto near_center(const Spanned& ball) {
+  const auto parts = center_parts<Ball>(ball);
+  const auto first = coordinates(ball.points[0]);
+  return [&]<std::size_t... A>(std::index_sequence<A...>) {
+    return std::array{Ball{first[A]} + quotient(parts.offset[A], parts.weight)...};
   }
-};
-struct TriangleCenter {
-  static constexpr std::string_view name = "center";
-  static constexpr int points = 3, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 9>& p) const {
-    const auto b = difference(p, 0, 1), c = difference(p, 0, 2);
-    const auto n = cross(b, c);
-    return p[0] * TriangleWeight{}(p) + (squared(c) * (n.y * b.z - n.z * b.y) + squared(b) * (c.y * n.z - c.z * n.y));
+  (std::make_index_sequence<first.size()>());
+}
+
+template <class Spanned>
+auto rounded_center(const Spanned& ball) {
+  const auto near = near_center(ball);
+  auto center = coordinates(ball.points[0]);
+  std::optional<decltype(center_parts<BigDyadic>(ball))> exact;
+  for (std::size_t k = 0; k < center.size(); ++k) {
+    if (const std::optional<double> quick = near[k].nearest()) {
+      center[k] = *quick;
+      continue;
+    }
+    if (!exact) exact = center_parts<BigDyadic>(ball);
+    const BigDyadic sum = BigDyadic(center[k]) * exact->weight + exact->offset[k];
+    center[k] = rounded_quotient(Rounding::nearest, sum, exact->weight);
   }
-};
-
-struct TetrahedronWeight {
-  static constexpr std::string_view name = "center";
-  static constexpr int points = 4, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 12>& p) const {
-    const auto w = predicates::triple(difference(p, 0, 1), difference(p, 0, 2), difference(p, 0, 3));
-    return w + w;
-  }
-};
-struct TetrahedronCenter {
-  static constexpr std::string_view name = "center";
-  static constexpr int points = 4, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 12>& p) const {
-    const auto b = difference(p, 0, 1), c = difference(p, 0, 2), d = difference(p, 0, 3);
-    const auto x = [](const auto& u, const auto& v) { return u.y * v.z - u.z * v.y; };
-    return p[0] * TetrahedronWeight{}(p) + (squared(d) * x(b, c) + squared(c) * x(d, b) + squared(b) * x(c, d));
-  }
-};
-
-Point2 turned(const Point2& p) { return {p.y, -p.x}; }
-Point3 turned(const Point3& p) { return {p.y, p.z, p.x}; }
-
-template <class Center, class Weight, class Ball, std::size_t... I>
-double first_axis(const Ball& ball, std::index_sequence<I...>) {
-  return rounded_quotient(Rounding::nearest, Center{}, Weight{}, ball.points[I]...);
-}
-
-double first_axis(const SpannedCircle2& ball) {
-  return first_axis<CircleCenter, CircleWeight>(ball, std::make_index_sequence<3>());
-}
-double first_axis(const SpannedSphere3& ball) {
-  if (ball.count == 3) return first_axis<TriangleCenter, TriangleWeight>(ball, std::make_index_sequence<3>());
-  return first_axis<TetrahedronCenter, TetrahedronWeight>(ball, std::make_index_sequence<4>());
-}
-
-template <class Center, class Weight, class Spanned, std::size_t... I>
-Ball fine_first_axis(const Spanned& ball, std::index_sequence<I...>) {
-  const auto p = coordinates_of<Center>(ball.points[I]...);
-  return quotient(certify::rounding::ball<Center>(p), certify::rounding::ball<Weight>(p));
-}
-
-Ball fine_first_axis(const SpannedCircle2& ball) {
-  return fine_first_axis<CircleCenter, CircleWeight>(ball, std::make_index_sequence<3>());
-}
-Ball fine_first_axis(const SpannedSphere3& ball) {
-  if (ball.count == 3) return fine_first_axis<TriangleCenter, TriangleWeight>(ball, std::make_index_sequence<3>());
-  return fine_first_axis<TetrahedronCenter, TetrahedronWeight>(ball, std::make_index_sequence<4>());
-}
-
-template <class Ball>
-Ball turned(Ball ball) {
-  for (auto& p : ball.points) p = turned(p);
-  return ball;
+  return center;
 }
 
 template <class Number>
@@ -243,21 +204,19 @@ FineBall<Spanned> fine_middle(const Spanned& ball, std::index_sequence<A...>) {
 
 FineBall<SpannedCircle2> fine_ball(const SpannedCircle2& ball) {
   if (ball.count <= 2) return fine_middle(ball, std::make_index_sequence<2>());
-  const Ball y = fine_first_axis(turned(ball));
-  return with_square({{fine_first_axis(ball), y}, Ball{0}}, ball);
+  return with_square({near_center(ball), Ball{0}}, ball);
 }
 FineBall<SpannedSphere3> fine_ball(const SpannedSphere3& ball) {
   if (ball.count <= 2) return fine_middle(ball, std::make_index_sequence<3>());
-  const SpannedSphere3 second = turned(ball);
-  return with_square({{fine_first_axis(ball), fine_first_axis(second), fine_first_axis(turned(second))}, Ball{0}},
-                     ball);
+  return with_square({near_center(ball), Ball{0}}, ball);
 }
 
 Point2 center_of(const SpannedCircle2& ball) {
   const auto& [a, b, c] = ball.points;
   if (ball.count == 1) return {a.x + 0.0, a.y + 0.0};
   if (ball.count == 2) return {std::midpoint(a.x, b.x) + 0.0, std::midpoint(a.y, b.y) + 0.0};
-  return {first_axis(ball), first_axis(turned(ball))};
+  const auto [x, y] = rounded_center(ball);
+  return {x, y};
 }
 
 Point3 center_of(const SpannedSphere3& ball) {
@@ -265,8 +224,8 @@ Point3 center_of(const SpannedSphere3& ball) {
   if (ball.count == 1) return {a.x + 0.0, a.y + 0.0, a.z + 0.0};
   if (ball.count == 2)
     return {std::midpoint(a.x, b.x) + 0.0, std::midpoint(a.y, b.y) + 0.0, std::midpoint(a.z, b.z) + 0.0};
-  const SpannedSphere3 second = turned(ball);
-  return {first_axis(ball), first_axis(second), first_axis(turned(second))};
+  const auto [x, y, z] = rounded_center(ball);
+  return {x, y, z};
 }
 
 }  // namespace figure::sphere
