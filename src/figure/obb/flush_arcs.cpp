@@ -158,10 +158,9 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
     faces.push_back(directions.normal(c[0], c[1], c[2]));
     normals.push_back(known(faces.back()));
   }
-  constexpr double sure_enough = 0x1p-44;  // a guess of what a search is worth
   const auto add = [&](const auto& again, const Enclosed& l, const Enclosed& r, const Enclosed& e,
                        std::uint32_t vertex) -> void {
-    constexpr double wide = -0.5, most_turn = 0.35;  // cosines of 120 and of some 70 degrees
+    constexpr double wide = -0.5;  // the cosine of 120 degrees
     const FlushArc arc{known(l), known(r), known(e), vertex};
     const double turn = frame::dot(arc.from, arc.to);
     if (turn >= most_turn || !(direction_error < sure_enough)) {

@@ -17,6 +17,10 @@
 
 namespace plumb::figure::frame {
 
+/// No arc is left that turns further than by the angle of this cosine, where directions are sure enough for a search:
+/// guesses of what pays.
+inline constexpr double most_turn = 0.35, sure_enough = 0x1p-44;
+
 struct FlushArc {
   Vector3 from, to, edge;
   std::uint32_t vertex;  // on the edge
@@ -27,7 +31,7 @@ struct FlushArcs {
   std::vector<Vector3> vertices, normals;  // as numbered by HullModel
   double vertex_error = 0, direction_error = 0;
   int exponent = 0;
-  bool are_sure = false;   // enough for a search to be worth the while; only then are the arcs cut
+  bool are_sure = false;   // sure_enough; only then are the arcs cut
   double hull_volume = 0;  // no more than the hull's
 
   /// Of a hull of dimension 3.

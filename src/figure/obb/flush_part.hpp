@@ -52,10 +52,12 @@ struct SearchErrors {
   // along a product of two; of given directions; of the square of a chord's length
 
   SearchErrors(double of_vertices, double of_directions) : direction(of_directions) {
-    // A normal of an arc, by what it is made of: an arc turns by some 70 degrees, so a chord's is longer than 4/5, and
-    // the ends are no farther apart than 5/4.
-    const Running end(1, of_directions), share(1, 0), stretch(1.25, 0);
-    const Running apart_ends(1.25, (end + end).error);
+    // A normal of an arc, by what it is made of: a chord's is stretched to length one, and the ends are not far apart.
+    constexpr double longest = 1.25;
+    static_assert(longest * longest * (1 + most_turn) / 2 > 1.01 && longest * longest > 1.01 * 2 * (1 - most_turn),
+                  "with room for what the cosine is off by");
+    const Running end(1, of_directions), share(1, 0), stretch(longest, 0);
+    const Running apart_ends(longest, (end + end).error);
     const Running chord = end + share * apart_ends, unit = chord * stretch;
     const Running near_chord(1, chord.error);
     const Running near(1, unit.error);
