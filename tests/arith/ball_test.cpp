@@ -26,6 +26,8 @@ void check_pair(double a, double b) {
   ASSERT_TRUE(contains(Ball{a} + Ball{b}, qa + qb));
   ASSERT_TRUE(contains(Ball{a} - Ball{b}, qa - qb));
   ASSERT_TRUE(contains(Ball{a} * Ball{b}, qa * qb));
+  ASSERT_TRUE(contains(difference(a, Ball{b}), qa - qb));
+  ASSERT_TRUE(contains(squared(Ball{a}), qa * qa));
   if (b != 0) {
     ASSERT_TRUE(contains(quotient(Ball{a}, Ball{b}), qa / qb));
   }
@@ -71,6 +73,12 @@ TEST(BallTest, HoldsTheExactResultOfChains) {
           ball = quotient(ball, other), exact /= exact_other, ++quotients;
       }
       ASSERT_TRUE(contains(ball, exact));
+      ASSERT_TRUE(contains(difference(last, ball), rational(last) - exact));
+      const Ball square = squared(ball), product = ball * ball;
+      ASSERT_TRUE(contains(square, exact * exact));
+      if (product.radius < Ball::infinity) {
+        ASSERT_LE(square.radius, product.radius * (1 + 0x1p-40) + 0x1p-1050);
+      }
       finite += ball.radius < Ball::infinity;
       sharp += ball.radius <= std::fabs(ball.high) * 0x1p-90;
       if (!(ball.radius < Ball::infinity)) break;

@@ -38,15 +38,13 @@ HWY_INLINE std::size_t name_others(const FineBall<Spanned>& ball, std::span<cons
   const FourBalls square = FourBalls::all(ball.square);
   std::array<FourBalls, n> center;
   for (std::size_t a = 0; a < n; ++a) center[a] = FourBalls::all(ball.center[a]);
-  const Four zero = FourBalls::number(0);
   std::size_t i = 0;
   for (; i + 4 <= points.size(); i += 4) {
     std::array<Four, n> p;
     load(points.data() + i, p);
     FourBalls rest = square;
     for (std::size_t a = 0; a < n; ++a) {
-      const FourBalls d = FourBalls{p[a], zero, zero} - center[a];
-      rest = rest - d * d;
+      rest = rest - squared(difference(p[a], center[a]));
     }
     for (unsigned others = ~rest.positive() & 15u; others != 0; others &= others - 1)
       into.push_back(first + i + static_cast<std::size_t>(__builtin_ctz(others)));

@@ -75,10 +75,7 @@ struct FineBall {
   [[nodiscard]] Ball rest(const PointOf<Spanned>& p) const { return square - square_of_distance(p); }
   [[nodiscard]] Ball square_of_distance(const PointOf<Spanned>& p) const {
     const auto x = coordinates(p);
-    const auto term = [&](std::size_t a) {
-      const Ball d = Ball{x[a]} - center[a];
-      return d * d;
-    };
+    const auto term = [&](std::size_t a) { return squared(difference(x[a], center[a])); };
     Ball sum = term(0) + term(1);
     if constexpr (dimension<Spanned> == 3) sum = sum + term(2);
     return sum;
