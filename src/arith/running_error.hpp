@@ -21,6 +21,8 @@ struct Running {
   // Half an ulp of a result is at most `unit` of it; the guard pays for all underflow of a product.
   static constexpr double unit = 0x1p-53, guard = 0x1p-1000;
   static constexpr double size(double x) { return __builtin_fabs(x); }
+  /// What was off by so much before it was rounded to v, as what doubles judge is (certify/world.hpp).
+  static constexpr Running rounded(double v, double off) { return {v, off + size(v) * unit}; }
 
   friend constexpr Running operator+(Running a, Running b) {
     const double v = a.value + b.value;

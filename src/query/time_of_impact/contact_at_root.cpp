@@ -60,8 +60,7 @@ std::optional<Ball> ContactAtRoot::root(const Bracket& bracket) const {
   t.radius = 0;
   if (!(t.high > bracket.from && t.high < bracket.to)) return {};
   const Ball value = cubic(t);
-  t.radius =
-      (Ball::size(value.high) + Ball::size(value.low) + value.radius) / bracket.least_slope * (1 + 0x1p-20) + 0x1p-1000;
+  t.radius = quotient(Interval(most_of(value)), Interval(bracket.least_slope)).upper;
   if (!(t.radius < 1)) return {};
   return t;
 }

@@ -13,6 +13,7 @@
 #include <span>
 
 #include "plumb/arith/ball.hpp"
+#include "plumb/arith/interval.hpp"
 #include "plumb/arith/point.hpp"
 #include "query/time_of_impact/feature_pairs.hpp"
 
@@ -20,6 +21,11 @@ namespace plumb::query::moving {
 
 /// Where the figures' projections along an axis stay apart, cross strictly, or cannot be told.
 enum class Crossing : unsigned char { apart, across, unknown };
+
+/// No less than the size of what the ball holds.
+inline double most_of(const Ball& x) {
+  return Interval::sum_up(Interval::sum_up(Ball::size(x.high), Ball::size(x.low)), x.radius);
+}
 
 /// Where a cubic has one root: its slope is at least `least_slope` in size, and about `slope` at the guess.
 struct Bracket {

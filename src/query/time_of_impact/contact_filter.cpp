@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "arith/running_error.hpp"
 #include "plumb/arith/lattice_integers.hpp"
 #include "plumb/certify/decide.hpp"
 #include "query/time_of_impact/contact_wanted.hpp"
@@ -11,7 +12,7 @@
 namespace plumb::query::moving {
 namespace {
 
-constexpr double finest = 0x1p-10;  // piece of time: a guess at what pays
+constexpr double finest = 0x1p-10;  // a guess: the piece of time that pays
 constexpr int most_steps = 24;      // likewise
 
 /// The sign that all of some numbers have, certainly: bit 0 where they are positive, bit 1 where negative.
@@ -94,18 +95,20 @@ std::optional<Bracket> bracket_of(const Floats& w, const CubicPiece& piece, doub
     x -= interpolated(of_three(0), of_three(1), x) / (3 * slope);
     x = x > 0 ? smaller(x, 1) : 0;
   }
-  // Thrice the least step that is possible, of six times the cubic; a little less, for the roundings here.
+  // Thrice the least step that is possible, of six times the cubic.
   const double step = smaller(size(steps[0]), smaller(size(steps[1]), size(steps[2])));
-  const double least = (step - w.doubt<std::remove_cvref_t<decltype(certain[0])>::track>()) * (0.5 - 0x1p-40);
+  const Running off = Running::rounded(step, w.doubt<std::remove_cvref_t<decltype(certain[0])>::track>());
+  const double least = quotient(Interval(off.lower()) * Interval(0.5), Interval(to) - Interval(from)).lower;
   if (!(least > 0)) return {};
-  return Bracket{from, to, from + x * width, 0.5 * slope / width, least / width};
+  return Bracket{from, to, from + x * width, 0.5 * slope / width, least};
 }
 
 /// At the one root in a piece: over a part of it so short that the cubic's sign at its ends is just certain.
 template <std::size_t Count>
 Crossing crossing_near_root(const Figures<Count>& f, const Cubic& cubic, const Bracket& b) {
   const double doubt = f.w.template doubt<CubicPiece::value_type::track>();
-  double reach = doubt / __builtin_fabs(b.slope) + b.guess * 0x1p-52;  // a guess: six times the cubic, and more
+  constexpr double ulp = 0x1p-52;
+  double reach = doubt / __builtin_fabs(b.slope) + b.guess * ulp;  // a guess: six times the cubic, and more
   for (int i = 0; i < 2; ++i, reach *= 16) {
     const double from = larger(b.guess - reach, b.from), to = smaller(b.guess + reach, b.to);
     if (changes_sign(f.w, piece_of(cubic, from, to))) return crossing(f, from, to);

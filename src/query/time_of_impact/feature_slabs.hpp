@@ -1,8 +1,8 @@
 // Slab test, swept bounding boxes: during which part of [0, 1] can the boxes around two features meet, one of them
 // moving?
 //
-// Laws: outside of [from, to] their distance is more than the reach.  From exact doubles or bounds of them, with what
-// the arithmetic may lose added.
+// Laws: outside of [from, to] their distance is more than the reach: from exact doubles or bounds of them, rounded
+// outward.
 // Source: RTCD 5.5.8.
 // Cost: three quotients' worth of products.
 #pragma once
@@ -69,20 +69,16 @@ class Slabs {
   }
 
  private:
-  // For a few roundings, and for their underflow.
-  static constexpr double slack = 0x1p-50, least = 0x1p-1060;
-  static double size(double x) { return __builtin_fabs(x); }
-
   /// No more than x - y - reach.
-  [[nodiscard]] double below(double x, double y) const {
-    return ((x - y) - reach_) - ((size(x) + size(y) + reach_) * slack + least);
-  }
+  [[nodiscard]] double below(double x, double y) const { return ((Running(x) - Running(y)) - Running(reach_)).lower(); }
   static void meet(double gap, double speed, double& from) {
-    if (gap > 0) from = std::max(from, gap / speed * (1 - slack) - least);
+    if (gap > 0) from = std::max(from, quotient_down(gap, speed));
   }
   static void part(double way, double speed, double& to) {
-    to = way < 0 ? -1 : std::min(to, way / speed * (1 + slack) + least);
+    to = way < 0 ? -1 : std::min(to, -quotient_down(-way, speed));
   }
+  /// As if it were rounded upward.
+  static double quotient_down(double a, double b) { return Interval::down(a / b, -1); }
 
   std::array<double, 3> slow_, fast_;
   double reach_;

@@ -1,6 +1,7 @@
 #include "query/time_of_impact/moving_axes.hpp"
 
 #include "arith/big_rounding.hpp"
+#include "query/time_of_impact/vector_length.hpp"
 
 namespace plumb::query {
 namespace {
@@ -21,10 +22,9 @@ class Axes {
     const bool plane_is_a = a_.vertices.empty();
     const auto& face = (plane_is_a ? a_ : b_).faces[0];
     const FeatureEnds at{face.offset.lower(), face.offset.upper()}, other = ends(plane_is_a ? b_ : a_, face.normal);
-    meet(plane_is_a ? at : other, plane_is_a ? other : at, dot(velocity_, face.normal), length_of(face.normal),
+    meet(plane_is_a ? at : other, plane_is_a ? other : at, dot(velocity_, face.normal), length_above(face.normal),
          {Kind::ways});
   }
-  static double length_of(const Vec3<Running>& axis) { return root_above(dot(axis, axis).upper()); }
 
   [[nodiscard]] const TimeWindow& window() const { return window_; }
 
@@ -32,8 +32,6 @@ class Axes {
   struct FeatureEnds {
     double low, high;
   };
-  static double root_above(double x) { return __builtin_sqrt(x) * (1 + 0x1p-50) + 0x1p-500; }
-
   static FeatureEnds ends(const MovingBody<Running>& body, const Vec3<Running>& axis) {
     FeatureEnds e{Interval::infinity, -Interval::infinity};
     for (const auto& v : body.vertices) {
@@ -44,7 +42,7 @@ class Axes {
   }
   bool meet(const FeatureEnds& of_a, const FeatureEnds& of_b, const Running& speed, double length,
             const TimeAxis& which) {
-    const double reach = reach_ == 0 ? 0 : reach_ * length * (1 + 0x1p-50) + 0x1p-1060;
+    const double reach = Interval::product_up(reach_, length);
     const Slabs slab({speed, Running(0.0), Running(0.0)}, Running(reach));
     const auto [from, to] = slab.times({{of_a.low, 0, 0}, {of_a.high, 0, 0}}, {{of_b.low, 0, 0}, {of_b.high, 0, 0}});
     if (from > window_.from) window_.from = from, window_.axis = which;
@@ -77,7 +75,7 @@ void narrow(Axes& axes, const MovingBody<Running>& a, const MovingBody<Running>&
     const Kind kind = body == &a ? Kind::face_of_a : Kind::face_of_b;
     for (std::uint32_t i = 0; i < body->faces.size(); ++i) {
       const Vec3<Running>& normal = body->faces[i].normal;
-      if (!axes.meet(normal, Axes::length_of(normal), {kind, i, i})) return;
+      if (!axes.meet(normal, length_above(normal), {kind, i, i})) return;
     }
   }
   constexpr std::size_t few = 12;  // edges: of more the faces tell enough
@@ -85,7 +83,7 @@ void narrow(Axes& axes, const MovingBody<Running>& a, const MovingBody<Running>&
   for (std::uint32_t i = 0; i < a.edges.size(); ++i) {
     for (std::uint32_t k = 0; k < b.edges.size(); ++k) {
       const Vec3<Running> axis = cross(along(a, a.edges[i]), along(b, b.edges[k]));
-      if (!axes.meet(axis, Axes::length_of(axis), {Kind::edges, i, k})) return;
+      if (!axes.meet(axis, length_above(axis), {Kind::edges, i, k})) return;
     }
   }
   // Of what is round: the ways from vertex to vertex.
@@ -93,7 +91,7 @@ void narrow(Axes& axes, const MovingBody<Running>& a, const MovingBody<Running>&
   if (!(a.swept || b.swept) || a.vertices.size() * b.vertices.size() > few_ways) return;
   for (const auto& v : a.vertices) {
     for (const auto& w : b.vertices) {
-      if (!axes.meet(w - v, Axes::length_of(w - v), {Kind::ways})) return;
+      if (!axes.meet(w - v, length_above(w - v), {Kind::ways})) return;
     }
   }
 }
@@ -167,7 +165,8 @@ struct BoxAround {
   FeatureBox operator()(const Aabb3* b) const { return joined((*this)(&b->min), (*this)(&b->max)); }
   FeatureBox operator()(const Obb3* b) const {
     const auto reach = [&](double x, double y, double z) {
-      return size(x * b->half.x) + size(y * b->half.y) + size(z * b->half.z);
+      const auto part = [](double along, double half) { return magnitude(Running(along) * Running(half)); };
+      return (part(x, b->half.x) + part(y, b->half.y) + part(z, b->half.z)).upper();
     };
     const auto& [u, v, w] = b->axes;
     return grown((*this)(&b->center), {reach(u.x, v.x, w.x), reach(u.y, v.y, w.y), reach(u.z, v.z, w.z)});
@@ -188,11 +187,9 @@ struct BoxAround {
     return {{-all, -all, -all}, {all, all, all}};
   }
 
-  static double size(double x) { return __builtin_fabs(x); }
   static FeatureBox grown(FeatureBox box, const std::array<double, 3>& by) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const double slack = (size(box.low[k]) + size(box.high[k]) + by[k]) * 0x1p-50 + 0x1p-1060;
-      box.low[k] -= by[k] + slack, box.high[k] += by[k] + slack;
+      box.low[k] = Interval::sum_down(box.low[k], -by[k]), box.high[k] = Interval::sum_up(box.high[k], by[k]);
     }
     return box;
   }

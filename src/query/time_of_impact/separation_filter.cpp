@@ -1,11 +1,11 @@
 #include "query/time_of_impact/separation_filter.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "query/time_of_impact/moving_hulls.hpp"
 #include "query/time_of_impact/separation_time.hpp"
+#include "query/time_of_impact/vector_length.hpp"
 
 namespace plumb::query::moving {
 namespace {
@@ -80,6 +80,7 @@ class Filter {
   }
 
  private:
+  // Guesses at what pays.
   static constexpr double finest = 0x1p-30, widest_tried = 0x1p-6, next_tried = 0x1p-5;
   static constexpr int most_steps = 100;
 
@@ -126,11 +127,8 @@ class Filter {
   }
   /// Do all differences reach beyond the distance along the nearest one, from one time to another?
   [[nodiscard]] bool beyond(double from, double to) const {
-    const double square = dot(nearest_, nearest_);
-    if (!(square > 0x1p-900 && square < 0x1p900)) return false;
-    const double length = std::sqrt(square);
-    const T needed = T(separation_) * T{length, length, 3};
-    const Vec3<T> n{T(nearest_.x), T(nearest_.y), T(nearest_.z)};
+    const Vec3<T> n = arith::vec<T>(nearest_);
+    const T needed = T(separation_) * T(length_above(n));
     bool all = true;
     for (const Linear<T>& d : differences_) {
       const T at_0 = dot(n, d.at_0), at_1 = dot(n, d.at_1);

@@ -53,23 +53,21 @@ struct TimePiece {
   double from, to;
 };
 
-/// The zero of a function that falls through it in the piece.
+/// The zero of a function that falls through it in the piece: a guess by Newton's method, and signs on both sides.
 template <class Function>
 std::optional<Ball> falling_zero(const Function& f, const TimePiece& piece) {
+  // Guesses at where to stop, how wide to take the slope, and what is left then, as parts of the time.
+  constexpr double still = 0x1p-50, wide = 0x1p-16, enough = 0x1p-90, least = 0x1p-100;
   const auto size = [](double x) { return __builtin_fabs(x); };
-  const auto sign = [&](const Ball& x) {
-    const double reach = (x.radius + size(x.low)) * (1 + 0x1p-20);
-    return static_cast<int>(x.high > reach) - static_cast<int>(x.high < -reach);
-  };
   const auto within = [&](double t) { return std::fmin(std::fmax(t, piece.from), piece.to); };
   double t = piece.from, slope = (f(piece.to) - f(piece.from)) / (piece.to - piece.from);
   constexpr int steps = 12;
   for (int i = 0; i < steps; ++i) {
     const double next = within(t - f(t) / slope), step = next - t;
     t = next;
-    if (!(size(step) > size(t) * 0x1p-50)) break;
+    if (!(size(step) > size(t) * still)) break;
   }
-  const double h = (piece.to - piece.from) * 0x1p-16, below = within(t - h), above = within(t + h);
+  const double h = (piece.to - piece.from) * wide, below = within(t - h), above = within(t + h);
   slope = (f(above) - f(below)) / (above - below);
   Ball zero(t);
   double left = 0;
@@ -77,15 +75,16 @@ std::optional<Ball> falling_zero(const Function& f, const TimePiece& piece) {
     const Ball there = f(zero);
     left = (size(there.high) + there.radius) / size(slope);
     if (!(left < 1)) return {};
-    if (left < size(zero.high) * 0x1p-90) break;
+    if (left < size(zero.high) * enough) break;
     zero = zero - Ball((there.high + there.low) / slope);
     zero.radius = 0;  // whichever number that is
   }
-  const double off = 8 * left + size(zero.high) * 0x1p-100;
+  const double off = 8 * left + size(zero.high) * least;  // the last guess
   Ball before = zero - Ball(off), after = zero + Ball(off);
   before.radius = after.radius = 0;
-  if (!(before.high > piece.from && after.high < piece.to && sign(f(before)) > 0 && sign(f(after)) < 0)) return {};
-  zero.radius = 4 * off;
+  if (!(before.high > piece.from && after.high < piece.to)) return {};
+  if (certain_sign(f(before)) <= 0 || certain_sign(f(after)) >= 0) return {};
+  zero.radius = std::fmax(most_of(zero - before), most_of(after - zero));
   return zero;
 }
 
