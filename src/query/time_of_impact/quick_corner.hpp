@@ -37,7 +37,7 @@ ExtremeFace place_of(const Parts& parts) {
     return {edge, {edge}, {(edge + 2) % 3}, 1, 1, Hull::edge(edge, 0)};
   } else {
     for (unsigned i = 0; i < Hull::way_count; ++i) {
-      constexpr double near = 0x1p-40;
+      constexpr double near = 0x1p-40;  // a guess: nearest() proves what is inside
       const bool low = parts[i] <= Hull::least + near, high = parts[i] >= 1 - near;
       if (high) p.vertex |= 1U << i;
       if (low || high) {

@@ -25,13 +25,27 @@ namespace plumb::query::quick {
 
 inline Approximate opposite(const Approximate& a) { return {-a.value, a.magnitude, a.error}; }
 
+/// Products of vectors whose numbers are of different types.
+template <class A, class B>
+[[gnu::always_inline]] inline auto inner(const Vec3<A>& a, const Vec3<B>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class A, class B>
+[[gnu::always_inline]] inline auto outer(const Vec3<A>& a, const Vec3<B>& b) {
+  return Vec3<decltype(a.x * b.y - a.y * b.x)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 /// A point of a hull: parts of its ways, or weights of its vertices.
 using Parts = std::array<double, 3>;
 
 /// The least and the most.
+template <class L, class H>
 struct Reaches {
-  double low, high;
+  L low;
+  H high;
 };
+template <class L, class H>
+Reaches(L, H) -> Reaches<L, H>;
 
 template <class T, std::size_t Ways, bool centered>
 struct Woven {
@@ -41,25 +55,42 @@ struct Woven {
   Point3 place;
   std::array<Vec3<T>, Ways == 0 ? 1 : Ways> ways;
 
+  /// Its vectors made into others.
+  [[gnu::always_inline]] inline auto made(const auto& vector) const {
+    using Other = Woven<decltype(vector(ways[0]).x), Ways, centered>;
+    if constexpr (Ways == 3) {
+      return Other{place, {vector(ways[0]), vector(ways[1]), vector(ways[2])}};
+    } else {
+      static_assert(Ways < 2);
+      return Other{place, {vector(ways[0])}};
+    }
+  }
   [[nodiscard]] const Vec3<T>& way(std::size_t i) const { return ways[i]; }
   [[nodiscard]] Vec3<T> whole_way(std::size_t i) const { return centered ? ways[i] + ways[i] : ways[i]; }
   /// The ways that face number i lies along.
   static constexpr std::array<std::size_t, 2> of_face(std::size_t i) { return {(i + 1) % 3, (i + 2) % 3}; }
 
-  /// How far the hull reaches along n from its place.
-  [[gnu::always_inline]] inline Reaches along(const Vec3<double>& n) const {
-    double low = 0, high = 0;
-    for (std::size_t i = 0; i < Ways; ++i) {
-      const double at = dot(n, ways[i]);
-      if constexpr (centered) {
-        high += magnitude_of(at);
+  /// How far the hull reaches along n from its place, of a woven shape that has ways.
+  template <class N>
+  [[gnu::always_inline]] inline auto along(const Vec3<N>& n) const {
+    const auto of_way = [&](std::size_t i) { return inner(n, ways[i]); };
+    const auto all = [&](const auto& part) {
+      if constexpr (Ways == 3) {
+        return part(of_way(0)) + part(of_way(1)) + part(of_way(2));
       } else {
-        low += at < 0 ? at : 0, high += at > 0 ? at : 0;
+        static_assert(Ways == 1);
+        return part(of_way(0));
       }
+    };
+    using At = decltype(of_way(0));
+    if constexpr (centered) {
+      const auto high = all([](const At& at) { return magnitude(at); });
+      return Reaches{negated(high), high};
+    } else {
+      return Reaches{all([](const At& at) { return smaller(at, At{0.0}); }),
+                     all([](const At& at) { return larger(at, At{0.0}); })};
     }
-    return {centered ? -high : low, high};
   }
-
   /// The vertex that is farthest along n; is that certain?  Ways of the mask are normal to n, and end at 0.
   [[nodiscard]] std::pair<unsigned, bool> farthest(const Vec3<Approximate>& n, unsigned normal) const {
     unsigned bits = 0;
@@ -128,14 +159,18 @@ struct ThreeCorners {
   Point3 place;
   std::array<Vec3<T>, 3> ways;  // ab, bc, ca
 
+  [[gnu::always_inline]] inline auto made(const auto& vector) const {
+    return ThreeCorners<decltype(vector(ways[0]).x)>{place, {vector(ways[0]), vector(ways[1]), vector(ways[2])}};
+  }
   [[nodiscard]] const Vec3<T>& way(std::size_t i) const { return ways[i]; }
   [[nodiscard]] const Vec3<T>& whole_way(std::size_t i) const { return ways[i]; }
   static constexpr std::array<std::size_t, 2> of_face(std::size_t) { return {0, 1}; }
 
-  [[gnu::always_inline]] inline Reaches along(const Vec3<double>& n) const {
-    const double ab = dot(n, ways[0]), ac = -dot(n, ways[2]);
-    const double low = ab < ac ? ab : ac, high = ab < ac ? ac : ab;
-    return {low < 0 ? low : 0, high > 0 ? high : 0};
+  template <class N>
+  [[gnu::always_inline]] inline auto along(const Vec3<N>& n) const {
+    const auto ab = inner(n, ways[0]), ac = negated(inner(n, ways[2]));
+    using At = std::remove_cvref_t<decltype(ab)>;
+    return Reaches{smaller(smaller(ab, ac), At{0.0}), larger(larger(ab, ac), At{0.0})};
   }
   [[nodiscard]] std::pair<unsigned, bool> farthest(const Vec3<Approximate>& n, unsigned normal) const {
     if (normal == 7) return {0, true};
@@ -160,8 +195,14 @@ struct ThreeCorners {
   /// A point by the weights of the vertices.
   static constexpr Parts middle() { return {0.25, 0.375, 0.375}; }
   [[nodiscard]] Vec3<T> at(const Parts& parts) const {
-    constexpr double within = 1 - 0x1p-40;  // of weights that are off by their roundings
-    return ways[0] * T(parts[1] * within) - ways[2] * T(parts[2] * within);
+    if constexpr (std::is_same_v<T, double>) {  // a guess
+      return ways[0] * parts[1] - ways[2] * parts[2];
+    } else {
+      // Weights are off by their roundings.  These two add up to no more than 1: the rest of a double of at most 1 is
+      // rounded to a multiple of half an ulp of 1, so that the rest of the rest is exact.
+      const double rest = parts[1] < 1 ? 1 - parts[1] : 0, second = parts[2] < rest ? parts[2] : rest;
+      return ways[0] * T(1 - rest) - ways[2] * T(second);
+    }
   }
   [[nodiscard]] Vec3<T> middle_point() const { return at(middle()); }
   static constexpr std::array<double, 2> room(const Parts& parts, std::size_t i) {

@@ -18,26 +18,23 @@ struct Facet {
 /// The window of time that directions leave, and what plain doubles prove about it.
 class Window {
  public:
-  /// Differences reach from low to high along a direction, the motion goes by `speed`, and all three are off by this
-  /// much at most.  False: they never meet.
-  [[gnu::always_inline]] inline bool narrow(double low, double high, double speed, double off, Facet facet) {
-    if (speed < 0) {
-      const double turned = -low;
-      low = -high, high = turned, speed = -speed;
+  /// Differences reach from low to high along a direction, and the motion goes by `speed`.  False: they never meet.
+  template <class W, class L, class H, class S>
+  [[gnu::always_inline]] inline bool narrow(const W& w, L low, H high, S speed, Facet facet) {
+    if (speed.value < 0) {
+      const L turned = negated(low);
+      low = negated(high), high = turned, speed = negated(speed);
     }
-    if (low > off && low - speed > 2 * off) return false;
-    if (high < -2 * off) return false;  // and the motion does not lead there
-    within_ = within_ && low < -off && high > off;
-    if (!(speed > 2 * off)) return true;
-    const double enters = low / speed, leaves = high / speed;
-    if (enters > from_) from_ = enters, entered_ = {low, speed, off}, first_ = facet;
-    if (leaves < to_) to_ = leaves, left_ = {high, speed, off};
+    if (!w.certain()) within_ = false;
+    if (w.positive(low) && w.positive(low - speed)) return !w.certain();
+    if (w.negative(high) && w.negative(high - speed)) return !w.certain();
+    within_ = within_ && w.negative(low) && w.positive(high);
+    if (!w.positive(speed) || !w.certain()) return true;
+    const double enters = low.value / speed.value, leaves = high.value / speed.value;  // guesses
+    if (enters > from_) from_ = enters, entered_ = {w, low, speed}, first_ = facet;
+    if (leaves < to_) to_ = leaves, left_ = {w, high, speed};
     if (!(from_ > to_)) return true;
-    const double across = entered_.at * left_.speed, back = left_.at * entered_.speed;
-    const double doubt = entered_.off * (left_.speed + magnitude_of(left_.at)) +
-                         left_.off * (entered_.speed + magnitude_of(entered_.at)) + entered_.off * left_.off +
-                         (magnitude_of(across) + magnitude_of(back)) * 0x1p-50 + 0x1p-960;
-    return !(across - back > 2 * doubt);
+    return (entered_.at() * left_.speed() - left_.at() * entered_.speed()).sign() != Unsure{Sign::positive};
   }
   [[nodiscard]] const Facet& first() const { return first_; }
   [[nodiscard]] bool open() const { return from_ <= to_; }
@@ -45,13 +42,24 @@ class Window {
   [[nodiscard]] bool within() const { return within_; }
 
  private:
+  /// Numbers, and how far off they were before they were rounded last.
   struct End {
-    double at, speed, off;
+    double where, fast, doubt_where = 0, doubt_fast = 0;
+
+    End(double of_where, double of_fast) : where(of_where), fast(of_fast) {}
+    template <class W, class A, class S>
+    End(const W& w, const A& of_where, const S& of_fast)
+        : where(of_where.value),
+          fast(of_fast.value),
+          doubt_where(w.template doubt<A::track>()),
+          doubt_fast(w.template doubt<S::track>()) {}
+    [[nodiscard]] Running at() const { return Running::rounded(where, doubt_where); }
+    [[nodiscard]] Running speed() const { return Running::rounded(fast, doubt_fast); }
   };
   double from_ = 0, to_ = 1;
   bool within_ = true;
   Facet first_;
-  End entered_{0, 1, 0}, left_{1, 1, 0};
+  End entered_{0, 1}, left_{1, 1};
 };
 
 template <class Hull>
@@ -70,17 +78,13 @@ template <class A, class B>
 bool narrowed(const MotionSearch<A, B>& s, Window& window) {
   using HullA = typename MotionSearch<A, B>::HullA;
   using HullB = typename MotionSearch<A, B>::HullB;
+  const auto motion = known_motion(s);
   const auto ask = [&](const Vec3<double>& x, const Vec3<double>& y, const Facet& facet) {
-    const Vec3<double> n = cross(x, y);
-    // A number is off by a unit of 2^-53, so a coordinate of n by 8 of its larger term, 4 of what both may be; a dot
-    // product by 8 then, and at most eight are added: below 16 units of the sum of all sizes, and what underflows.
-    constexpr double least = 0x1p-1000;
-    const double larger_x = largest_of(x), larger_y = largest_of(y);
-    const double terms = 2 * larger_x * larger_y + (larger_x + larger_y + 1) * least;
-    const double off = doubt_of_sum(terms * (s.size + least)) + least;
-    const double at = dot(n, s.apart);
-    const Reaches of_a = s.a.along(n), of_b = s.b.along(n);
-    return window.narrow((at + of_b.low) - of_a.high, (at + of_b.high) - of_a.low, dot(n, s.by), off, facet);
+    MotionWorld<> w;
+    w.template number<0>(s.size), w.template number<1>(largest_of(x)), w.template number<2>(largest_of(y));
+    const auto n = outer(known<1>(x), known<2>(y));
+    const auto [low, high] = reaches_along(n, motion);
+    return window.narrow(w, low, high, inner(n, motion.by), facet);
   };
   for (std::size_t i = 0; i < HullA::face_count; ++i) {
     const auto [u, v] = HullA::of_face(i);

@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <limits>
 
 #include "query/time_of_impact/quick_corner.hpp"
 #include "query/time_of_impact/quick_search.hpp"
@@ -44,9 +45,10 @@ Answer first_contact(const Translating<A>& a, const Translating<B>& b, const Mov
       at(time_of(corner_of(precise, of_a, of_b), precise.by, precise.reach), of_a.feature, of_b.feature);
   if (answer.told != MotionVerdict::yes) return unsure;
   const double t = answer.contact.time;  // less than an ulp early
-  if (!(t > 0x1p-900 && t < 1)) return unsure;
+  if (!(t >= std::numeric_limits<double>::min() && t < 1)) return unsure;
   Corner<T> then = corner_of(m, of_a, of_b);
-  then.at = then.at - m.by * T{t, t, 2 + 0x1p-20};
+  constexpr double ulp = 2;  // of a number that is not subnormal, in units of 2^-53 of it
+  then.at = then.at - m.by * T{t, t, ulp};
   const auto nearest = then.nearest();
   return nearest && certain_sign(dot(nearest->direction, m.by)) > 0 ? answer : unsure;
 }

@@ -1,7 +1,8 @@
 // Time of impact, Minkowski difference: where do two shapes in straight motion come nearest, and does the direction
 // there keep them apart?
 //
-// Laws: what is searched for in plain doubles is a guess; apart_along is certain, whatever the direction.
+// Laws: what is searched for in plain doubles is a guess; apart_along is certain, whatever the direction
+// (motion_directions.hpp).
 // Source: RTCD 5.1.9, 5.5.2 (coordinate descent; Newton's method on the distance, which is convex in time).
 // Cost: a dot product or two for each way, of a step and of a direction.
 #pragma once
@@ -9,39 +10,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "query/time_of_impact/quick_motion.hpp"
+#include "query/time_of_impact/motion_directions.hpp"
 
 namespace plumb::query::quick {
-
-/// Sums of sizes: of products with a direction, and so of their errors.
-inline double size_of(const Vec3<double>& v) { return magnitude_of(v.x) + magnitude_of(v.y) + magnitude_of(v.z); }
-inline double largest_of(const Vec3<double>& v) {
-  const double x = magnitude_of(v.x), y = magnitude_of(v.y), z = magnitude_of(v.z);
-  return x > y ? (x > z ? x : z) : (y > z ? y : z);
-}
-
-/// 32 units of 2^-53 of the sum of the sizes of all that is added, and no bound where a part of that may overflow: a
-/// sum that was infinite would else be certain.
-inline double doubt_of_sum(double sizes) { return sizes < 0x1p1000 ? sizes * 0x1p-48 : HUGE_VAL; }
-
-/// Two shapes and how far they reach together, over any number type.
-template <class N, class A, class B>
-struct Moved {
-  using HullA = decltype(hull_of<N>(std::declval<A>()));
-  using HullB = decltype(hull_of<N>(std::declval<B>()));
-
-  Moved(const Translating<A>& of_a, const Translating<B>& of_b)
-      : a(hull_of<N>(of_a.shape)),
-        b(hull_of<N>(of_b.shape)),
-        by(velocity<N>(of_a.by, of_b.by)),
-        apart(between<N>(a.place, b.place)),
-        reach(N(reach_of(of_a.shape)) + N(reach_of(of_b.shape))) {}
-
-  HullA a;
-  HullB b;
-  Vec3<N> by, apart;  // the motion of a, seen from b; from the place of a to that of b
-  N reach;
-};
 
 /// In plain doubles: points of both and a time, which are guesses, and directions, which are proofs.
 template <class A, class B>
@@ -53,7 +24,7 @@ class MotionSearch : public Moved<double, A, B> {
   using typename Both::HullA, typename Both::HullB;
 
   MotionSearch(const Translating<A>& first, const Translating<B>& second) : Both(first, second), speed_(dot(by, by)) {
-    size = size_of(apart) + size_of(by);
+    size = size_of(apart) + size_of(by) + reach;
     for (std::size_t i = 0; i < HullA::way_count; ++i) size += size_of(a.way(i));
     for (std::size_t i = 0; i < HullB::way_count; ++i) size += size_of(b.way(i));
     between_them = apart + b.middle_point() - a.middle_point();
@@ -62,15 +33,9 @@ class MotionSearch : public Moved<double, A, B> {
 
   /// Do they surely stay beyond reach along the direction between the points?
   [[nodiscard]] bool apart_along() const {
-    const Vec3<double>& n = between_them;
-    const double square = dot(n, n);
-    if (!(square > 0x1p-900 && square < 0x1p900)) return false;
-    // Every number is off by 2 units of 2^-53 at most, a dot product by 3 more, at most nine of them are added, and the
-    // length and its product with the reach are off by 4: below 20 units of the sum of all sizes.
-    const double limit = reach > 0 ? reach * std::sqrt(square) : 0;
-    const double off = doubt_of_sum(largest_of(n) * (size + 0x1p-900) + limit) + 0x1p-960;
-    const double rest = ((dot(n, apart) + b.along(n).low) - a.along(n).high) - limit;
-    return rest > off && rest - dot(n, by) > off;
+    MotionWorld<> w;
+    w.template number<0>(size), w.template number<1>(largest_of(between_them));
+    return stays_beyond < Round<A> || Round < B >> (w, given<1>(between_them), known_motion(*this)) && w.certain();
   }
   /// Comes nearer by each way, one after the other.
   void sweep(bool in_time) {
@@ -82,12 +47,14 @@ class MotionSearch : public Moved<double, A, B> {
   bool find_first() {
     time = 0;
     see();
+    // Guesses at where to stop.
     constexpr int most_steps = 20, most_sweeps = 12;
+    constexpr double no_nearer = 1 - 0x1p-48, still = 0x1p-44;
     for (int step = 0; step < most_steps; ++step) {
       for (int i = 0; i < most_sweeps; ++i) {
         const double before = dot(between_them, between_them);
         sweep(false);
-        if (dot(between_them, between_them) >= before * (1 - 0x1p-48)) break;
+        if (dot(between_them, between_them) >= before * no_nearer) break;
       }
       see();
       const double distance = std::sqrt(dot(between_them, between_them)), closing = dot(between_them, by);
@@ -96,7 +63,7 @@ class MotionSearch : public Moved<double, A, B> {
       if (time == 0 && wait < 0) return false;
       time = within_time(time + wait);
       see();
-      if (std::fabs(wait) <= time * 0x1p-44) return true;
+      if (std::fabs(wait) <= time * still) return true;
     }
     return false;
   }
