@@ -1,0 +1,222 @@
+// Are the numbers that judge straight motion as near to those of real arithmetic as their types say, are mistakes
+// noticed, and how much is left to slower numbers?
+#include "query/time_of_impact/motion_directions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "certify/golden_statements.hpp"
+#include "query/time_of_impact/balls_in_motion.hpp"
+#include "query/time_of_impact/quick_search.hpp"
+#include "query/time_of_impact/translating_cases.hpp"
+
+namespace plumb::query::quick {
+namespace {
+
+using translating_cases::Draw, translating_cases::Numbers;
+
+/// What a mutant has wrong.
+enum class Mistake { none, motion, place, order, radius };
+
+struct Tally {
+  int numbers = 0, beyond = 0, signs = 0, false_signs = 0;
+
+  template <class W, class N>
+  void take(const W& w, const N& x, const Rational& exact) {
+    Rational m = Rational(static_cast<double>(N::track.error)) * Rational(0x1p-85);
+    const auto raise = [&](const Rational& scale, int power) {
+      for (int i = 0; i < power; ++i) m = m * scale;
+    };
+    raise(Rational(w.template scale<0>()), N::track.power(0, 0));
+    raise(Rational(w.template scale<1>()), N::track.power(1, 0));
+    if constexpr (N::track.power(2, 0) != 0) raise(Rational(w.template scale<2>()), N::track.power(2, 0));
+    ++numbers;
+    beyond += m < magnitude(Rational(x.value) - exact) ? 1 : 0;
+    const bool positive = w.positive(x), negative = w.negative(x);
+    signs += positive || negative ? 1 : 0;
+    false_signs += (positive && exact.sign() != Sign::positive) || (negative && exact.sign() != Sign::negative) ? 1 : 0;
+  }
+};
+
+Vec3<Rational> exactly(const Vec3<double>& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+Vec3<Rational> back(const Vec3<Rational>& v) { return {negated(v.x), negated(v.y), negated(v.z)}; }
+
+template <Mistake mistake>
+auto with_mistake(const auto& exact) {
+  KnownMotion m{exact.a, exact.b, exact.by, exact.apart, exact.reach};
+  if constexpr (mistake == Mistake::order) {
+    return KnownMotion{exact.b, exact.a, exact.by, exact.apart, exact.reach};
+  } else {
+    if constexpr (mistake == Mistake::motion) m.by = back(m.by);
+    if constexpr (mistake == Mistake::place) m.apart = back(m.apart);
+    if constexpr (mistake == Mistake::radius) m.reach = m.reach + m.reach;
+    return m;
+  }
+}
+
+template <class S>
+Translating<S> drawn(Entropy& entropy, Numbers numbers) {
+  Translating<S> t;
+  Draw draw(entropy, numbers);
+  draw.fill(t.shape);
+  t.by = draw.motion();
+  return t;
+}
+constexpr std::array families{Numbers::noisy, Numbers::ulps, Numbers::wide};
+
+template <Mistake mistake, class A, class B>
+void compare(Tally& tally, int count) {
+  for (int i = 0; i < count; ++i) {
+    Entropy entropy(2041, static_cast<std::uint64_t>(i));
+    const Numbers numbers = families[static_cast<std::size_t>(i) % families.size()];
+    const Translating<A> a = drawn<A>(entropy, numbers);
+    const Translating<B> b = drawn<B>(entropy, numbers);
+    const MotionSearch<A, B> search(a, b);
+    const Moved<Rational, A, B> exact(a, b);
+    const auto motion = known_motion(search);
+    const auto truth = with_mistake<mistake>(exact);
+    const auto along = [&](const auto& w, const auto& n, const Vec3<Rational>& exact_n) {
+      if (!w.certain()) return;
+      const auto [low, high] = reaches_along(n, motion);
+      const auto [exact_low, exact_high] = reaches_along(exact_n, truth);
+      tally.take(w, low, exact_low), tally.take(w, high, exact_high);
+      tally.take(w, inner(n, motion.by), inner(exact_n, truth.by));
+      if constexpr (std::remove_cvref_t<decltype(n.x)>::track.power(2, 0) == 0) {
+        const auto limit = motion.reach * motion.reach * inner(n, n);
+        tally.take(w, low * low - limit, exact_low * exact_low - truth.reach * truth.reach * inner(exact_n, exact_n));
+      }
+    };
+    MotionWorld<> of_given;
+    of_given.number<0>(search.size), of_given.number<1>(largest_of(search.between_them));
+    along(of_given, given<1>(search.between_them), exactly(search.between_them));
+    if constexpr (MotionSearch<A, B>::HullA::way_count > 0) {
+      MotionWorld<> of_ways;
+      const Vec3<double>&x = search.a.way(0), &y = search.b.way(1);
+      of_ways.number<0>(search.size), of_ways.number<1>(largest_of(x)), of_ways.number<2>(largest_of(y));
+      along(of_ways, outer(known<1>(x), known<2>(y)), outer(exact.a.way(0), exact.b.way(1)));
+    }
+  }
+}
+template <Mistake mistake>
+Tally tally_of(int count) {
+  Tally tally;
+  compare<mistake, Obb3, Triangle3>(tally, count), compare<mistake, Capsule3, Aabb3>(tally, count);
+  compare<mistake, Sphere3, Obb3>(tally, count);
+  return tally;
+}
+
+template <Mistake mistake>
+void compare_balls(Tally& tally, int count) {
+  for (int i = 0; i < count; ++i) {
+    Entropy entropy(2042, static_cast<std::uint64_t>(i));
+    const Numbers numbers = families[static_cast<std::size_t>(i) % families.size()];
+    const auto a = drawn<Sphere3>(entropy, numbers), b = drawn<Sphere3>(entropy, numbers);
+    BallsWorld<> w;
+    RationalWorld rationals;
+    const auto computed =
+        balls_in_motion(w, a.shape.center, b.shape.center, a.shape.radius, b.shape.radius, a.by, b.by);
+    const bool turned = mistake == Mistake::motion, swapped = mistake == Mistake::place;
+    const auto exact = balls_in_motion(
+        rationals, swapped ? b.shape.center : a.shape.center, swapped ? a.shape.center : b.shape.center, a.shape.radius,
+        mistake == Mistake::radius ? 0 : b.shape.radius, turned ? b.by : a.by, turned ? a.by : b.by);
+    if (!w.certain()) continue;
+    tally.take(w, computed.c, exact.c), tally.take(w, computed.h, exact.h), tally.take(w, computed.e, exact.e);
+    tally.take(w, computed.value_at_end, exact.value_at_end);
+    tally.take(w, computed.slope_at_end, exact.slope_at_end);
+    tally.take(w, computed.discriminant, exact.discriminant);
+  }
+}
+
+void expect_sound(const Tally& tally, double signs) {
+  std::cout << tally.signs << " signs of " << tally.numbers << '\n';
+  EXPECT_EQ(tally.beyond, 0);
+  EXPECT_EQ(tally.false_signs, 0);
+  EXPECT_GT(tally.signs, signs * tally.numbers);
+}
+void expect_noticed(const char* name, const Tally& tally) {
+  std::cout << name << ": " << tally.beyond << " of " << tally.numbers << " beyond, " << tally.false_signs
+            << " false signs\n";
+  EXPECT_GT(tally.beyond, 0) << name;
+  EXPECT_GT(tally.false_signs, 0) << name;
+}
+
+TEST(MotionDirections, NumbersAreWithinTheirDerivedErrors) { expect_sound(tally_of<Mistake::none>(60), 0.8); }
+TEST(MotionDirections, BallsAreWithinTheirDerivedErrors) {
+  Tally tally;
+  compare_balls<Mistake::none>(tally, 150);
+  expect_sound(tally, 0.8);
+}
+TEST(MotionDirections, MutantsAreNoticed) {
+  expect_noticed("the motion turned back", tally_of<Mistake::motion>(9));
+  expect_noticed("the place mirrored", tally_of<Mistake::place>(9));
+  expect_noticed("the hulls exchanged", tally_of<Mistake::order>(9));
+  expect_noticed("the reach doubled", tally_of<Mistake::radius>(9));
+  Tally turned, swapped, pointed;
+  compare_balls<Mistake::motion>(turned, 15), compare_balls<Mistake::place>(swapped, 15);
+  compare_balls<Mistake::radius>(pointed, 15);
+  expect_noticed("a ball's motion exchanged", turned);
+  expect_noticed("the balls' places exchanged", swapped);
+  expect_noticed("a ball's radius", pointed);
+}
+
+TEST(MotionDirections, BoundsAreTheGoldenOnes) {
+  const auto golden = [](const std::string& name, const auto& w, const auto& number) {
+    BoundListener::taken();
+    static_cast<void>(w.positive(number));
+    expect_golden(name);
+  };
+  const Translating<Obb3> a{{{0, 0, 9}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {1, 2, 3}}, {1, 2, 3}};
+  const Translating<Triangle3> b{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {0, 0, 0}};
+  const MotionSearch<Obb3, Triangle3> search(a, b);
+  const auto motion = known_motion(search);
+  const MotionWorld<BoundListener> w;
+  const auto n = given<1>(search.between_them);
+  const auto low = reaches_along(n, motion).low;
+  golden("motion_reaches", w, low);
+  golden("motion_gap", w, low * low - motion.reach * motion.reach * inner(n, n));
+  const auto facet = outer(known<1>(search.a.way(0)), known<2>(search.b.way(0)));
+  golden("motion_facet_reaches", w, reaches_along(facet, motion).low);
+  golden("motion_facet_speed", w, inner(facet, motion.by));
+  BallsWorld<BoundListener> of_balls;
+  const auto balls = balls_in_motion(of_balls, {0, 0, 9}, {0, 0, 0}, 1, 1, {1, 2, 3}, {0, 0, 0});
+  golden("balls_start", of_balls, balls.c);
+  golden("balls_end", of_balls, balls.value_at_end);
+  golden("balls_slope", of_balls, balls.slope_at_end);
+  golden("balls_discriminant", of_balls, balls.discriminant);
+}
+
+/// How many of a family doubles answer; on integers touches are common, which they never tell.
+template <class A, class B>
+int told_of(int count, Numbers numbers) {
+  int told = 0;
+  for (int i = 0; i < count; ++i) {
+    Entropy entropy(2043, static_cast<std::uint64_t>(i));
+    const Translating<A> a = drawn<A>(entropy, numbers);
+    const Translating<B> b = drawn<B>(entropy, numbers);
+    if constexpr (requires { b.shape.min; }) {
+      if (is_empty(b.shape)) continue;
+    }
+    const MotionVerdict verdict = contact<ContactWanted::whether>(a, b).told;
+    told += verdict == MotionVerdict::yes || verdict == MotionVerdict::no ? 1 : 0;
+  }
+  return told;
+}
+TEST(MotionDirections, DoublesAnswerThePromisedShare) {
+  constexpr int count = 400;
+  const auto promise = [&]<class A, class B>(const char* name, const Translating<A>&, const Translating<B>&,
+                                             double noisy, double integers) {
+    const int of_noisy = told_of<A, B>(count, Numbers::noisy), of_integers = told_of<A, B>(count, Numbers::integers);
+    std::cout << name << ": of " << count << " noisy " << of_noisy << ", integers " << of_integers << '\n';
+    EXPECT_GE(of_noisy, noisy * count) << name;
+    EXPECT_GE(of_integers, integers * count) << name;
+  };
+  promise("balls", Translating<Sphere3>{}, Translating<Sphere3>{}, 0.98, 0.95);
+  promise("ball, triangle", Translating<Sphere3>{}, Translating<Triangle3>{}, 0.96, 0.75);
+  promise("triangles", Translating<Triangle3>{}, Translating<Triangle3>{}, 0.98, 0.8);
+  promise("oriented boxes", Translating<Obb3>{}, Translating<Obb3>{}, 0.98, 0.7);
+  promise("point, box", Translating<Point3>{}, Translating<Aabb3>{}, 0.93, 0.9);
+}
+
+}  // namespace
+}  // namespace plumb::query::quick
