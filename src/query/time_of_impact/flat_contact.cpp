@@ -8,10 +8,10 @@
 
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/in_space.hpp"
-#include "plumb/figure/containment/contains.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/time_of_impact/translating_contact.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/time_of_impact/flat_features.hpp"
 
 namespace plumb {
 namespace query {
@@ -84,36 +84,15 @@ auto contact_rank(const Contact& c) {
   return std::tuple(dimensions, c.feature_a.kind, c.feature_a.index, c.feature_b.index);
 }
 
-template <class Shape>
-inline constexpr bool is_thin =
-    std::same_as<std::remove_cvref_t<Shape>, Point3> || std::same_as<std::remove_cvref_t<Shape>, Segment3>;
-
-std::array<Point3, 1> ends_of(const Point3& p) { return {p}; }
-std::array<Point3, 2> ends_of(const Segment3& s) { return {s.a, s.b}; }
-bool holds_end(const Point3& p, const Point3& end) { return p == end; }
-bool holds_end(const Segment3& s, const Point3& end) { return contains(s, end); }
-
-/// Which ends of two segments or points that overlap at the start are on one another, else that the edges cross: what
-/// they themselves call overlapping is touching of polygons.
+/// The lowest features that meet of two pieces that overlap at the start, while the polygon only touches.
 template <class P, class Q, class Named>
 Contact lowest_at_start(const P& p, const Q& q, const Named& named) {
-  const auto of_p = ends_of(p);
-  const auto of_q = ends_of(q);
-  const auto whole = [](const auto& ends) {
-    return Feature{ends.size() == 1 ? FeatureKind::vertex : FeatureKind::edge, 0};
-  };
-  Contact lowest = named(Contact{0, whole(of_p), whole(of_q)});
-  const auto take = [&](bool holds, const Feature& a, const Feature& b) {
+  std::optional<Contact> lowest;
+  tell_meeting_features(p, q, [&](const Feature& a, const Feature& b) {
     const Contact c = named(Contact{0, a, b});
-    if (holds && contact_rank(c) < contact_rank(lowest)) lowest = c;
-  };
-  for (std::uint32_t i = 0; i < of_p.size(); ++i) {
-    const Feature end{FeatureKind::vertex, i};
-    take(holds_end(q, of_p[i]), end, whole(of_q));
-    for (std::uint32_t j = 0; j < of_q.size(); ++j) take(of_p[i] == of_q[j], end, {FeatureKind::vertex, j});
-  }
-  for (std::uint32_t j = 0; j < of_q.size(); ++j) take(holds_end(p, of_q[j]), whole(of_p), {FeatureKind::vertex, j});
-  return lowest;
+    if (!lowest || contact_rank(c) < contact_rank(*lowest)) lowest = c;
+  });
+  return *lowest;
 }
 
 template <class A, class B>
@@ -158,8 +137,7 @@ std::optional<Contact> first_contact(const Translating<A>& a, const Translating<
     const auto in_plane = [&](const Contact& x) {
       return Contact{x.time, query::feature_in_plane<A>(p, x.feature_a), query::feature_in_plane<B>(q, x.feature_b)};
     };
-    constexpr bool thin = query::is_thin<decltype(p.shape)> && query::is_thin<decltype(q.shape)>;
-    if constexpr ((query::is_chain<A> || query::is_chain<B>)&&thin) {
+    if constexpr (query::is_chain<A> || query::is_chain<B>) {
       if (c.feature_a.kind == FeatureKind::interior) return query::lowest_at_start(p.shape, q.shape, in_plane);
     }
     return in_plane(c);

@@ -154,6 +154,9 @@ std::optional<std::pair<Rational, Found>> meeting(const Drawing& a, const Drawin
   return best;
 }
 
+template <class S>
+inline constexpr bool has_chain = std::is_same_v<S, Polygon2> || std::is_same_v<S, HoledPolygon2>;
+
 struct Tally {
   long missed = 0, started = 0, corners = 0, edges = 0;
 };
@@ -205,14 +208,16 @@ void check(std::uint64_t start, std::uint64_t cases, Tally& tally) {
     const auto& [t, features] = *expected;
     EXPECT_TRUE(*time == plumb::Rational(BigRational{t})) << about;
     EXPECT_EQ(contact->time, plumb::Rational(BigRational{t}).rounded(Rounding::down)) << about;
-    if (contact->feature_a.kind ==
-        FeatureKind::interior) {  // flat figures that overlap along a line, figures that coincide
-      EXPECT_EQ(t, 0) << about;
+    // Flat figures that overlap along a line, figures that coincide; of polygons what they themselves call so.
+    const auto overlap_at_start = [&] {
+      if constexpr (has_chain<A> || has_chain<B>) return relate(a.shape, b.shape) == Relation::overlapping;
+      return contact->feature_a.kind == FeatureKind::interior;
+    };
+    if (t == 0 && overlap_at_start()) {
+      EXPECT_EQ(contact->feature_a.kind, FeatureKind::interior) << about;
       ++tally.started;
       return;
     }
-    constexpr bool box_and_polygon = std::is_same_v<A, Polygon2> && std::is_same_v<B, Obb2>;
-    if (box_and_polygon && t == 0) return;  // a flat box that an edge runs along: of its features nothing is promised
     const auto& [sum, kind_a, number_a, number_b, kind_b] = features;
     EXPECT_EQ(contact->feature_a, (Feature{kind_a, number_a})) << about;
     EXPECT_EQ(contact->feature_b, (Feature{kind_b, number_b})) << about;
@@ -236,6 +241,8 @@ TEST(FlatContact, OfPolygonsIsThatOfRationals) {
   Tally tally;
   check<Point2, Polygon2>(951, 200, tally), check<Polygon2, Polygon2>(952, 200, tally);
   check<Polygon2, Obb2>(953, 150, tally), check<HoledPolygon2, Segment2>(954, 100, tally);
+  check<Triangle2, Polygon2>(955, 60, tally), check<Polygon2, Aabb2>(956, 60, tally);
+  check<Obb2, HoledPolygon2>(957, 30, tally);
   expect_all(tally);
 }
 
@@ -316,6 +323,28 @@ TEST(FlatContact, ByHand) {
   EXPECT_FALSE(first_contact(pill, Aabb2{{4, -5}, {6, -0x1.0000000000001p+0}}));
   EXPECT_EQ(*first_contact(Translating<Obb2>{{{0, 0}, {{{1, 1}, {-1, 1}}}, {1, 1}}, {4, 0}}, Aabb2{{4, -1}, {5, 1}}),
             (Contact{0.5, {FeatureKind::vertex, 1}, {FeatureKind::edge, 2}}));
+}
+
+/// Pieces that overlap along a polygon's edge from the start, while the polygon only touches: the lowest features count.
+TEST(FlatContact, FlatFiguresAlongAnEdge) {
+  const Polygon2 square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
+  constexpr Vector2 away{-1, -9};
+  const Contact corner_on_edge{0, {FeatureKind::vertex, 0}, {FeatureKind::edge, 0}};
+  const Contact edge_at_corner{0, {FeatureKind::edge, 0}, {FeatureKind::vertex, 0}};
+  const Translating<Obb2> flat_box{{{2, 0}, {{{1, 0}, {0, 1}}}, {1, 0}}, away};
+  EXPECT_EQ(*first_contact(flat_box, square), corner_on_edge);
+  EXPECT_EQ(*first_contact(square, flat_box), edge_at_corner);
+  EXPECT_EQ(*first_contact(Translating<Aabb2>{{{-1, 0}, {5, 0}}, away}, square), edge_at_corner);
+  EXPECT_EQ(*first_contact(Translating<Triangle2>{{{1, 0}, {3, 0}, {2, 0}}, away}, square), corner_on_edge);
+  EXPECT_EQ(*first_contact(Translating<Capsule2>{{{1, 0}, {3, 0}, 0}, away}, square), corner_on_edge);
+  EXPECT_EQ(*first_contact(Translating<Capsule2>{{{-1, 0}, {5, 0}, 0}, away}, square), edge_at_corner);
+  EXPECT_EQ(*first_contact(Translating<Circle2>{{{2, 0}, 0}, away}, square),
+            (Contact{0, {FeatureKind::edge, 0}, {FeatureKind::edge, 0}}));
+  // A corner that is given twice, whose edge without length comes first.
+  const Polygon2 repeated{{{4, 0}, {4, 4}, {0, 0}, {0, 0}}};
+  const Contact at_corner{0, {FeatureKind::vertex, 0}, {FeatureKind::vertex, 2}};
+  EXPECT_EQ(*first_contact(Translating<Point2>{{0, 0}, away}, repeated), at_corner);
+  EXPECT_EQ(*first_contact(Translating<Triangle2>{{{0, 0}, {0, 0}, {0, 0}}, away}, repeated), at_corner);
 }
 
 TEST(FlatContact, BadInputIsNamed) {

@@ -7,9 +7,7 @@
 // Laws: (1) those of translating_contact.hpp, in the plane: touching is meeting, also in passing; the time is exact, a
 // root of a polynomial of degree 2 at most, or rounded down.  (2) Features are those of query/ray/ray2.hpp, and of
 // those that meet the ones of the lowest dimensions taken together are told, then of the lowest numbers of the first
-// figure, then of the second; {interior, 0} for both where they overlap from the start.  (What a flat box, triangle or
-// capsule and a polygon's edge have in common at the start may be told as {interior, 0} or by a feature that is not the
-// lowest, where that edge and it overlap though the polygon only touches.)  A circle as a whole is
+// figure, then of the second; {interior, 0} for both where they overlap from the start.  A circle as a whole is
 // {edge, 0}, a capsule's ends are vertices and the rest edge 0.  (3) Swapping the figures swaps the features, but where
 // several meet at once.  (4) Degenerate figures are the sets that they are; an empty box meets nothing.
 // NaN and infinity throw NonFinite, a negative radius and a chain of fewer than three vertices throw InvalidShape, by
