@@ -1,8 +1,8 @@
 // Two balls in straight motion: what is the quadratic of time that is not positive where they meet?
 //
 // A statement over a world: c + 2 h t + e t^2, its value and half its slope at time 1, a quarter of its discriminant.
-// Law: of floats all are as near to those of the exact numbers as their types say; the distance and the motion are of
-// scale 0, the motion is of scale 1 as well.
+// Law: of floats all are as near to those of the exact numbers as their types say; the distance is of scale 0, the motion
+// of scale 1, and what has both of scale 2.
 // Source: RTCD 5.5.5.
 // Cost: three dot products, and one more.
 #pragma once
@@ -13,36 +13,63 @@
 namespace plumb::query::quick {
 
 template <class Listener = NoBoundListener>
-using BallsWorld = certify::one_lane::Floats<double, 4, Scales{.count = 2}, Listener>;
-
-template <class C, class H, class E, class V, class S, class D>
-struct BallsInMotion {
-  C c;
-  H h;
-  E e;
-  V value_at_end;
-  S slope_at_end;
-  D discriminant;
-};
-template <class C, class H, class E, class V, class S, class D>
-BallsInMotion(C, H, E, V, S, D) -> BallsInMotion<C, H, E, V, S, D>;
+using BallsWorld = certify::one_lane::Floats<double, 4, Scales{.count = 3}, Listener>;
 
 template <class W>
-[[gnu::always_inline]] inline auto balls_in_motion(W& w, const Point3& a, const Point3& b, double of_a, double of_b,
-                                                   const Vector3& by_a, const Vector3& by_b) {
-  const auto from = [&]<std::size_t scale>(const auto& p, const auto& q) {
-    using N = decltype(w.template difference<scale>(0.0, 0.0));
-    return Vec3<N>{w.template difference<scale>(p.x, q.x), w.template difference<scale>(p.y, q.y),
-                   w.template difference<scale>(p.z, q.z)};
-  };
-  const auto d = from.template operator()<0>(a, b), v = from.template operator()<0>(by_a, by_b);
-  const auto way = from.template operator()<1>(by_a, by_b);
-  const auto reach = w.template number<0>(of_a) + w.template number<0>(of_b);
-  const auto c = inner(d, d) - reach * reach;
-  const auto slope_at_end = inner(d, v) + inner(v, v);
-  const auto h = inner(d, way);
-  const auto e = inner(way, way);
-  return BallsInMotion{c, h, e, (c + inner(d, v)) + slope_at_end, slope_at_end, h * h - e * c};
-}
+class BallsInMotion {
+  template <std::size_t scale>
+  using Leaf = decltype(std::declval<W&>().template difference<scale>(0.0, 0.0));
+  using Radius = decltype(std::declval<W&>().template number<0>(0.0));
+
+ public:
+  BallsInMotion(W& w, const Point3& a, const Point3& b, double of_a, double of_b, const Vector3& by_a,
+                const Vector3& by_b)
+      : apart_{w.template difference<0>(a.x, b.x), w.template difference<0>(a.y, b.y),
+               w.template difference<0>(a.z, b.z)},
+        by_{w.template difference<1>(by_a.x, by_b.x), w.template difference<1>(by_a.y, by_b.y),
+            w.template difference<1>(by_a.z, by_b.z)},
+        of_a_(w.template number<0>(of_a)),
+        of_b_(w.template number<0>(of_b)) {
+    if constexpr (has_scales) w.template number<2>(w.template scale<0>()), w.template number<2>(w.template scale<1>());
+  }
+
+  [[nodiscard]] auto c() const { return excess(apart_, of_a_ + of_b_); }
+  [[nodiscard]] auto h() const { return inner(apart_, by_); }
+  [[nodiscard]] auto e() const { return inner(by_, by_); }
+  [[nodiscard]] auto discriminant() const { return h() * h() - e() * c(); }
+  [[nodiscard]] auto slope_at_end() const {
+    return inner(of_both(apart_), of_both(by_)) + inner(of_both(by_), of_both(by_));
+  }
+  [[nodiscard]] auto value_at_end() const {
+    const auto d = of_both(apart_);
+    return (excess(d, of_both(of_a_) + of_both(of_b_)) + inner(d, of_both(by_))) + slope_at_end();
+  }
+
+ private:
+  static constexpr bool has_scales = requires(const W& w) { w.template scale<0>(); };
+
+  static auto excess(const auto& d, const auto& reach) { return inner(d, d) - reach * reach; }
+  /// The same number; of floats of the scale that no other exceeds.
+  static auto of_both(const Radius& x) {
+    if constexpr (has_scales) {
+      return Number{x.value};
+    } else {
+      return x;
+    }
+  }
+  template <class N>
+  static auto of_both(const Vec3<N>& v) {
+    if constexpr (has_scales) {
+      return Vec3<Leaf<2>>{{v.x.value}, {v.y.value}, {v.z.value}};
+    } else {
+      return v;
+    }
+  }
+  using Number = decltype(std::declval<W&>().template number<2>(0.0));
+
+  Vec3<Leaf<0>> apart_;
+  Vec3<Leaf<1>> by_;
+  Radius of_a_, of_b_;
+};
 
 }  // namespace plumb::query::quick

@@ -104,13 +104,14 @@ template <class N>
 
 /// Do the shapes stay beyond their reach along n?
 template <bool reaches, class W, class N>
-[[gnu::always_inline]] inline bool stays_beyond(W& w, const Vec3<N>& n, const auto& motion) {
+[[gnu::always_inline]] inline bool stays_beyond(const W& w, const Vec3<N>& n, const auto& motion) {
   const auto start = reaches_along(n, motion).low;
+  if (!w.positive(start)) return false;
   const auto end = start - inner(n, motion.by);
-  if (w.sign(start) != Sign::positive || w.sign(end) != Sign::positive) return false;
+  if (!w.positive(end)) return false;
   if constexpr (reaches) {
     const auto limit = motion.reach * motion.reach * inner(n, n);
-    return w.compare(start * start, limit) == Sign::positive && w.compare(end * end, limit) == Sign::positive;
+    return w.positive(start * start - limit) && w.positive(end * end - limit);
   }
   return true;
 }

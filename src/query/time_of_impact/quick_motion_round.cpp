@@ -10,16 +10,20 @@ template <ContactWanted asked>
 [[gnu::always_inline]] inline Answer balls(const Point3& a, const Point3& b, double of_a, double of_b,
                                            const Vector3& by_a, const Vector3& by_b, Feature feature_b) {
   BallsWorld<> w;
-  const auto [c, h, e, c_at_end, h_at_end, rest] = balls_in_motion(w, a, b, of_a, of_b, by_a, by_b);
+  const BallsInMotion<BallsWorld<>> balls(w, a, b, of_a, of_b, by_a, by_b);
+  const auto c = balls.c();
+  const auto h = balls.h();
   if (!w.certain()) return unsure;
   if (w.negative(c)) return overlap;
   if (!w.positive(c)) return unsure;
   if (w.positive(h)) return no;
-  if (w.positive(c_at_end) && w.negative(h_at_end)) return no;
-  bool meets = w.negative(c_at_end);
+  const auto at_end = balls.value_at_end();
+  if (w.positive(at_end) && w.negative(balls.slope_at_end())) return no;
+  bool meets = w.negative(at_end);
   if (!meets || asked == ContactWanted::when) {
+    const auto rest = balls.discriminant();
     if (w.negative(rest)) return no;
-    meets = meets || (w.positive(rest) && w.negative(h) && w.positive(h_at_end));
+    meets = meets || (w.positive(rest) && w.negative(h) && w.positive(balls.slope_at_end()));
   }
   if (!meets) return by_a == by_b ? no : unsure;
   if constexpr (asked == ContactWanted::whether) return {MotionVerdict::yes};

@@ -114,17 +114,18 @@ void compare_balls(Tally& tally, int count) {
     const auto a = drawn<Sphere3>(entropy, numbers), b = drawn<Sphere3>(entropy, numbers);
     BallsWorld<> w;
     RationalWorld rationals;
-    const auto computed =
-        balls_in_motion(w, a.shape.center, b.shape.center, a.shape.radius, b.shape.radius, a.by, b.by);
+    const BallsInMotion<BallsWorld<>> computed(w, a.shape.center, b.shape.center, a.shape.radius, b.shape.radius, a.by,
+                                               b.by);
     const bool turned = mistake == Mistake::motion, swapped = mistake == Mistake::place;
-    const auto exact = balls_in_motion(
+    const BallsInMotion<RationalWorld> exact(
         rationals, swapped ? b.shape.center : a.shape.center, swapped ? a.shape.center : b.shape.center, a.shape.radius,
         mistake == Mistake::radius ? 0 : b.shape.radius, turned ? b.by : a.by, turned ? a.by : b.by);
     if (!w.certain()) continue;
-    tally.take(w, computed.c, exact.c), tally.take(w, computed.h, exact.h), tally.take(w, computed.e, exact.e);
-    tally.take(w, computed.value_at_end, exact.value_at_end);
-    tally.take(w, computed.slope_at_end, exact.slope_at_end);
-    tally.take(w, computed.discriminant, exact.discriminant);
+    tally.take(w, computed.c(), exact.c()), tally.take(w, computed.h(), exact.h()),
+        tally.take(w, computed.e(), exact.e());
+    tally.take(w, computed.value_at_end(), exact.value_at_end());
+    tally.take(w, computed.slope_at_end(), exact.slope_at_end());
+    tally.take(w, computed.discriminant(), exact.discriminant());
   }
 }
 
@@ -179,11 +180,11 @@ TEST(MotionDirections, BoundsAreTheGoldenOnes) {
   golden("motion_facet_reaches", w, reaches_along(facet, motion).low);
   golden("motion_facet_speed", w, inner(facet, motion.by));
   BallsWorld<BoundListener> of_balls;
-  const auto balls = balls_in_motion(of_balls, {0, 0, 9}, {0, 0, 0}, 1, 1, {1, 2, 3}, {0, 0, 0});
-  golden("balls_start", of_balls, balls.c);
-  golden("balls_end", of_balls, balls.value_at_end);
-  golden("balls_slope", of_balls, balls.slope_at_end);
-  golden("balls_discriminant", of_balls, balls.discriminant);
+  const BallsInMotion<BallsWorld<BoundListener>> balls(of_balls, {0, 0, 9}, {0, 0, 0}, 1, 1, {1, 2, 3}, {0, 0, 0});
+  golden("balls_start", of_balls, balls.c());
+  golden("balls_end", of_balls, balls.value_at_end());
+  golden("balls_slope", of_balls, balls.slope_at_end());
+  golden("balls_discriminant", of_balls, balls.discriminant());
 }
 
 /// How many of a family doubles answer; on integers touches are common, which they never tell.
