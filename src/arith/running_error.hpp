@@ -4,7 +4,7 @@
 // than 2^-50 of it, and sign() makes up for it.  A difference of equal doubles is certainly zero; overflow and NaN end
 // in a bound that nothing exceeds.
 // Source: Wilkinson 1986 (running error analysis).
-// Cost: about three times the plain operations.
+// Cost: about three times the plain operations; of a quotient twice.
 #pragma once
 
 #include "plumb/arith/sign.hpp"
@@ -33,6 +33,14 @@ struct Running {
     const double v = a.value * b.value;
     const double inherited = (size(a.value) + a.error) * b.error + size(b.value) * a.error;
     return {v, inherited + (size(v) * unit + guard)};
+  }
+  /// a / b; of infinite error where b may be zero.  With errors s and t, (a + s) / (b + t) is off a / b by
+  /// (s - (a / b) t) / (b + t); the least double pays for the underflow of what is divided.
+  friend constexpr Running quotient(Running a, Running b) {
+    const double v = a.value / b.value, least = size(b.value) - b.error * slack;
+    const double inherited = a.error + (size(v) * b.error + (b.error > 0 ? 0x1p-1073 : 0));
+    const double rounded = size(v) * unit + guard;
+    return {v, least > 0 ? (inherited > 0 ? inherited / least : 0) + rounded : __builtin_huge_val()};
   }
   /// Clearing the sign is exact.
   friend constexpr Running magnitude(Running a) { return {size(a.value), a.error}; }

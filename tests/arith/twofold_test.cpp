@@ -136,7 +136,11 @@ TEST(RunningTest, HoldsTheExactResultOfExpressions) {
     }
     for (int step = 0; step < 12; ++step) {
       const std::size_t i = entropy.below(x.size()), j = entropy.below(x.size()), to = entropy.below(x.size());
-      switch (entropy.below(5)) {
+      switch (entropy.below(7)) {
+        case 3:
+          if (exact[j] == 0) continue;
+          x[to] = quotient(x[i], x[j]), exact[to] = exact[i] / exact[j];
+          break;
         case 0:
           x[to] = x[i] + x[j], exact[to] = exact[i] + exact[j];
           break;
@@ -173,6 +177,7 @@ TEST(RunningTest, HoldsTheExactResultForAllPairsOfSpecialValues) {
       expect_within(Running(a) + Running(b), rational(a) + rational(b), told);
       expect_within(Running(a) - Running(b), rational(a) - rational(b), told);
       expect_within(Running(a) * Running(b), rational(a) * rational(b), told);
+      if (b != 0) expect_within(quotient(Running(a), Running(b)), rational(a) / rational(b), told);
       if (HasFatalFailure()) return;
     }
   }

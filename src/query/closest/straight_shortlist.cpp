@@ -1,8 +1,10 @@
 // Every pair of features is weighed in doubles: is its candidate there, and between which bounds is its distance?
 #include "query/closest/straight_shortlist.hpp"
 
+#include <algorithm>
 #include <limits>
 
+#include "arith/running_error.hpp"
 #include "query/closest/straight_search.hpp"
 
 namespace plumb::query {
@@ -17,13 +19,10 @@ struct Weight {
   bool out = false;
 };
 
-/// Of n / d, both not negative; the factors pay for the roundings of these lines.
+/// Of n / d, both not negative.
 Weight weight(const A& n, const A& d, bool within) {
-  const auto reach = [](const A& x) { return (x.error + 1) * 0x1p-53 * x.magnitude; };
-  const double low = (n.value - reach(n)) / (d.value + reach(d)) * (1 - 0x1p-40);
-  const double least = d.value - reach(d);
-  const double high = (n.value + reach(n)) / least * (1 + 0x1p-40);
-  return {low > 0 ? low : 0, within && least > 0 && high >= 0 ? high : infinity, false};
+  const Running square = quotient(Running(n.value, n.reach()), Running(d.value, d.reach()));
+  return {std::max(square.lower(), 0.0), within ? square.upper() : infinity, false};
 }
 constexpr Weight gone{0, infinity, true};
 
