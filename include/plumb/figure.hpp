@@ -9,6 +9,7 @@
 // What do answers say, and what is computed beside them?
 #include "plumb/certify/accepted.hpp"             // first, so that what a compiler says of a misuse is short
 #include "plumb/figure/basic/answered.hpp"        // what is said where there is no answer
+#include "plumb/figure/basic/quaternion.hpp"      // turns by quaternions, their matrices, products, rounded once
 #include "plumb/figure/basic/relation.hpp"        // Location, Relation
 #include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once
 #include "plumb/figure/basic/rounded_poses.hpp"   // poses one after the other, their inverses, likewise

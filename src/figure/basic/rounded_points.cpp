@@ -138,6 +138,15 @@ Vector3 rounded_cross(const Vector3& u, const Vector3& v) {
   require_finite_parts("rounded_cross", {"u", "v"}, u, v);
   return {minor(u.y, u.z, v.y, v.z), minor(u.z, u.x, v.z, v.x), minor(u.x, u.y, v.x, v.y)};
 }
+double rounded_triple(const Vector3& u, const Vector3& v, const Vector3& w) {
+  require_finite_parts("rounded_triple", {"u", "v", "w"}, u, v, w);
+  return rounded_value(
+      nearest,
+      [](auto a, auto b, auto c, auto d, auto e, auto f, auto g, auto h, auto i) {
+        return a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g);
+      },
+      u, v, w);
+}
 double rounded_length(const Vector2& v) {
   require_finite_parts("rounded_length", {"v"}, v);
   return rounded_root(

@@ -75,6 +75,12 @@ TEST(RoundedPoints, AreTheExactOnesRoundedOnce) {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
       return (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
     });
+    Rational volume;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      volume = volume + r[k] * (p[i] * q[j] - p[j] * q[i]);
+    }
+    expect_rounded(rounded_triple(u, v, Drawn::vector(d.c)), volume, d.about);
     expect_rounded(rounded_dot(u, v), p[0] * q[0] + p[1] * q[1] + p[2] * q[2], d.about);
     EXPECT_EQ(rounded_length(u), rounded_root(Rounding::nearest, p[0] * p[0] + p[1] * p[1] + p[2] * p[2])) << d.about;
 

@@ -11,7 +11,7 @@
 // (b, a) are each other's negative, a midpoint does not depend on the order.  (3) rounded_lerp is a for t = 0 and b for
 // t = 1, for other t between them or beyond, as t is.
 // NaN and infinity throw NonFinite, by name.
-// Source: RTCD 3.2, 3.3.
+// Source: RTCD 3.2, 3.3, 3.3.3, 3.3.5, 3.3.7.
 // Cost: that of the plain operation for sums, differences and midpoints; some 20 ns a number for the others
 // (certify/rounded.hpp).
 #pragma once
@@ -60,6 +60,8 @@ double rounded_dot(const Vector3& u, const Vector3& v);
 /// u.x v.y - u.y v.x.
 double rounded_cross(const Vector2& u, const Vector2& v);
 Vector3 rounded_cross(const Vector3& u, const Vector3& v);
+/// u . (v x w), the determinant of the three: by how much a matrix of these columns enlarges volumes.
+double rounded_triple(const Vector3& u, const Vector3& v, const Vector3& w);
 double rounded_length(const Vector2& v);
 double rounded_length(const Vector3& v);
 
