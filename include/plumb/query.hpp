@@ -48,7 +48,8 @@
 #include "plumb/query/closest/pairs.hpp"           // lines, rays, segments, triangles
 #include "plumb/query/closest/result.hpp"          // points, features, distance
 #include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
-#include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses
+#include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses, the number
+#include "plumb/query/separation/posed.hpp"        // of figures under poses, with points and features
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
 // What does a ray hit first?  first_hit, hits, all_hits

@@ -9,7 +9,7 @@
 #include "query/closest/posed_triangle.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"
-#include "query/convex/posed_set.hpp"
+#include "query/convex/posed_radius.hpp"
 #include "query/overlap/polygon_relation.hpp"
 
 namespace plumb::query {
@@ -21,37 +21,20 @@ struct MeasuredImage {
   mpq_class radius = 0;
 };
 
-[[noreturn]] void refuse_measure(std::string_view function, const PosedView& v, bool is_uneven) {
-  const std::string name = std::string(function).append(": ").append(spoken(v.figure));
-  if (!is_uneven) throw InvalidShape(name + " has no point; give a figure that is not empty");
-  throw UnevenPose(name +
-                   ": its pose makes an ellipsoid of it, or its scale is not rational; give one whose columns "
-                   "are at right angles and of one rational length");
-}
-
-std::optional<mpq_class> rational_root(const mpq_class& x) {
-  mpq_class root;
-  if (mpz_perfect_square_p(x.get_num_mpz_t()) == 0 || mpz_perfect_square_p(x.get_den_mpz_t()) == 0) return {};
-  mpz_sqrt(root.get_num_mpz_t(), x.get_num_mpz_t());
-  mpz_sqrt(root.get_den_mpz_t(), x.get_den_mpz_t());
-  return root;
-}
-
 MeasuredImage measured_image(std::string_view function, const PosedView& v) {
   const PosedSet s = posed_set(v);
-  MeasuredImage r;
-  if (s.is_round()) {
-    const auto square = squared_scale(s.map, s.dimension);
-    const auto scale = square ? rational_root(*square) : std::nullopt;
-    if (!scale) refuse_measure(function, v, true);
-    r.radius = s.radius * *scale;
-  }
+  MeasuredImage r{{}, radius_of_image(function, v, s)};
   if (is_polygon(v.figure)) {
     const ExactChains chains = image(s.map, exact_chains(function, v.figure));
     r.pieces = trapezoids(chains);
     for (FlatSet& edge : edges_of(chains)) r.pieces.push_back(std::move(edge));
   } else {
-    if (s.core.points.empty()) refuse_measure(function, v, false);
+    if (s.core.points.empty()) {
+      throw InvalidShape(std::string(function)
+                             .append(": ")
+                             .append(spoken(v.figure))
+                             .append(" has no point; give a figure that is not empty"));
+    }
     r.pieces.push_back(image(s));
   }
   return r;

@@ -16,7 +16,8 @@ void add_chain(ExactChains& to, const Points& points) {
   to.next.back() = first;
 }
 
-/// As many of them, the first that will do, as span what all of them do.
+}  // namespace
+
 std::vector<std::size_t> spanning(const std::vector<Exact3>& all) {
   std::vector<std::size_t> span{0};
   for (std::size_t i = 1; i < all.size() && span.size() < 3; ++i) {
@@ -26,8 +27,6 @@ std::vector<std::size_t> spanning(const std::vector<Exact3>& all) {
   }
   return span;
 }
-
-}  // namespace
 
 ExactChains chains_of(const FigureView& polygon) {
   ExactChains chains;

@@ -20,6 +20,8 @@ struct ExactChains {
 };
 
 ExactChains chains_of(const FigureView& polygon);
+/// As many of them, the first that will do, as span what all of them do.
+std::vector<std::size_t> spanning(const std::vector<Exact3>& vertices);
 
 /// For a point of the polygon's plane, of a polygon that spans one.
 bool holds_inside(const ExactChains& chains, const Exact3& p);

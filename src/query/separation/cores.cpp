@@ -16,6 +16,9 @@ struct Pieces {
 };
 
 void move(std::vector<Exact3>& points, const FigureAt& f) {
+  if (f.map != nullptr) {
+    for (Exact3& p : points) p = image(*f.map, p);
+  }
   if (f.time == 0) return;
   const Exact3 way = mpq_class(f.time) * Exact3{f.by.x, f.by.y, f.by.z};
   for (Exact3& p : points) p = p + way;
@@ -23,6 +26,7 @@ void move(std::vector<Exact3>& points, const FigureAt& f) {
 
 FlatSet moved_core(const FigureAt& f) {
   FlatSet set = core_of(f.figure);
+  if (f.map != nullptr) return image(*f.map, set);
   move(set.points, f);
   return set;
 }
@@ -35,6 +39,7 @@ Pieces pieces_of(const FigureAt& f) {
   }
   all.chains = chains_of(f.figure);
   move(all.chains.vertices, f);
+  if (f.map != nullptr) all.chains.span = spanning(all.chains.vertices);
   const auto& [vertices, next, span] = all.chains;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     FlatSet edge{{vertices[i]}, {}, {}};

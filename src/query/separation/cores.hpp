@@ -9,18 +9,21 @@
 // Cost: that of nearest_pair; with polygons that of each pair of edges whose boxes are near enough.
 #pragma once
 
+#include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
 #include "query/convex/nearest_pair.hpp"
 
 namespace plumb::query {
 
-/// A figure at a time of a straight motion.
+/// A figure at a time of a straight motion, or under a map.
 struct FigureAt {
   FigureView figure;
   Vector3 by{};
   double time = 0;
+  const ExactMap* map = nullptr;
 
   FigureAt(const FigureView& f) : figure(f) {}  // NOLINT: one at rest
+  FigureAt(const FigureView& f, const ExactMap& under) : figure(f), map(&under) {}
   FigureAt(const FigureView& f, const Vector3& way, double t) : figure(f), by(way), time(t) {}
 };
 

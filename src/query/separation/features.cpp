@@ -31,25 +31,28 @@ bool hull_holds(Corners corners, const Exact3& p) {
 class Search {
  public:
   Search(const Corners& corners, const Exact3& p) : corners_(corners), p_(p) {
-    for (std::size_t i = 0; i < corners.size() && !found_; ++i) {
-      if (corners[i] == p) found_ = vertex_at(i);
+    for (std::size_t i = 0; i < corners.size() && !is_found_; ++i) {
+      if (corners[i] == p) take(vertex_at(i));
     }
   }
   Search& see(Feature f, std::initializer_list<std::size_t> of) { return see(f, std::span(of.begin(), of.size())); }
   template <class Index>
   Search& see(Feature f, std::span<const Index> of) {
-    if (found_) return *this;
+    if (is_found_) return *this;
     Corners hull;
     for (const Index i : of) hull.push_back(corners_[i]);
-    if (hull_holds(std::move(hull), p_)) found_ = f;
+    if (hull_holds(std::move(hull), p_)) take(f);
     return *this;
   }
-  [[nodiscard]] Feature otherwise(Feature inside) const { return found_.value_or(inside); }
+  [[nodiscard]] Feature otherwise(Feature inside) const { return is_found_ ? found_ : inside; }
 
  private:
+  void take(const Feature& f) { found_ = f, is_found_ = true; }
+
   const Corners& corners_;
   const Exact3& p_;
-  std::optional<Feature> found_;
+  Feature found_{};
+  bool is_found_ = false;
 };
 
 /// Bit i of a corner's number: at the upper end of axis i.
@@ -89,47 +92,77 @@ Feature feature_of_plate(const Exact3& corner, const Exact3& u, const Exact3& v,
       .otherwise(the_one_face);
 }
 
-Exact3 exactly(const Point2& p) { return {p.x, p.y, 0}; }
-Exact3 exactly(const Point3& p) { return {p.x, p.y, p.z}; }
-Exact3 exactly(const Vector2& v) { return {v.x, v.y, 0}; }
-Exact3 exactly(const Vector3& v) { return {v.x, v.y, v.z}; }
+/// Where is what the numbers say?  Under a map that has no inverse, or as it stands.
+class Place {
+ public:
+  explicit Place(const ExactMap* map) : map_(map) {}
+
+  [[nodiscard]] Exact3 of(const Exact3& p) const { return map_ == nullptr ? p : image(*map_, p); }
+  [[nodiscard]] Exact3 of(const Point2& p) const { return of(Exact3{p.x, p.y, 0}); }
+  [[nodiscard]] Exact3 of(const Point3& p) const { return of(Exact3{p.x, p.y, p.z}); }
+  [[nodiscard]] Exact3 way(const Exact3& v) const { return map_ == nullptr ? v : turned(*map_, v); }
+  [[nodiscard]] Exact3 way(const Vector2& v) const { return way(Exact3{v.x, v.y, 0}); }
+  [[nodiscard]] Exact3 way(const Vector3& v) const { return way(Exact3{v.x, v.y, v.z}); }
+
+  /// Is p on side i of what the halfspaces have in common, or in the image of that side?
+  [[nodiscard]] bool has_side(const std::vector<ExactHalfspace>& all, std::size_t i, const Exact3& p) const {
+    const auto& [normal, offset] = all[i];
+    if (map_ == nullptr) return dot(normal, p) == offset;
+    std::vector<ExactHalfspace> side = all;
+    side.push_back({mpq_class(-1) * normal, -offset});
+    const auto square = squared_distance(FlatSet{{p}, {}, {}}, image(*map_, flat_set(side)));
+    return square && sgn(*square) == 0;
+  }
+
+ private:
+  const ExactMap* map_;
+};
+
+template <class Halfspace>
+ExactHalfspace exact_side(const Halfspace& h) {
+  return {Place(nullptr).way(h.normal), h.offset};
+}
+/// And the plane that figures of the plane are in.
+template <int dimension>
+std::vector<ExactHalfspace> in_its_space(std::vector<ExactHalfspace> sides) {
+  if constexpr (dimension == 2) sides.insert(sides.end(), {{{0, 0, 1}, 0}, {{0, 0, -1}, 0}});
+  return sides;
+}
 
 /// On which side of the figure, by whether p is on it; 0 for the face of the plane's sides.
 Feature side(bool in_plane, std::size_t i) { return in_plane ? edge_at(i) : face_at(i); }
 
 template <class Shape>
-Feature feature_on(const Shape& s, const Exact3& p) {
+Feature feature_on(const Shape& s, const Exact3& p, const Place& place) {
   constexpr FigureKind kind = figure_kind<Shape>;
   constexpr bool in_plane = figure_dimension<Shape> == 2;
   constexpr Feature inside = in_plane ? the_one_face : interior;
   if constexpr (kind == FigureKind::point) {
     return vertex_at(0);
   } else if constexpr (kind == FigureKind::line) {
-    return s.direction == decltype(s.direction){} ? vertex_at(0) : edge_at(0);
+    return is_zero(place.way(s.direction)) ? vertex_at(0) : edge_at(0);
   } else if constexpr (kind == FigureKind::ray) {
-    return exactly(s.origin) == p ? vertex_at(0) : edge_at(0);
+    return place.of(s.origin) == p ? vertex_at(0) : edge_at(0);
   } else if constexpr (kind == FigureKind::plane) {
     return s.normal == Vector3{} ? interior : the_one_face;
   } else if constexpr (kind == FigureKind::three_point_plane) {
-    const std::size_t dimension =
-        flat_set(s).lines.size() < 2 || is_zero(cross(flat_set(s).lines[0], flat_set(s).lines[1]))
-            ? std::min<std::size_t>(flat_set(s).lines.size(), 1)
-            : 2;
-    return dimension == 0 ? vertex_at(0) : dimension == 1 ? edge_at(0) : the_one_face;
+    const Exact3 u = place.of(s.b) - place.of(s.a), v = place.of(s.c) - place.of(s.a);
+    return is_zero(u) && is_zero(v) ? vertex_at(0) : is_zero(cross(u, v)) ? edge_at(0) : the_one_face;
   } else if constexpr (kind == FigureKind::halfspace) {
     const bool is_all = s.normal == decltype(s.normal){};
-    return !is_all && dot(exactly(s.normal), p) == mpq_class(s.offset) ? side(in_plane, 0) : inside;
+    const auto all = in_its_space<figure_dimension<Shape>>({exact_side(s)});
+    return !is_all && place.has_side(all, 0, p) ? side(in_plane, 0) : inside;
   } else if constexpr (kind == FigureKind::segment || kind == FigureKind::capsule) {
-    return Search({exactly(s.a), exactly(s.b)}, p).otherwise(edge_at(0));
+    return Search({place.of(s.a), place.of(s.b)}, p).otherwise(edge_at(0));
   } else if constexpr (kind == FigureKind::triangle) {
-    const Corners corners{exactly(s.a), exactly(s.b), exactly(s.c)};
+    const Corners corners{place.of(s.a), place.of(s.b), place.of(s.c)};
     return Search(corners, p)
         .see(edge_at(0), {0, 1})
         .see(edge_at(1), {1, 2})
         .see(edge_at(2), {2, 0})
         .otherwise(the_one_face);
   } else if constexpr (kind == FigureKind::tetrahedron) {
-    const Corners corners{exactly(s.a), exactly(s.b), exactly(s.c), exactly(s.d)};
+    const Corners corners{place.of(s.a), place.of(s.b), place.of(s.c), place.of(s.d)};
     Search search(corners, p);
     for (std::size_t i = 0, e = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) search.see(edge_at(e++), {i, j});
@@ -140,13 +173,17 @@ Feature feature_on(const Shape& s, const Exact3& p) {
     std::array<Exact3, 3> reach{Exact3{0, 0, 0}, Exact3{0, 0, 0}, Exact3{0, 0, 0}};
     Exact3 center;
     if constexpr (kind == FigureKind::aabb) {
-      const Exact3 min = exactly(s.min), max = exactly(s.max);
-      center = mpq_class(1, 2) * (min + max);
-      for (std::size_t i = 0; i < 3; ++i) reach[i][i] = mpq_class(1, 2) * (max[i] - min[i]);
+      const Place still(nullptr);
+      const Exact3 min = still.of(s.min), max = still.of(s.max);
+      center = place.of(mpq_class(1, 2) * (min + max));
+      for (std::size_t i = 0; i < 3; ++i) {
+        reach[i][i] = mpq_class(1, 2) * (max[i] - min[i]);
+        reach[i] = place.way(reach[i]);
+      }
     } else {
-      center = exactly(s.center);
+      center = place.of(s.center);
       const auto half = coordinates(s.half);
-      for (std::size_t i = 0; i < half.size(); ++i) reach[i] = abs(mpq_class(half[i])) * exactly(s.axes[i]);
+      for (std::size_t i = 0; i < half.size(); ++i) reach[i] = abs(mpq_class(half[i])) * place.way(s.axes[i]);
     }
     if constexpr (in_plane || kind == FigureKind::rectangle) {
       return feature_of_plate(center - reach[0] - reach[1], mpq_class(2) * reach[0], mpq_class(2) * reach[1], p);
@@ -154,25 +191,32 @@ Feature feature_on(const Shape& s, const Exact3& p) {
       return feature_of_box(box_corners(center, reach), p);
     }
   } else if constexpr (kind == FigureKind::lozenge) {
-    return feature_of_plate(exactly(s.corner), exactly(s.edges[0]), exactly(s.edges[1]), p);
+    return feature_of_plate(place.of(s.corner), place.way(s.edges[0]), place.way(s.edges[1]), p);
   } else if constexpr (kind == FigureKind::k_dop) {
+    std::vector<ExactHalfspace> sides;
     for (std::size_t i = 0; i < s.min.size(); ++i) {
-      const mpq_class at = dot(exactly(s.directions.all()[i]), p);
-      if (at == mpq_class(s.min[i])) return side(in_plane, 2 * i);
-      if (at == mpq_class(s.max[i])) return side(in_plane, 2 * i + 1);
+      const Exact3 normal = Place(nullptr).way(s.directions.all()[i]);
+      sides.push_back({mpq_class(-1) * normal, -mpq_class(s.min[i])});
+      sides.push_back({normal, s.max[i]});
+    }
+    const std::size_t count = sides.size();
+    sides = in_its_space<figure_dimension<Shape>>(std::move(sides));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (place.has_side(sides, i, p)) return side(in_plane, i);
     }
     return inside;
   } else if constexpr (kind == FigureKind::halfspace_intersection) {
+    std::vector<ExactHalfspace> sides;
+    for (const auto& h : s.halfspaces) sides.push_back(exact_side(h));
+    sides = in_its_space<figure_dimension<Shape>>(std::move(sides));
     for (std::size_t i = 0; i < s.halfspaces.size(); ++i) {
-      const auto& h = s.halfspaces[i];
-      if (h.normal != decltype(h.normal){} && dot(exactly(h.normal), p) == mpq_class(h.offset))
-        return side(in_plane, i);
+      if (!is_zero(sides[i].normal) && place.has_side(sides, i, p)) return side(in_plane, i);
     }
     return inside;
   } else if constexpr (kind == FigureKind::convex_polyhedron) {
     const PolygonMesh& m = s.mesh;
     Corners corners;
-    for (const Point3& v : m.vertices) corners.push_back(exactly(v));
+    for (const Point3& v : m.vertices) corners.push_back(place.of(v));
     Search search(corners, p);
     for (std::uint32_t f = 0; f + 1 < m.first.size(); ++f) {
       for (std::uint32_t c = m.first[f]; c < m.first[f + 1]; ++c) {
@@ -187,7 +231,8 @@ Feature feature_on(const Shape& s, const Exact3& p) {
     }
     return search.otherwise(interior);
   } else if constexpr (is_one_of(kind, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon})) {
-    const ExactChains chains = chains_of(view_of(s));
+    ExactChains chains = chains_of(view_of(s));
+    for (Exact3& v : chains.vertices) v = place.of(v);
     Search search(chains.vertices, p);
     for (std::size_t i = 0; i < chains.vertices.size(); ++i) search.see(edge_at(i), {i, chains.next[i]});
     return search.otherwise(the_one_face);
@@ -207,9 +252,12 @@ Feature on_surface(const FigureView& figure, const Feature& core) {
   return side(figure.dimension == 2, part);
 }
 
-Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside) {
+Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside, const ExactMap* map) {
   if (is_inside) return figure.dimension == 2 ? the_one_face : interior;
-  return on_surface(figure, with_figure(figure, [&](const auto& s) { return feature_on(s, point); }));
+  const bool goes_back = map != nullptr && !is_singular(*map);
+  const Exact3 p = goes_back ? image(inverse(*map), point) : point;
+  const Place place(goes_back ? nullptr : map);
+  return on_surface(figure, with_figure(figure, [&](const auto& s) { return feature_on(s, p, place); }));
 }
 
 }  // namespace plumb::query

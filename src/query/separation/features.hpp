@@ -4,19 +4,20 @@
 // Laws: the feature of the lowest dimension and then of the lowest number that holds the point, as the headers of
 // query/closest/ number them; of a round figure that of its core at the core's point, numbered as its surface, or the
 // interior.  Of a k-DOP and of an intersection of halfspaces only sides are features: 2 times the direction, plus 1 at its
-// upper end; the number of the halfspace.
+// upper end; the number of the halfspace.  Under a map a feature is the image of what it is without it.
 // Source: figure/containment/voronoi_region.hpp.
 // Cost: a few rational comparisons a feature; some 10 us for each whose box holds the point.
 #pragma once
 
 #include "plumb/figure/containment/voronoi_region.hpp"
-#include "query/convex/flat_set.hpp"
+#include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
 
 namespace plumb::query {
 
-/// Of a point of the figure, or of its core where it is round.  `is_inside`: strictly inside the round figure.
-Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside);
+/// Of a point of the figure, or of its core where it is round, under the map or not.  `is_inside`: strictly inside the
+/// round figure.
+Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside, const ExactMap* map = nullptr);
 
 /// A feature of the core as one of the figure, on its surface where it is round.
 Feature on_surface(const FigureView& figure, const Feature& core);

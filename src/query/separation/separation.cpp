@@ -1,6 +1,5 @@
 #include "plumb/query/separation/separation.hpp"
 
-#include "arith/rounded_radical.hpp"
 #include "figure/basic/plane_of_points.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
@@ -8,8 +7,8 @@
 #include "query/separation/aligned_boxes.hpp"
 #include "query/separation/core.hpp"
 #include "query/separation/cores.hpp"
-#include "query/separation/features.hpp"
 #include "query/separation/quick.hpp"
+#include "query/separation/told_pair.hpp"
 
 namespace plumb::query {
 namespace {
@@ -49,53 +48,6 @@ NearestPair sound_pair(std::string_view function, const FigureAt& at_a, const Fi
   return std::move(*pair);
 }
 
-/// The way between both points over one denominator.
-struct Way {
-  BigDyadic whole, square;  // of the numerators
-  std::array<BigDyadic, 3> from, to;
-
-  explicit Way(const NearestPair& pair) {
-    mpz_class common = 1;
-    for (const Exact3* p : {&pair.on_a, &pair.on_b}) {
-      for (const mpq_class& x : *p) common = lcm(common, x.get_den());
-    }
-    const auto numerator = [&](const mpq_class& x) {
-      return BigDyadic(mpz_class(x.get_num() * mpz_class(common / x.get_den())));
-    };
-    square = BigDyadic(0.0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      from[k] = numerator(pair.on_a[k]), to[k] = numerator(pair.on_b[k]);
-      const BigDyadic way = to[k] - from[k];
-      square = square + way * way;
-    }
-    whole = BigDyadic(std::move(common));
-  }
-};
-
-/// `from`, moved by the radius toward `to`: p / w + v r / sqrt(s) with p, v integers over the whole w, s the square of v.
-Point3 moved(const Way& w, const std::array<BigDyadic, 3>& from, const std::array<BigDyadic, 3>& to, double radius) {
-  const auto coordinate = [&](std::size_t k) {
-    if (radius == 0) return rounded_quotient(Rounding::nearest, from[k], w.whole);
-    return rounded_radical(Rounding::nearest, from[k] * w.square, (to[k] - from[k]) * BigDyadic(radius) * w.whole,
-                           w.square, w.square * w.whole);
-  };
-  return told(Point3{coordinate(0), coordinate(1), coordinate(2)});
-}
-
-Point3 rounded_point(const Exact3& p) {
-  const auto r = [](const mpq_class& x) { return plumb::rounded(Rounding::nearest, x); };
-  return told(Point3{r(p[0]), r(p[1]), r(p[2])});
-}
-
-double rounded_distance(const mpq_class& square, const mpq_class& radii) {
-  if (square <= radii * radii) return 0;
-  const BigDyadic n{mpz_class(square.get_num())}, d{mpz_class(square.get_den())};
-  if (sgn(radii) == 0) return rounded_root(Rounding::nearest, n, d);
-  // sqrt(n / d) - p / q = (-p d + q sqrt(n d)) / (q d).
-  const BigDyadic p{mpz_class(radii.get_num())}, q{mpz_class(radii.get_den())};
-  return rounded_radical(Rounding::nearest, BigDyadic(0.0) - p * d, q, n * d, q * d);
-}
-
 mpq_class both_radii(const FigureView& a, const FigureView& b) {
   return mpq_class(radius_of(a)) + mpq_class(radius_of(b));
 }
@@ -115,23 +67,7 @@ Closest closest_points_of(const FigureView& a, const FigureView& b) {
     known = quick->pair();
   }
   const NearestPair pair = known ? std::move(*known) : sound_pair("closest_points", a, b, WhichPair::first);
-  const double radius_a = radius_of(a), radius_b = radius_of(b);
-  const mpq_class radii = both_radii(a, b), reach = radii * radii;
-  const bool meet = pair.square <= reach, overlap = pair.square < reach;
-  Closest c;
-  c.distance = rounded_distance(pair.square, radii);
-  c.feature_a = feature_at(a, pair.on_a, overlap && radius_a > 0);
-  c.feature_b = feature_at(b, pair.on_b, overlap && radius_b > 0);
-  if (!meet) {
-    const Way way(pair);
-    c.on_a = moved(way, way.from, way.to, radius_a), c.on_b = moved(way, way.to, way.from, radius_b);
-  } else if (sgn(radii) == 0) {
-    c.on_a = c.on_b = rounded_point(pair.on_a);
-  } else {
-    const mpq_class part = mpq_class(radius_a) / radii;
-    c.on_a = c.on_b = rounded_point(pair.on_a + part * (pair.on_b - pair.on_a));
-  }
-  return c;
+  return told_pair(pair, {a, radius_of(a)}, {b, radius_of(b)});
 }
 
 double distance_at(const FigureAt& a, const FigureAt& b, std::string_view function) {

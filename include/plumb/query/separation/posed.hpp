@@ -1,0 +1,43 @@
+// Closest points of moved figures: where do figures under poses come closest?  In the space that the poses lead to.
+//
+//   closest_points(Posed{box, pose}, polyhedron)      both points, their features, the distance
+//
+// Laws: (1) those of query/separation/separation.hpp, of the exact images, in every pair that closest_points takes without
+// poses, one or both posed, in either order; so of several closest pairs of any two figures that one is told which comes
+// first in lexicographic order.  Of two posed triangles, and of one and a point, it is that of query/closest/pairs.hpp
+// (query/overlap/posed_distance.hpp).  (2) A common pose whose numbers are those of a move without rotation changes no
+// feature; a feature is the image of what it is without the pose, also where a singular matrix flattens it.
+// Round figures take poses whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
+// else.  An empty figure and a polygon that is not planar throw InvalidShape, NaN and infinity NonFinite, by name.
+// Source: RTCD 3.2, 5.1.
+// Cost: rationals: some 100 us for two boxes.
+#pragma once
+
+#include "plumb/query/overlap/posed_distance.hpp"
+#include "plumb/query/separation/separation.hpp"
+
+namespace plumb {
+
+namespace query {
+
+Closest posed_closest_points(const PosedView& a, const PosedView& b);
+
+template <class A, class B>
+concept PosedNear = PosedMeasured<A, B> && requires(const UnposedType<A>& a, const UnposedType<B>& b) {
+  closest_points(a, b).on_a;
+};
+
+}  // namespace query
+
+template <class A, class B>
+requires query::PosedNear<A, B>
+auto closest_points(const A& a, const B& b) {
+  const Closest c = query::posed_closest_points(query::posed_view(a), query::posed_view(b));
+  if constexpr (figure_dimension<query::UnposedType<A>> == 2) {
+    return Closest2{{c.on_a.x, c.on_a.y}, {c.on_b.x, c.on_b.y}, c.distance, c.feature_a, c.feature_b};
+  } else {
+    return c;
+  }
+}
+
+}  // namespace plumb
