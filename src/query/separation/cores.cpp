@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "query/separation/chains.hpp"
-#include "query/separation/core.hpp"
+#include "query/convex/chains.hpp"
+#include "query/convex/core.hpp"
 
 namespace plumb::query {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 /// Convex pieces; of a polygon its edges, and its plane where it has an inside.
 struct Pieces {
   std::vector<FlatSet> sets;
-  ExactChains chains;
+  SpannedChains chains;
   std::optional<FlatSet> plane;
 };
 

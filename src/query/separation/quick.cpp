@@ -4,7 +4,7 @@
 #include "plumb/arith/big.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
-#include "query/separation/core.hpp"
+#include "query/convex/core.hpp"
 
 namespace plumb::query {
 namespace {

@@ -1,7 +1,7 @@
 // Features by corners: what the headers of figure/ and query/closest/ number, told by the corners' numbers.
 #include <bit>
 
-#include "query/separation/features.hpp"
+#include "query/convex/features.hpp"
 #include "query/separation/quick.hpp"
 
 namespace plumb::query {

@@ -3,7 +3,7 @@
 #include "arith/rounded_radical.hpp"
 #include "query/body/vectors.hpp"
 #include "query/convex/exact_gap.hpp"
-#include "query/separation/features.hpp"
+#include "query/convex/features.hpp"
 
 namespace plumb::query {
 namespace {

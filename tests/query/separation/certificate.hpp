@@ -10,7 +10,7 @@
 #include "figure/basic/rationals.hpp"
 #include "query/body/pair_shapes.hpp"
 #include "query/body/pair_types.hpp"
-#include "query/separation/core.hpp"
+#include "query/convex/core.hpp"
 
 namespace plumb::certificate {
 

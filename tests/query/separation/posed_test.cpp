@@ -6,8 +6,8 @@
 
 #include "query/body/pair_laws.hpp"
 #include "query/body/posed_cases.hpp"
+#include "query/convex/features.hpp"
 #include "query/separation/cores.hpp"
-#include "query/separation/features.hpp"
 
 namespace plumb::pair_cases {
 namespace {

@@ -11,9 +11,9 @@
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/closest/oracle.hpp"
 #include "query/closest/straight_oracle.hpp"
+#include "query/convex/features.hpp"
 #include "query/separation/certificate.hpp"
 #include "query/separation/cores.hpp"
-#include "query/separation/features.hpp"
 
 namespace plumb {
 namespace {

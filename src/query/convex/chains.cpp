@@ -1,4 +1,4 @@
-#include "query/separation/chains.hpp"
+#include "query/convex/chains.hpp"
 
 namespace plumb::query {
 namespace {
@@ -7,7 +7,7 @@ Exact3 exact_place(const Point2& p) { return {p.x, p.y, 0}; }
 Exact3 exact_place(const Point3& p) { return {p.x, p.y, p.z}; }
 
 template <class Points>
-void add_chain(ExactChains& to, const Points& points) {
+void add_chain(SpannedChains& to, const Points& points) {
   const std::size_t first = to.vertices.size();
   for (const auto& p : points) {
     to.vertices.push_back(exact_place(p));
@@ -28,8 +28,8 @@ std::vector<std::size_t> spanning(const std::vector<Exact3>& all) {
   return span;
 }
 
-ExactChains chains_of(const FigureView& polygon) {
-  ExactChains chains;
+SpannedChains chains_of(const FigureView& polygon) {
+  SpannedChains chains;
   with_figure(polygon, [&](const auto& s) {
     if constexpr (requires { s.outer; }) {
       add_chain(chains, s.outer.vertices);
@@ -44,7 +44,7 @@ ExactChains chains_of(const FigureView& polygon) {
   return chains;
 }
 
-bool holds_inside(const ExactChains& chains, const Exact3& p) {
+bool holds_inside(const SpannedChains& chains, const Exact3& p) {
   const auto& [vertices, next, span] = chains;
   const Exact3 way = vertices[span[1]] - vertices[span[0]];
   const Exact3 normal = cross(way, vertices[span[2]] - vertices[span[0]]);

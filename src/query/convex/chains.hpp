@@ -13,17 +13,17 @@
 
 namespace plumb::query {
 
-struct ExactChains {
+struct SpannedChains {
   std::vector<Exact3> vertices;
   std::vector<std::size_t> next;
   std::vector<std::size_t> span;  // vertices that span its plane: three, or as many as there are
 };
 
-ExactChains chains_of(const FigureView& polygon);
+SpannedChains chains_of(const FigureView& polygon);
 /// As many of them, the first that will do, as span what all of them do.
 std::vector<std::size_t> spanning(const std::vector<Exact3>& vertices);
 
 /// For a point of the polygon's plane, of a polygon that spans one.
-bool holds_inside(const ExactChains& chains, const Exact3& p);
+bool holds_inside(const SpannedChains& chains, const Exact3& p);
 
 }  // namespace plumb::query

@@ -1,11 +1,11 @@
-#include "query/separation/features.hpp"
+#include "query/convex/features.hpp"
 
 #include <algorithm>
 
 #include "plumb/certify/accepted.hpp"
+#include "query/convex/chains.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
-#include "query/separation/chains.hpp"
-#include "query/separation/core.hpp"
 
 namespace plumb::query {
 namespace {
@@ -231,7 +231,7 @@ Feature feature_on(const Shape& s, const Exact3& p, const Place& place) {
     }
     return search.otherwise(interior);
   } else if constexpr (is_one_of(kind, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon})) {
-    ExactChains chains = chains_of(view_of(s));
+    SpannedChains chains = chains_of(view_of(s));
     for (Exact3& v : chains.vertices) v = place.of(v);
     Search search(chains.vertices, p);
     for (std::size_t i = 0; i < chains.vertices.size(); ++i) search.see(edge_at(i), {i, chains.next[i]});

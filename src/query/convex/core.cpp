@@ -1,4 +1,4 @@
-#include "query/separation/core.hpp"
+#include "query/convex/core.hpp"
 
 #include "figure/basic/in_space.hpp"
 #include "query/body/figure_parts.hpp"
