@@ -11,6 +11,7 @@
 #include "plumb/query/body/answered.hpp"    // what is said where there is no answer
 #include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
 #include "plumb/query/body/posed.hpp"       // a figure as it stands or under a pose
+#include "plumb/query/body/restated.hpp"    // slabs and boxes as the figures of the tables that they are
 
 // Which pairs?
 #include "plumb/query/body/closest_pairs.hpp"       // of closest_points and distance
@@ -26,6 +27,7 @@
 #include "plumb/query/overlap/lattice2.hpp"  // integers of a lattice, in a plan's arithmetic
 #include "plumb/query/overlap/overlap.hpp"   // all pairs
 #include "plumb/query/overlap/posed.hpp"     // figures under poses, which are not rounded
+#include "plumb/query/overlap/restated.hpp"  // slabs, boxes by width or by center
 
 // Does one hold the other?  contains, side_of
 #include "plumb/query/convex/containment.hpp"  // bounds of every kind
@@ -39,6 +41,7 @@
 #include "plumb/query/section/intersection_result.hpp"  // nothing, a point, a segment, a polygon
 #include "plumb/query/section/planes.hpp"               // of two planes, or three
 #include "plumb/query/section/posed.hpp"                // of figures under poses
+#include "plumb/query/section/restated.hpp"             // of slabs, of boxes by width or by center
 #include "plumb/query/section/solid.hpp"                // of two solids
 
 // How near, and where?  closest_points, distance, compare_distance
@@ -50,6 +53,7 @@
 #include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
 #include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses, the number
 #include "plumb/query/separation/posed.hpp"        // of figures under poses, with points and features
+#include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
 // What does a ray hit first?  first_hit, hits, all_hits
@@ -60,6 +64,7 @@
 #include "plumb/query/ray/posed.hpp"        // figures and rays under poses
 #include "plumb/query/ray/ray.hpp"          // in space
 #include "plumb/query/ray/ray2.hpp"         // in the plane
+#include "plumb/query/ray/restated.hpp"     // slabs, boxes by width or by center
 
 // When do they meet on their way?  first_contact
 #include "plumb/arith/root.hpp"                                // a time as it is
@@ -69,4 +74,5 @@
 #include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
 #include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance
 #include "plumb/query/time_of_impact/posed.hpp"                // figures under poses, along lines
+#include "plumb/query/time_of_impact/restated.hpp"             // boxes by width or by center
 #include "plumb/query/time_of_impact/translating_contact.hpp"  // convex figures along lines
