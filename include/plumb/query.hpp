@@ -23,11 +23,12 @@
 #include "plumb/query/body/question_table.hpp"      // what these tables have in common
 
 // Do they meet?  relate, intersects
-#include "plumb/query/overlap/batch.hpp"     // one against many
-#include "plumb/query/overlap/lattice2.hpp"  // integers of a lattice, in a plan's arithmetic
-#include "plumb/query/overlap/overlap.hpp"   // all pairs
-#include "plumb/query/overlap/posed.hpp"     // figures under poses, which are not rounded
-#include "plumb/query/overlap/restated.hpp"  // slabs, boxes by width or by center
+#include "plumb/query/overlap/batch.hpp"      // one against many
+#include "plumb/query/overlap/ellipsoid.hpp"  // of an ellipsoid
+#include "plumb/query/overlap/lattice2.hpp"   // integers of a lattice, in a plan's arithmetic
+#include "plumb/query/overlap/overlap.hpp"    // all pairs
+#include "plumb/query/overlap/posed.hpp"      // figures under poses, which are not rounded
+#include "plumb/query/overlap/restated.hpp"   // slabs, boxes by width or by center
 
 // Does one hold the other?  contains, side_of
 #include "plumb/query/convex/containment.hpp"  // bounds of every kind

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <string>
 
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/query/overlap/ellipsoid.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
+#include "query/convex/ellipsoid_pair.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/posed_set.hpp"
 #include "query/convex/separating_axes.hpp"
@@ -47,7 +50,11 @@ Relation relate_axis_plane(const ExactPlane& plane, const AxisRound& shape) {
 class PosedRelation {
  public:
   PosedRelation(std::string_view function, const PosedView& a, const PosedView& b)
-      : function_(function), views_{a, b}, a_(set_of(a)), b_(set_of(b)) {}
+      : function_(function), names_{spoken(a.figure), spoken(b.figure)}, a_(set_of(a)), b_(set_of(b)) {}
+  PosedRelation(std::string_view function, const Ellipsoid3& a, const PosedView& b)
+      : function_(function), names_{"ellipsoid", spoken(b.figure)}, a_(set_of(a)), b_(set_of(b)) {}
+  PosedRelation(std::string_view function, const Ellipsoid3& a, const Ellipsoid3& b)
+      : function_(function), names_{"ellipsoid", "ellipsoid"}, a_(set_of(a)), b_(set_of(b)) {}
 
   Relation operator()() const {
     if (a_.has_axis()) return axis_with(a_, b_);
@@ -68,14 +75,25 @@ class PosedRelation {
     return s;
   }
 
+  /// The unit ball under the map of the half axes.
+  static PosedSet set_of(const Ellipsoid3& e) {
+    PosedSet s;
+    s.core = flat_set(Point3{0, 0, 0});
+    s.radius = 1;
+    const std::array<double, 3> half{e.half.x, e.half.y, e.half.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& [x, y, z] = e.axes[i];
+      s.map.columns[i] = mpq_class(half[i]) * Exact3{x, y, z};
+    }
+    s.map.translation = {e.center.x, e.center.y, e.center.z};
+    if (squared_scale(s.map, 3) == 0) s.radius = 0;
+    return s;
+  }
+
   [[noreturn]] void refuse(std::string_view why) const {
-    throw UnevenPose(std::string(function_)
-                         .append(": ")
-                         .append(spoken(views_[0].figure))
-                         .append(" and ")
-                         .append(spoken(views_[1].figure))
-                         .append(": ")
-                         .append(why));
+    throw UnevenPose(
+        std::string(function_).append(": ").append(names_[0]).append(" and ").append(names_[1]).append(": ").append(
+            why));
   }
 
   Relation round_with(const PosedSet& round, const PosedSet& other) const {
@@ -111,9 +129,19 @@ class PosedRelation {
         return relate_near(still.core, mpq_class(still.radius * still.radius), image(seen, other.core), reach);
       }
     }
+    if (is_ellipsoid(a_) && is_ellipsoid(b_)) return relate_ellipsoids(of_unit_ball(a_), of_unit_ball(b_));
     refuse(
-        "neither pose is a similarity to the other; give round figures poses of columns at right angles and of one "
-        "length, or one pose");
+        "neither pose is a similarity to the other; give capsules and lozenges poses of columns at right angles and of "
+        "one length, or one pose");
+  }
+
+  /// Of a ball under a map that has an inverse.
+  static bool is_ellipsoid(const PosedSet& s) { return s.core.points.size() == 1 && !is_singular(s.map); }
+  static ExactMap of_unit_ball(const PosedSet& s) {
+    ExactMap map = s.map;
+    map.translation = image(s.map, s.core.points[0]);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(s.dimension); ++k) map.columns[k] = s.radius * map.columns[k];
+    return map;
   }
 
   /// Of a line, a plane or a part of one, as the shape sees it before its pose.
@@ -151,9 +179,15 @@ class PosedRelation {
   }
 
   std::string_view function_;
-  std::array<PosedView, 2> views_;
+  std::array<std::string_view, 2> names_;
   PosedSet a_, b_;
 };
+
+void require_ellipsoid(std::string_view function, std::string_view name, const Ellipsoid3& e) {
+  const auto part = [&](std::string_view member) { return std::string(name).append(member); };
+  require_finite_parts(function, {part(".center"), part(".axes[0]"), part(".axes[1]"), part(".axes[2]"), part(".half")},
+                       e.center, e.axes[0], e.axes[1], e.axes[2], e.half);
+}
 
 std::optional<Relation> relate_posed_quickly(const PosedView& a, const PosedView& b) {
   if (!is_flat_kind(a.figure.kind) || !is_flat_kind(b.figure.kind)) return {};
@@ -169,6 +203,18 @@ Relation relate_posed(std::string_view function, const PosedView& a, const Posed
     if (with_figure(v->figure, [](const auto& s) { return is_nothing(s); })) return Relation::disjoint;
   }
   if (const auto quick = relate_posed_quickly(a, b)) return *quick;
+  return PosedRelation(function, a, b)();
+}
+
+Relation relate_ellipsoid(std::string_view function, const Ellipsoid3& a, const PosedView& b) {
+  require_ellipsoid(function, "ellipsoid", a);
+  require_posed(function, spoken(b.figure), b);
+  if (with_figure(b.figure, [](const auto& s) { return is_nothing(s); })) return Relation::disjoint;
+  return PosedRelation(function, a, b)();
+}
+Relation relate_ellipsoid(std::string_view function, const Ellipsoid3& a, const Ellipsoid3& b) {
+  require_ellipsoid(function, "a", a);
+  require_ellipsoid(function, "b", b);
   return PosedRelation(function, a, b)();
 }
 

@@ -8,8 +8,9 @@
 // Laws: (1) those of query/overlap/overlap.hpp, of the exact images; every pair of the table, one or both posed, in
 // either order.  (2) A common pose whose matrix is not singular changes no answer; one that stays changes none.  (3) A
 // singular matrix makes the flat figure that it makes: its interior is that of its own affine hull.
-// Two round figures (balls, capsules, lozenges) are answered where one pose is a similarity as seen from the other (its
-// columns at right angles and of one length, exactly), or where one maps all to a point; round figures flattened by
+// Two balls are answered under any poses that are not singular, two other round figures (capsules, lozenges) where one
+// pose is a similarity as seen from the other (its columns at right angles and of one length, exactly), or where one maps
+// all to a point; round figures flattened by
 // their pose are not asked of polygons, cylinders and cones flattened so not of rays and segments: UnevenPose.
 // contains takes a point, and every pair of figures that it takes without poses, but for outer polygons, cylinders and
 // cones.  A round figure in a round one is answered as above, in a flat one under any pose.
