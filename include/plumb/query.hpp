@@ -60,6 +60,7 @@
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
 #include "plumb/query/ray/batch.hpp"        // of many triangles or boxes
+#include "plumb/query/ray/csg.hpp"          // of trees of solids
 #include "plumb/query/ray/hits.hpp"         // yes or no
 #include "plumb/query/ray/parity.hpp"       // is a point in a mesh?
 #include "plumb/query/ray/posed.hpp"        // figures and rays under poses

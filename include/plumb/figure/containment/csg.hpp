@@ -68,6 +68,7 @@ class Csg {
     std::shared_ptr<const void> shape;
     Location (*locate)(const void* shape, const Point& p);
     bool regular;
+    const void* type = nullptr;  // figure::shape_tag of the shape
   };
 
   explicit Csg(Leaf leaf) : steps_{{Operation::leaf, 0}}, leaves_{std::move(leaf)} {}
@@ -90,6 +91,23 @@ class Csg {
   }
 
   [[nodiscard]] std::size_t leaf_count() const { return leaves_.size(); }
+  [[nodiscard]] const Leaf& leaf(std::size_t i) const { return leaves_[i]; }
+
+  /// Does the tree hold what is_in(i, complemented) says of leaf i or of its complement?
+  template <class IsIn>
+  [[nodiscard]] bool holds_what(const IsIn& is_in) const {
+    std::vector<char> stack;
+    for (const Step& s : steps_) {
+      if (s.operation == Operation::leaf || s.operation == Operation::complemented_leaf) {
+        stack.push_back(is_in(s.leaf, s.operation == Operation::complemented_leaf) ? 1 : 0);
+      } else {
+        const char b = stack.back();
+        stack.pop_back();
+        stack.back() = s.operation == Operation::unite ? stack.back() | b : stack.back() & b;
+      }
+    }
+    return stack.back() != 0;
+  }
 
   /// What contains, locate and locate_regularized answer.
   [[nodiscard]] bool contains(const Point& p) const;
@@ -118,12 +136,17 @@ extern template class Csg<Point3>;
 
 namespace figure {
 
+/// Whose address tells the type.
+template <class Shape>
+inline const char shape_tag = 0;
+
 template <class Point, class Shape>
 Csg<Point> tree_of_leaf(Shape shape) {
   static_cast<void>(locate(shape, Point{}));
   const bool regular = is_regular(shape);
   return Csg<Point>({std::make_shared<const Shape>(std::move(shape)),
-                     [](const void* s, const Point& p) { return locate(*static_cast<const Shape*>(s), p); }, regular});
+                     [](const void* s, const Point& p) { return locate(*static_cast<const Shape*>(s), p); }, regular,
+                     &shape_tag<Shape>});
 }
 
 }  // namespace figure
