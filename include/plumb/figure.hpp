@@ -16,6 +16,7 @@
 #include "plumb/figure/basic/small_system.hpp"    // two to four linear equations
 
 // Which shapes are there?
+#include "plumb/figure/basic/body.hpp"               // what each of them is made of, said once
 #include "plumb/figure/basic/box.hpp"                // Aabb2, Aabb3, Obb2, Obb3, Rectangle3
 #include "plumb/figure/basic/convex_polyhedron.hpp"  // ConvexPolyhedron3: faces, and who is beyond which edge
 #include "plumb/figure/basic/linear.hpp"             // lines, rays, segments

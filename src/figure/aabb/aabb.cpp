@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "figure/aabb/ranges.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/certify/direction.hpp"
 
 namespace plumb {
 namespace {
 
-using figure::require_finite_parts;
 using figure::require_finite_points;
 
 using namespace figure::box;
@@ -43,8 +43,7 @@ Aabb3 fit_aabb(std::span<const Point3> points, const Pose& pose) {
   if (points.empty()) throw_no_points();
   require_finite_points("fit_aabb", "points", points);
   const auto& [c, t] = pose;
-  require_finite_parts("fit_aabb", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0],
-                       c[1], c[2], t);
+  figure::require_sound("fit_aabb", pose);
   const auto range = [&](std::size_t axis, double translation, const Vector3& row) {
     const Point3 *least = points.data(), *greatest = least;
     for (const Point3& p : points) {
@@ -65,7 +64,8 @@ Aabb3 fit_aabb(std::span<const Point3> points, const Pose& pose) {
 }
 
 Aabb2 merge(const Aabb2& a, const Aabb2& b) {
-  require_finite_parts("merge", {"a.min", "a.max", "b.min", "b.max"}, a.min, a.max, b.min, b.max);
+  figure::require_sound("merge", "a", a);
+  figure::require_sound("merge", "b", b);
   if (is_empty(a)) return b;
   if (is_empty(b)) return a;
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
@@ -73,7 +73,8 @@ Aabb2 merge(const Aabb2& a, const Aabb2& b) {
 }
 
 Aabb3 merge(const Aabb3& a, const Aabb3& b) {
-  require_finite_parts("merge", {"a.min", "a.max", "b.min", "b.max"}, a.min, a.max, b.min, b.max);
+  figure::require_sound("merge", "a", a);
+  figure::require_sound("merge", "b", b);
   if (is_empty(a)) return b;
   if (is_empty(b)) return a;
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
@@ -82,8 +83,8 @@ Aabb3 merge(const Aabb3& a, const Aabb3& b) {
 
 Aabb2 transform(const Aabb2& box, const Pose2& pose) {
   const auto& [c, t] = pose;
-  require_finite_parts("transform", {"box.min", "box.max", "pose.columns[0]", "pose.columns[1]", "pose.translation"},
-                       box.min, box.max, c[0], c[1], t);
+  figure::require_sound("transform", box);
+  figure::require_sound("transform", pose);
   if (is_empty(box)) return box;
   const std::array from{box.min.x, box.min.y, 0.0}, to{box.max.x, box.max.y, 0.0};
   return box_of(range_of_image("transform", 0, t.x, {c[0].x, c[1].x, 0}, from, to),
@@ -92,9 +93,8 @@ Aabb2 transform(const Aabb2& box, const Pose2& pose) {
 
 Aabb3 transform(const Aabb3& box, const Pose& pose) {
   const auto& [c, t] = pose;
-  require_finite_parts(
-      "transform", {"box.min", "box.max", "pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-      box.min, box.max, c[0], c[1], c[2], t);
+  figure::require_sound("transform", box);
+  figure::require_sound("transform", pose);
   if (is_empty(box)) return box;
   const std::array from{box.min.x, box.min.y, box.min.z}, to{box.max.x, box.max.y, box.max.z};
   return box_of(range_of_image("transform", 0, t.x, {c[0].x, c[1].x, c[2].x}, from, to),
@@ -103,7 +103,7 @@ Aabb3 transform(const Aabb3& box, const Pose& pose) {
 }
 
 Aabb2 expand(const Aabb2& box, double margin) {
-  require_finite_parts("expand", {"box.min", "box.max", "margin"}, box.min, box.max, margin);
+  figure::require_sound("expand", box, part::place("margin", margin));
   if (is_empty(box)) return box;
   const auto range = [&](std::size_t axis, double from, double to) {
     return Range{least_sum("expand", axis, from, -margin), greatest_sum("expand", axis, to, margin)};
@@ -112,7 +112,7 @@ Aabb2 expand(const Aabb2& box, double margin) {
 }
 
 Aabb3 expand(const Aabb3& box, double margin) {
-  require_finite_parts("expand", {"box.min", "box.max", "margin"}, box.min, box.max, margin);
+  figure::require_sound("expand", box, part::place("margin", margin));
   if (is_empty(box)) return box;
   const auto range = [&](std::size_t axis, double from, double to) {
     return Range{least_sum("expand", axis, from, -margin), greatest_sum("expand", axis, to, margin)};

@@ -131,7 +131,7 @@ HWY_AFTER_NAMESPACE();
 #include <string>
 
 #include "certify/batch/chosen_target.hpp"
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 
 namespace plumb {
 namespace figure::box_batch {
@@ -179,9 +179,8 @@ void in_chunks(std::size_t n, Ask ask, Exactly exactly) {
 FourBoxes::FourBoxes(const std::array<Aabb3, 4>& boxes) : min_{}, max_{} {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& [min, max] = boxes[i];
-    const std::string which = std::string("boxes[").append(std::to_string(i)).append("]");
-    const std::string names[] = {std::string(which).append(".min"), std::string(which).append(".max")};
-    figure::require_finite_parts("FourBoxes", {names[0], names[1]}, min, max);
+    if (!figure::is_sound(boxes[i]))
+      figure::refuse("FourBoxes", std::string("boxes[").append(std::to_string(i)).append("]"), boxes[i]);
     min_[0][i] = min.x, min_[1][i] = min.y, min_[2][i] = min.z;
     max_[0][i] = max.x, max_[1][i] = max.y, max_[2][i] = max.z;
   }
@@ -195,9 +194,7 @@ BoxBatch::BoxBatch(std::span<const Aabb3> boxes) {
     double zero = 0;
     for (std::size_t k = 0; k < 6; ++k) of_[k].push_back(all[k]), zero += all[k] - all[k];
     if (zero == 0) continue;
-    const std::string which = std::string("boxes[").append(std::to_string(i)).append("]");
-    const std::string min = std::string(which).append(".min"), max = std::string(which).append(".max");
-    figure::require_finite_parts("BoxBatch", {min, max}, boxes[i].min, boxes[i].max);
+    figure::refuse("BoxBatch", std::string("boxes[").append(std::to_string(i)).append("]"), boxes[i]);
   }
 }
 
@@ -209,10 +206,7 @@ SphereBatch::SphereBatch(std::span<const Sphere3> spheres) {
     double zero = 0;
     for (std::size_t k = 0; k < 4; ++k) of_[k].push_back(all[k]), zero += all[k] - all[k];
     if (zero == 0 && radius >= 0) continue;
-    const std::string which = std::string("spheres[").append(std::to_string(i)).append("]");
-    const std::string c = std::string(which).append(".center"), r = std::string(which).append(".radius");
-    figure::require_finite_parts("SphereBatch", {c, r}, center, radius);
-    throw InvalidShape(std::string("SphereBatch: ").append(r).append(" is negative; give zero or more"));
+    figure::refuse("SphereBatch", std::string("spheres[").append(std::to_string(i)).append("]"), spheres[i]);
   }
 }
 
@@ -224,7 +218,7 @@ void intersects(const BoxBatch& a, const BoxBatch& b, std::span<std::uint8_t> ou
 
 void intersects(const Aabb3& one, const BoxBatch& many, std::span<std::uint8_t> out) {
   figure::box_batch::require_length(many.size(), many.size(), "many", out.size());
-  figure::require_finite_parts("intersects", {"one.min", "one.max"}, one.min, one.max);
+  figure::require_sound("intersects", "one", one);
   const auto at = figure::box_batch::numbers<6>(many);
   const std::array<const double*, 6> of_one{&one.min.x, &one.min.y, &one.min.z, &one.max.x, &one.max.y, &one.max.z};
   PLUMB_DISPATCH(figure::box_batch::one_box)(of_one.data(), at.data(), out.size(), out.data());
@@ -243,8 +237,7 @@ void intersects(const SphereBatch& a, const SphereBatch& b, std::span<std::uint8
 
 void intersects(const Sphere3& one, const SphereBatch& many, std::span<std::uint8_t> out) {
   figure::box_batch::require_length(many.size(), many.size(), "many", out.size());
-  figure::require_finite_parts("intersects", {"one.center", "one.radius"}, one.center, one.radius);
-  if (one.radius < 0) throw InvalidShape("intersects: one.radius is negative; give zero or more");
+  figure::require_sound("intersects", "one", one);
   const std::array<const double*, 4> of_one{&one.center.x, &one.center.y, &one.center.z, &one.radius};
   figure::box_batch::in_chunks(
       out.size(),

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "certify/rounded.hpp"
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {
@@ -20,21 +20,21 @@ using BoxDoubles = std::array<AxisDoubles, 3>;
 constexpr std::string_view axis_names = "xyz";
 
 BoxDoubles ends_of(std::string_view function, const Aabb3& box) {
-  figure::require_finite_parts(function, {"box.min", "box.max"}, box.min, box.max);
+  figure::require_sound(function, box);
   const auto min = coordinates(box.min), max = coordinates(box.max);
   BoxDoubles ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {min[i], 0, max[i], 0};
   return ends;
 }
 BoxDoubles ends_of(std::string_view function, const AabbWidths3& box) {
-  figure::require_finite_parts(function, {"box.min", "box.widths"}, box.min, box.widths);
+  figure::require_sound(function, box);
   const auto min = coordinates(box.min), widths = coordinates(box.widths);
   BoxDoubles ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {min[i], 0, min[i], magnitude_of(widths[i])};
   return ends;
 }
 BoxDoubles ends_of(std::string_view function, const AabbCenter3& box) {
-  figure::require_finite_parts(function, {"box.center", "box.half"}, box.center, box.half);
+  figure::require_sound(function, box);
   const auto center = coordinates(box.center), half = coordinates(box.half);
   BoxDoubles ends{};
   for (std::size_t i = 0; i < 3; ++i) ends[i] = {center[i], -magnitude_of(half[i]), center[i], magnitude_of(half[i])};

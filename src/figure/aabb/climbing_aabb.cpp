@@ -3,7 +3,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
 
 namespace plumb {
@@ -50,9 +50,7 @@ ClimbingAabb::ClimbingAabb(const ConvexPolyhedron3& polyhedron) : polyhedron_(&p
 
 Aabb3 ClimbingAabb::operator()(const Pose& pose) {
   const auto& [c, t] = pose;
-  figure::require_finite_parts("ClimbingAabb",
-                               {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0],
-                               c[1], c[2], t);
+  figure::require_sound("ClimbingAabb", pose);
   const std::array rows{Vector3{c[0].x, c[1].x, c[2].x}, Vector3{c[0].y, c[1].y, c[2].y},
                         Vector3{c[0].z, c[1].z, c[2].z}};
   std::array<Point3, 6> found;

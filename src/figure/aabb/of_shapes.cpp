@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "figure/aabb/ranges.hpp"
-#include "figure/basic/chain_input.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
 
 namespace plumb {
@@ -19,31 +19,23 @@ Aabb3 box_of3(const Points&... points) {
   return fit_aabb(std::span<const Point3>(std::array{points...}));
 }
 
-template <class Point>
-auto box_of_chain(std::string_view part, const std::vector<Point>& vertices) {
-  require_chain("fit_aabb", part, std::span(vertices));
-  return fit_aabb(std::span(vertices));
+template <class Polygon>
+auto box_of_chain(const Polygon& polygon) {
+  figure::require_sound("fit_aabb", polygon);
+  return fit_aabb(std::span(polygon.vertices));
 }
 
 // Holes are looked through, and change nothing.
 template <class Polygon>
 auto box_of_holed(const Polygon& polygon) {
-  for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
-    const std::string part = std::string("polygon.holes[").append(std::to_string(i)).append("].vertices");
-    require_chain("fit_aabb", part, std::span(polygon.holes[i].vertices));
-  }
-  return box_of_chain("polygon.outer.vertices", polygon.outer.vertices);
+  figure::require_sound("fit_aabb", polygon);
+  return fit_aabb(std::span(polygon.outer.vertices));
 }
 
 // Of center + sum of s_i axes_i with |s_i| <= half_i.
 Range range_of_box(std::size_t axis, double center, const std::array<double, 3>& axes, std::array<double, 3> half) {
   for (double& h : half) h = magnitude_of(h);
   return range_of_image("fit_aabb", axis, center, axes, {-half[0], -half[1], -half[2]}, half);
-}
-
-void require_radius(double radius, std::string_view shape) {
-  if (radius < 0)
-    throw InvalidShape(std::string("fit_aabb: ").append(shape).append(".radius is negative; give zero or more"));
 }
 
 Range swept(std::size_t axis, double a, double b, double radius) {
@@ -81,8 +73,8 @@ Aabb3 fit_aabb(const Triangle3& t) { return box_of3(t.a, t.b, t.c); }
 Aabb3 fit_aabb(const Tetrahedron3& t) { return box_of3(t.a, t.b, t.c, t.d); }
 Aabb2 fit_aabb(const Quadrilateral2& q) { return box_of2(q.a, q.b, q.c, q.d); }
 Aabb3 fit_aabb(const Quadrilateral3& q) { return box_of3(q.a, q.b, q.c, q.d); }
-Aabb2 fit_aabb(const Polygon2& polygon) { return box_of_chain("polygon.vertices", polygon.vertices); }
-Aabb3 fit_aabb(const Polygon3& polygon) { return box_of_chain("polygon.vertices", polygon.vertices); }
+Aabb2 fit_aabb(const Polygon2& polygon) { return box_of_chain(polygon); }
+Aabb3 fit_aabb(const Polygon3& polygon) { return box_of_chain(polygon); }
 Aabb2 fit_aabb(const HoledPolygon2& polygon) { return box_of_holed(polygon); }
 Aabb3 fit_aabb(const HoledPolygon3& polygon) { return box_of_holed(polygon); }
 Aabb3 fit_aabb(const ConvexPolyhedron3& polyhedron) {
@@ -90,50 +82,43 @@ Aabb3 fit_aabb(const ConvexPolyhedron3& polyhedron) {
 }
 
 Aabb2 fit_aabb(const Circle2& s) {
-  require_finite_parts("fit_aabb", {"circle.center", "circle.radius"}, s.center, s.radius);
-  require_radius(s.radius, "circle");
+  figure::require_sound("fit_aabb", s);
   return box_of(swept(0, s.center.x, s.center.x, s.radius), swept(1, s.center.y, s.center.y, s.radius));
 }
 
 Aabb3 fit_aabb(const Sphere3& s) {
-  require_finite_parts("fit_aabb", {"sphere.center", "sphere.radius"}, s.center, s.radius);
-  require_radius(s.radius, "sphere");
+  figure::require_sound("fit_aabb", s);
   return box_of(swept(0, s.center.x, s.center.x, s.radius), swept(1, s.center.y, s.center.y, s.radius),
                 swept(2, s.center.z, s.center.z, s.radius));
 }
 
 Aabb2 fit_aabb(const Capsule2& s) {
-  require_finite_parts("fit_aabb", {"capsule.a", "capsule.b", "capsule.radius"}, s.a, s.b, s.radius);
-  require_radius(s.radius, "capsule");
+  figure::require_sound("fit_aabb", s);
   return box_of(swept(0, s.a.x, s.b.x, s.radius), swept(1, s.a.y, s.b.y, s.radius));
 }
 
 Aabb3 fit_aabb(const Capsule3& s) {
-  require_finite_parts("fit_aabb", {"capsule.a", "capsule.b", "capsule.radius"}, s.a, s.b, s.radius);
-  require_radius(s.radius, "capsule");
+  figure::require_sound("fit_aabb", s);
   return box_of(swept(0, s.a.x, s.b.x, s.radius), swept(1, s.a.y, s.b.y, s.radius), swept(2, s.a.z, s.b.z, s.radius));
 }
 
 Aabb3 fit_aabb(const Lozenge3& s) {
   const auto& [e, f] = s.edges;
-  require_finite_parts("fit_aabb", {"lozenge.corner", "lozenge.edges[0]", "lozenge.edges[1]", "lozenge.radius"},
-                       s.corner, e, f, s.radius);
-  require_radius(s.radius, "lozenge");
+  figure::require_sound("fit_aabb", s);
   return box_of(swept(0, s.corner.x, e.x, f.x, s.radius), swept(1, s.corner.y, e.y, f.y, s.radius),
                 swept(2, s.corner.z, e.z, f.z, s.radius));
 }
 
 Aabb2 fit_aabb(const Obb2& s) {
   const auto& [u, v] = s.axes;
-  require_finite_parts("fit_aabb", {"obb.center", "obb.axes[0]", "obb.axes[1]", "obb.half"}, s.center, u, v, s.half);
+  figure::require_sound("fit_aabb", s);
   const std::array half{s.half.x, s.half.y, 0.0};
   return box_of(range_of_box(0, s.center.x, {u.x, v.x, 0}, half), range_of_box(1, s.center.y, {u.y, v.y, 0}, half));
 }
 
 Aabb3 fit_aabb(const Obb3& s) {
   const auto& [u, v, w] = s.axes;
-  require_finite_parts("fit_aabb", {"obb.center", "obb.axes[0]", "obb.axes[1]", "obb.axes[2]", "obb.half"}, s.center, u,
-                       v, w, s.half);
+  figure::require_sound("fit_aabb", s);
   const std::array half{s.half.x, s.half.y, s.half.z};
   return box_of(range_of_box(0, s.center.x, {u.x, v.x, w.x}, half), range_of_box(1, s.center.y, {u.y, v.y, w.y}, half),
                 range_of_box(2, s.center.z, {u.z, v.z, w.z}, half));
@@ -141,8 +126,7 @@ Aabb3 fit_aabb(const Obb3& s) {
 
 Aabb3 fit_aabb(const Rectangle3& s) {
   const auto& [u, v] = s.axes;
-  require_finite_parts("fit_aabb", {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half"},
-                       s.center, u, v, s.half);
+  figure::require_sound("fit_aabb", s);
   const std::array half{s.half.x, s.half.y, 0.0};
   return box_of(range_of_box(0, s.center.x, {u.x, v.x, 0}, half), range_of_box(1, s.center.y, {u.y, v.y, 0}, half),
                 range_of_box(2, s.center.z, {u.z, v.z, 0}, half));
@@ -150,9 +134,7 @@ Aabb3 fit_aabb(const Rectangle3& s) {
 
 Aabb3 fit_aabb(const Ellipsoid3& s) {
   const auto& [u, v, w] = s.axes;
-  require_finite_parts(
-      "fit_aabb", {"ellipsoid.center", "ellipsoid.axes[0]", "ellipsoid.axes[1]", "ellipsoid.axes[2]", "ellipsoid.half"},
-      s.center, u, v, w, s.half);
+  figure::require_sound("fit_aabb", s);
   constexpr auto squares = [](auto x, auto a, auto y, auto b, auto z, auto c) {
     return (x * a) * (x * a) + (y * b) * (y * b) + (z * c) * (z * c);
   };
@@ -167,16 +149,14 @@ Aabb3 fit_aabb(const Ellipsoid3& s) {
 }
 
 Aabb3 fit_aabb(const Cylinder3& s) {
-  require_finite_parts("fit_aabb", {"cylinder.a", "cylinder.b", "cylinder.radius"}, s.a, s.b, s.radius);
-  require_radius(s.radius, "cylinder");
+  figure::require_sound("fit_aabb", s);
   if (s.a == s.b) return fit_aabb(Sphere3{s.a, s.radius});
   const Vector3 reach = reach_of_disk(s.a, s.b, s.radius);
   return box_of(swept(0, s.a.x, s.b.x, reach.x), swept(1, s.a.y, s.b.y, reach.y), swept(2, s.a.z, s.b.z, reach.z));
 }
 
 Aabb3 fit_aabb(const Cone3& s) {
-  require_finite_parts("fit_aabb", {"cone.apex", "cone.base", "cone.radius"}, s.apex, s.base, s.radius);
-  require_radius(s.radius, "cone");
+  figure::require_sound("fit_aabb", s);
   if (s.apex == s.base) return fit_aabb(Sphere3{s.apex, s.radius});
   const Vector3 reach = reach_of_disk(s.apex, s.base, s.radius);
   const Point3& c = s.base;

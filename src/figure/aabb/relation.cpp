@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {
-
-using figure::require_finite_parts;
 
 // x - y + w, x - y - v - w and the like: the numbers of one axis.
 constexpr auto end_beyond = [](auto start, auto width, auto other) { return (start - other) + width; };
@@ -51,11 +49,9 @@ bool center_within(double outer, double outer_half, double inner, double inner_h
                  magnitude_of(outer_half)) != Sign::positive;
 }
 
-constexpr std::array<std::string_view, 4> ab_corners{"a.min", "a.max", "b.min", "b.max"};
-constexpr std::array<std::string_view, 4> corners{"outer.min", "outer.max", "inner.min", "inner.max"};
-
 Relation relate_widths(std::string_view function, const AabbWidths3& a, const AabbWidths3& b) {
-  require_finite_parts(function, {"a.min", "a.widths", "b.min", "b.widths"}, a.min, a.widths, b.min, b.widths);
+  figure::require_sound(function, "a", a);
+  figure::require_sound(function, "b", b);
   const Relation x = of_widths(a.min.x, a.widths.x, b.min.x, b.widths.x);
   if (x == Relation::disjoint) return x;
   const Relation y = of_widths(a.min.y, a.widths.y, b.min.y, b.widths.y);
@@ -64,7 +60,8 @@ Relation relate_widths(std::string_view function, const AabbWidths3& a, const Aa
 }
 
 Relation relate_centers(std::string_view function, const AabbCenter3& a, const AabbCenter3& b) {
-  require_finite_parts(function, {"a.center", "a.half", "b.center", "b.half"}, a.center, a.half, b.center, b.half);
+  figure::require_sound(function, "a", a);
+  figure::require_sound(function, "b", b);
   const Relation x = of_centers(a.center.x, a.half.x, b.center.x, b.half.x);
   if (x == Relation::disjoint) return x;
   const Relation y = of_centers(a.center.y, a.half.y, b.center.y, b.half.y);
@@ -77,12 +74,14 @@ Relation relate_centers(std::string_view function, const AabbCenter3& a, const A
 namespace figure::box {
 
 Relation relate_exactly(std::string_view function, const Aabb2& a, const Aabb2& b) {
-  require_finite_parts(function, ab_corners, a.min, a.max, b.min, b.max);
+  figure::require_sound(function, "a", a);
+  figure::require_sound(function, "b", b);
   return std::min(of_axis(a.min.x, a.max.x, b.min.x, b.max.x), of_axis(a.min.y, a.max.y, b.min.y, b.max.y));
 }
 
 Relation relate_exactly(std::string_view function, const Aabb3& a, const Aabb3& b) {
-  require_finite_parts(function, ab_corners, a.min, a.max, b.min, b.max);
+  figure::require_sound(function, "a", a);
+  figure::require_sound(function, "b", b);
   return std::min({of_axis(a.min.x, a.max.x, b.min.x, b.max.x), of_axis(a.min.y, a.max.y, b.min.y, b.max.y),
                    of_axis(a.min.z, a.max.z, b.min.z, b.max.z)});
 }
@@ -99,14 +98,16 @@ bool intersects(const AabbCenter3& a, const AabbCenter3& b) {
 }
 
 bool contains(const Aabb2& outer, const Aabb2& inner) {
-  require_finite_parts("contains", corners, outer.min, outer.max, inner.min, inner.max);
+  figure::require_sound("contains", "outer", outer);
+  figure::require_sound("contains", "inner", inner);
   if (is_empty(inner)) return true;
   return outer.min.x <= inner.min.x && inner.max.x <= outer.max.x &&  //
          outer.min.y <= inner.min.y && inner.max.y <= outer.max.y;
 }
 
 bool contains(const Aabb3& outer, const Aabb3& inner) {
-  require_finite_parts("contains", corners, outer.min, outer.max, inner.min, inner.max);
+  figure::require_sound("contains", "outer", outer);
+  figure::require_sound("contains", "inner", inner);
   if (is_empty(inner)) return true;
   return outer.min.x <= inner.min.x && inner.max.x <= outer.max.x &&  //
          outer.min.y <= inner.min.y && inner.max.y <= outer.max.y &&  //
@@ -114,16 +115,16 @@ bool contains(const Aabb3& outer, const Aabb3& inner) {
 }
 
 bool contains(const AabbWidths3& outer, const AabbWidths3& inner) {
-  require_finite_parts("contains", {"outer.min", "outer.widths", "inner.min", "inner.widths"}, outer.min, outer.widths,
-                       inner.min, inner.widths);
+  figure::require_sound("contains", "outer", outer);
+  figure::require_sound("contains", "inner", inner);
   return widths_within(outer.min.x, outer.widths.x, inner.min.x, inner.widths.x) &&
          widths_within(outer.min.y, outer.widths.y, inner.min.y, inner.widths.y) &&
          widths_within(outer.min.z, outer.widths.z, inner.min.z, inner.widths.z);
 }
 
 bool contains(const AabbCenter3& outer, const AabbCenter3& inner) {
-  require_finite_parts("contains", {"outer.center", "outer.half", "inner.center", "inner.half"}, outer.center,
-                       outer.half, inner.center, inner.half);
+  figure::require_sound("contains", "outer", outer);
+  figure::require_sound("contains", "inner", inner);
   return center_within(outer.center.x, outer.half.x, inner.center.x, inner.half.x) &&
          center_within(outer.center.y, outer.half.y, inner.center.y, inner.half.y) &&
          center_within(outer.center.z, outer.half.z, inner.center.z, inner.half.z);

@@ -148,11 +148,11 @@ Location along_axis(double p, double low, double below, double high, double abov
 }  // namespace
 
 void throw_non_finite(const Aabb2& box, const Point2& p) {
-  require_numbers(Names<3>{"box.min", "box.max", "p"}, box.min, box.max, p);
+  figure::require_sound("contains", box, part::place("p", p));
   throw std::logic_error("contains: every number of the box and the point is finite");
 }
 void throw_non_finite(const Aabb3& box, const Point3& p) {
-  require_numbers(Names<3>{"box.min", "box.max", "p"}, box.min, box.max, p);
+  figure::require_sound("contains", box, part::place("p", p));
   throw std::logic_error("contains: every number of the box and the point is finite");
 }
 
@@ -161,14 +161,14 @@ void throw_non_finite(const Aabb3& box, const Point3& p) {
 using namespace figure::containment;
 
 Location locate(const AabbWidths3& box, const Point3& p) {
-  require_numbers(Names<3>{"box.min", "box.widths", "p"}, box.min, box.widths, p);
+  figure::require_sound("contains", box, part::place("p", p));
   const auto along = [](double x, double min, double width) { return along_axis(x, min, 0, min, magnitude_of(width)); };
   return both(along(p.x, box.min.x, box.widths.x),
               both(along(p.y, box.min.y, box.widths.y), along(p.z, box.min.z, box.widths.z)));
 }
 
 Location locate(const AabbCenter3& box, const Point3& p) {
-  require_numbers(Names<3>{"box.center", "box.half", "p"}, box.center, box.half, p);
+  figure::require_sound("contains", box, part::place("p", p));
   const auto along = [](double x, double center, double half) {
     return along_axis(x, center, -magnitude_of(half), center, magnitude_of(half));
   };
@@ -177,22 +177,19 @@ Location locate(const AabbCenter3& box, const Point3& p) {
 }
 
 Location locate(const Obb2& box, const Point2& p) {
-  require_numbers(Names<5>{"box.center", "box.axes[0]", "box.axes[1]", "box.half", "p"}, box.center, box.axes[0],
-                  box.axes[1], box.half, p);
+  figure::require_sound("contains", box, part::place("p", p));
   return locate_in_plane(box.center, p, {box.axes[0], box.axes[1], {0, 0}}, {box.half.x, box.half.y, 0});
 }
 
 Location locate(const Rectangle3& rectangle, const Point3& p) {
   const auto& [center, axes, half] = rectangle;
-  require_numbers(Names<5>{"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half", "p"}, center,
-                  axes[0], axes[1], half, p);
+  figure::require_sound("contains", rectangle, part::place("p", p));
   return boundary_if(in_flat(center, p, {axes[0], axes[1], {0, 0, 0}}, {half.x, half.y, 0}));
 }
 
 Location locate(const Obb3& box, const Point3& p) {
   const auto& [u, v, w] = box.axes;
-  require_numbers(Names<6>{"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "p"}, box.center, u,
-                  v, w, box.half, p);
+  figure::require_sound("contains", box, part::place("p", p));
   const Numbers half{magnitude_of(box.half.x), magnitude_of(box.half.y), magnitude_of(box.half.z)};
   // What is certain here needs no axes to be independent: a face whose normal is zero has a gap of zero.
   const auto face = [&](const Vector3& a, const Vector3& b, const Vector3& c, double h) {

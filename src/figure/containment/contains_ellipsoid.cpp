@@ -90,9 +90,7 @@ using namespace figure::containment;
 
 Location locate(const Ellipsoid3& ellipsoid, const Point3& p) {
   const auto& [center, axes, half] = ellipsoid;
-  require_numbers(Names<6>{"ellipsoid.center", "ellipsoid.axes[0]", "ellipsoid.axes[1]", "ellipsoid.axes[2]",
-                           "ellipsoid.half", "p"},
-                  center, axes[0], axes[1], axes[2], half, p);
+  figure::require_sound("contains", ellipsoid, part::place("p", p));
   // A sign that is not zero needs no columns to be independent: dependent ones leave a sum of squares less zero, which
   // is positive for points off their plane.
   const Sign s = sign_of(BeyondEllipsoid{}, center, p, axes[0], axes[1], axes[2], half);

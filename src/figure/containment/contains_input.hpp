@@ -8,39 +8,18 @@
 #include <string>
 #include <string_view>
 
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/figure/containment/contains.hpp"
 
 namespace plumb::figure::containment {
 
-template <std::size_t N>
-using Names = std::array<std::string_view, N>;
-
 template <class... Parts>
 bool are_real(const Parts&... parts) {
   double none = 0;  // becomes NaN, and stays it
   std::apply([&none](auto... x) { ((none += x - x), ...); }, std::tuple_cat(coordinates(parts)...));
   return none == 0;
-}
-
-/// Throws NonFinite for the first number that is none, by the name of its part.
-template <std::size_t N, class... Parts>
-void require_numbers(const Names<N>& names, const Parts&... parts) {
-  require_finite_parts("contains", names, parts...);
-}
-
-inline void require_radius(double radius, std::string_view name) {
-  if (!(radius < 0)) [[likely]]
-    return;
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.17g", radius);
-  throw InvalidShape(std::string("contains: ")
-                         .append(name)
-                         .append(" is ")
-                         .append(digits.data())
-                         .append(", and a radius must not be negative"));
 }
 
 /// Of what is positive outside of a shape with an interior, zero on its boundary.

@@ -25,20 +25,20 @@ namespace {
 
 template <class Line, class Point>
 Location locate_on_line(const Line& line, const Point& p) {
-  require_numbers(Names<3>{"line.point", "line.direction", "p"}, line.point, line.direction, p);
+  figure::require_sound("contains", line, part::place("p", p));
   return boundary_if(on_line(line.point, line.direction, p));
 }
 
 template <class Ray, class Point>
 Location locate_on_ray(const Ray& ray, const Point& p) {
-  require_numbers(Names<3>{"ray.origin", "ray.direction", "p"}, ray.origin, ray.direction, p);
+  figure::require_sound("contains", ray, part::place("p", p));
   return boundary_if(on_line(ray.origin, ray.direction, p) &&
                      compare_along_direction(p, ray.origin, ray.direction) != Sign::negative);
 }
 
 template <class Segment, class Point>
 Location locate_on_segment(const Segment& segment, const Point& p) {
-  require_numbers(Names<3>{"segment.a", "segment.b", "p"}, segment.a, segment.b, p);
+  figure::require_sound("contains", segment, part::place("p", p));
   return boundary_if(are_ordered_along_line(segment.a, p, segment.b));
 }
 
@@ -54,13 +54,13 @@ Location below(const Vector& normal, double offset, const Point& p) {
 
 template <class Halfspace, class Point>
 Location locate_in_halfspace(const Halfspace& halfspace, const Point& p) {
-  require_numbers(Names<3>{"halfspace.normal", "halfspace.offset", "p"}, halfspace.normal, halfspace.offset, p);
+  figure::require_sound("contains", halfspace, part::place("p", p));
   return below(halfspace.normal, halfspace.offset, p);
 }
 
 template <class Slab, class Point>
 Location locate_in_slab(const Slab& slab, const Point& p) {
-  require_numbers(Names<4>{"slab.normal", "slab.min", "slab.max", "p"}, slab.normal, slab.min, slab.max, p);
+  figure::require_sound("contains", slab, part::place("p", p));
   if (is_zero(slab.normal)) return slab.min <= 0 && 0 <= slab.max ? Location::inside : Location::outside;
   if (slab.min > slab.max) return Location::outside;
   return both(location(side(slab.normal, slab.max, p)), location(-side(slab.normal, slab.min, p)));
@@ -68,15 +68,7 @@ Location locate_in_slab(const Slab& slab, const Point& p) {
 
 template <class Intersection, class Point>
 Location locate_in_intersection(const Intersection& intersection, const Point& p) {
-  require_numbers(Names<1>{"p"}, p);
-  for (std::size_t i = 0; i < intersection.halfspaces.size(); ++i) {
-    const auto& h = intersection.halfspaces[i];
-    if (are_real(h.normal, h.offset)) [[likely]]
-      continue;
-    const std::string start = std::string("intersection.halfspaces[").append(std::to_string(i)).append("].");
-    const std::string normal = start + "normal", offset = start + "offset";
-    require_numbers(Names<2>{normal, offset}, h.normal, h.offset);
-  }
+  figure::require_sound("contains", intersection, part::place("p", p));
   Location all = Location::inside;
   for (const auto& h : intersection.halfspaces) {
     all = both(all, below(h.normal, h.offset, p));
@@ -98,14 +90,14 @@ Location locate(const Segment2& segment, const Point2& p) { return locate_on_seg
 Location locate(const Segment3& segment, const Point3& p) { return locate_on_segment(segment, p); }
 
 Location locate(const Plane3& plane, const Point3& p) {
-  require_numbers(Names<3>{"plane.normal", "plane.offset", "p"}, plane.normal, plane.offset, p);
+  figure::require_sound("contains", plane, part::place("p", p));
   if (is_zero(plane.normal)) return plane.offset == 0 ? Location::inside : Location::outside;
   return boundary_if(side_of_plane(plane.normal, plane.offset, p) == Sign::zero);
 }
 
 Location locate(const ThreePointPlane3& plane, const Point3& p) {
   const auto& [a, b, c] = plane;
-  require_numbers(Names<4>{"plane.a", "plane.b", "plane.c", "p"}, a, b, c, p);
+  figure::require_sound("contains", plane, part::place("p", p));
   if (sign_of(predicates::Orient3d{}, a, b, c, p) != Sign::zero) return Location::outside;
   if (!collinear(a, b, c)) return Location::boundary;
   const Point3& other = a == b ? c : b;

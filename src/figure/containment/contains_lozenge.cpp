@@ -101,9 +101,7 @@ using namespace figure::containment;
 Location locate(const Lozenge3& lozenge, const Point3& p) {
   const auto& [corner, edges, radius] = lozenge;
   const auto& [u, v] = edges;
-  require_numbers(Names<5>{"lozenge.corner", "lozenge.edges[0]", "lozenge.edges[1]", "lozenge.radius", "p"}, corner, u,
-                  v, radius, p);
-  require_radius(radius, "lozenge.radius");
+  figure::require_sound("contains", lozenge, part::place("p", p));
   if (projects(corner, u, v, p)) return location(sign_of(BeyondPlate{}, corner, p, u, v, radius));
   Sign least = Sign::positive;
   for (const auto& [move, d] : {std::pair{zero_edge, u}, {zero_edge, v}, {u, v}, {v, u}}) {

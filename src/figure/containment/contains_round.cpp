@@ -15,8 +15,7 @@ Location in_ball(const Point3& center, double radius, const Point3& p) {
 
 template <class Capsule, class Point>
 Location locate_in_capsule(const Capsule& capsule, const Point& p) {
-  require_numbers(Names<4>{"capsule.a", "capsule.b", "capsule.radius", "p"}, capsule.a, capsule.b, capsule.radius, p);
-  require_radius(capsule.radius, "capsule.radius");
+  figure::require_sound("contains", capsule, part::place("p", p));
   return location(compare_distance_to_segment(capsule.a, capsule.b, p, capsule.radius));
 }
 
@@ -45,14 +44,12 @@ struct BeyondCone {
 using namespace figure::containment;
 
 Location locate(const Circle2& circle, const Point2& p) {
-  require_numbers(Names<3>{"circle.center", "circle.radius", "p"}, circle.center, circle.radius, p);
-  require_radius(circle.radius, "circle.radius");
+  figure::require_sound("contains", circle, part::place("p", p));
   return location(sign_of(predicates::DistanceAgainst2d{}, circle.center, p, circle.radius));
 }
 
 Location locate(const Sphere3& sphere, const Point3& p) {
-  require_numbers(Names<3>{"sphere.center", "sphere.radius", "p"}, sphere.center, sphere.radius, p);
-  require_radius(sphere.radius, "sphere.radius");
+  figure::require_sound("contains", sphere, part::place("p", p));
   return in_ball(sphere.center, sphere.radius, p);
 }
 
@@ -61,8 +58,7 @@ Location locate(const Capsule3& capsule, const Point3& p) { return locate_in_cap
 
 Location locate(const Cylinder3& cylinder, const Point3& p) {
   const auto& [a, b, radius] = cylinder;
-  require_numbers(Names<4>{"cylinder.a", "cylinder.b", "cylinder.radius", "p"}, a, b, radius, p);
-  require_radius(radius, "cylinder.radius");
+  figure::require_sound("contains", cylinder, part::place("p", p));
   if (a == b) return in_ball(a, radius, p);
   const Location ends = between_ends(a, b, p);
   if (ends == Location::outside) return ends;
@@ -71,8 +67,7 @@ Location locate(const Cylinder3& cylinder, const Point3& p) {
 
 Location locate(const Cone3& cone, const Point3& p) {
   const auto& [apex, base, radius] = cone;
-  require_numbers(Names<4>{"cone.apex", "cone.base", "cone.radius", "p"}, apex, base, radius, p);
-  require_radius(radius, "cone.radius");
+  figure::require_sound("contains", cone, part::place("p", p));
   if (apex == base) return in_ball(apex, radius, p);
   const Location ends = between_ends(apex, base, p);
   if (ends == Location::outside) return ends;

@@ -44,7 +44,7 @@ using namespace figure::containment;
 
 Location locate(const Triangle2& triangle, const Point2& p) {
   const auto& [a, b, c] = triangle;
-  require_numbers(Names<4>{"triangle.a", "triangle.b", "triangle.c", "p"}, a, b, c, p);
+  figure::require_sound("contains", triangle, part::place("p", p));
   const Sign turn = orient2d(a, b, c);
   if (turn == Sign::zero) return boundary_if(on_edges(a, b, c, p));
   return within(std::array{orient2d(a, b, p) * turn, orient2d(b, c, p) * turn, orient2d(c, a, p) * turn});
@@ -52,13 +52,13 @@ Location locate(const Triangle2& triangle, const Point2& p) {
 
 Location locate(const Triangle3& triangle, const Point3& p) {
   const auto& [a, b, c] = triangle;
-  require_numbers(Names<4>{"triangle.a", "triangle.b", "triangle.c", "p"}, a, b, c, p);
+  figure::require_sound("contains", triangle, part::place("p", p));
   return boundary_if(in_triangle(a, b, c, p));
 }
 
 Location locate(const Tetrahedron3& tetrahedron, const Point3& p) {
   const auto& [a, b, c, d] = tetrahedron;
-  require_numbers(Names<5>{"tetrahedron.a", "tetrahedron.b", "tetrahedron.c", "tetrahedron.d", "p"}, a, b, c, d, p);
+  figure::require_sound("contains", tetrahedron, part::place("p", p));
   const Sign turn = orient3d(a, b, c, d);
   if (turn == Sign::zero) {  // two faces on a diagonal cover it, or one, or the three around a corner: never all four
     return boundary_if(in_triangle(a, b, c, p) || in_triangle(a, b, d, p) || in_triangle(b, c, d, p));

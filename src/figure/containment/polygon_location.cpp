@@ -4,9 +4,8 @@
 #include <array>
 #include <string>
 
-#include "figure/basic/chain_input.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/plane_of_points.hpp"
+#include "figure/basic/sound.hpp"
 #include "figure/containment/chain_winding.hpp"
 #include "plumb/predicates.hpp"
 
@@ -14,19 +13,6 @@ namespace plumb {
 namespace {
 
 constexpr std::string_view kFunction = "locate";
-
-template <class Point>
-void require_point(std::string_view function, const Point& p) {
-  require_finite_parts(function, std::array<std::string_view, 1>{"p"}, p);
-}
-
-template <class Quadrilateral, class Point>
-void require_parts(const Quadrilateral& q, const Point& p) {
-  require_finite_parts(
-      kFunction,
-      std::array<std::string_view, 5>{"quadrilateral.a", "quadrilateral.b", "quadrilateral.c", "quadrilateral.d", "p"},
-      q.a, q.b, q.c, q.d, p);
-}
 
 /// Adds up over chains.
 class Windings {
@@ -84,18 +70,13 @@ Location locate_in_space(std::span<const Chain3> chains, const Point3& p) {
   return windings.location([] {});
 }
 
-std::string hole_name(std::size_t k) {
-  return std::string("polygon.holes[").append(std::to_string(k)).append("].vertices");
-}
-
 Location surface(Location in_plane) { return in_plane == Location::outside ? Location::outside : Location::boundary; }
 
 }  // namespace
 
 std::optional<int> winding_number(const Polygon2& polygon, const Point2& p) {
   assert_sound_thread();
-  require_chain<Point2>("winding_number", "polygon.vertices", polygon.vertices);
-  require_point("winding_number", p);
+  figure::require_sound("winding_number", polygon, part::place("p", p));
   const ChainWinding w = winding_of(polygon.vertices, p);
   return w.is_on ? std::nullopt : std::optional(w.turns);
 }
@@ -105,17 +86,14 @@ Location locate(const Quadrilateral2& q, const Point2& p) {
   const std::array chain{q.a, q.b, q.c, q.d};
   Windings windings;
   windings.add(chain, p);
-  return windings.location([&] { require_parts(q, p); });
+  return windings.location([&] { figure::require_sound(kFunction, q, part::place("p", p)); });
 }
 
 Location locate(const Polygon2& polygon, const Point2& p) {
   assert_sound_thread();
   Windings windings;
   windings.add(polygon.vertices, p);
-  return windings.location([&] {
-    require_chain<Point2>(kFunction, "polygon.vertices", polygon.vertices);
-    require_point(kFunction, p);
-  });
+  return windings.location([&] { figure::require_sound(kFunction, polygon, part::place("p", p)); });
 }
 
 Location locate(const HoledPolygon2& polygon, const Point2& p) {
@@ -123,36 +101,26 @@ Location locate(const HoledPolygon2& polygon, const Point2& p) {
   Windings windings;
   windings.add(polygon.outer.vertices, p);
   for (const Polygon2& hole : polygon.holes) windings.add(hole.vertices, p);
-  return windings.location([&] {
-    require_chain<Point2>(kFunction, "polygon.outer.vertices", polygon.outer.vertices);
-    for (std::size_t k = 0; k < polygon.holes.size(); ++k)
-      require_chain<Point2>(kFunction, hole_name(k), polygon.holes[k].vertices);
-    require_point(kFunction, p);
-  });
+  return windings.location([&] { figure::require_sound(kFunction, polygon, part::place("p", p)); });
 }
 
 Location locate_in_plane(const Quadrilateral3& q, const Point3& p) {
-  require_parts(q, p);
+  figure::require_sound(kFunction, q, part::place("p", p));
   const std::array corners{q.a, q.b, q.c, q.d};
   const std::array<Chain3, 1> chains{corners};
   return locate_in_space(chains, p);
 }
 
 Location locate_in_plane(const Polygon3& polygon, const Point3& p) {
-  require_chain<Point3>(kFunction, "polygon.vertices", polygon.vertices);
-  require_point(kFunction, p);
+  figure::require_sound(kFunction, polygon, part::place("p", p));
   const std::array<Chain3, 1> chains{polygon.vertices};
   return locate_in_space(chains, p);
 }
 
 Location locate_in_plane(const HoledPolygon3& polygon, const Point3& p) {
-  require_chain<Point3>(kFunction, "polygon.outer.vertices", polygon.outer.vertices);
+  figure::require_sound(kFunction, polygon, part::place("p", p));
   std::vector<Chain3> chains{polygon.outer.vertices};
-  for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
-    require_chain<Point3>(kFunction, hole_name(k), polygon.holes[k].vertices);
-    chains.emplace_back(polygon.holes[k].vertices);
-  }
-  require_point(kFunction, p);
+  for (const Polygon3& hole : polygon.holes) chains.emplace_back(hole.vertices);
   return locate_in_space(chains, p);
 }
 

@@ -2,7 +2,7 @@
 // the ways that leave it.
 #include "plumb/figure/containment/voronoi_region.hpp"
 
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/predicates.hpp"
 
@@ -76,11 +76,11 @@ Feature region_of_tetrahedron(const Tetrahedron3& t, const Point3& p) {
 }  // namespace
 
 Feature voronoi_region(const Segment2& s, const Point2& p) {
-  require_finite_parts("voronoi_region", std::array<std::string_view, 3>{"segment.a", "segment.b", "p"}, s.a, s.b, p);
+  figure::require_sound("voronoi_region", s, part::place("p", p));
   return region_of_segment(s.a, s.b, p);
 }
 Feature voronoi_region(const Segment3& s, const Point3& p) {
-  require_finite_parts("voronoi_region", std::array<std::string_view, 3>{"segment.a", "segment.b", "p"}, s.a, s.b, p);
+  figure::require_sound("voronoi_region", s, part::place("p", p));
   return region_of_segment(s.a, s.b, p);
 }
 
@@ -96,16 +96,12 @@ Feature voronoi_region(const Triangle3& t, const Point3& p) {
 }
 
 Feature voronoi_region(const Tetrahedron3& t, const Point3& p) {
-  require_finite_parts(
-      "voronoi_region",
-      std::array<std::string_view, 5>{"tetrahedron.a", "tetrahedron.b", "tetrahedron.c", "tetrahedron.d", "p"}, t.a,
-      t.b, t.c, t.d, p);
+  figure::require_sound("voronoi_region", t, part::place("p", p));
   return region_of_tetrahedron(t, p);
 }
 
 Feature voronoi_region(const Aabb3& box, const Point3& p) {
-  require_finite_parts("voronoi_region", std::array<std::string_view, 3>{"box.min", "box.max", "p"}, box.min, box.max,
-                       p);
+  figure::require_sound("voronoi_region", box, part::place("p", p));
   const auto min = coordinates(box.min), max = coordinates(box.max), at = coordinates(p);
   std::uint32_t free = 0, free_axes = 0, fixed_axis = 0, upper = 0, places = 0;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {

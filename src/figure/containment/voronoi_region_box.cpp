@@ -10,7 +10,7 @@
 // axes passes, as every point of the box is reached with free axes that are independent.
 #include <cmath>
 
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 #include "plumb/predicates.hpp"
@@ -134,10 +134,7 @@ class Box {
 }  // namespace
 
 Feature voronoi_region(const Obb3& box, const Point3& p) {
-  require_finite_parts(
-      "voronoi_region",
-      std::array<std::string_view, 6>{"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "p"},
-      box.center, box.axes[0], box.axes[1], box.axes[2], box.half, p);
+  figure::require_sound("voronoi_region", box, part::place("p", p));
   return Box(box, p).nearest();
 }
 

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-using figure::check;
+using figure::check, figure::require_sound;
 using figure::require_finite_parts;
 using figure::require_finite_points;
 using figure::within_doubles;
@@ -107,7 +107,7 @@ Sign least_side(const Vector3& d, double min, double max, const Point3& p) {
 
 template <class Vector, class Point>
 Location location(std::string_view function, const KDop<Vector>& k_dop, const Point& p) {
-  check(function, "k_dop", k_dop);
+  require_sound(function, k_dop);
   require_finite_parts(function, {"p"}, p);
   Sign least = Sign::positive;
   for (std::size_t i = 0; i < k_dop.min.size() && least != Sign::negative; ++i)
@@ -184,8 +184,7 @@ KDop3 fit_k_dop(std::span<const Point3> points, int k) { return fit(points, k_do
 
 KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, const Pose& pose) {
   const auto& c = pose.columns;
-  require_finite_parts("fit_k_dop", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0],
-                       c[1], c[2], pose.translation);
+  figure::require_sound("fit_k_dop", pose);
   return fit(
       points, directions,
       [&](const Point3& p, const Point3& q, const Vector3& d) {

@@ -31,7 +31,7 @@ double greatest(const arith::RationalVector& direction, const mpq_class& by, con
 template <class Vector, std::size_t n>
 KDop<Vector> image(std::string_view function, const KDop<Vector>& k_dop, const std::array<Vector, n>& columns,
                    const Vector& translation) {
-  check(function, "k_dop", k_dop);
+  require_sound(function, k_dop);
   const arith::Constraints set = halfspaces(k_dop);
   if (is_empty(set)) return no_points(k_dop);
   KDop<Vector> result{k_dop.directions, {}, {}};
@@ -50,7 +50,7 @@ KDop<Vector> image(std::string_view function, const KDop<Vector>& k_dop, const s
 
 template <class Vector, std::size_t n>
 KDop<Vector> tight(const KDop<Vector>& k_dop, const std::array<Vector, n>& axes) {
-  check("tighten", "k_dop", k_dop);
+  require_sound("tighten", k_dop);
   if (has_empty_interval(k_dop)) return no_points(k_dop);
   return image("tighten", k_dop, axes, Vector{});
 }
@@ -165,7 +165,7 @@ mpq_class root(const mpq_class& square) {
 
 template <class Measure>
 mpq_class sum_over_faces(std::string_view function, const KDop3& k_dop, Measure measure) {
-  check(function, "k_dop", k_dop);
+  require_sound(function, k_dop);
   const arith::Constraints set = halfspaces(k_dop);
   if (has_empty_interval(k_dop) || is_empty(set)) return 0;
   const std::vector<Span> box = bounds(function, set, 3);
@@ -178,7 +178,7 @@ mpq_class sum_over_faces(std::string_view function, const KDop3& k_dop, Measure 
 
 template <class Vector>
 double value_along(const KDop<Vector>& k_dop, const Vector& direction, Rounding rounding) {
-  check("support_value", "k_dop", k_dop);
+  require_sound("support_value", k_dop);
   require_finite_parts("support_value", {"direction"}, direction);
   const arith::Constraints set = halfspaces(k_dop);
   if (is_empty(set)) throw InvalidShape("support_value: k_dop is empty; it has no farthest point");
@@ -200,7 +200,7 @@ KDop3 tighten(const KDop3& k_dop) {
 }
 
 Aabb2 fit_aabb(const KDop2& k_dop) {
-  check("fit_aabb", "k_dop", k_dop);
+  require_sound("fit_aabb", k_dop);
   const arith::Constraints set = halfspaces(k_dop);
   if (is_empty(set)) return {{1, 1}, {-1, -1}};
   const auto along = [&](double x, double y, const char* part) { return greatest({x, y}, 0, set, "fit_aabb", part); };
@@ -208,7 +208,7 @@ Aabb2 fit_aabb(const KDop2& k_dop) {
 }
 
 Aabb3 fit_aabb(const KDop3& k_dop) {
-  check("fit_aabb", "k_dop", k_dop);
+  require_sound("fit_aabb", k_dop);
   const arith::Constraints set = halfspaces(k_dop);
   if (is_empty(set)) return {{1, 1, 1}, {-1, -1, -1}};
   const auto along = [&](double x, double y, double z, const char* part) {
@@ -220,19 +220,18 @@ Aabb3 fit_aabb(const KDop3& k_dop) {
 
 KDop2 transform(const KDop2& k_dop, const Pose2& pose) {
   const auto& [c, t] = pose;
-  require_finite_parts("transform", {"pose.columns[0]", "pose.columns[1]", "pose.translation"}, c[0], c[1], t);
+  figure::require_sound("transform", pose);
   return image("transform", k_dop, c, t);
 }
 
 KDop3 transform(const KDop3& k_dop, const Pose& pose) {
   const auto& [c, t] = pose;
-  require_finite_parts("transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0],
-                       c[1], c[2], t);
+  figure::require_sound("transform", pose);
   return image("transform", k_dop, c, t);
 }
 
 double area(const KDop2& k_dop) {
-  check("area", "k_dop", k_dop);
+  require_sound("area", k_dop);
   const arith::Constraints set = halfspaces(k_dop);
   if (has_empty_interval(k_dop) || is_empty(set)) return 0;
   const std::vector<Span> box = bounds("area", set, 2);

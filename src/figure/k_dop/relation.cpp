@@ -111,7 +111,7 @@ bool meet(const KDop<Vector>& a, const KDop<Vector>& b) {
 
 template <class Vector>
 bool is_empty_set(const KDop<Vector>& k_dop) {
-  check("is_empty", "k_dop", k_dop);
+  require_sound("is_empty", k_dop);
   if (has_empty_interval(k_dop)) return true;
   if (const auto sign = sign_of_slack(k_dop)) return *sign < 0;
   return is_empty(halfspaces(k_dop));
@@ -119,8 +119,8 @@ bool is_empty_set(const KDop<Vector>& k_dop) {
 
 template <class Vector>
 bool holds(const KDop<Vector>& outer, const KDop<Vector>& inner) {
-  check("contains", "outer", outer);
-  check("contains", "inner", inner);
+  require_sound("contains", "outer", outer);
+  require_sound("contains", "inner", inner);
   bool nested = outer.directions == inner.directions;
   for (std::size_t i = 0; nested && i < outer.min.size(); ++i)
     nested = outer.min[i] <= inner.min[i] && inner.max[i] <= outer.max[i];

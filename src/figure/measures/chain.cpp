@@ -1,8 +1,7 @@
 #include <cmath>
 
-#include "figure/basic/chain_input.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/signed_sums.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/figure/measures/measures.hpp"
 
 namespace plumb {
@@ -19,23 +18,8 @@ using figure::signed_sums::twice_vector_area;
 using figure::signed_sums::vector;
 using figure::signed_sums::VectorOf;
 
-constexpr std::array<std::string_view, 3> kTriangle{"triangle.a", "triangle.b", "triangle.c"};
-constexpr std::array<std::string_view, 4> kQuadrilateral{"quadrilateral.a", "quadrilateral.b", "quadrilateral.c",
-                                                         "quadrilateral.d"};
-constexpr std::array<std::string_view, 4> kTetrahedron{"tetrahedron.a", "tetrahedron.b", "tetrahedron.c",
-                                                       "tetrahedron.d"};
-
 using Chain2 = std::span<const Point2>;
 using Chain3 = std::span<const Point3>;
-
-template <class Point, class Polygon>
-void require_chains(std::string_view function, const Polygon& polygon) {
-  require_chain<Point>(function, "polygon.outer.vertices", polygon.outer.vertices);
-  for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
-    require_chain<Point>(function, std::string("polygon.holes[").append(std::to_string(k)).append("].vertices"),
-                         polygon.holes[k].vertices);
-  }
-}
 
 double chain_area(Chain2 chain) {
   return nearest([&](const auto& number) { return twice_area(number, chain); }, 2);
@@ -202,22 +186,22 @@ Point checked_mean(std::span<const Point> points) {
 }  // namespace
 
 double signed_area(const Triangle2& t) {
-  require_finite_parts("signed_area", kTriangle, t.a, t.b, t.c);
+  figure::require_sound("signed_area", t);
   return chain_area(std::array{t.a, t.b, t.c});
 }
 
 double signed_area(const Quadrilateral2& q) {
-  require_finite_parts("signed_area", kQuadrilateral, q.a, q.b, q.c, q.d);
+  figure::require_sound("signed_area", q);
   return chain_area(std::array{q.a, q.b, q.c, q.d});
 }
 
 double signed_area(const Polygon2& polygon) {
-  require_chain<Point2>("signed_area", "polygon.vertices", polygon.vertices);
+  figure::require_sound("signed_area", polygon);
   return chain_area(Chain2(polygon.vertices));
 }
 
 double signed_area(const HoledPolygon2& polygon) {
-  require_chains<Point2>("signed_area", polygon);
+  figure::require_sound("signed_area", polygon);
   return area_left(polygon, true);
 }
 
@@ -226,27 +210,27 @@ double area(const Quadrilateral2& quadrilateral) { return std::fabs(signed_area(
 double area(const Polygon2& polygon) { return std::fabs(signed_area(polygon)); }
 
 double area(const HoledPolygon2& polygon) {
-  require_chains<Point2>("area", polygon);
+  figure::require_sound("area", polygon);
   return area_left(polygon, false);
 }
 
 double area(const Triangle3& t) {
-  require_finite_parts("area", kTriangle, t.a, t.b, t.c);
+  figure::require_sound("area", t);
   return chain_area(std::array{t.a, t.b, t.c});
 }
 
 double area(const Quadrilateral3& q) {
-  require_finite_parts("area", kQuadrilateral, q.a, q.b, q.c, q.d);
+  figure::require_sound("area", q);
   return chain_area(std::array{q.a, q.b, q.c, q.d});
 }
 
 double area(const Polygon3& polygon) {
-  require_chain<Point3>("area", "polygon.vertices", polygon.vertices);
+  figure::require_sound("area", polygon);
   return chain_area(Chain3(polygon.vertices));
 }
 
 double area(const HoledPolygon3& polygon) {
-  require_chains<Point3>("area", polygon);
+  figure::require_sound("area", polygon);
   const std::vector<Chain3> chains = chains_of(polygon);
   const std::vector<int> weight = weights(polygon);
   return nearest_root(
@@ -259,7 +243,7 @@ double area(const HoledPolygon3& polygon) {
 }
 
 double signed_volume(const Tetrahedron3& t) {
-  require_finite_parts("signed_volume", kTetrahedron, t.a, t.b, t.c, t.d);
+  figure::require_sound("signed_volume", t);
   return nearest(
       [&](const auto& number) {
         const auto d = vector(number, t.d);
@@ -274,49 +258,49 @@ Point2 centroid(std::span<const Point2> points) { return checked_mean(points); }
 Point3 centroid(std::span<const Point3> points) { return checked_mean(points); }
 
 Point2 centroid(const Triangle2& t) {
-  require_finite_parts("centroid", kTriangle, t.a, t.b, t.c);
+  figure::require_sound("centroid", t);
   return mean(std::array{t.a, t.b, t.c});
 }
 
 Point3 centroid(const Triangle3& t) {
-  require_finite_parts("centroid", kTriangle, t.a, t.b, t.c);
+  figure::require_sound("centroid", t);
   return mean(std::array{t.a, t.b, t.c});
 }
 
 Point3 centroid(const Tetrahedron3& t) {
-  require_finite_parts("centroid", kTetrahedron, t.a, t.b, t.c, t.d);
+  figure::require_sound("centroid", t);
   return mean(std::array{t.a, t.b, t.c, t.d});
 }
 
 Point2 centroid(const Quadrilateral2& q) {
-  require_finite_parts("centroid", kQuadrilateral, q.a, q.b, q.c, q.d);
+  figure::require_sound("centroid", q);
   return chain_centroid(std::array{q.a, q.b, q.c, q.d});
 }
 
 Point3 centroid(const Quadrilateral3& q) {
-  require_finite_parts("centroid", kQuadrilateral, q.a, q.b, q.c, q.d);
+  figure::require_sound("centroid", q);
   return chain_centroid(std::array{q.a, q.b, q.c, q.d});
 }
 
 Point2 centroid(const Polygon2& polygon) {
-  require_chain<Point2>("centroid", "polygon.vertices", polygon.vertices);
+  figure::require_sound("centroid", polygon);
   return chain_centroid(Chain2(polygon.vertices));
 }
 
 Point3 centroid(const Polygon3& polygon) {
-  require_chain<Point3>("centroid", "polygon.vertices", polygon.vertices);
+  figure::require_sound("centroid", polygon);
   return chain_centroid(Chain3(polygon.vertices));
 }
 
 Point2 centroid(const HoledPolygon2& polygon) {
-  require_chains<Point2>("centroid", polygon);
+  figure::require_sound("centroid", polygon);
   const std::vector<int> weight = weights(polygon);
   return area_centroid(
       weight.size(), [&](std::size_t k) { return chain_of(polygon, k); }, [&](std::size_t k) { return weight[k]; });
 }
 
 Point3 centroid(const HoledPolygon3& polygon) {
-  require_chains<Point3>("centroid", polygon);
+  figure::require_sound("centroid", polygon);
   return area_centroid(chains_of(polygon), weights(polygon));
 }
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "arith/root_bounds.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/mesh_input.hpp"
 #include "figure/basic/signed_sums.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/figure/measures/measures.hpp"
 
 namespace plumb {
@@ -191,10 +191,7 @@ double surface_area(const PolygonMesh& mesh) { return checked_area(mesh); }
 double surface_area(const ConvexPolyhedron3& polyhedron) { return checked_area(polyhedron.mesh); }
 
 double surface_area(const Tetrahedron3& t) {
-  require_finite_parts(
-      "surface_area",
-      std::array<std::string_view, 4>{"tetrahedron.a", "tetrahedron.b", "tetrahedron.c", "tetrahedron.d"}, t.a, t.b,
-      t.c, t.d);
+  figure::require_sound("surface_area", t);
   return surface_area(TriangleMesh{{t.a, t.b, t.c, t.d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
 }
 

@@ -1,9 +1,8 @@
 #include <cmath>
-#include <cstdio>
 
 #include "arith/root_bounds.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/signed_sums.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/measures/measures.hpp"
 
@@ -15,22 +14,6 @@ using arith::exact_sum::nearly_nearest;
 using figure::signed_sums::cross;
 using figure::signed_sums::dot;
 using figure::signed_sums::vector;
-using Names1 = std::array<std::string_view, 1>;
-using Names2 = std::array<std::string_view, 2>;
-using Names3 = std::array<std::string_view, 3>;
-using Names4 = std::array<std::string_view, 4>;
-
-void require_radius(std::string_view function, std::string_view part, double radius) {
-  if (radius >= 0) return;
-  std::array<char, 32> number{};
-  std::snprintf(number.data(), number.size(), "%.17g", radius);
-  throw InvalidShape(std::string(function)
-                         .append(": ")
-                         .append(part)
-                         .append(" is ")
-                         .append(number.data())
-                         .append(", and a radius must not be negative"));
-}
 
 /// For radicands: the squared length of the segment from a to b.
 template <class Point>
@@ -91,38 +74,6 @@ double box_surface(const Widths& of) {
   });
 }
 
-void require(std::string_view function, const Aabb3& b) {
-  require_finite_parts(function, Names2{"box.min", "box.max"}, b.min, b.max);
-}
-void require(std::string_view function, const AabbWidths3& b) {
-  require_finite_parts(function, Names2{"box.min", "box.widths"}, b.min, b.widths);
-}
-void require(std::string_view function, const AabbCenter3& b) {
-  require_finite_parts(function, Names2{"box.center", "box.half"}, b.center, b.half);
-}
-void require(std::string_view function, const Sphere3& s) {
-  require_finite_parts(function, Names2{"sphere.center", "sphere.radius"}, s.center, s.radius);
-  require_radius(function, "sphere.radius", s.radius);
-}
-template <class Capsule>
-void require_capsule(std::string_view function, const Capsule& c) {
-  require_finite_parts(function, Names3{"capsule.a", "capsule.b", "capsule.radius"}, c.a, c.b, c.radius);
-  require_radius(function, "capsule.radius", c.radius);
-}
-void require(std::string_view function, const Cylinder3& c) {
-  require_finite_parts(function, Names3{"cylinder.a", "cylinder.b", "cylinder.radius"}, c.a, c.b, c.radius);
-  require_radius(function, "cylinder.radius", c.radius);
-}
-void require(std::string_view function, const Cone3& c) {
-  require_finite_parts(function, Names3{"cone.apex", "cone.base", "cone.radius"}, c.apex, c.base, c.radius);
-  require_radius(function, "cone.radius", c.radius);
-}
-void require(std::string_view function, const Lozenge3& l) {
-  require_finite_parts(function, Names4{"lozenge.corner", "lozenge.edges[0]", "lozenge.edges[1]", "lozenge.radius"},
-                       l.corner, l.edges[0], l.edges[1], l.radius);
-  require_radius(function, "lozenge.radius", l.radius);
-}
-
 double ball_volume(double radius) {
   return nearly_nearest(
       [&](const auto& number, const auto& pi) {
@@ -144,8 +95,7 @@ double ball_surface(double radius) {
 }  // namespace
 
 double area(const Circle2& c) {
-  require_finite_parts("area", Names2{"circle.center", "circle.radius"}, c.center, c.radius);
-  require_radius("area", "circle.radius", c.radius);
+  figure::require_sound("area", c);
   return nearly_nearest(
       [&](const auto& number, const auto& pi) {
         const auto r = number(c.radius);
@@ -155,7 +105,7 @@ double area(const Circle2& c) {
 }
 
 double area(const Capsule2& c) {
-  require_capsule("area", c);
+  figure::require_sound("area", c);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& length) {
         const auto r = number(c.radius);
@@ -165,15 +115,14 @@ double area(const Capsule2& c) {
 }
 
 double area(const Aabb2& b) {
-  require_finite_parts("area", Names2{"box.min", "box.max"}, b.min, b.max);
+  figure::require_sound("area", b);
   if (is_empty(b)) return 0;
   return nearest(
       [&](const auto& number) { return (number(b.max.x) - number(b.min.x)) * (number(b.max.y) - number(b.min.y)); });
 }
 
 double area(const Obb2& b) {
-  require_finite_parts("area", Names4{"box.center", "box.axes[0]", "box.axes[1]", "box.half"}, b.center, b.axes[0],
-                       b.axes[1], b.half);
+  figure::require_sound("area", b);
   return std::fabs(nearest([&](const auto& number) {
     const auto [u, v] = b.axes;
     return number(4.0) * (number(b.half.x) * number(b.half.y)) *
@@ -182,8 +131,7 @@ double area(const Obb2& b) {
 }
 
 double area(const Rectangle3& r) {
-  require_finite_parts("area", Names4{"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half"},
-                       r.center, r.axes[0], r.axes[1], r.half);
+  figure::require_sound("area", r);
   return arith::exact_sum::nearest_root([&](const auto& number) {
     const auto n = number(4.0) * (number(r.half.x) * number(r.half.y)) *
                    cross(vector(number, r.axes[0]), vector(number, r.axes[1]));
@@ -192,43 +140,43 @@ double area(const Rectangle3& r) {
 }
 
 double volume(const Aabb3& box) {
-  require("volume", box);
+  figure::require_sound("volume", box);
   return is_empty(box) ? 0 : box_volume(widths(box));
 }
 double volume(const AabbWidths3& box) {
-  require("volume", box);
+  figure::require_sound("volume", box);
   return box_volume(widths(box));
 }
 double volume(const AabbCenter3& box) {
-  require("volume", box);
+  figure::require_sound("volume", box);
   return box_volume(widths(box));
 }
 
 double surface_area(const Aabb3& box) {
-  require("surface_area", box);
+  figure::require_sound("surface_area", box);
   return is_empty(box) ? 0 : box_surface(widths(box));
 }
 double surface_area(const AabbWidths3& box) {
-  require("surface_area", box);
+  figure::require_sound("surface_area", box);
   return box_surface(widths(box));
 }
 double surface_area(const AabbCenter3& box) {
-  require("surface_area", box);
+  figure::require_sound("surface_area", box);
   return box_surface(widths(box));
 }
 
 double volume(const Sphere3& sphere) {
-  require("volume", sphere);
+  figure::require_sound("volume", sphere);
   return ball_volume(sphere.radius);
 }
 
 double surface_area(const Sphere3& sphere) {
-  require("surface_area", sphere);
+  figure::require_sound("surface_area", sphere);
   return ball_surface(sphere.radius);
 }
 
 double volume(const Capsule3& c) {
-  require_capsule("volume", c);
+  figure::require_sound("volume", c);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& length) {
         const auto r = number(c.radius);
@@ -238,7 +186,7 @@ double volume(const Capsule3& c) {
 }
 
 double surface_area(const Capsule3& c) {
-  require_capsule("surface_area", c);
+  figure::require_sound("surface_area", c);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& length) {
         const auto r = number(c.radius);
@@ -250,7 +198,7 @@ double surface_area(const Capsule3& c) {
 // What is within r of a flat convex set of area A and perimeter P: 2 A r + pi P r^2 / 2 + 4 pi r^3 / 3; its surface is
 // the derivative.
 double volume(const Lozenge3& l) {
-  require("volume", l);
+  figure::require_sound("volume", l);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& u, const auto& v, const auto& flat) {
         const auto r = number(l.radius);
@@ -260,7 +208,7 @@ double volume(const Lozenge3& l) {
 }
 
 double surface_area(const Lozenge3& l) {
-  require("surface_area", l);
+  figure::require_sound("surface_area", l);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& u, const auto& v, const auto& flat) {
         const auto r = number(l.radius);
@@ -270,7 +218,7 @@ double surface_area(const Lozenge3& l) {
 }
 
 double volume(const Cylinder3& c) {
-  require("volume", c);
+  figure::require_sound("volume", c);
   if (c.a == c.b) return ball_volume(c.radius);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& length) {
@@ -281,7 +229,7 @@ double volume(const Cylinder3& c) {
 }
 
 double surface_area(const Cylinder3& c) {
-  require("surface_area", c);
+  figure::require_sound("surface_area", c);
   if (c.a == c.b) return ball_surface(c.radius);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& length) {
@@ -292,7 +240,7 @@ double surface_area(const Cylinder3& c) {
 }
 
 double volume(const Cone3& c) {
-  require("volume", c);
+  figure::require_sound("volume", c);
   if (c.apex == c.base) return ball_volume(c.radius);
   return nearly_nearest(
       [&](const auto& number, const auto& pi, const auto& length) {
@@ -303,7 +251,7 @@ double volume(const Cone3& c) {
 }
 
 double surface_area(const Cone3& c) {
-  require("surface_area", c);
+  figure::require_sound("surface_area", c);
   if (c.apex == c.base) return ball_surface(c.radius);
   const auto squared_slant = [&c](const auto& number) {
     return squared_length(c.apex, c.base)(number) + number(c.radius) * number(c.radius);
@@ -317,10 +265,7 @@ double surface_area(const Cone3& c) {
 }
 
 double volume(const Ellipsoid3& e) {
-  require_finite_parts("volume",
-                       std::array<std::string_view, 5>{"ellipsoid.center", "ellipsoid.axes[0]", "ellipsoid.axes[1]",
-                                                       "ellipsoid.axes[2]", "ellipsoid.half"},
-                       e.center, e.axes[0], e.axes[1], e.axes[2], e.half);
+  figure::require_sound("volume", e);
   const auto parallelepiped = [&e](const auto& number) {
     const auto spanned = dot(vector(number, e.axes[0]), cross(vector(number, e.axes[1]), vector(number, e.axes[2])));
     return number(e.half.x) * number(e.half.y) * number(e.half.z) * spanned;

@@ -3,7 +3,7 @@
 
 #include "arith/big_rounding.hpp"
 #include "arith/vec.hpp"
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "figure/obb/exact_volume.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/figure/obb/obb.hpp"
@@ -20,11 +20,6 @@ N squared_area(const Obb3& box, std::size_t i) {
   const auto normal = cross(vec<N>(box.axes[(i + 1) % 3]), vec<N>(box.axes[(i + 2) % 3]));
   const N size = N(8) * (N(half[(i + 1) % 3]) * N(half[(i + 2) % 3]));
   return size * size * dot(normal, normal);
-}
-
-void require_finite_box(std::string_view function, const Obb3& box) {
-  figure::require_finite_parts(function, {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half"},
-                               box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
 }
 
 // floor(2^bits root(x)), and whether that is all.
@@ -64,13 +59,13 @@ double sum_of_roots(const std::array<BigDyadic, 3>& squares) {
 }  // namespace
 
 double volume(const Obb3& box) {
-  require_finite_box("volume", box);
+  figure::require_sound("volume", box);
   const auto quick = signed_volume_of<Ball>(box).nearest();
   return std::fabs(quick ? *quick : rounded(Rounding::nearest, signed_volume_of<BigDyadic>(box)));
 }
 
 double surface_area(const Obb3& box) {
-  require_finite_box("surface_area", box);
+  figure::require_sound("surface_area", box);
   const Ball quick =
       root(squared_area<Ball>(box, 0)) + (root(squared_area<Ball>(box, 1)) + root(squared_area<Ball>(box, 2)));
   if (const auto area = quick.nearest()) return *area;

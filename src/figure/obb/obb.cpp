@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "certify/rounded.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
+#include "figure/basic/sound.hpp"
 #include "figure/obb/enclose.hpp"
 #include "figure/obb/exact_volume.hpp"
 #include "plumb/arith/error.hpp"
@@ -20,15 +20,6 @@ using figure::require_finite_points;
 using figure::within_doubles;
 
 using Axes = std::array<Vector3, 3>;
-
-void require_finite_box(std::string_view function, std::string_view name, const Obb3& box) {
-  const std::string text(name);
-  const std::array<std::string, 5> parts{std::string(text).append(".center"), std::string(text).append(".axes[0]"),
-                                         std::string(text).append(".axes[1]"), std::string(text).append(".axes[2]"),
-                                         std::string(text).append(".half")};
-  const std::array<std::string_view, 5> names{parts[0], parts[1], parts[2], parts[3], parts[4]};
-  require_finite_parts(function, names, box.center, box.axes[0], box.axes[1], box.axes[2], box.half);
-}
 
 Obb3 checked(const Obb3& box, std::string_view function) {
   for (const double x : {box.half.x, box.half.y, box.half.z}) (void)within_doubles(x, function, "a half extent");
@@ -108,7 +99,7 @@ Axes spanning(const Axes& axes) {
 }  // namespace
 
 std::array<Point3, 8> corners(const Obb3& box) {
-  require_finite_box("corners", "box", box);
+  figure::require_sound("corners", box);
   const auto coordinate = [&](double Point3::*p, double Vector3::*v, const std::array<double, 3>& half) {
     return rounded_value(
         Rounding::nearest,
@@ -158,14 +149,14 @@ Obb2 fit_obb(const std::array<Vector2, 2>& axes, std::span<const Point2> points)
 }
 
 Obb3 oriented_box(const Aabb3& box) {
-  require_finite_parts("oriented_box", {"box.min", "box.max"}, box.min, box.max);
+  figure::require_sound("oriented_box", box);
   if (is_empty(box)) throw InvalidShape("oriented_box: the box is empty; give one with min <= max in every axis");
   return fit_obb({Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, std::array{box.min, box.max});
 }
 
 Obb3 merge(const Obb3& a, const Obb3& b) {
-  require_finite_box("merge", "a", a);
-  require_finite_box("merge", "b", b);
+  figure::require_sound("merge", "a", a);
+  figure::require_sound("merge", "b", b);
   const auto within = [](const Obb3& outer, const Obb3& inner) {
     if (!figure::enclosing::independent(outer.axes)) return false;
     const figure::enclosing::Body body{inner};
@@ -192,9 +183,8 @@ Obb3 merge(const Obb3& a, const Obb3& b) {
 }
 
 Obb3 transform(const Obb3& box, const Pose& pose) {
-  require_finite_box("transform", "box", box);
-  require_finite_parts("transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                       pose.columns[0], pose.columns[1], pose.columns[2], pose.translation);
+  figure::require_sound("transform", box);
+  figure::require_sound("transform", pose);
   const auto row = [&](double Vector3::*c, const auto& v, double add) {
     return rounded_value(
         Rounding::nearest,

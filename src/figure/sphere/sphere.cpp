@@ -6,7 +6,7 @@
 
 #include "certify/case_line.hpp"
 #include "certify/rounded.hpp"
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "figure/sphere/ball_reach.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/error.hpp"
@@ -62,22 +62,9 @@ double reach_of(const Point& from, const Ball& ball) {
 }
 
 template <class Ball>
-void require(std::string_view function, std::string_view name, const Ball& ball) {
-  const std::string center = std::string(name).append(".center"), radius = std::string(name).append(".radius");
-  require_finite_parts(function, {center, radius}, ball.center, ball.radius);
-  if (ball.radius < 0)
-    throw InvalidShape(std::string(function)
-                           .append(": ")
-                           .append(radius)
-                           .append(" is negative, ")
-                           .append(hexadecimal(ball.radius))
-                           .append("; give a radius of at least 0"));
-}
-
-template <class Ball>
 Sign exact_gap(std::string_view function, const Ball& a, const Ball& b) {
-  require(function, "a", a);
-  require(function, "b", b);
+  figure::require_sound(function, "a", a);
+  figure::require_sound(function, "b", b);
   if constexpr (std::is_same_v<Ball, Circle2>) {
     return decide<figure::sphere::Gap2>({a.center.x, a.center.y, a.radius, b.center.x, b.center.y, b.radius});
   } else {
@@ -138,14 +125,14 @@ Ball merged(std::string_view function, const Ball& one, const Ball& other) {
 
 template <class Ball>
 Ball merged(const Ball& a, const Ball& b) {
-  require("merge", "a", a);
-  require("merge", "b", b);
+  figure::require_sound("merge", "a", a);
+  figure::require_sound("merge", "b", b);
   return merged("merge", a, b);
 }
 
 template <class Ball>
 Ball merged(std::string_view name, const Ball& ball, const decltype(ball.center)& p) {
-  require("merge", name, ball);
+  figure::require_sound("merge", name, ball);
   require_finite_parts("merge", {"p"}, p);
   return merged("merge", ball, Ball{p, 0});
 }
@@ -154,7 +141,7 @@ template <class Ball>
 Ball merged(std::string_view name, std::span<const Ball> balls) {
   if (balls.empty()) throw InvalidShape(std::string("merge: no ").append(name).append("; give at least one"));
   for (std::size_t i = 0; i < balls.size(); ++i)
-    require("merge", std::string(name).append("[").append(std::to_string(i)).append("]"), balls[i]);
+    figure::require_sound("merge", std::string(name).append("[").append(std::to_string(i)).append("]"), balls[i]);
   Ball all = balls[0];
   for (const Ball& ball : balls) all = merged("merge", all, ball);
   double r = 0;
@@ -165,10 +152,10 @@ Ball merged(std::string_view name, std::span<const Ball> balls) {
 }  // namespace
 
 void require_ball(std::string_view function, std::string_view name, const Circle2& ball) {
-  require(function, name, ball);
+  figure::require_sound(function, name, ball);
 }
 void require_ball(std::string_view function, std::string_view name, const Sphere3& ball) {
-  require(function, name, ball);
+  figure::require_sound(function, name, ball);
 }
 
 double reach(const Point2& from, const Circle2& ball) { return reach_of(from, ball); }
@@ -195,13 +182,13 @@ Sign gap_exactly(std::string_view function, const Sphere3& a, const Sphere3& b) 
 }  // namespace figure::sphere
 
 bool contains(const Circle2& outer, const Circle2& inner) {
-  figure::sphere::require("contains", "outer", outer);
-  figure::sphere::require("contains", "inner", inner);
+  figure::require_sound("contains", "outer", outer);
+  figure::require_sound("contains", "inner", inner);
   return figure::sphere::holds(outer, inner);
 }
 bool contains(const Sphere3& outer, const Sphere3& inner) {
-  figure::sphere::require("contains", "outer", outer);
-  figure::sphere::require("contains", "inner", inner);
+  figure::require_sound("contains", "outer", outer);
+  figure::require_sound("contains", "inner", inner);
   return figure::sphere::holds(outer, inner);
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "certify/rounded.hpp"
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "figure/sphere/ball_reach.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
@@ -91,14 +91,8 @@ std::array<Vector3, 3> in_space(const Pose2& pose) {
   return {{{u.x, u.y, 0}, {v.x, v.y, 0}, {0, 0, 0}}};
 }
 
-void require_pose(std::string_view function, const Pose2& pose) {
-  require_finite_parts(function, {"pose.columns[0]", "pose.columns[1]", "pose.translation"}, pose.columns[0],
-                       pose.columns[1], pose.translation);
-}
-void require_pose(std::string_view function, const Pose& pose) {
-  require_finite_parts(function, {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                       pose.columns[0], pose.columns[1], pose.columns[2], pose.translation);
-}
+void require_pose(std::string_view function, const Pose2& pose) { figure::require_sound(function, pose); }
+void require_pose(std::string_view function, const Pose& pose) { figure::require_sound(function, pose); }
 
 /// A coordinate of the image of the center, and how far from it the exact one may be.
 struct ImageAxis {

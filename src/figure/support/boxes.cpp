@@ -7,8 +7,6 @@
 namespace plumb {
 namespace {
 
-using Names3 = std::array<std::string_view, 3>;
-
 /// From one corner of a box to the other, by axis: which end lies farther, and whether both do.
 struct BoxVertex {
   std::uint32_t bits = 0;
@@ -65,19 +63,19 @@ Support3 of(const Point3& center, const std::array<Vector3, 3>& axes, const Vect
 }  // namespace
 
 Support2 support_point(const Aabb2& box, const Vector2& direction) {
-  require_finite_parts("support_point", Names3{"box.min", "box.max", "direction"}, box.min, box.max, direction);
+  figure::require_sound("support_point", box, part::axis("direction", direction));
   const Support3 s =
       of(Aabb3{figure::support::raised(box.min), figure::support::raised(box.max)}, figure::support::raised(direction));
   return {{s.point.x, s.point.y}, s.feature, s.unique};
 }
 
 Support3 support_point(const Aabb3& box, const Vector3& direction) {
-  require_finite_parts("support_point", Names3{"box.min", "box.max", "direction"}, box.min, box.max, direction);
+  figure::require_sound("support_point", box, part::axis("direction", direction));
   return of(box, direction);
 }
 
 Support3 support_point(const AabbWidths3& box, const Vector3& direction) {
-  require_finite_parts("support_point", Names3{"box.min", "box.widths", "direction"}, box.min, box.widths, direction);
+  figure::require_sound("support_point", box, part::axis("direction", direction));
   const Vector3& w = box.widths;
   const BoxVertex e = aligned(direction, w.x == 0, w.y == 0, w.z == 0);
   const Point3 p{box.min.x + (e.has(0) ? std::fabs(w.x) : 0), box.min.y + (e.has(1) ? std::fabs(w.y) : 0),
@@ -86,7 +84,7 @@ Support3 support_point(const AabbWidths3& box, const Vector3& direction) {
 }
 
 Support3 support_point(const AabbCenter3& box, const Vector3& direction) {
-  require_finite_parts("support_point", Names3{"box.center", "box.half", "direction"}, box.center, box.half, direction);
+  figure::require_sound("support_point", box, part::axis("direction", direction));
   const Vector3& h = box.half;
   const BoxVertex e = aligned(direction, h.x == 0, h.y == 0, h.z == 0);
   const auto end = [](double center, double half, bool far) { return center + (far ? 1 : -1) * std::fabs(half); };
@@ -95,8 +93,7 @@ Support3 support_point(const AabbCenter3& box, const Vector3& direction) {
 }
 
 Support2 support_point(const Obb2& box, const Vector2& direction) {
-  require_finite_parts("support_point", {"box.center", "box.axes[0]", "box.axes[1]", "box.half", "direction"},
-                       box.center, box.axes[0], box.axes[1], box.half, direction);
+  figure::require_sound("support_point", box, part::axis("direction", direction));
   const Support3 s = of(figure::support::raised(box.center),
                         {figure::support::raised(box.axes[0]), figure::support::raised(box.axes[1])},
                         figure::support::raised(box.half), figure::support::raised(direction));
@@ -104,16 +101,12 @@ Support2 support_point(const Obb2& box, const Vector2& direction) {
 }
 
 Support3 support_point(const Obb3& box, const Vector3& direction) {
-  require_finite_parts("support_point",
-                       {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "direction"}, box.center,
-                       box.axes[0], box.axes[1], box.axes[2], box.half, direction);
+  figure::require_sound("support_point", box, part::axis("direction", direction));
   return of(box.center, box.axes, box.half, direction);
 }
 
 Support3 support_point(const Rectangle3& r, const Vector3& direction) {
-  require_finite_parts("support_point",
-                       {"rectangle.center", "rectangle.axes[0]", "rectangle.axes[1]", "rectangle.half", "direction"},
-                       r.center, r.axes[0], r.axes[1], r.half, direction);
+  figure::require_sound("support_point", r, part::axis("direction", direction));
   return of(r.center, {r.axes[0], r.axes[1]}, figure::support::raised(r.half), direction);
 }
 

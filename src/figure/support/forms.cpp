@@ -87,33 +87,4 @@ Choice choose(const Ellipsoid3& s, const Vector3& d) {
   return {0, round || point, round};
 }
 
-void require(std::string_view function, const Sphere3& s, const Vector3& d) {
-  require_finite_parts(function, {"sphere.center", "sphere.radius", "direction"}, s.center, s.radius, d);
-  require_radius(function, "sphere.radius", s.radius);
-}
-void require(std::string_view function, const Capsule3& s, const Vector3& d) {
-  require_finite_parts(function, {"capsule.a", "capsule.b", "capsule.radius", "direction"}, s.a, s.b, s.radius, d);
-  require_radius(function, "capsule.radius", s.radius);
-}
-void require(std::string_view function, const Lozenge3& s, const Vector3& d) {
-  require_finite_parts(function,
-                       {"lozenge.corner", "lozenge.edges[0]", "lozenge.edges[1]", "lozenge.radius", "direction"},
-                       s.corner, s.edges[0], s.edges[1], s.radius, d);
-  require_radius(function, "lozenge.radius", s.radius);
-}
-void require(std::string_view function, const Cylinder3& s, const Vector3& d) {
-  require_finite_parts(function, {"cylinder.a", "cylinder.b", "cylinder.radius", "direction"}, s.a, s.b, s.radius, d);
-  require_radius(function, "cylinder.radius", s.radius);
-}
-void require(std::string_view function, const Cone3& s, const Vector3& d) {
-  require_finite_parts(function, {"cone.apex", "cone.base", "cone.radius", "direction"}, s.apex, s.base, s.radius, d);
-  require_radius(function, "cone.radius", s.radius);
-}
-void require(std::string_view function, const Ellipsoid3& s, const Vector3& d) {
-  require_finite_parts(function,
-                       {"ellipsoid.center", "ellipsoid.axes[0]", "ellipsoid.axes[1]", "ellipsoid.axes[2]",
-                        "ellipsoid.half", "direction"},
-                       s.center, s.axes[0], s.axes[1], s.axes[2], s.half, d);
-}
-
 }  // namespace plumb::figure::support

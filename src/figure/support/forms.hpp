@@ -123,12 +123,4 @@ double rounded(Rounding rounding, const Shape& shape, const Vector3& d, const Ch
   });
 }
 
-/// Throws NonFinite or InvalidShape under the name of the function.
-void require(std::string_view function, const Sphere3& s, const Vector3& d);
-void require(std::string_view function, const Capsule3& s, const Vector3& d);
-void require(std::string_view function, const Lozenge3& s, const Vector3& d);
-void require(std::string_view function, const Cylinder3& s, const Vector3& d);
-void require(std::string_view function, const Cone3& s, const Vector3& d);
-void require(std::string_view function, const Ellipsoid3& s, const Vector3& d);
-
 }  // namespace plumb::figure::support

@@ -4,25 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/signed_sums.hpp"
+#include "figure/basic/sound.hpp"
 
 namespace plumb::figure::support {
-
-inline void require_radius(std::string_view function, std::string_view part, double radius) {
-  if (!(radius < 0)) return;
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.17g", radius);
-  throw InvalidShape(std::string(function)
-                         .append(": ")
-                         .append(part)
-                         .append(" is ")
-                         .append(digits.data())
-                         .append(", and a radius must not be negative"));
-}
 
 constexpr bool is_zero(const Vector3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 

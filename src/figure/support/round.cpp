@@ -19,21 +19,18 @@ Support2 flat(const Support3& s) { return {{s.point.x, s.point.y}, s.feature, s.
 
 template <class Shape>
 Support3 checked(const Shape& shape, const Vector3& direction) {
-  figure::support::require("support_point", shape, direction);
+  figure::require_sound("support_point", shape, part::axis("direction", direction));
   return of(shape, direction);
 }
 
 }  // namespace
 
 Support2 support_point(const Circle2& s, const Vector2& direction) {
-  require_finite_parts("support_point", {"circle.center", "circle.radius", "direction"}, s.center, s.radius, direction);
-  figure::support::require_radius("support_point", "circle.radius", s.radius);
+  figure::require_sound("support_point", s, part::axis("direction", direction));
   return flat(of(Sphere3{figure::support::raised(s.center), s.radius}, figure::support::raised(direction)));
 }
 Support2 support_point(const Capsule2& s, const Vector2& direction) {
-  require_finite_parts("support_point", {"capsule.a", "capsule.b", "capsule.radius", "direction"}, s.a, s.b, s.radius,
-                       direction);
-  figure::support::require_radius("support_point", "capsule.radius", s.radius);
+  figure::require_sound("support_point", s, part::axis("direction", direction));
   return flat(of(Capsule3{figure::support::raised(s.a), figure::support::raised(s.b), s.radius},
                  figure::support::raised(direction)));
 }

@@ -33,7 +33,7 @@ constexpr std::array upright{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1
 
 template <class Shape>
 double of_round(const Shape& shape, const Vector3& direction, Rounding rounding) {
-  figure::support::require("support_value", shape, direction);
+  figure::require_sound("support_value", shape, part::axis("direction", direction));
   const figure::support::Choice c = figure::support::choose(shape, direction);
   return figure::support::rounded(rounding, shape, direction, c, [&](const auto& number, const auto& v) {
     return figure::signed_sums::dot(v, figure::signed_sums::vector(number, direction));
@@ -52,18 +52,16 @@ double support_value(const Aabb3& box, const Vector3& direction, Rounding roundi
   return at_vertex(rounding, direction, support_point(box, direction).point);
 }
 double support_value(const Obb3& box, const Vector3& direction, Rounding rounding) {
-  require_finite_parts("support_value",
-                       {"box.center", "box.axes[0]", "box.axes[1]", "box.axes[2]", "box.half", "direction"}, box.center,
-                       box.axes[0], box.axes[1], box.axes[2], box.half, direction);
+  figure::require_sound("support_value", box, part::axis("direction", direction));
   return of_box(box.center, box.axes, box.half, direction, rounding);
 }
 
 double support_value(const AabbCenter3& box, const Vector3& direction, Rounding rounding) {
-  require_finite_parts("support_value", {"box.center", "box.half", "direction"}, box.center, box.half, direction);
+  figure::require_sound("support_value", box, part::axis("direction", direction));
   return of_box(box.center, upright, box.half, direction, rounding);
 }
 double support_value(const AabbWidths3& box, const Vector3& direction, Rounding rounding) {
-  require_finite_parts("support_value", {"box.min", "box.widths", "direction"}, box.min, box.widths, direction);
+  figure::require_sound("support_value", box, part::axis("direction", direction));
   const auto ahead = [](double width, double d) { return d > 0 ? std::fabs(width) : 0; };
   return rounded_value(
       rounding,
@@ -82,15 +80,12 @@ double support_value(const Aabb2& box, const Vector2& direction, Rounding roundi
   return at_vertex(rounding, raised(direction), raised(support_point(box, direction).point));
 }
 double support_value(const Obb2& box, const Vector2& direction, Rounding rounding) {
-  require_finite_parts("support_value", {"box.center", "box.axes[0]", "box.axes[1]", "box.half", "direction"},
-                       box.center, box.axes[0], box.axes[1], box.half, direction);
+  figure::require_sound("support_value", box, part::axis("direction", direction));
   return of_box(raised(box.center), {raised(box.axes[0]), raised(box.axes[1]), Vector3{0, 0, 0}}, raised(box.half),
                 raised(direction), rounding);
 }
 double support_value(const Circle2& circle, const Vector2& direction, Rounding rounding) {
-  require_finite_parts("support_value", {"circle.center", "circle.radius", "direction"}, circle.center, circle.radius,
-                       direction);
-  figure::support::require_radius("support_value", "circle.radius", circle.radius);
+  figure::require_sound("support_value", circle, part::axis("direction", direction));
   return of_round(Sphere3{raised(circle.center), circle.radius}, raised(direction), rounding);
 }
 double support_value(const Capsule2& capsule, const Vector2& direction, Rounding rounding) {

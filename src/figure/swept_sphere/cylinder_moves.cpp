@@ -6,9 +6,8 @@
 #include <optional>
 
 #include "arith/vec.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
-#include "figure/swept_sphere/swept_input.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"
@@ -149,13 +148,6 @@ Cylinder3 around(std::string_view function, std::span<const Disk> disks, std::ve
 
 constexpr Pose at_rest{{Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
-void check(std::string_view function, std::string_view name, const Cylinder3& c) {
-  const std::string a = std::string(name).append(".a"), b = std::string(name).append(".b"),
-                    radius = std::string(name).append(".radius");
-  figure::require_finite_parts(function, {a, b, radius}, c.a, c.b, c.radius);
-  figure::swept::check_radius(function, name, c.radius);
-}
-
 Vector3 halved_difference(const Point3& a, const Point3& b) {
   return {b.x / 2 - a.x / 2, b.y / 2 - a.y / 2, b.z / 2 - a.z / 2};
 }
@@ -180,8 +172,8 @@ bool are_parted_by_an_end(const Cylinder3& one, const Cylinder3& other, int expo
 }  // namespace
 
 bool may_overlap(const Cylinder3& a, const Cylinder3& b) {
-  check("may_overlap", "a", a);
-  check("may_overlap", "b", b);
+  figure::require_sound("may_overlap", "a", a);
+  figure::require_sound("may_overlap", "b", b);
   if (!intersects(capsule_around(a), capsule_around(b))) return false;
   double most = std::max(a.radius, b.radius);
   for (const Point3& p : {a.a, a.b, b.a, b.b}) most = std::max(most, figure::frame::largest({p.x, p.y, p.z}));
@@ -190,8 +182,8 @@ bool may_overlap(const Cylinder3& a, const Cylinder3& b) {
 }
 
 Cylinder3 merge(const Cylinder3& a, const Cylinder3& b) {
-  check("merge", "a", a);
-  check("merge", "b", b);
+  figure::require_sound("merge", "a", a);
+  figure::require_sound("merge", "b", b);
   if (a == b) return a;
   std::vector<Disk> all;
   for (const Cylinder3* c : {&a, &b}) {
@@ -206,10 +198,8 @@ Cylinder3 merge(const Cylinder3& a, const Cylinder3& b) {
 }
 
 Cylinder3 transform(const Cylinder3& cylinder, const Pose& pose) {
-  check("transform", "cylinder", cylinder);
-  const auto& [c, t] = pose;
-  figure::require_finite_parts(
-      "transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0], c[1], c[2], t);
+  figure::require_sound("transform", cylinder);
+  figure::require_sound("transform", pose);
   const auto all = disks(cylinder, pose);
   // Along the image of the axis; where that is a point, across the image of the disk.
   const auto axes = figure::frame::orthonormal({halved_difference(cylinder.a, cylinder.b), {0, 0, 0}, {0, 0, 0}});

@@ -4,11 +4,10 @@
 #include <functional>
 
 #include "arith/certain.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
+#include "figure/basic/sound.hpp"
 #include "figure/swept_sphere/swept_guess.hpp"
-#include "figure/swept_sphere/swept_input.hpp"
 #include "figure/swept_sphere/swept_reach.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"
@@ -17,7 +16,6 @@ namespace plumb {
 namespace {
 
 using arith::Vec;
-using figure::swept::check;
 
 // The corners of the core: a swept sphere lies in a convex set with all sides curved alike when its corners' balls do.
 template <class T>
@@ -57,8 +55,8 @@ bool holds(const Shape& outer, const Shape& inner) {
 
 template <class Shape>
 bool contained(const Shape& outer, const Shape& inner) {
-  check("contains", "outer", outer);
-  check("contains", "inner", inner);
+  figure::require_sound("contains", "outer", outer);
+  figure::require_sound("contains", "inner", inner);
   return holds(outer, inner);
 }
 
@@ -100,8 +98,8 @@ std::array<Vector3, 3> directions(const Lozenge3& l) { return {l.edges[0], l.edg
 // `settled` makes the shape that is wanted of a guess.
 template <class Shape, class Settle = std::identity>
 Shape merged(const Shape& a, const Shape& b, Settle settled = {}) {
-  check("merge", "a", a);
-  check("merge", "b", b);
+  figure::require_sound("merge", "a", a);
+  figure::require_sound("merge", "b", b);
   if (holds(a, b)) return a;
   if (holds(b, a)) return b;
   std::vector<Point3> corners;
@@ -155,12 +153,6 @@ Shape moved(const Shape& shape, Shape core, const Pose& pose, double stretch) {
   return core;
 }
 
-void check_pose(const Pose& pose) {
-  const auto& [c, t] = pose;
-  figure::require_finite_parts(
-      "transform", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"}, c[0], c[1], c[2], t);
-}
-
 }  // namespace
 
 bool contains(const Capsule3& outer, const Capsule3& inner) { return contained(outer, inner); }
@@ -174,8 +166,8 @@ Capsule3 merge(const Capsule3& a, const Capsule3& b) { return merged(a, b); }
 Lozenge3 merge(const Lozenge3& a, const Lozenge3& b) { return merged(a, b); }
 
 Capsule3 transform(const Capsule3& capsule, const Pose& pose) {
-  check("transform", "capsule", capsule);
-  check_pose(pose);
+  figure::require_sound("transform", capsule);
+  figure::require_sound("transform", pose);
   return moved(capsule, {near_image(pose, capsule.a), near_image(pose, capsule.b), 0}, pose, largest_stretch(pose));
 }
 
@@ -183,15 +175,15 @@ Capsule2 transform(const Capsule2& capsule, const Pose2& pose) {
   const auto& [c, t] = pose;
   const Pose raised{{in_space(c[0]), in_space(c[1]), Vector3{0, 0, 1}}, in_space(t)};
   const Capsule3 shape = in_space(capsule);
-  check("transform", "capsule", shape);
-  check_pose(raised);
+  figure::require_sound("transform", shape);
+  figure::require_sound("transform", raised);
   return figure::swept::flattened(
       moved(shape, {near_image(raised, shape.a), near_image(raised, shape.b), 0}, raised, largest_stretch(pose)));
 }
 
 Lozenge3 transform(const Lozenge3& lozenge, const Pose& pose) {
-  check("transform", "lozenge", lozenge);
-  check_pose(pose);
+  figure::require_sound("transform", lozenge);
+  figure::require_sound("transform", pose);
   return moved(
       lozenge,
       {near_image(pose, lozenge.corner), {near_image(pose, lozenge.edges[0]), near_image(pose, lozenge.edges[1])}, 0},

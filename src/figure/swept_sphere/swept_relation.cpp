@@ -2,17 +2,14 @@
 
 #include "arith/certain.hpp"
 #include "arith/rational_lp.hpp"
-#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/in_space.hpp"
+#include "figure/basic/sound.hpp"
 #include "figure/support/quick_gap.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
-#include "figure/swept_sphere/swept_input.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"
 
 namespace plumb {
 namespace {
-
-using figure::swept::check;
 
 // The distance of the cores against the sum of the radii, over numbers of type T; nothing where they do not tell.
 template <class T, class Shape>
@@ -69,8 +66,8 @@ bool interiors_meet(const Shape& a, const Shape& b) {
 
 template <class Shape>
 Relation relation(std::string_view function, const Shape& a, const Shape& b) {
-  check(function, "a", a);
-  check(function, "b", b);
+  figure::require_sound(function, "a", a);
+  figure::require_sound(function, "b", b);
   Unsure<Sign> gap = sign_of_gap<Interval>(a, b);
   if (!gap.certain()) gap = sign_of_gap<BigDyadic>(a, b);
   if (gap.value() != Sign::zero) return static_cast<Relation>(-gap.value());

@@ -26,7 +26,7 @@ ItemBatch<Item, corners>::ItemBatch(std::span<const Item> items) : size_(items.s
     const auto push = [&to](const Point3& p) {
       for (const double x : {p.x, p.y, p.z}) (to++)->push_back(x);
     };
-    std::apply([&](const auto&... corner) { (push(corner.numbers), ...); }, parts(items[i]));
+    body(items[i], [&](std::string_view, const auto&... corner) { (push(corner.is), ...); });
   }
   if (items.empty()) return;
   for (auto& numbers : of_) numbers.resize(padded, numbers.back());

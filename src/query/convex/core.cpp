@@ -1,14 +1,13 @@
 #include "query/convex/core.hpp"
 
 #include "figure/basic/in_space.hpp"
-#include "query/body/figure_parts.hpp"
 #include "query/convex/exact_gap.hpp"
 
 namespace plumb::query {
 
 double radius_of(const FigureView& figure) {
   return with_figure(figure, [](const auto& s) -> double {
-    if constexpr (HasRadius<std::remove_cvref_t<decltype(s)>>) {
+    if constexpr (requires { s.radius; }) {
       return s.radius;
     } else {
       return 0;

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "certify/certainly.hpp"
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/sound.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/round_parts.hpp"
 
@@ -143,11 +143,7 @@ template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Ellipsoid3& ellipsoid) {
   constexpr std::string_view function = function_of<Answer>;
   if (!is_sound(ray)) require_ray(function, ray);
-  const auto& [center, axes, half] = ellipsoid;
-  require_finite_parts(function,
-                       std::array<std::string_view, 5>{"ellipsoid.center", "ellipsoid.axes[0]", "ellipsoid.axes[1]",
-                                                       "ellipsoid.axes[2]", "ellipsoid.half"},
-                       center, axes[0], axes[1], axes[2], half);
+  figure::require_sound(function, ellipsoid);
   const EllipsoidModel model{ellipsoid, span_of(ellipsoid)};
   return answer<Answer>(ray, model, clip(ray, model));
 }

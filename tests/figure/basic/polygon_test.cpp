@@ -343,7 +343,7 @@ TEST(BadInput, IsRefusedByName) {
   EXPECT_EQ(text_of<Error>([&] {
               locate(HoledPolygon2{good, {good, two}}, {0, 0});
             }),
-            "locate: polygon.holes[1].vertices has 2 vertices; a polygon has three at least");
+            "locate: holed_polygon.holes[1].vertices has 2 vertices; a polygon has three at least");
   EXPECT_EQ(text_of<Error>([&] {
               quadrilateral_kind(Quadrilateral2{{0, 0}, {1, 0}, {0, -kInfinity}, {0, 0}});
             }),

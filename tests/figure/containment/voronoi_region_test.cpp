@@ -363,7 +363,7 @@ TEST(VoronoiRegionTest, BadInputIsNamed) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const Obb3 box{{0, 0, 0}, {{{1, 0, 0}, {0, inf, 0}, {0, 0, 1}}}, {1, 1, 1}};
   EXPECT_THAT(text_of<NonFinite>([&] { voronoi_region(box, Point3{}); }),
-              HasSubstr("voronoi_region: box.axes[1].y is inf"));
+              HasSubstr("voronoi_region: obb.axes[1].y is inf"));
   EXPECT_THAT(text_of<NonFinite>([&] {
                 voronoi_region(Segment2{{0, nan}, {}}, Point2{});
               }),

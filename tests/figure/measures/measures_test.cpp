@@ -436,7 +436,7 @@ TEST(BadInput, IsRefusedByName) {
   EXPECT_EQ(text_of<Error>([] {
               volume(Sphere3{{0, 0, 0}, -2});
             }),
-            "volume: sphere.radius is -2, and a radius must not be negative");
+            "volume: sphere.radius is negative; give zero or more");
   EXPECT_EQ(text_of<Error>([] {
               surface_area(Cone3{{0, 0, 0}, {1, kInfinity, 0}, 1});
             }),

@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "plumb/arith/point.hpp"
+#include "plumb/figure/basic/body.hpp"
 
 namespace plumb {
 
@@ -60,5 +60,34 @@ struct Rectangle3 {
   Vector2 half;
   friend bool operator==(const Rectangle3&, const Rectangle3&) = default;
 };
+
+template <class Take>
+constexpr auto body(const Aabb2& s, Take take) {
+  return take("aabb", part::corner("min", s.min), part::corner("max", s.max));
+}
+template <class Take>
+constexpr auto body(const Aabb3& s, Take take) {
+  return take("aabb", part::corner("min", s.min), part::corner("max", s.max));
+}
+template <class Take>
+constexpr auto body(const AabbWidths3& s, Take take) {
+  return take("aabb", part::corner("min", s.min), part::multiple("widths", s.widths));
+}
+template <class Take>
+constexpr auto body(const AabbCenter3& s, Take take) {
+  return take("aabb", part::place("center", s.center), part::multiple("half", s.half));
+}
+template <class Take>
+constexpr auto body(const Obb2& s, Take take) {
+  return take("obb", part::place("center", s.center), part::axis("axes", s.axes), part::multiple("half", s.half));
+}
+template <class Take>
+constexpr auto body(const Obb3& s, Take take) {
+  return take("obb", part::place("center", s.center), part::axis("axes", s.axes), part::multiple("half", s.half));
+}
+template <class Take>
+constexpr auto body(const Rectangle3& s, Take take) {
+  return take("rectangle", part::place("center", s.center), part::axis("axes", s.axes), part::multiple("half", s.half));
+}
 
 }  // namespace plumb

@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "plumb/figure/basic/body.hpp"
 #include "plumb/figure/basic/mesh.hpp"
 
 namespace plumb {
@@ -23,5 +24,10 @@ struct ConvexPolyhedron3 {
     return std::span(neighbors).subspan(first_neighbor[vertex], first_neighbor[vertex + 1] - first_neighbor[vertex]);
   }
 };
+
+template <class Take>
+constexpr auto body(const ConvexPolyhedron3& s, Take take) {
+  return take("polyhedron", part::surface("mesh", s.mesh));
+}
 
 }  // namespace plumb

@@ -6,7 +6,7 @@
 // Cost: none.
 #pragma once
 
-#include "plumb/arith/point.hpp"
+#include "plumb/figure/basic/body.hpp"
 
 namespace plumb {
 
@@ -42,5 +42,30 @@ struct Segment3 {
   Point3 a, b;
   friend bool operator==(const Segment3&, const Segment3&) = default;
 };
+
+template <class Take>
+constexpr auto body(const Line2& s, Take take) {
+  return take("line", part::place("point", s.point), part::axis("direction", s.direction));
+}
+template <class Take>
+constexpr auto body(const Ray2& s, Take take) {
+  return take("ray", part::place("origin", s.origin), part::axis("direction", s.direction));
+}
+template <class Take>
+constexpr auto body(const Segment2& s, Take take) {
+  return take("segment", part::place("a", s.a), part::place("b", s.b));
+}
+template <class Take>
+constexpr auto body(const Line3& s, Take take) {
+  return take("line", part::place("point", s.point), part::axis("direction", s.direction));
+}
+template <class Take>
+constexpr auto body(const Ray3& s, Take take) {
+  return take("ray", part::place("origin", s.origin), part::axis("direction", s.direction));
+}
+template <class Take>
+constexpr auto body(const Segment3& s, Take take) {
+  return take("segment", part::place("a", s.a), part::place("b", s.b));
+}
 
 }  // namespace plumb

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "plumb/arith/point.hpp"
+#include "plumb/figure/basic/body.hpp"
 
 namespace plumb {
 
@@ -58,5 +58,38 @@ struct HalfspaceIntersection3 {
   std::vector<Halfspace3> halfspaces;
   friend bool operator==(const HalfspaceIntersection3&, const HalfspaceIntersection3&) = default;
 };
+
+template <class Take>
+constexpr auto body(const Plane3& s, Take take) {
+  return take("plane", part::normal("normal", s.normal), part::offset("offset", s.offset));
+}
+template <class Take>
+constexpr auto body(const ThreePointPlane3& s, Take take) {
+  return take("plane_of_points", part::place("a", s.a), part::place("b", s.b), part::place("c", s.c));
+}
+template <class Take>
+constexpr auto body(const Halfspace2& s, Take take) {
+  return take("halfspace", part::normal("normal", s.normal), part::offset("offset", s.offset));
+}
+template <class Take>
+constexpr auto body(const Halfspace3& s, Take take) {
+  return take("halfspace", part::normal("normal", s.normal), part::offset("offset", s.offset));
+}
+template <class Take>
+constexpr auto body(const Slab2& s, Take take) {
+  return take("slab", part::normal("normal", s.normal), part::offset("min", s.min), part::offset("max", s.max));
+}
+template <class Take>
+constexpr auto body(const Slab3& s, Take take) {
+  return take("slab", part::normal("normal", s.normal), part::offset("min", s.min), part::offset("max", s.max));
+}
+template <class Take>
+constexpr auto body(const HalfspaceIntersection2& s, Take take) {
+  return take("intersection", part::figure("halfspaces", s.halfspaces));
+}
+template <class Take>
+constexpr auto body(const HalfspaceIntersection3& s, Take take) {
+  return take("intersection", part::figure("halfspaces", s.halfspaces));
+}
 
 }  // namespace plumb

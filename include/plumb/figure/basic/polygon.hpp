@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "plumb/arith/point.hpp"
+#include "plumb/figure/basic/body.hpp"
 
 namespace plumb {
 
@@ -42,5 +42,32 @@ struct HoledPolygon3 {
   std::vector<Polygon3> holes;
   friend bool operator==(const HoledPolygon3&, const HoledPolygon3&) = default;
 };
+
+template <class Take>
+constexpr auto body(const Quadrilateral2& s, Take take) {
+  return take("quadrilateral", part::place("a", s.a), part::place("b", s.b), part::place("c", s.c),
+              part::place("d", s.d));
+}
+template <class Take>
+constexpr auto body(const Quadrilateral3& s, Take take) {
+  return take("quadrilateral", part::place("a", s.a), part::place("b", s.b), part::place("c", s.c),
+              part::place("d", s.d));
+}
+template <class Take>
+constexpr auto body(const Polygon2& s, Take take) {
+  return take("polygon", part::place("vertices", s.vertices));
+}
+template <class Take>
+constexpr auto body(const Polygon3& s, Take take) {
+  return take("polygon", part::place("vertices", s.vertices));
+}
+template <class Take>
+constexpr auto body(const HoledPolygon2& s, Take take) {
+  return take("holed_polygon", part::figure("outer", s.outer), part::figure("holes", s.holes));
+}
+template <class Take>
+constexpr auto body(const HoledPolygon3& s, Take take) {
+  return take("holed_polygon", part::figure("outer", s.outer), part::figure("holes", s.holes));
+}
 
 }  // namespace plumb

@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "plumb/arith/point.hpp"
+#include "plumb/figure/basic/body.hpp"
 
 namespace plumb {
 
@@ -68,5 +68,39 @@ struct Ellipsoid3 {
   Vector3 half;
   friend bool operator==(const Ellipsoid3&, const Ellipsoid3&) = default;
 };
+
+template <class Take>
+constexpr auto body(const Circle2& s, Take take) {
+  return take("circle", part::place("center", s.center), part::length("radius", s.radius));
+}
+template <class Take>
+constexpr auto body(const Sphere3& s, Take take) {
+  return take("sphere", part::place("center", s.center), part::length("radius", s.radius));
+}
+template <class Take>
+constexpr auto body(const Capsule2& s, Take take) {
+  return take("capsule", part::place("a", s.a), part::place("b", s.b), part::length("radius", s.radius));
+}
+template <class Take>
+constexpr auto body(const Capsule3& s, Take take) {
+  return take("capsule", part::place("a", s.a), part::place("b", s.b), part::length("radius", s.radius));
+}
+template <class Take>
+constexpr auto body(const Lozenge3& s, Take take) {
+  return take("lozenge", part::place("corner", s.corner), part::way("edges", s.edges),
+              part::length("radius", s.radius));
+}
+template <class Take>
+constexpr auto body(const Cylinder3& s, Take take) {
+  return take("cylinder", part::place("a", s.a), part::place("b", s.b), part::length("radius", s.radius));
+}
+template <class Take>
+constexpr auto body(const Cone3& s, Take take) {
+  return take("cone", part::place("apex", s.apex), part::place("base", s.base), part::length("radius", s.radius));
+}
+template <class Take>
+constexpr auto body(const Ellipsoid3& s, Take take) {
+  return take("ellipsoid", part::place("center", s.center), part::axis("axes", s.axes), part::multiple("half", s.half));
+}
 
 }  // namespace plumb

@@ -5,7 +5,7 @@
 // Cost: none.
 #pragma once
 
-#include "plumb/arith/point.hpp"
+#include "plumb/figure/basic/body.hpp"
 
 namespace plumb {
 
@@ -21,5 +21,19 @@ struct Tetrahedron3 {
   Point3 a, b, c, d;
   friend bool operator==(const Tetrahedron3&, const Tetrahedron3&) = default;
 };
+
+template <class Take>
+constexpr auto body(const Triangle2& s, Take take) {
+  return take("triangle", part::place("a", s.a), part::place("b", s.b), part::place("c", s.c));
+}
+template <class Take>
+constexpr auto body(const Triangle3& s, Take take) {
+  return take("triangle", part::place("a", s.a), part::place("b", s.b), part::place("c", s.c));
+}
+template <class Take>
+constexpr auto body(const Tetrahedron3& s, Take take) {
+  return take("tetrahedron", part::place("a", s.a), part::place("b", s.b), part::place("c", s.c),
+              part::place("d", s.d));
+}
 
 }  // namespace plumb

@@ -20,6 +20,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/pose.hpp"
 #include "plumb/arith/rounding.hpp"
+#include "plumb/figure/basic/body.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/relation.hpp"
 
@@ -55,6 +56,11 @@ struct KDop {
 };
 using KDop2 = KDop<Vector2>;
 using KDop3 = KDop<Vector3>;
+
+template <class Vector, class Take>
+constexpr auto body(const KDop<Vector>& s, Take take) {
+  return take("k_dop", part::slabs(s));
+}
 
 KDop2 fit_k_dop(std::span<const Point2> points, const Directions2& directions);
 KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions);
