@@ -25,7 +25,7 @@ template <std::size_t N>
 Guess<N> guess(const Plain& corner, const std::array<Plain, N>& edges, const Plain& origin, const Plain& direction,
                bool is_ray) {
   constexpr int most_rounds = N == 1 ? 1 : 24;
-  constexpr double settled_guess = 0x1p-30;  // of an edge, for what is proved after it
+  constexpr double settled_on_edge = 0x1p-30;  // of an edge, for what is proved after it
   const double square = arith::dot(direction, direction);
   const Plain from = corner - origin;
   Guess<N> g;
@@ -53,7 +53,7 @@ Guess<N> guess(const Plain& corner, const std::array<Plain, N>& edges, const Pla
       change = std::fmax(change, std::fabs(next - g.s[k]));
       g.s[k] = next;
     }
-    if (change < settled_guess) break;
+    if (change < settled_on_edge) break;
   }
   g.t = foot(at());
   return g;
