@@ -15,6 +15,7 @@
 #include "figure/basic/thrown.hpp"
 #include "figure/sphere/rational_ball.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/degenerate.hpp"
 
 namespace plumb {
 namespace {
@@ -258,6 +259,23 @@ TEST(Sphere, AReachBeyondDoublesIsNotSure) {
   };
   EXPECT_EQ(relate(a, b), relate(scaled(a), scaled(b)));
   EXPECT_EQ(relate(a, b), Relation::disjoint);
+}
+
+// What doubles leave to integers: of balls at random next to none, and those that touch up to ulps.
+TEST(Sphere, DoublesLeaveTouchingBallsAlone) {
+  int unsure = 0, unsure_touching = 0;
+  constexpr int cases = 2000;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    Entropy entropy(75, i);
+    const auto at = [&] { return signed_unit_coordinate(entropy); };
+    const Sphere3 a{{at(), at(), at()}, unit_coordinate(entropy)}, b{{at(), at(), at()}, unit_coordinate(entropy)};
+    unsure += figure::sphere::gap(a, b).sure ? 0 : 1;
+    const double apart = std::hypot(b.center.x - a.center.x, b.center.y - a.center.y, b.center.z - a.center.z);
+    const Sphere3 near{a.center, moved_by_ulps(apart * 0.5, entropy.within(1))}, other{b.center, apart * 0.5};
+    unsure_touching += figure::sphere::gap(near, other).sure ? 0 : 1;
+  }
+  EXPECT_LE(unsure, 1);
+  EXPECT_GE(unsure_touching, cases * 99 / 100);
 }
 
 TEST(Sphere, ConstantsDoNotChangeUnnoticed) {
