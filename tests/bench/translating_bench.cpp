@@ -8,6 +8,7 @@
 
 #include "bench/rivals/translating_rival.hpp"
 #include "plumb/degenerate/coordinates.hpp"
+#include "plumb/figure.hpp"
 #include "plumb/query/time_of_impact/translating_contact.hpp"
 
 namespace plumb::bench {
@@ -44,6 +45,17 @@ class Draw {
     b.min = point(4);
     b.max = {b.min.x + size(), b.min.y + size(), b.min.z + size()};
   }
+  /// Corners of a ball of radius 1.
+  void fill(ConvexPolyhedron3& p) {
+    const Point3 at = point(4);
+    std::vector<Point3> corners(20);
+    for (Point3& c : corners) {
+      const Point3 d = point(1);
+      const double scale = 1 / std::hypot(d.x, d.y, d.z);
+      c = {at.x + scale * d.x, at.y + scale * d.y, at.z + scale * d.z};
+    }
+    p = convex_polyhedron(convex_hull(corners), corners);
+  }
   void fill(Obb3& b) {
     const double angle = in(3);
     const double c = std::cos(angle), s = std::sin(angle);
@@ -72,11 +84,8 @@ void measure(benchmark::State& state, Meet meet) {
   state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(asked);
 }
 
-template <class A, class B, class Plain>
-void add(const std::string& name, Plain plain) {
-  benchmark::RegisterBenchmark((name + "/plain").c_str(), [=](benchmark::State& state) {
-    measure<A, B>(state, [&](const Translating<A>& a, const B& b) { return plain(a.shape, a.by, b) >= 0; });
-  });
+template <class A, class B>
+void add(const std::string& name) {
   benchmark::RegisterBenchmark((name + "/intersects").c_str(), [](benchmark::State& state) {
     measure<A, B>(state, [](const Translating<A>& a, const B& b) { return intersects(a, b); });
   });
@@ -85,12 +94,21 @@ void add(const std::string& name, Plain plain) {
   });
 }
 
+template <class A, class B, class Plain>
+void add(const std::string& name, Plain plain) {
+  benchmark::RegisterBenchmark((name + "/plain").c_str(), [=](benchmark::State& state) {
+    measure<A, B>(state, [&](const Translating<A>& a, const B& b) { return plain(a.shape, a.by, b) >= 0; });
+  });
+  add<A, B>(name);
+}
+
 const bool added = [] {
   add<Sphere3, Plane3>("sphere_plane", plain_sphere_plane);
   add<Sphere3, Sphere3>("sphere_sphere", plain_sphere_sphere);
   add<Sphere3, Triangle3>("sphere_triangle", plain_sphere_triangle);
   add<Aabb3, Aabb3>("box_box", plain_box_box);
   add<Obb3, Obb3>("oriented_boxes", plain_oriented);
+  add<ConvexPolyhedron3, Aabb3>("polyhedron_box");
   return true;
 }();
 

@@ -62,10 +62,13 @@ std::vector<Candidate> candidates(const MotionPair<Running>& pair, const TimeWin
   const MeetingCondition<Running> condition(a, b, velocity);
   const FeatureBoxes boxes_a(a), boxes_b(b);
   const Slabs slabs(velocity, a.reach + b.reach);
+  const FeatureBoxes swept(a, SweptBox(velocity, (a.reach + b.reach).upper(), window.from, window.to));
   std::vector<Candidate> found;
-  const auto ask = [&](MeetingPair kind, const std::vector<FeatureBox>& of_a, const std::vector<FeatureBox>& of_b) {
+  const auto ask = [&](MeetingPair kind, auto FeatureBoxes::*kind_a, auto FeatureBoxes::*kind_b) {
+    const auto &of_a = boxes_a.*kind_a, &of_b = boxes_b.*kind_b, &passed = swept.*kind_a;
     for (std::uint32_t i = 0; i < of_a.size(); ++i) {
       for (std::uint32_t j = 0; j < of_b.size(); ++j) {
+        if (!boxes_meet(passed[i], of_b[j])) continue;
         const auto [enters, leaves] = slabs.times(of_a[i], of_b[j]);
         const double from = std::max(enters, window.from), to = std::min(leaves, window.to);
         if (!(from <= to)) continue;
@@ -74,12 +77,12 @@ std::vector<Candidate> candidates(const MotionPair<Running>& pair, const TimeWin
       }
     }
   };
-  ask(MeetingPair::vertex_vertex, boxes_a.vertices, boxes_b.vertices);
-  ask(MeetingPair::vertex_edge, boxes_a.vertices, boxes_b.edges);
-  ask(MeetingPair::edge_vertex, boxes_a.edges, boxes_b.vertices);
-  ask(MeetingPair::edge_edge, boxes_a.edges, boxes_b.edges);
-  ask(MeetingPair::vertex_face, boxes_a.vertices, boxes_b.faces);
-  ask(MeetingPair::face_vertex, boxes_a.faces, boxes_b.vertices);
+  ask(MeetingPair::vertex_vertex, &FeatureBoxes::vertices, &FeatureBoxes::vertices);
+  ask(MeetingPair::vertex_edge, &FeatureBoxes::vertices, &FeatureBoxes::edges);
+  ask(MeetingPair::edge_vertex, &FeatureBoxes::edges, &FeatureBoxes::vertices);
+  ask(MeetingPair::edge_edge, &FeatureBoxes::edges, &FeatureBoxes::edges);
+  ask(MeetingPair::vertex_face, &FeatureBoxes::vertices, &FeatureBoxes::faces);
+  ask(MeetingPair::face_vertex, &FeatureBoxes::faces, &FeatureBoxes::vertices);
   std::ranges::stable_sort(found, {}, [](const Candidate& c) { return c.time.earliest(); });
   return found;
 }

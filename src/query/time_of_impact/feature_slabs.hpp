@@ -28,10 +28,12 @@ inline FeatureBox joined(FeatureBox a, const FeatureBox& b) {
 }
 
 struct FeatureBoxes {
-  explicit FeatureBoxes(const MovingBody<Running>& body) {
+  explicit FeatureBoxes(const MovingBody<Running>& body) : FeatureBoxes(body, box_of) {}
+  /// Of what is around each vertex.
+  FeatureBoxes(const MovingBody<Running>& body, const auto& around) {
     constexpr double all = Interval::infinity;
     vertices.reserve(body.vertices.size()), edges.reserve(body.edges.size()), faces.reserve(body.faces.size());
-    for (const auto& v : body.vertices) vertices.push_back(box_of(v));
+    for (const auto& v : body.vertices) vertices.push_back(around(v));
     for (const auto& e : body.edges) edges.push_back(joined(vertices[e.ends[0]], vertices[e.ends[1]]));
     for (const auto& f : body.faces) {
       FeatureBox box{{all, all, all}, {-all, -all, -all}};
@@ -41,6 +43,33 @@ struct FeatureBoxes {
   }
   std::vector<FeatureBox> vertices, edges, faces;
 };
+
+/// Around all that a point in motion passes from one time to another, and what is within reach of it.
+class SweptBox {
+ public:
+  SweptBox(const Vec3<Running>& velocity, double reach, double from, double to) {
+    const std::array<const Running*, 3> by{&velocity.x, &velocity.y, &velocity.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Interval way = Interval{by[k]->lower(), by[k]->upper()} * Interval{from, to};
+      low_[k] = Interval::sum_down(way.lower, -reach), high_[k] = Interval::sum_up(way.upper, reach);
+    }
+  }
+  FeatureBox operator()(const Vec3<Running>& v) const {
+    FeatureBox box = box_of(v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = Interval::sum_down(box.low[k], low_[k]), box.high[k] = Interval::sum_up(box.high[k], high_[k]);
+    }
+    return box;
+  }
+
+ private:
+  std::array<double, 3> low_{}, high_{};
+};
+inline bool boxes_meet(const FeatureBox& a, const FeatureBox& b) {
+  bool meet = true;
+  for (std::size_t k = 0; k < 3; ++k) meet &= a.low[k] <= b.high[k] && b.low[k] <= a.high[k];
+  return meet;
+}
 
 /// The motion of the first, seen from the second, and how far both reach.
 class Slabs {

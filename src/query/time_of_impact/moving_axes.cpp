@@ -33,12 +33,17 @@ class Axes {
     double low, high;
   };
   static FeatureEnds ends(const MovingBody<Running>& body, const Vec3<Running>& axis) {
-    FeatureEnds e{Interval::infinity, -Interval::infinity};
+    Running low(Interval::infinity), high(-Interval::infinity);
+    double error = 0;
+    bool known = true;
     for (const auto& v : body.vertices) {
       const Running at = dot(v, axis);
-      e = {std::min(e.low, at.lower()), std::max(e.high, at.upper())};
+      low.value = std::min(low.value, at.value), high.value = std::max(high.value, at.value);
+      error = std::max(error, at.error), known &= at.error < Interval::infinity;
     }
-    return e;
+    if (!known) return {-Interval::infinity, Interval::infinity};
+    low.error = high.error = error;
+    return {low.lower(), high.upper()};
   }
   bool meet(const FeatureEnds& of_a, const FeatureEnds& of_b, const Running& speed, double length,
             const TimeAxis& which) {
