@@ -10,6 +10,8 @@
 namespace plumb::query::quick {
 namespace {
 
+using T = Approximate;
+
 /// normal . x - offset, of each vertex.
 template <class T>
 struct Heights {
@@ -43,7 +45,6 @@ struct Heights {
 
 template <ContactWanted asked, Small Shape>
 Answer contact(const Translating<Shape>& a, const Translating<Plane3>& b) {
-  using T = Approximate;
   constexpr bool swept = Round<Shape>;
   const double reach = reach_of(a.shape);
   const Heights<T> height{vector_of<T>(b.shape.normal), T(b.shape.offset)};
