@@ -7,6 +7,7 @@
 // Cost: about one more operation for each operation.
 #pragma once
 
+#include "arith/running_error.hpp"
 #include "plumb/arith/filtered.hpp"
 #include "plumb/arith/sign.hpp"
 
@@ -41,6 +42,8 @@ struct Approximate {
 
   /// No less than |value - exact|.
   [[nodiscard]] constexpr double reach() const { return (error + slack) * 0x1p-53 * magnitude; }
+
+  [[nodiscard]] constexpr Running running() const { return {value, reach()}; }
 
   /// The sign where it is certain, which it never is of zero, else 0.  Without a branch on the sign, which cannot be
   /// predicted.

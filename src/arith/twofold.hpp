@@ -6,12 +6,18 @@
 // there is but one (Ziv's test).  Overflow and NaN end in nothing. Fma: the error of a product by the instruction, else
 // by Dekker's splitting; the results are the same to the bound.
 // Source: docs/proof.md, "Twofold"; Lange and Rump 2020 (pair arithmetic); Ziv 1991.
-// Cost: 10 operations a sum, 8 or 22 a product.
+// Cost: 10 operations a sum, 7 or 22 a product.
 #pragma once
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include <cmath>
 #include <optional>
 
+#include "arith/approximate.hpp"
+#include "arith/running_error.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/filtered.hpp"
 
@@ -21,19 +27,26 @@ template <bool Fma>
 struct Twofold {
   double high, low, magnitude, error, width;
 
-  static constexpr double slack = 0x1p-10, guard = 0x1p-960, unit = 0x1p-53;
-
   constexpr Twofold(double h, double l, double m, double e, double w)
       : high(h), low(l), magnitude(m), error(e), width(w) {}
   constexpr explicit Twofold(double x) : Twofold(x, 0, magnitude_of(x), 0, 0) {}
 
-  /// a - b of two coordinates as given: exact.
-  static Twofold difference(double a, double b) {
-    const Rounded d = two_sum(a, -b);
-    return {d.value, d.error, magnitude_of(d.value), 0, 1};
+  // What the text of sums and products is made of.
+  using Self = Twofold;
+  using Number = double;
+  using Truth = bool;
+  static constexpr double number(double x) { return x; }
+  static constexpr double size(double x) { return magnitude_of(x); }
+  static constexpr double negated(double x) { return -x; }
+  static constexpr bool equal(double a, double b) { return a == b; }
+  static constexpr Rounded two_sum(double a, double b) { return plumb::two_sum(a, b); }
+  [[gnu::always_inline]] static inline double plus_product(double c, double a, double b) {
+    if constexpr (Fma) {
+      return __builtin_fma(a, b, c);
+    } else {
+      return c + a * b;
+    }
   }
-
-  static constexpr double larger(double a, double b) { return a > b ? a : b; }
   [[gnu::always_inline]] static inline Rounded product(double a, double b) {
     if constexpr (Fma) {
       const double p = a * b;
@@ -42,58 +55,83 @@ struct Twofold {
       return two_product(a, b);
     }
   }
+#define PLUMB_TWOFOLD_INLINE inline __attribute__((always_inline))
+#include "arith/twofold_text.hpp"
+#undef PLUMB_TWOFOLD_INLINE
 
-  [[gnu::always_inline]] friend inline Twofold operator+(const Twofold& a, const Twofold& b) {
-    const Rounded s = two_sum(a.high, b.high);
-    const double w = larger(a.width, b.width);
-    return {s.value, s.error + (a.low + b.low), a.magnitude + b.magnitude,
-            larger(a.error, b.error) + (2 * w + 1 + slack), w + (1 + slack)};
-  }
-  [[gnu::always_inline]] friend inline Twofold operator-(const Twofold& a, const Twofold& b) {
-    return a + Twofold{-b.high, -b.low, b.magnitude, b.error, b.width};
-  }
-  [[gnu::always_inline]] friend inline Twofold operator*(const Twofold& a, const Twofold& b) {
-    const Rounded p = product(a.high, b.high);
-    const double w = a.width + b.width;
-    return {p.value, p.error + (a.high * b.low + a.low * b.high), a.magnitude * b.magnitude + guard,
-            a.error + b.error + a.width * b.width + 4 * w + (1 + slack), w + (1 + slack)};
-  }
-
-  /// The bound of the error as a number; infinite or NaN where nothing is known.
-  [[nodiscard]] double reach() const { return error * (1 + slack) * 0x1p-106 * magnitude; }
-
-  /// A value of this error.
-  [[gnu::always_inline]] static inline Twofold within(double h, double l, double reach) {
+  /// A double and what is known of the rest.
+  [[gnu::always_inline]] static inline Twofold near(double x, const Running& rest) {
     constexpr double units = 64;
-    const double of_low = magnitude_of(l) * 0x1p53, of_error = reach * (0x1p106 / units);
-    return {h, l, (magnitude_of(h) + of_low) + of_error, units, 1 + slack};
+    const double terms = plus_product(magnitude_of(x), magnitude_of(rest.value), 0x1p53);
+    return {x, rest.value, plus_product(terms, rest.error, 0x1p106 / units), units * (1 + slack), 1 + slack};
+  }
+  /// Both parts in one double.
+  [[nodiscard]] [[gnu::always_inline]] Running running() const {
+    const double x = high + low;
+    return {x, plus_product(reach(), magnitude_of(x), 0x1p-52)};
   }
 
-  /// a / b; of infinite reach where b may be zero or its digits are too uncertain.
+  /// a - q b, rounded, where that is near zero.
+  [[gnu::always_inline]] static inline double lacking(double a, double q, double b) {
+    if constexpr (Fma) {
+      return __builtin_fma(-q, b, a);
+    } else {
+      const Rounded p = product(q, b);
+      return (a - p.value) - p.error;
+    }
+  }
+  /// In one instruction: the library's would be called for the sake of errno.
+  [[gnu::always_inline]] static inline double square_root(double x) {
+#ifdef __SSE2__
+    const __m128d both = _mm_set1_pd(x);
+    return _mm_cvtsd_f64(_mm_sqrt_sd(both, both));
+#else
+    return std::sqrt(x);
+#endif
+  }
+
+  /// a / b; of infinite reach where b may be zero or its digits are too uncertain.  Nothing of its magnitude waits
+  /// for r.
   [[gnu::always_inline]] friend inline Twofold quotient(const Twofold& a, const Twofold& b) {
-    const double size = magnitude_of(b.high), off = b.width * unit * b.magnitude;  // of b.high, less than twice that
-    const double q = a.high / b.high;
-    const Twofold rest = a - Twofold{q} * b;
-    const double left = rest.high + rest.low, r = left / b.high;
-    // What is left after r is no more than the error of the rest, the rounding of r, be it subnormal, and what comes of
-    // dividing by b.high instead of b, which are apart by no more than twice `off`.
-    const double reach =
-        (rest.reach() + magnitude_of(left) * (0x1p-50 + 4 * off / size)) / size * (1 + 0x1p-6) + 0x1p-1070;
-    const bool sure = size > 0x1p-900 && off < size * 0x1p-10;
-    return within(q, r, sure ? reach : Ball::infinity);
+    const double inverse = 1 / (b.high + b.low), share = magnitude_of(inverse);
+    const bool sure = b.error * unit * b.magnitude * share < 0x1p-10 && share > 0x1p-1000;
+    const double q = a.high * inverse, r = (lacking(a.high, q, b.high) + (a.low - q * b.low)) * inverse;
+    const double terms = a.magnitude + plus_product(guard, magnitude_of(q), b.magnitude);
+    const double w = (a.width + 2 * b.width + 4) * (1 + slack), e = larger(a.error, b.error) + 10 * w;
+    return {q, r, plus_product(guard, sure ? share : Ball::infinity, terms), e * (1 + 8 * slack), w * (1 + slack)};
   }
 
   /// The square root; of infinite reach where a may be zero or below, or so small that digits are lost.
   [[gnu::always_inline]] friend inline Twofold root(const Twofold& a) {
-    const double q = std::sqrt(a.high);
-    const Rounded p = product(q, q);
-    const double of_high = (a.high - p.value) - p.error, left = of_high + a.low, r = left / (2 * q);
-    // sqrt(a) - q = (a - q^2) / (sqrt(a) + q): off by |r| / 2q of itself from r, and by the errors of what is left.
-    const double rounded = (magnitude_of(of_high) + magnitude_of(a.low)) * 0x1p-50;
-    const double reach = (a.reach() + rounded + magnitude_of(left) * (2 * magnitude_of(r) / q)) / q * (1 + 0x1p-6);
-    const bool sure = a.high > 0x1p-900 && magnitude_of(r) < q * 0x1p-10 && a.reach() < a.high * 0x1p-10;
-    return within(q, r, sure ? reach : Ball::infinity);
+    const Rounded x = two_sum(a.high, a.low);
+    const double q = square_root(x.value), half = 0.5 / q, r = (lacking(x.value, q, q) + x.error) * half;
+    const bool sure = x.value > 0x1p-900 && a.error * unit * unit * a.magnitude < x.value * 0x1p-10;
+    return {q, r, (sure ? 2 * half : Ball::infinity) * a.magnitude * (1 + slack), (a.error + 8) * (1 + 8 * slack),
+            2 + slack};
   }
+
+  // The same by high parts alone, which do not wait for the low ones: for a divisor or radicand that is not much
+  // smaller than its terms, for the error grows with the square of that ratio.
+  [[gnu::always_inline]] friend inline Twofold quotient_at_once(const Twofold& a, const Twofold& b) {
+    const double inverse = 1 / b.high, share = magnitude_of(inverse), condition = b.magnitude * share;
+    const bool sure = b.width * unit * condition < 0x1p-10 && share > 0x1p-1000;
+    const double factor = sure ? share * (1 + condition) : Ball::infinity;
+    const double q = a.high * inverse, r = (lacking(a.high, q, b.high) + (a.low - q * b.low)) * inverse;
+    const double terms = a.magnitude + plus_product(guard, magnitude_of(q), b.magnitude);
+    const double w = (a.width + b.width + 3) * (1 + slack), e = larger(a.error, b.error) + 9 * w;
+    return {q, r, plus_product(guard, factor, terms), larger(e, 3 * w * b.width) * (1 + 8 * slack), w * (1 + slack)};
+  }
+  [[gnu::always_inline]] friend inline Twofold root_at_once(const Twofold& a) {
+    const double q = square_root(a.high), half = 0.5 / q, w = (a.width + 3) * (1 + slack);
+    const bool sure = a.high > 0x1p-900 && w * unit * a.magnitude < a.high * 0x1p-10;
+    const double r = (lacking(a.high, q, q) + a.low) * half, share = sure ? 2 * half : Ball::infinity;
+    const double condition = a.magnitude * share * share;
+    return {q, r, share * a.magnitude * (1 + condition), larger(a.error + 6 * w, w * w) * (1 + 8 * slack),
+            w * (1 + slack)};
+  }
+
+  /// The high part alone.
+  [[nodiscard]] constexpr Approximate plain() const { return {high, magnitude, width + error * 0x1p-50}; }
 
   /// The sign where it is certain, which it never is of zero, else 0.
   [[nodiscard]] int certain_sign() const {

@@ -116,6 +116,8 @@ Axes<T> smaller(const Axes<T>& a, const Axes<T>& b) {
   return each(a, b, [](const T& s, const T& t) { return is_less(t, s) ? t : s; });
 }
 inline Axes<bool> operator&(const Axes<bool>& a, const Axes<bool>& b) { return {a.x && b.x, a.y && b.y, a.z && b.z}; }
+/// Bit i: axis i.
+inline unsigned bits(const Axes<bool>& a) { return (a.x ? 1U : 0U) | (a.y ? 2U : 0U) | (a.z ? 4U : 0U); }
 
 /// N is made of a double.  Where its numbers have a range, nothing is certain of what left it.
 template <class N, WorldKind which>

@@ -102,6 +102,8 @@ HWY_INLINE Three chosen(const Truth& t, const Three& yes, const Three& no) {
 }
 HWY_INLINE bool any(const Truth& t) { return (_mm256_movemask_pd(t.v) & 7) != 0; }
 HWY_INLINE bool all(const Truth& t) { return (_mm256_movemask_pd(t.v) & 7) == 7; }
+/// Bit i: lane i.
+HWY_INLINE unsigned bits(const Truth& t) { return static_cast<unsigned>(_mm256_movemask_pd(t.v)) & 7U; }
 
 #else
 
@@ -165,6 +167,7 @@ HWY_INLINE Three chosen(const Truth& t, const Three& yes, const Three& no) {
 }
 HWY_INLINE bool any(const Truth& t) { return (t.x | t.y | t.z) != 0; }
 HWY_INLINE bool all(const Truth& t) { return (t.x & t.y & t.z) != 0; }
+HWY_INLINE unsigned bits(const Truth& t) { return (t.x ? 1U : 0U) | (t.y ? 2U : 0U) | (t.z ? 4U : 0U); }
 
 #endif
 

@@ -53,20 +53,22 @@ void run_chains(std::uint64_t start) {
       const auto by = Twofold<Fma>::difference(c, d) * Twofold<Fma>(d);
       const auto approximately = Approximate::difference(c, d) * Approximate(d);
       const mpq_class exact_by = (rational(c) - rational(d)) * rational(d);
-      const std::uint64_t which = entropy.below(8);
+      const std::uint64_t which = entropy.below(9);
       if (which < 2) {
         x = x + by, y = y + approximately, exact += exact_by;
       } else if (which < 4) {
         x = x - by, y = y - approximately, exact -= exact_by;
       } else if (which < 6) {
         x = x * by, y = y * approximately, exact *= exact_by;
+      } else if (which == 8) {
+        x = x.squared(), exact *= exact, y = y * y;
       } else if (which == 6 && exact_by != 0) {
-        x = quotient(x, by), exact /= exact_by, y = {0, Ball::infinity, 1};
+        x = entropy.coin() ? quotient(x, by) : quotient_at_once(x, by), exact /= exact_by, y = {0, Ball::infinity, 1};
         quotients += x.reach() < Ball::infinity ? 1 : 0;
       } else if (which == 7 && exact > 0) {
-        const auto r = root(x);
+        const auto r = entropy.coin() ? root(x) : root_at_once(x);
         const double reach = r.reach();
-        if (reach < Ball::infinity) {
+        if (reach < Ball::infinity && std::isfinite(r.low)) {
           ++roots;
           const mpq_class low = rational(r.high) + rational(r.low) - rational(reach);
           const mpq_class high = rational(r.high) + rational(r.low) + rational(reach);

@@ -1,14 +1,11 @@
-// Which feature is nearest, by signs of plain doubles with the constants that the formulas derive.
+// Which feature is nearest, by statements over doubles (query/closest/nearest_feature.hpp); then its numbers.
 #include "query/closest/quick.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <limits>
 
 #include "certify/fused_lanes.hpp"
-#include "plumb/certify/formula.hpp"
-#include "plumb/predicates.hpp"
+#include "query/closest/linear_pair.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/closest/quick.cpp"
@@ -18,76 +15,6 @@
 #ifndef PLUMB_CLOSEST_QUICK_ONCE
 #define PLUMB_CLOSEST_QUICK_ONCE
 namespace plumb::query::quick {
-
-/// Points a, b, p: how far p is beyond b.
-struct Beyond {
-  static constexpr std::string_view name = "closest_points";
-  static constexpr int points = 3, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 9>& p) const {
-    using namespace predicates;
-    return dot(difference(p, 0, 1), difference(p, 0, 2)) - dot(difference(p, 0, 1), difference(p, 0, 1));
-  }
-};
-
-/// Points a, b, c, p: positive on c's side of ab, seen along the normal of the triangle, where p projects.
-struct Within {
-  static constexpr std::string_view name = "closest_points";
-  static constexpr int points = 4, dimension = 3;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 12>& p) const {
-    using namespace predicates;
-    const auto ab = difference(p, 0, 1), ac = difference(p, 0, 2), ap = difference(p, 0, 3), bp = difference(p, 1, 3);
-    return dot(ab, ap) * dot(ac, bp) - dot(ab, bp) * dot(ac, ap);
-  }
-};
-
-/// Center, axes u, v, w, halves, p: what is left of the way to p, along u; the same across u, along v; and along u x v.
-struct OffBox {
-  static constexpr std::string_view name = "closest_points";
-  static constexpr int points = 6, dimension = 3;
-  static constexpr bool homogeneous = false;
-  template <class T>
-  static constexpr auto along(const std::array<T, 18>& p, std::size_t u) {
-    using namespace predicates;
-    const auto at = [&](std::size_t i) { return dot(argument(p, i), argument(p, u)) * p[11 + i]; };
-    return dot(difference(p, 0, 5), argument(p, u)) - at(1) - at(2) - at(3);
-  }
-};
-struct AlongAxis : OffBox {
-  template <class T>
-  constexpr auto operator()(const std::array<T, 18>& p) const {
-    return along(p, 1);
-  }
-};
-struct AcrossAxis : OffBox {
-  template <class T>
-  constexpr auto operator()(const std::array<T, 18>& p) const {
-    using namespace predicates;
-    const auto u = argument(p, 1);
-    return dot(u, u) * along(p, 2) - dot(u, argument(p, 2)) * along(p, 1);
-  }
-};
-struct AboveAxes : OffBox {
-  template <class T>
-  constexpr auto operator()(const std::array<T, 18>& p) const {
-    using namespace predicates;
-    const auto n = cross(argument(p, 1), argument(p, 2));
-    return dot(difference(p, 0, 5), n) - dot(argument(p, 3), n) * p[14];
-  }
-};
-
-// Twice the filters' constants pay for another order of their sums.
-constexpr double along_constant = 2 * filter_constant<predicates::Angle3d>();
-// Of three products of numbers up to a largest one, and of twice nine products of four.
-constexpr double dot_constant = 3 * along_constant, within_constant = 18 * 2 * filter_constant<Within>();
-
-// For axes up to a, with |p - c| and the sum of half axes up to l: of 3 a l, 18 a^3 l and 6 a^2 l.
-constexpr double box_along = 3 * 2 * filter_constant<AlongAxis>(), box_across = 18 * 2 * filter_constant<AcrossAxis>(),
-                 box_above = 6 * 2 * filter_constant<AboveAxes>();
-
-/// Pays for underflow, where no factor is above 2^200.
-constexpr double guard = 0x1p-800;
 
 /// By the axes between whose ends p is, and those at whose upper end it is: as voronoi_region has them.
 constexpr auto box_features = [] {
@@ -115,6 +42,7 @@ constexpr auto box_features = [] {
 #endif
 
 #include "query/closest/lanes.hpp"
+#include "query/closest/nearest_feature.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::query::quick::HWY_NAMESPACE {
@@ -122,181 +50,120 @@ namespace {
 
 #if HWY_TARGET == HWY_AVX2
 
+namespace feature = nearest_feature::HWY_NAMESPACE;
+
+template <class Statement, class... Input>
+HWY_INLINE auto told(const Input&... input) {
+  using Floats = lanes::Floats<Three, Statement::highest, Statement::scales>;
+  return lanes::told_by_worlds<Floats>(NoWorldRecorder{}, Statement{}, input...);
+}
+
+struct Ends {
+  bool starts = true, ends = true;
+};
+
 template <class To>
 HWY_INLINE bool nearest(const Segment3& segment, const Point3& p, To& to) {
-  const V a = load(segment.a), b = load(segment.b), q = load(p);
-  const Pair d = difference(b, a), w = difference(q, a);
-  const Dots s = dots<To>(w, d);
-  const double unsure = __builtin_fma(0x1p-48, s.ww + s.dd, guard), beyond = s.wd - s.dd;
-  V at = a;
-  Square square{};
-  if (s.wd < -unsure) {
-    name_feature(to, {FeatureKind::vertex, 0});
-    square = square_from_start(s);
-  } else if (beyond > unsure) {
-    name_feature(to, {FeatureKind::vertex, 1});
-    at = b;
-    square = square_from_end(s);
-    if (wants_distance<To> && square.is_lost()) [[unlikely]]
-      return near_corner(segment.b, p, to);
-  } else if (s.wd > unsure && beyond < -unsure) {
+  const Three a = loaded(segment.a), b = loaded(segment.b), q = loaded(p);
+  const Twofolds d = Twofolds::difference(b, a), w = Twofolds::difference(q, a);
+  const Dots s = squares(w, d);
+  CertainSigns ask;
+  const SpotOnLine place = place_on(Ends(), s.y.plain(), s.z.plain(), ask);
+  if (!ask.certain()) return false;
+  if (place == SpotOnLine::inside) {
     name_feature(to, {FeatureKind::edge, 0});
-    return between_ends(segment.a, segment.b, p, a, d, s, to);
-  } else {
-    return false;
+    return on_line(a, w, d, s, to);
   }
-  return conclude(at, square, to);
+  if (place == SpotOnLine::start) {
+    name_feature(to, {FeatureKind::vertex, 0});
+    return conclude(a, s.x, to);
+  }
+  name_feature(to, {FeatureKind::vertex, 1});
+  return conclude(b, (s.x + s.z) - (s.y + s.y), to) || at_corner(segment.b, p, to);
 }
 
 template <class To>
 HWY_INLINE bool nearest(const Triangle3& s, const Point3& p, To& to) {
-  const V a = load(s.a), b = load(s.b), c = load(s.c), q = load(p), none = hn::Zero(D());
-  const Pair ab = difference(b, a), ac = difference(c, a), ap = difference(q, a);
-  const V bp = Sub(q, b), cp = Sub(q, c);
-  const auto largest = [](V u, V v) { return hn::Max(Abs(u), Abs(v)); };
-  const auto [lx, ly, lz] = lanes(hn::Max(largest(ab.h, ac.h), hn::Max(largest(ap.h, bp), Abs(cp))));
-  const double l = std::max(std::max(lx, ly), lz), l2 = l * l;
-  const double near = __builtin_fma(dot_constant, l2, guard), side = __builtin_fma(within_constant, l2 * l2, guard);
-  const auto [d1, d2, d3, d4] = totals(Mul(ab.h, ap.h), Mul(ac.h, ap.h), Mul(ab.h, bp), Mul(ac.h, bp));
-  const auto [d5, d6, e5, e6] = totals(Mul(ab.h, cp), Mul(ac.h, cp), none, none);
-  const double from_b = d4 - d3, from_c = d5 - d6;  // along bc and along cb
-  if (!(l > 0x1p-100 && l < 0x1p100)) return false;
-  const bool at_a = d1 < -near && d2<-near, at_b = d3> near && from_b < -4 * near;
-  if (at_a || at_b || (d6 > near && from_c < -4 * near)) {
-    name_feature(to, {FeatureKind::vertex, at_a ? 0u : at_b ? 1u : 2u});
-    return near_corner(at_a ? s.a : at_b ? s.b : s.c, p, to);
-  }
-  const double vc = d1 * d4 - d3 * d2, va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6;
-  const bool on_ab = vc < -side && d1 > near && d3 < -near, on_ac = vb < -side && d2 > near && d6 < -near;
-  if (on_ab || on_ac || (va < -side && from_b > 4 * near && from_c > 4 * near)) {
-    const V from = on_ab || on_ac ? a : b;
-    const Pair w = on_ab || on_ac ? ap : difference(q, b), d = on_ab ? ab : on_ac ? ac : difference(c, b);
-    name_feature(to, {FeatureKind::edge, on_ab ? 0u : on_ac ? 2u : 1u});
-    return between_ends(on_ab || on_ac ? s.a : s.b, on_ab ? s.b : s.c, p, from, d, dots<To>(w, d), to);
-  }
-  if (!(va > side && vb > side && vc > side && moderate(ab.h) && moderate(ac.h) && moderate(ap.h))) return false;
-  name_feature(to, {FeatureKind::face, 0});
-  return on_face(q, ab, ac, ap, none, to);
+  const auto found = told<feature::OfTriangle>(s, p);
+  if (!found) return false;
+  name_feature(to, *found);
+  const Point3* const corners[4] = {&s.a, &s.b, &s.c, &s.a};
+  const Point3* const* const from = corners + found->index;
+  if (found->kind == FeatureKind::vertex) return at_corner(**from, p, to);
+  const Three a = loaded(**from), q = loaded(p);
+  const Twofolds ap = Twofolds::difference(q, a), ab = Twofolds::difference(loaded(*from[1]), a);
+  if (found->kind == FeatureKind::edge) return on_line(a, ap, ab, squares(ap, ab), to);
+  return on_face(q, ab, Twofolds::difference(loaded(s.c), a), ap, to);
 }
 
 template <class To>
 HWY_INLINE bool nearest(const Aabb3& s, const Point3& p, To& to) {
-  const V min = load(s.min), max = load(s.max), at = load(p), q = hn::Min(hn::Max(at, min), max);
-  const V infinity = set(std::numeric_limits<double>::infinity());
-  const auto finite = hn::And(hn::Lt(Abs(at), infinity), hn::Lt(Sub(max, min), infinity));
-  if (!hn::AllTrue(D(), hn::And(hn::Le(min, max), finite))) return false;
-  const auto bits = [](auto mask) {
-    std::uint8_t all[8] = {};
-    hn::StoreMaskBits(D(), mask, all);
-    return all[0] & 7u;
-  };
+  const Three min = loaded(s.min), max = loaded(s.max), at = loaded(p), q = smaller(larger(at, min), max);
+  const Three most = lanes::of_all(std::numeric_limits<double>::infinity());
+  if (!all(above(most, size(at)) & above(most, max - min)) || any(above(min, max))) return false;
   if constexpr (std::same_as<To, Closest>) {
-    const unsigned free = bits(hn::And(hn::Gt(at, min), hn::Lt(at, max)));
-    const unsigned upper = bits(hn::And(hn::Ge(at, max), hn::Gt(max, min)));
-    name_feature(to, box_features[free][upper]);
+    const unsigned above_min = bits(above(at, min)), below_max = bits(above(max, at)), wide = bits(above(max, min));
+    name_feature(to, box_features[above_min & below_max][~below_max & wide]);
   }
   double d = 0;
   if constexpr (wants_distance<To>) {
-    const Pair w = difference(at, q);
-    const unsigned apart = bits(hn::Ne(w.h, hn::Zero(D())));
+    const Twofolds w = Twofolds::difference(at, q);
+    const unsigned apart = ~bits(is_zero(w.high)) & 7U;
     if ((apart & (apart - 1)) == 0) {
-      d = total(Abs(w.h));  // of one difference, or none
-    } else if (!length(w.h, w.l, d)) {
+      d = total(size(w.high));  // of one difference, or none
+    } else if (!root_at_once(square(w)).told(d)) {
       return false;
     }
   }
   return put(q, d, to);
 }
 
-/// A guess as if the axes were at right angles, then proved by the signs of voronoi_region.
+/// A guess as if the axes were at right angles; then its proof.
 template <class To>
 bool nearest(const Obb3& s, const Point3& p, To& to) {
-  const V center = load(s.center), at = load(p), none = hn::Zero(D());
-  const V axis[3] = {load(s.axes[0]), load(s.axes[1]), load(s.axes[2])};
-  const double half[3] = {std::fabs(s.half.x), std::fabs(s.half.y), std::fabs(s.half.z)};
-  const V way = Sub(at, center);
-  const auto dot = [](V u, V v) { return total(Mul(u, v)); };
-  double gram[3][3], along[3];
-  std::uint32_t free = 0, upper = 0, count = 0;
+  const Three center = loaded(s.center), at = loaded(p), half = size(loaded(s.half));
+  const auto c = transposed(loaded(s.axes[0]), loaded(s.axes[1]), loaded(s.axes[2]));
+  const Three guess = at - center;
+  const Three along = lanes::along(c, lanes::spread<0>(guess), lanes::spread<1>(guess), lanes::spread<2>(guess));
+  const unsigned free = bits(above(half * lanes::along(c, c.x, c.y, c.z), size(along)));
+  const unsigned upper = bits(above(along, lanes::of_all(0))) & ~free;
+  if (!all(above(half, lanes::of_all(0)))) return false;  // what is flat has fewer features
+  const auto count = static_cast<unsigned>(__builtin_popcount(free));
+  // The axes in turn, from the one that is free alone, or fixed alone.
+  const std::size_t first = count == 1 ? free >> 1 : count == 2 ? (~free & 7U) >> 1 : 0;
+  const std::size_t turn[3] = {first, (first + 1) % 3, (first + 2) % 3};
+  const std::array<const Vector3*, 3> axes{&s.axes[turn[0]], &s.axes[turn[1]], &s.axes[turn[2]]};
+  const double halves[3] = {s.half.x, s.half.y, s.half.z};
+  double end[3];
+  unsigned up = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!moderate(axis[i]) || !(half[i] >= 0x1p-60 && half[i] <= 0x1p60)) return false;
-    for (std::size_t k = i; k < 3; ++k) gram[i][k] = gram[k][i] = dot(axis[i], axis[k]);
-    along[i] = dot(way, axis[i]);
-    const double reach = half[i] * gram[i][i];
-    const bool within = std::fabs(along[i]) < reach;
-    free |= static_cast<std::uint32_t>(within) << i, count += static_cast<std::uint32_t>(within);
-    upper |= static_cast<std::uint32_t>(along[i] > 0 && !within) << i;
+    const unsigned bit = 1U << turn[i];
+    end[i] = (bit & (upper | free)) != 0 ? std::fabs(halves[turn[i]]) : -std::fabs(halves[turn[i]]);
+    up |= (upper & bit) != 0 ? 1U << i : 0U;
   }
-  const auto largest = [](V v) {
-    const auto [x, y, z] = lanes(Abs(v));
-    return std::max(std::max(x, y), z);
-  };
-  const double a = largest(hn::Max(Abs(axis[0]), hn::Max(Abs(axis[1]), Abs(axis[2]))));
-  const double l = largest(way) + a * (half[0] + half[1] + half[2]);
-  const double near = box_along * a * l, side = box_across * (a * a) * (a * l), top = box_above * a * (a * l);
-  if (!(l < 0x1p60)) return false;
-  const auto end = [&](std::size_t i) { return (upper >> i & 1) != 0 ? half[i] : -half[i]; };
-  const auto is_free = [&](std::size_t i) { return (free >> i & 1) != 0; };
-  double left[3];  // along the axes, of the way from the fixed ends
-  for (std::size_t i = 0; i < 3; ++i) {
-    left[i] = along[i];
-    for (std::size_t k = 0; k < 3; ++k) left[i] -= is_free(k) ? 0 : end(k) * gram[i][k];
-  }
-  Pair o{center, none};
-  V size = Abs(center);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (is_free(i)) continue;
-    const Pair step = product(axis[i], set(end(i))), next = sum(o.h, step.h);
-    o = {next.h, Add(o.l, Add(next.l, step.l))};
-    size = Add(size, Abs(step.h));
-  }
-  const V slack = Mul(size, set(0x1p-100));
-  Pair w = difference(at, o.h);
-  w.l = Sub(w.l, o.l);
-  const auto outward = [&](std::size_t i, double x) { return (upper >> i & 1) != 0 ? x : -x; };
   name_feature(to, box_features[free][upper]);
-  if (!moderate(w.h)) return false;
-  if (count == 0) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!(outward(i, left[i]) > near)) return false;
-    }
-    V q = none;
-    double d = 0;
-    if (wants_point<To> && !round(o.h, o.l, slack, q)) return false;
-    if (wants_distance<To> && !length(w.h, w.l, slack, d)) return false;
-    return put(q, d, to);
+  const Vector3 ends{end[0], end[1], end[2]};
+  if (count == 3) return told<feature::OfBox<3>>(p, s.center, axes, ends, up) && put(at, 0, to);
+  const Twofolds u = Twofolds::exact(loaded(*axes[0])), v = Twofolds::exact(loaded(*axes[1])),
+                 n = Twofolds::exact(loaded(*axes[2]));
+  const auto step = [&](const Twofolds& axis, double by)
+                        HWY_ATTR { return Twofolds::whole_product(axis, Twofolds::exact(lanes::of_all(by))); };
+  const Twofolds way = Twofolds::difference(at, center);
+  if (count == 2) {
+    if (!told<feature::OfBox<2>>(p, s.center, axes, ends, up)) return false;
+    return on_face(at, v, n, way - step(u, end[0]), to);
   }
+  const Twofolds sides = step(v, end[1]) + step(n, end[2]);
   if (count == 1) {
-    const std::size_t u = is_free(0) ? 0 : is_free(1) ? 1 : 2;
-    const double own = gram[u][u], reach = half[u] * own - near;
-    if (!(std::fabs(left[u]) < reach)) return false;
-    for (std::size_t v = 0; v < 3; ++v) {
-      if (v != u && !(outward(v, own * left[v] - gram[u][v] * left[u]) > side)) return false;
-    }
-    const double size = total(Abs(Mul(w.h, axis[u]))) + std::fabs(left[u]);
-    return on_line(Nearly{o.h, o.l, slack}, w, {axis[u], none}, left[u], own, size, to);
+    if (!told<feature::OfBox<1>>(p, s.center, axes, ends, up)) return false;
+    const Twofolds w = way - sides;
+    return on_line(center, w, u, apart(sums(w * w, w * u, u * u)), to, sides);
   }
-  // Along the normals, in lanes z x y, of two axes: the third, and the way from the center.
-  const auto up = [&](std::size_t i, V v) {
-    const V u = axis[(i + 1) % 3], other = axis[(i + 2) % 3];
-    return dot(Sub(Mul(u, turned(other)), Mul(turned(u), other)), turned(turned(v)));
-  };
-  if (count == 3) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!(std::fabs(up(i, way)) < half[i] * std::fabs(up(i, axis[i])) - top)) return false;
-    }
-    return put(at, 0, to);
-  }
-  const std::size_t n = is_free(0) ? is_free(1) ? 2 : 1 : 0, u = (n + 1) % 3, v = (n + 2) % 3;
-  const auto between = [&](std::size_t i, std::size_t other) {
-    const double own = gram[other][other], both = gram[i][other];
-    const double reach = half[i] * (own * gram[i][i] - both * both);
-    return std::fabs(own * left[i] - both * left[other]) < reach - side;
-  };
-  if (!between(u, v) || !between(v, u)) return false;
-  const double volume = up(n, axis[n]), above = up(n, way) - end(n) * volume;
-  if (!(std::fabs(volume) > box_above * a * (a * a) && outward(n, volume > 0 ? above : -above) > top)) return false;
-  return on_face(at, {axis[u], none}, {axis[v], none}, w, slack, to);
+  if (!told<feature::OfBox<0>>(p, s.center, axes, ends, up)) return false;
+  const Twofolds corner = sides + step(u, end[0]), w = way - corner;
+  Three q = center;
+  if (wants_point<To> && !(center + corner).told(q)) return false;
+  return conclude(q, total(w.squared()), to);
 }
 
 #endif

@@ -3,7 +3,7 @@
 //
 // Laws: true only where the feature is certain and each number is the exact one rounded once; false says nothing: then
 // signs and integers answer.  Input that is NaN or infinite is never answered.
-// Source: Dekker 1971, Ziv 1991; the bounds are those of docs/closest.md.
+// Source: Dekker 1971, Ziv 1991; docs/proof.md, "Twofold", "Tracked errors".
 // Cost: 3 to 45 ns with fused multiply-adds; machines without them get false at once.
 #pragma once
 

@@ -1,8 +1,7 @@
-// The numbers of two lines, rays or segments whose features are known, in pairs of doubles.
+// The numbers of two lines, rays or segments whose features are known, to twice the digits of doubles.
 //
-// u is 2^-53.  With w = b - a and e = w + t e2 - s e1 for lines through a along e1 and through b along e2 the products
-// e.e1 and e.e2 are nothing; doubles s and t near to that leave g1 and g2, found to 120 u^2 of the magnitudes of the
-// terms, and a correction by the same two equations.  Of it the determinant is off by 25 u of e1.e1 e2.e2 at most.
+// With w = b - a and e = w + t e2 - s e1 for lines through a along e1 and through b along e2 the products e.e1 and
+// e.e2 are nothing; guesses of s and t leave g1 and g2, and a correction by the same two equations.
 #include "query/closest/quick_pairs.hpp"
 
 #include "certify/fused_lanes.hpp"
@@ -12,8 +11,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <cmath>
-
 #include "query/closest/lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,104 +19,66 @@ namespace {
 
 #if HWY_TARGET == HWY_AVX2
 
-HWY_INLINE Pair along(const LineAt& s) {
-  if (s.to != nullptr) return difference(load(*s.to), load(*s.from));
-  return {load(*s.direction), hn::Zero(D())};
+HWY_INLINE Twofolds along(const LineAt& s) {
+  if (s.to != nullptr) return Twofolds::difference(loaded(*s.to), loaded(*s.from));
+  return Twofolds::exact(loaded(*s.direction));
 }
 
-HWY_INLINE bool put(V a, V b, double distance, Closest& to) {
-  const V q = Add(a, hn::Zero(D()));
-  hn::StoreU(hn::LowerHalf(q), Two(), &to.on_a.x);
-  to.on_a.z = first(upper(q));
+HWY_INLINE bool put(const Three& a, const Three& b, double distance, Closest& to) {
+  put(a, distance, to.on_a);
   return put(b, distance, to);
 }
-HWY_INLINE bool put(V, V, double distance, double& to) { return to = distance, true; }
+HWY_INLINE bool put(const Three&, const Three&, double distance, double& to) { return to = distance, true; }
 
-constexpr double least_square = 0x1p-100, largest_square = 0x1p150;
-HWY_INLINE bool fair_square(double x) { return x >= least_square && x <= largest_square; }
-
-/// Of two lines that are not nearly parallel.
+/// Of two lines that are not nearly parallel: e1.e1, e1.e2 and e2.e2, w.e1 and w.e2.
 template <class To>
-HWY_INLINE bool between_lines(V a, Pair e1, V b, Pair e2, To& to) {
-  const Pair w = difference(b, a);
-  const V both = Mul(e1.h, e2.h);
-  const auto [a11, a22, a12, c1] = totals(Mul(e1.h, e1.h), Mul(e2.h, e2.h), both, Mul(e1.h, w.h));
-  const auto [c2, size12, none, nothing] = totals(Mul(e2.h, w.h), Abs(both), hn::Zero(D()), hn::Zero(D()));
-  const double inverse = 1 / (a11 * a22 - a12 * a12), condition = a11 * a22 * inverse;
-  if (!(fair_square(a11) && fair_square(a22) && condition > 0 && condition < 0x1p40)) return false;
-  const double s = (c1 * a22 - a12 * c2) * inverse, t = (a12 * c1 - a11 * c2) * inverse;
-  const Pair p = product(set(s), e1.h), q = product(set(t), e2.h);
-  const V p_low = MulAdd(set(s), e1.l, p.l), q_low = MulAdd(set(t), e2.l, q.l);
-  const Pair less = difference(w.h, p.h), e = sum(less.h, q.h);
-  const V x = Add(Add(less.l, e.l), Add(w.l, Sub(q_low, p_low)));
-  const Pair d1 = product(e.h, e1.h), d2 = product(e.h, e2.h), square = product(e.h, e.h);
-  const Sums3 sum = sums(d1.h, d2.h, square.h, MulAdd(x, e1.h, MulAdd(e.h, e1.l, d1.l)),
-                         MulAdd(x, e2.h, MulAdd(e.h, e2.l, d2.l)), MulAdd(MulAdd(set(2), e.h, x), x, square.l));
-  const auto [g1, g2, none_left] = lanes(Add(sum.value, sum.rest));
-  const double f = lanes(sum.value).z, f_rest = lanes(sum.rest).z;
-  const double size = total(Add(Abs(w.h), Add(Abs(p.h), Abs(q.h))));
-  if (!(size <= 0x1p100)) return false;
-  const double off1 = 0x1p-98 * (size * size + a11), off2 = 0x1p-98 * (size * size + a22);
-  const double ds = (g1 * a22 - a12 * g2) * inverse, dt = (a12 * g1 - a11 * g2) * inverse;
-  const double share = 0x1p-44 * condition, m1 = off1 + share * std::fabs(g1), m2 = off2 + share * std::fabs(g2);
-  const double doubt_s = (m1 * a22 + size12 * m2) * inverse, doubt_t = (size12 * m1 + a11 * m2) * inverse;
-  V on_a = a, on_b = b;
-  double distance = 0;
+HWY_INLINE bool between_lines(const Three& a, const Twofolds& e1, const Three& b, const Twofolds& e2, const Twofolds& w,
+                              const Dots& gram, const Dots& c, To& to) {
+  const Running a11 = gram.x.plain().running(), a12 = gram.y.plain().running(), a22 = gram.z.plain().running();
+  const Running inverse = quotient(Running(1), a11 * a22 - a12 * a12);
+  const double s = (c.x.high * a22.value - a12.value * c.y.high) * inverse.value,
+               t = (a12.value * c.x.high - a11.value * c.y.high) * inverse.value;
+  const Twofolds e = (w - e1 * lanes::of_all(s)) + e2 * lanes::of_all(t);
+  const Dots left = apart(sums(e * e1, e * e2, e.squared()));
+  const Running g1 = left.x.running(), g2 = left.y.running();
+  const Running ds = (g1 * a22 - a12 * g2) * inverse, dt = (a12 * g1 - a11 * g2) * inverse;
+  Three on_a = a, on_b = b;
   if constexpr (wants_point<To>) {
-    const double all_s = doubt_s + (0x1p-97 * std::fabs(s) + 0x1p-47 * std::fabs(ds));
-    const double all_t = doubt_t + (0x1p-97 * std::fabs(t) + 0x1p-47 * std::fabs(dt));
-    if (!(point_on(a, e1, s, ds, all_s, on_a) && point_on(b, e2, t, dt, all_t, on_b))) return false;
+    const Twofolds on_e1 = scaled(e1, One::near(s, ds));
+    const Twofolds on_e2 = scaled(e2, One::near(t, dt));
+    if (!((a + on_e1).told(on_a) && (b + on_e2).told(on_b))) return false;
   }
-  // The correction shortens the square by no more than it and the products together.
-  const double shorter =
-      (std::fabs(ds) + doubt_s) * (std::fabs(g1) + off1) + (std::fabs(dt) + doubt_t) * (std::fabs(g2) + off2);
-  const Parts r = root(f, f_rest, 2 * shorter);
-  if (!(fair(f) && round(r.value, r.rest, r.bound + 0x1p-98 * size, distance))) return false;
-  return put(on_a, on_b, distance, to);
+  // (e + dt e2 - ds e1)^2, which is its product with e.
+  double distance = 0;
+  return root(left.z + One::near(0, dt * g2 - ds * g1)).told(distance) && put(on_a, on_b, distance, to);
 }
 
 /// The foot of a point on a line.
 template <class To>
-HWY_INLINE bool on_one_line(V from, Pair d, V point, bool swap, To& to) {
-  const Pair w = difference(point, from);
-  const Dots s = dots<Closest>(w, d);
-  if (!(s.dd >= 0x1p-200 && s.dd <= 0x1p300 && s.ww <= 0x1p200)) return false;
-  const Parameter at = parameter(s);
-  const Square square = square_from_line(s, at);
+HWY_INLINE bool on_one_line(const Three& from, const Twofolds& d, const Three& point, bool swap, To& to) {
+  const Twofolds w = Twofolds::difference(point, from);
+  Three q = from;
   double distance = 0;
-  V q = from;
-  const Parts r = root(square.value, square.rest, 0x1p-96 * square.size);
-  if (square.is_lost() || !(fair(square.value) && round(r.value, r.rest, r.bound, distance))) return false;
-  if constexpr (wants_point<To>) {
-    const double doubt =
-        __builtin_fma(__builtin_fma(s.ww, at.inverse, 2 + std::fabs(at.t)), 0x1p-96, 0x1p-48 * std::fabs(at.change));
-    if (!point_on(from, d, at.t, at.change, doubt, q)) return false;
-  }
+  if (!foot<To>(from, w, d, squares(w, d), q, distance)) return false;
   return swap ? put(q, point, distance, to) : put(point, q, distance, to);
 }
 
 template <class To>
 HWY_INLINE bool numbers(const LineAt& p, const LineAt& q, SpotsOnLines places, To& to) {
   const bool inside_p = places.a == SpotOnLine::inside, inside_q = places.b == SpotOnLine::inside;
-  const V a = load(inside_p ? *p.from : p.at(places.a)), b = load(inside_q ? *q.from : q.at(places.b));
-  if (inside_p && inside_q) return between_lines(a, along(p), b, along(q), to);
+  const Three a = loaded(inside_p ? *p.from : p.at(places.a)), b = loaded(inside_q ? *q.from : q.at(places.b));
+  if (inside_p && inside_q) {
+    const Twofolds e1 = along(p), e2 = along(q), w = Twofolds::difference(b, a);
+    const Dots gram = squares(e1, e2);
+    return between_lines(a, e1, b, e2, w, gram, along(w, e1, e2, gram), to);
+  }
   if (inside_p || inside_q) {
     const LineAt& line = inside_p ? p : q;
     return on_one_line(inside_p ? a : b, along(line), inside_p ? b : a, inside_p, to);
   }
-  const Pair w = difference(b, a);
+  const Twofolds w = Twofolds::difference(b, a);
   double distance = 0;
-  return length(w.h, w.l, distance) && put(a, b, distance, to);
-}
-
-constexpr double guard = 0x1p-800;
-
-/// Of x / whole, both off by their bounds; `given` where that is not certain.
-HWY_INLINE SpotOnLine place_of(double x, double bound, double whole, double whole_bound) {
-  const double less = whole - x, either = bound + whole_bound;
-  if (x < -bound) return SpotOnLine::start;
-  if (less < -either) return SpotOnLine::end;
-  return x > bound && less > either ? SpotOnLine::inside : SpotOnLine::given;
+  return root_at_once(square(w)).told(distance) && put(a, b, distance, to);
 }
 
 HWY_INLINE void name_features(Closest& to, SpotsOnLines places) {
@@ -130,42 +89,50 @@ HWY_INLINE void name_features(Closest& to, SpotsOnLines places) {
 }
 HWY_INLINE void name_features(double&, SpotsOnLines) {}
 
-/// The signs of closest_places (linear_pair.hpp) by six products; their errors are some 12 u of the bounds' terms.
+struct BothEnds {
+  bool starts = true, ends = true;
+};
+/// As closest_places (linear_pair.hpp), by the products of e1, e2 and w.  Segments that may be parallel are never
+/// certain.
+HWY_INLINE SpotsOnLines places_by(const Dots& gram, const Dots& c, CertainSigns& ask) {
+  const Approximate a11 = gram.x.plain(), a12 = gram.y.plain(), a22 = gram.z.plain(), c1 = c.x.plain(),
+                    c2 = c.y.plain();
+  const auto place = [&ask](const Approximate& part, const Approximate& of) {
+    return place_on(BothEnds(), part, of, ask);
+  };
+  const auto on_p = [&](SpotOnLine q) { return place(q == SpotOnLine::end ? c1 + a12 : c1, a11); };
+  const Approximate whole = a11 * a22 - a12 * a12;
+  static_cast<void>(ask(whole));
+  SpotsOnLines places{place(c1 * a22 - a12 * c2, whole), SpotOnLine::inside};
+  if (places.a == SpotOnLine::inside) {
+    places.b = place(a12 * c1 - a11 * c2, whole);
+  } else {
+    places.b = place(places.a == SpotOnLine::end ? a12 - c2 : Approximate(0) - c2, a22);
+  }
+  if (places.b != SpotOnLine::inside) places.a = on_p(places.b);
+  return places;
+}
+
 template <class To>
 HWY_INLINE bool numbers(const Segment3& p, const Segment3& q, To& to) {
-  const V a = load(p.a), b = load(q.a), e1 = Sub(load(p.b), a), e2 = Sub(load(q.b), b), w = Sub(b, a);
-  const Four first_four = totals(Mul(e1, e1), Mul(e2, e2), Mul(e1, e2), Mul(e1, w));
-  const double a11 = first_four.x, a22 = first_four.y, a12 = first_four.z, c1 = first_four.w;
-  const double c2 = total(Mul(e2, w)), ww = total(Mul(w, w));
-  if (!(fair_square(a11) && fair_square(a22) && ww <= largest_square)) return false;
-  const double unsure = __builtin_fma(0x1p-47, a11 + a22 + ww, guard);
-  const double unsure_whole = 0x1p-47 * a11 * a22, whole = a11 * a22 - a12 * a12;
-  const auto on_p = [&](SpotOnLine end_of_q) {
-    return place_of(end_of_q == SpotOnLine::end ? c1 + a12 : c1, unsure, a11, unsure);
-  };
-  const auto on_q = [&](SpotOnLine end_of_p) {
-    return place_of(end_of_p == SpotOnLine::end ? a12 - c2 : -c2, unsure, a22, unsure);
-  };
-  if (!(whole > unsure_whole)) return false;
-  SpotsOnLines places{place_of(c1 * a22 - a12 * c2, 0x1p-47 * a22 * (a11 + ww), whole, unsure_whole),
-                      SpotOnLine::given};
-  if (places.a == SpotOnLine::inside) {
-    places.b = place_of(a12 * c1 - a11 * c2, 0x1p-47 * a11 * (a22 + ww), whole, unsure_whole);
-    if (places.b != SpotOnLine::inside && places.b != SpotOnLine::given) places.a = on_p(places.b);
-  } else if (places.a != SpotOnLine::given) {
-    places.b = on_q(places.a);
-    if (places.b != SpotOnLine::inside && places.b != SpotOnLine::given) places.a = on_p(places.b);
-  }
-  if (places.a == SpotOnLine::given || places.b == SpotOnLine::given) return false;
+  const Three a = loaded(p.a), b = loaded(q.a);
+  const Twofolds e1 = Twofolds::difference(loaded(p.b), a), e2 = Twofolds::difference(loaded(q.b), b),
+                 w = Twofolds::difference(b, a);
+  const Dots gram = squares(e1, e2), c = along(w, e1, e2, gram);
+  CertainSigns ask;
+  const SpotsOnLines places = places_by(gram, c, ask);
+  if (!ask.certain()) return false;
   name_features(to, places);
+  if (places.a == SpotOnLine::inside && places.b == SpotOnLine::inside)
+    return between_lines(a, e1, b, e2, w, gram, c, to);
   return numbers(LineAt(p), LineAt(q), places, to);
 }
 
 template <class To>
 HWY_INLINE bool numbers(const Point3& v, const Triangle3& t, To& to) {
-  const V a = load(t.a), p = load(v);
-  const Pair ab = difference(load(t.b), a), ac = difference(load(t.c), a), ap = difference(p, a);
-  return moderate(ab.h) && moderate(ac.h) && moderate(ap.h) && on_face(p, ab, ac, ap, hn::Zero(D()), to);
+  const Three a = loaded(t.a), p = loaded(v);
+  return on_face(p, Twofolds::difference(loaded(t.b), a), Twofolds::difference(loaded(t.c), a),
+                 Twofolds::difference(p, a), to);
 }
 
 #endif
