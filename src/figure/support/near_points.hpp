@@ -1,10 +1,10 @@
-// Closest points: is a ball or capsule nearer than this to a triangle, a box, a segment?  Nearest points in doubles,
-// and their proof.
+// Closest points: is a ball or capsule nearer than this to a triangle, a box, a segment?  Guesses of nearest points in
+// doubles, and their proof.
 //
 // Laws: an answer is the sign of the distance minus the radius, proved: by two points that are nearer, or by a
 // direction along which everything is farther; none where doubles prove neither, nor for a negative radius or a number
 // that is not real, but of a box with the axes of space: who calls has looked.
-// Source: RTCD 5.1.2, 5.1.3, 5.1.4, 5.1.5, 5.1.9.
+// Source: RTCD 5.1.2, 5.1.3, 5.1.4, 5.1.5, 5.1.9; docs/proof.md, "Tracked errors".
 // Cost: some 10 to 30 ns.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 #include "arith/vec.hpp"
 #include "plumb/arith/filtered.hpp"
-#include "plumb/arith/sign.hpp"
+#include "plumb/certify/certainly.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/simplex.hpp"
@@ -23,32 +23,120 @@ namespace plumb::figure::near_points {
 
 using arith::Plain;
 
-inline double sum_of_sizes(const Plain& v) { return magnitude_of(v.x) + magnitude_of(v.y) + magnitude_of(v.z); }
+/// A vector of a world's numbers.
+template <class T>
+struct Way {
+  T x, y, z;
+};
+template <class T>
+Way(T, T, T) -> Way<T>;
+template <class A, class B>
+[[gnu::always_inline]] inline auto dot(const Way<A>& a, const Way<B>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class A, class B>
+[[gnu::always_inline]] inline auto operator+(const Way<A>& a, const Way<B>& b) {
+  return Way{a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class A, class B>
+[[gnu::always_inline]] inline auto operator-(const Way<A>& a, const Way<B>& b) {
+  return Way{a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class A, class B>
+[[gnu::always_inline]] inline auto operator*(const Way<A>& a, const B& b) {
+  return Way{a.x * b, a.y * b, a.z * b};
+}
+template <std::size_t scale>
+[[gnu::always_inline]] inline auto way(auto& w, const auto& to, const auto& from) {
+  return Way{w.template difference<scale>(to.x, from.x), w.template difference<scale>(to.y, from.y),
+             w.template difference<scale>(to.z, from.z)};
+}
+template <std::size_t scale>
+[[gnu::always_inline]] inline auto way(auto& w, const auto& v) {
+  return Way{w.template number<scale>(v.x), w.template number<scale>(v.y), w.template number<scale>(v.z)};
+}
 
-/// What two near points show, `off` apart, the one sought less the other; `low` is the least height along `off` of what
-/// lies on the one's side over what lies on the other's.
-///
-/// Let `sizes` be the sum of the sizes of the coordinates of all differences of input points, and of half extents times
-/// axes, that both are sums of, with parts of at most 1.  A coordinate of `off` rounds each of its terms twice and adds
-/// up to six, so that all are off by no more than 16 u sizes together, and a height by no more than 16 u sizes times
-/// the sum of the sizes of `off`; 64 u pays for what the bounds round, for the rounded sum of two radii, and for parts
-/// that add up to 1 + 4 u.  The guards pay for underflow, of squares and of products of two; up to `most` nothing
-/// overflows, and a NaN or infinity is never below it.
-struct NearPoints {
-  Plain off;
-  double low, sizes;
+/// Scales: what lies between the figures, and in it the radii and the parts of edges; the edges; the direction.
+struct Proof {
+  static constexpr int highest = 4;
+  static constexpr Scales scales{.count = 3, .weights = 0b10};
 
-  [[nodiscard]] std::optional<Sign> proof(double reach) const {
-    constexpr double unsure = 0x1p-47, more = 1 + 0x1p-40, tiny = 0x1p-1060, guard = 0x1p-900, most = 0x1p250;
-    const double square = arith::dot(off, off), inner = reach - unsure * (sizes + reach);
-    const double above = low - (unsure * sizes * sum_of_sizes(off) + guard);
-    const int near = static_cast<int>(inner > 0) & static_cast<int>(square * more + guard < inner * inner);
-    const int far =
-        static_cast<int>(above > 0) & static_cast<int>(above * above > (reach * reach * more + tiny) * square + guard);
-    if (((near | far) & static_cast<int>(reach >= 0) & static_cast<int>(sizes + reach < most)) == 0) return {};
-    return static_cast<Sign>(far - near);
+  /// Points that are `off` apart, and what lies no nearer than `low` along n.
+  template <class W>
+  [[gnu::always_inline]] static Sign judged(W& w, const auto& off, const auto& n, const auto& low, const auto& reach) {
+    if (w.positive(reach * reach - dot(off, off))) return Sign::negative;
+    if (w.positive(low) && w.positive(low * low - reach * reach * dot(n, n))) return Sign::positive;
+    w.leave_open();
+    return Sign::zero;
   }
 };
+
+/// The point of the triangle at these parts of its edges from a, which add up to 1 at most.
+struct OfTriangle : Proof {
+  template <class W>
+  [[gnu::always_inline]] Sign operator()(W& w, const Triangle3& t, const Point3& center, double radius, double b,
+                                         double c, const Plain& direction) const {
+    const auto ap = way<0>(w, center, t.a);
+    const auto ab = way<1>(w, t.b, t.a), ac = way<1>(w, t.c, t.a);
+    const auto off = ap - ab * w.template weight<1>(w.given(b)) - ac * w.template weight<1>(w.given(c));
+    const auto n = way<2>(w, direction);
+    const auto back = dot(n, ab), other = dot(n, ac);
+    const auto most = larger(larger(back, other), back - back) * w.template weight<1>(w.given(1.0));
+    return judged(w, off, n, dot(n, ap) - most, w.number(radius));
+  }
+};
+
+/// The points at these parts of both segments.
+struct OfSegments : Proof {
+  template <class W>
+  [[gnu::always_inline]] Sign operator()(W& w, const Segment3& pq, const Segment3& xy, double radius_pq,
+                                         double radius_xy, double s, double t, const Plain& direction) const {
+    const auto r = way<0>(w, pq.a, xy.a);
+    const auto d = way<1>(w, pq.b, pq.a), e = way<1>(w, xy.a, xy.b);
+    const auto off = r + d * w.template weight<1>(w.given(s)) + e * w.template weight<1>(w.given(t));
+    const auto n = way<2>(w, direction);
+    const auto up = dot(n, d), down = dot(n, e);
+    const auto none = up - up;
+    const auto least = (smaller(up, none) + smaller(down, none)) * w.template weight<1>(w.given(1.0));
+    return judged(w, off, n, dot(n, r) + least, w.sum(w.given(radius_pq), w.given(radius_xy)));
+  }
+};
+
+/// The point of the box at these parts of its axes.
+struct OfObb : Proof {
+  template <class W>
+  [[gnu::always_inline]] Sign operator()(W& w, const Obb3& box, const Point3& center, double radius,
+                                         const std::array<double, 3>& part, const Plain& direction) const {
+    const auto d = way<0>(w, center, box.center);
+    const auto u = way<1>(w, box.axes[0]), v = way<1>(w, box.axes[1]), t = way<1>(w, box.axes[2]);
+    const auto times = [&w](const auto& axis, double by) { return axis * w.template weight<1>(w.given(by)); };
+    const auto off = d - times(u, part[0]) - times(v, part[1]) - times(t, part[2]);
+    const auto n = way<2>(w, direction);
+    const auto low = dot(n, d) - magnitude(times(dot(n, u), box.half.x)) - magnitude(times(dot(n, v), box.half.y)) -
+                     magnitude(times(dot(n, t), box.half.z));
+    return judged(w, off, n, low, w.number(radius));
+  }
+};
+
+/// The point of the segment at this part, and q of the box; its `corner` lies farthest along the direction.
+struct OfAabb : Proof {
+  template <class W>
+  [[gnu::always_inline]] Sign operator()(W& w, const Plain& q, const Plain& corner, const Segment3& pq, double radius,
+                                         double part, const Plain& direction) const {
+    const auto from_q = way<0>(w, pq.a, q), from_corner = way<0>(w, pq.a, corner);
+    const auto d = way<1>(w, pq.b, pq.a);
+    const auto n = way<2>(w, direction);
+    const auto along = dot(n, d);
+    const auto least = smaller(along, along - along) * w.template weight<1>(w.given(1.0));
+    return judged(w, from_q + d * w.template weight<1>(w.given(part)), n, dot(n, from_corner) + least,
+                  w.number(radius));
+  }
+};
+
+template <class Statement, class... Input>
+[[gnu::always_inline]] inline std::optional<Sign> told(const Input&... input) {
+  return certify::one_lane::told_by_worlds<FloatWorld<Statement>>(NoWorldRecorder{}, Statement{}, input...);
+}
 
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Triangle3& t, const Point3& center, double radius) {
   const Plain a = arith::vec<double>(t.a), ab = arith::vec<double>(t.b) - a, ac = arith::vec<double>(t.c) - a,
@@ -74,13 +162,11 @@ struct NearPoints {
   } else {
     u = va, v = vb, w = vc;
   }
-  const double share = 1 / (u + v + w);
+  constexpr double less = 1 - 0x1p-50;  // a guess well within the triangle: parts below 1 in doubles are so exactly
+  const double share = less / (u + v + w);
   v *= share, w *= share;
-  if (!(v >= 0 && w >= 0 && v + w <= 1 + 0x1p-51)) return {};
-  const Plain off = ap - ab * v - ac * w;
-  const double back = arith::dot(off, ab), other = arith::dot(off, ac);
-  const double low = arith::dot(off, ap) - (back > other ? (back > 0 ? back : 0) : (other > 0 ? other : 0));
-  return NearPoints{off, low, sum_of_sizes(ap) + (sum_of_sizes(ab) + sum_of_sizes(ac))}.proof(radius);
+  if (!(v >= 0 && w >= 0 && v + w < 1 && radius >= 0)) return {};
+  return told<OfTriangle>(t, center, radius, v, w, ap - ab * v - ac * w);
 }
 
 [[gnu::flatten]] inline std::optional<Sign> quick_gap(const Obb3& box, const Point3& center, double radius) {
@@ -89,17 +175,13 @@ struct NearPoints {
   const std::array axis{arith::vec<double>(box.axes[0]), arith::vec<double>(box.axes[1]),
                         arith::vec<double>(box.axes[2])};
   Plain off = d;
-  double sizes = sum_of_sizes(d);
+  std::array<double, 3> part{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double square = arith::dot(axis[i], axis[i]);
-    const double t = square > 0 ? std::clamp(arith::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
-    off = off - axis[i] * t;
-    sizes += half[i] * sum_of_sizes(axis[i]);
+    part[i] = square > 0 ? std::clamp(arith::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
+    off = off - axis[i] * part[i];
   }
-  double low = arith::dot(off, d);
-  // With the half extent first: what a product loses by underflow would grow with it.
-  for (std::size_t i = 0; i < 3; ++i) low -= magnitude_of(arith::dot(off, axis[i] * half[i]));
-  return NearPoints{off, low, sizes}.proof(radius);
+  return radius >= 0 ? told<OfObb>(box, center, radius, part, off) : std::nullopt;
 }
 
 /// Of two segments pq and xy.
@@ -119,11 +201,8 @@ struct NearPoints {
     t = 1;
     s = a > 0 ? std::clamp((b - g) / a, 0.0, 1.0) : 0;
   }
-  const Plain off = r + d * s - e * t;
-  const double up = arith::dot(off, d), down = -arith::dot(off, e);
-  const double low = arith::dot(off, r) + (std::min(up, 0.0) + std::min(down, 0.0));
   if (!(radius_pq >= 0 && radius_xy >= 0)) return {};
-  return NearPoints{off, low, sum_of_sizes(r) + (sum_of_sizes(d) + sum_of_sizes(e))}.proof(radius_pq + radius_xy);
+  return told<OfSegments>(pq, xy, radius_pq, radius_xy, s, t, r + d * s - e * t);
 }
 
 /// Of a box that is not empty.
@@ -148,10 +227,9 @@ struct NearPoints {
     const Plain from_q = p - q, off = from_q + d * s;
     const Plain near{corner(off.x, box.min.x, box.max.x), corner(off.y, box.min.y, box.max.y),
                      corner(off.z, box.min.z, box.max.z)};
-    const Plain from_near = p - near;
-    const double along = arith::dot(off, d), low = arith::dot(off, from_near) + std::min(along, 0.0);
-    const double sizes = sum_of_sizes(from_q) + (sum_of_sizes(from_near) + sum_of_sizes(d));
-    if (const auto sign = NearPoints{off, low, sizes}.proof(radius)) return sign;
+    if (!(radius >= 0)) break;
+    if (const auto sign = told<OfAabb>(q, near, pq, radius, s, off)) return sign;
+    const double along = arith::dot(off, d);
     const double next = square > 0 ? std::clamp(s - along / square, 0.0, 1.0) : 0;
     if (next == s) break;
     s = next;
