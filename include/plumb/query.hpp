@@ -32,6 +32,7 @@
 
 // Does one hold the other?  contains, side_of
 #include "plumb/query/convex/containment.hpp"  // bounds of every kind
+#include "plumb/query/convex/face_test.hpp"    // does a face part two convex polyhedra?
 #include "plumb/query/convex/thick_plane.hpp"  // within so much of a plane, in front or behind
 
 // What have they in common?  intersection
@@ -53,6 +54,7 @@
 #include "plumb/query/closest/result.hpp"          // points, features, distance
 #include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
 #include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses, the number
+#include "plumb/query/separation/fat.hpp"          // all within a radius of a figure: do two of these meet?
 #include "plumb/query/separation/posed.hpp"        // of figures under poses, with points and features
 #include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center
 #include "plumb/query/separation/separation.hpp"   // any two figures
