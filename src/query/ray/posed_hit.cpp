@@ -1,5 +1,5 @@
-// Where a line enters each convex piece of a posed figure, by what bounds it; of balls by their quadratic, as the line is
-// seen before the pose.
+// Where a line enters each convex piece of a posed figure, by what bounds it; of round ones as the line is seen before the
+// pose.
 #include <string>
 
 #include "plumb/arith/big.hpp"
@@ -10,17 +10,12 @@
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_set.hpp"
 #include "query/overlap/polygon_relation.hpp"
+#include "query/ray/posed_round.hpp"
 #include "query/ray/posed_triangle.hpp"
 #include "query/ray/shot.hpp"
 
 namespace plumb::query {
 namespace {
-
-/// All from + t along with t in the span.
-struct ExactShot {
-  Exact3 from, along;
-  std::optional<mpq_class> least, most;
-};
 
 ExactShot exact_shot(const PosedView& v) {
   const PosedSet s = posed_set(v);
@@ -63,19 +58,6 @@ std::optional<mpq_class> first_in(ExactShot s, const FlatSet& set) {
 
 Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
 
-/// |w + t along| <= radius, for t in the span: from the lesser root on, or from the start where that is within.
-std::optional<RayParameter> first_in_ball(const ExactShot& s, const Exact3& center, const mpq_class& radius) {
-  const Exact3 w = s.from - center;
-  const mpq_class square = dot(s.along, s.along), half = dot(w, s.along), rest = dot(w, w) - radius * radius;
-  const auto value = [&](const mpq_class& t) { return mpq_class((square * t + 2 * half) * t + rest); };
-  if (s.least && sgn(value(*s.least)) <= 0) return RayParameter{exact_number(*s.least)};
-  if (sgn(square) == 0) return {};
-  const mpq_class lowest = -half / square, discriminant = half * half - square * rest;
-  if (sgn(discriminant) < 0 || (s.least && lowest < *s.least)) return {};
-  if (s.most && lowest > *s.most && sgn(value(*s.most)) > 0) return {};
-  return RayParameter{exact_number(lowest), exact_number(discriminant / (square * square))};
-}
-
 }  // namespace
 
 std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& triangle, HitRule rule) {
@@ -98,7 +80,7 @@ std::optional<RayParameter> posed_first_hit_parameter(std::string_view function,
     }
     const ExactMap back = inverse(s.map);
     shot.from = image(back, shot.from), shot.along = turned(back, shot.along);
-    return first_in_ball(shot, s.core.points[0], s.radius);
+    return first_in_fat(shot, s.core, s.radius);
   }
   std::vector<FlatSet> pieces;
   if (figure.figure.kind != FigureKind::ball && is_polygon(figure.figure)) {

@@ -5,10 +5,10 @@
 //   first_hit(ray, Posed{triangle, pose})        t, point, feature and normal, of a triangle
 //
 // Laws: (1) the t of query/ray/ray.hpp and ray2.hpp, of the exact image: of every figure with straight edges and flat faces
-// that is asked there, under any matrix, and of balls and disks under those that are not singular, which make ellipsoids
-// of them.  The ray may be posed as well: t counts multiples of the posed direction.  (2) So a common pose that is not
+// that is asked there, under any matrix, and of balls, disks, capsules and lozenges under those that are not singular,
+// whatever they make of them.  The ray may be posed as well: t counts multiples of the posed direction.  (2) So a common pose that is not
 // singular changes no t.  (3) What a singular matrix flattens is the flat figure that it becomes.
-// Capsules, lozenges and cylinders are refused by the compiler, a ball that is flattened throws UnevenPose; NaN and
+// Cylinders and cones are refused by the compiler, a round figure that is flattened throws UnevenPose; NaN and
 // infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 3.2, 5.3.
 // Cost: rationals: some 40 us for a ball, 120 us for a box.
@@ -34,8 +34,7 @@ std::optional<RayParameter> posed_first_hit_parameter(std::string_view function,
 template <class Ray, class Shape>
 concept PosedShot = PosedFigures<Ray, Shape> && is_one_of(figure_kind<UnposedType<Ray>>,
                                                           {FigureKind::line, FigureKind::ray, FigureKind::segment}) &&
-                    !is_one_of(figure_kind<UnposedType<Shape>>,
-                               {FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone}) &&
+                    !is_one_of(figure_kind<UnposedType<Shape>>, {FigureKind::cylinder, FigureKind::cone}) &&
                     requires(const UnposedType<Ray>& ray, const UnposedType<Shape>& shape) {
   first_hit_parameter(ray, shape);
 };
