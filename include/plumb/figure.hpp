@@ -14,6 +14,7 @@
 #include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once
 #include "plumb/figure/basic/rounded_poses.hpp"   // poses one after the other, their inverses, likewise
 #include "plumb/figure/basic/small_system.hpp"    // two to four linear equations
+#include "plumb/figure/basic/sound.hpp"           // is this a figure at all?  And which part is none
 
 // Which shapes are there?
 #include "plumb/figure/basic/body.hpp"               // what each of them is made of, said once

@@ -41,6 +41,17 @@ double nearly_nearest(const Formula& formula, double divisor, const Radicands&..
                           BigDyadic(divisor));
 }
 
+/// formula(number, pi, root...) / divisor(number, root...), both sums of terms that are not negative; likewise.
+template <class Formula, class Divisor, class... Radicands>
+double nearly_nearest_quotient(const Formula& formula, const Divisor& divisor, const Radicands&... radicands) {
+  const Ball quick =
+      quotient(formula(to_ball, pi_ball(), root(radicands(to_ball))...), divisor(to_ball, root(radicands(to_ball))...));
+  if (const auto x = quick.nearest()) return *x;
+  return rounded_quotient(Rounding::nearest,
+                          formula(to_big, pi_bounds().lower, root_bounds(radicands(to_big)).lower...),
+                          divisor(to_big, root_bounds(radicands(to_big)).lower...));
+}
+
 /// The sum of the roots of radicand(number, i) for i < count, divided by a power of two; likewise.
 template <class Radicand>
 double sum_of_roots(std::size_t count, const Radicand& radicand, double divisor) {

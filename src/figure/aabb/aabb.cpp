@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "figure/aabb/ranges.hpp"
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/certify/direction.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {

@@ -131,7 +131,7 @@ HWY_AFTER_NAMESPACE();
 #include <string>
 
 #include "certify/batch/chosen_target.hpp"
-#include "figure/basic/sound.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace figure::box_batch {

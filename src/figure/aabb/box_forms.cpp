@@ -4,7 +4,8 @@
 #include <array>
 
 #include "certify/rounded.hpp"
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {

@@ -3,8 +3,9 @@
 #include <unordered_set>
 #include <vector>
 
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {

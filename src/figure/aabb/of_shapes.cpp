@@ -2,8 +2,9 @@
 #include <algorithm>
 
 #include "figure/aabb/ranges.hpp"
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {
@@ -65,6 +66,8 @@ Vector3 reach_of_disk(const Point3& a, const Point3& b, double radius) {
 }
 
 }  // namespace
+
+double figure::box::require_bound(double bound) { return figure::within_doubles(bound, "fit_aabb", "a bound"); }
 
 Aabb2 fit_aabb(const Segment2& s) { return box_of2(s.a, s.b); }
 Aabb3 fit_aabb(const Segment3& s) { return box_of3(s.a, s.b); }

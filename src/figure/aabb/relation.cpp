@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "figure/basic/sound.hpp"
+#include "plumb/certify/sign_of.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "figure/basic/sound.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/sign_of.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/containment/contains.hpp"
 
 namespace plumb::figure::containment {

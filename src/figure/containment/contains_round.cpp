@@ -65,6 +65,13 @@ Location locate(const Cylinder3& cylinder, const Point3& p) {
   return both(ends, location(compare_distance_to_line(a, b, p, radius)));
 }
 
+/// A cap without interior is on the boundary of the ball or of the halfspace.
+Location locate(const SphericalCap3& cap, const Point3& p) {
+  figure::require_sound("contains", cap, part::place("p", p));
+  const Location ball = in_ball(cap.sphere.center, cap.sphere.radius, p);
+  return ball == Location::outside ? ball : both(ball, locate(cap.halfspace, p));
+}
+
 Location locate(const Cone3& cone, const Point3& p) {
   const auto& [apex, base, radius] = cone;
   figure::require_sound("contains", cone, part::place("p", p));

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "figure/basic/plane_of_points.hpp"
-#include "figure/basic/sound.hpp"
 #include "figure/containment/chain_winding.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb {

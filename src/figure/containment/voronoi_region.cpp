@@ -2,8 +2,9 @@
 // the ways that leave it.
 #include "plumb/figure/containment/voronoi_region.hpp"
 
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb {

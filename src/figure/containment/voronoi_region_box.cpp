@@ -10,8 +10,8 @@
 // axes passes, as every point of the box is reached with free axes that are independent.
 #include <cmath>
 
-#include "figure/basic/sound.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 #include "plumb/predicates.hpp"
 

@@ -8,7 +8,8 @@
 #include <string_view>
 
 #include "arith/rational_lp.hpp"
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/k_dop/k_dop.hpp"
 
 namespace plumb::figure {

@@ -1,7 +1,8 @@
 #include <cmath>
 
+#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/signed_sums.hpp"
-#include "figure/basic/sound.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/measures/measures.hpp"
 
 namespace plumb {

@@ -6,7 +6,7 @@
 #include "arith/root_bounds.hpp"
 #include "figure/basic/mesh_input.hpp"
 #include "figure/basic/signed_sums.hpp"
-#include "figure/basic/sound.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/measures/measures.hpp"
 
 namespace plumb {

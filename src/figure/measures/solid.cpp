@@ -2,8 +2,8 @@
 
 #include "arith/root_bounds.hpp"
 #include "figure/basic/signed_sums.hpp"
-#include "figure/basic/sound.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/measures/measures.hpp"
 
 namespace plumb {

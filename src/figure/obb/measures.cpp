@@ -3,9 +3,9 @@
 
 #include "arith/big_rounding.hpp"
 #include "arith/vec.hpp"
-#include "figure/basic/sound.hpp"
 #include "figure/obb/exact_volume.hpp"
 #include "plumb/arith/ball.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
 namespace plumb {

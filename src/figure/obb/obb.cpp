@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "certify/rounded.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
-#include "figure/basic/sound.hpp"
 #include "figure/obb/enclose.hpp"
 #include "figure/obb/exact_volume.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace {

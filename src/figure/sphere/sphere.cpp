@@ -6,11 +6,12 @@
 
 #include "certify/case_line.hpp"
 #include "certify/rounded.hpp"
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/ball_reach.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/interval.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
 namespace figure::sphere {

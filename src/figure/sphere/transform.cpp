@@ -5,9 +5,10 @@
 #include <limits>
 
 #include "certify/rounded.hpp"
-#include "figure/basic/sound.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/ball_reach.hpp"
 #include "plumb/arith/interval.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
 
 namespace plumb {

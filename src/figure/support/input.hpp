@@ -6,8 +6,9 @@
 #include <cmath>
 #include <string>
 
+#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/signed_sums.hpp"
-#include "figure/basic/sound.hpp"
+#include "plumb/figure/basic/sound.hpp"
 
 namespace plumb::figure::support {
 

@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "arith/vec.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
-#include "figure/basic/sound.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"

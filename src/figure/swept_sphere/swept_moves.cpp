@@ -4,11 +4,12 @@
 #include <functional>
 
 #include "arith/certain.hpp"
+#include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
-#include "figure/basic/sound.hpp"
 #include "figure/swept_sphere/swept_guess.hpp"
 #include "figure/swept_sphere/swept_reach.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"
 

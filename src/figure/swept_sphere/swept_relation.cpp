@@ -3,9 +3,9 @@
 #include "arith/certain.hpp"
 #include "arith/rational_lp.hpp"
 #include "figure/basic/in_space.hpp"
-#include "figure/basic/sound.hpp"
 #include "figure/support/quick_gap.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"
 
 namespace plumb {

@@ -8,8 +8,8 @@
 
 #include <string_view>
 
-#include "figure/basic/sound.hpp"
 #include "plumb/figure/basic/relation.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/query/body/detail/question.hpp"
 #include "plumb/query/body/pairs.hpp"
 

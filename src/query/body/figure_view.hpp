@@ -37,6 +37,7 @@ decltype(auto) with_figure(const FigureView& v, F f) {
     PLUMB_CASE(cone, Cone3, Cone3)
     PLUMB_CASE(k_dop, KDop2, KDop3)
     PLUMB_CASE(halfspace_intersection, HalfspaceIntersection2, HalfspaceIntersection3)
+    PLUMB_CASE(spherical_cap, SphericalCap3, SphericalCap3)
     case FigureKind::convex_polyhedron:
     default:
       return as(static_cast<const ConvexPolyhedron3*>(nullptr));

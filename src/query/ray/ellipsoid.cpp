@@ -9,7 +9,7 @@
 #include <span>
 
 #include "certify/certainly.hpp"
-#include "figure/basic/sound.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/round_parts.hpp"
 

@@ -216,6 +216,13 @@ TEST(Aabb, ImagesAreTheExactBoxesRoundedOutward) {
   EXPECT_EQ(transform(Aabb2{{0, 0}, {2, 1}}, Pose2{{Vector2{0, 1}, {-1, 0}}, {10, 0}}), (Aabb2{{9, 0}, {10, 2}}));
 }
 
+TEST(Aabb, CapsReachAsTheirSupportSays) {
+  EXPECT_EQ(fit_aabb(SphericalCap3{{{0, 0, 0}, 5}, {{0, 0, 1}, -3}}), (Aabb3{{-4, -4, -5}, {4, 4, -3}}));
+  EXPECT_EQ(fit_aabb(SphericalCap3{{{1, 2, 3}, 5}, {{0, 0, 2}, 12}}), (Aabb3{{-4, -3, -2}, {6, 7, 6}}));
+  EXPECT_EQ(fit_aabb(SphericalCap3{{{0, 0, 0}, 5}, {{3, 0, 4}, -25}}), (Aabb3{{-3, 0, -4}, {-3, 0, -4}}));
+  EXPECT_THROW(static_cast<void>(fit_aabb(SphericalCap3{{{0, 0, 0}, 5}, {{0, 0, 1}, -6}})), InvalidShape);
+}
+
 TEST(Aabb, EllipsoidsLieWithin) {
   const Aabb3 b = fit_aabb(Ellipsoid3{{1, 2, 3}, {Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {2, 3, 4}});
   EXPECT_EQ(b, (Aabb3{{-1, -1, -1}, {3, 5, 7}}));

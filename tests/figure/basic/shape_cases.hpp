@@ -249,6 +249,12 @@ class Material {
   void fill(Lozenge3& s) { s = {point3(), {vector3(), vector3()}, radius()}; }
   void fill(Cylinder3& s) { s = {point3(), point3(), radius()}; }
   void fill(Cone3& s) { s = {point3(), point3(), radius()}; }
+  void fill(SphericalCap3& s) {
+    fill(s.sphere), fill(s.halfspace);
+    if (below(3) != 0) return;
+    s = generated_cap(entropy_);
+    drawn3_.push_back(s.sphere.center);
+  }
   void fill(Ellipsoid3& s) { s = {point3(), {vector3(), vector3(), vector3()}, {multiple(), multiple(), multiple()}}; }
   void fill(Aabb2& s) { s = ordered(Aabb2{point2(), point2()}); }
   void fill(Aabb3& s) { s = ordered(Aabb3{point3(), point3()}); }

@@ -355,6 +355,20 @@ TEST(Rounding, OfWhatHoldsPiIsWithinAnUlp) {
                                     plumb_test::times(plumb_test::exact3(e.axes[1]), plumb_test::exact3(e.axes[2]))) *
                   mpq_class(e.half.x) * mpq_class(e.half.y) * mpq_class(e.half.z)));
     check(volume(e), Digits(pi * plumb_test::digits(spanned) * 4 / 3, plumb_test::kBits), "ellipsoid");
+    const auto cap = m.shape<SphericalCap3>();
+    r = cap.sphere.radius;
+    const auto normal = plumb_test::exact3(cap.halfspace.normal);
+    const mpq_class deep = mpq_class(cap.halfspace.offset) -
+                           plumb_test::inner(normal, plumb_test::exact3(cap.sphere.center)),
+                    beside =
+                        mpq_class(cap.sphere.radius) * mpq_class(cap.sphere.radius) * plumb_test::inner(normal, normal);
+    Digits height_of_cap(deep < 0 ? Digits(0) : Digits(2 * r), plumb_test::kBits);
+    if (deep * deep < beside)
+      height_of_cap = r + plumb_test::digits(deep) / plumb_test::root(plumb_test::inner(normal, normal));
+    const Digits& h = height_of_cap;
+    const Digits rim = h * (2 * r - h);  // its square
+    check(volume(cap), Digits(pi * h * h * (3 * r - h) / 3, plumb_test::kBits), "cap");
+    check(surface_area(cap), Digits(pi * (2 * r * h + rim), plumb_test::kBits), "cap's surface");
     const auto z = m.shape<Lozenge3>();
     r = z.radius;
     const auto u = plumb_test::exact3(z.edges[0]), v = plumb_test::exact3(z.edges[1]), n = plumb_test::times(u, v);

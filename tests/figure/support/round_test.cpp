@@ -117,6 +117,23 @@ Farthest of(const Ellipsoid3& s, const V& d) {
   return {real(s.center) + t.x * arm[0] + t.y * arm[1] + t.z * arm[2], 0, point || !zero(t)};
 }
 
+/// How far the plane is beyond the center, and the square of its circle's radius, both times the normal's square.
+std::pair<Number, Number> cut_of(const SphericalCap3& s) {
+  const V n = real(s.halfspace.normal);
+  const Number depth = Number(s.halfspace.offset, precision) - dot(n, real(s.sphere.center)),
+               r(s.sphere.radius, precision);
+  return {depth, Number(r * r * dot(n, n) - depth * depth, precision)};
+}
+Farthest of(const SphericalCap3& s, const V& d) {
+  const V n = real(s.halfspace.normal), c = real(s.sphere.center);
+  const auto [depth, circle] = cut_of(s);
+  const Number off = s.sphere.radius * dot(n, unit(d)), over = off - depth;
+  if (zero(d) ? depth >= 0 : sign(over, abs(off) + abs(depth)) <= 0) return of(c, s.sphere.radius, d);
+  const Number square = dot(n, n), rim = sqrt(Number(circle / square, precision));
+  const V w = across(n, d), middle = c + Number(depth / square) * n;
+  return {middle + rim * unit(w), 1, circle == 0 || !zero(w)};
+}
+
 /// Is the finite x rounded from v as asked, where v may be off by its last digits?
 bool is_rounded(Rounding rounding, double x, const Number& v, const Number& size) {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -204,6 +221,27 @@ TEST(SupportRound, OfACone) {
 }
 TEST(SupportRound, OfAnEllipsoid) {
   const Seen seen = hold_all<Ellipsoid3>(56, 1500);
+  EXPECT_GT(seen.tied, 10);
+}
+
+TEST(SupportRound, OfACap) {
+  Seen seen;
+  int empty = 0;
+  on_shapes(57, 1500, [&](Material& m) {
+    const auto cap = m.shape<SphericalCap3>();
+    const Vector3 d = m.below(8) == 0 ? m.vector3() : m.below(8) == 0 ? cap.halfspace.normal : m.direction3();
+    SCOPED_TRACE(m.about(cap, d));
+    const auto [depth, circle] = cut_of(cap);
+    if (depth < 0 && circle < 0) {
+      ++empty;
+      EXPECT_THROW(support_point(cap, d), InvalidShape);
+    } else {
+      hold(cap, d, seen);
+    }
+  });
+  EXPECT_GT(empty, 100);
+  EXPECT_GT(seen.feature.at(0), 50);
+  EXPECT_GT(seen.feature.at(1), 50);
   EXPECT_GT(seen.tied, 10);
 }
 

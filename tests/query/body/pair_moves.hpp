@@ -130,8 +130,8 @@ template <class A, class B>
 MapKind map_kind(Material& m) {
   constexpr auto is_box = [](FigureKind k) { return k == FigureKind::aabb; };
   constexpr auto is_round = [](FigureKind k) {
-    return query::is_one_of(
-        k, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+    return query::is_one_of(k, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
+                                FigureKind::cone, FigureKind::spherical_cap});
   };
   const std::size_t kind = m.below(3);
   if (is_box(figure_kind<A>) || is_box(figure_kind<B>) || kind == 0) return MapKind::along_axes;
@@ -139,21 +139,20 @@ MapKind map_kind(Material& m) {
   return round || kind == 1 ? MapKind::turned : MapKind::sheared;
 }
 
+/// By what the figure says of its members.
 template <class Shape>
 Shape mapped(const Shape& s, Map& map) {
   Shape t = s;
   constexpr FigureKind kind = figure_kind<Shape>;
-  const auto points = [&](auto&... p) { ((p = map.point(p)), ...); };
-  if constexpr (kind == FigureKind::point) {
-    t = map.point(s);
-  } else if constexpr (kind == FigureKind::line || kind == FigureKind::ray) {
-    auto& [from, direction] = t;
-    points(from);
-    direction = map.axis(direction);
-  } else if constexpr (requires { s.normal; }) {
+  const auto all = [](auto& member, auto f) {
+    if constexpr (requires { member.begin(); }) {
+      for (auto& one : member) one = f(one);
+    } else {
+      member = f(member);
+    }
+  };
+  if constexpr (requires { s.normal; }) {
     t = {map.normal(s.normal), map.offset(s.normal, s.offset)};
-  } else if constexpr (requires { s.halfspaces; }) {
-    for (auto& h : t.halfspaces) h = mapped(h, map);
   } else if constexpr (requires { s.directions; }) {
     using Vector = std::remove_cvref_t<decltype(s.directions.all()[0])>;
     std::vector<Vector> directions;
@@ -166,20 +165,10 @@ Shape mapped(const Shape& s, Map& map) {
     t.directions = Directions<Vector>(directions);
   } else if constexpr (requires { s.mesh; }) {
     PolygonMesh mesh = s.mesh;
-    for (Point3& p : mesh.vertices) points(p);
+    for (Point3& p : mesh.vertices) p = map.point(p);
     for (std::size_t f = 0; map.mirrors() && f + 1 < mesh.first.size(); ++f)
       std::reverse(mesh.corners.begin() + mesh.first[f], mesh.corners.begin() + mesh.first[f + 1]);
     if (map.exact()) t = convex_polyhedron(mesh);
-  } else if constexpr (requires { s.outer; }) {
-    t.outer = mapped(s.outer, map);
-    for (auto& hole : t.holes) hole = mapped(hole, map);
-  } else if constexpr (requires { s.vertices; }) {
-    for (auto& p : t.vertices) points(p);
-  } else if constexpr (requires { s.axes; }) {
-    points(t.center);
-    for (auto& axis : t.axes) axis = map.axis(axis);
-    t.half.x = map.multiple(s.half.x), t.half.y = map.multiple(s.half.y);
-    if constexpr (requires { s.half.z; }) t.half.z = map.multiple(s.half.z);
   } else if constexpr (kind == FigureKind::aabb) {
     const auto p = map.point(s.min), q = map.point(s.max);
     const bool empty_x = s.min.x > s.max.x, empty_y = s.min.y > s.max.y;
@@ -191,25 +180,28 @@ Shape mapped(const Shape& s, Map& map) {
       empty = empty || s.min.z > s.max.z;
     }
     if (empty) t.min.x = 1, t.max.x = -1;
-  } else if constexpr (requires { s.corner; }) {
-    points(t.corner);
-    for (auto& edge : t.edges) edge = map.vector(edge);
-    t.radius = map.length(s.radius);
-  } else if constexpr (requires { s.radius; }) {
-    if constexpr (requires { s.center; }) {
-      points(t.center);
-    } else if constexpr (requires { s.apex; }) {
-      points(t.apex, t.base);
-    } else {
-      points(t.a, t.b);
-    }
-    t.radius = map.length(s.radius);
-  } else if constexpr (requires { s.d; }) {
-    points(t.a, t.b, t.c, t.d);
-  } else if constexpr (requires { s.c; }) {
-    points(t.a, t.b, t.c);
   } else {
-    points(t.a, t.b);
+    change_members(t, [&]<part::Role role>(part::RoleIs<role>, auto& member) {
+      all(member, [&map](const auto& x) {
+        if constexpr (role == part::Role::place) {
+          return map.point(x);
+        } else if constexpr (role == part::Role::way) {
+          return map.vector(x);
+        } else if constexpr (role == part::Role::axis) {
+          return map.axis(x);
+        } else if constexpr (role == part::Role::length) {
+          return map.length(x);
+        } else if constexpr (role == part::Role::multiple) {
+          auto y = x;
+          y.x = map.multiple(x.x), y.y = map.multiple(x.y);
+          if constexpr (requires { x.z; }) y.z = map.multiple(x.z);
+          return y;
+        } else {
+          static_assert(role == part::Role::figure);
+          return mapped(x, map);
+        }
+      });
+    });
   }
   return t;
 }

@@ -23,12 +23,13 @@ using Plane = Types<Point2, Line2, Ray2, Segment2, Halfspace2, Triangle2, Quadri
                     Circle2, Aabb2, Obb2, Capsule2, KDop2, HalfspaceIntersection2>;
 using Space = Types<Point3, Line3, Ray3, Segment3, Plane3, ThreePointPlane3, Halfspace3, Triangle3, Quadrilateral3,
                     Polygon3, HoledPolygon3, Rectangle3, Tetrahedron3, Sphere3, Aabb3, Obb3, Capsule3, Lozenge3,
-                    Cylinder3, Cone3, KDop3, HalfspaceIntersection3, ConvexPolyhedron3>;
+                    Cylinder3, Cone3, KDop3, HalfspaceIntersection3, ConvexPolyhedron3, SphericalCap3>;
 
 enum class PairOracle : unsigned char {
   none,
   cells,   // linear programs between convex cells: pair_oracle.hpp, by overlap_pairs_test and overlap_pairs2_test
   core,    // the distance of a core, against the radius: round_oracle.hpp, by overlap_round_test
+  parts,   // of a cap: flat convex sets within a ball, by overlap_cap_test
   surface  // a quadratic along a line, or what a disk reaches: axis_oracle.hpp, by overlap_round_shapes_test
 };
 
@@ -41,6 +42,7 @@ constexpr bool is_straight_or_plane(FigureKind k) {
                               FigureKind::plane, FigureKind::three_point_plane, FigureKind::halfspace});
 }
 constexpr PairOracle oracle_of(FigureKind a, FigureKind b) {
+  if (b == FigureKind::spherical_cap || a == FigureKind::spherical_cap) return PairOracle::parts;
   const bool axis_a = has_axis(a), axis_b = has_axis(b);
   if (axis_a || axis_b) return is_straight_or_plane(axis_a ? b : a) ? PairOracle::surface : PairOracle::none;
   return has_core(a) || has_core(b) ? PairOracle::core : PairOracle::cells;

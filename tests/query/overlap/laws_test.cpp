@@ -112,7 +112,7 @@ std::string_view called(bool first) {
       "point",       "line",     "ray",           "segment",      "plane",         "plane_of_points",
       "halfspace",   "triangle", "quadrilateral", "polygon",      "holed_polygon", "rectangle",
       "tetrahedron", "sphere",   "aabb",          "obb",          "capsule",       "lozenge",
-      "cylinder",    "cone",     "k_dop",         "intersection", "polyhedron"};
+      "cylinder",    "cone",     "k_dop",         "intersection", "polyhedron",    "cap"};
   if (figure_kind<Bad> == figure_kind<Other>) return first ? "a" : "b";
   if (std::is_same_v<Bad, Circle2>) return "circle";
   return names[static_cast<std::size_t>(figure_kind<Bad>)];

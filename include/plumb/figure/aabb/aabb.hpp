@@ -10,10 +10,12 @@
 // Cost: points by plain comparisons; a bound that needs rounding some 20 ns.
 #pragma once
 
+#include <concepts>
 #include <span>
 
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/pose.hpp"
+#include "plumb/arith/rounding.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/convex_polyhedron.hpp"
 #include "plumb/figure/basic/linear.hpp"
@@ -22,6 +24,13 @@
 #include "plumb/figure/basic/simplex.hpp"
 
 namespace plumb {
+
+namespace figure::box {
+
+/// The number; throws BeyondDoubles for an infinity.
+double require_bound(double bound);
+
+}  // namespace figure::box
 
 /// The box of the points.
 Aabb2 fit_aabb(std::span<const Point2> points);
@@ -56,6 +65,19 @@ Aabb3 fit_aabb(const Rectangle3& shape);
 Aabb3 fit_aabb(const Ellipsoid3& shape);
 Aabb3 fit_aabb(const Cylinder3& shape);
 Aabb3 fit_aabb(const Cone3& shape);
+
+/// Of any shape whose reach is told along a direction, and of yours.
+template <Described Shape>
+requires requires(const Shape& s) {
+  { support_value(s, Vector3{}, Rounding::up) } -> std::same_as<double>;
+}
+Aabb3 fit_aabb(const Shape& shape) {
+  const auto reach = [&shape](double x, double y, double z) {
+    return figure::box::require_bound(support_value(shape, Vector3{x, y, z}, Rounding::up));
+  };
+  return {{0 - reach(-1, 0, 0), 0 - reach(0, -1, 0), 0 - reach(0, 0, -1)},  // never -0
+          {reach(1, 0, 0), reach(0, 1, 0), reach(0, 0, 1)}};
+}
 
 /// The box of both.
 Aabb2 merge(const Aabb2& a, const Aabb2& b);

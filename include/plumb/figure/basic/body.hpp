@@ -14,11 +14,14 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/pose.hpp"
 
 namespace plumb {
+
+namespace figure::part {
 
 /// What a member is, and with that what becomes of it where the figure is moved.
 enum class Role : unsigned char {
@@ -35,7 +38,8 @@ enum class Role : unsigned char {
   slabs      // the figure itself: a direction, min and max for each of them
 };
 
-namespace part {
+template <Role R>
+struct RoleIs {};
 
 template <Role R, class Member>
 struct Part {
@@ -83,7 +87,9 @@ constexpr auto surface(std::string_view name, const Member& is) {
   return Part<Role::surface, Member>{name, is};
 }
 
-}  // namespace part
+}  // namespace figure::part
+
+namespace part = figure::part;
 
 template <class Take>
 constexpr auto body(const Point2& p, Take take) {
@@ -126,6 +132,14 @@ template <class Shape>
 concept Described = requires(const Shape& s) {
   body(s, figure::AnyBody{});
 };
+
+/// f(part::RoleIs<role>{}, member) for each of them in turn, to be changed.
+template <Described Shape, class F>
+constexpr void change_members(Shape& s, F f) {
+  body(static_cast<const Shape&>(s), [&f]<class... Parts>(std::string_view, const Parts&... parts) {
+    (f(part::RoleIs<Parts::role>{}, const_cast<std::remove_cvref_t<decltype(parts.is)>&>(parts.is)), ...);
+  });
+}
 
 /// What errors call it.
 template <Described Shape>

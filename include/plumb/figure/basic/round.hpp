@@ -10,6 +10,7 @@
 #include <array>
 
 #include "plumb/figure/basic/body.hpp"
+#include "plumb/figure/basic/plane.hpp"
 
 namespace plumb {
 
@@ -69,6 +70,14 @@ struct Ellipsoid3 {
   friend bool operator==(const Ellipsoid3&, const Ellipsoid3&) = default;
 };
 
+/// All of the ball that lies in the halfspace: for a plane beside the ball the whole of it or nothing, for one that
+/// touches it the whole or a point; for a zero normal the ball or nothing.
+struct SphericalCap3 {
+  Sphere3 sphere;
+  Halfspace3 halfspace;
+  friend bool operator==(const SphericalCap3&, const SphericalCap3&) = default;
+};
+
 template <class Take>
 constexpr auto body(const Circle2& s, Take take) {
   return take("circle", part::place("center", s.center), part::length("radius", s.radius));
@@ -101,6 +110,10 @@ constexpr auto body(const Cone3& s, Take take) {
 template <class Take>
 constexpr auto body(const Ellipsoid3& s, Take take) {
   return take("ellipsoid", part::place("center", s.center), part::axis("axes", s.axes), part::multiple("half", s.half));
+}
+template <class Take>
+constexpr auto body(const SphericalCap3& s, Take take) {
+  return take("cap", part::figure("sphere", s.sphere), part::figure("halfspace", s.halfspace));
 }
 
 }  // namespace plumb

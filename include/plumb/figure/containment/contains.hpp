@@ -53,6 +53,7 @@ Location locate(const Lozenge3& lozenge, const Point3& p);
 Location locate(const Cylinder3& cylinder, const Point3& p);
 Location locate(const Cone3& cone, const Point3& p);
 Location locate(const Ellipsoid3& ellipsoid, const Point3& p);
+Location locate(const SphericalCap3& cap, const Point3& p);
 
 Location locate(const Aabb2& box, const Point2& p);
 Location locate(const Aabb3& box, const Point3& p);

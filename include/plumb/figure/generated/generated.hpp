@@ -173,4 +173,10 @@ requires(generated_dimension<A> == generated_dimension<B>) std::pair<A, B> gener
       degenerate::any_shape_pair(generated_kind<A>, generated_kind<B>, generated_dimension<A>, entropy));
 }
 
+/// In any of the positions of a ball and a halfspace: half of it, a point where they touch, all of it, nothing.
+inline SphericalCap3 generated_cap(Entropy& entropy) {
+  const auto [sphere, halfspace] = generated_pair<Sphere3, Halfspace3>(entropy);
+  return {sphere, halfspace};
+}
+
 }  // namespace plumb

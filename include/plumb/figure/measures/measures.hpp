@@ -66,6 +66,7 @@ double volume(const Lozenge3& lozenge);
 double volume(const Cylinder3& cylinder);
 double volume(const Cone3& cone);
 double volume(const Ellipsoid3& ellipsoid);
+double volume(const SphericalCap3& cap);
 
 double surface_area(const Tetrahedron3& tetrahedron);
 double surface_area(const TriangleMesh& mesh);
@@ -79,6 +80,7 @@ double surface_area(const Capsule3& capsule);
 double surface_area(const Lozenge3& lozenge);
 double surface_area(const Cylinder3& cylinder);
 double surface_area(const Cone3& cone);
+double surface_area(const SphericalCap3& cap);
 
 /// The mean of the points; of none, InvalidShape.
 Point2 centroid(std::span<const Point2> points);

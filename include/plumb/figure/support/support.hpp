@@ -15,11 +15,12 @@
 // | capsule | 0: end a, 1: end b | a's, or the point a |
 // | lozenge | bit i: with edge i | without the edge; for a zero direction the corner |
 // | cylinder | 0: end a, 1: end b | a's; the center of the end's disk where that ties |
+// | cap | 0: the ball, 1: the circle of the plane | the center, if it is in the cap, else the circle's |
 // | cone | 0: apex, 1: rim of the base | apex; the center of the base where that ties |
 //
 // For a polygon or quadrilateral that is not convex, and for points, the shape is their convex hull.
 // Errors: NonFinite by name ("support_point: sphere.radius is nan, ..."); InvalidShape for no points, a negative
-// radius, a polygon of fewer than three vertices, a box whose min exceeds its max; BeyondDoubles where a rounded
+// radius, a polygon of fewer than three vertices, a box whose min exceeds its max, an empty cap; BeyondDoubles where a rounded
 // coordinate would be infinite.
 // Source: RTCD 3.8, 4.2.5 (figure 4.7).
 // Cost: a sign of degree 2 for each vertex or axis, and for the numbers of round shapes pairs of doubles, some 100 ns;
@@ -79,6 +80,7 @@ Support3 support_point(const Lozenge3& lozenge, const Vector3& direction);
 Support3 support_point(const Cylinder3& cylinder, const Vector3& direction);
 Support3 support_point(const Cone3& cone, const Vector3& direction);
 Support3 support_point(const Ellipsoid3& ellipsoid, const Vector3& direction);
+Support3 support_point(const SphericalCap3& cap, const Vector3& direction);
 
 /// By climbing from vertex to neighbor, from `start` on; the result is the same for every start.  What ties is walked
 /// over, so that neither equal vertices nor coplanar faces end the climb.  Looks at the vertices along the way and at
@@ -104,5 +106,6 @@ double support_value(const Lozenge3& lozenge, const Vector3& direction, Rounding
 double support_value(const Cylinder3& cylinder, const Vector3& direction, Rounding rounding = Rounding::up);
 double support_value(const Cone3& cone, const Vector3& direction, Rounding rounding = Rounding::up);
 double support_value(const Ellipsoid3& ellipsoid, const Vector3& direction, Rounding rounding = Rounding::up);
+double support_value(const SphericalCap3& cap, const Vector3& direction, Rounding rounding = Rounding::up);
 
 }  // namespace plumb

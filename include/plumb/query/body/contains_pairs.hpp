@@ -37,7 +37,8 @@ inline constexpr QuestionTable contains_pairs{
      /* cone               */ "l----------------------",
      /* k-dop              */ "lbbb--bbbbbbbbbbbbbbbbb",
      /* halfspaces         */ "lbbb--bbbbbbbbbbbbbbbbb",
-     /* polyhedron         */ "lbbb--bbbbbbbbbbbbbbbbb"},
+     /* polyhedron         */ "lbbb--bbbbbbbbbbbbbbbbb",
+     /* cap                */ "l"},
     {
      //                          plrsPTHtqghRebAOczynKIC (a column a letter)
      /* point              */ "-----------------------",

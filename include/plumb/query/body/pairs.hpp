@@ -48,15 +48,16 @@ enum class FigureKind : unsigned char {
   cone,
   k_dop,
   halfspace_intersection,
-  convex_polyhedron
+  convex_polyhedron,
+  spherical_cap
 };
-inline constexpr std::size_t figure_kinds = 23;
+inline constexpr std::size_t figure_kinds = 24;
 
 inline constexpr std::array<std::string_view, figure_kinds> figure_names{
-    "point",     "line",     "ray",   "segment",    "plane",     "three-point plane",
-    "halfspace", "triangle", "quad",  "polygon",    "holed",     "rectangle",
-    "tetra",     "ball",     "aabb",  "obb",        "capsule",   "lozenge",
-    "cylinder",  "cone",     "k-dop", "halfspaces", "polyhedron"};
+    "point",     "line",     "ray",   "segment",    "plane",      "three-point plane",
+    "halfspace", "triangle", "quad",  "polygon",    "holed",      "rectangle",
+    "tetra",     "ball",     "aabb",  "obb",        "capsule",    "lozenge",
+    "cylinder",  "cone",     "k-dop", "halfspaces", "polyhedron", "cap"};
 constexpr std::string_view name_of(FigureKind kind) { return figure_names[static_cast<std::size_t>(kind)]; }
 
 /// How a pair is answered.
@@ -126,6 +127,7 @@ PLUMB_KIND(KDop3, k_dop, 3)
 PLUMB_KIND(HalfspaceIntersection2, halfspace_intersection, 2)
 PLUMB_KIND(HalfspaceIntersection3, halfspace_intersection, 3)
 PLUMB_KIND(ConvexPolyhedron3, convex_polyhedron, 3)
+PLUMB_KIND(SphericalCap3, spherical_cap, 3)
 #undef PLUMB_KIND
 
 template <class Value>
@@ -137,7 +139,8 @@ constexpr bool is_one_of(Value value, std::initializer_list<Value> values) {
 }
 
 // clang-format off
-// One letter a pair: row and column are FigureKind, the lower half is the other order.
+// One letter a pair: row and column are FigureKind, the lower half is the other order.  A row may end early: what is
+// not there is '-'.
 constexpr PairMethod method_of_letter(char c) {
   constexpr std::string_view letters = "-lsxagpcdb";
   return static_cast<PairMethod>(letters.find(c));
@@ -145,30 +148,31 @@ constexpr PairMethod method_of_letter(char c) {
 using PairRows = std::array<std::string_view, figure_kinds>;
 
 inline constexpr PairRows rows_of_space{
-    //                         plrsPTHtqghRebAOczynKIC (a column a letter)
-    /* point              */ "llllssslllllldllddddlll",
-    /* line               */ " sssxaxscccaadssddddppg",
-    /* ray                */ "  ssxaxscccaadssddddppg",
-    /* segment            */ "   ssssscccasdssddddppg",
-    /* plane              */ "    xxxscccxsdssddddppx",
-    /* three-point plane  */ "     axscccasdssddddppg",
-    /* halfspace          */ "      xscccxsdssddddppx",
-    /* triangle           */ "       scccasdssdd--ppg",
+    //                         plrsPTHtqghRebAOczynKICS (a column a letter)
+    /* point              */ "llllssslllllldllddddllld",
+    /* line               */ " sssxaxscccaadssddddppgd",
+    /* ray                */ "  ssxaxscccaadssddddppgd",
+    /* segment            */ "   ssssscccasdssddddppgd",
+    /* plane              */ "    xxxscccxsdssddddppxd",
+    /* three-point plane  */ "     axscccasdssddddppgd",
+    /* halfspace          */ "      xscccxsdssddddppxd",
+    /* triangle           */ "       scccasdssdd--ppgd",
     /* quad               */ "        cccccdccdd--ccc",
     /* polygon            */ "         ccccdccdd--ccc",
     /* holed              */ "          cccdccdd--ccc",
-    /* rectangle          */ "           aadaadd--ppg",
-    /* tetra              */ "            sdaadd--ppg",
-    /* ball               */ "             bdddd--ddd",
-    /* aabb               */ "              bsdd--ppg",
-    /* obb                */ "               bdd--ppg",
+    /* rectangle          */ "           aadaadd--ppgd",
+    /* tetra              */ "            sdaadd--ppgd",
+    /* ball               */ "             bdddd--dddd",
+    /* aabb               */ "              bsdd--ppgd",
+    /* obb                */ "               bdd--ppgd",
     /* capsule            */ "                bd--ddd",
     /* lozenge            */ "                 b--ddd",
     /* cylinder           */ "                  -----",
     /* cone               */ "                   ----",
-    /* k-dop              */ "                    bpp",
-    /* halfspaces         */ "                     pp",
-    /* polyhedron         */ "                      g"};
+    /* k-dop              */ "                    bppd",
+    /* halfspaces         */ "                     ppd",
+    /* polyhedron         */ "                      gd",
+    /* cap                */ ""};
 
 inline constexpr PairRows rows_of_plane{
     //                         plrsPTHtqghRebAOczynKIC (a column a letter)
@@ -194,7 +198,8 @@ inline constexpr PairRows rows_of_plane{
     /* cone               */ "                   ----",
     /* k-dop              */ "                    bp-",
     /* halfspaces         */ "                     p-",
-    /* polyhedron         */ "                      -"};
+    /* polyhedron         */ "                      -",
+    /* cap                */ ""};
 
 // clang-format on
 
@@ -204,7 +209,9 @@ inline constexpr PairRows rows_of_plane{
 constexpr PairMethod pair_method(FigureKind a, FigureKind b, int dimension) {
   const auto& rows = dimension == 2 ? query::rows_of_plane : query::rows_of_space;
   const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-  return query::method_of_letter(i < j ? rows[i][j] : rows[j][i]);
+  const std::string_view row = rows[i < j ? i : j];
+  const std::size_t column = i < j ? j : i;
+  return column < row.size() ? query::method_of_letter(row[column]) : PairMethod::absent;
 }
 
 /// A figure that the table knows, by its type.
@@ -235,8 +242,8 @@ using FlatView = FigureView;
 
 template <class Shape>
 concept FlatFigure = Figure<Shape> &&
-    !is_one_of(figure_kind<Shape>,
-               {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+    !is_one_of(figure_kind<Shape>, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
+                                    FigureKind::cone, FigureKind::spherical_cap});
 
 }  // namespace query
 

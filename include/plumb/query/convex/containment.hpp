@@ -17,7 +17,7 @@
 // capsule, 120 us for an oriented box in another, from 0.3 ms on for inner k-DOPs and intersections of halfspaces.
 #pragma once
 
-#include "plumb/query/body/pairs.hpp"
+#include "plumb/query/body/contains_pairs.hpp"
 
 namespace plumb {
 
@@ -41,7 +41,8 @@ constexpr bool answers_containment(FigureKind outer, FigureKind inner) {
 
 template <class Outer, class Inner>
 concept ContainmentPair = Figure<Outer> && Figure<Inner> && figure_dimension<Outer>
-== figure_dimension<Inner>&& answers_containment(figure_kind<Outer>, figure_kind<Inner>);
+== figure_dimension<Inner>&& answers_containment(figure_kind<Outer>, figure_kind<Inner>) &&
+    contains_pairs.answers(figure_kind<Outer>, figure_kind<Inner>, figure_dimension<Outer>);
 
 bool holds(const FigureView& outer, const FigureView& inner);
 

@@ -38,7 +38,9 @@ Relation relate_posed(std::string_view function, const PosedView& a, const Posed
 bool posed_contains(const PosedView& outer, const PosedView& inner);
 
 template <class A, class B>
-concept PosedPair = PosedFigures<A, B> && RelatedPair<UnposedType<A>, UnposedType<B>>;
+concept PosedPair = PosedFigures<A, B> && RelatedPair<UnposedType<A>, UnposedType<B>> &&
+    !(figure_kind<UnposedType<A>> == FigureKind::spherical_cap ||
+      figure_kind<UnposedType<B>> == FigureKind::spherical_cap);
 
 constexpr bool may_hold_posed(FigureKind outer, FigureKind inner) {
   const auto has_disks = [](FigureKind k) { return is_one_of(k, {FigureKind::cylinder, FigureKind::cone}); };

@@ -22,20 +22,18 @@
 // Cost: docs/closest.md.
 #pragma once
 
+#include "plumb/query/body/closest_pairs.hpp"
 #include "plumb/query/closest/closest.hpp"
 
 namespace plumb {
 
 namespace query {
 
-template <class S>
-inline constexpr bool has_rim = is_one_of(figure_kind<S>, {FigureKind::cylinder, FigureKind::cone});
-
 /// In canonical order; query/closest/closest.hpp turns them round.
 template <class A, class B>
 concept SeparatedPair = Figure<A> && Figure<B> &&(figure_dimension<A> == figure_dimension<B>)&&!OtherWayRound<A, B> &&
-                        !has_rim<A> && !has_rim<B> && !StraightPair<A, B> &&
-                        !(AnyOf<A, Point2, Point3> && (NearPoint2<B> || NearPoint3<B>));
+                        closest_pairs.answers(figure_kind<A>, figure_kind<B>, figure_dimension<A>) &&
+                        !StraightPair<A, B> && !(AnyOf<A, Point2, Point3> && (NearPoint2<B> || NearPoint3<B>));
 
 template <class S>
 inline constexpr bool is_round = is_one_of(figure_kind<S>,
