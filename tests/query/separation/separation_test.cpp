@@ -31,7 +31,7 @@ template <class... S>
 std::vector<Maker> makers_of(pair_cases::Types<S...>) {
   std::vector<Maker> all;
   const auto add = [&all]<class Shape>(const Shape*) {
-    if constexpr (!query::has_rim<Shape>) {
+    if constexpr (query::closest_pairs.answers(FigureKind::point, figure_kind<Shape>, figure_dimension<Shape>)) {
       all.push_back({figure_kind<Shape>, [](Material& m) { return any(pair_cases::figure<Shape>(m)); },
                      [](Material& m) { return any(pair_cases::near_figure<Shape>(m)); }});
     }
