@@ -51,6 +51,7 @@ HWY_INLINE Many smaller(const Many& a, const Many& b) { return {hn::Min(a.v, b.v
 HWY_INLINE Many total(const Many& a) { return a; }
 HWY_INLINE Many largest(const Many& a) { return a; }
 HWY_INLINE Truth above(const Many& a, const Many& b) { return {hn::Gt(a.v, b.v)}; }
+HWY_INLINE Truth at_most(const Many& a, const Many& b) { return {hn::Le(a.v, b.v)}; }
 HWY_INLINE Truth is_zero(const Many& a) { return {hn::Eq(a.v, hn::Zero(Lanes()))}; }
 HWY_INLINE Truth operator&(const Truth& a, const Truth& b) { return {hn::And(a.v, b.v)}; }
 HWY_INLINE Truth operator|(const Truth& a, const Truth& b) { return {hn::Or(a.v, b.v)}; }

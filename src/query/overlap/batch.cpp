@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "certify/batch/instruction_sets.hpp"
-#include "query/overlap/box_gaps.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/shapes3.hpp"
 #undef HWY_TARGET_INCLUDE
@@ -11,98 +10,57 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "certify/many_lanes.hpp"
+#include "query/overlap/beside_box.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace plumb::query::overlap_batch::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
+namespace lanes = certify::many_lanes::HWY_NAMESPACE;
+namespace statements = beside_box::HWY_NAMESPACE;
+using lanes::Many, lanes::Truth, lanes::above, lanes::of_all;
+using Place = statements::Place<Many>;
 
-constexpr std::size_t lanes = hn::MaxLanes(D());
+constexpr std::size_t count_of_lanes = lanes::hn::MaxLanes(lanes::Lanes());
 
-struct Vector {
-  V x, y, z;
-};
-Vector operator-(const Vector& a, const Vector& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-Vector operator+(const Vector& a, const Vector& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-Vector all(double x, double y, double z) { return {hn::Set(D(), x), hn::Set(D(), y), hn::Set(D(), z)}; }
-Vector load(const double* const* at, std::size_t k, std::size_t i) {
-  return {hn::LoadU(D(), at[k] + i), hn::LoadU(D(), at[k + 1] + i), hn::LoadU(D(), at[k + 2] + i)};
+HWY_INLINE Place in_all(const Point3& p) { return {of_all(p.x), of_all(p.y), of_all(p.z)}; }
+HWY_INLINE Place load(const double* const* at, std::size_t k, std::size_t i) {
+  const auto one = [&](std::size_t axis) HWY_ATTR { return Many{lanes::hn::LoadU(lanes::Lanes(), at[k + axis] + i)}; };
+  return {one(0), one(1), one(2)};
 }
-Vector abs(const Vector& a) { return {hn::Abs(a.x), hn::Abs(a.y), hn::Abs(a.z)}; }
-Vector max(const Vector& a, const Vector& b) { return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)}; }
-Vector min(const Vector& a, const Vector& b) { return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)}; }
-V dot(const Vector& a, const Vector& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+HWY_INLINE Place lower(const Place& a, const Place& b) {
+  return {smaller(a.x, b.x), smaller(a.y, b.y), smaller(a.z, b.z)};
 }
-Vector cross(const Vector& a, const Vector& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+HWY_INLINE Place upper(const Place& a, const Place& b) {
+  return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z)};
 }
-
-// Seen from the center of the box, twice as large.
-using EdgeGap = query::box_gaps::EdgeBesideBox<query::box_gaps::BesideCenter>;
-using NormalGap = query::box_gaps::NormalBesideBox<query::box_gaps::BesideCenter>;
-
-// The bounds of the errors, for numbers of up to so much in each axis; NaN where a product might overflow.
-struct Errors {
-  Vector planes;
-  V space;
-
-  explicit Errors(const Vector& most) {
-    constexpr double floor = largest_floor<NormalGap>, slack = 1 + 0x1p-40;
-    const V plane = hn::Set(D(), largest_threshold<EdgeGap>({1, 1, 1}) * slack);
-    const V of_space = hn::Set(D(), largest_threshold<NormalGap>({1, 1, 1}) * slack);
-    const Vector l = most + most + all(floor, floor, floor);
-    const V sum = hn::Mul(hn::Add(hn::Add(l.x, l.y), l.z), hn::Set(D(), 64));
-    const V cube = hn::Mul(hn::Mul(sum, sum), sum), doubt = hn::Sub(cube, cube);
-    const V yz = hn::Mul(l.y, l.z);
-    planes = {hn::Add(hn::Mul(plane, yz), doubt), hn::Add(hn::Mul(plane, hn::Mul(l.z, l.x)), doubt),
-              hn::Add(hn::Mul(plane, hn::Mul(l.x, l.y)), doubt)};
-    space = hn::Add(hn::Mul(of_space, hn::Mul(yz, l.x)), doubt);
-  }
-};
 
 /// What is told: apart along some axis, or meeting along all.
 struct GapMasks {
-  M apart, meet;
+  Truth apart, meet;
 
-  void add(V gap, V error) {
-    apart = hn::Or(apart, hn::Gt(gap, error));
-    meet = hn::And(meet, hn::Lt(gap, hn::Neg(error)));
+  template <class W, class Gap>
+  HWY_INLINE void operator()(const W& w, const Gap& gap) {
+    apart = apart | w.positive(gap);
+    meet = meet & w.negative(gap);
   }
 };
 
 // Along the axes of the box: exact.
-GapMasks along_axes(const Vector& low, const Vector& high, const Vector& min_of, const Vector& max_of) {
-  const Vector gaps = max(low - max_of, min_of - high);
-  const V most = hn::Max(hn::Max(gaps.x, gaps.y), gaps.z);
-  return {hn::Gt(most, hn::Zero(D())), hn::Lt(most, hn::Zero(D()))};
+HWY_INLINE GapMasks along_axes(const Place& low, const Place& high, const Place& min, const Place& max) {
+  const auto gap = [](const Many& l, const Many& h, const Many& from, const Many& to)
+                       HWY_ATTR { return larger(l - to, from - h); };
+  const Many most = larger(larger(gap(low.x, high.x, min.x, max.x), gap(low.y, high.y, min.y, max.y)),
+                           gap(low.z, high.z, min.z, max.z));
+  return {above(most, of_all(0)), above(of_all(0), most)};
 }
 
-// Along the three cross products with one edge; a triangle has its normal to add.
-Vector gaps_across(const Vector& e, const Vector& p, const Vector& half, const Vector& n, const Vector& size_n) {
-  const Vector s = abs(e);
-  const Vector reach{hn::Add(hn::Mul(s.y, half.z), hn::Mul(s.z, half.y)),
-                     hn::Add(hn::Mul(s.z, half.x), hn::Mul(s.x, half.z)),
-                     hn::Add(hn::Mul(s.x, half.y), hn::Mul(s.y, half.x))};
-  return abs(cross(e, p) + n) - (size_n + reach);
-}
-
-template <class Mask>
-unsigned bits_of(Mask mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(D(), mask, bits);
-  return bits[0];
-}
-
-// Writes the answers for `lanes` items from i on, and lists those in doubt.
-std::size_t put(const GapMasks& told, std::size_t i, std::uint8_t* out, std::uint32_t* unsure, std::size_t count) {
-  const unsigned meet = bits_of(told.meet);
-  for (std::size_t k = 0; k < lanes; ++k) out[i + k] = static_cast<std::uint8_t>(meet >> k & 1u);
-  unsigned open = ~(meet | bits_of(told.apart)) & ((1u << lanes) - 1);
+// Writes the answers for all lanes of item i on, and lists those in doubt.
+std::size_t put(unsigned apart, unsigned meet, std::size_t i, std::uint8_t* out, std::uint32_t* unsure,
+                std::size_t count) {
+  for (std::size_t k = 0; k < count_of_lanes; ++k) out[i + k] = static_cast<std::uint8_t>(meet >> k & 1u);
+  unsigned open = ~(meet | apart) & ((1u << count_of_lanes) - 1);
   for (; open != 0; open &= open - 1)
     unsure[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(__builtin_ctz(open));
   return count;
@@ -110,56 +68,48 @@ std::size_t put(const GapMasks& told, std::size_t i, std::uint8_t* out, std::uin
 
 std::size_t triangles(const Aabb3& box, const double* const* at, std::size_t n, std::uint8_t* out,
                       std::uint32_t* unsure) {
-  const auto& [low, high] = box;
-  const Vector min_of = all(low.x, low.y, low.z), max_of = all(high.x, high.y, high.z);
-  const Vector center = min_of + max_of, half = max_of - min_of, of_box = max(abs(min_of), abs(max_of));
+  using Statement = statements::TriangleBesideBox;
+  const Place min = in_all(box.min), max = in_all(box.max);
   std::size_t count = 0, i = 0;
-  for (; i + lanes <= n; i += lanes) {
-    const Vector a = load(at, 0, i), b = load(at, 3, i), c = load(at, 6, i);
-    GapMasks told = along_axes(min(min(a, b), c), max(max(a, b), c), min_of, max_of);
-    if (hn::AllTrue(D(), told.apart)) {
-      std::memset(out + i, 0, lanes);
+  for (; i + count_of_lanes <= n; i += count_of_lanes) {
+    const Place a = load(at, 0, i), b = load(at, 3, i), c = load(at, 6, i);
+    const GapMasks given = along_axes(lower(lower(a, b), c), upper(upper(a, b), c), min, max);
+    if (lanes::all(given.apart)) {
+      std::memset(out + i, 0, count_of_lanes);
       continue;
     }
-    const Errors error(max(max(abs(a), abs(b)), max(abs(c), of_box)));
-    const Vector ab = b - a, bc = c - b, ca = a - c, n_abc = cross(ab, bc), size_n = abs(n_abc);
-    const Vector at_a = a + a - center;
-    const Vector gaps =
-        max(gaps_across(ab, at_a, half, n_abc, size_n), max(gaps_across(bc, b + b - center, half, n_abc, size_n),
-                                                            gaps_across(ca, c + c - center, half, n_abc, size_n)));
-    told.add(gaps.x, error.planes.x);
-    told.add(gaps.y, error.planes.y);
-    told.add(gaps.z, error.planes.z);
-    told.add(hn::Sub(hn::Abs(dot(n_abc, at_a)), dot(size_n, half)), error.space);
-    count = put(told, i, out, unsure, count);
+    GapMasks told = given;
+    lanes::Floats<Many, Statement::highest, Statement::scales> world;
+    Statement{}(world, a, b, c, min, max, told);
+    const Truth in_range = world.in_range();
+    count = put(lanes::bits_of(given.apart | (told.apart & in_range)), lanes::bits_of(told.meet & in_range), i, out,
+                unsure, count);
   }
   for (; i < n; ++i) unsure[count++] = static_cast<std::uint32_t>(i);
   return count;
 }
 
 std::size_t boxes(const Segment3& s, const double* const* at, std::size_t n, std::uint8_t* out, std::uint32_t* unsure) {
-  const Vector a = all(s.a.x, s.a.y, s.a.z), b = all(s.b.x, s.b.y, s.b.z), sum = a + b, d = b - a;
-  const Vector low = min(a, b), high = max(a, b), of_segment = max(abs(a), abs(b)), zero = all(0, 0, 0);
-  const V none = hn::Set(D(), -std::numeric_limits<double>::infinity());
-  const auto parallel = [](double j, double k) { return j == 0 && k == 0; };
+  using Statement = statements::SegmentBesideBox;
+  const Place a = in_all(s.a), b = in_all(s.b), low = lower(a, b), high = upper(a, b);
   const Difference way = query::difference(s.a, s.b);
+  const bool across[3] = {way.y != 0 || way.z != 0, way.z != 0 || way.x != 0, way.x != 0 || way.y != 0};
   std::size_t count = 0, i = 0;
-  for (; i + lanes <= n; i += lanes) {
-    const Vector min_of = load(at, 0, i), max_of = load(at, 3, i);
-    GapMasks told = along_axes(low, high, min_of, max_of);
-    if (hn::AllTrue(D(), told.apart)) {
-      std::memset(out + i, 0, lanes);
+  for (; i + count_of_lanes <= n; i += count_of_lanes) {
+    const Place min = load(at, 0, i), max = load(at, 3, i);
+    const GapMasks given = along_axes(low, high, min, max);
+    if (lanes::all(given.apart)) {
+      std::memset(out + i, 0, count_of_lanes);
       continue;
     }
-    const Errors error(max(of_segment, max(abs(min_of), abs(max_of))));
-    const Vector gaps = gaps_across(d, sum - (min_of + max_of), max_of - min_of, zero, zero);
-    told.add(parallel(way.y, way.z) ? none : gaps.x, error.planes.x);
-    told.add(parallel(way.z, way.x) ? none : gaps.y, error.planes.y);
-    told.add(parallel(way.x, way.y) ? none : gaps.z, error.planes.z);
-    const Vector extent = max_of - min_of;  // a box that is empty is left to the scalar test
-    const V least = hn::Min(hn::Min(extent.x, extent.y), extent.z);
-    told.meet = hn::And(told.meet, hn::Ge(least, hn::Zero(D())));
-    count = put(told, i, out, unsure, count);
+    GapMasks told = given;
+    lanes::Floats<Many, Statement::highest, Statement::scales> world;
+    Statement{}(world, a, b, min, max, across, told);
+    const Truth in_range = world.in_range();
+    // A box that is empty is left to the scalar test.
+    const Truth is_box = at_most(min.x, max.x) & at_most(min.y, max.y) & at_most(min.z, max.z);
+    count = put(lanes::bits_of(given.apart | (told.apart & in_range)), lanes::bits_of(told.meet & in_range & is_box), i,
+                out, unsure, count);
   }
   for (; i < n; ++i) unsure[count++] = static_cast<std::uint32_t>(i);
   return count;

@@ -6,6 +6,7 @@
 #include "certify/golden_statements.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "query/overlap/beside_box.hpp"
 #include "query/overlap/straight_and_ball.hpp"
 
 namespace plumb::query {
@@ -34,6 +35,68 @@ TEST(OverlapStatements, DerivedBoundsAreAsRecorded) {
   expect_bounds_of("segment_ball", StraightAndBall<true, true>{}, p, q, ball);
   expect_bounds_of("ray_ball", StraightAndBall<true, false>{}, p, Vector3{1, 0, 0}, ball);
   expect_bounds_of("line_ball", StraightAndBall<false, false>{}, p, Vector3{1, 0, 0}, ball);
+}
+
+/// What is told of a gap, or more.
+struct TellGaps {
+  bool apart = false, meet = true;
+  template <class W, class Gap>
+  void operator()(const W& w, const Gap& gap) {
+    apart = apart || w.positive(gap);
+    meet = w.negative(gap) && meet;
+  }
+};
+namespace beside = beside_box::HWY_NAMESPACE;
+using At = beside::Place<double>;
+At place(const Point3& p) { return {p.x, p.y, p.z}; }
+template <class Statement, class Listener = NoBoundListener, class... Input>
+std::pair<bool, bool> tell_gaps(const Input&... input) {
+  certify::one_lane::Floats<double, Statement::highest, Statement::scales, Listener> world;
+  TellGaps told;
+  Statement{}(world, input..., told);
+  return {told.apart && world.in_range(), told.meet && world.in_range()};
+}
+
+TEST(OverlapStatements, BoundsBesideABoxAreAsRecorded) {
+  const At a{-3, 0.25, 0.25}, b{3, 0.5, 0.25}, c{1, 2, 3}, min{0, 0, 0}, max{1, 1, 1};
+  BoundListener::taken();
+  tell_gaps<beside::TriangleBesideBox, BoundListener>(a, b, c, min, max);
+  expect_golden("triangle_beside_box");
+  const bool across[3] = {true, true, true};
+  tell_gaps<beside::SegmentBesideBox, BoundListener>(a, b, min, max, across);
+  expect_golden("segment_beside_box");
+}
+
+TEST(OverlapStatements, WhatDoublesTellOfABoxIsSo) {
+  std::array<int, 2> sure{};
+  for (const FamilyInfo& info : families) {
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      Entropy entropy(25, i);
+      std::array<double, 15> x{};
+      fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
+      const Triangle3 t{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
+      const Aabb3 box{{std::fmin(x[9], x[12]), std::fmin(x[10], x[13]), std::fmin(x[11], x[14])},
+                      {std::fmax(x[9], x[12]), std::fmax(x[10], x[13]), std::fmax(x[11], x[14])}};
+      const auto [apart, meet] =
+          tell_gaps<beside::TriangleBesideBox>(place(t.a), place(t.b), place(t.c), place(box.min), place(box.max));
+      const Relation truth = relate(t, box);
+      if (apart) {
+        EXPECT_EQ(truth, Relation::disjoint) << info.name << ", replay: " << i;
+      }
+      // Along the box's own axes they may be apart.
+      const auto clear = [](double a, double b, double c, double low, double high) {
+        return std::fmin(std::fmin(a, b), c) < high && low < std::fmax(std::fmax(a, b), c);
+      };
+      const bool meets = meet && clear(t.a.x, t.b.x, t.c.x, box.min.x, box.max.x) &&
+                         clear(t.a.y, t.b.y, t.c.y, box.min.y, box.max.y) &&
+                         clear(t.a.z, t.b.z, t.c.z, box.min.z, box.max.z);
+      if (meets) {
+        EXPECT_NE(truth, Relation::disjoint) << info.name << ", replay: " << i;
+      }
+      sure[0] += apart, sure[1] += meets;
+    }
+  }
+  for (const int n : sure) EXPECT_GE(n, 100);
 }
 
 /// How many of 300 doubles answer, at least: of segments, rays and lines.  Every ninth is made to touch.
