@@ -13,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 #include "plumb/certify/detail/filter_stage.hpp"
@@ -68,6 +69,14 @@ double error_bound(Pair x, Pair y, Pair z, double values) {
   const auto most = [](Pair p) { return opaque(largest(p)) + largest_floor<F>; };
   return largest_threshold<F>({most(x), most(y), most(z)}) + (values - values);
 }
+
+/// By how much the bound of volumes grows whose differences are taken from another corner: between two points that are
+/// seen from one lies at most twice the largest difference; the rest is for what those differences, and this product, were
+/// rounded.
+inline constexpr double from_any_corner = [] {
+  constexpr double twice = 2 * (1 + 8 * std::numeric_limits<double>::epsilon());
+  return largest_threshold<Volume>({twice, twice, twice}) / largest_threshold<Volume>({1, 1, 1});
+}();
 
 /// What is straight from p in direction d; of a segment it ends at p + d.  The pairs are d and p - t.a.
 inline std::optional<Relation> by_doubles(LinearKind reach, const PairOfDifferences& dw, const Triangle3& t) {

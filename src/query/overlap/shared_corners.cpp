@@ -87,7 +87,7 @@ std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3
   const Difference normal = cross(difference(v, r), difference(v, s));
   const double over_p = dot(difference(v, p), normal), over_q = dot(difference(v, q), normal);
   const double sum = over_p + over_q;
-  const double eightfold = error * (8 * (1 + 0x1p-40)) + (sum - sum);
+  const double eightfold = error * from_any_corner + (sum - sum);
   const int of_p = sign_beyond(over_p, eightfold), of_q = sign_beyond(over_q, eightfold);
   if (of_p * of_q > 0) return Relation::touching;
   // Along the cross product of the planes' normals, p x q and r x s, a leaves v forward where p is above b's plane, and

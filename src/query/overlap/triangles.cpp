@@ -40,11 +40,10 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
     if (std::max(high(over_a), -low(over_a)) <= error) return {};  // coplanar, or nearly so
   }
 
-  // Between any two corners lies at most twice the largest difference from one.
   const Difference m = cross(difference(b.a, b.b), difference(b.a, b.c));
   const std::array over_b{dot(difference(b.a, a.a), m), dot(difference(b.a, a.b), m), dot(difference(b.a, a.c), m)};
   const double sum = over_b[0] + over_b[1] + over_b[2];
-  const double twofold = error * (8 * (1 + 0x1p-40)) + (sum - sum);
+  const double twofold = error * from_any_corner + (sum - sum);
   if (low(over_b) > twofold || high(over_b) < -twofold) return Relation::disjoint;
 
   if (!certain_a || !certain(over_b, twofold)) return {};

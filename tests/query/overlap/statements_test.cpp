@@ -7,6 +7,7 @@
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/beside_box.hpp"
+#include "query/overlap/filters.hpp"
 #include "query/overlap/straight_and_ball.hpp"
 
 namespace plumb::query {
@@ -97,6 +98,10 @@ TEST(OverlapStatements, WhatDoublesTellOfABoxIsSo) {
     }
   }
   for (const int n : sure) EXPECT_GE(n, 100);
+}
+
+TEST(OverlapStatements, VolumesFromAnyCornerAreOffByEightTimesAsMuch) {
+  EXPECT_EQ(from_any_corner, 0x1.0000000000018p+3);
 }
 
 /// How many of 300 doubles answer, at least: of segments, rays and lines.  Every ninth is made to touch.
