@@ -88,7 +88,7 @@ std::array<double, 4> near_parts(const Vector3& d, const std::array<Vector3, 4>&
   return part;
 }
 
-/// The vector made a little shorter than 1, where the filter proves that it is.
+/// A guess of the vector made a little shorter than 1, where the filter proves that it is.
 std::optional<Vector3> shortened(const Vector3& n) {
   const double shrink = (1 - 0x1p-50) / std::sqrt(product(n, n));
   const Vector3 s{n.x * shrink, n.y * shrink, n.z * shrink};

@@ -19,7 +19,7 @@ class NearPairSearch {
 
   std::optional<Sign> run() const {
     constexpr int most_rounds = 32;
-    constexpr double near = 1 - 0x1p-30, far = 1 + 0x1p-30;  // beyond them a proof is likely
+    constexpr double near = 1 - 0x1p-30, far = 1 + 0x1p-30;  // guesses: beyond them a proof is likely
     const double square = reach_.value * reach_.value;
     IndexSimplex simplex({{0, 0}, plain(a_[0]) - plain(b_[0])});
     for (int round = 0; round < most_rounds; ++round) {

@@ -157,7 +157,7 @@ bool proves_overlap(const std::array<Vertex, 4>& s) {
 bool same(const Plain& a, const Plain& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 std::optional<Relation> relate_hulls(Hull& a, Hull& b) {
-  constexpr double nothing = 0x1p-90;  // of the square of a length that is lost in the differences' roundings
+  constexpr double nothing = 0x1p-90;  // a guess: of the square of a length that is lost in the differences' roundings
   const Vertex first = a.vertex(a.at) - b.vertex(b.at);
   VertexSimplex simplex({first, plain(first)});
   Plain at = plain(first);

@@ -63,7 +63,7 @@ using EndsSimplex = figure::gjk::Simplex<Ends>;
 
 DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
   constexpr int most_rounds = 48;
-  constexpr double nearer_by = 1 - 0x1p-40;  // what is level but for roundings is no corner more
+  constexpr double nearer_by = 1 - 0x1p-40;  // a guess: what is level but for roundings is no corner more
   const Plain origin = a.at<double>(0);
   PlainHull p(a, origin), q(b, origin);
   EndsSimplex simplex({{0, 0}, p.at(0) - q.at(0)});
