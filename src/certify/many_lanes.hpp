@@ -1,8 +1,8 @@
-// As many numbers at once as the machine has lanes, each of a question of its own: the world of doubles over Highway's vectors.
+// As many numbers at once as the machine has lanes, each of a question of its own: the world of doubles over vectors.
 //
 // Included once for each target by files that Highway compiles for several.
-// Laws: those of plumb/certify/detail/floats_text.hpp, lane by lane; every lane has scales of its own.  A lane's signs may be
-// believed where it is in_range().
+// Laws: those of plumb/certify/detail/floats_text.hpp, lane by lane; every lane has scales of its own.  A lane's signs
+// may be believed where it is in_range().
 // Source: RTCD 13.7; docs/proof.md, "Tracked errors".
 // Cost: none.
 #if defined(PLUMB_MANY_LANES) == defined(HWY_TARGET_TOGGLE)

@@ -39,7 +39,7 @@ void add(const std::string& name, std::function<long()> run) {
     long sum = 0;
     for (auto _ : state) benchmark::DoNotOptimize(sum = run());
     state.counters["sum"] = static_cast<double>(sum);
-    state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations() * points) * 1e-9,
+    state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * points * 1e-9,
                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   });
 }
@@ -55,7 +55,7 @@ void add(const std::string& name, std::function<long()> run) {
       return sum;
     };
   };
-  for (const std::size_t corners : {8, 1000}) {
+  for (const std::size_t corners : {std::size_t{8}, std::size_t{1000}}) {
     for (const std::string name : {"round", "jagged", "teeth", "chain"}) {
       const Polygon2 polygon = polygon_named(name, corners);
       const std::string label = "polygon/" + name + "/" + std::to_string(corners);

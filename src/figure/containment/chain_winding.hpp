@@ -1,8 +1,8 @@
 // Point in polygon: how often does a chain wind around a point?
 //
 // Edges are counted that cross the horizontal ray from the point to the right, an edge with its lower end and without
-// its upper one.  Four comparisons as given tell of each corner on which sides of the point it lies, a bit each, and the
-// bits of 64 corners at once which edges are crossed, which are not, and of which few a sign has to be asked.
+// its upper one.  Four comparisons as given tell of each corner on which sides of the point it lies, a bit each, and
+// the bits of 64 corners at once which edges are crossed, which are not, and of which few a sign has to be asked.
 // Source: RTCD 5.4.1; Franklin's and Haines' crossings test.
 // Cost: linear, half a nanosecond a corner and three an edge beside and above which the point lies.
 #pragma once

@@ -1,7 +1,7 @@
 // Separating axis test in lanes: along which axes is a triangle apart from a box with the axes of space, or a segment?
 //
-// The box is seen from its center, twice as large: p' = 2 p - (min + max), and |x'| <= max - min.  Along the cross product
-// of axis k and the edge e of a triangle with normal n the gap is
+// The box is seen from its center, twice as large: p' = 2 p - (min + max), and |x'| <= max - min.  Along the cross
+// product of axis k and the edge e of a triangle with normal n the gap is
 //   |e x p' + n|_k - (|n_k| + reach of the box),
 // for the third corner is 2 n_k farther than the edge.
 // Over any world of doubles (certify/world.hpp), of one number or of lanes of them; each axis has a scale.

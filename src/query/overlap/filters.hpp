@@ -71,8 +71,8 @@ double error_bound(Pair x, Pair y, Pair z, double values) {
 }
 
 /// By how much the bound of volumes grows whose differences are taken from another corner: between two points that are
-/// seen from one lies at most twice the largest difference; the rest is for what those differences, and this product, were
-/// rounded.
+/// seen from one lies at most twice the largest difference; the rest is for what those differences, and this product,
+/// were rounded.
 inline constexpr double from_any_corner = [] {
   constexpr double twice = 2 * (1 + 8 * std::numeric_limits<double>::epsilon());
   return largest_threshold<Volume>({twice, twice, twice}) / largest_threshold<Volume>({1, 1, 1});

@@ -1,4 +1,4 @@
-// How does a ball lie to a line, a ray or a segment?  By the discriminant of both, and where the center is seen from the ends.
+// How does a ball lie to a line, a ray or a segment?  By the discriminant of both, and from where its center is seen.
 //
 // Over any world (certify/world.hpp).  A direction that is zero makes a line the point that it starts from.
 // Laws: exact where the world is; for a radius of zero what is touched is the center.
@@ -13,8 +13,8 @@
 
 namespace plumb::query {
 
-/// How does a ball, of a radius that is not negative, lie to the points o + t d?  With t from 0 where they begin; up to 1
-/// where they end, and d is end - o there.
+/// How does a ball, of a radius that is not negative, lie to the points o + t d?  With t from 0 where they begin; up to
+/// 1 where they end, and d is end - o there.
 template <bool begins, bool ends>
 struct StraightAndBall {
   static constexpr Scales scales{.count = 2};

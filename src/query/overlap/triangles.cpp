@@ -72,8 +72,8 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
 
 namespace {
 
-/// orient3d, of corners whose exponents may be far apart: the sums of magnitudes tell more of those, and most as seen from
-/// the corner whose coordinates are least.  Seen from one that is far, all others look like one.
+/// orient3d, of corners whose exponents may be far apart: the sums of magnitudes tell more of those, and most as seen
+/// from the corner whose coordinates are least.  Seen from one that is far, all others look like one.
 Sign spread_volume(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   using predicates::Orient3d;
   const auto at = coordinates_of<Orient3d>(a, b, c, d);

@@ -1,7 +1,8 @@
 // Slab test, crosswise: on which side of a line do the corners of a box lie, as seen along each axis?
 //
-// Seen along axis w, a line from o along d has the point p on its left where d_j (p_k - o_k) - d_k (p_j - o_j) is positive.
-// Of the rectangle's corners there is one where that is most and one where it is least, by the signs of d as given.
+// Seen along axis w, a line from o along d has the point p on its left where d_j (p_k - o_k) - d_k (p_j - o_j) is
+// positive.  Of the rectangle's corners there is one where that is most and one where it is least, by the signs of d as
+// given.
 // Over any world of doubles (certify/world.hpp), of one number or of lanes of them; Truth is what the world judges.
 // Included once for each target by files that Highway compiles for several.
 // Source: RTCD 5.3.3.

@@ -1,4 +1,4 @@
-// Which world answers?  Statements of one number at a time, over doubles and over exact numbers, on every family of inputs.
+// Which world answers?  Statements of one number at a time, over doubles and exact numbers, on every family of inputs.
 #include <gtest/gtest.h>
 
 #include <cmath>
