@@ -1,5 +1,3 @@
-#include "query/overlap/posed_shapes.hpp"
-
 #include <algorithm>
 #include <optional>
 

@@ -6,7 +6,7 @@
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/bvh/descend_compact.hpp"
-#include "query/overlap/posed_shapes.hpp"
+#include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
 

@@ -8,7 +8,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/query/overlap/overlap.hpp"
-#include "query/overlap/posed_shapes.hpp"
+#include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
 

@@ -9,7 +9,7 @@
 #include "figure/basic/solids.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/query.hpp"
-#include "query/overlap/posed_shapes.hpp"
+#include "query/overlap/posed_triangles.hpp"
 #include "query/ray/posed_triangle.hpp"
 #include "space/bvh/poses.hpp"
 #include "space/ray/rays.hpp"
