@@ -7,7 +7,7 @@
 // not rounded.  One with dependent half axes is the disk, segment or point that it is, of which figures with straight
 // edges are asked, but for quadrilaterals and polygons.
 // Capsules and lozenges are answered where they are as round as it: UnevenPose else, as for flat ones and balls.  NaN and
-// infinity throw NonFinite, by name.
+// infinity throw NonFinite, by name.  Cylinders, cones and caps are not asked.
 // Source: RTCD 4.7, 5.2; src/query/convex/ellipsoid_pair.hpp.
 // Cost: rationals: some 30 us, more with each corner.
 #pragma once
@@ -23,7 +23,8 @@ Relation relate_ellipsoid(std::string_view function, const Ellipsoid3& a, const 
 
 template <class Shape>
 concept MeetsEllipsoid = PosedOrNot<Shape> && figure_dimension<UnposedType<Shape>>
-== 3 && !is_one_of(figure_kind<UnposedType<Shape>>, {FigureKind::cylinder, FigureKind::cone});
+== 3 &&
+    !is_one_of(figure_kind<UnposedType<Shape>>, {FigureKind::cylinder, FigureKind::cone, FigureKind::spherical_cap});
 
 }  // namespace query
 
