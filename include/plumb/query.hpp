@@ -31,9 +31,9 @@
 #include "plumb/query/overlap/restated.hpp"   // slabs, boxes by width or by center
 
 // Does one hold the other?  contains, side_of
-#include "plumb/query/convex/containment.hpp"  // bounds of every kind
-#include "plumb/query/convex/face_test.hpp"    // does a face part two convex polyhedra?
-#include "plumb/query/convex/thick_plane.hpp"  // within so much of a plane, in front or behind
+#include "plumb/query/convex/containment.hpp"      // bounds of every kind
+#include "plumb/query/convex/separating_face.hpp"  // does a face part two convex polyhedra?
+#include "plumb/query/convex/thick_plane.hpp"      // within so much of a plane, in front or behind
 
 // What have they in common?  intersection
 #include "plumb/certify/exact_point.hpp"                // a corner as it is

@@ -187,7 +187,7 @@ TEST_P(Documents, RunsAsShown) {
     const std::string file = block.remark.substr(block.remark.rfind(' ') + 1);
     if (about == "from") {
       EXPECT_NE(text_of(tree / file).find(block.text), std::string::npos) << place << "is not in " << file;
-      write(folder_ / fs::path(file).filename().string(), block.text);
+      std::ofstream(folder_ / fs::path(file).filename().string(), std::ios::app) << block.text << '\n';  // part by part
     } else if (about == "file") {
       write(folder_ / file, block.text);
       files_.push_back(file);

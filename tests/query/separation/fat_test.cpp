@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "plumb/query/convex/face_test.hpp"
+#include "plumb/query/convex/separating_face.hpp"
 #include "query/body/pair_laws.hpp"
 
 namespace plumb::pair_cases {

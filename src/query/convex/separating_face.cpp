@@ -1,4 +1,4 @@
-#include "plumb/query/convex/face_test.hpp"
+#include "plumb/query/convex/separating_face.hpp"
 
 #include <algorithm>
 
