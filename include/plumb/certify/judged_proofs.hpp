@@ -51,6 +51,8 @@ class Number {
  public:
   Number(Book& book, Book::Entry entry, const Track& track, const Rational& value)
       : book_(&book), entry_(book.write(entry)), track_(track), value_(value) {}
+  /// Zero, of which nothing is asked but which of it and another is larger.
+  explicit Number(double zero) : value_(zero) {}
 
   friend Number operator+(const Number& a, const Number& b) {
     if (a.negative_ && !b.negative_) return b - -a;
@@ -79,9 +81,9 @@ class Number {
   friend Number larger(const Number& a, const Number& b) { return select(b < a, a, b); }
   friend Number smaller(const Number& a, const Number& b) { return select(a < b, a, b); }
   friend Number select(bool first, const Number& a, const Number& b) {
-    Number one = first ? a : b;
-    one.track_ = arith::track::either(a.track_, b.track_);
-    return one;
+    if (a.book_ == nullptr) return chosen(first, b - b, b, b.track_);
+    if (b.book_ == nullptr) return chosen(first, a, a - a, a.track_);
+    return chosen(first, a, b, arith::track::either(a.track_, b.track_));
   }
   friend bool operator<(const Number& a, const Number& b) { return a.value_ < b.value_; }
 
@@ -90,16 +92,21 @@ class Number {
 
  private:
   using Kind = Book::Entry::Kind;
+  static Number chosen(bool first, const Number& a, const Number& b, const Track& track) {
+    Number one = first ? a : b;
+    one.track_ = track;
+    return one;
+  }
   static Number computed(Kind kind, const Number& a, const Number& b) {
     Number c = a;
     c.entry_ = c.book_->write({kind, a.entry_, b.entry_});
     return c;
   }
 
-  Book* book_;
-  std::size_t entry_;
+  Book* book_ = nullptr;
+  std::size_t entry_ = 0;
   bool negative_ = false;
-  Track track_;
+  Track track_{};
   Rational value_;
 };
 
@@ -107,6 +114,7 @@ class Number {
 template <int highest, Scales of>
 class World {
  public:
+  static constexpr double given(double x) { return x; }
   template <std::size_t scale = 0>
   Number number(double a, std::size_t axis = 0) {
     return {book_, {Book::Entry::Kind::given}, on_axis<scale>(arith::track::given(scale, start), axis), a};
@@ -117,6 +125,10 @@ class World {
             {Book::Entry::Kind::difference},
             on_axis<scale>(arith::track::difference(scale, start), axis),
             Rational(b) - Rational(a)};
+  }
+  template <std::size_t scale = 0>
+  Number sum(double a, double b) {
+    return {book_, {Book::Entry::Kind::sum}, arith::track::difference(scale, start), Rational(a) + Rational(b)};
   }
   template <std::size_t scale = 0>
   Number difference_within(double b, double a, std::size_t axis) {
@@ -131,6 +143,10 @@ class World {
   }
   static Sign sign(const Number& x) { return x.sign(); }
   static Sign compare(const Number& x, const Number& y) { return (x - y).sign(); }
+  static bool positive(const Number& x) { return x.sign() == Sign::positive; }
+  static bool negative(const Number& x) { return x.sign() == Sign::negative; }
+  static bool zero(const Number& x) { return x.sign() == Sign::zero; }
+  static constexpr void leave_open() {}
   static constexpr bool certain() { return true; }
   [[nodiscard]] const Book& book() const { return book_; }
 

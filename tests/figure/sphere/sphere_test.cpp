@@ -11,10 +11,12 @@
 #include <map>
 
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
 #include "figure/basic/shape_cases.hpp"
 #include "figure/basic/thrown.hpp"
 #include "figure/sphere/rational_ball.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/proof_script.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb {
@@ -278,17 +280,41 @@ TEST(Sphere, DoublesLeaveTouchingBallsAlone) {
   EXPECT_GE(unsure_touching, cases * 99 / 100);
 }
 
-TEST(Sphere, ConstantsDoNotChangeUnnoticed) {
+/// The gap of two balls, two coordinates a difference, then both radii.
+template <int axes>
+struct Gap {
+  static constexpr std::string_view name = axes == 2 ? "balls2" : "balls3";
+  static constexpr int points = axes + 1, dimension = 2;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 2 * points>& p) const {
+    const auto squared = [](const auto& x) { return x * x; };
+    const auto flat = squared(p[0] - p[1]) + squared(p[2] - p[3]);
+    const auto reach = squared(p[2 * axes] + p[2 * axes + 1]);
+    if constexpr (axes == 2) {
+      return flat - reach;
+    } else {
+      return (flat + squared(p[4] - p[5])) - reach;
+    }
+  }
+};
+TEST(Sphere, ConstantsDoNotChangeUnnoticedAndAreProved) {
   using namespace figure::sphere;
-  const auto expect = [](const std::string& name, const auto& a, const auto& b) {
+  const auto expect = [](const auto& formula, const auto& a, const auto& b) {
+    using F = std::decay_t<decltype(formula)>;
     constexpr auto e = std::decay_t<decltype(a)>::error, f = std::decay_t<decltype(b)>::error;
+    constexpr double part = arith::squares::doubtful_part<e, f>;
     std::array<char, 64> line{};
-    std::snprintf(line.data(), line.size(), "%a %a", arith::squares::doubtful_part<e, f>,
-                  arith::squares::doubtful_guard<e, f>);
-    expect_golden(name, {line.data()});
+    std::snprintf(line.data(), line.size(), "%a %a", part, arith::squares::doubtful_guard<e, f>);
+    expect_golden(std::string(F::name), {line.data()});
+    if (!gappa::is_installed() || battery::sanitized) return;
+    const auto script = [](double constant) {
+      return proof_script(F::name, certify::tape::program<F>(), constant, ProofScale::every);
+    };
+    EXPECT_EQ(gappa::prove(script(part)).code, 0) << script(part);
+    EXPECT_TRUE(gappa::refuses(script(part * 0.9))) << F::name;
   };
-  expect("balls2", square_of_distance(Point2{}, Point2{}), square_of_reach(0, 0));
-  expect("balls3", square_of_distance(Point3{}, Point3{}), square_of_reach(0, 0));
+  expect(Gap<2>{}, square_of_distance(Point2{}, Point2{}), square_of_reach(0, 0));
+  expect(Gap<3>{}, square_of_distance(Point3{}, Point3{}), square_of_reach(0, 0));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Balls and capsules nearer than this to a triangle, a box, a segment: what doubles prove against exact distances, the
-// share of what they prove, and the bounds that are derived.
+// share of what they prove, and the bounds that are derived and confirmed.
 #include "figure/support/near_points.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
@@ -75,24 +77,20 @@ TEST(NearPoints, WhatIsToldIsSo) {
 }
 
 template <class Statement, class... Input>
-void judge(const Input&... input) {
-  BoundListener::taken();
-  certify::one_lane::Floats<double, Statement::highest, Statement::scales, BoundListener> world;
-  static_cast<void>(Statement{}(world, input...));
+void expect_bounds(const char* name, const Input&... input) {
+  const std::vector<std::string> bounds = judged_bounds(Statement{}, input...);
+  expect_golden(name, bounds);
+  expect_proved(bounds, judged_proofs(name, Statement{}, input...));
 }
-TEST(NearPoints, DerivedBoundsAreAsRecorded) {
+TEST(NearPoints, DerivedBoundsAreAsRecordedAndProved) {
   const Plain up{0, 0, 3};
   const Triangle3 t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-  judge<OfTriangle>(t, Point3{1, 1, 3}, 1.0, 0.25, 0.25, up);
-  expect_golden("near_triangle");
-  const Segment3 s{{0, 0, 0}, {4, 0, 0}}, r{{0, 0, 3}, {0, 4, 3}};
-  judge<OfSegments>(r, s, 1.0, 1.0, 0.0, 0.0, up);
-  expect_golden("near_segments");
+  expect_bounds<OfTriangle>("near_triangle", t, Point3{1, 1, 3}, 1.0, 0.25, 0.25, up);
+  const Segment3 s{{0, 0, 0}, {4, 0, 0}}, r{{0, 0, 3}, {0, 4, 2.5}};
+  expect_bounds<OfSegments>("near_segments", r, s, 1.0, 1.0, 0.0, 0.0, up);
   const Obb3 box{{0, 0, 0}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};
-  judge<OfObb>(box, Point3{0, 0, 4}, 1.0, std::array{0.0, 0.0, 1.0}, up);
-  expect_golden("near_obb");
-  judge<OfAabb>(Plain{0, 0, 0}, Plain{1, 1, 0}, r, 1.0, 0.0, up);
-  expect_golden("near_aabb");
+  expect_bounds<OfObb>("near_obb", box, Point3{0, 0, 4}, 1.0, std::array{0.0, 0.0, 1.0}, up);
+  expect_bounds<OfAabb>("near_aabb", Plain{0, 0, 0}, Plain{1, 1, 0}, r, 1.0, 0.0, up);
 }
 
 }  // namespace

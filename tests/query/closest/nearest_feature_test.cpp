@@ -1,13 +1,17 @@
 // Which world answers?  The nearest features of triangles and oriented boxes over doubles, pairs and exact numbers,
-// on every family of inputs, against voronoi_region.
+// on every family of inputs, against voronoi_region; and the bounds that are derived and confirmed.
 #include "query/closest/nearest_feature.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "certify/exact_axes.hpp"
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "certify/written_axes.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -161,23 +165,31 @@ TEST(NearestFeature, OfAnOrientedBoxOneGuessOf27IsRight) {
 }
 
 template <class Statement, class... Input>
-void judge(const Statement& statement, const Input&... input) {
+void judge(std::vector<std::string>& scripts, const Statement& statement, const Input&... input) {
   Lanes<Statement, Precision::doubles, BoundListener> world;
   static_cast<void>(statement(world, input...));
+  std::ranges::copy(certify::written::axes_proofs("the nearest feature", statement, input...),
+                    std::back_inserter(scripts));
 }
-TEST(NearestFeature, DerivedBoundsAreAsRecorded) {
+void expect_bounds(const char* name, const std::vector<std::string>& scripts) {
+  const std::vector<std::string> bounds = BoundListener::taken();
+  expect_golden(name, bounds);
+  expect_proved(bounds, scripts);
+}
+TEST(NearestFeature, DerivedBoundsAreAsRecordedAndProved) {
   BoundListener::taken();
-  judge(feature::OfTriangle{}, Triangle3{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}, Point3{1, 1, 2});
-  expect_golden("nearest_of_triangle");
+  std::vector<std::string> of_triangle, of_box;
+  judge(of_triangle, feature::OfTriangle{}, Triangle3{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}, Point3{1, 1, 2});
+  expect_bounds("nearest_of_triangle", of_triangle);
   const std::array<Vector3, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const std::array<const Vector3*, 3> axes{&v[0], &v[1], &v[2]};
   const Point3 center{0, 0, 0};
   const Vector3 ends{1, 1, 1};
-  judge(feature::OfBox<0>{}, Point3{2, 2, 2}, center, axes, ends, 7U);
-  judge(feature::OfBox<1>{}, Point3{0, 2, 2}, center, axes, ends, 6U);
-  judge(feature::OfBox<2>{}, Point3{2, 0, 0}, center, axes, ends, 1U);
-  judge(feature::OfBox<3>{}, Point3{0, 0, 0}, center, axes, ends, 0U);
-  expect_golden("nearest_of_obb");
+  judge(of_box, feature::OfBox<0>{}, Point3{2, 2, 2}, center, axes, ends, 7U);
+  judge(of_box, feature::OfBox<1>{}, Point3{0, 2, 2}, center, axes, ends, 6U);
+  judge(of_box, feature::OfBox<2>{}, Point3{2, 0, 0}, center, axes, ends, 1U);
+  judge(of_box, feature::OfBox<3>{}, Point3{0, 0, 0}, center, axes, ends, 0U);
+  expect_bounds("nearest_of_obb", of_box);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/beside_box.hpp"
@@ -25,12 +27,11 @@ std::array<std::optional<Relation>, 4> ask_each(const Statement& statement, cons
 
 template <class Statement, class... Input>
 void expect_bounds_of(const char* name, const Statement& statement, const Input&... input) {
-  BoundListener::taken();
-  certify::one_lane::Floats<double, highest_power<Statement>, scales_of<Statement>, BoundListener> world;
-  static_cast<void>(statement(world, input...));
-  expect_golden(name);
+  const std::vector<std::string> bounds = judged_bounds(statement, input...);
+  expect_golden(name, bounds);
+  expect_proved(bounds, judged_proofs(name, statement, input...));
 }
-TEST(OverlapStatements, DerivedBoundsAreAsRecorded) {
+TEST(OverlapStatements, DerivedBoundsAreAsRecordedAndProved) {
   const Sphere3 ball{{0, 0, 0}, 1};
   const Point3 p{-3, 0.25, 0.25}, q{3, 0.5, 0.25};
   expect_bounds_of("segment_ball", StraightAndBall<true, true>{}, p, q, ball);
@@ -50,22 +51,30 @@ struct TellGaps {
 namespace beside = beside_box::HWY_NAMESPACE;
 using At = beside::Place<double>;
 At place(const Point3& p) { return {p.x, p.y, p.z}; }
-template <class Statement, class Listener = NoBoundListener, class... Input>
+/// What the statement itself answers, where its gaps are told.
+template <class Statement>
+struct Telling {
+  static constexpr int highest = Statement::highest;
+  static constexpr Scales scales = Statement::scales;
+  bool operator()(auto& w, const auto&... input) const {
+    TellGaps told;
+    Statement{}(w, input..., told);
+    return told.apart;
+  }
+};
+template <class Statement, class... Input>
 std::pair<bool, bool> tell_gaps(const Input&... input) {
-  certify::one_lane::Floats<double, Statement::highest, Statement::scales, Listener> world;
+  FloatWorld<Statement> world;
   TellGaps told;
   Statement{}(world, input..., told);
   return {told.apart && world.in_range(), told.meet && world.in_range()};
 }
 
-TEST(OverlapStatements, BoundsBesideABoxAreAsRecorded) {
+TEST(OverlapStatements, BoundsBesideABoxAreAsRecordedAndProved) {
   const At a{-3, 0.25, 0.25}, b{3, 0.5, 0.25}, c{1, 2, 3}, min{0, 0, 0}, max{1, 1, 1};
-  BoundListener::taken();
-  tell_gaps<beside::TriangleBesideBox, BoundListener>(a, b, c, min, max);
-  expect_golden("triangle_beside_box");
+  expect_bounds_of("triangle_beside_box", Telling<beside::TriangleBesideBox>{}, a, b, c, min, max);
   const bool across[3] = {true, true, true};
-  tell_gaps<beside::SegmentBesideBox, BoundListener>(a, b, min, max, across);
-  expect_golden("segment_beside_box");
+  expect_bounds_of("segment_beside_box", Telling<beside::SegmentBesideBox>{}, a, b, min, max, across);
 }
 
 TEST(OverlapStatements, WhatDoublesTellOfABoxIsSo) {

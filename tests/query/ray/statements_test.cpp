@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/box_passed.hpp"
@@ -12,25 +14,31 @@ namespace plumb::query {
 namespace {
 
 using Passed = box_passed::HWY_NAMESPACE::BoxPassed;
-template <class Listener>
-using PassedWorld = certify::one_lane::Floats<double, Passed::highest, Passed::scales, Listener>;
-
 /// Of a line: is it told to be apart, to meet?
-template <class Listener = NoBoundListener>
+struct OfLine {
+  static constexpr int highest = Passed::highest;
+  static constexpr Scales scales = Passed::scales;
+  std::pair<bool, bool> operator()(auto& world, const Line3& l, const Aabb3& box) const {
+    const BoxBatchRay ray{
+        {l.point.x, l.point.y, l.point.z}, {l.direction.x, l.direction.y, l.direction.z}, {}, {}, false, false};
+    const double min[3] = {box.min.x, box.min.y, box.min.z}, max[3] = {box.max.x, box.max.y, box.max.z};
+    bool apart = false, meets = true;
+    Passed{}(world, ray, min, max, apart, meets);
+    return {apart, meets};
+  }
+};
 std::pair<bool, bool> passed(const Line3& l, const Aabb3& box) {
-  const BoxBatchRay ray{
-      {l.point.x, l.point.y, l.point.z}, {l.direction.x, l.direction.y, l.direction.z}, {}, {}, false, false};
-  const double min[3] = {box.min.x, box.min.y, box.min.z}, max[3] = {box.max.x, box.max.y, box.max.z};
-  PassedWorld<Listener> world;
-  bool apart = false, meets = true;
-  Passed{}(world, ray, min, max, apart, meets);
+  FloatWorld<OfLine> world;
+  const auto [apart, meets] = OfLine{}(world, l, box);
   return {apart && world.in_range(), meets && world.in_range()};
 }
 
-TEST(RayStatements, DerivedBoundsAreAsRecorded) {
-  BoundListener::taken();
-  passed<BoundListener>({{-1, 0.25, 0.5}, {1, 0.5, 0.25}}, {{0, 0, 0}, {1, 1, 1}});
-  expect_golden("box_passed");
+TEST(RayStatements, DerivedBoundsAreAsRecordedAndProved) {
+  const Line3 line{{-1, 0.25, 0.5}, {1, 0.5, 0.25}};
+  const Aabb3 box{{0, 0, 0}, {1, 1, 1}};
+  const std::vector<std::string> bounds = judged_bounds(OfLine{}, line, box);
+  expect_golden("box_passed", bounds);
+  expect_proved(bounds, judged_proofs("box_passed", OfLine{}, line, box));
 }
 
 TEST(RayStatements, WhatDoublesTellOfABoxIsSo) {

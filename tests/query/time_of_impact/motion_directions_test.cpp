@@ -7,6 +7,8 @@
 #include <iostream>
 
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 #include "query/time_of_impact/balls_in_motion.hpp"
 #include "query/time_of_impact/quick_search.hpp"
 #include "query/time_of_impact/translating_cases.hpp"
@@ -161,30 +163,77 @@ TEST(MotionDirections, MutantsAreNoticed) {
   expect_noticed("a ball's radius", pointed);
 }
 
-TEST(MotionDirections, BoundsAreTheGoldenOnes) {
-  const auto golden = [](const std::string& name, const auto& w, const auto& number) {
-    BoundListener::taken();
-    static_cast<void>(w.positive(number));
-    expect_golden(name);
+using certify::written::Book, certify::written::Number;
+using Kind = Book::Entry::Kind;
+using Written = certify::written::World<4, Scales{.count = 3}>;
+/// What a search has computed is any number, rounded once, as the written differences are.
+auto written_as(Book& book, Kind kind, const Track& track) {
+  return [&book, kind, track](const Vec3<double>& v) {
+    const auto one = [&](double x) { return Number(book, {kind}, track, x); };
+    return Vec3<Number>{one(v.x), one(v.y), one(v.z)};
   };
+}
+/// All of the scale that no other exceeds.
+struct OfBoth {
+  Written world;
+
+  template <std::size_t>
+  Number difference(double b, double a) {
+    return world.difference<2>(b, a);
+  }
+  template <std::size_t>
+  Number number(double a) {
+    return world.number<2>(a);
+  }
+};
+void expect_bound(const std::string& name, const auto& w, const auto& number, const Book& book, const Number& written) {
+  BoundListener::taken();
+  static_cast<void>(w.positive(number));
+  const std::vector<std::string> bounds = BoundListener::taken();
+  expect_golden(name, bounds);
+  static_cast<void>(written.sign());
+  expect_proved(bounds, book.scripts(name));
+}
+
+TEST(MotionDirections, BoundsAreTheGoldenOnesAndProved) {
   const Translating<Obb3> a{{{0, 0, 9}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {1, 2, 3}}, {1, 2, 3}};
   const Translating<Triangle3> b{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {0, 0, 0}};
   const MotionSearch<Obb3, Triangle3> search(a, b);
   const auto motion = known_motion(search);
+  Book book;
+  const auto coordinate = written_as(book, Kind::difference, track_of_coordinate<0>());
+  const KnownMotion written{search.a.made(coordinate), search.b.made(coordinate), coordinate(search.by),
+                            coordinate(search.apart), coordinate({search.reach, 0, 0}).x};
   const MotionWorld<BoundListener> w;
+  const auto gap = [](const auto& n, const auto& m) {
+    const auto low = reaches_along(n, m).low;
+    return low * low - m.reach * m.reach * inner(n, n);
+  };
   const auto n = given<1>(search.between_them);
-  const auto low = reaches_along(n, motion).low;
-  golden("motion_reaches", w, low);
-  golden("motion_gap", w, low * low - motion.reach * motion.reach * inner(n, n));
+  const auto along = written_as(book, Kind::given, GivenLeaf<1>::track)(search.between_them);
+  expect_bound("motion_reaches", w, reaches_along(n, motion).low, book, reaches_along(along, written).low);
+  expect_bound("motion_gap", w, gap(n, motion), book, gap(along, written));
   const auto facet = outer(known<1>(search.a.way(0)), known<2>(search.b.way(0)));
-  golden("motion_facet_reaches", w, reaches_along(facet, motion).low);
-  golden("motion_facet_speed", w, inner(facet, motion.by));
-  BallsWorld<BoundListener> of_balls;
-  const BallsInMotion<BallsWorld<BoundListener>> balls(of_balls, {0, 0, 9}, {0, 0, 0}, 1, 1, {1, 2, 3}, {0, 0, 0});
-  golden("balls_start", of_balls, balls.c());
-  golden("balls_end", of_balls, balls.value_at_end());
-  golden("balls_slope", of_balls, balls.slope_at_end());
-  golden("balls_discriminant", of_balls, balls.discriminant());
+  const auto of_ways = outer(written_as(book, Kind::difference, track_of_coordinate<1>())(search.a.way(0)),
+                             written_as(book, Kind::difference, track_of_coordinate<2>())(search.b.way(0)));
+  expect_bound("motion_facet_reaches", w, reaches_along(facet, motion).low, book, reaches_along(of_ways, written).low);
+  expect_bound("motion_facet_speed", w, inner(facet, motion.by), book, inner(of_ways, written.by));
+}
+
+TEST(MotionDirections, BoundsOfBallsAreTheGoldenOnesAndProved) {
+  const auto balls = []<class W>(W& w) {
+    return BallsInMotion<W>(w, {0, 0, 9}, {0, 0, 0}, 1, 1, {1, 2, 3}, {0, 0, 0});
+  };
+  BallsWorld<BoundListener> w;
+  Written written;
+  OfBoth of_both;
+  const auto floats = balls(w);
+  const auto apart = balls(written);
+  const auto at_end = balls(of_both);
+  expect_bound("balls_start", w, floats.c(), written.book(), apart.c());
+  expect_bound("balls_discriminant", w, floats.discriminant(), written.book(), apart.discriminant());
+  expect_bound("balls_end", w, floats.value_at_end(), of_both.world.book(), at_end.value_at_end());
+  expect_bound("balls_slope", w, floats.slope_at_end(), of_both.world.book(), at_end.slope_at_end());
 }
 
 /// How many of a family doubles answer; on integers touches are common, which they never tell.

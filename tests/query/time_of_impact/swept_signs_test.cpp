@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <tuple>
 
 #include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 #include "tool/trial/moving_cases.hpp"
 
 namespace plumb::query::moving {
@@ -122,6 +125,35 @@ TEST(SweptSigns, BoundsAreTheGoldenOnes) {
   golden("swept_cubic", cubic[0]);
   golden("swept_cubic_piece", piece[0]);
   golden("swept_cubic_step", steps[0]);
+}
+
+/// The coefficients of the whole time; nothing is claimed of numbers between two.
+struct Coefficients {
+  static constexpr int highest = 3;
+  static constexpr Scales scales = swept_scales;
+  bool operator()(auto& w, const Case& c) const {
+    const auto between_points = [&](std::size_t i) {
+      return Swept{swept_difference(w, c.at_0[i], c.at_0[0]), swept_difference(w, c.at_1[i], c.at_1[0])};
+    };
+    const auto side = swept_side(between_points(1), between_points(2));
+    const auto cubic = swept_cubic(between_points(3), side);
+    bool is_above = false;
+    for (const auto& x : side.x) is_above |= w.positive(x);
+    for (const auto& x : cubic) is_above |= w.positive(x);
+    return is_above;
+  }
+};
+TEST(SweptSigns, BoundsOfTheWholeTimeAreProved) {
+  Entropy entropy(2034, 0);
+  const Case c = tool::moving_cases::make(Kind::any, true, entropy);
+  const std::vector<std::string> bounds = judged_bounds(Coefficients{}, c),
+                                 scripts = judged_proofs("swept", Coefficients{}, c);
+  EXPECT_EQ(scripts.size(), 5);  // the ends are alike, the others are made in other ways
+  for (const std::string& script : scripts) {
+    const auto claimed = [&](const std::string& bound) { return claims(script, bound); };
+    EXPECT_EQ(std::ranges::count_if(bounds, claimed), 1) << script;
+    expect_proved({*std::ranges::find_if(bounds, claimed)}, {script});
+  }
 }
 
 }  // namespace
