@@ -10,6 +10,7 @@
 
 #include "certify/exact_axes.hpp"
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "certify/written_axes.hpp"
 #include "figure/minkowski/zonotope.hpp"
@@ -288,6 +289,25 @@ TEST(FifteenAxes, StackedAlignedAndNearlyParallelBoxesAreAnsweredWithoutAllocati
   }
   EXPECT_EQ(nearly.exact, 600);
   EXPECT_EQ(plane.exact, plane.lattice);
+}
+
+TEST(FifteenAxes, MutantsAreNoticed) {
+  const auto unnoticed = [](const auto& statement, const auto& first, int from) {
+    return mutants::unnoticed(
+        [&](mutants::Draw& d) {
+          return std::pair{first(d), d.turned_box()};
+        },
+        [&](const auto& input) { return mutants::told<mutants::Axes>(statement, input.first, input.second); },
+        [](const auto& input) { return relate(input.first, input.second); }, from);
+  };
+  // The first look is left out, whose reach may be too far (its 20 operations).  Not noticed is a way along an axis without
+  // its magnitude, of which exact numbers ask only whether it is zero.
+  EXPECT_EQ(unnoticed(
+                axes::ObbPair{}, [](mutants::Draw& d) { return d.turned_box(); }, 21),
+            "69 ");
+  EXPECT_EQ(unnoticed(
+                axes::BoxAndObb{}, [](mutants::Draw& d) { return d.box(); }, 0),
+            "17 ");
 }
 
 }  // namespace

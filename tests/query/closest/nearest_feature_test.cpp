@@ -10,6 +10,7 @@
 
 #include "certify/exact_axes.hpp"
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "certify/written_axes.hpp"
 #include "plumb/arith/big.hpp"
@@ -110,7 +111,7 @@ struct Guess {
   }
 };
 
-auto ask(const Guess& guess, const Obb3& box, const Point3& p) {
+auto ask(const Guess& guess, const Obb3& box, const Point3& p, const auto& asked) {
   std::size_t free = 0, first = 0;
   for (const int at : guess.place) free += at == 2 ? 1 : 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -127,10 +128,10 @@ auto ask(const Guess& guess, const Obb3& box, const Point3& p) {
     upper |= guess.place[i] == 1 ? 1U << k : 0U;
   }
   const Vector3 ends{end[0], end[1], end[2]};
-  if (free == 0) return ask(feature::OfBox<0>{}, p, box.center, axes, ends, upper);
-  if (free == 1) return ask(feature::OfBox<1>{}, p, box.center, axes, ends, upper);
-  if (free == 2) return ask(feature::OfBox<2>{}, p, box.center, axes, ends, upper);
-  return ask(feature::OfBox<3>{}, p, box.center, axes, ends, upper);
+  if (free == 0) return asked(feature::OfBox<0>{}, p, box.center, axes, ends, upper);
+  if (free == 1) return asked(feature::OfBox<1>{}, p, box.center, axes, ends, upper);
+  if (free == 2) return asked(feature::OfBox<2>{}, p, box.center, axes, ends, upper);
+  return asked(feature::OfBox<3>{}, p, box.center, axes, ends, upper);
 }
 
 TEST(NearestFeature, OfAnOrientedBoxOneGuessOf27IsRight) {
@@ -152,7 +153,7 @@ TEST(NearestFeature, OfAnOrientedBoxOneGuessOf27IsRight) {
       const Feature right = voronoi_region(box, p);
       for (int g = 0; g < 27; ++g) {
         const Guess guess{{g / 9, g / 3 % 3, g % 3}};
-        const auto answers = ask(guess, box, p);
+        const auto answers = ask(guess, box, p, [](const auto&... what) { return ask(what...); });
         for (std::size_t w = 0; w < answers.size(); ++w) {
           if (!answers[w]) continue;
           ++told[w];
@@ -190,6 +191,45 @@ TEST(NearestFeature, DerivedBoundsAreAsRecordedAndProved) {
   judge(of_box, feature::OfBox<2>{}, Point3{2, 0, 0}, center, axes, ends, 1U);
   judge(of_box, feature::OfBox<3>{}, Point3{0, 0, 0}, center, axes, ends, 0U);
   expect_bounds("nearest_of_obb", of_box);
+}
+
+TEST(NearestFeature, MutantsAreNoticed) {
+  using mutants::unnoticed, mutants::Draw;
+  const auto told = [](const auto&... what) { return mutants::told<mutants::Axes>(what...); };
+  EXPECT_EQ(unnoticed(
+                [](Draw& d) {
+                  return std::pair{Triangle3{d.point(), d.point(), d.point()}, d.point()};
+                },
+                [&](const auto& input) { return told(feature::OfTriangle{}, input.first, input.second); },
+                [](const auto& input) { return voronoi_region(input.first, input.second); }),
+            "");
+  // Within a box nobody asks how far along its axes (1 to 5), and nothing is within less than none (23).
+  for (int free = 0; free < 4; ++free) {
+    EXPECT_EQ(unnoticed(
+                  [&](Draw& d) {
+                    Guess guess{};
+                    const int first = static_cast<int>(d.positive()) - 1;
+                    for (int i = 0; i < 3; ++i) {
+                      const bool is_free = (i + first) % 3 < free;
+                      guess.place[static_cast<std::size_t>(i)] = is_free ? 2 : d.number() > 0 ? 1 : 0;
+                    }
+                    Obb3 box = d.turned_box();
+                    for (double* half : {&box.half.x, &box.half.y, &box.half.z}) *half = std::fabs(*half);
+                    const Point3 c = box.center, p = d.point();
+                    const bool is_near = d.number() > 0;
+                    return std::tuple{guess, box, is_near ? Point3{c.x + p.x / 4, c.y + p.y / 4, c.z + p.z / 4} : p};
+                  },
+                  [&](const auto& input) {
+                    const auto& [guess, box, p] = input;
+                    return ask(guess, box, p, told);
+                  },
+                  [](const auto& input) {
+                    const auto& [guess, box, p] = input;
+                    return guess.feature() == voronoi_region(box, p);
+                  }),
+              free == 3 ? "1 2 3 4 5 23 " : "")
+        << free;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "certify/exact_axes.hpp"
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "certify/written_axes.hpp"
 #include "plumb/arith/big.hpp"
@@ -189,6 +190,48 @@ TEST(BoxAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {
       EXPECT_GE(by_exact, by_floats) << c.name << ' ' << info.name;
     }
   }
+}
+
+/// Of a figure and a box, as the statement takes them.
+std::string unnoticed_of(const auto& statement, const auto& drawn, const auto& box) {
+  return mutants::unnoticed(
+      [&](mutants::Draw& d) {
+        return std::pair{drawn(d), box(d)};
+      },
+      [&](const auto& input) {
+        const auto told = [&](const auto&... figure) {
+          return mutants::told<mutants::Axes>(statement, figure..., input.second);
+        };
+        if constexpr (requires { input.first.c; }) {
+          return told(input.first);
+        } else {
+          const auto& [from, to] = input.first;
+          if constexpr (std::is_same_v<decltype(statement), const axes::SegmentAndBox&>) {
+            return told(input.first);
+          } else {
+            return told(from, to);
+          }
+        }
+      },
+      [](const auto& input) { return relate(input.first, input.second); });
+}
+TEST(BoxAxes, MutantsAreNoticed) {
+  using mutants::Draw;
+  const auto segment = [](Draw& d) { return Segment3{d.point(), d.point()}; };
+  const auto ray = [](Draw& d) { return Ray3{d.point(), d.vector()}; };
+  const auto line = [](Draw& d) { return Line3{d.point(), d.vector()}; };
+  const auto triangle = [](Draw& d) { return Triangle3{d.point(), d.point(), d.point()}; };
+  const auto box = [](Draw& d) { return d.box(); };
+  const auto turned = [](Draw& d) { return d.turned_box(); };
+  EXPECT_EQ(unnoticed_of(axes::SegmentAndBox{}, segment, box), "");
+  EXPECT_EQ(unnoticed_of(axes::UnboundedAndBox<LinearKind::ray>{}, ray, box), "");
+  EXPECT_EQ(unnoticed_of(axes::UnboundedAndBox<LinearKind::line>{}, line, box), "");
+  EXPECT_EQ(unnoticed_of(axes::TriangleAndBox{}, triangle, box), "");
+  EXPECT_EQ(unnoticed_of(axes::StraightAndObb<LinearKind::segment>{}, segment, turned), "");
+  // Of a direction that is zero nothing is told at all: its size is the last that is computed.
+  EXPECT_EQ(unnoticed_of(axes::StraightAndObb<LinearKind::ray>{}, ray, turned), "43 44 45 ");
+  EXPECT_EQ(unnoticed_of(axes::StraightAndObb<LinearKind::line>{}, line, turned), "40 41 42 ");
+  EXPECT_EQ(unnoticed_of(axes::TriangleAndObb{}, triangle, turned), "");
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // Which world answers?  Statements of one number at a time, over doubles and exact numbers, on every family of inputs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -107,6 +109,66 @@ TEST(OverlapStatements, WhatDoublesTellOfABoxIsSo) {
     }
   }
   for (const int n : sure) EXPECT_GE(n, 100);
+}
+
+/// Of what is straight and a ball.
+std::string unnoticed_of(const auto& statement, const auto& drawn) {
+  return mutants::unnoticed(
+      [&](mutants::Draw& d) {
+        return std::pair{drawn(d), Sphere3{d.point(), d.positive()}};
+      },
+      [&](const auto& input) {
+        const auto& [from, to] = input.first;
+        return mutants::told<mutants::World>(statement, from, to, input.second);
+      },
+      [](const auto& input) { return relate(input.first, input.second); });
+}
+/// Of a figure and a box: what the box's own axes do not tell.
+struct BesideBox {
+  bool operator()(auto& w, const Triangle3& t, const Aabb3& box) const {
+    TellGaps told;
+    beside::TriangleBesideBox{}(w, place(t.a), place(t.b), place(t.c), place(box.min), place(box.max), told);
+    return say(w, told, std::array{t.a, t.b, t.c}, box);
+  }
+  bool operator()(auto& w, const Segment3& s, const Aabb3& box) const {
+    TellGaps told;
+    const bool y = s.a.y != s.b.y, x = s.a.x != s.b.x, z = s.a.z != s.b.z, across[3] = {y || z, z || x, x || y};
+    beside::SegmentBesideBox{}(w, place(s.a), place(s.b), place(box.min), place(box.max), across, told);
+    return say(w, told, std::array{s.a, s.b}, box);
+  }
+  static bool say(auto& w, const TellGaps& told, const auto& points, const Aabb3& box) {
+    const auto clear = [&](auto axis) {
+      return std::ranges::any_of(points, [&](const Point3& p) { return p.*axis < box.max.*axis; }) &&
+             std::ranges::any_of(points, [&](const Point3& p) { return box.min.*axis < p.*axis; });
+    };
+    const bool meets = told.meet && clear(&Point3::x) && clear(&Point3::y) && clear(&Point3::z);
+    if (!told.apart && !meets) w.leave_open();
+    return told.apart;
+  }
+};
+std::string unnoticed_beside_box(const auto& drawn) {
+  return mutants::unnoticed(
+      [&](mutants::Draw& d) {
+        return std::pair{drawn(d), d.box()};
+      },
+      [](const auto& input) { return mutants::told<mutants::World>(BesideBox{}, input.first, input.second); },
+      [](const auto& input) { return relate(input.first, input.second) == Relation::disjoint; });
+}
+TEST(OverlapStatements, MutantsAreNoticed) {
+  const auto segment = [](mutants::Draw& d) { return Segment3{d.point(), d.point()}; };
+  EXPECT_EQ(unnoticed_of(StraightAndBall<true, true>{}, segment), "");
+  EXPECT_EQ(unnoticed_of(StraightAndBall<true, false>{},
+                         [](mutants::Draw& d) {
+                           return Ray3{d.point(), d.vector()};
+                         }),
+            "");
+  EXPECT_EQ(unnoticed_of(StraightAndBall<false, false>{},
+                         [](mutants::Draw& d) {
+                           return Line3{d.point(), d.vector()};
+                         }),
+            "");
+  EXPECT_EQ(unnoticed_beside_box(segment), "");
+  EXPECT_EQ(unnoticed_beside_box([](mutants::Draw& d) { return Triangle3{d.point(), d.point(), d.point()}; }), "");
 }
 
 TEST(OverlapStatements, VolumesFromAnyCornerAreOffByEightTimesAsMuch) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -61,6 +62,26 @@ TEST(RayStatements, WhatDoublesTellOfABoxIsSo) {
     const bool is_plain = info.family == Family::uniform || info.family == Family::float32;
     EXPECT_GE(told, is_plain ? 395 : info.family == Family::extreme ? 0 : 150) << info.name;
   }
+}
+
+/// Does it meet the box?
+struct Hits : OfLine {
+  bool operator()(auto& world, const Line3& line, const Aabb3& box) const {
+    const auto [apart, meets] = OfLine::operator()(world, line, box);
+    if (!apart && !meets) world.leave_open();
+    return !apart;
+  }
+};
+TEST(RayStatements, MutantsAreNoticed) {
+  const auto line_and_box = [](mutants::Draw& d) {
+    const Vector3 v = d.vector();
+    return std::pair{Line3{d.point(), v == Vector3{} ? Vector3{1, 0, 0} : v}, d.box()};
+  };
+  EXPECT_EQ(mutants::unnoticed(
+                line_and_box,
+                [](const auto& input) { return mutants::told<mutants::World>(Hits{}, input.first, input.second); },
+                [](const auto& input) { return hits(input.first, input.second); }),
+            "6 7 8 ");  // from the direction nothing is taken away
 }
 
 }  // namespace
