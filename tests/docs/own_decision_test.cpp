@@ -2,6 +2,7 @@
 // answer, and mutants of the statement.
 #include <gtest/gtest.h>
 
+#include "certify/golden_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "docs/sees_box.hpp"
 #include "plumb/arith/error.hpp"
@@ -99,7 +100,9 @@ TEST(OwnDecision, BoundsAreProved) {
   const Aabb3 box{{-1, -1, 2}, {1, 1, 3}};
   const std::vector<std::string> scripts = judged_proofs("sees_box", SeesBox{}, view, box);
   EXPECT_EQ(scripts.size(), 2);
-  expect_proved(judged_bounds(SeesBox{}, view, box), scripts);
+  const std::vector<std::string> bounds = judged_bounds(SeesBox{}, view, box);
+  expect_golden("sees_box", bounds);
+  expect_proved(bounds, scripts);
 }
 
 /// All that a statement of one scale may compute with.

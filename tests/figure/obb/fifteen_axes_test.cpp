@@ -152,6 +152,9 @@ void expect_bounds(const char* name, const Statement& statement, const Boxes&...
   const std::vector<std::string> bounds = BoundListener::taken();
   expect_golden(name, bounds);
   expect_proved(bounds, certify::written::axes_proofs(name, statement, boxes...));
+  lanes::Floats<lanes::Three, Statement::highest, Statement::scales, BoundListener, Precision::pairs> of_pairs;
+  static_cast<void>(statement(of_pairs, boxes...));
+  expect_golden(name + std::string("_pairs"));
 }
 TEST(FifteenAxes, DerivedBoundsAreAsRecordedAndProved) {
   // Apart along no axis until all are looked at: no center lies in the other box.
@@ -300,8 +303,7 @@ TEST(FifteenAxes, MutantsAreNoticed) {
         [&](const auto& input) { return mutants::told<mutants::Axes>(statement, input.first, input.second); },
         [](const auto& input) { return relate(input.first, input.second); }, from);
   };
-  // The first look is left out, whose reach may be too far (its 20 operations).  Not noticed is a way along an axis without
-  // its magnitude, of which exact numbers ask only whether it is zero.
+  // The first look is left out, whose reach may be too far.  Not noticed is a way along an axis without its magnitude, of which exact numbers ask only whether it is zero.
   EXPECT_EQ(unnoticed(
                 axes::ObbPair{}, [](mutants::Draw& d) { return d.turned_box(); }, 21),
             "69 ");

@@ -28,6 +28,13 @@ std::array<std::optional<Relation>, 4> ask_each(const Statement& statement, cons
 }
 
 template <class Statement, class... Input>
+void expect_bounds_of_pairs(const std::string& name, const Statement& statement, const Input&... input) {
+  BoundListener::taken();
+  certify::one_lane::Floats<double, highest_power<Statement>, scales_of<Statement>, BoundListener, Precision::pairs> w;
+  static_cast<void>(statement(w, input...));
+  expect_golden(name + "_pairs");
+}
+template <class Statement, class... Input>
 void expect_bounds_of(const char* name, const Statement& statement, const Input&... input) {
   const std::vector<std::string> bounds = judged_bounds(statement, input...);
   expect_golden(name, bounds);
@@ -39,6 +46,9 @@ TEST(OverlapStatements, DerivedBoundsAreAsRecordedAndProved) {
   expect_bounds_of("segment_ball", StraightAndBall<true, true>{}, p, q, ball);
   expect_bounds_of("ray_ball", StraightAndBall<true, false>{}, p, Vector3{1, 0, 0}, ball);
   expect_bounds_of("line_ball", StraightAndBall<false, false>{}, p, Vector3{1, 0, 0}, ball);
+  expect_bounds_of_pairs("segment_ball", StraightAndBall<true, true>{}, p, q, ball);
+  expect_bounds_of_pairs("ray_ball", StraightAndBall<true, false>{}, p, Vector3{1, 0, 0}, ball);
+  expect_bounds_of_pairs("line_ball", StraightAndBall<false, false>{}, p, Vector3{1, 0, 0}, ball);
 }
 
 /// What is told of a gap, or more.
