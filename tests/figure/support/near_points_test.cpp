@@ -94,8 +94,8 @@ TEST(NearPoints, DerivedBoundsAreAsRecordedAndProved) {
   expect_bounds<OfAabb>("near_aabb", Plain{0, 0, 0}, Plain{1, 1, 0}, r, 1.0, 0.0, up);
 }
 
-/// Points guessed at random, and the direction between them or any other.  Not noticed are a product with 1 that is a
-/// sum, which leaves more open (34), and r^2 + n^2 for r^2 n^2, which is seen in some of 300,000 inputs (57, 64).
+/// Points guessed at random, and the direction between them or any other.  Not noticed is a sum for the
+/// product with 1, which leaves more open (34).
 TEST(NearPoints, MutantsAreNoticed) {
   using mutants::unnoticed, mutants::told, mutants::World, mutants::Draw;
   const auto plain = [](const auto& a) { return Plain{a.x, a.y, a.z}; };
@@ -111,7 +111,7 @@ TEST(NearPoints, MutantsAreNoticed) {
     return OfBall{d.point(),
                   d.positive(),
                   {d.quarter(), d.quarter(), d.quarter()},
-                  plain(d.number() > 0 ? d.vector() : Vector3{})};
+                  plain(d.number() > 0 ? d.vector() : Vector3{}) * (d.number() > 0 ? 0.25 : 1)};
   };
   EXPECT_EQ(
       unnoticed(
@@ -139,7 +139,7 @@ TEST(NearPoints, MutantsAreNoticed) {
             return told<World>(OfObb{}, box, ball.center, ball.radius, ball.part, ball.way(off));
           },
           [](const auto& input) { return compare_distance(input.second.center, input.first, input.second.radius); }),
-      "64 ");
+      "");
   const auto segment = [](Draw& d) { return Segment3{d.point(), d.point()}; };
   const auto at = [&](const Segment3& s, double t) { return plain(s.a) + (plain(s.b) - plain(s.a)) * t; };
   EXPECT_EQ(unnoticed(
@@ -155,7 +155,7 @@ TEST(NearPoints, MutantsAreNoticed) {
                   const auto& [pq, xy, ball] = input;
                   return compare_distance(pq, xy, ball.radius + 0.25);
                 }),
-            "57 ");
+            "");
   EXPECT_EQ(unnoticed(
                 [&](Draw& d) {
                   return std::tuple{d.box(), segment(d), of_ball(d)};
