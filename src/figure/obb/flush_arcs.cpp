@@ -50,7 +50,8 @@ bool is_known(const Enclosed& v) {
   return most > 0x1p-200 && most < 0x1p200 && std::max({v.x.radius, v.y.radius, v.z.radius}) < most * 0x1p-60;
 }
 
-// Points brought near to magnitude one by a power of two, where they are far from it, and whether that rounded nothing.
+// Points brought near to magnitude one by a power of two, where they are far from it, which is a guess; and whether that
+// rounded nothing.
 struct Scaled {
   std::vector<Point3> points;
   int exponent = 0;

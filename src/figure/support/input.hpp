@@ -17,7 +17,8 @@ constexpr bool is_zero(const Vector3& v) { return v.x == 0 && v.y == 0 && v.z ==
 constexpr Point3 raised(const Point2& p) { return {p.x, p.y, 0}; }
 constexpr Vector3 raised(const Vector2& v) { return {v.x, v.y, 0}; }
 
-/// The same direction, of a size at which products neither overflow nor vanish, where doubles hold that.
+/// The same direction, of a size at which products neither overflow nor vanish, where doubles hold that: a scaling,
+/// exact, for what a guess says is too large or small.
 inline Vector3 handy(const Vector3& d) {
   const double most = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   if (most == 0 || (most > 0x1p-200 && most < 0x1p200)) return d;
