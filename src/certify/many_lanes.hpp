@@ -17,6 +17,7 @@
 #include <array>
 #include <optional>
 
+#include "plumb/arith/interval.hpp"
 #include "plumb/arith/track.hpp"
 #include "plumb/certify/certainly.hpp"
 #include "plumb/certify/world.hpp"
@@ -59,6 +60,12 @@ HWY_INLINE Truth both(const Truth& a, const Truth& b) { return a & b; }
 HWY_INLINE Many chosen(const Truth& t, const Many& yes, const Many& no) { return {hn::IfThenElse(t.v, yes.v, no.v)}; }
 HWY_INLINE bool any(const Truth& t) { return !hn::AllFalse(Lanes(), t.v); }
 HWY_INLINE bool all(const Truth& t) { return hn::AllTrue(Lanes(), t.v); }
+/// No more, and no less, than what was rounded to x, as Interval::step says.
+HWY_INLINE Many step(const Many& x) {
+  return plus_product(of_all(Interval::least_step), size(x), of_all(Interval::part_of_step));
+}
+HWY_INLINE Many below(const Many& x) { return x - step(x); }
+HWY_INLINE Many beyond(const Many& x) { return x + step(x); }
 /// Lane by lane, a bit each.
 HWY_INLINE unsigned bits_of(const Truth& t) {
   std::uint8_t bits[8] = {};

@@ -29,7 +29,8 @@ struct Interval {
   }
 
   // A double at most x (at least x) by no more than 2 ulps: the step is at least ulp(x) / 2 in every binade.
-  static constexpr double step(double x) { return __builtin_fabs(x) * 0x1.0000000000001p-53 + 0x1p-1074; }
+  static constexpr double part_of_step = 0x1.0000000000001p-53, least_step = 0x1p-1074;
+  static constexpr double step(double x) { return __builtin_fabs(x) * part_of_step + least_step; }
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // Bounds of a rounded result x whose exact value is x + error; anything but a finite x says nothing.

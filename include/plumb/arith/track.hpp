@@ -27,8 +27,10 @@ namespace plumb {
 /// How many scales a statement has; bit by bit of which there is a number for each axis, which have weights, and which
 /// are the largest of their leaves' magnitudes instead of the sum.  The largest is sharper in high powers, but a NaN is
 /// not seen in it: the statement requires that a number is real in which all leaves are.
+/// And has scale 0 numbers that are multiplied crosswise, each by two of the scales 1, 2 and 3?
 struct Scales {
   unsigned count = 1, each_axis = 0, weights = 0, maxima = 0;
+  bool crosswise = false;
 };
 
 struct Track {
@@ -112,6 +114,14 @@ constexpr Track weight(std::size_t scale, std::size_t over, const Track& of_worl
   return t;
 }
 
+/// A difference of which `scale` has the product with two others.
+constexpr Track crosswise(std::size_t scale, std::size_t j, std::size_t k, const Track& of_world) {
+  Track t = within(scale, of_world);
+  (t.of_pairs ? t.low : t.error) = t.size;
+  t.set_power(j, 0, -1), t.set_power(k, 0, -1);
+  return t;
+}
+
 constexpr Track::Fixed larger(Track::Fixed a, Track::Fixed b) { return a > b ? a : b; }
 
 /// Have both the same power of each scale, whatever its axes?
@@ -133,20 +143,25 @@ constexpr Track sum_of_pairs(const Track& of, Track::Wide low, Track::Wide error
   t.size = Track::checked(size + 1);
   return t;
 }
-/// Of a + b and of a - b.  Where the scales' axes differ, as in a cross product, M is the sum of both products.
+/// Of a + b and of a - b whose scales differ: M is the sum of both products.
+constexpr Track sum_of_unlike(const Track& a, const Track& b) {
+  if (a.others != 0 || b.others != 0 || a.powers == b.powers) throw_unequal_powers();
+  Track t = a;
+  t.powers = a.powers < b.powers ? a.powers : b.powers;
+  t.others = a.powers < b.powers ? b.powers : a.powers;
+  if (a.of_pairs) return sum_of_pairs(t, larger(a.low, b.low), larger(a.error, b.error), larger(a.size, b.size));
+  t.size = larger(a.size, b.size);
+  t.root = larger(a.error, b.error);
+  t.error = Track::checked(static_cast<Track::Wide>(t.root) + t.size);
+  ++t.size;
+  return t;
+}
+/// Of a + b and of a - b.  Where the scales' axes differ, as in a cross product, they are unlike.
 constexpr Track sum(const Track& a, const Track& b) {
   if (a.of_pairs && same_powers(a, b)) return sum_of_pairs(a, a.low + b.low, a.error + b.error, a.size + b.size);
   if (!same_powers(a, b)) {
-    if (a.others != 0 || b.others != 0 || !of_one_degree(a.powers, b.powers)) throw_unequal_powers();
-    Track t = a;
-    t.powers = a.powers < b.powers ? a.powers : b.powers;
-    t.others = a.powers < b.powers ? b.powers : a.powers;
-    if (a.of_pairs) return sum_of_pairs(t, larger(a.low, b.low), larger(a.error, b.error), larger(a.size, b.size));
-    t.size = larger(a.size, b.size);
-    t.root = larger(a.error, b.error);
-    t.error = Track::checked(static_cast<Track::Wide>(t.root) + t.size);
-    ++t.size;
-    return t;
+    if (!of_one_degree(a.powers, b.powers)) throw_unequal_powers();
+    return sum_of_unlike(a, b);
   }
   Track t = a;
   t.root = Track::checked(a.error + b.error);
@@ -190,6 +205,15 @@ constexpr Track product(const Track& a, const Track& b) {
                           second);
   t.error = Track::checked(static_cast<Track::Wide>(t.root) + size);
   t.size = Track::checked(size + 1);
+  return t;
+}
+/// Of the sum of three such products, of all that is crosswise: what `scale` has of each adds up to it, so that errors and
+/// sizes do not; but what underflows does, and two sums are rounded.
+constexpr Track sum_crosswise(const Track& crosswise, const Track& other) {
+  Track t = product(crosswise, other);
+  t.root = Track::checked(static_cast<Track::Wide>(t.error) + t.size + 4);
+  t.error = Track::checked(static_cast<Track::Wide>(t.root) + t.size + 1);
+  t.size = Track::checked(t.size + 2);
   return t;
 }
 /// Of the larger or the smaller of two, or of either of them: errors do not add.
@@ -257,6 +281,11 @@ constexpr std::size_t next_part(std::uint64_t powers, std::size_t from) {
 /// double of up to a dozen factors, are paid for.
 constexpr double threshold(const Track& t) {
   return static_cast<double>(t.root) * (t.of_pairs ? 0x1p-138 : 0x1p-85) * (1 + 0x1p-47);
+}
+
+/// How far a computed number may be from the exact one, likewise.
+constexpr double reach(const Track& t) {
+  return static_cast<double>(t.error) * (t.of_pairs ? 0x1p-138 : 0x1p-85) * (1 + 0x1p-47);
 }
 
 /// The least power of two that a scale starts from, and the greatest that it may reach is one over it.  The low parts

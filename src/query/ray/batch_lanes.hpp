@@ -1,6 +1,6 @@
 // Ray cast: what do lanes of doubles say of one ray against many triangles?
 //
-// What the tests prove is said in query/ray/filters.hpp.
+// What the tests prove is said in query/ray/triangle_passed.hpp.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // Ray cast: what do lanes of doubles say of one ray against as many triangles?  The one statement of that test.
 //
-// What it proves is said in query/ray/filters.hpp.
+// What it proves is said in query/ray/triangle_passed.hpp, whose bounds are derived.
 // Included once for each instruction set (foreach_target.h); hence no #pragma once.
 #if defined(PLUMB_TRIANGLE_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_TRIANGLE_LANES
@@ -12,32 +12,30 @@
 #include <hwy/highway.h>
 
 #include <limits>
+#include <utility>
 
+#include "certify/many_lanes.hpp"
 #include "query/ray/batch_lanes.hpp"
-#include "query/ray/filters.hpp"
+#include "query/ray/triangle_passed.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::query::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, 8>;
+namespace many = certify::many_lanes::HWY_NAMESPACE;
+using D = many::Lanes;
 using V = hn::Vec<D>;
+using many::Many, many::Truth;
+using Passed = triangle_passed::HWY_NAMESPACE::TrianglePassed;
 inline constexpr std::size_t lanes = hn::MaxLanes(D());
 
 struct Lanes3 {
   V x, y, z;
 };
-HWY_INLINE V dot(const Lanes3& u, const Lanes3& v) {
-  return hn::Add(hn::Add(hn::Mul(u.x, v.x), hn::Mul(u.y, v.y)), hn::Mul(u.z, v.z));
-}
-HWY_INLINE Lanes3 cross(const Lanes3& u, const Lanes3& v) {
-  return {hn::Sub(hn::Mul(u.y, v.z), hn::Mul(u.z, v.y)), hn::Sub(hn::Mul(u.z, v.x), hn::Mul(u.x, v.z)),
-          hn::Sub(hn::Mul(u.x, v.y), hn::Mul(u.y, v.x))};
-}
-HWY_INLINE Lanes3 difference(const Lanes3& u, const Lanes3& v) {
-  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
-}
-HWY_INLINE V largest(V a, V b, V c) { return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); }
+struct Many3 {
+  Many x, y, z;
+  HWY_INLINE explicit Many3(const Lanes3& v) : x{v.x}, y{v.y}, z{v.z} {}
+};
 
 struct RayLanes {
   Lanes3 origin, direction;
@@ -51,9 +49,9 @@ struct RayLanes {
         begins(ray.begins),
         ends(ray.ends) {}
 
-  /// What is given, else what the magnitudes say.
-  [[nodiscard]] HWY_INLINE V doubt(double given, V by_magnitude) const {
-    return doubts.are_given ? hn::Set(D(), given) : by_magnitude;
+  /// What is given, else what is derived.
+  [[nodiscard]] HWY_INLINE Many doubt(double given, const Many& derived) const {
+    return doubts.are_given ? many::of_all(given) : derived;
   }
 };
 
@@ -64,78 +62,55 @@ struct TrianglesTold {
   V least, most;
 };
 
-HWY_INLINE unsigned bits_of(hn::Mask<D> mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(D(), mask, bits);
-  return bits[0];
-}
-
 /// Triangles seen from an origin: all of the test that the direction has no part in, for who asks several rays from there.
 struct TrianglesSeen {
-  Lanes3 a, of_ab, of_bc, of_ca;  // a corner, the cross products of corners
-  V x, y, z, yz, zx, xy;          // magnitudes
+  using World = many::Floats<Many, Passed::highest, Passed::scales>;
+  using Numbers =
+      decltype(Passed::seen(std::declval<World&>(), std::declval<const Many3&>(), std::declval<const Many3&>(),
+                            std::declval<const Many3&>(), std::declval<const Many3&>()));
+  World world;
+  Numbers numbers;
 
-  HWY_INLINE TrianglesSeen(const Lanes3& origin, const Lanes3& p, const Lanes3& q, const Lanes3& r) {
-    const Lanes3 b = difference(q, origin), c = difference(r, origin);
-    a = difference(p, origin);
-    of_ab = cross(b, a), of_bc = cross(c, b), of_ca = cross(a, c);
-    const V inside = hn::Set(D(), guard_inside);
-    x = largest(a.x, b.x, c.x), y = largest(a.y, b.y, c.y), z = largest(a.z, b.z, c.z);
-    yz = hn::Add(hn::Mul(y, z), inside), zx = hn::Add(hn::Mul(z, x), inside), xy = hn::Add(hn::Mul(x, y), inside);
-  }
+  HWY_INLINE TrianglesSeen(const Lanes3& origin, const Lanes3& p, const Lanes3& q, const Lanes3& r)
+      : numbers(Passed::seen(world, Many3(origin), Many3(p), Many3(q), Many3(r))) {}
 };
 
 /// Of a ray from the origin that they are seen from.
 HWY_INLINE TrianglesTold tell(const RayLanes& ray, const TrianglesSeen& seen) {
-  const D tag;
-  const auto all = [&](double number) { return hn::Set(tag, number); };
-  const Lanes3& d = ray.direction;
-  const V zero = hn::Zero(tag), outside = all(guard), slack = all(magnitude_slack);
-  const V ab = dot(d, seen.of_ab), bc = dot(d, seen.of_bc), ca = dot(d, seen.of_ca);
-  const V magnitude = dot({hn::Abs(d.x), hn::Abs(d.y), hn::Abs(d.z)}, {seen.yz, seen.zx, seen.xy});
-  const V sum = hn::Add(hn::Add(ab, bc), ca);
-  const V doubt =
-      ray.doubt(ray.doubts.edge,
-                hn::Add(hn::Mul(all(edge_constant), hn::Add(hn::Mul(slack, magnitude), outside)), hn::Sub(sum, sum)));
-  const V least = hn::Min(hn::Min(ab, bc), ca), most = hn::Max(hn::Max(ab, bc), ca);
-  auto no = hn::And(hn::Gt(most, doubt), hn::Lt(least, hn::Neg(doubt)));
-  if (hn::AllTrue(tag, no)) return {~0u, 0, zero, zero};  // most often so
-  auto yes = hn::Or(hn::Gt(least, doubt), hn::Lt(most, hn::Neg(doubt)));
+  const Many zero = many::of_all(0), infinity = many::of_all(std::numeric_limits<double>::infinity());
+  TrianglesSeen::World world = seen.world;
+  const auto sides = Passed::sides(world, Many3(ray.direction), seen.numbers);
+  const Many least = sides.least.value, most = sides.most.value;
+  const Many doubt = ray.doubt(ray.doubts.edge, world.doubt<decltype(sides.least)::track>()), other = zero - doubt;
+  const Truth real = world.in_range() & world.is_real(sides.sum);
+  Truth no = above(most, doubt) & above(other, least) & real;
+  if (many::all(no)) return {~0u, 0, zero.v, zero.v};  // most often so
+  Truth yes = (above(least, doubt) | above(other, most)) & real;
   // Toward the plane: both with the sign of D, where that is known.
-  const V value = dot(seen.a, seen.of_bc), way = hn::IfThenElse(hn::Gt(sum, zero), value, hn::Neg(value));
-  const V volume = hn::Add(hn::Add(hn::Mul(seen.x, seen.yz), hn::Mul(seen.y, seen.zx)), hn::Mul(seen.z, seen.xy));
-  const V off = ray.doubt(ray.doubts.plane,
-                          hn::Add(hn::Mul(all(filter_constant<PlaneAhead>()), hn::Add(hn::Mul(slack, volume), outside)),
-                                  hn::Sub(value, value)));
-  const V speed = hn::Abs(sum);
+  const auto height = seen.numbers.height();
+  const Truth forward = above(sides.sum.value, zero);
+  const Many way = negated_unless(forward, height).value, speed = magnitude(sides.sum).value;
   if (ray.begins) {
-    no = hn::Or(no, hn::And(yes, hn::Lt(way, hn::Neg(off))));
-    auto sure = hn::Gt(way, off);
+    const Many off = ray.doubt(ray.doubts.plane, world.doubt<decltype(height)::track>());
+    no = no | (yes & above(zero - off, way));
+    Truth sure = above(way, off);
     if (ray.ends) {
-      const V rest = hn::Sub(way, speed);
-      const V far =
-          ray.doubt(ray.doubts.end,
-                    hn::Add(hn::Mul(all(filter_constant<PlaneBehindEnd>()),
-                                    hn::Add(hn::Mul(slack, hn::Add(hn::Mul(all(3), magnitude), volume)), outside)),
-                            hn::Sub(rest, rest)));
-      no = hn::Or(no, hn::And(yes, hn::Gt(rest, far)));
-      sure = hn::And(sure, hn::Lt(rest, hn::Neg(far)));
+      const auto beyond_end = negated_unless(forward, Passed::beyond_end(height, sides.sum));
+      const Many far = ray.doubt(ray.doubts.end, world.doubt<decltype(beyond_end)::track>());
+      no = no | (yes & above(beyond_end.value, far));
+      sure = sure & above(zero - far, beyond_end.value);
     }
-    yes = hn::And(yes, sure);
+    yes = yes & sure;
   }
-  // D is the sum of three that are each off by `doubt`, rounded twice; quotients by once more.
-  const V blur = ray.doubt(ray.doubts.sum, hn::Mul(all(4), doubt)), slow = hn::Sub(speed, blur),
-          fast = hn::Add(speed, blur);
-  const V near = hn::Sub(way, off), away = hn::Add(way, off);
-  const V infinity = all(std::numeric_limits<double>::infinity());
-  const auto ahead = hn::Ge(near, zero), behind = hn::Le(away, zero);
-  const V low = hn::Div(near, hn::IfThenElse(ahead, fast, slow)),
-          high = hn::Div(away, hn::IfThenElse(behind, fast, slow));
-  const auto known = hn::Gt(slow, zero);
-  const V room = all(0x1p-50), room_below = hn::Mul(hn::Abs(low), room), room_above = hn::Mul(hn::Abs(high), room);
-  const V tiny = all(0x1p-1070);
-  return {bits_of(no), bits_of(yes), hn::IfThenElse(known, hn::Sub(hn::Sub(low, room_below), tiny), hn::Neg(infinity)),
-          hn::IfThenElse(known, hn::Add(hn::Add(high, room_above), tiny), infinity)};
+  const Many blur = ray.doubt(ray.doubts.sum, world.reach<decltype(sides.sum)::track>()),
+             off = ray.doubt(ray.doubts.plane, world.reach<decltype(height)::track>());
+  const Many slow = many::below(speed - blur), fast = many::beyond(speed + blur);
+  const Many near = many::below(way - off), away = many::beyond(way + off);
+  const Many low{hn::Div(near.v, chosen(above(zero, near), slow, fast).v)},
+      high{hn::Div(away.v, chosen(above(away, zero), slow, fast).v)};
+  const Truth known = above(slow, zero) & real;
+  return {many::bits_of(no), many::bits_of(yes), chosen(known, many::below(low), zero - infinity).v,
+          chosen(known, many::beyond(high), infinity).v};
 }
 
 HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3& q, const Lanes3& r) {

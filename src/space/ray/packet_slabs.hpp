@@ -79,7 +79,7 @@ class PacketSlabs {
       const V leaves = hn::Add(
           hn::Min(hn::Min(parameter(out_x, out[0]), parameter(out_y, out[1])), parameter(out_z, out[2])), guard);
       const auto is_met = hn::Le(hn::Sub(enters, guard), hn::Min(leaves, hn::Load(tag, limits_ + i)));
-      all |= in_lanes::bits_of(is_met) << i;
+      all |= in_lanes::many::bits_of({is_met}) << i;
     }
     return all;
   }

@@ -2,14 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "certify/golden_statements.hpp"
 #include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "plumb/arith/rational.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/ray/hits.hpp"
+#include "query/ray/batch_lanes.hpp"
 #include "query/ray/box_passed.hpp"
+#include "query/ray/triangle_passed.hpp"
 
 namespace plumb::query {
 namespace {
@@ -40,6 +44,138 @@ TEST(RayStatements, DerivedBoundsAreAsRecordedAndProved) {
   const std::vector<std::string> bounds = judged_bounds(OfLine{}, line, box);
   expect_golden("box_passed", bounds);
   expect_proved(bounds, judged_proofs("box_passed", OfLine{}, line, box));
+}
+
+using AtTriangle = triangle_passed::HWY_NAMESPACE::TrianglePassed;
+template <class Listener = NoBoundListener>
+using TriangleWorld = certify::one_lane::Floats<double, AtTriangle::highest, AtTriangle::scales, Listener>;
+
+/// A number that a statement judges: what was computed, how far it may be off, and how its sign was judged.
+struct Judged {
+  double value, reach;
+  bool positive, negative;
+};
+struct SegmentAtTriangle {
+  Judged least, most, sum, height, beyond_end;
+  bool in_range;
+};
+
+template <class Listener = NoBoundListener>
+SegmentAtTriangle judged(const Segment3& s, const Triangle3& t) {
+  TriangleWorld<Listener> world;
+  const auto judge = [&](const auto& x) -> Judged {
+    using Number = std::remove_cvref_t<decltype(x)>;
+    return {x.value, world.template reach<Number::track>(), world.positive(x), world.negative(x)};
+  };
+  const Vector3 direction{s.b.x - s.a.x, s.b.y - s.a.y, s.b.z - s.a.z};
+  const auto seen = AtTriangle::seen(world, s.a, t.a, t.b, t.c);
+  const auto sides = AtTriangle::sides(world, direction, seen);
+  const auto height = seen.height();
+  return {judge(sides.least),
+          judge(sides.most),
+          judge(sides.sum),
+          judge(height),
+          judge(AtTriangle::beyond_end(height, sides.sum)),
+          world.in_range() && world.is_real(sides.sum)};
+}
+
+/// The same numbers exactly: three times three determinants.
+std::array<Rational, 5> exactly(const Segment3& s, const Triangle3& t) {
+  using Row = std::array<Rational, 3>;
+  const auto row = [&](const Point3& to) -> Row {
+    const auto less = [](double x, double y) { return Rational(x) - Rational(y); };
+    return {less(to.x, s.a.x), less(to.y, s.a.y), less(to.z, s.a.z)};
+  };
+  const auto volume = [](const Row& u, const Row& v, const Row& w) {
+    return u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+  };
+  const Row d = row(s.b), a = row(t.a), b = row(t.b), c = row(t.c);
+  const Rational ab = volume(d, b, a), bc = volume(d, c, b), ca = volume(d, a, c), sum = ab + bc + ca,
+                 height = volume(a, c, b);
+  return {smaller(smaller(ab, bc), ca), larger(larger(ab, bc), ca), sum, height, height - sum};
+}
+
+TEST(RayStatements, DerivedBoundsAtATriangleAreAsRecorded) {
+  BoundListener::taken();
+  judged<BoundListener>({{-1, 0.25, 0.5}, {1, 0.5, 0.25}}, {{0, 0, 0}, {1, 1, 1}, {1, 2, 4}});
+  expect_golden("triangle_passed");
+}
+
+TEST(RayStatements, NumbersOfATriangleAreAsNearAsTheyAreSaidToBe) {
+  for (const FamilyInfo& info : families) {
+    int told = 0;
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      Entropy entropy(25, i);
+      std::array<double, 15> x{};
+      fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
+      const Segment3 s{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+      const Triangle3 t{{x[6], x[7], x[8]}, {x[9], x[10], x[11]}, {x[12], x[13], x[14]}};
+      const SegmentAtTriangle found = judged(s, t);
+      if (!found.in_range) continue;
+      const std::array<Rational, 5> exact = exactly(s, t);
+      const Judged* const all[5] = {&found.least, &found.most, &found.sum, &found.height, &found.beyond_end};
+      for (std::size_t k = 0; k < 5; ++k) {
+        const Rational off = magnitude(Rational(all[k]->value) - exact[k]);
+        EXPECT_FALSE(Rational(all[k]->reach) < off) << info.name << ", number " << k << ", replay: " << i;
+        EXPECT_FALSE(all[k]->positive && exact[k].sign() != Sign::positive) << info.name << ", replay: " << i;
+        EXPECT_FALSE(all[k]->negative && exact[k].sign() != Sign::negative) << info.name << ", replay: " << i;
+        told += all[k]->positive || all[k]->negative ? 1 : 0;
+      }
+    }
+    const bool is_plain = info.family == Family::uniform || info.family == Family::float32;
+    EXPECT_GE(told, is_plain ? 990 : 0) << info.name;
+  }
+}
+
+TEST(RayStatements, LanesTellOfATriangleWhatIsSoAndWhereItIsHit) {
+  for (const FamilyInfo& info : families) {
+    int told = 0;
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      Entropy entropy(26, i);
+      std::array<double, 30> x{};
+      fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
+      const Segment3 s{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+      std::array<std::array<double, 8>, 9> numbers{};
+      std::array<const double*, 9> at{};
+      for (std::size_t k = 0; k < 9; ++k) {
+        for (std::size_t j = 0; j < 8; ++j) numbers[k][j] = x[6 + (k + 3 * (j % 6)) % 24];
+        at[k] = numbers[k].data();
+      }
+      std::array<std::uint8_t, 8> answers{};
+      std::array<double, 8> least{}, most{};
+      if (s.a == s.b) continue;
+      ask_lanes(batch_ray(s), at.data(), 8, {answers.data(), least.data(), most.data()});
+      for (std::size_t j = 0; j < 8; ++j) {
+        const auto corner = [&](std::size_t k) { return Point3{numbers[k][j], numbers[k + 1][j], numbers[k + 2][j]}; };
+        const Triangle3 t{corner(0), corner(3), corner(6)};
+        const bool truth = hits(s, t);
+        told += answers[j] != 2 ? 1 : 0;
+        EXPECT_TRUE(answers[j] == 2 || (answers[j] == 1) == truth) << info.name << ", replay: " << i;
+        const std::array<Rational, 5> exact = exactly(s, t);
+        if (!truth || exact[2].sign() == Sign::zero) continue;
+        const Rational time = exact[3] / exact[2];
+        const double infinity = std::numeric_limits<double>::infinity();
+        EXPECT_FALSE(least[j] > -infinity && time < Rational(least[j])) << info.name << ", replay: " << i;
+        EXPECT_FALSE(most[j] < infinity && Rational(most[j]) < time) << info.name << ", replay: " << i;
+      }
+    }
+    const bool is_plain = info.family == Family::uniform || info.family == Family::float32;
+    EXPECT_GE(told, is_plain ? 450 : 0) << info.name;
+  }
+}
+
+TEST(RayStatements, NothingIsToldOfATriangleWithoutNumbers) {
+  const double none = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double x : {none, infinity, -infinity, 1e300}) {
+    for (std::size_t k = 0; k < 15; ++k) {
+      std::array<double, 15> all{0, 0, 0, 0, 0, 5, 1, 1, 2, -3, 1, 2, 1, -4, 2};
+      all[k] = x;
+      EXPECT_FALSE(judged({{all[0], all[1], all[2]}, {all[3], all[4], all[5]}},
+                          {{all[6], all[7], all[8]}, {all[9], all[10], all[11]}, {all[12], all[13], all[14]}})
+                       .in_range)
+          << x << ' ' << k;
+    }
+  }
 }
 
 TEST(RayStatements, WhatDoublesTellOfABoxIsSo) {

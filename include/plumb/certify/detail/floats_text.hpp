@@ -63,6 +63,16 @@ template <class V, Track A>
 [[gnu::always_inline]] constexpr auto negated(const Tracked<V, A>& a) {
   return Tracked<V, A>{opposite(a.value)};
 }
+/// a, or else its opposite, lane by lane.
+template <class V, Track A>
+[[gnu::always_inline]] constexpr auto negated_unless(const Truth& is_so, const Tracked<V, A>& a) {
+  return Tracked<V, A>{chosen(is_so, a.value, of_all(0) - a.value)};
+}
+/// a - b, on purpose of numbers of different scales.
+template <class V, Track A, Track B>
+[[gnu::always_inline]] constexpr auto difference_of_unlike(const Tracked<V, A>& a, const Tracked<V, B>& b) {
+  return Tracked<V, derive::sum_of_unlike(A, B)>{a.value - b.value};
+}
 template <class V, Track A>
 [[gnu::always_inline]] constexpr auto magnitude(const Tracked<V, A>& a) {
   return Tracked<V, A>{size(a.value)};
@@ -160,6 +170,25 @@ class Floats {
     if constexpr (on_lattice) weight_units_[over] = smaller(weight_units_[over], lowest_bit(a.value));
     return Tracked<Number, derive::weight(0, over, start)>{as_number(a.value)};
   }
+  /// b - a, once for each k of 1, 2 and 3, of which scale 0 has the product with both of these scales that are not k.
+  template <std::size_t k>
+  [[gnu::always_inline]] constexpr auto crosswise(const auto& b, const auto& a) {
+    static_assert(of.crosswise && of.weights == 0 && of.each_axis == 0 && k >= 1 && k <= 3 && !on_lattice);
+    const V x = loaded(b) - loaded(a);
+    weights_[k] = size(x);
+    return Tracked<Number, derive::crosswise(0, k % 3 + 1, (k + 1) % 3 + 1, start)>{x};
+  }
+  /// The sum of all three times what the scales are that each is multiplied by.
+  template <Track X, Track Y, Track Z, Track A, Track B, Track C>
+  [[gnu::always_inline]] constexpr auto sum_crosswise(const Tracked<Number, X>& x, const Tracked<Number, A>& a,
+                                                      const Tracked<Number, Y>& y, const Tracked<Number, B>& b,
+                                                      const Tracked<Number, Z>& z, const Tracked<Number, C>& c) const {
+    static_assert(X == derive::crosswise(0, 2, 3, start) && Y == derive::crosswise(0, 3, 1, start) &&
+                  Z == derive::crosswise(0, 1, 2, start));
+    constexpr Track all = derive::sum_crosswise(X, A);
+    static_assert(all == derive::sum_crosswise(Y, B) && all == derive::sum_crosswise(Z, C));
+    return Tracked<Number, all>{plus_product(plus_product(x.value * a.value, y.value, b.value), z.value, c.value)};
+  }
   /// b - a, which is no larger than two leaves of this scale together, so that it need not be added to it.
   template <std::size_t scale = 0, Track A, Track B>
   [[gnu::always_inline]] constexpr auto difference_within(const Given<V>& b, const Given<V>& a,
@@ -195,6 +224,11 @@ class Floats {
     } else {
       return chosen(is_exact<T>(), of_all(0), error<T>());
     }
+  }
+  /// As much as a number of this track may be off.
+  template <Track T>
+  [[gnu::always_inline]] constexpr V reach() const {
+    return of_all(derive::reach(T)) * all_scales<T>();
   }
   template <Track T>
   [[gnu::always_inline]] constexpr Truth positive(const Tracked<Number, T>& x) const {
@@ -252,6 +286,10 @@ class Floats {
       return scales_[s];
     } else if constexpr (s == 0 && of.weights != 0) {
       return in_all<0>() + of_all(total(all_weights<1>()));
+    } else if constexpr (s == 0 && of.crosswise) {
+      const V x = scale<1>(), y = scale<2>(), z = scale<3>();
+      return plus_product(plus_product(plus_product(in_all<0>(), weights_[1], y * z), weights_[2], z * x), weights_[3],
+                          x * y);
     } else {
       return in_all<s>();
     }
@@ -320,12 +358,17 @@ class Floats {
   }
   template <Track T>
   [[gnu::always_inline]] constexpr V error() const {
+    return of_all(derive::threshold(T)) * all_scales<T>();
+  }
+  /// M.
+  template <Track T>
+  [[gnu::always_inline]] constexpr V all_scales() const {
     if constexpr (T.others == 0) {
-      return of_all(derive::threshold(T)) * all_powers<false, T.powers>();
+      return all_powers<false, T.powers>();
     } else {
       constexpr std::size_t first = derive::next_part(T.others, 0);
-      return of_all(derive::threshold(T)) * plus_product(all_powers<false, T.powers>(), part<false, T.others, first>(),
-                                                         all_powers<false, T.others, first + 1>());
+      return plus_product(all_powers<false, T.powers>(), part<false, T.others, first>(),
+                          all_powers<false, T.others, first + 1>());
     }
   }
   /// A number and what is computed of it are multiples of one power of two: equal, where they differ by less.
