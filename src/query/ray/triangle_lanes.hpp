@@ -75,10 +75,10 @@ struct TrianglesSeen {
       : numbers(Passed::seen(world, Many3(origin), Many3(p), Many3(q), Many3(r))) {}
 };
 
-/// Of a ray from the origin that they are seen from.
-HWY_INLINE TrianglesTold tell(const RayLanes& ray, const TrianglesSeen& seen) {
+/// Of a ray from the origin that they are seen from, one after another.
+HWY_INLINE TrianglesTold tell(const RayLanes& ray, TrianglesSeen& seen) {
   const Many zero = many::of_all(0), infinity = many::of_all(std::numeric_limits<double>::infinity());
-  TrianglesSeen::World world = seen.world;
+  TrianglesSeen::World& world = seen.world;
   const auto sides = Passed::sides(world, Many3(ray.direction), seen.numbers);
   const Many least = sides.least.value, most = sides.most.value;
   const Many doubt = ray.doubt(ray.doubts.edge, world.doubt<decltype(sides.least)::track>()), other = zero - doubt;
@@ -114,7 +114,8 @@ HWY_INLINE TrianglesTold tell(const RayLanes& ray, const TrianglesSeen& seen) {
 }
 
 HWY_INLINE TrianglesTold tell(const RayLanes& ray, const Lanes3& p, const Lanes3& q, const Lanes3& r) {
-  return tell(ray, TrianglesSeen(ray.origin, p, q, r));
+  TrianglesSeen seen(ray.origin, p, q, r);
+  return tell(ray, seen);
 }
 
 }  // namespace plumb::query::HWY_NAMESPACE

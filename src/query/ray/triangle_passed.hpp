@@ -68,11 +68,7 @@ struct TrianglePassed {
 
   template <class W, class O, class P>
   static HWY_INLINE auto seen(W& w, const O& origin, const P& p, const P& q, const P& r) {
-    const auto corner = [&](const P& at) HWY_ATTR {
-      return Of3{w.template difference<1>(at.x, origin.x), w.template difference<2>(at.y, origin.y),
-                 w.template difference<3>(at.z, origin.z)};
-    };
-    const auto a = corner(p), b = corner(q), c = corner(r);
+    const auto a = corner(w, origin, p), b = corner(w, origin, q), c = corner(w, origin, r);
     return Seen{a, cross(b, a), cross(c, b), cross(a, c)};
   }
 
@@ -81,8 +77,7 @@ struct TrianglePassed {
   static HWY_INLINE auto sides(W& w, const D& direction, const S& seen) {
     const auto d = Of3{w.template crosswise<1>(direction.x, 0.0), w.template crosswise<2>(direction.y, 0.0),
                        w.template crosswise<3>(direction.z, 0.0)};
-    const auto side = [&](const auto& n) HWY_ATTR { return w.sum_crosswise(d.x, n.x, d.y, n.y, d.z, n.z); };
-    const auto ab = side(seen.of_ab), bc = side(seen.of_bc), ca = side(seen.of_ca);
+    const auto ab = side(w, d, seen.of_ab), bc = side(w, d, seen.of_bc), ca = side(w, d, seen.of_ca);
     return Sides{smaller(smaller(ab, bc), ca), larger(larger(ab, bc), ca), (ab + bc) + ca};
   }
 
@@ -90,6 +85,17 @@ struct TrianglePassed {
   template <class N, class D>
   static HWY_INLINE auto beyond_end(const N& height, const D& sum) {
     return difference_of_unlike(height, sum);
+  }
+
+ private:
+  template <class W, class O, class P>
+  static HWY_INLINE auto corner(W& w, const O& origin, const P& p) {
+    return Of3{w.template difference<1>(p.x, origin.x), w.template difference<2>(p.y, origin.y),
+               w.template difference<3>(p.z, origin.z)};
+  }
+  template <class W, class D, class N>
+  static HWY_INLINE auto side(const W& w, const D& d, const N& normal) {
+    return w.sum_crosswise(d.x, normal.x, d.y, normal.y, d.z, normal.z);
   }
 };
 

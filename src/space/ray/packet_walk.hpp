@@ -58,7 +58,7 @@ class PacketWalk {
                             });
                             return true;
                           }
-                          const in_lanes::TrianglesSeen seen(in_lanes::RayLanes(task_->asked[0].ray).origin, p, q, r);
+                          in_lanes::TrianglesSeen seen(in_lanes::RayLanes(task_->asked[0].ray).origin, p, q, r);
                           for_active([&](const AskedRay& asked, const in_lanes::RayLanes& ray, double limit) {
                             return Leaves<Form>::visited(asked, in_lanes::tell(ray, seen), from, there, limit);
                           });

@@ -170,7 +170,8 @@ class Floats {
     if constexpr (on_lattice) weight_units_[over] = smaller(weight_units_[over], lowest_bit(a.value));
     return Tracked<Number, derive::weight(0, over, start)>{as_number(a.value)};
   }
-  /// b - a, once for each k of 1, 2 and 3, of which scale 0 has the product with both of these scales that are not k.
+  /// b - a, one for each k of 1, 2 and 3, of which scale 0 has the product with both of these scales that are not k: the
+  /// latest, so that there may be others after what was judged.
   template <std::size_t k>
   [[gnu::always_inline]] constexpr auto crosswise(const auto& b, const auto& a) {
     static_assert(of.crosswise && of.weights == 0 && of.each_axis == 0 && k >= 1 && k <= 3 && !on_lattice);
