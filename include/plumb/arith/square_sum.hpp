@@ -10,7 +10,6 @@
 // Cost: that of the plain operations.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "plumb/arith/bound.hpp"
@@ -76,7 +75,7 @@ constexpr auto plus_given(const NotNegative<A>& a, double b) {
 template <Error A>
 auto root(const NotNegative<A>& a) {
   static_assert(!A.is_root, "a root of a root");
-  return NotNegative<Error{Bound::widened(A.relative) + Bound::eps, A.products, true}>{std::sqrt(a.value)};
+  return NotNegative<Error{Bound::widened(A.relative) + Bound::eps, A.products, true}>{__builtin_sqrt(a.value)};
 }
 
 /// What a difference must exceed: this part of the sum, and a guard.
