@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "arith/samples.hpp"
 #include "certify/sanitized.hpp"
 
