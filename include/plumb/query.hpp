@@ -54,6 +54,7 @@
 #include "plumb/query/closest/result.hpp"          // points, features, distance
 #include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
 #include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses, the number
+#include "plumb/query/separation/convex_body.hpp"  // what convexity is asked of: hulls of corners, and a radius
 #include "plumb/query/separation/fat.hpp"          // all within a radius of a figure: do two of these meet?
 #include "plumb/query/separation/posed.hpp"        // of figures under poses, with points and features
 #include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center

@@ -13,13 +13,13 @@ using Ends = DifferenceCorners::Ends;
 class PlainHull {
  public:
   PlainHull(const CoreCorners& c, const Plain& origin) : corners_(c), origin_(origin) {
-    if (c.polyhedron() != nullptr) return;
+    if (c.polyhedron() != nullptr || c.is_listed()) return;
     for (std::size_t k = 0; k < c.ways(); ++k) ways_[k] = c.way<double>(k);
     for (std::size_t i = 0; i < c.size(); ++i) points_[i] = c.at<double>(i) - origin;
   }
 
   [[nodiscard]] Plain at(std::size_t i) const {
-    return corners_.polyhedron() != nullptr ? corners_.at<double>(i) - origin_ : points_[i];
+    return corners_.polyhedron() != nullptr || corners_.is_listed() ? corners_.at<double>(i) - origin_ : points_[i];
   }
   /// The least corner along a direction, from the one that was found last.
   std::uint32_t least(const Plain& n) {
@@ -29,9 +29,9 @@ class PlainHull {
       for (std::uint32_t k = 0; k < corners_.ways(); ++k) best |= arith::dot(ways_[k], n) < 0 ? 1u << k : 0u;
       return best;
     }
-    double along = arith::dot(points_[0], n);
+    double along = arith::dot(at(0), n);
     for (std::uint32_t i = 1; i < corners_.size(); ++i) {
-      const double d = arith::dot(points_[i], n);
+      const double d = arith::dot(at(i), n);
       if (d < along) best = i, along = d;
     }
     return best;

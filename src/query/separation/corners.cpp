@@ -44,8 +44,36 @@ std::optional<CoreCorners> CoreCorners::of(const FigureView& figure) {
   });
 }
 
+std::optional<CoreCorners> CoreCorners::of(const BodyView& body) {
+  CoreCorners c;
+  if (body.is_hull()) {
+    c.list_ = body.vertices;
+  } else if (body.figure.kind == FigureKind::quadrilateral) {
+    const auto& q = *static_cast<const Quadrilateral3*>(body.figure.shape);
+    c.take(std::array{q.a, q.b, q.c, q.d});
+  } else if (body.figure.kind == FigureKind::polygon) {
+    c.list_ = static_cast<const Polygon3*>(body.figure.shape)->vertices;
+  } else if (const auto of_figure = of(body.figure)) {
+    c = *of_figure;
+  } else {
+    return {};
+  }
+  if (c.is_listed()) c.size_ = c.list_.size();
+  if (c.size() == 0) return {};
+  c.pose_ = body.pose, c.stands_ = body.pose == nullptr;
+  return c;
+}
+
 bool CoreCorners::is_finite() const {
   double sum = sum_of(by_) + time_;
+  if (pose_ != nullptr) {
+    for (const Vector3& column : pose_->columns) sum += sum_of(column);
+    sum += sum_of(pose_->translation);
+  }
+  if (is_listed()) {
+    for (const Point3& p : list_) sum += sum_of(p);
+    return is_real(sum);
+  }
   if (polyhedron_ != nullptr) return is_real(sum) && is_sound(*polyhedron_);
   for (std::size_t i = 0; i < (aligned_ ? 2 : ways_ > 0 ? 1 : size_); ++i) sum += sum_of(points_[i]);
   for (std::size_t k = 0; k < ways_ && !aligned_; ++k) sum += sum_of(axes_[k]) + half_[k];

@@ -1,4 +1,5 @@
-// What are the corners of a convex core, over any number type?  Points as given, or sums of a point and some ways.
+// What are the corners of a convex core, over any number type?  Points as given, or sums of a point and some ways; under a
+// pose, or at a time of a straight motion.
 //
 // Law: corner i of a sum is its point plus or minus every way, plus where bit i is set; of a box as voronoi_region numbers it.
 // Source: RTCD 4.4.
@@ -11,6 +12,7 @@
 #include <span>
 
 #include "arith/vec.hpp"
+#include "plumb/query/separation/convex_body.hpp"
 #include "query/convex/flat_view.hpp"
 
 namespace plumb::query {
@@ -19,30 +21,33 @@ class CoreCorners {
  public:
   /// Of points, segments, triangles, tetrahedra, boxes, rectangles, polyhedra, balls, capsules and lozenges.
   static std::optional<CoreCorners> of(const FigureView& figure);
+  /// Of polygons and of hulls of any points as well, and under the body's pose.  Nothing of an empty one.
+  static std::optional<CoreCorners> of(const BodyView& body);
 
   [[nodiscard]] std::size_t size() const { return polyhedron_ != nullptr ? polyhedron_->mesh.vertices.size() : size_; }
+  /// A list of points of which nothing more is known.
+  [[nodiscard]] bool is_listed() const { return !list_.empty(); }
   [[nodiscard]] bool is_finite() const;
   /// How many ways there are; no corner but by them.
   [[nodiscard]] std::size_t ways() const { return ways_; }
   [[nodiscard]] const ConvexPolyhedron3* polyhedron() const { return polyhedron_; }
 
   /// The same at a time of a straight motion.
-  void move(const Vector3& by, double time) { by_ = by, time_ = time; }
+  void move(const Vector3& by, double time) { by_ = by, time_ = time, stands_ = stands_ && time == 0; }
 
   template <class T>
   [[nodiscard]] arith::Vec<T> at(std::size_t i) const {
-    return time_ == 0 ? at_rest<T>(i) : at_rest<T>(i) + arith::vec<T>(by_) * T(time_);
+    if (stands_) return at_rest<T>(i);
+    const arith::Vec<T> p =
+        pose_ == nullptr ? at_rest<T>(i) : turned(at_rest<T>(i)) + arith::vec<T>(pose_->translation);
+    return time_ == 0 ? p : p + arith::vec<T>(by_) * T(time_);
   }
   /// From one corner to the other along way k, but for its length.
   template <class T>
   [[nodiscard]] arith::Vec<T> way(std::size_t k) const {
-    if (aligned_) {
-      const auto along = [&](std::size_t axis, double from, double to) { return k == axis ? T(to) - T(from) : T(0.0); };
-      return {along(0, points_[0].x, points_[1].x), along(1, points_[0].y, points_[1].y),
-              along(2, points_[0].z, points_[1].z)};
-    }
-    return arith::vec<T>(axes_[k]) * T(half_[k]);
+    return pose_ == nullptr ? way_at_rest<T>(k) : turned(way_at_rest<T>(k));
   }
+  /// Before its pose.
   [[nodiscard]] bool has_length(std::size_t k) const {
     if (!aligned_) return half_[k] != 0 && axes_[k] != Vector3{};
     const auto [a, b] = std::pair(points_[0], points_[1]);
@@ -50,17 +55,33 @@ class CoreCorners {
   }
 
  private:
+  /// By the matrix of the pose.
+  template <class T>
+  [[nodiscard]] arith::Vec<T> turned(const arith::Vec<T>& v) const {
+    const auto& c = pose_->columns;
+    return arith::vec<T>(c[0]) * v.x + arith::vec<T>(c[1]) * v.y + arith::vec<T>(c[2]) * v.z;
+  }
+  template <class T>
+  [[nodiscard]] arith::Vec<T> way_at_rest(std::size_t k) const {
+    if (aligned_) {
+      const auto along = [&](std::size_t axis, double from, double to) { return k == axis ? T(to) - T(from) : T(0.0); };
+      return {along(0, points_[0].x, points_[1].x), along(1, points_[0].y, points_[1].y),
+              along(2, points_[0].z, points_[1].z)};
+    }
+    return arith::vec<T>(axes_[k]) * T(half_[k]);
+  }
   template <class T>
   [[nodiscard]] arith::Vec<T> at_rest(std::size_t i) const {
     if (polyhedron_ != nullptr) return arith::vec<T>(polyhedron_->mesh.vertices[i]);
+    if (is_listed()) return arith::vec<T>(list_[i]);
     if (ways_ == 0) return arith::vec<T>(points_[i]);
     if (aligned_) return {T(points_[i & 1].x), T(points_[i >> 1 & 1].y), T(points_[i >> 2 & 1].z)};
     arith::Vec<T> p = arith::vec<T>(points_[0]);
     for (std::size_t k = 0; k < ways_; ++k) {
       if ((i >> k & 1) != 0) {
-        p = p + way<T>(k);
+        p = p + way_at_rest<T>(k);
       } else if (both_) {
-        p = p - way<T>(k);
+        p = p - way_at_rest<T>(k);
       }
     }
     return p;
@@ -75,11 +96,14 @@ class CoreCorners {
   }
 
   const ConvexPolyhedron3* polyhedron_ = nullptr;
+  std::span<const Point3> list_;
+  const Pose* pose_ = nullptr;
   std::array<Point3, 4> points_;
   std::array<Vector3, 3> axes_;
   std::array<double, 3> half_;
   std::size_t size_ = 0, ways_ = 0;
   bool both_ = true, aligned_ = false;
+  bool stands_ = true;  // no pose, and no motion
   Vector3 by_{};
   double time_ = 0;
 };

@@ -140,7 +140,7 @@ bool is_within(const NearestOfCorners<T>& n, std::size_t size, CertainSigns& ask
 struct Support {
   bool holds = true;  // none lies before it
   std::uint64_t level =
-      0;  // in it: bits of corners, of a figure with ways of these; of a polyhedron bit 0 for any other
+      0;  // in it: bits of corners, of a figure with ways of these; of a polyhedron or a list bit 0 for any other
   std::uint64_t known = 0;  // of those, the ones that were known to be
 };
 
@@ -148,7 +148,7 @@ struct Support {
 inline std::uint64_t level_of(const CoreCorners& c, std::span<const std::uint32_t> named) {
   std::uint64_t level = 0;
   for (const std::uint32_t i : named) {
-    if (c.polyhedron() != nullptr) continue;
+    if (c.polyhedron() != nullptr || c.is_listed()) continue;
     if (c.ways() == 0) level |= std::uint64_t{1} << i;
     for (const std::uint32_t j : named) {  // of ways those that lead from one of them to another
       if (c.ways() > 0 && std::has_single_bit(i ^ j)) level |= i ^ j;
@@ -172,6 +172,13 @@ Support support_of(const CoreCorners& c, std::span<const std::uint32_t> named, c
     for (const std::uint32_t i : c.polyhedron()->neighbors_of(ref)) {
       if (std::ranges::find(named, i) == named.end()) judge(ask(dot(way, c.at<T>(i) - from)), 1);
       if (!s.holds) break;
+    }
+    return s;
+  }
+  if (c.is_listed()) {
+    const Vec<T> from = c.at<T>(ref);
+    for (std::uint32_t i = 0; i < c.size() && s.holds; ++i) {
+      if (std::ranges::find(named, i) == named.end()) judge(ask(dot(way, c.at<T>(i) - from)), 1);
     }
     return s;
   }

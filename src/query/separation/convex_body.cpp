@@ -1,0 +1,70 @@
+#include "query/separation/convex_body.hpp"
+
+#include <string>
+
+#include "figure/basic/finite_parts.hpp"
+#include "plumb/arith/error.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/body/posed_input.hpp"
+#include "query/convex/core.hpp"
+#include "query/convex/posed_radius.hpp"
+#include "query/convex/set.hpp"
+
+namespace plumb::query {
+namespace {
+
+[[noreturn]] void throw_empty(std::string_view function, std::string_view name) {
+  throw InvalidShape(std::string(function).append(": ").append(name).append(
+      " is empty, and an empty set has no corner; give one that has a point"));
+}
+
+void require_hull(std::string_view function, const std::string& name, const BodyView& body) {
+  if (body.vertices.empty()) throw_empty(function, name);
+  for (std::size_t i = 0; i < body.vertices.size(); ++i) {
+    if (is_real(sum_of(body.vertices[i]))) continue;
+    const std::string part = name + ".vertices[" + std::to_string(i) + "]";
+    require_finite_parts(function, {part}, body.vertices[i]);
+  }
+}
+
+/// Throws where the polygon is not planar or not convex.
+void require_convex(const FigureView& figure) {
+  with_figure(figure, []<class Shape>(const Shape& s) {
+    if constexpr (std::is_same_v<Shape, Polygon3>) static_cast<void>(meeting::convex_set(s));
+    if constexpr (std::is_same_v<Shape, Quadrilateral3>) {
+      static_cast<void>(meeting::convex_set(Polygon3{{s.a, s.b, s.c, s.d}}));
+    }
+  });
+}
+
+}  // namespace
+
+std::string_view spoken(const BodyView& body) { return body.is_hull() ? "hull" : spoken(body.figure); }
+
+Body body_of(std::string_view function, std::string_view name, const BodyView& body) {
+  const PosedView posed{body.figure, body.pose, nullptr};
+  if (body.is_hull()) {
+    const std::string of_shape = std::string(name).append(body.pose != nullptr ? ".shape" : "");
+    require_hull(function, of_shape, body);
+    if (body.pose != nullptr) {
+      constexpr Point3 origin{};
+      require_posed(function, name, {view_of(origin), body.pose, nullptr});
+    }
+  } else {
+    require_posed(function, name, posed);
+    require_convex(body.figure);
+  }
+  const auto corners = CoreCorners::of(body);
+  if (!corners) throw_empty(function, name);
+  if (body.is_hull()) return {*corners, 0};
+  const double radius = radius_of(body.figure);
+  if (radius == 0 || body.pose == nullptr) return {*corners, radius};
+  return {*corners, radius_of_image(function, posed, posed_set(posed))};
+}
+
+std::array<Body, 2> bodies_of(std::string_view function, const BodyView& a, const BodyView& b) {
+  const bool alike = a.is_hull() == b.is_hull() && (a.is_hull() || a.figure.kind == b.figure.kind);
+  return {body_of(function, alike ? "a" : spoken(a), a), body_of(function, alike ? "b" : spoken(b), b)};
+}
+
+}  // namespace plumb::query
