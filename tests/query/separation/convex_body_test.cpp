@@ -31,7 +31,8 @@ Exact posed_exactly(const Exact& p) {
 
 template <class Shape>
 void expect_posed(const Shape& s, std::size_t corners) {
-  const Body standing = body(s), moved = body(Posed<Shape>{s, skew});
+  const Posed<Shape> posed{s, skew};  // bodies refer to it
+  const Body standing = body(s), moved = body(posed);
   ASSERT_EQ(standing.corners.size(), corners);
   ASSERT_EQ(moved.corners.size(), corners);
   for (std::size_t i = 0; i < corners; ++i) {
