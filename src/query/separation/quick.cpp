@@ -83,6 +83,11 @@ std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView&
   const auto feature_a = feature_of_corners(a, a_, named(proved_.corners, 0).all(), proved_.a);
   const auto feature_b = feature_of_corners(b, b_, named(proved_.corners, 1).all(), proved_.b);
   if (!feature_a || !feature_b) return {};
+  return closest(*feature_a, *feature_b);
+}
+
+std::optional<Closest> QuickPair::closest(const Feature& feature_a, const Feature& feature_b) const {
+  if (proved_.meets || !proved_.is_alone) return {};
   CertainSigns ask;
   const auto n = nearest_of<Ball>(a_, b_, proved_.corners, ask);
   const Ball between = root(quotient(n.square, n.square_whole));
@@ -97,7 +102,7 @@ std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView&
   const auto on_a = nearest_doubles_of(p), on_b = nearest_doubles_of(q);
   const auto d = left.nearest();
   if (!on_a || !on_b || !d) return {};
-  return Closest{*on_a, *on_b, *d, *feature_a, *feature_b};
+  return Closest{*on_a, *on_b, *d, feature_a, feature_b};
 }
 
 }  // namespace plumb::query
