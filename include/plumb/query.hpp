@@ -60,6 +60,9 @@
 #include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
+// The same of convex bodies by GJK: with a history, and with caches from frame to frame
+#include "plumb/query/gjk/gjk.hpp"  // gjk, gjk_intersects, gjk_distance
+
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
 #include "plumb/query/ray/batch.hpp"        // of many triangles or boxes
