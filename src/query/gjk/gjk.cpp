@@ -123,15 +123,17 @@ std::optional<bool> touches(const QuickHull& a, const QuickHull& b, const Differ
 }
 
 /// Of hulls without a radius, as far as doubles, or signs at few corners, tell it.
-std::optional<bool> met_at_once(const BodyView& a, const BodyView& b, const CoreCorners& p, const CoreCorners& q,
-                                GjkCache& cache, std::uint32_t& steps) {
-  const auto first = QuickHull::of(a), second = QuickHull::of(b);
-  if (!first || !second) return {};
-  const Told told = quickly_told({*first, p}, {*second, q}, cache, steps);
-  if (told != Told::unsure) return told == Told::meet;
-  const DifferenceCorners near = guessed_nearest(p, q, start_of(&cache, p, q), steps);
+std::optional<bool> met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& cache) {
+  std::uint32_t steps = 0;
+  const Told told = quickly_told(a, b, cache, steps);
+  if (told == Told::apart) return false;
+  const auto is_real = [](const QuickBody& body) { return body.hull.solid() != nullptr || body.hull.is_finite(); };
+  if (!is_real(a) || !is_real(b)) return {};
+  if (told == Told::meet) return true;
+  const auto p = CoreCorners::of(a.view), q = CoreCorners::of(b.view);
+  const DifferenceCorners near = guessed_nearest(*p, *q, start_of(&cache, *p, *q), steps);
   cache.simplex = simplex_of(near);
-  const auto touch = touches(*first, *second, near);
+  const auto touch = touches(a.hull, b.hull, near);
   if (touch && *touch) return true;
   return {};
 }
@@ -140,11 +142,10 @@ std::optional<bool> met_at_once(const BodyView& a, const BodyView& b, const Core
 
 bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   GjkCache guess = options.cache == nullptr ? GjkCache{} : *options.cache;
-  if (options.history == nullptr && radius_at_once(a) == 0 && radius_at_once(b) == 0) {
-    const auto p = corners_at_once(a), q = corners_at_once(b);
-    std::uint32_t steps = 0;
-    if (p && q) {
-      const auto met = met_at_once(a, b, *p, *q, guess, steps);
+  if (options.history == nullptr) {
+    QuickBody first{a}, second{b};
+    if (first.hull.set(a) && second.hull.set(b)) {
+      const auto met = met_at_once(first, second, guess);
       if (met && options.cache != nullptr) *options.cache = guess;
       if (met) return *met;
     }

@@ -5,6 +5,8 @@
 // Cost: 8 operations a corner; 90 for four corners around the origin.
 #pragma once
 
+#include <span>
+
 #include "arith/vec.hpp"
 #include "figure/support/gjk_simplex.hpp"
 #include "plumb/certify/certainly.hpp"
@@ -20,6 +22,24 @@ struct Ahead {
     const auto x = w.difference(v.x, p.x), y = w.difference(v.y, p.y), z = w.difference(v.z, p.z);
     const auto nx = w.template number<1>(n.x), ny = w.template number<1>(n.y), nz = w.template number<1>(n.z);
     return w.sign(nx * x + ny * y + nz * z);
+  }
+};
+
+/// Are all of these ahead of p, along n?
+struct AreAhead {
+  static constexpr int highest = 2;
+  static constexpr Scales scales{.count = 2};
+  template <class W>
+  [[gnu::always_inline]] inline bool operator()(W& w, const arith::Plain& n, const Point3* at,
+                                                std::span<const std::uint32_t> of, const Point3& p) const {
+    const auto nx = w.template number<1>(n.x), ny = w.template number<1>(n.y), nz = w.template number<1>(n.z);
+    const auto ahead = [&](std::uint32_t i) {
+      const Point3& v = at[i];
+      return nx * w.difference(v.x, p.x) + ny * w.difference(v.y, p.y) + nz * w.difference(v.z, p.z);
+    };
+    auto least = ahead(of[0]);
+    for (std::size_t i = 1; i < of.size(); ++i) least = smaller(least, ahead(of[i]));
+    return w.sign(least) == Sign::positive;
   }
 };
 

@@ -1,6 +1,8 @@
 // A search in doubles, which is a guess, and its proof.
 #include "query/gjk/quick_meeting.hpp"
 
+#include <algorithm>
+
 #include "arith/running_error.hpp"
 #include "figure/support/gjk_simplex.hpp"
 #include "query/gjk/origin.hpp"
@@ -9,7 +11,7 @@ namespace plumb::query {
 namespace {
 
 using arith::Plain, arith::cross, arith::dot;
-using gjk_origin::Ahead, gjk_origin::IsAroundOrigin;
+using gjk_origin::Ahead, gjk_origin::AreAhead, gjk_origin::IsAroundOrigin;
 using RunningVec = arith::Vec<Running>;
 
 /// A corner of the difference.
@@ -18,7 +20,7 @@ struct Corner {
   Plain at;
 };
 
-Sign ahead(const Plain& n, const Point3& v, const Point3& p) {
+[[gnu::always_inline]] inline Sign ahead(const Plain& n, const Point3& v, const Point3& p) {
   FloatWorld<Ahead> w;
   const Sign s = Ahead{}(w, n, v, p);
   return w.certain() ? s : Sign::zero;
@@ -80,13 +82,24 @@ bool is_beyond_plane(const CoreCorners& c, std::uint32_t from, const Plain& alon
   return true;
 }
 
+/// Are all neighbors of a vertex ahead of it?  Then so is the whole polyhedron.
+bool is_least(const QuickHull& h, std::uint32_t i, const Plain& n) {
+  FloatWorld<AreAhead> w;
+  const bool is_so = AreAhead{}(w, n, &h.given(0), h.solid()->neighbors_of(i), h.given(i));
+  return is_so && w.certain();
+}
+
 /// Is all of a strictly farther along than all of b, which these corners are likely nearest to?
 bool is_apart(const QuickBody& a, const QuickBody& b, const Plain& n, const GjkCorner& ends, const Plain& gap) {
+  if (a.hull.solid() != nullptr && b.hull.solid() != nullptr && a.hull.is_given() && b.hull.is_given()) {
+    if (ahead(n, a.hull.given(ends[0]), b.hull.given(ends[1])) != Sign::positive) return false;
+    if (is_least(a.hull, ends[0], n) && is_least(b.hull, ends[1], n * -1)) return true;
+  }
   const Plain middle = b.hull.at(ends[1]) + gap * 0.5;
   const Point3 m{middle.x, middle.y, middle.z};
   const auto beyond = [&](const QuickBody& body, std::uint32_t from, Sign side) {
     return body.hull.is_given() ? is_beyond_plane(body.hull, from, n, m, side)
-                                : is_beyond_plane(body.corners, from, n, arith::vec<Running>(m), side);
+                                : is_beyond_plane(*CoreCorners::of(body.view), from, n, arith::vec<Running>(m), side);
   };
   return beyond(a, ends[0], Sign::positive) && beyond(b, ends[1], Sign::negative);
 }
@@ -101,9 +114,9 @@ bool is_around(const QuickBody& a, const QuickBody& b, const std::array<GjkCorne
     const bool is_so = IsAroundOrigin{}(w, pairs);
     return is_so && w.certain();
   }
+  const auto p = CoreCorners::of(a.view), q = CoreCorners::of(b.view);
   std::array<RunningVec, 4> at;
-  for (std::size_t i = 0; i < 4; ++i)
-    at[i] = a.corners.at<Running>(corners[i][0]) - b.corners.at<Running>(corners[i][1]);
+  for (std::size_t i = 0; i < 4; ++i) at[i] = p->at<Running>(corners[i][0]) - q->at<Running>(corners[i][1]);
   return figure::gjk::is_around_origin(
       [&](std::size_t i, std::size_t j, std::size_t k) { return certain(dot(at[i], cross(at[j], at[k]))); });
 }
@@ -190,7 +203,7 @@ class Directed {
     return false;
   }
 
-  std::array<Corner, 4> corners_;
+  std::array<Corner, 4> corners_{};
   std::uint32_t size_;
   Plain direction_;
 };
@@ -230,7 +243,8 @@ Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::
     found.simplex.corners[0] = last, found.simplex.size = 1, found.direction = {n.x, n.y, n.z};
     return Told::apart;
   };
-  Corner c = next();
+  if (is_known) last = {p.farthest_from(n * -1, last[0]), q.farthest_from(n, last[1])};
+  Corner c = is_known ? Corner{last, p.at(last[0]) - q.at(last[1])} : next();
   Directed simplex(c);
   for (int round = 0; round < most_rounds; ++round) {
     ++steps;

@@ -14,10 +14,10 @@ namespace plumb::query {
 
 enum class Told : unsigned char { apart, meet, unsure };
 
-/// The hulls are those of the corners, which are asked where numbers are no doubles as given.
+/// A body and its corners in doubles; the body is asked where its corners are no doubles as given.
 struct QuickBody {
-  const QuickHull& hull;
-  const CoreCorners& corners;
+  const BodyView& view;
+  QuickHull hull = {};
 };
 
 Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::uint32_t& steps);
