@@ -110,16 +110,27 @@ std::optional<CoreCorners> corners_at_once(const BodyView& v) {
 }
 double radius_at_once(const BodyView& v) { return v.is_hull() ? 0 : radius_of(v.figure); }
 
-/// Not where one point of both is on an edge of neither.
-std::optional<bool> touches(const QuickHull& a, const QuickHull& b, const DifferenceCorners& near) {
-  if (!a.is_given() || !b.is_given() || near.size == 4) return {};
-  gjk_origin::Pairs pairs{};
-  for (std::size_t i = 0; i < near.size; ++i) {
-    pairs.a[i] = a.given(near.ends[i][0]), pairs.b[i] = b.given(near.ends[i][1]);
+/// Do these corners hold the origin?  Of four the faces are asked: what is strictly inside of them is found elsewhere.
+bool touches(const QuickHull& a, const QuickHull& b, const GjkSimplex& near) {
+  const auto asked = [&](std::initializer_list<std::uint32_t> of) {
+    gjk_origin::Pairs pairs{};
+    std::size_t count = 0;
+    for (const std::uint32_t i : of) {
+      pairs.a[count] = a.given(near.corners[i][0]), pairs.b[count++] = b.given(near.corners[i][1]);
+    }
+    if (count == 1) return pairs.a[0] == pairs.b[0];
+    return count == 2 ? certainly(gjk_origin::HoldsOrigin<2>{}, pairs) : certainly(gjk_origin::HoldsOrigin<3>{}, pairs);
+  };
+  switch (near.size) {
+    case 1:
+      return asked({0});
+    case 2:
+      return asked({0, 1});
+    case 3:
+      return asked({0, 1, 2});
+    default:
+      return asked({0, 1, 2}) || asked({0, 1, 3}) || asked({0, 2, 3}) || asked({1, 2, 3});
   }
-  if (near.size == 1) return pairs.a[0] == pairs.b[0];
-  return near.size == 2 ? certainly(gjk_origin::HoldsOrigin<2>{}, pairs)
-                        : certainly(gjk_origin::HoldsOrigin<3>{}, pairs);
 }
 
 /// Of hulls without a radius, as far as doubles, or signs at few corners, tell it.
@@ -130,11 +141,11 @@ std::optional<bool> met_at_once(const QuickBody& a, const QuickBody& b, GjkCache
   const auto is_real = [](const QuickBody& body) { return body.hull.solid() != nullptr || body.hull.is_finite(); };
   if (!is_real(a) || !is_real(b)) return {};
   if (told == Told::meet) return true;
+  const bool are_given = a.hull.is_given() && b.hull.is_given();
+  if (are_given && touches(a.hull, b.hull, cache.simplex)) return true;
   const auto p = CoreCorners::of(a.view), q = CoreCorners::of(b.view);
-  const DifferenceCorners near = guessed_nearest(*p, *q, start_of(&cache, *p, *q), steps);
-  cache.simplex = simplex_of(near);
-  const auto touch = touches(a.hull, b.hull, near);
-  if (touch && *touch) return true;
+  cache.simplex = simplex_of(guessed_nearest(*p, *q, start_of(&cache, *p, *q), steps));
+  if (are_given && touches(a.hull, b.hull, cache.simplex)) return true;
   return {};
 }
 

@@ -96,8 +96,15 @@ struct HoldsOrigin {
       const Corner t = corner(2);
       if (w.sign(product(uv, t)) != Sign::zero) return false;
       const auto vt = crossed(v, t), tu = crossed(t, u);
-      const Sign first = w.sign(product(uv, vt)), second = w.sign(product(vt, tu)), third = w.sign(product(tu, uv));
-      return first == Sign::positive && second == Sign::positive && third == Sign::positive;
+      const auto along = [&](std::size_t k) { return uv[k] + vt[k] + tu[k]; };
+      const std::array normal{along(0), along(1), along(2)};
+      bool is_some = false;
+      for (const auto* part : {&uv, &vt, &tu}) {
+        const Sign weight = w.sign(product(*part, normal));
+        if (weight == Sign::negative) return false;
+        is_some = is_some || weight == Sign::positive;
+      }
+      return is_some;  // the weights add up to the square of the normal
     }
   }
 };
