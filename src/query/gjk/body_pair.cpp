@@ -19,6 +19,8 @@ std::optional<Feature> feature_of(const SeenBody& s, std::span<const std::uint32
 
 bool is_double(const mpq_class& x) { return mpq_class(x.get_d()) == x; }
 
+}  // namespace
+
 std::vector<Exact3> exact_corners(const CoreCorners& c) {
   std::vector<Exact3> all;
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -27,8 +29,6 @@ std::vector<Exact3> exact_corners(const CoreCorners& c) {
   }
   return all;
 }
-
-}  // namespace
 
 std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
                                        const ProvedCorners& proved) {
@@ -47,6 +47,10 @@ bool BodyPair::meets(const ProvedCorners& proved) const {
 
 double BodyPair::distance(const ProvedCorners& proved) const {
   return proved.meets ? 0 : rounded_distance(square(proved), reach());
+}
+
+NearestPair BodyPair::nearest(const ProvedCorners& proved) const {
+  return QuickPair(a(), b(), 0, 0, proved).any_pair();
 }
 
 Closest BodyPair::closest(const ProvedCorners& proved) const {

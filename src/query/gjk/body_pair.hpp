@@ -23,16 +23,23 @@ struct SeenBody {
 std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
                                        const ProvedCorners& proved);
 
+std::vector<Exact3> exact_corners(const CoreCorners& c);
+
 class BodyPair {
  public:
   BodyPair(std::string_view function, const BodyView& a, const BodyView& b)
       : views_{a, b}, bodies_(bodies_of(function, a, b)) {}
+
+  /// The first one is what it sweeps, seen from the second: features of it are none.
+  void sweep(const Vector3& by_a, const Vector3& by_b) { bodies_[0].corners.sweep(by_a, by_b); }
 
   [[nodiscard]] const CoreCorners& a() const { return bodies_[0].corners; }
   [[nodiscard]] const CoreCorners& b() const { return bodies_[1].corners; }
   [[nodiscard]] bool meets(const ProvedCorners& proved) const;
   [[nodiscard]] double distance(const ProvedCorners& proved) const;
   [[nodiscard]] Closest closest(const ProvedCorners& proved) const;
+  /// Of the cores, one of the nearest pairs.
+  [[nodiscard]] NearestPair nearest(const ProvedCorners& proved) const;
 
  private:
   [[nodiscard]] mpq_class square(const ProvedCorners& proved) const;

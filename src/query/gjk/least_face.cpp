@@ -3,13 +3,11 @@
 #include "arith/rational_lp.hpp"
 
 namespace plumb::query {
-namespace {
 
-/// Of the points about the first of them.
-int dimension_of(const std::vector<Exact3>& points, const std::vector<std::uint32_t>& of) {
+int dimension_of(const std::vector<Exact3>& points) {
   std::vector<Exact3> ways;
-  for (const std::uint32_t i : of) {
-    const Exact3 way = points[i] - points[of[0]];
+  for (const Exact3& p : points) {
+    const Exact3 way = p - points[0];
     if (is_zero(way)) continue;
     if (ways.empty() || (ways.size() == 1 && !is_zero(cross(ways[0], way))) ||
         (ways.size() == 2 && sgn(dot(cross(ways[0], ways[1]), way)) != 0)) {
@@ -18,8 +16,6 @@ int dimension_of(const std::vector<Exact3>& points, const std::vector<std::uint3
   }
   return static_cast<int>(ways.size());
 }
-
-}  // namespace
 
 Feature least_face(const std::vector<Exact3>& points, const Exact3& x) {
   // Over weights w_i >= 0 of the points about x and t_i of [0, 1], none above its weight: sum w_i (p_i - x) = 0, most
@@ -44,13 +40,14 @@ Feature least_face(const std::vector<Exact3>& points, const Exact3& x) {
     objective[n + i] = 1;
   }
   const arith::Optimum best = arith::maximize(objective, all);
-  std::vector<std::uint32_t> in_face;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (sgn(best.at[n + i]) > 0) in_face.push_back(static_cast<std::uint32_t>(i));
+  std::vector<Exact3> in_face;
+  std::uint32_t first = 0;
+  for (std::size_t i = n; i-- > 0;) {
+    if (sgn(best.at[n + i]) > 0) in_face.push_back(points[i]), first = static_cast<std::uint32_t>(i);
   }
   constexpr std::array kinds{FeatureKind::vertex, FeatureKind::edge, FeatureKind::face, FeatureKind::interior};
-  const FeatureKind kind = kinds[static_cast<std::size_t>(dimension_of(points, in_face))];
-  return {kind, kind == FeatureKind::interior ? 0 : in_face[0]};
+  const FeatureKind kind = kinds[static_cast<std::size_t>(dimension_of(in_face))];
+  return {kind, kind == FeatureKind::interior ? 0 : first};
 }
 
 }  // namespace plumb::query

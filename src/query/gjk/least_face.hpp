@@ -15,4 +15,7 @@ namespace plumb::query {
 /// Of a point of the hull.
 Feature least_face(const std::vector<Exact3>& points, const Exact3& x);
 
+/// Of the flat that the points span.
+int dimension_of(const std::vector<Exact3>& points);
+
 }  // namespace plumb::query

@@ -104,13 +104,17 @@ mpq_class QuickPair::square() const {
 
 std::optional<NearestPair> QuickPair::pair() const {
   if (proved_.meets || !proved_.is_alone) return {};
+  return any_pair();
+}
+
+NearestPair QuickPair::any_pair() const {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic>(a_, b_, proved_.corners, ask);
   const auto place = [&](const CoreCorners& c, std::size_t which) -> Exact3 {
     const Vec<BigDyadic> sum = weighted_corners(c, proved_.corners, which, n);
     return {quotient_of(sum.x, n.whole), quotient_of(sum.y, n.whole), quotient_of(sum.z, n.whole)};
   };
-  return NearestPair{place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole), true};
+  return {place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole), true};
 }
 
 std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView& b) const {

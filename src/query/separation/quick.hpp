@@ -27,6 +27,8 @@ class QuickPair {
   [[nodiscard]] std::optional<Closest> closest(const Feature& feature_a, const Feature& feature_b) const;
   /// Where there is no other; of cores that do not meet.
   [[nodiscard]] std::optional<NearestPair> pair() const;
+  /// One of them, also of cores that meet.
+  [[nodiscard]] NearestPair any_pair() const;
 
  private:
   CoreCorners a_, b_;
