@@ -63,9 +63,8 @@ const Scene& scene(std::size_t vertices) {
 }
 
 void count(benchmark::State& state, std::size_t pairs) {
-  state.counters["ns"] =
-      benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(pairs) * 1e-9,
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(pairs) * 1e-9,
+                                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 template <class Meet>
@@ -105,8 +104,8 @@ void add_rival(std::size_t vertices, const std::string& name, const GjkRival& ri
 }
 
 /// All vertices apart from those of pairs that meet.
-void add_apart(std::size_t vertices, const std::string& method, double (*ask)(const ConvexPolyhedron3&,
-                                                                              const ConvexPolyhedron3&)) {
+void add_apart(std::size_t vertices, const std::string& method,
+               double (*ask)(const ConvexPolyhedron3&, const ConvexPolyhedron3&)) {
   const std::string name = "gjk/" + method + "/" + std::to_string(vertices);
   benchmark::RegisterBenchmark(name.c_str(), [vertices, ask](benchmark::State& state) {
     const Scene& s = scene(vertices);
@@ -145,8 +144,7 @@ Film film(std::size_t vertices, Motion motion) {
 }
 
 void add_film(std::size_t vertices, const std::string& motion_name, Motion motion, bool is_warm) {
-  const std::string name =
-      "gjk/motion_" + motion_name + "/" + std::to_string(vertices) + (is_warm ? "/warm" : "/cold");
+  const std::string name = "gjk/motion_" + motion_name + "/" + std::to_string(vertices) + (is_warm ? "/warm" : "/cold");
   benchmark::RegisterBenchmark(name.c_str(), [vertices, motion, is_warm](benchmark::State& state) {
     const Film f = film(vertices, motion);
     std::size_t meet = 0;
@@ -226,9 +224,8 @@ void add_touching(std::size_t vertices, const std::string& touch_name, Touch tou
 
 [[maybe_unused]] const bool registered = [] {
   for (const std::size_t n : {8, 32, 128, 1000}) {
-    add_intersects(n, "plumb", [](const Scene& s) {
-      return [&s](std::size_t i) { return gjk_intersects(s.a[i], s.b[i]); };
-    });
+    add_intersects(n, "plumb",
+                   [](const Scene& s) { return [&s](std::size_t i) { return gjk_intersects(s.a[i], s.b[i]); }; });
     add_intersects(n, "plumb_points", [](const Scene& s) {
       return [&s](std::size_t i) {
         return gjk_intersects(VertexHull3{s.a[i].mesh.vertices}, VertexHull3{s.b[i].mesh.vertices});
@@ -236,9 +233,8 @@ void add_touching(std::size_t vertices, const std::string& touch_name, Touch tou
     });
     for (const GjkRival& rival : gjk_rivals()) add_rival(n, rival.name, rival);
     add_apart(n, "distance", [](const ConvexPolyhedron3& a, const ConvexPolyhedron3& b) { return gjk_distance(a, b); });
-    add_apart(n, "closest", [](const ConvexPolyhedron3& a, const ConvexPolyhedron3& b) {
-      return gjk(a, b).closest.distance;
-    });
+    add_apart(n, "closest",
+              [](const ConvexPolyhedron3& a, const ConvexPolyhedron3& b) { return gjk(a, b).closest.distance; });
     for (const bool is_warm : {false, true}) {
       add_film(n, "slow", Motion::slow, is_warm);
       add_film(n, "quick", Motion::quick, is_warm);

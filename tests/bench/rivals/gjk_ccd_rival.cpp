@@ -19,9 +19,8 @@ std::shared_ptr<void> make(const std::vector<double>& numbers) {
   return hull;
 }
 bool meet(const void* a, const void* b) {
-  return libccd::meet(
-      [](const void* p, const void* q, const ccd_t* ccd) { return ccdGJKIntersect(p, q, ccd); },
-      *static_cast<const Hull*>(a), *static_cast<const Hull*>(b));
+  return libccd::meet([](const void* p, const void* q, const ccd_t* ccd) { return ccdGJKIntersect(p, q, ccd); },
+                      *static_cast<const Hull*>(a), *static_cast<const Hull*>(b));
 }
 
 }  // namespace
