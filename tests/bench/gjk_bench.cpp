@@ -3,12 +3,13 @@
 // that are not those of exact numbers.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "bench/rivals/gjk_rival.hpp"
+#include "bench/rivals/gjk/rival.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
@@ -223,7 +224,7 @@ void add_touching(std::size_t vertices, const std::string& touch_name, Touch tou
 }
 
 [[maybe_unused]] const bool registered = [] {
-  for (const std::size_t n : {8, 32, 128, 1000}) {
+  for (const std::size_t n : std::array<std::size_t, 4>{8, 32, 128, 1000}) {
     add_intersects(n, "plumb",
                    [](const Scene& s) { return [&s](std::size_t i) { return gjk_intersects(s.a[i], s.b[i]); }; });
     add_intersects(n, "plumb_points", [](const Scene& s) {
@@ -241,7 +242,7 @@ void add_touching(std::size_t vertices, const std::string& touch_name, Touch tou
       add_film(n, "jumps", Motion::jumps, is_warm);
     }
   }
-  for (const std::size_t n : {8, 32}) {
+  for (const std::size_t n : std::array<std::size_t, 2>{8, 32}) {
     add_touching(n, "vertex", Touch::vertex);
     add_touching(n, "edge", Touch::edge);
     add_touching(n, "face", Touch::face);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plumb/arith/gmp.hpp"
+#include "plumb/arith/big.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/convex/features.hpp"
 #include "query/gjk/body_pair.hpp"
@@ -13,6 +13,8 @@
 
 namespace plumb::query {
 namespace {
+
+Exact3 exact3(const RationalPoint3& p) { return {p.x.value().value, p.y.value().value, p.z.value().value}; }
 
 /// Those of the points that are farthest along the way.
 std::vector<Exact3> farthest(const std::vector<Exact3>& points, const Exact3& way) {
@@ -90,8 +92,7 @@ ContactManifold manifold_of(const BodyView& a, const BodyView& b) {
   }
   m.on_b.kind = m.on_a.kind;
   for (const ExactPoint3& p : m.on_a.vertices) {
-    const RationalPoint3 q = rational_point(p);
-    m.on_b.vertices.push_back(m.meets ? p : exact_point3(Exact3{mpq(q.x), mpq(q.y), mpq(q.z)} + way));
+    m.on_b.vertices.push_back(m.meets ? p : exact_point3(exact3(rational_point(p)) + way));
   }
   return m;
 }

@@ -14,7 +14,7 @@
 // (4) Naming the bodies the other way round swaps the answer.
 // NaN and infinity throw NonFinite, empty bodies and polygons that are not planar and convex InvalidShape, by name.
 // Source: RTCD 9.5.3; the faces at a plane between bodies that touch are those of a linear program's optimum: Chvatal, Linear
-// Programming, 1983, chapter 10.
+// Programming, 1983.
 // Cost: rationals: a millisecond and more with each corner of a face; of hulls of points and of flat bodies that cross
 // something the corners of both count.
 #pragma once

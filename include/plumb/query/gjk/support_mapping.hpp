@@ -13,7 +13,7 @@
 // direction than the point that was told then) throws InvalidShape with both points and the direction; NaN and infinity throw
 // NonFinite with the direction.  A negative `rounding` or `within` throws InvalidShape.
 // The search is exact between calls, and ends where a call brings the hulls no nearer, or the bounds are within `within`.
-// Source: Gilbert, Johnson and Keerthi 1988; Gilbert and Foo 1990; RTCD 9.5.3, 9.5.6.
+// Source: Gilbert, Johnson and Keerthi 1988; Gilbert and Foo 1990; RTCD 9.5.3.
 // Cost: some tens of microseconds a step beside the calls.
 #pragma once
 

@@ -7,7 +7,7 @@
 // Laws: (1) those of query/gjk/gjk.hpp, of the exact swept set: nothing is rounded, a difference of vectors neither.  (2) A
 // motion that both have in common changes nothing.  (3) Without a motion it is gjk_intersects and gjk_distance.
 // When they meet first is asked of query/time_of_impact/.
-// Source: RTCD 9.5.7, 5.5.
+// Source: RTCD 9.5.7.
 // Cost: twice that of as many points without neighbors.
 #pragma once
 

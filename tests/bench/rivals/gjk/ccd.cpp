@@ -1,5 +1,5 @@
 // libccd: ccdGJKIntersect, which needs no penetration depth.
-#include "bench/rivals/gjk_rival.hpp"
+#include "bench/rivals/gjk/rival.hpp"
 
 #ifdef PLUMB_BENCH_CCD
 #include "bench/rivals/ccd_calls.hpp"

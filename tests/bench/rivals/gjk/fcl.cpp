@@ -1,5 +1,5 @@
 // FCL: collide of convex shapes, with its own GJK solver.
-#include "bench/rivals/gjk_rival.hpp"
+#include "bench/rivals/gjk/rival.hpp"
 
 #ifdef PLUMB_BENCH_FCL
 #include <fcl/geometry/shape/convex.h>

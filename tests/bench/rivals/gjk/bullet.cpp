@@ -1,5 +1,5 @@
 // Bullet: its pair detector, as built for doubles, on clouds of points without a margin.
-#include "bench/rivals/gjk_rival.hpp"
+#include "bench/rivals/gjk/rival.hpp"
 
 #ifdef PLUMB_BENCH_BULLET
 #include "bench/rivals/bullet_calls.hpp"

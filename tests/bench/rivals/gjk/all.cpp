@@ -1,4 +1,4 @@
-#include "bench/rivals/gjk_rival.hpp"
+#include "bench/rivals/gjk/rival.hpp"
 
 namespace plumb::bench {
 

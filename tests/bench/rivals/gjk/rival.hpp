@@ -17,7 +17,7 @@ struct GjkRival {
   bool (*meet)(const void* a, const void* b);
 };
 
-/// Those that are linked: all of rivals/gjk_*_rival.cpp whose library was found.
+/// Those that are linked: all of this folder whose library was found.
 std::vector<GjkRival> gjk_rivals();
 
 /// One of each library, or none where it was not found.
