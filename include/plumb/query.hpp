@@ -60,6 +60,12 @@
 #include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
+// The same of convex bodies by GJK: with a history, and with caches from frame to frame
+#include "plumb/query/gjk/contact_manifold.hpp"  // all nearest pairs: the polygon, edge or point where they touch
+#include "plumb/query/gjk/gjk.hpp"               // gjk, gjk_intersects, gjk_distance
+#include "plumb/query/gjk/support_mapping.hpp"   // of bodies known by their support mapping
+#include "plumb/query/gjk/swept.hpp"             // of bodies that move straight
+
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
 #include "plumb/query/ray/batch.hpp"        // of many triangles or boxes

@@ -6,6 +6,7 @@
 #include "query/body/posed_input.hpp"
 #include "query/convex/posed_set.hpp"
 #include "query/convex/set.hpp"
+#include "query/section/common_part.hpp"
 
 namespace plumb::query {
 namespace {
@@ -82,13 +83,21 @@ ExactPoint2 exact_point2(const Exact3& p) {
   if (is_a_double(p[0]) && is_a_double(p[1])) return Point2{p[0].get_d(), p[1].get_d()};
   return RationalPoint2{number_of(p[0]), number_of(p[1])};
 }
+Intersection3 told3(const CommonPart& part) {
+  Intersection3 r{part.kind, {}};
+  for (const Exact3& p : part.vertices) r.vertices.push_back(exact_point3(p));
+  return r;
+}
+
+}  // namespace
+
 ExactPoint3 exact_point3(const Exact3& p) {
   if (is_a_double(p[0]) && is_a_double(p[1]) && is_a_double(p[2]))
     return Point3{p[0].get_d(), p[1].get_d(), p[2].get_d()};
   return RationalPoint3{number_of(p[0]), number_of(p[1]), number_of(p[2])};
 }
 
-}  // namespace
+Intersection3 common_part3(const FlatSet& a, const FlatSet& b) { return told3(common_part(a, b)); }
 
 Intersection2 posed_intersection2(const PosedView& a, const PosedView& b) {
   const CommonPart part = common_part(a, b);
@@ -96,11 +105,6 @@ Intersection2 posed_intersection2(const PosedView& a, const PosedView& b) {
   for (const Exact3& p : part.vertices) r.vertices.push_back(exact_point2(p));
   return r;
 }
-Intersection3 posed_intersection3(const PosedView& a, const PosedView& b) {
-  const CommonPart part = common_part(a, b);
-  Intersection3 r{part.kind, {}};
-  for (const Exact3& p : part.vertices) r.vertices.push_back(exact_point3(p));
-  return r;
-}
+Intersection3 posed_intersection3(const PosedView& a, const PosedView& b) { return told3(common_part(a, b)); }
 
 }  // namespace plumb::query

@@ -12,7 +12,8 @@ using Ends = DifferenceCorners::Ends;
 /// A figure in doubles, seen from near to it.
 class PlainHull {
  public:
-  PlainHull(const CoreCorners& c, const Plain& origin) : corners_(c), origin_(origin) {
+  PlainHull(const CoreCorners& c, const Plain& origin, std::uint32_t start)
+      : corners_(c), origin_(origin), last_(start) {
     if (c.polyhedron() != nullptr || c.is_listed()) return;
     for (std::size_t k = 0; k < c.ways(); ++k) ways_[k] = c.way<double>(k);
     for (std::size_t i = 0; i < c.size(); ++i) points_[i] = c.at<double>(i) - origin;
@@ -54,7 +55,7 @@ class PlainHull {
   Plain origin_;
   std::array<Plain, 8> points_;
   std::array<Plain, 3> ways_;
-  std::uint32_t last_ = 0;
+  std::uint32_t last_;
 };
 
 using EndsSimplex = figure::gjk::Simplex<Ends>;
@@ -62,14 +63,28 @@ using EndsSimplex = figure::gjk::Simplex<Ends>;
 }  // namespace
 
 DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
+  DifferenceCorners from;
+  from.add({0, 0});
+  std::uint32_t rounds = 0;
+  return guessed_nearest(a, b, from, rounds);
+}
+
+DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& from,
+                                  std::uint32_t& rounds) {
   constexpr int most_rounds = 48;
   constexpr double nearer_by = 1 - 0x1p-40;  // a guess: what is level but for roundings is no corner more
-  const Plain origin = a.at<double>(0);
-  PlainHull p(a, origin), q(b, origin);
-  EndsSimplex simplex({{0, 0}, p.at(0) - q.at(0)});
+  const auto [first_a, first_b] = from.ends[0];
+  const Plain origin = a.at<double>(first_a);
+  PlainHull p(a, origin, first_a), q(b, origin, first_b);
+  EndsSimplex simplex({from.ends[0], p.at(first_a) - q.at(first_b)});
+  for (std::size_t i = 1; i < from.size && !simplex.is_full(); ++i) {
+    simplex.add({from.ends[i], p.at(from.ends[i][0]) - q.at(from.ends[i][1])});
+  }
   double square = arith::dot(simplex.nearest(), simplex.nearest());
   EndsSimplex last = simplex;
   for (int round = 0; round < most_rounds; ++round) {
+    ++rounds;
+    if (simplex.is_full()) break;
     const Plain x = simplex.nearest();
     const Ends ends{p.least(x), q.least(x * -1)};
     const Plain w = p.at(ends[0]) - q.at(ends[1]);
@@ -78,7 +93,7 @@ DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
     if (!is_new || !(arith::dot(x, w) < square * nearer_by)) break;
     last = simplex;
     simplex.add({ends, w});
-    if (simplex.is_full()) break;
+    if (simplex.is_full()) continue;
     const Plain next = simplex.nearest();
     const double nearer = arith::dot(next, next);
     if (!(nearer < square)) {

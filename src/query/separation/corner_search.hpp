@@ -9,6 +9,9 @@
 
 namespace plumb::query {
 
+/// From these corners on, of which there is at least one; `rounds` grows by the simplices looked at.
+DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& from,
+                                  std::uint32_t& rounds);
 DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b);
 
 }  // namespace plumb::query

@@ -65,12 +65,12 @@ std::optional<CoreCorners> CoreCorners::of(const BodyView& body) {
 }
 
 bool CoreCorners::is_finite() const {
-  double sum = sum_of(by_) + time_;
+  double sum = sum_of(by_) + sum_of(less_) + time_;
   if (pose_ != nullptr) {
     for (const Vector3& column : pose_->columns) sum += sum_of(column);
     sum += sum_of(pose_->translation);
   }
-  if (is_listed()) {
+  if (!list_.empty()) {
     for (const Point3& p : list_) sum += sum_of(p);
     return is_real(sum);
   }

@@ -24,23 +24,24 @@ class CoreCorners {
   /// Of polygons and of hulls of any points as well, and under the body's pose.  Nothing of an empty one.
   static std::optional<CoreCorners> of(const BodyView& body);
 
-  [[nodiscard]] std::size_t size() const { return polyhedron_ != nullptr ? polyhedron_->mesh.vertices.size() : size_; }
+  [[nodiscard]] std::size_t size() const { return is_swept_ ? 2 * of_body() : of_body(); }
   /// A list of points of which nothing more is known.
-  [[nodiscard]] bool is_listed() const { return !list_.empty(); }
+  [[nodiscard]] bool is_listed() const { return is_swept_ || !list_.empty(); }
   [[nodiscard]] bool is_finite() const;
   /// How many ways there are; no corner but by them.
-  [[nodiscard]] std::size_t ways() const { return ways_; }
-  [[nodiscard]] const ConvexPolyhedron3* polyhedron() const { return polyhedron_; }
+  [[nodiscard]] std::size_t ways() const { return is_swept_ ? 0 : ways_; }
+  [[nodiscard]] const ConvexPolyhedron3* polyhedron() const { return is_swept_ ? nullptr : polyhedron_; }
 
   /// The same at a time of a straight motion.
   void move(const Vector3& by, double time) { by_ = by, time_ = time, stands_ = stands_ && time == 0; }
 
+  /// All that it is on a straight way, less another one: those before it, then as many after it.
+  void sweep(const Vector3& by, const Vector3& less) { is_swept_ = true, by_ = by, less_ = less; }
+
   template <class T>
   [[nodiscard]] arith::Vec<T> at(std::size_t i) const {
-    if (stands_) return at_rest<T>(i);
-    const arith::Vec<T> p =
-        pose_ == nullptr ? at_rest<T>(i) : turned(at_rest<T>(i)) + arith::vec<T>(pose_->translation);
-    return time_ == 0 ? p : p + arith::vec<T>(by_) * T(time_);
+    if (is_swept_) return swept_at<T>(i);
+    return of_body_at<T>(i);
   }
   /// From one corner to the other along way k, but for its length.
   template <class T>
@@ -55,6 +56,22 @@ class CoreCorners {
   }
 
  private:
+  [[nodiscard]] std::size_t of_body() const {
+    return polyhedron_ != nullptr ? polyhedron_->mesh.vertices.size() : size_;
+  }
+  template <class T>
+  [[nodiscard]] arith::Vec<T> of_body_at(std::size_t i) const {
+    if (stands_) return at_rest<T>(i);
+    const arith::Vec<T> p =
+        pose_ == nullptr ? at_rest<T>(i) : turned(at_rest<T>(i)) + arith::vec<T>(pose_->translation);
+    return time_ == 0 ? p : p + arith::vec<T>(by_) * T(time_);
+  }
+  template <class T>
+  [[nodiscard]] arith::Vec<T> swept_at(std::size_t i) const {
+    const std::size_t n = of_body();
+    if (i < n) return of_body_at<T>(i);
+    return of_body_at<T>(i - n) + arith::vec<T>(by_) - arith::vec<T>(less_);
+  }
   /// By the matrix of the pose.
   template <class T>
   [[nodiscard]] arith::Vec<T> turned(const arith::Vec<T>& v) const {
@@ -73,7 +90,7 @@ class CoreCorners {
   template <class T>
   [[nodiscard]] arith::Vec<T> at_rest(std::size_t i) const {
     if (polyhedron_ != nullptr) return arith::vec<T>(polyhedron_->mesh.vertices[i]);
-    if (is_listed()) return arith::vec<T>(list_[i]);
+    if (!list_.empty()) return arith::vec<T>(list_[i]);
     if (ways_ == 0) return arith::vec<T>(points_[i]);
     if (aligned_) return {T(points_[i & 1].x), T(points_[i >> 1 & 1].y), T(points_[i >> 2 & 1].z)};
     arith::Vec<T> p = arith::vec<T>(points_[0]);
@@ -102,9 +119,9 @@ class CoreCorners {
   std::array<Vector3, 3> axes_;
   std::array<double, 3> half_;
   std::size_t size_ = 0, ways_ = 0;
-  bool both_ = true, aligned_ = false;
+  bool both_ = true, aligned_ = false, is_swept_ = false;
   bool stands_ = true;  // no pose, and no motion
-  Vector3 by_{};
+  Vector3 by_{}, less_{};
   double time_ = 0;
 };
 

@@ -7,6 +7,8 @@
 // Cost: below a microsecond, where planes are parallel or touch some microseconds; no allocation.
 #pragma once
 
+#include <vector>
+
 #include "query/separation/nearest_corners.hpp"
 
 namespace plumb::query {
@@ -18,6 +20,11 @@ struct ProvedCorners {
 };
 
 std::optional<ProvedCorners> proved_nearest(const CoreCorners& a, const CoreCorners& b);
+/// From a guess, which may be of any corners.
+std::optional<ProvedCorners> proved_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& guess);
+/// Of any finite numbers, from a guess: exact from the first turn on, whose corners it appends; microseconds a turn.
+ProvedCorners certainly_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& guess,
+                                std::vector<DifferenceCorners>* seen = nullptr);
 
 /// The different ones among the corners of a (0) or b (1).
 struct NamedCorners {

@@ -1,5 +1,6 @@
 #include "query/separation/quick.hpp"
 
+#include "arith/twofold.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "query/body/figure_input.hpp"
@@ -22,15 +23,55 @@ Vec<T> weighted_corners(const CoreCorners& c, const DifferenceCorners& corners, 
   return sum;
 }
 
-Vec<Ball> over(const Vec<Ball>& v, const Ball& whole) {
+template <class T>
+Vec<T> over(const Vec<T>& v, const T& whole) {
   return {quotient(v.x, whole), quotient(v.y, whole), quotient(v.z, whole)};
 }
 
-std::optional<Point3> nearest_doubles_of(const Vec<Ball>& v) {
+template <class T>
+std::optional<Point3> nearest_doubles_of(const Vec<T>& v) {
   const auto x = v.x.nearest(), y = v.y.nearest(), z = v.z.nearest();
   if (!x || !y || !z) return {};
   return told(Point3{*x, *y, *z});
 }
+
+/// Zero where the figures meet; nothing where it is not certain, or between two doubles.
+template <class T>
+std::optional<double> distance_over(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b,
+                                    const DifferenceCorners& corners) {
+  CertainSigns ask;
+  const auto n = nearest_of<T, Sought::square>(a, b, corners, ask);
+  const T between = root(quotient(n.square, n.square_whole));
+  const T left = between - (T(radius_a) + T(radius_b));
+  const int sign = certain_sign(left);
+  if (sign > 0) return left.nearest();
+  if constexpr (std::is_same_v<T, Ball>) {
+    if (left.sign().certain()) return 0;
+  }
+  return {};
+}
+
+/// Of figures that do not meet.
+template <class T>
+std::optional<Closest> points_over(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b,
+                                   const DifferenceCorners& corners) {
+  CertainSigns ask;
+  const auto n = nearest_of<T>(a, b, corners, ask);
+  const T between = root(quotient(n.square, n.square_whole));
+  const T left = between - (T(radius_a) + T(radius_b));
+  if (certain_sign(left) <= 0) return {};
+  Vec<T> p = over(weighted_corners(a, corners, 0, n), n.whole);
+  Vec<T> q = over(weighted_corners(b, corners, 1, n), n.whole);
+  const Vec<T> way = q - p;
+  if (radius_a > 0) p = p + way * quotient(T(radius_a), between);
+  if (radius_b > 0) q = q - way * quotient(T(radius_b), between);
+  const auto on_a = nearest_doubles_of(p), on_b = nearest_doubles_of(q);
+  const auto d = left.nearest();
+  if (!on_a || !on_b || !d) return {};
+  return Closest{*on_a, *on_b, *d, {}, {}};
+}
+
+using Pairs = Twofold<false>;
 
 }  // namespace
 
@@ -50,14 +91,8 @@ std::optional<QuickPair> QuickPair::of(const FigureAt& a, const FigureAt& b) {
 
 std::optional<double> QuickPair::distance() const {
   if (proved_.meets) return 0;
-  CertainSigns ask;
-  const auto n = nearest_of<Ball, Sought::square>(a_, b_, proved_.corners, ask);
-  const Ball between = root(quotient(n.square, n.square_whole));
-  const Ball left = between - (Ball(radius_a_) + Ball(radius_b_));
-  const Unsure<Sign> sign = left.sign();
-  if (!sign.certain()) return {};
-  if (sign.value() != Sign::positive) return 0;
-  return left.nearest();
+  if (const auto d = distance_over<Pairs>(a_, b_, radius_a_, radius_b_, proved_.corners)) return d;
+  return distance_over<Ball>(a_, b_, radius_a_, radius_b_, proved_.corners);
 }
 
 mpq_class QuickPair::square() const {
@@ -69,13 +104,17 @@ mpq_class QuickPair::square() const {
 
 std::optional<NearestPair> QuickPair::pair() const {
   if (proved_.meets || !proved_.is_alone) return {};
+  return any_pair();
+}
+
+NearestPair QuickPair::any_pair() const {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic>(a_, b_, proved_.corners, ask);
   const auto place = [&](const CoreCorners& c, std::size_t which) -> Exact3 {
     const Vec<BigDyadic> sum = weighted_corners(c, proved_.corners, which, n);
     return {quotient_of(sum.x, n.whole), quotient_of(sum.y, n.whole), quotient_of(sum.z, n.whole)};
   };
-  return NearestPair{place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole), true};
+  return {place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole), true};
 }
 
 std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView& b) const {
@@ -83,21 +122,15 @@ std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView&
   const auto feature_a = feature_of_corners(a, a_, named(proved_.corners, 0).all(), proved_.a);
   const auto feature_b = feature_of_corners(b, b_, named(proved_.corners, 1).all(), proved_.b);
   if (!feature_a || !feature_b) return {};
-  CertainSigns ask;
-  const auto n = nearest_of<Ball>(a_, b_, proved_.corners, ask);
-  const Ball between = root(quotient(n.square, n.square_whole));
-  const Ball left = between - (Ball(radius_a_) + Ball(radius_b_));
-  const Unsure<Sign> sign = left.sign();
-  if (!sign.certain() || sign.value() != Sign::positive) return {};
-  Vec<Ball> p = over(weighted_corners(a_, proved_.corners, 0, n), n.whole);
-  Vec<Ball> q = over(weighted_corners(b_, proved_.corners, 1, n), n.whole);
-  const Vec<Ball> way = q - p;
-  if (radius_a_ > 0) p = p + way * quotient(Ball(radius_a_), between);
-  if (radius_b_ > 0) q = q - way * quotient(Ball(radius_b_), between);
-  const auto on_a = nearest_doubles_of(p), on_b = nearest_doubles_of(q);
-  const auto d = left.nearest();
-  if (!on_a || !on_b || !d) return {};
-  return Closest{*on_a, *on_b, *d, *feature_a, *feature_b};
+  return closest(*feature_a, *feature_b);
+}
+
+std::optional<Closest> QuickPair::closest(const Feature& feature_a, const Feature& feature_b) const {
+  if (proved_.meets || !proved_.is_alone) return {};
+  auto c = points_over<Pairs>(a_, b_, radius_a_, radius_b_, proved_.corners);
+  if (!c) c = points_over<Ball>(a_, b_, radius_a_, radius_b_, proved_.corners);
+  if (c) c->feature_a = feature_a, c->feature_b = feature_b;
+  return c;
 }
 
 }  // namespace plumb::query

@@ -15,19 +15,22 @@ namespace plumb::query {
 class QuickPair {
  public:
   static std::optional<QuickPair> of(const FigureAt& a, const FigureAt& b);
+  /// Of cores whose corners are proved, and the radii around them.
+  QuickPair(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b, const ProvedCorners& proved)
+      : a_(a), b_(b), radius_a_(radius_a), radius_b_(radius_b), proved_(proved) {}
 
   [[nodiscard]] std::optional<double> distance() const;
   /// Of the cores.
   [[nodiscard]] mpq_class square() const;
   /// Of figures that do not meet; where there is another nearest pair, nothing.
   [[nodiscard]] std::optional<Closest> closest(const FigureView& a, const FigureView& b) const;
+  [[nodiscard]] std::optional<Closest> closest(const Feature& feature_a, const Feature& feature_b) const;
   /// Where there is no other; of cores that do not meet.
   [[nodiscard]] std::optional<NearestPair> pair() const;
+  /// One of them, also of cores that meet.
+  [[nodiscard]] NearestPair any_pair() const;
 
  private:
-  QuickPair(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b, const ProvedCorners& proved)
-      : a_(a), b_(b), radius_a_(radius_a), radius_b_(radius_b), proved_(proved) {}
-
   CoreCorners a_, b_;
   double radius_a_, radius_b_;
   ProvedCorners proved_;

@@ -1,0 +1,112 @@
+// GJK: is all of a hull beyond a plane, and is the origin within corners of a difference?  Statements over any world.
+//
+// Laws: those of certify/world.hpp; numbers of corners are as given, so that exact worlds are exact.
+// Source: RTCD 9.5.1, 9.5.2, 5.1.6.
+// Cost: 8 operations a corner; 90 for four corners around the origin.
+#pragma once
+
+#include <span>
+
+#include "arith/vec.hpp"
+#include "figure/support/gjk_simplex.hpp"
+#include "plumb/certify/certainly.hpp"
+
+namespace plumb::query::gjk_origin {
+
+/// On which side of p is v, along n?
+struct Ahead {
+  static constexpr int highest = 2;
+  static constexpr Scales scales{.count = 2};
+  template <class W>
+  [[gnu::always_inline]] inline Sign operator()(W& w, const arith::Plain& n, const Point3& v, const Point3& p) const {
+    const auto x = w.difference(v.x, p.x), y = w.difference(v.y, p.y), z = w.difference(v.z, p.z);
+    const auto nx = w.template number<1>(n.x), ny = w.template number<1>(n.y), nz = w.template number<1>(n.z);
+    return w.sign(nx * x + ny * y + nz * z);
+  }
+};
+
+/// Are all of these ahead of p, along n?
+struct AreAhead {
+  static constexpr int highest = 2;
+  static constexpr Scales scales{.count = 2};
+  template <class W>
+  [[gnu::always_inline]] inline bool operator()(W& w, const arith::Plain& n, const Point3* at,
+                                                std::span<const std::uint32_t> of, const Point3& p) const {
+    const auto nx = w.template number<1>(n.x), ny = w.template number<1>(n.y), nz = w.template number<1>(n.z);
+    const auto ahead = [&](std::uint32_t i) {
+      const Point3& v = at[i];
+      return nx * w.difference(v.x, p.x) + ny * w.difference(v.y, p.y) + nz * w.difference(v.z, p.z);
+    };
+    auto least = ahead(of[0]);
+    for (std::size_t i = 1; i < of.size(); ++i) least = smaller(least, ahead(of[i]));
+    return w.sign(least) == Sign::positive;
+  }
+};
+
+/// Corner i of the difference is a[i] - b[i].
+struct Pairs {
+  std::array<Point3, 4> a, b;
+};
+
+/// Is the origin strictly inside of the tetrahedron?
+struct IsAroundOrigin {
+  static constexpr int highest = 3;
+  template <class W>
+  [[gnu::always_inline]] inline bool operator()(W& w, const Pairs& p) const {
+    using N = decltype(w.difference(0.0, 0.0));
+    const auto corner = [&](std::size_t i) {
+      return std::array<N, 3>{w.difference(p.a[i].x, p.b[i].x), w.difference(p.a[i].y, p.b[i].y),
+                              w.difference(p.a[i].z, p.b[i].z)};
+    };
+    const std::array<std::array<N, 3>, 4> d{corner(0), corner(1), corner(2), corner(3)};
+    return figure::gjk::is_around_origin([&](std::size_t i, std::size_t j, std::size_t k) {
+      const auto &u = d[i], &v = d[j], &t = d[k];
+      return w.sign(u[0] * (v[1] * t[2] - v[2] * t[1]) + u[1] * (v[2] * t[0] - v[0] * t[2]) +
+                    u[2] * (v[0] * t[1] - v[1] * t[0]));
+    });
+  }
+};
+
+/// Is the origin in the segment or triangle of two or three corners, its ends and edges included?  That of corners on one
+/// line is left to others: no.
+template <int count>
+struct HoldsOrigin {
+  static constexpr int highest = count == 2 ? 2 : 4;
+  template <class W>
+  bool operator()(W& w, const Pairs& p) const {
+    using N = decltype(w.difference(0.0, 0.0));
+    using Corner = std::array<N, 3>;
+    const auto corner = [&](std::size_t i) {
+      return Corner{w.difference(p.a[i].x, p.b[i].x), w.difference(p.a[i].y, p.b[i].y),
+                    w.difference(p.a[i].z, p.b[i].z)};
+    };
+    const auto crossed = [](const auto& u, const auto& v) {
+      const auto x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
+      return std::array<std::remove_const_t<decltype(x)>, 3>{x, y, z};
+    };
+    const auto product = [](const auto& u, const auto& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+    const Corner u = corner(0), v = corner(1);
+    const auto uv = crossed(u, v);
+    if constexpr (count == 2) {
+      for (const auto& x : uv) {
+        if (w.sign(x) != Sign::zero) return false;
+      }
+      return w.sign(product(u, v)) != Sign::positive;
+    } else {
+      const Corner t = corner(2);
+      if (w.sign(product(uv, t)) != Sign::zero) return false;
+      const auto vt = crossed(v, t), tu = crossed(t, u);
+      const auto along = [&](std::size_t k) { return uv[k] + vt[k] + tu[k]; };
+      const std::array normal{along(0), along(1), along(2)};
+      bool is_some = false;
+      for (const auto* part : {&uv, &vt, &tu}) {
+        const Sign weight = w.sign(product(*part, normal));
+        if (weight == Sign::negative) return false;
+        is_some = is_some || weight == Sign::positive;
+      }
+      return is_some;  // the weights add up to the square of the normal
+    }
+  }
+};
+
+}  // namespace plumb::query::gjk_origin

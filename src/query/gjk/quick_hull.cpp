@@ -1,0 +1,40 @@
+// A guess in doubles, which holds no bound.
+#include "query/gjk/quick_hull.hpp"
+
+#include "query/body/figure_input.hpp"
+#include "query/convex/core.hpp"
+
+namespace plumb::query {
+
+bool QuickHull::set(const BodyView& body) {
+  pose_ = body.pose, is_given_ = body.pose == nullptr;
+  if (body.is_hull()) {
+    at_ = body.vertices.data(), size_ = static_cast<std::uint32_t>(body.vertices.size());
+    return size_ > 0;
+  }
+  if (body.figure.kind != FigureKind::convex_polyhedron) return set_few(body.figure);
+  solid_ = static_cast<const ConvexPolyhedron3*>(body.figure.shape);
+  at_ = solid_->mesh.vertices.data(), size_ = static_cast<std::uint32_t>(solid_->mesh.vertices.size());
+  return !solid_->mesh.corners.empty();
+}
+
+bool QuickHull::set_few(const FigureView& figure) {
+  if (radius_of(figure) != 0) return false;
+  const auto corners = CoreCorners::of(figure);  // of polygons none
+  if (!corners) return false;
+  for (std::size_t i = 0; i < corners->size(); ++i) {
+    const arith::Plain p = corners->at<double>(i);
+    few_[size_++] = {p.x, p.y, p.z};
+  }
+  at_ = few_.data();
+  is_given_ = is_given_ && (corners->ways() == 0 || figure.kind == FigureKind::aabb);
+  return true;
+}
+
+bool QuickHull::is_finite() const {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < size_; ++i) sum += sum_of(at_[i]);
+  return is_real(sum);
+}
+
+}  // namespace plumb::query

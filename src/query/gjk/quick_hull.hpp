@@ -1,0 +1,135 @@
+// Support mapping in doubles: which corner of a hull is farthest along a direction?  A guess in doubles, which holds no bound.
+//
+// On a polyhedron it is climbed to from neighbor to neighbor, from the corner that was found last; of a body under a pose the
+// direction is turned into the body's own frame, where it stands.
+// Law: what is told is a corner.  `is_given`: the corners are points of doubles as given, and `given(i)` is one.
+// Source: RTCD 9.5.4, 9.5.5, 9.5.6.
+// Cost: a product of vectors a corner, or a neighbor on the way.
+#pragma once
+
+#include <array>
+#include <cstring>
+
+#include "arith/vec.hpp"
+#include "query/separation/corners.hpp"
+
+namespace plumb::query {
+
+class QuickHull {
+ public:
+  QuickHull() = default;
+  QuickHull(const QuickHull&) = delete;  // it points into itself
+  QuickHull& operator=(const QuickHull&) = delete;
+  ~QuickHull() = default;
+
+  /// Not of what is round, of polygons whose convexity is to be proved, and of what is empty: false.
+  bool set(const BodyView& body);
+
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+  [[nodiscard]] bool is_given() const { return is_given_; }
+  [[nodiscard]] const Point3& given(std::uint32_t i) const { return at_[i]; }
+  [[nodiscard]] const ConvexPolyhedron3* solid() const { return solid_; }
+
+  [[nodiscard]] arith::Plain at(std::uint32_t i) const {
+    const arith::Plain p{at_[i].x, at_[i].y, at_[i].z};
+    return pose_ == nullptr ? p : image(p) + arith::vec<double>(pose_->translation);
+  }
+  /// The farthest along a direction.
+  [[nodiscard]] std::uint32_t farthest(const arith::Plain& along, std::uint32_t last) const {
+    const arith::Plain n = pose_ == nullptr ? along : turned_back(along);
+    if (solid_ == nullptr || size_ <= most_scanned) return scanned(n);
+    return climbed(n, best_of_some(n, last));
+  }
+  /// The same, from one that is likely near to it.
+  [[nodiscard]] std::uint32_t farthest_from(const arith::Plain& along, std::uint32_t near) const {
+    const arith::Plain n = pose_ == nullptr ? along : turned_back(along);
+    return solid_ == nullptr || size_ < 16 ? scanned(n) : climbed(n, near);
+  }
+  /// Is every number of it one?
+  [[nodiscard]] bool is_finite() const;
+  /// About its middle.
+  [[nodiscard]] arith::Plain middle() const {
+    const std::uint32_t last = size_ - 1;
+    return (at(0) + at(last) + at(last / 3) + at(last - last / 3)) * 0.25;
+  }
+
+ private:
+  static constexpr std::uint32_t most_scanned = 64;
+
+  bool set_few(const FigureView& figure);
+  [[nodiscard]] arith::Plain image(const arith::Plain& p) const {
+    const auto& [u, v, w] = pose_->columns;
+    return {u.x * p.x + v.x * p.y + w.x * p.z, u.y * p.x + v.y * p.y + w.y * p.z, u.z * p.x + v.z * p.y + w.z * p.z};
+  }
+  [[nodiscard]] arith::Plain turned_back(const arith::Plain& n) const {
+    const auto along = [&](const Vector3& c) { return c.x * n.x + c.y * n.y + c.z * n.z; };
+    return {along(pose_->columns[0]), along(pose_->columns[1]), along(pose_->columns[2])};
+  }
+  [[nodiscard]] double reach(std::uint32_t i, const arith::Plain& n) const {
+    return at_[i].x * n.x + at_[i].y * n.y + at_[i].z * n.z;
+  }
+  [[nodiscard]] std::uint32_t scanned(const arith::Plain& n) const {
+    if (size_ < 4) return scanned(n, 1, 0, reach(0, n));
+    // Two points a turn: (x y) (z x) (y z) times (n.x n.y) (n.z n.x) (n.y n.z).
+    using Two [[gnu::vector_size(16)]] = double;
+    const Two n0{n.x, n.y}, n1{n.z, n.x}, n2{n.y, n.z};
+    const auto reaches = [&](std::uint32_t i) {
+      std::array<Two, 3> v;
+      std::memcpy(v.data(), at_ + i, sizeof(v));
+      const Two first = v[0] * n0, both = v[1] * n1, second = v[2] * n2;
+      return (Two{first[0], second[0]} + Two{first[1], second[1]}) + both;
+    };
+    Two most = reaches(0), best{0, 1}, here = best;
+    std::uint32_t i = 2;
+    for (; i + 1 < size_; i += 2) {
+      const Two r = reaches(i);
+      here += 2;
+      best = r > most ? here : best;
+      most = r > most ? r : most;
+    }
+    const int lane = most[1] > most[0] ? 1 : 0;
+    return scanned(n, i, static_cast<std::uint32_t>(best[lane]), most[lane]);
+  }
+  [[nodiscard]] std::uint32_t scanned(const arith::Plain& n, std::uint32_t from, std::uint32_t best,
+                                      double most) const {
+    for (std::uint32_t i = from; i < size_; ++i) {
+      const double r = reach(i, n);
+      best = r > most ? i : best;
+      most = r > most ? r : most;
+    }
+    return best;
+  }
+  /// The best of these and some others here and there: a way around a large polyhedron is long.
+  [[nodiscard]] std::uint32_t best_of_some(const arith::Plain& n, std::uint32_t best) const {
+    const std::uint32_t step = size_ >> (size_ < 512 ? 3 : 4);
+    double most = reach(best, n);
+    for (std::uint32_t i = step >> 1; i < size_; i += step) {
+      const double r = reach(i, n);
+      best = r > most ? i : best;
+      most = r > most ? r : most;
+    }
+    return best;
+  }
+  [[nodiscard]] std::uint32_t climbed(const arith::Plain& n, std::uint32_t from) const {
+    double most = reach(from, n);
+    for (;;) {  // ends, for `most` grows with each vertex
+      std::uint32_t best = from;
+      for (const std::uint32_t i : solid_->neighbors_of(from)) {
+        const double r = reach(i, n);
+        best = r > most ? i : best;
+        most = r > most ? r : most;
+      }
+      if (best == from) return from;
+      from = best;
+    }
+  }
+
+  const Point3* at_ = nullptr;
+  const ConvexPolyhedron3* solid_ = nullptr;
+  const Pose* pose_ = nullptr;
+  std::uint32_t size_ = 0;
+  bool is_given_ = true;
+  std::array<Point3, 8> few_;
+};
+
+}  // namespace plumb::query

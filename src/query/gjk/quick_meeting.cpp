@@ -1,0 +1,272 @@
+// A search in doubles, which is a guess, and its proof.
+#include "query/gjk/quick_meeting.hpp"
+
+#include <algorithm>
+
+#include "arith/running_error.hpp"
+#include "figure/support/gjk_simplex.hpp"
+#include "query/gjk/origin.hpp"
+
+namespace plumb::query {
+namespace {
+
+using arith::Plain, arith::cross, arith::dot;
+using gjk_origin::Ahead, gjk_origin::AreAhead, gjk_origin::IsAroundOrigin;
+using RunningVec = arith::Vec<Running>;
+
+/// A corner of the difference.
+struct Corner {
+  GjkCorner ends;
+  Plain at;
+};
+
+[[gnu::always_inline]] inline Sign ahead(const Plain& n, const Point3& v, const Point3& p) {
+  FloatWorld<Ahead> w;
+  const Sign s = Ahead{}(w, n, v, p);
+  return w.certain() ? s : Sign::zero;
+}
+Sign certain(const Running& x) {
+  const Unsure<Sign> s = x.sign();
+  return s.certain() ? s.value() : Sign::zero;
+}
+
+/// Is all of the polyhedron strictly beyond the plane, by a corner and its neighbors?  From any vertex a way leads to the
+/// least one that never ascends: it cannot leave the vertices seen, whose other neighbors are all above the first, but by
+/// one that is.
+template <class IsAbove, class IsBeyond>
+bool is_polyhedron_beyond(const ConvexPolyhedron3& solid, std::uint32_t from, const IsAbove& is_above,
+                          const IsBeyond& is_beyond) {
+  constexpr std::size_t most_level = 16;
+  std::array<std::uint32_t, most_level> level{from};
+  std::size_t count = 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const std::uint32_t i : solid.neighbors_of(level[k])) {
+      if (is_above(i)) continue;
+      const auto end = level.begin() + static_cast<std::ptrdiff_t>(count);
+      if (std::find(level.begin(), end, i) != end) continue;
+      if (count == most_level || !is_beyond(i)) return false;
+      level[count++] = i;
+    }
+  }
+  return true;
+}
+
+/// Is every corner strictly on this side of a plane through m, from which corner `from` is likely the least far?
+bool is_beyond_plane(const QuickHull& h, std::uint32_t from, const Plain& n, const Point3& m, Sign side) {
+  const Point3& first = h.given(from);
+  if (ahead(n, first, m) != side) return false;
+  const auto is_beyond = [&](std::uint32_t i) { return ahead(n, h.given(i), m) == side; };
+  if (h.solid() != nullptr) {
+    return is_polyhedron_beyond(
+        *h.solid(), from, [&](std::uint32_t i) { return ahead(n, h.given(i), first) == side; }, is_beyond);
+  }
+  for (std::uint32_t i = 0; i < h.size(); ++i) {
+    if (!is_beyond(i)) return false;
+  }
+  return true;
+}
+
+/// The same of corners that are no doubles as given, by running bounds.
+bool is_beyond_plane(const CoreCorners& c, std::uint32_t from, const Plain& along, const RunningVec& m, Sign side) {
+  const RunningVec n = arith::vec<Running>(along), first = c.at<Running>(from);
+  if (certain(dot(n, first - m)) != side) return false;
+  const auto is_beyond = [&](std::uint32_t i) { return certain(dot(n, c.at<Running>(i) - m)) == side; };
+  if (c.polyhedron() != nullptr) {
+    return is_polyhedron_beyond(
+        *c.polyhedron(), from, [&](std::uint32_t i) { return certain(dot(n, c.at<Running>(i) - first)) == side; },
+        is_beyond);
+  }
+  for (std::uint32_t i = 0; i < c.size(); ++i) {
+    if (!is_beyond(i)) return false;
+  }
+  return true;
+}
+
+/// Are all neighbors of a vertex ahead of it?  Then so is the whole polyhedron.
+bool is_least(const QuickHull& h, std::uint32_t i, const Plain& n) {
+  FloatWorld<AreAhead> w;
+  const bool is_so = AreAhead{}(w, n, &h.given(0), h.solid()->neighbors_of(i), h.given(i));
+  return is_so && w.certain();
+}
+
+/// Is all of a strictly farther along than all of b, which these corners are likely nearest to?
+bool is_apart(const QuickBody& a, const QuickBody& b, const Plain& n, const GjkCorner& ends, const Plain& gap) {
+  if (a.hull.solid() != nullptr && b.hull.solid() != nullptr && a.hull.is_given() && b.hull.is_given()) {
+    if (ahead(n, a.hull.given(ends[0]), b.hull.given(ends[1])) != Sign::positive) return false;
+    if (is_least(a.hull, ends[0], n) && is_least(b.hull, ends[1], n * -1)) return true;
+  }
+  const Plain middle = b.hull.at(ends[1]) + gap * 0.5;
+  const Point3 m{middle.x, middle.y, middle.z};
+  const auto beyond = [&](const QuickBody& body, std::uint32_t from, Sign side) {
+    return body.hull.is_given() ? is_beyond_plane(body.hull, from, n, m, side)
+                                : is_beyond_plane(*CoreCorners::of(body.view), from, n, arith::vec<Running>(m), side);
+  };
+  return beyond(a, ends[0], Sign::positive) && beyond(b, ends[1], Sign::negative);
+}
+
+bool is_around(const QuickBody& a, const QuickBody& b, const std::array<GjkCorner, 4>& corners) {
+  if (a.hull.is_given() && b.hull.is_given()) {
+    gjk_origin::Pairs pairs;
+    for (std::size_t i = 0; i < 4; ++i) {
+      pairs.a[i] = a.hull.given(corners[i][0]), pairs.b[i] = b.hull.given(corners[i][1]);
+    }
+    FloatWorld<IsAroundOrigin> w;
+    const bool is_so = IsAroundOrigin{}(w, pairs);
+    return is_so && w.certain();
+  }
+  const auto p = CoreCorners::of(a.view), q = CoreCorners::of(b.view);
+  std::array<RunningVec, 4> at;
+  for (std::size_t i = 0; i < 4; ++i) at[i] = p->at<Running>(corners[i][0]) - q->at<Running>(corners[i][1]);
+  return figure::gjk::is_around_origin(
+      [&](std::size_t i, std::size_t j, std::size_t k) { return certain(dot(at[i], cross(at[j], at[k]))); });
+}
+
+/// The simplex, without lengths: the direction to its nearest point alone.
+class Directed {
+ public:
+  explicit Directed(const Corner& first) : size_(1), direction_(first.at) { corners_[0] = first; }
+
+  [[nodiscard]] const Plain& direction() const { return direction_; }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+  [[nodiscard]] const Corner& operator[](std::size_t i) const { return corners_[i]; }
+  [[nodiscard]] bool has(const GjkCorner& ends) const {
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      if (corners_[i].ends == ends) return true;
+    }
+    return false;
+  }
+
+  /// A fourth corner, if it is one: true where the origin seems to be within.
+  bool add(const Corner& c) {
+    const Plain back = c.at * -1;
+    switch (size_) {
+      case 1:
+        edge(corners_[0], c, back);
+        return false;
+      case 2:
+        triangle(corners_[0], corners_[1], c, back);
+        return false;
+      default:
+        return tetrahedron(c, back);
+    }
+  }
+
+ private:
+  void take(const Corner& p) { corners_[0] = p, size_ = 1, direction_ = p.at; }
+  void take(const Corner& p, const Corner& q, const Plain& direction) {
+    const std::array<Corner, 2> two{p, q};
+    corners_[0] = two[0], corners_[1] = two[1], size_ = 2, direction_ = direction;
+  }
+  /// Of p and the new corner c, at which the origin lies `back`.
+  void edge(const Corner& p, const Corner& c, const Plain& back) {
+    const Plain u = p.at - c.at;
+    if (dot(u, back) > 0) {
+      take(p, c, cross(u, cross(c.at, u)));
+    } else {
+      take(c);
+    }
+  }
+  void triangle(const Corner& p, const Corner& q, const Corner& c, const Plain& back) {
+    const Plain u = p.at - c.at, v = q.at - c.at, n = cross(u, v);
+    if (dot(cross(u, n), back) > 0) {
+      if (dot(u, back) > 0) {
+        take(p, c, cross(u, cross(c.at, u)));
+      } else {
+        edge(Corner(q), Corner(c), back);
+      }
+    } else if (dot(cross(n, v), back) > 0) {
+      edge(Corner(q), Corner(c), back);
+    } else {
+      const std::array<Corner, 3> three{p, q, c};
+      for (std::size_t i = 0; i < 3; ++i) corners_[i] = three[i];
+      size_ = 3, direction_ = n * (dot(n, back) > 0 ? -1.0 : 1.0);
+    }
+  }
+  bool tetrahedron(const Corner& c, const Plain& back) {
+    const Plain u = corners_[0].at - c.at, v = corners_[1].at - c.at, w = corners_[2].at - c.at;
+    const Plain uv = cross(u, v), vw = cross(v, w), wu = cross(w, u);
+    const double turn = dot(uv, w) > 0 ? -1 : 1;  // the three look outward
+    const std::array outside{dot(uv, back) * turn, dot(vw, back) * turn, dot(wu, back) * turn};
+    if (outside[0] <= 0 && outside[1] <= 0 && outside[2] <= 0) {
+      corners_[3] = c, size_ = 4;
+      return true;
+    }
+    // The face that the origin is farthest beyond.
+    const std::array lengths{dot(uv, uv), dot(vw, vw), dot(wu, wu)};
+    std::size_t face = 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (outside[i] <= 0) continue;
+      if (face == 3 || outside[i] * outside[i] * lengths[face] > outside[face] * outside[face] * lengths[i]) face = i;
+    }
+    const Corner p = corners_[face], q = corners_[face == 2 ? 0 : face + 1];
+    triangle(p, q, Corner(c), back);
+    return false;
+  }
+
+  std::array<Corner, 4> corners_{};
+  std::uint32_t size_;
+  Plain direction_;
+};
+
+void keep(GjkCache& found, const Directed& simplex) {
+  found.simplex.size = simplex.size();
+  for (std::uint32_t i = 0; i < simplex.size(); ++i) found.simplex.corners[i] = simplex[i].ends;
+}
+
+bool are_corners(const QuickHull& a, const QuickHull& b, const GjkSimplex& s) {
+  if (s.size == 0 || s.size > 4) return false;
+  for (std::uint32_t i = 0; i < s.size; ++i) {
+    if (s.corners[i][0] >= a.size() || s.corners[i][1] >= b.size()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::uint32_t& steps) {
+  constexpr int most_rounds = 64;  // a guess: whoever has not ended by then goes round
+  const QuickHull &p = a.hull, &q = b.hull;
+  const bool is_known = are_corners(p, q, found.simplex);
+  if (is_known && found.simplex.size == 4) {
+    ++steps;
+    if (is_around(a, b, found.simplex.corners)) return Told::meet;
+  }
+  const auto& [x, y, z] = found.direction;
+  const bool has_way = x != 0 || y != 0 || z != 0;
+  Plain n = has_way ? arith::vec<double>(found.direction) : p.middle() - q.middle();
+  GjkCorner last = is_known ? found.simplex.corners[0] : GjkCorner{0, 0};
+  const auto next = [&] {
+    last = {p.farthest(n * -1, last[0]), q.farthest(n, last[1])};
+    return Corner{last, p.at(last[0]) - q.at(last[1])};
+  };
+  const auto tell_apart = [&] {
+    found.simplex.corners[0] = last, found.simplex.size = 1, found.direction = {n.x, n.y, n.z};
+    return Told::apart;
+  };
+  if (is_known) last = {p.farthest_from(n * -1, last[0]), q.farthest_from(n, last[1])};
+  Corner c = is_known ? Corner{last, p.at(last[0]) - q.at(last[1])} : next();
+  Directed simplex(c);
+  for (int round = 0; round < most_rounds; ++round) {
+    ++steps;
+    if (dot(c.at, n) > 0 && is_apart(a, b, n, last, c.at)) return tell_apart();
+    if (round > 0) {
+      if (simplex.has(c.ends)) break;
+      if (simplex.add(c)) {
+        keep(found, simplex);
+        found.direction = {0, 0, 0};
+        return is_around(a, b, found.simplex.corners) ? Told::meet : Told::unsure;
+      }
+    }
+    if (c.at.x == 0 && c.at.y == 0 && c.at.z == 0 && p.is_given() && q.is_given()) {  // one point of both
+      found.simplex.corners[0] = last, found.simplex.size = 1, found.direction = {0, 0, 0};
+      return Told::meet;
+    }
+    n = simplex.direction();
+    c = next();
+  }
+  keep(found, simplex);
+  found.direction = {0, 0, 0};
+  return Told::unsure;
+}
+
+}  // namespace plumb::query

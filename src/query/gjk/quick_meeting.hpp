@@ -1,0 +1,25 @@
+// GJK: do two hulls meet, as far as doubles can prove it?  A search that ends at the first plane between them, or at four
+// corners of their difference around the origin.
+//
+// Laws: what is told is so; `unsure` says nothing, and leaves the best corners found in `simplex`.  `direction` is that of the
+// plane: all of a is strictly farther along than all of b.  What is handed in is a guess, and may be any.
+// Source: Gilbert, Johnson and Keerthi 1988; van den Bergen 1999 (ending at a separating axis); RTCD 9.5, 9.5.4.
+// Cost: 20 to 50 ns a corner; no allocation.
+#pragma once
+
+#include "plumb/query/gjk/gjk.hpp"
+#include "query/gjk/quick_hull.hpp"
+
+namespace plumb::query {
+
+enum class Told : unsigned char { apart, meet, unsure };
+
+/// A body and its corners in doubles; the body is asked where its corners are no doubles as given.
+struct QuickBody {
+  const BodyView& view;
+  QuickHull hull = {};
+};
+
+Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::uint32_t& steps);
+
+}  // namespace plumb::query

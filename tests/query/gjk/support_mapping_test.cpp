@@ -1,0 +1,109 @@
+// Black boxes: polytopes, whose distance is known exactly, balls and ellipsoids in doubles, and mappings that are none.
+#include "plumb/query/gjk/support_mapping.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "certify/sanitized.hpp"
+#include "query/convex/nearest_pair.hpp"
+#include "query/gjk/any_body.hpp"
+#include "query/separation/told_pair.hpp"
+
+namespace plumb {
+namespace {
+
+using namespace any_body;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// The farthest of some points, exactly.
+struct Listed {
+  std::vector<Point3> points;
+  Point3 operator()(const Vector3& d) const {
+    const Point3* best = nullptr;
+    mpq_class most;
+    for (const Point3& p : points) {
+      const mpq_class reach = query::dot(Exact3{d.x, d.y, d.z}, Exact3{p.x, p.y, p.z});
+      if (best == nullptr || reach > most) best = &p, most = reach;
+    }
+    return *best;
+  }
+};
+
+TEST(SupportMappings, OfPolytopesBoundTheirDistance) {
+  int meet = 0, apart = 0, undecided = 0, exact = 0;
+  shape_cases::on_shapes(35'001, battery::sanitized ? 30 : 200, [&](Material& m) {
+    const auto points = [&] {
+      std::vector<Point3> all;
+      for (std::size_t n = 1 + m.below(8); n-- > 0;) all.push_back(m.below(2) == 0 ? m.point3() : m.probe3());
+      return all;
+    };
+    const Listed a{points()}, b{points()};
+    FlatSet p, q;
+    for (const Point3& v : a.points) p.points.push_back({v.x, v.y, v.z});
+    for (const Point3& v : b.points) q.points.push_back({v.x, v.y, v.z});
+    const mpq_class square = query::nearest_pair(p, q, query::WhichPair::any)->square;
+    const GjkBounds bounds = gjk_bounds(a, b);
+    const double d = query::rounded_distance(square, 0);
+    EXPECT_LE(bounds.lower, d) << m.about();
+    EXPECT_GE(bounds.upper, d) << m.about();
+    EXPECT_NE(bounds.told, sgn(square) == 0 ? GjkTold::disjoint : GjkTold::meeting) << m.about();
+    if (bounds.told == GjkTold::undecided) {
+      ++undecided;
+    } else {
+      (sgn(square) == 0 ? meet : apart) += 1;
+    }
+    exact += std::nextafter(bounds.lower, HUGE_VAL) >= d && std::nextafter(bounds.upper, 0.0) <= d;
+  });
+  std::printf("%d meet, %d apart, %d undecided, %d within an ulp\n", meet, apart, undecided, exact);
+  EXPECT_GT(meet, battery::sanitized ? 3 : 20);
+  EXPECT_GT(apart, battery::sanitized ? 3 : 20);
+  EXPECT_LT(undecided * 10, meet + apart);
+}
+
+/// In plain doubles, of half axes along those of space.
+struct Ellipsoid {
+  Point3 center;
+  Vector3 half;
+  Point3 operator()(const Vector3& d) const {
+    const Vector3 s{d.x * half.x, d.y * half.y, d.z * half.z};
+    const double length = std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
+    return {center.x + half.x * s.x / length, center.y + half.y * s.y / length, center.z + half.z * s.z / length};
+  }
+};
+
+TEST(SupportMappings, OfRoundBodiesComeNear) {
+  const Ellipsoid ball{{0, 0, 0}, {1, 1, 1}}, other{{3, 4, 12}, {2, 2, 2}};
+  const GjkBounds apart = gjk_bounds(ball, other, {.rounding = 0x1p-48, .within = 1e-9});
+  EXPECT_EQ(apart.told, GjkTold::disjoint);
+  EXPECT_LE(apart.lower, 10);
+  EXPECT_GE(apart.upper, 10);
+  EXPECT_LT(apart.upper - apart.lower, 1e-9);
+  const GjkBounds meet = gjk_bounds(ball, Ellipsoid{{0.5, 0.5, 0}, {2, 1, 0.5}}, {.rounding = 0x1p-48});
+  EXPECT_EQ(meet.told, GjkTold::undecided);
+  EXPECT_EQ(meet.lower, 0);
+  EXPECT_LT(meet.upper, 1e-12);
+  const GjkBounds long_one = gjk_bounds(Ellipsoid{{0, 0, 0}, {5, 0.1, 1}}, Ellipsoid{{0, 3, 0}, {4, 1, 0.2}},
+                                        {.rounding = 0x1p-46, .within = 1e-9});
+  EXPECT_EQ(long_one.told, GjkTold::disjoint);
+  EXPECT_NEAR(long_one.lower, 1.9, 1e-8);
+}
+
+TEST(SupportMappings, AreHeldToWhatTheyTold) {
+  const Listed sound{{{0, 0, 0}, {1, 0, 0}}};
+  int calls = 0;
+  const auto nan_later = [&calls](const Vector3&) { return ++calls < 2 ? Point3{9, 1, 1} : Point3{9, NAN, 1}; };
+  EXPECT_THAT(
+      [&] { (void)gjk_bounds(nan_later, sound); },
+      ThrowsMessage<NonFinite>(AllOf(HasSubstr("gjk_bounds: a tells"), HasSubstr("nan"), HasSubstr("direction"))));
+  int turn = 0;  // tells ever nearer points
+  const auto retreats = [&turn](const Vector3&) { return Point3{5.0 + ++turn, 3, 2}; };
+  EXPECT_THAT([&] { (void)gjk_bounds(retreats, sound); },
+              ThrowsMessage<InvalidShape>(HasSubstr("gjk_bounds: a contradicts itself")));
+  EXPECT_THROW((void)gjk_bounds(sound, sound, {.rounding = -1}), InvalidShape);
+  EXPECT_THROW((void)gjk_bounds(sound, sound, {.within = NAN}), NonFinite);
+}
+
+}  // namespace
+}  // namespace plumb
