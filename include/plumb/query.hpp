@@ -48,7 +48,8 @@
 
 // How is it proved?  relate_with_proof, distance_with_proof, verify
 #include "plumb/query/certificate/certificate.hpp"  // separating directions, touching planes, simplices around the origin
-#include "plumb/query/certificate/verify.hpp"       // whether they prove what they claim
+#include "plumb/query/certificate/certificate_text.hpp"  // as JSON, for other programs
+#include "plumb/query/certificate/verify.hpp"            // whether they prove what they claim
 
 // How near, and where?  closest_points, distance, compare_distance
 #include "plumb/arith/exact_distance.hpp"          // a distance as it is

@@ -2,19 +2,17 @@
 
 #include <cmath>
 
-#include "plumb/arith/big.hpp"
 #include "plumb/query/certificate/verify.hpp"
 #include "query/certificate/evidence.hpp"
+#include "query/certificate/number.hpp"
 #include "query/certificate/sound_bodies.hpp"
 #include "query/separation/told_pair.hpp"
 
 namespace plumb::query {
 namespace {
 
-Rational rational(mpq_class x) { return Rational(BigRational{std::move(x)}); }
-
 /// The same way in integers without a common factor.
-ProofDirection in_integers(const Exact3& n) {
+ProofDirection direction_in_integers(const Exact3& n) {
   mpz_class denominators = 1, factors = 0;
   for (const mpq_class& x : n) denominators = lcm(denominators, x.get_den());
   std::array<mpz_class, 3> whole;
@@ -27,25 +25,25 @@ ProofDirection in_integers(const Exact3& n) {
 }
 
 /// Nearly the same way in doubles: a guess.
-ProofDirection in_doubles(const ProofDirection& n) {
-  const auto bits = [](const Rational& x) {
-    return static_cast<long>(mpz_sizeinbase(x.value().value.get_num_mpz_t(), 2));
-  };
+ProofDirection direction_in_doubles(const ProofDirection& n) {
+  const auto bits = [](const Rational& x) { return static_cast<long>(mpz_sizeinbase(number(x).get_num_mpz_t(), 2)); };
   const long most = std::max({bits(n.x), bits(n.y), bits(n.z)});
   const auto rounded = [most](const Rational& x) {
     long exponent = 0;
-    const double part = mpz_get_d_2exp(&exponent, x.value().value.get_num_mpz_t());
+    const double part = mpz_get_d_2exp(&exponent, number(x).get_num_mpz_t());
     return Rational(std::ldexp(part, static_cast<int>(std::max(exponent - most, -1000L))));
   };
   return {rounded(n.x), rounded(n.y), rounded(n.z)};
 }
 
 /// From a to b, of cores whose difference has this point nearest to the origin.
-ProofDirection direction_of(const NearestDifference& nearest) { return in_integers(mpq_class(-1) * nearest.at); }
+ProofDirection direction_of(const NearestDifference& nearest) {
+  return direction_in_integers(mpq_class(-1) * nearest.at);
+}
 
 Certificate disjoint(const BodyView& a, const BodyView& b, const NearestDifference& nearest) {
   const ProofDirection exact = direction_of(nearest);
-  Certificate c{Claim::disjoint, in_doubles(exact), {}};
+  Certificate c{Claim::disjoint, direction_in_doubles(exact), {}};
   if (!verdict_on(c, a, b)) c.direction = exact;
   return c;
 }
@@ -61,7 +59,7 @@ Certificate certified_relation(const BodyView& view_a, const BodyView& view_b) {
   if (sgn(reach) > 0 && order == 0) return {Claim::touching, direction_of(nearest), std::move(nearest.pairs)};
   if (sgn(reach) > 0) return {Claim::overlapping, {}, std::move(nearest.pairs)};
   SpanOrPlane s = span_or_plane(a.corners, b.corners, nearest.pairs);
-  if (s.normal) return {Claim::touching, in_integers(*s.normal), std::move(nearest.pairs)};
+  if (s.normal) return {Claim::touching, direction_in_integers(*s.normal), std::move(nearest.pairs)};
   return {Claim::overlapping, {}, std::move(s.pairs)};
 }
 

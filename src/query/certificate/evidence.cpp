@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "arith/rational_lp.hpp"
-#include "plumb/arith/big.hpp"
+#include "query/certificate/number.hpp"
 #include "query/certificate/span.hpp"
 #include "query/convex/integer_difference.hpp"
 #include "query/separation/proved_corners.hpp"
@@ -12,9 +12,6 @@ namespace plumb::query {
 namespace {
 
 using Pairs = std::vector<WeightedPair>;
-
-const mpq_class& number(const Rational& r) { return r.value().value; }
-Rational rational(mpq_class x) { return Rational(BigRational{std::move(x)}); }
 
 Exact3 in_rationals(const arith::Vec<mpq_class>& v) { return {v.x, v.y, v.z}; }
 
@@ -41,7 +38,7 @@ Pairs nearest_pairs(const std::vector<Exact3>& a, const std::vector<Exact3>& b) 
 }
 
 /// The weights of corners that are known to be those of the nearest point.
-Pairs weighed(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
+Pairs weights_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic>(a, b, corners, ask);
   const mpq_class whole = big_rational(n.whole).value;
@@ -129,7 +126,8 @@ class Spanning {
 
 NearestDifference nearest_difference(const CoreCorners& a, const CoreCorners& b) {
   const auto proved = proved_nearest(a, b);
-  NearestDifference nearest{proved ? weighed(a, b, proved->corners) : nearest_pairs(points_of(a), points_of(b)), {}, 0};
+  NearestDifference nearest{
+      proved ? weights_of(a, b, proved->corners) : nearest_pairs(points_of(a), points_of(b)), {}, 0};
   for (const WeightedPair& p : nearest.pairs) {
     const Exact3 d = in_rationals(difference_of<mpq_class>(a, b, {p.of_a, p.of_b}));
     nearest.at = nearest.at + number(p.weight) * d;

@@ -1,8 +1,8 @@
 // The conditions of query/certificate/certificate.hpp, one by one, in rational numbers.  Nothing is searched for.
 #include "plumb/query/certificate/verify.hpp"
 
-#include "plumb/arith/big.hpp"
 #include "query/certificate/is_rounded.hpp"
+#include "query/certificate/number.hpp"
 #include "query/certificate/span.hpp"
 #include "query/separation/convex_body.hpp"
 
@@ -12,7 +12,6 @@ namespace {
 using Exact = Span::Vector;
 using Pairs = std::vector<WeightedPair>;
 
-const mpq_class& number(const Rational& r) { return r.value().value; }
 Exact vertex(const Body& body, std::size_t i) { return body.corners.at<mpq_class>(i); }
 Exact difference(const Body& a, const Body& b, const WeightedPair& pair) {
   return vertex(a, pair.of_a) - vertex(b, pair.of_b);
