@@ -1,8 +1,9 @@
 #include "plumb/query/certificate/certificate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "plumb/query/certificate/verify.hpp"
+#include "arith/running_error.hpp"
 #include "query/certificate/evidence.hpp"
 #include "query/certificate/number.hpp"
 #include "query/certificate/sound_bodies.hpp"
@@ -41,11 +42,22 @@ ProofDirection direction_of(const NearestDifference& nearest) {
   return direction_in_integers(mpq_class(-1) * nearest.at);
 }
 
-Certificate disjoint(const BodyView& a, const BodyView& b, const NearestDifference& nearest) {
-  const ProofDirection exact = direction_of(nearest);
-  Certificate c{Claim::disjoint, direction_in_doubles(exact), {}};
-  if (!verdict_on(c, a, b)) c.direction = exact;
-  return c;
+/// Do doubles prove that the direction leaves a gap of more than the radii?
+bool leaves_gap(const ProofDirection& n, const Body& a, const Body& b, const mpq_class& radii) {
+  const arith::Vec<Running> way{Running(n.x.rounded()), Running(n.y.rounded()), Running(n.z.rounded())};
+  double end = -HUGE_VAL, begin = HUGE_VAL;
+  for (std::size_t i = 0; i < a.corners.size(); ++i) end = std::max(end, dot(way, a.corners.at<Running>(i)).upper());
+  for (std::size_t i = 0; i < b.corners.size(); ++i)
+    begin = std::min(begin, dot(way, b.corners.at<Running>(i)).lower());
+  if (!(begin > end) || !std::isfinite(begin) || !std::isfinite(end)) return false;
+  const mpq_class gap = mpq_class(begin) - mpq_class(end);
+  const mpq_class length = number(n.x * n.x + n.y * n.y + n.z * n.z);
+  return gap * gap > radii * radii * length;
+}
+
+Certificate disjoint(const Body& a, const Body& b, const NearestDifference& nearest) {
+  const ProofDirection exact = direction_of(nearest), rounded = direction_in_doubles(exact);
+  return {Claim::disjoint, leaves_gap(rounded, a, b, a.radius + b.radius) ? rounded : exact, {}};
 }
 
 }  // namespace
@@ -55,7 +67,7 @@ Certificate certified_relation(const BodyView& view_a, const BodyView& view_b) {
   const mpq_class radii = a.radius + b.radius, reach = radii * radii;
   NearestDifference nearest = nearest_difference(a.corners, b.corners);
   const int order = cmp(nearest.square, reach);
-  if (order > 0) return disjoint(view_a, view_b, nearest);
+  if (order > 0) return disjoint(a, b, nearest);
   if (sgn(reach) > 0 && order == 0) return {Claim::touching, direction_of(nearest), std::move(nearest.pairs)};
   if (sgn(reach) > 0) return {Claim::overlapping, {}, std::move(nearest.pairs)};
   SpanOrPlane s = span_or_plane(a.corners, b.corners, nearest.pairs);
@@ -67,7 +79,7 @@ Certificate certified_intersection(const BodyView& view_a, const BodyView& view_
   const auto [a, b] = sound_bodies("intersects_with_proof", view_a, view_b);
   const mpq_class radii = a.radius + b.radius;
   NearestDifference nearest = nearest_difference(a.corners, b.corners);
-  if (nearest.square > radii * radii) return disjoint(view_a, view_b, nearest);
+  if (nearest.square > radii * radii) return disjoint(a, b, nearest);
   return {Claim::intersecting, {}, std::move(nearest.pairs)};
 }
 

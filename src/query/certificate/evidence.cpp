@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "arith/rational_lp.hpp"
 #include "query/certificate/number.hpp"
 #include "query/certificate/span.hpp"
 #include "query/convex/integer_difference.hpp"
@@ -22,12 +21,18 @@ std::vector<Exact3> points_of(const CoreCorners& c) {
   return points;
 }
 
-/// By the search that doubles begin and integers end.
-Pairs nearest_pairs(const std::vector<Exact3>& a, const std::vector<Exact3>& b) {
-  const IntegerDifference sets = in_integers({a, {}, {}}, {b, {}, {}});
-  arith::DifferenceSearch<mpz_class> search(sets.difference, guessed_corners(sets.difference));
+using Integers = arith::Difference<mpz_class>;
+using Search = arith::DifferenceSearch<mpz_class>;
+
+/// The search that doubles begin and integers end, at its end.
+Search searched(const Integers& sets) {
+  Search search(sets, guessed_corners(sets));
   while (search.step()) {
   }
+  return search;
+}
+
+Pairs pairs_of(const Search& search) {
   Pairs pairs;
   for (std::size_t i = 0; i < search.corners().size(); ++i) {
     const arith::DifferenceCorner& c = search.corners()[i];
@@ -35,6 +40,10 @@ Pairs nearest_pairs(const std::vector<Exact3>& a, const std::vector<Exact3>& b) 
                      rational(mpq_class(search.weights()[i], search.whole()))});
   }
   return pairs;
+}
+
+IntegerDifference integers_of(const CoreCorners& a, const CoreCorners& b) {
+  return in_integers({points_of(a), {}, {}}, {points_of(b), {}, {}});
 }
 
 /// The weights of corners that are known to be those of the nearest point.
@@ -64,70 +73,107 @@ Pairs joined(const Pairs& one, const Pairs& other) {
   return all;
 }
 
-class Spanning {
+/// The difference as it is around the origin, which it holds.
+class AroundOrigin {
  public:
-  Spanning(const CoreCorners& a, const CoreCorners& b) : a_(points_of(a)), b_(points_of(b)) {}
+  AroundOrigin(const CoreCorners& a, const CoreCorners& b) : sets_(integers_of(a, b).difference) {}
 
   /// A pair that the others do not span, of a vertex of theirs.
   [[nodiscard]] std::optional<WeightedPair> beyond(const Pairs& pairs) const {
-    Span span;
-    const auto in_span = [&span](const Exact3& v) { return span.holds({v[0], v[1], v[2]}); };
-    for (const WeightedPair& p : pairs) {
-      const Exact3 d = difference(p);
-      span.add({d[0], d[1], d[2]});
-    }
+    Span<mpz_class> span;
+    for (const WeightedPair& p : pairs) span.add(difference(p));
     WeightedPair found = pairs[0];
-    for (found.of_a = 0; found.of_a < a_.size(); ++found.of_a) {
-      if (!in_span(difference(found))) return found;
+    for (found.of_a = 0; found.of_a < sets_.points[0].size(); ++found.of_a) {
+      if (!span.holds(difference(found))) return found;
     }
     found = pairs[0];
-    for (found.of_b = 0; found.of_b < b_.size(); ++found.of_b) {
-      if (!in_span(difference(found))) return found;
+    for (found.of_b = 0; found.of_b < sets_.points[1].size(); ++found.of_b) {
+      if (!span.holds(difference(found))) return found;
     }
     return {};
   }
 
-  [[nodiscard]] Exact3 difference(const WeightedPair& p) const { return a_[p.of_a] - b_[p.of_b]; }
-
-  /// How far the difference goes from the origin against `way`, which is one of its points: the greatest t for which it has
-  /// -t way.  By the linear program of the plane that ends it there: the greatest s + t with n.u + s <= 0, t <= n.v and
-  /// n.way <= -1.
-  struct Reach {
-    mpq_class times;
-    Exact3 normal;
-  };
-  [[nodiscard]] Reach reach_against(const Exact3& way) const {
-    arith::Constraints all;
-    for (const Exact3& u : a_) all.add({u[0], u[1], u[2], 1, 0}, 0);
-    for (const Exact3& v : b_) all.add({-v[0], -v[1], -v[2], 0, 1}, 0);
-    all.add({way[0], way[1], way[2], 0, 0}, -1);
-    const arith::RationalVector at = arith::maximize({0, 0, 0, 1, 1}, all).at;
-    return {-at[3] - at[4], {at[0], at[1], at[2]}};
-  }
-
-  /// Weights of the origin to which `pair` contributes: it times t, and what makes -t times it.
-  [[nodiscard]] Pairs around(const WeightedPair& pair, const Reach& reach) const {
-    std::vector<Exact3> moved = a_;
-    const Exact3 by = reach.times * difference(pair);
-    for (Exact3& u : moved) u = u + by;
-    Pairs all = nearest_pairs(moved, b_);
-    all.push_back(pair);
-    all.back().weight = rational(reach.times);
-    const Rational whole = Rational(1) + all.back().weight;
-    for (WeightedPair& p : all) p.weight = p.weight / whole;
-    return all;
+  /// Weights of the origin to which `pair` contributes; or, where the difference ends at the origin on the way against the
+  /// pair's own, a plane that ends it.  Either is found by what is nearest to a point so little on that way that nothing but
+  /// the faces at the origin counts: less and less is tried, until it is little enough.
+  [[nodiscard]] SpanOrPlane against(const WeightedPair& pair) const {
+    const auto way = difference(pair);
+    for (mp_bitcnt_t bits = 0;; bits = 2 * bits + 2) {
+      const Integers seen = seen_from(way, bits);
+      const Search search = searched(seen);
+      if (search.square() == 0) return {around(pair, pairs_of(search), bits), {}};
+      const arith::Vec<mpz_class> normal = normal_of(search, way, bits);
+      if (ends_at_origin(normal)) return {{}, Exact3{normal.x, normal.y, normal.z}};
+    }
   }
 
  private:
-  std::vector<Exact3> a_, b_;
+  using Vector = arith::Vec<mpz_class>;
+  static Vector vector(const arith::Triplet<mpz_class>& v) { return {v[0], v[1], v[2]}; }
+  [[nodiscard]] Vector difference(std::size_t i, std::size_t j) const {
+    return vector(sets_.points[0][i]) - vector(sets_.points[1][j]);
+  }
+  [[nodiscard]] Vector difference(const WeightedPair& p) const { return difference(p.of_a, p.of_b); }
+
+  /// Times 2^bits, and moved by `way`: seen from -way / 2^bits.
+  [[nodiscard]] Integers seen_from(const Vector& way, mp_bitcnt_t bits) const {
+    Integers seen = sets_;
+    const arith::Triplet<mpz_class> by{way.x, way.y, way.z};
+    for (std::size_t s = 0; s < 2; ++s) {
+      for (arith::Triplet<mpz_class>& p : seen.points[s]) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          p[k] <<= bits;
+          if (s == 0) p[k] += by[k];
+        }
+      }
+    }
+    return seen;
+  }
+
+  /// From a to b, at right angles to what is nearest.
+  [[nodiscard]] Vector normal_of(const Search& search, const Vector& way, mp_bitcnt_t bits) const {
+    Vector sum{0, 0, 0};
+    for (std::size_t i = 0; i < search.corners().size(); ++i) {
+      const arith::DifferenceCorner& c = search.corners()[i];
+      const Vector d = difference(c.first, c.second) * (mpz_class(1) << bits) + way;
+      sum = sum - d * search.weights()[i];
+    }
+    return sum;
+  }
+
+  [[nodiscard]] bool ends_at_origin(const Vector& normal) const {
+    std::array<mpz_class, 2> end;
+    for (std::size_t s = 0; s < 2; ++s) {
+      for (std::size_t i = 0; i < sets_.points[s].size(); ++i) {
+        mpz_class along = dot(normal, vector(sets_.points[s][i]));
+        if (i == 0 || (s == 0 ? along > end[s] : along < end[s])) end[s] = std::move(along);
+      }
+    }
+    return end[0] == end[1];
+  }
+
+  /// The weights make -1 / 2^bits times the pair; with that much of it they make the origin.
+  static Pairs around(const WeightedPair& pair, Pairs pairs, mp_bitcnt_t bits) {
+    pairs.push_back(pair);
+    pairs.back().weight = rational(mpq_class(1, mpz_class(1) << bits));
+    const Rational whole = Rational(1) + pairs.back().weight;
+    for (WeightedPair& p : pairs) p.weight = p.weight / whole;
+    return pairs;
+  }
+
+  Integers sets_;
 };
 
 }  // namespace
 
 NearestDifference nearest_difference(const CoreCorners& a, const CoreCorners& b) {
-  const auto proved = proved_nearest(a, b);
-  NearestDifference nearest{
-      proved ? weights_of(a, b, proved->corners) : nearest_pairs(points_of(a), points_of(b)), {}, 0};
+  NearestDifference nearest;
+  if (const auto proved = proved_nearest(a, b)) {
+    nearest.pairs = weights_of(a, b, proved->corners);
+  } else {
+    const IntegerDifference sets = integers_of(a, b);
+    nearest.pairs = pairs_of(searched(sets.difference));
+  }
   for (const WeightedPair& p : nearest.pairs) {
     const Exact3 d = in_rationals(difference_of<mpq_class>(a, b, {p.of_a, p.of_b}));
     nearest.at = nearest.at + number(p.weight) * d;
@@ -139,11 +185,11 @@ NearestDifference nearest_difference(const CoreCorners& a, const CoreCorners& b)
 // Each turn adds a way to what the pairs span, so that there are three at most.
 SpanOrPlane span_or_plane(const CoreCorners& a, const CoreCorners& b, std::vector<WeightedPair> pairs) {
   if (pairs.size() == 4) return {std::move(pairs), {}};  // independent and around the origin: all of space
-  const Spanning spanning(a, b);
-  while (const auto beyond = spanning.beyond(pairs)) {
-    const auto reach = spanning.reach_against(spanning.difference(*beyond));
-    if (sgn(reach.times) == 0) return {{}, reach.normal};
-    pairs = joined(pairs, spanning.around(*beyond, reach));
+  const AroundOrigin around(a, b);
+  while (const auto beyond = around.beyond(pairs)) {
+    SpanOrPlane found = around.against(*beyond);
+    if (found.normal) return found;
+    pairs = joined(pairs, found.pairs);
   }
   return {std::move(pairs), {}};
 }

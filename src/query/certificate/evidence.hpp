@@ -5,7 +5,7 @@
 // the difference prove, or a plane does that has all of it on one side.
 // Laws: exact, and the searches end; weights are above zero, of sum 1.
 // Source: Wolfe 1976; Gilbert, Johnson and Keerthi 1988; Rockafellar 1970, theorems 6.4 and 11.3.
-// Cost: GMP; some 10 us, a linear program some 100 us more and linear in the vertices.
+// Cost: GMP; some 10 us; where the origin is on an edge or a face of what is found some 100 us, linear in the vertices.
 #pragma once
 
 #include <optional>

@@ -11,9 +11,11 @@
 
 namespace plumb::query {
 
+/// Of vectors of mpq_class or mpz_class.
+template <class Number>
 class Span {
  public:
-  using Vector = arith::Vec<mpq_class>;
+  using Vector = arith::Vec<Number>;
 
   [[nodiscard]] bool holds(const Vector& v) const {
     if (rank_ == 0) return is_zero(v);

@@ -9,7 +9,7 @@
 namespace plumb::query {
 namespace {
 
-using Exact = Span::Vector;
+using Exact = arith::Vec<mpq_class>;
 using Pairs = std::vector<WeightedPair>;
 
 Exact vertex(const Body& body, std::size_t i) { return body.corners.at<mpq_class>(i); }
@@ -62,7 +62,7 @@ Gap gap_along(const Exact& n, const Body& a, const Body& b) {
 
 /// Does every way from one vertex of a body to another lie in the span of the pairs' differences?
 bool span_all(const Pairs& pairs, const Body& a, const Body& b) {
-  Span span;
+  Span<mpq_class> span;
   for (const WeightedPair& pair : pairs) span.add(difference(a, b, pair));
   for (const Body* body : {&a, &b}) {
     for (std::size_t i = 1; i < body->corners.size(); ++i) {
@@ -80,7 +80,7 @@ std::string flaw_of_disjoint(const Exact& n, const Body& a, const Body& b, const
 }
 
 std::string flaw_of_touching(const Exact& n, const Exact& d, const Body& a, const Body& b, const mpq_class& reach) {
-  if (Span::is_zero(n)) return "the direction is zero";
+  if (Span<mpq_class>::is_zero(n)) return "the direction is zero";
   if (square(d) != reach) return "the points of the pairs are not as far apart as the radii reach";
   const Gap gap = gap_along(n, a, b);
   if (sgn(gap.width) < 0 || gap.width * gap.width != reach * square(n))
@@ -92,7 +92,7 @@ std::string flaw_of_touching(const Exact& n, const Exact& d, const Body& a, cons
 std::string flaw_of_overlapping(const Pairs& pairs, const Exact& d, const Body& a, const Body& b,
                                 const mpq_class& reach) {
   if (sgn(reach) > 0) return square(d) < reach ? "" : "the points of the pairs are not nearer than the radii reach";
-  if (!Span::is_zero(d)) return "the pairs make no common point";
+  if (!Span<mpq_class>::is_zero(d)) return "the pairs make no common point";
   return span_all(pairs, a, b) ? "" : "the differences of the pairs do not span the bodies";
 }
 
@@ -128,7 +128,7 @@ ProofVerdict verdict_on(const DistanceCertificate& c, const BodyView& view_a, co
   if (number(c.exact.square) != square(d)) return {"the square is not that of the points of the pairs"};
   if (!is_rounded(c.distance, square(d), a.radius + b.radius))
     return {"the distance is not rounded to the nearest double"};
-  if (Span::is_zero(d)) return {c.direction ? "a direction is of no use" : ""};
+  if (Span<mpq_class>::is_zero(d)) return {c.direction ? "a direction is of no use" : ""};
   if (!c.direction) return {"a direction is missing"};
   const Exact n = exact(*c.direction);
   const mpq_class gap = gap_along(n, a, b).width;

@@ -9,7 +9,7 @@
 // src/query/certificate/verify.cpp can be read in two minutes and searches for nothing; docs/verify_certificate.py is the
 // same in Python.
 // Source: RTCD 9.1; Mehlhorn et al., Checking geometric programs, 1999.
-// Cost: rationals: a microsecond or two a vertex.
+// Cost: rationals: some 2 us a vertex.
 #pragma once
 
 #include <string>
