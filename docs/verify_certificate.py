@@ -3,8 +3,8 @@
 
     python3 verify_certificate.py FILE...      (or from standard input)
 
-A file holds certificates as plumb::certificate_text writes them, one a line.  For each a line says what is proved, or why
-nothing is; the status is 0 where all are.  What the numbers mean, and why they prove it: docs/convex.md.
+A file holds certificates as plumb::certificate_text writes them, one a line.  For each a line says what is proved, or
+why nothing is; the status is 0 where all are.  What the numbers mean, and why they prove it: docs/convex.md.
 """
 
 import json
@@ -28,7 +28,8 @@ def require(condition, flaw):
 
 def real(text):
     require(isinstance(text, str), "a number is no text")
-    require(re.fullmatch(r"-?0x[0-9a-fA-F]+(\.[0-9a-fA-F]*)?(p[+-]?[0-9]+)?", text), f"{text!r} is no hexadecimal double")
+    written = re.fullmatch(r"-?0x[0-9a-fA-F]+(\.[0-9a-fA-F]*)?(p[+-]?[0-9]+)?", text)
+    require(written, f"{text!r} is no hexadecimal double")
     try:
         return Fraction(float.fromhex(text))
     except OverflowError:
@@ -117,7 +118,8 @@ def body_of(body):
     if "pose" in body:
         columns = [vector(c) for c in items(member(body["pose"], "columns"), 3)]
         translation = vector(member(body["pose"], "translation"))
-        corners = [tuple(sum(columns[k][i] * p[k] for k in range(3)) + translation[i] for i in range(3)) for p in corners]
+        rows = list(zip(*columns))
+        corners = [tuple(dot(row, p) + t for row, t in zip(rows, translation)) for p in corners]
         if radius > 0:
             u, v, w = columns
             require(dot(u, v) == dot(v, w) == dot(w, u) == 0 and dot(u, u) == dot(v, v) == dot(w, w),

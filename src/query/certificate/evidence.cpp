@@ -93,9 +93,9 @@ class AroundOrigin {
     return {};
   }
 
-  /// Weights of the origin to which `pair` contributes; or, where the difference ends at the origin on the way against the
-  /// pair's own, a plane that ends it.  Either is found by what is nearest to a point so little on that way that nothing but
-  /// the faces at the origin counts: less and less is tried, until it is little enough.
+  /// Weights of the origin to which `pair` contributes; or, where the difference ends at the origin on the way against
+  /// the pair's own, a plane that ends it.  Either is found by what is nearest to a point so little on that way that
+  /// nothing but the faces at the origin counts: less and less is tried, until it is little enough.
   [[nodiscard]] SpanOrPlane against(const WeightedPair& pair) const {
     const auto way = difference(pair);
     for (mp_bitcnt_t bits = 0;; bits = 2 * bits + 2) {

@@ -1,8 +1,8 @@
 // Minkowski difference: which few pairs of vertices prove where the origin lies in it?
 //
-// The difference is all points of a less all points of b, of the hulls of their vertices.  Its point nearest to the origin is
-// a sum of at most four pairs; where that is the origin itself, either its relative interior holds it, which pairs that span
-// the difference prove, or a plane does that has all of it on one side.
+// The difference is all points of a less all points of b, of the hulls of their vertices.  Its point nearest to the
+// origin is a sum of at most four pairs; where that is the origin itself, either its relative interior holds it, which
+// pairs that span the difference prove, or a plane does that has all of it on one side.
 // Laws: exact, and the searches end; weights are above zero, of sum 1.
 // Source: Wolfe 1976; Gilbert, Johnson and Keerthi 1988; Rockafellar 1970, theorems 6.4 and 11.3.
 // Cost: GMP; some 10 us; where the origin is on an edge or a face of what is found some 100 us, linear in the vertices.

@@ -1,7 +1,7 @@
 // Rounding: is this the double nearest to a distance?
 //
-// Laws: exact; what is in the middle between two doubles goes to the even one, and what is as far beyond the last as the
-// middle between it and 2^1024 to infinity.
+// Laws: exact; what is in the middle between two doubles goes to the even one, and what is as far beyond the last as
+// the middle between it and 2^1024 to infinity.
 // Source: IEEE 754-2019, 4.3.1.
 // Cost: GMP; two products.
 #pragma once

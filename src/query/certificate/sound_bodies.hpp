@@ -1,7 +1,7 @@
 // Are these two bodies, polyhedra that are what they say among them?
 //
-// Laws: those of query/separation/convex_body.hpp; a ConvexPolyhedron3 is checked (figure/basic/polyhedron.hpp), whoever
-// filled it in.
+// Laws: those of query/separation/convex_body.hpp; a ConvexPolyhedron3 is checked (figure/basic/polyhedron.hpp),
+// whoever filled it in.
 // Source: RTCD 9.1.
 // Cost: that of check_polyhedron.
 #pragma once

@@ -1,5 +1,5 @@
-// Certificates of figures: every pair of kinds that are bodies, hard ones, as they stand and under poses, says what relate,
-// intersects and distance say of it, and is verified.
+// Certificates of figures: every pair of kinds that are bodies, hard ones, as they stand and under poses, says what
+// relate, intersects and distance say of it, and is verified.
 #include <gtest/gtest.h>
 
 #include "plumb/query/certificate/verify.hpp"

@@ -1,5 +1,6 @@
-// Which pairs of convex bodies are hard?  Hulls that share a vertex, an edge or a face, that are an ulp from it, contained,
-// flat against flat, points, of sizes that differ by 2^60, with repeated and inner points; as they stand and under poses.
+// Which pairs of convex bodies are hard?  Hulls that share a vertex, an edge or a face, that are an ulp from it,
+// contained, flat against flat, points, of sizes that differ by 2^60, with repeated and inner points; as they stand and
+// under poses.
 //
 // Laws: case `index` of run `start` is the same on every machine; every number is finite.
 #pragma once

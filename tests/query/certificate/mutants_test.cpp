@@ -1,4 +1,5 @@
-// Certificates with one thing changed: verify refuses each, but for those that another arithmetic shows to be proofs as well.
+// Certificates with one thing changed: verify refuses each, but for those that another arithmetic shows to be proofs as
+// well.
 #include "query/certificate/mutants.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Certificates as text: JSON that holds a certificate and both of its bodies, to be kept, sent, and checked by other programs.
+// Certificates as text: JSON that holds a certificate and both of its bodies, to be kept, sent, and checked by other
+// programs.
 //
 //   const std::string text = certificate_text(relate_with_proof(a, b), a, b);       one line
 //   verify(read_certificate(text));                                                 or: docs/verify_certificate.py FILE
@@ -6,15 +7,15 @@
 //   {"claim": "touching", "direction": ["2", "3", "6"], "pairs": [{"a": 7, "b": 0, "weight": "1"}],
 //    "a": {"min": [...], "max": [...]}, "b": {"vertices": [[...]], "radius": "0x1.cp+2"}}
 //
-// Numbers are texts: fractions "-3/8", integers "5", or hexadecimal doubles "0x1.8p-3"; those of bodies are doubles.  A body
-// is its "vertices"; or these, one or two, and a "radius"; a box from "min" to "max"; the "center", "axes" and "half" of an
-// oriented box or a rectangle; the "corner", "edges" and "radius" of a lozenge; each with a "pose" of "columns" and
-// "translation" where it stands under one.  A distance has the claim "distance", its "square" and "inset", and the "distance"
-// rounded, "infinity" beyond all doubles.
-// Laws: (1) what is read says the same as what was written: the same numbers, corners by the same numbers, the same verdict.
-// (2) A text of any content is read or refused.
-// A text that is no certificate throws Error, which names its place: "read_certificate: pairs[2].weight is ...".  What is no
-// body throws InvalidShape or NonFinite, as in query/certificate/certificate.hpp.
+// Numbers are texts: fractions "-3/8", integers "5", or hexadecimal doubles "0x1.8p-3"; those of bodies are doubles.  A
+// body is its "vertices"; or these, one or two, and a "radius"; a box from "min" to "max"; the "center", "axes" and
+// "half" of an oriented box or a rectangle; the "corner", "edges" and "radius" of a lozenge; each with a "pose" of
+// "columns" and "translation" where it stands under one.  A distance has the claim "distance", its "square" and
+// "inset", and the "distance" rounded, "infinity" beyond all doubles.
+// Laws: (1) what is read says the same as what was written: the same numbers, corners by the same numbers, the same
+// verdict. (2) A text of any content is read or refused.
+// A text that is no certificate throws Error, which names its place: "read_certificate: pairs[2].weight is ...".  What
+// is no body throws InvalidShape or NonFinite, as in query/certificate/certificate.hpp.
 // Source: RFC 8259; RTCD 9.1.
 // Cost: some microseconds a number.
 #pragma once

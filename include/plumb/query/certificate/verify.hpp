@@ -2,12 +2,12 @@
 //
 //   if (const ProofVerdict verdict = verify(proof, a, b); !verdict) std::cerr << verdict.flaw;
 //
-// Laws: (1) it holds exactly where the conditions of query/certificate/certificate.hpp do, and what they do not ask for is
-// absent.  (2) A certificate of any content is judged: vertices that there are not, weights of any sign, directions of zero
-// are flaws, not errors; `flaw` names the first.
-// What is no body throws as in query/certificate/certificate.hpp, but that of a polyhedron its vertices alone are looked at.
-// src/query/certificate/verify.cpp can be read in two minutes and searches for nothing; docs/verify_certificate.py is the
-// same in Python.
+// Laws: (1) it holds exactly where the conditions of query/certificate/certificate.hpp do, and what they do not ask for
+// is absent.  (2) A certificate of any content is judged: vertices that there are not, weights of any sign, directions
+// of zero are flaws, not errors; `flaw` names the first.
+// What is no body throws as in query/certificate/certificate.hpp, but that of a polyhedron its vertices alone are
+// looked at. src/query/certificate/verify.cpp can be read in two minutes and searches for nothing;
+// docs/verify_certificate.py is the same in Python.
 // Source: RTCD 9.1; Mehlhorn et al., Checking geometric programs, 1999.
 // Cost: rationals: some 2 us a vertex.
 #pragma once
