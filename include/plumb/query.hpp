@@ -46,6 +46,11 @@
 #include "plumb/query/section/restated.hpp"             // of slabs, of boxes by width or by center
 #include "plumb/query/section/solid.hpp"                // of two solids
 
+// How is it proved?  relate_with_proof, distance_with_proof, verify
+#include "plumb/query/certificate/certificate.hpp"  // separating directions, touching planes, simplices around the origin
+#include "plumb/query/certificate/certificate_text.hpp"  // as JSON, for other programs
+#include "plumb/query/certificate/verify.hpp"            // whether they prove what they claim
+
 // How near, and where?  closest_points, distance, compare_distance
 #include "plumb/arith/exact_distance.hpp"          // a distance as it is
 #include "plumb/query/closest/batch.hpp"           // the nearest of many

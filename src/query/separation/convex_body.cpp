@@ -4,11 +4,11 @@
 
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/basic/convexity.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/core.hpp"
 #include "query/convex/posed_radius.hpp"
-#include "query/convex/set.hpp"
 
 namespace plumb::query {
 namespace {
@@ -27,13 +27,18 @@ void require_hull(std::string_view function, const std::string& name, const Body
   }
 }
 
-/// Throws where the polygon is not planar or not convex.
-void require_convex(const FigureView& figure) {
-  with_figure(figure, []<class Shape>(const Shape& s) {
-    if constexpr (std::is_same_v<Shape, Polygon3>) static_cast<void>(meeting::convex_set(s));
-    if constexpr (std::is_same_v<Shape, Quadrilateral3>) {
-      static_cast<void>(meeting::convex_set(Polygon3{{s.a, s.b, s.c, s.d}}));
-    }
+/// Throws where the polygon is not planar or not convex; on one line it may be.
+void require_convex(std::string_view function, std::string_view name, const FigureView& figure) {
+  with_figure(figure, [&]<class Shape>(const Shape& s) {
+    PolygonKind kind = PolygonKind::convex;
+    if constexpr (std::is_same_v<Shape, Polygon3>) kind = convexity(s).kind;
+    if constexpr (std::is_same_v<Shape, Quadrilateral3>) kind = convexity(Polygon3{{s.a, s.b, s.c, s.d}}).kind;
+    const auto refuse = [&](const char* what) {
+      throw InvalidShape(std::string(function).append(": ").append(name).append(what));
+    };
+    if (kind == PolygonKind::not_planar) refuse(" is not planar; triangulate it or ask its triangles");
+    if (kind == PolygonKind::concave || kind == PolygonKind::self_winding)
+      refuse(" is not convex; triangulate it or ask its convex pieces");
   });
 }
 
@@ -52,7 +57,7 @@ Body body_of(std::string_view function, std::string_view name, const BodyView& b
     }
   } else {
     require_posed(function, name, posed);
-    require_convex(body.figure);
+    require_convex(function, std::string(name).append(body.pose != nullptr ? ".shape" : ""), body.figure);
   }
   const auto corners = CoreCorners::of(body);
   if (!corners) throw_empty(function, name);

@@ -389,5 +389,60 @@ TEST(ManyFaces, APrismOverThousandsOfCocircularPoints) {
   EXPECT_FALSE(is_convex(prism(star, around, {{0, 0}})));
 }
 
+// What was filled in by hand is held against the mesh, and the first thing that differs is named.
+TEST(CheckPolyhedron, NamesWhatIsWrong) {
+  const ConvexPolyhedron3 good = convex_polyhedron(cube());
+  EXPECT_NO_THROW(check_polyhedron(good));
+  const auto refused = [&](const auto& change) -> std::string {
+    ConvexPolyhedron3 p = good;
+    change(p);
+    try {
+      check_polyhedron(p, "asked");
+    } catch (const InvalidShape& e) {
+      return e.what();
+    }
+    return "nothing thrown";
+  };
+  const std::string by = "; make it by convex_polyhedron";
+  EXPECT_EQ(refused([](auto& p) {
+              p.mesh.vertices[6] = {1, 1, 2};
+            }),
+            "asked: face 1 is not planar: vertex 5 is off its plane; triangulate it");
+  EXPECT_EQ(refused([](auto& p) { p.mesh.corners[5] = 99; }),
+            "asked: face 1 names vertex 99, but there are 8 vertices");
+  EXPECT_EQ(refused([](auto& p) { p.across.pop_back(); }), "asked: polyhedron.across has 23 faces for 24 corners" + by);
+  EXPECT_EQ(refused([](auto& p) { p.across[2] = 77; }),
+            "asked: polyhedron.across[2] is face 77, but beyond the edge that leaves vertex 5 there is face 5" + by);
+  EXPECT_NE(refused([](auto& p) { p.first_neighbor.clear(); }).find("first_neighbor does not divide"),
+            std::string::npos);
+  EXPECT_NE(refused([](auto& p) { p.first_neighbor[3] = 90; }).find("first_neighbor does not divide"),
+            std::string::npos);
+  EXPECT_EQ(refused([](auto& p) { p.neighbors[0] = 8; }),
+            "asked: vertex 0 has the neighbor 8, but there are 8 vertices" + by);
+  // 0 has 1, 3 and 4.
+  EXPECT_EQ(refused([](auto& p) { p.neighbors[0] = 6; }),
+            "asked: vertex 0 has the neighbor 6, but not the other way round: vertex 6 has not the neighbor 0" + by);
+  EXPECT_EQ(refused([](auto& p) { p.neighbors[0] = 3; }),
+            "asked: vertex 0 lacks the neighbor 1, though an edge of the mesh joins them" + by);
+  EXPECT_EQ(refused([](auto& p) { std::swap(p.neighbors[0], p.neighbors[1]); }),
+            "asked: the neighbors of vertex 0 are not each named once, in ascending order" + by);
+  const auto other_edge = [](auto& p) { p.neighbors[1] = 6, p.neighbors[p.first_neighbor[6] + 1] = 0; };
+  EXPECT_EQ(refused(other_edge), "asked: vertex 0 has the neighbor 6, but no edge of the mesh joins them" + by);
+  const PolygonMesh dent = prism({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}});
+  EXPECT_NE(
+      refused([&](auto& p) { p.mesh = dent; }).find("asked: the ridge between face 2 and face 3, the edge from vertex"),
+      std::string::npos);
+}
+
+TEST(CheckPolyhedron, TakesWhatIsMade) {
+  on_shapes(611, 100, [](Material& m) {
+    std::vector<Point3> points;
+    for (int i = 0; i < 8; ++i) points.push_back(m.point3());
+    const Hull3 hull = convex_hull(points);
+    if (hull.dimension != 3) return;
+    EXPECT_NO_THROW(check_polyhedron(convex_polyhedron(hull, points))) << m.about();
+  });
+}
+
 }  // namespace
 }  // namespace plumb
