@@ -59,6 +59,11 @@
 #include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
+// What meets linear constraints, and what of it lies farthest?  maximize, verify
+#include "plumb/query/lp/linear_program.hpp"  // in the plane and in space: Seidel's algorithm
+#include "plumb/query/lp/linear_proof.hpp"    // what an answer rests on
+#include "plumb/query/lp/verify.hpp"          // is a proof one?
+
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
 #include "plumb/query/ray/batch.hpp"        // of many triangles or boxes
