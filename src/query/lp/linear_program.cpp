@@ -7,33 +7,13 @@
 #include "plumb/figure/basic/sound.hpp"
 #include "query/lp/corner_point.hpp"
 #include "query/lp/seidel.hpp"
+#include "query/lp/shuffle.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
 
 constexpr std::size_t most_constraints = no_constraint - 1;
-
-/// Numbers of a pseudo-random sequence (splitmix64).
-class Shuffle {
- public:
-  explicit Shuffle(std::uint64_t seed) : state_(seed) {}
-  std::size_t below(std::size_t n) {
-    state_ += 0x9e3779b97f4a7c15;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return static_cast<std::size_t>((static_cast<UInt128>(z ^ (z >> 31)) * n) >> 64);
-  }
-
- private:
-  std::uint64_t state_;
-};
-template <class Named>
-void shuffle(std::span<Named> all, std::uint64_t seed) {
-  Shuffle random(seed);
-  for (std::size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[random.below(i)]);
-}
 
 template <std::size_t D>
 bool is_zero_normal(const Numbers<D>& n) {

@@ -6,12 +6,11 @@
 #include "plumb/figure/basic/sound.hpp"
 #include "plumb/query/lp/linear_program.hpp"
 #include "query/lp/corner_point.hpp"
+#include "query/lp/system_rows.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
-
-Rational exactly(const mpq_class& x) { return Rational(BigRational{x}); }
 
 template <class Halfspace>
 LinearSystem system_of(std::span<const Halfspace> halfspaces) {
@@ -61,21 +60,14 @@ std::vector<mpq_class> weights_of(const std::vector<Numbers<D>>& vectors, const 
 }
 
 template <std::size_t D>
-std::vector<Rational> rationals_of(const std::array<mpq_class, D>& p) {
-  std::vector<Rational> r;
-  for (const mpq_class& x : p) r.push_back(exactly(x));
-  return r;
-}
-
-template <std::size_t D>
 LinearProof proof_of(const typename LpOf<D>::Answer& answer) {
   LinearProof proof{answer.kind, {}, {}, {}};
-  if (answer.kind != LinearKind::infeasible) proof.point = rationals_of<D>(exact_corner<D>(corner_planes<D>(answer)));
+  if (answer.kind != LinearKind::infeasible) proof.point = to_rationals(exact_corner<D>(corner_planes<D>(answer)));
   if (answer.kind == LinearKind::unbounded) {
     if constexpr (D == 2) {
-      proof.ray = rationals_of<D>(exact_corner<D>(answer.ray_lines));
+      proof.ray = to_rationals(exact_corner<D>(answer.ray_lines));
     } else {
-      proof.ray = rationals_of<D>(exact_corner<D>(answer.ray_planes));
+      proof.ray = to_rationals(exact_corner<D>(answer.ray_planes));
     }
     return proof;
   }
@@ -90,7 +82,7 @@ LinearProof proof_of(const typename LpOf<D>::Answer& answer) {
     for (double& x : sum) x = -x;
   }
   const std::vector<mpq_class> weights = weights_of<D>(normals, sum);
-  for (std::size_t i = 0; i < named; ++i) proof.weights.push_back({answer.deciding[i].number, exactly(weights[i])});
+  for (std::size_t i = 0; i < named; ++i) proof.weights.push_back({answer.deciding[i].number, to_rational(weights[i])});
   if (!is_optimal) proof.weights.push_back({answer.deciding[named].number, 1});
   return proof;
 }
@@ -103,11 +95,11 @@ LinearSystem linear_system(std::span<const Halfspace3> halfspaces) { return quer
 
 ExactPoint2 exact_point(const LinearAnswer2& answer) {
   const auto p = query::exact_corner<2>(query::corner_planes<2>(answer));
-  return RationalPoint2{query::exactly(p[0]), query::exactly(p[1])};
+  return RationalPoint2{query::to_rational(p[0]), query::to_rational(p[1])};
 }
 ExactPoint3 exact_point(const LinearAnswer3& answer) {
   const auto p = query::exact_corner<3>(query::corner_planes<3>(answer));
-  return RationalPoint3{query::exactly(p[0]), query::exactly(p[1]), query::exactly(p[2])};
+  return RationalPoint3{query::to_rational(p[0]), query::to_rational(p[1]), query::to_rational(p[2])};
 }
 
 LinearProof proof_of(const LinearAnswer2& answer) { return query::proof_of<2>(answer); }

@@ -1,5 +1,7 @@
 #include "plumb/query/lp/verify.hpp"
 
+#include <optional>
+
 namespace plumb {
 namespace {
 
@@ -66,6 +68,24 @@ bool is_way_out(const LinearSystem& s, const LinearProof& p, std::span<const Rat
   return product(objective, p.ray).sign() == Sign::positive;
 }
 
+using Exact = std::array<Rational, 3>;
+
+Exact exact(const Point3& p) { return {p.x, p.y, p.z}; }
+
+/// The weighted sum, where the weights are at least zero and add up to one.
+std::optional<Exact> center(std::span<const SupportingPoint> support, std::span<const Point3> points) {
+  Exact sum;
+  Rational whole;
+  for (const SupportingPoint& s : support) {
+    if (s.point >= points.size() || s.weight.sign() == Sign::negative) return {};
+    const Exact p = exact(points[s.point]);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] = sum[k] + s.weight * p[k];
+    whole = whole + s.weight;
+  }
+  if (whole != Rational(1)) return {};
+  return sum;
+}
+
 }  // namespace
 
 bool verify(std::span<const Rational> objective, const LinearSystem& system, const LinearProof& proof) {
@@ -89,6 +109,24 @@ bool verify(const Vector2& objective, std::span<const Halfspace2> halfspaces, co
 }
 bool verify(const Vector3& objective, std::span<const Halfspace3> halfspaces, const LinearProof& proof) {
   return verify(std::vector<Rational>{objective.x, objective.y, objective.z}, linear_system(halfspaces), proof);
+}
+
+bool verify(std::span<const Point3> first, std::span<const Point3> second, const GreatestMargin3& margin) {
+  const std::optional<Exact> a = center(margin.of_first, first), b = center(margin.of_second, second);
+  if (!a || !b || margin.square.sign() != Sign::positive) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (margin.direction[k] != (*b)[k] - (*a)[k]) return false;
+  }
+  if (margin.square != product(margin.direction, margin.direction)) return false;
+  if (margin.first_end != product(margin.direction, *a) || margin.second_end != product(margin.direction, *b))
+    return false;
+  for (const Point3& p : first) {
+    if (product(margin.direction, exact(p)) > margin.first_end) return false;
+  }
+  for (const Point3& p : second) {
+    if (product(margin.direction, exact(p)) < margin.second_end) return false;
+  }
+  return true;
 }
 
 }  // namespace plumb

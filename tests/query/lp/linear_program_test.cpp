@@ -1,4 +1,5 @@
-// Seidel's algorithm against the simplex method in rationals, on programs of every class; its proofs, and false ones.
+// Seidel's algorithm against the simplex method in rationals on programs of every class, and against all corners; its
+// proofs, and false ones.
 #include "plumb/query/lp/linear_program.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr std::uint64_t cases = battery::sanitized ? 40 : 300;
+constexpr std::uint64_t cases = battery::sanitized ? 40 : 200;
 
 template <class Answer>
 std::vector<mpq_class> point_of(const Answer& a) {
@@ -156,6 +157,55 @@ TEST(LinearProgram, FalseProofsAreRefused) {
     expect_false_proofs_refused<3>(c, refused);
   }
   for (const int n : refused) EXPECT_GT(n, 50);
+}
+
+/// The point of three planes, where they have one.
+std::vector<mpq_class> meeting(const std::array<Halfspace3, 3>& h) {
+  const auto minor = [&](std::size_t i, std::size_t j, std::size_t u, std::size_t v) {
+    const auto a = array_of(h[i].normal), b = array_of(h[j].normal);
+    return mpq_class(mpq_class(a[u]) * b[v] - mpq_class(a[v]) * b[u]);
+  };
+  const auto first = array_of(h[0].normal);
+  mpq_class whole;
+  for (std::size_t k = 0; k < 3; ++k) whole += first[k] * minor(1, 2, (k + 1) % 3, (k + 2) % 3);
+  if (sgn(whole) == 0) return {};
+  std::vector<mpq_class> r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+    r.emplace_back(
+        (h[0].offset * minor(1, 2, u, v) + h[1].offset * minor(2, 0, u, v) + h[2].offset * minor(0, 1, u, v)) / whole);
+  }
+  return r;
+}
+mpq_class value(const Vector3& v, const std::vector<mpq_class>& at) {
+  return mpq_class(v.x * at[0] + v.y * at[1] + v.z * at[2]);
+}
+
+TEST(LinearProgram, InABoxIsTheFirstOfTheBestCorners) {
+  int solved = 0;
+  for (std::uint64_t index = 0; index < cases / 4; ++index) {
+    Maker maker(Class::boxed, index);
+    const Program<3> p = maker.program<3>();
+    const auto& h = p.halfspaces;
+    std::vector<mpq_class> best;
+    for (std::size_t i = 0; i < h.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t k = 0; k < j; ++k) {
+          std::vector<mpq_class> at = meeting({h[i], h[j], h[k]});
+          if (at.empty() || std::ranges::any_of(h, [&](const auto& c) { return value(c.normal, at) > c.offset; }))
+            continue;
+          const int order = best.empty() ? 1 : cmp(value(p.direction, at), value(p.direction, best));
+          if (order > 0 || (order == 0 && at < best)) best = std::move(at);
+        }
+      }
+    }
+    const LinearAnswer3 answer = maximize(p.direction, h);
+    EXPECT_EQ(answer.kind, best.empty() ? LinearKind::infeasible : LinearKind::optimal) << maker.about(p);
+    if (best.empty()) continue;
+    EXPECT_EQ(point_of(answer), best) << maker.about(p);
+    ++solved;
+  }
+  EXPECT_GT(solved, static_cast<int>(cases) / 20);
 }
 
 TEST(LinearProgram, OfAPyramid) {

@@ -10,6 +10,7 @@
 // Cost: a product for each number of the system.
 #pragma once
 
+#include "plumb/query/lp/greatest_margin.hpp"
 #include "plumb/query/lp/linear_proof.hpp"
 
 namespace plumb {
@@ -22,5 +23,10 @@ bool verify(const Vector3& objective, std::span<const Halfspace3> halfspaces, co
 /// Is proof.point the point of the system that is nearest to `from`?  It is where it meets all rows, and weights at least
 /// zero of rows that it meets with equality add up to from - point.  Of kind infeasible it is as above.
 bool verify_nearest(std::span<const Rational> from, const LinearSystem& system, const LinearProof& proof);
+
+/// Does the margin part the sets, and is it the greatest?  It is where the supporting points, with weights at least zero that
+/// add up to one, are two points whose difference is the direction, and no point of either set lies before its own in that
+/// direction: then any slab between the sets also lies between these two points.
+bool verify(std::span<const Point3> first, std::span<const Point3> second, const GreatestMargin3& margin);
 
 }  // namespace plumb
