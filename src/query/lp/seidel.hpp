@@ -2,7 +2,8 @@
 //
 // Three planes infinitely far away (two lines) bound the program where its objective grows, so that there is a best
 // corner before the first constraint; an optimum that lies on one of them is none of the program's own.  Ties are broken
-// by an objective that is a list of vectors, of which the later ones are infinitely smaller than those before.
+// by an objective that is a list of vectors, of which the later ones are infinitely smaller than those before.  Where a
+// constraint is violated, the search in its plane starts at the best corner there of those that met in the corner before.
 // Laws: solve ends with the one best corner, or with constraints that contradict one another, whatever the order.
 // Source: Seidel 1991; de Berg and others, Computational Geometry, chapter 4; RTCD 9.4.1.
 // Cost: expected some 11 sides a constraint in space, 3 in the plane.
@@ -69,7 +70,7 @@ class Seidel {
       if (i == constraints_.size()) return true;
       const Plane p = lp_plane(constraints_[i]);
       if constexpr (D == 2) {
-        if (!on_line({p}, i)) return false;
+        if (!on_line({p}, i, far_)) return false;
       } else {
         if (!on_plane(p, i)) return false;
       }
@@ -98,6 +99,12 @@ class Seidel {
                                     }).reach();
   }
 
+  /// What is infinitely far away is violated by no point that is not.
+  bool is_violated(const Plane& p) {
+    if (p.far != 0 && !corner_.has_far()) return false;
+    return corner_.side(p) == Sign::positive;
+  }
+
   /// The first of constraints [from, to) that the corner violates; `to` where it violates none.
   std::size_t first_violated(std::size_t from, std::size_t to) {
     if (corner_.has_far()) {
@@ -119,46 +126,51 @@ class Seidel {
     return to;
   }
 
-  bool contradict(std::initializer_list<Plane> planes) {
-    contradiction_size_ = 0;
-    for (const Plane& p : planes) contradiction_[contradiction_size_++] = p;
+  bool contradict(std::span<const Plane> planes, const Plane& last) {
+    std::copy(planes.begin(), planes.end(), contradiction_.begin());
+    contradiction_[planes.size()] = last;
+    contradiction_size_ = planes.size() + 1;
     return false;
   }
 
-  /// The best corner in the plane of constraint `count`, of those before it.
+  /// The best corner in a plane that the corner violates, of the constraints before `count`.
   bool on_plane(const Plane& plane, std::size_t count) requires(D == 3) {
-    move(far_corner(plane));
+    const std::array<Plane, 3> before = corner_.planes();
+    const std::size_t drop = dropped(plane);
+    if (drop == 3) return contradict(before, plane);
+    const std::array<Plane, 5> kept{before[(drop + 1) % 3], before[(drop + 2) % 3], far_[0], far_[1], far_[2]};
+    move({plane, kept[0], kept[1]});
+    for (std::size_t k = 2; k < kept.size(); ++k) {
+      if (is_violated(kept[k]) && !on_line({plane, kept[k]}, 0, std::span(kept).first(k))) return false;
+    }
     for (std::size_t j = 0;; ++j) {
       j = first_violated(j, count);
       if (j == count) return true;
-      if (!on_line({plane, lp_plane(constraints_[j])}, j)) return false;
+      if (!on_line({plane, lp_plane(constraints_[j])}, j, kept)) return false;
     }
   }
 
-  /// Where the plane cuts an edge of the planes far away with the least loss.
-  std::array<Plane, 3> far_corner(const Plane& plane) const requires(D == 3) {
-    const auto rise = sign_over_all([&](const auto& maker) {  // of the plane's value at the far corner
-      return maker(plane.normal[0]) * maker(sides_[0]) + maker(plane.normal[1]) * maker(sides_[1]) +
-             maker(plane.normal[2]) * maker(sides_[2]);
-    });
-    const bool beyond = rise == Sign::positive || (rise == Sign::zero && plane.limit < 0);
-    const bool at_corner = rise == Sign::zero && plane.limit == 0;
+  /// Which plane of the corner does the best corner in this plane, of those of the corner alone, do without?  The normal is
+  /// a sum of theirs, and so is the objective; it is the one whose weight in the objective is least, over that in the normal,
+  /// of those of weight above zero in the normal (the ratio test of the dual simplex method).  With three planes p, q, r of
+  /// positive determinant the ratio of p less that of q has the sign of det(objective, normal, r).
+  /// Three where there is none: the plane contradicts them.
+  [[nodiscard]] std::size_t dropped(const Plane& plane) const requires(D == 3) {
+    const std::array<Plane, 3>& p = corner_.planes();
     std::size_t best = 3;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double along = plane.normal[k] * sides_[k];
-      if (along == 0 || (!at_corner && (along > 0) != beyond)) continue;
-      if (best == 3 || loses_less(plane, k, best)) best = k;
+      const Sign weight = determinant_sign_of<3>({plane.normal, p[(k + 1) % 3].normal, p[(k + 2) % 3].normal});
+      if (weight != Sign::positive) continue;
+      if (best == 3 || is_less_ratio(k, best, plane)) best = k;
     }
-    return {plane, far_[(best + 1) % 3], far_[(best + 2) % 3]};
+    return best;
   }
-  /// On the edge along axis i: what it loses a unit, over how soon it meets the plane.
-  bool loses_less(const Plane& plane, std::size_t i, std::size_t j) const {
+  [[nodiscard]] bool is_less_ratio(std::size_t i, std::size_t j, const Plane& plane) const requires(D == 3) {
+    const std::size_t third = 3 - i - j;
+    const Sign turn = (i + 1) % 3 == j ? Sign::positive : Sign::negative;
     for (std::size_t level = 0; level < objective_.levels; ++level) {
-      const Numbers<D> g = objective_.level(level);
-      const Sign s = sign_over_all([&](const auto& maker) {
-        return maker(g[i] * sides_[i]) * maker(magnitude_of(plane.normal[j])) -
-               maker(g[j] * sides_[j]) * maker(magnitude_of(plane.normal[i]));
-      });
+      const Sign s =
+          determinant_sign_of<3>({objective_.level(level), plane.normal, corner_.planes()[third].normal}) * turn;
       if (s != Sign::zero) return s == Sign::negative;
     }
     return false;
@@ -183,19 +195,24 @@ class Seidel {
     return r;
   }
 
-  /// The best corner on a line, of the constraints before `count`.
-  bool on_line(const std::array<Plane, D - 1>& line, std::size_t count) {
+  /// The best corner on a line, of the constraints before `count` and those that are kept.  Before, the corner is the best
+  /// of the same constraints in the plane, or in all, and violates the last plane of the line.
+  bool on_line(const std::array<Plane, D - 1>& line, std::size_t count, std::span<const Plane> kept) {
     Sign up = Sign::zero;  // the turn of the way on which the objective grows
     for (std::size_t level = 0; up == Sign::zero && level < objective_.levels; ++level)
       up = along(line, objective_.level(level));
-    if (up == Sign::zero) {  // parallel planes
-      if constexpr (D == 3) return contradict({line[0], line[1]});
-    }
+    if (up == Sign::zero) return contradict(std::span(line).first(D - 2), line[D - 2]);  // parallel planes
+    const std::array<Plane, D> before = corner_.planes();
     bool has_end = false;
-    for (const Plane& p : far_) {
-      if (along(line, p.normal) != up) continue;  // it bounds the way up nowhere
+    for (const Plane& p : before) {  // those that ended the plane end the line
+      if (p.number == line[0].number || along(line, p.normal) != up) continue;
       if (!has_end || corner_.side(p) == Sign::positive) move(with(line, p));
       has_end = true;
+    }
+    for (const Plane& p : kept) {
+      if (!is_violated(p)) continue;
+      if (along(line, p.normal) != up) return contradict_on(line, p);
+      move(with(line, p));
     }
     std::size_t last = 0;  // constraints before it have been asked at an earlier corner
     for (std::size_t k = 0;; ++k) {
@@ -205,6 +222,10 @@ class Seidel {
       if (along(line, p.normal) != up) return contradict_on(line, p);
       move(with(line, p));
       last = k;
+    }
+    // What bounds the other way may be violated by now.
+    for (const Plane& p : kept) {
+      if (is_violated(p)) return contradict_on(line, p);
     }
     const std::size_t below = first_violated(0, last);
     return below == last || contradict_on(line, lp_plane(constraints_[below]));
