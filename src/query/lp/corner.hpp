@@ -45,6 +45,20 @@ struct LpOf<3> {
   using Answer = LinearAnswer3;
 };
 
+/// No number of a constraint is larger.
+template <std::size_t D>
+struct LargestNumbers {
+  Numbers<D> normal{};
+  double limit = 0;
+
+  template <class Halfspace>
+  void take(const Halfspace& h) {
+    const Numbers<D> n = numbers_of(h.normal);
+    for (std::size_t k = 0; k < D; ++k) normal[k] = std::max(normal[k], magnitude_of(n[k]));
+    limit = std::max(limit, magnitude_of(h.offset));
+  }
+};
+
 /// normal . x = limit + far M.
 template <std::size_t D>
 struct LpPlane {
@@ -180,6 +194,9 @@ class Corner {
 
   /// Is the point beyond the plane (positive), in it, or on its inner side?
   [[nodiscard]] Sign side(const LpPlane<D>& p) {
+    for (const LpPlane<D>& own : planes_) {  // it is in those that make it
+      if (own.number == p.number && (p.number != no_constraint || own.normal == p.normal)) return Sign::zero;
+    }
     if (has_far_ || p.far != 0) {
       const Sign far = sign([&](const auto& c, const auto& maker) {
         return dot_of(made<D>(maker, p.normal), c.far) - maker(p.far) * c.weight;
@@ -229,5 +246,47 @@ class Corner {
   CornerNumbers<StackDyadic, D> on_stack_;
   std::optional<CornerNumbers<BigDyadic, D>> big_;
 };
+
+template <class Named>
+auto lp_plane(const Named& n) {
+  const auto normal = numbers_of(n.halfspace.normal);
+  return LpPlane<normal.size()>{normal, n.halfspace.offset, 0, n.number};
+}
+inline const Halfspace2& halfspace_of(const Halfspace2& h) { return h; }
+inline const Halfspace3& halfspace_of(const Halfspace3& h) { return h; }
+inline const Halfspace2& halfspace_of(const NamedHalfspace2& n) { return n.halfspace; }
+inline const Halfspace3& halfspace_of(const NamedHalfspace3& n) { return n.halfspace; }
+
+/// The first of constraints [from, to) that a corner violates; `to` where it violates none.  Their numbers are theirs, or
+/// their places.
+template <std::size_t D, class Constraint>
+std::size_t first_violated(Corner<D>& corner, const LargestNumbers<D>& largest, std::span<const Constraint> constraints,
+                           std::size_t from, std::size_t to) {
+  const auto is_violated = [&](std::size_t i) {
+    LpPlane<D> p{numbers_of(halfspace_of(constraints[i]).normal), halfspace_of(constraints[i]).offset, 0,
+                 static_cast<std::uint32_t>(i)};
+    if constexpr (requires { constraints[i].number; }) p.number = constraints[i].number;
+    return corner.side(p) == Sign::positive;
+  };
+  if (corner.has_far()) {
+    for (std::size_t i = from; i < to; ++i) {
+      if (is_violated(i)) return i;
+    }
+    return to;
+  }
+  // No number of a constraint is larger than the largest, so no bound of a constraint's value is larger than theirs.
+  const double inside =
+      -Corner<D>::value(corner.quick(), largest.normal, largest.limit, [](double x) { return Approximate(x); }).reach();
+  CornerNumbers<double, D> c{};
+  for (std::size_t k = 0; k < D; ++k) c.at[k] = corner.quick().at[k].value;
+  c.weight = corner.quick().weight.value;
+  for (std::size_t i = from; i < to; ++i) {
+    const auto& h = halfspace_of(constraints[i]);
+    const double value = Corner<D>::value(c, numbers_of(h.normal), h.offset, [](double x) { return x; });
+    if (value < inside) continue;
+    if (is_violated(i)) return i;
+  }
+  return to;
+}
 
 }  // namespace plumb::query

@@ -6,6 +6,7 @@
 #include "plumb/certify/checked.hpp"
 #include "plumb/figure/basic/sound.hpp"
 #include "query/lp/corner_point.hpp"
+#include "query/lp/guessed_corner.hpp"
 #include "query/lp/seidel.hpp"
 #include "query/lp/shuffle.hpp"
 
@@ -43,8 +44,44 @@ class LinearProgram {
     answer_.direction = direction;
   }
 
+  /// By a guess, where it can be proved by weights above zero: then no other constraints decide.
+  bool solve_as_guessed() {
+    LargestNumbers<D> largest;
+    for (const auto& h : given_) largest.take(h);
+    const auto guess = guess_corner<D>(numbers_of(answer_.direction), given_, largest.normal, largest.limit);
+    using Kind = typename GuessedCorner<D>::Kind;
+    if (guess.kind == Kind::none) return false;
+    std::array<Plane, D> planes;
+    std::array<Numbers<D>, D> normals;
+    for (std::size_t k = 0; k < D; ++k) {
+      planes[k] = lp_plane(named(guess.constraints[k]));
+      normals[k] = planes[k].normal;
+    }
+    if (determinant_sign_of<D>(normals) == Sign::zero) return false;
+    Corner<D> corner;
+    corner.set(planes);
+    const bool is_optimal = guess.kind == Kind::corner;
+    const Plane last = is_optimal ? Plane{} : lp_plane(named(guess.constraints[D]));
+    for (std::size_t k = 0; k < D; ++k) {  // the weights of the sum: the direction, or the last normal turned round
+      for (std::size_t i = 0; i < D; ++i) normals[i] = corner.planes()[i].normal;
+      normals[k] = is_optimal ? numbers_of(answer_.direction) : last.normal;
+      if (determinant_sign_of<D>(normals) != (is_optimal ? Sign::positive : Sign::negative)) return false;
+    }
+    if (is_optimal ? first_violated(corner, largest, given_, 0, given_.size()) != given_.size()
+                   : corner.side(last) != Sign::positive)
+      return false;
+    std::array<std::uint32_t, D + 1> numbers = guess.constraints;
+    answer_.deciding_count = D + (is_optimal ? 0 : 1);
+    std::sort(numbers.begin(), numbers.begin() + answer_.deciding_count);
+    for (std::size_t k = 0; k < answer_.deciding_count; ++k) answer_.deciding[k] = named(numbers[k]);
+    answer_.kind = is_optimal ? LinearKind::optimal : LinearKind::infeasible;
+    answer_.is_unique = is_optimal;
+    if (is_optimal) keep_corner(corner);
+    return true;
+  }
+
   Answer solve(std::uint64_t seed) {
-    if (!read()) return answer_;
+    if (solve_as_guessed() || !read()) return answer_;
     shuffle(std::span(scratch_), seed);
     Seidel<D> search(objective(), scratch_);
     const bool is_feasible = search.solve();

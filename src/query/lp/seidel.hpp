@@ -15,12 +15,6 @@
 
 namespace plumb::query {
 
-template <class Named>
-auto lp_plane(const Named& n) {
-  const auto normal = numbers_of(n.halfspace.normal);
-  return LpPlane<normal.size()>{normal, n.halfspace.offset, 0, n.number};
-}
-
 /// What is maximized: direction . x, then less x, then less y, then less z; `sense` 1 instead of -1: more.
 template <std::size_t D>
 struct LpObjective {
@@ -45,17 +39,11 @@ class Seidel {
   /// Of constraints in the order in which they come; no normal is zero.
   Seidel(const LpObjective<D>& objective, std::span<const Named> constraints)
       : objective_(objective), constraints_(constraints) {
+    for (const Named& c : constraints) largest_.take(c.halfspace);
     for (std::size_t k = 0; k < D; ++k) {
       sides_[k] = objective.direction[k] != 0 ? (objective.direction[k] > 0 ? 1 : -1) : objective.sense;
       far_[k].normal[k] = sides_[k], far_[k].far = 1;
     }
-    Numbers<D> most{};
-    for (const Named& c : constraints) {
-      const Numbers<D> n = numbers_of(c.halfspace.normal);
-      for (std::size_t k = 0; k < D; ++k) most[k] = std::max(most[k], magnitude_of(n[k]));
-      most_limit_ = std::max(most_limit_, magnitude_of(c.halfspace.offset));
-    }
-    most_ = most;
   }
 
   /// Is there a point that meets all constraints?
@@ -91,13 +79,7 @@ class Seidel {
   }
 
  private:
-  void move(const std::array<Plane, D>& planes) {
-    corner_.set(planes);
-    // No number of a constraint is larger than these, so no bound of a constraint's value is larger than theirs.
-    safe_ = corner_.has_far() ? 0 : Corner<D>::value(corner_.quick(), most_, most_limit_, [](double x) {
-                                      return Approximate(x);
-                                    }).reach();
-  }
+  void move(const std::array<Plane, D>& planes) { corner_.set(planes); }
 
   /// What is infinitely far away is violated by no point that is not.
   bool is_violated(const Plane& p) {
@@ -105,25 +87,8 @@ class Seidel {
     return corner_.side(p) == Sign::positive;
   }
 
-  /// The first of constraints [from, to) that the corner violates; `to` where it violates none.
   std::size_t first_violated(std::size_t from, std::size_t to) {
-    if (corner_.has_far()) {
-      for (std::size_t i = from; i < to; ++i) {
-        if (corner_.side(lp_plane(constraints_[i])) == Sign::positive) return i;
-      }
-      return to;
-    }
-    CornerNumbers<double, D> c{};
-    for (std::size_t k = 0; k < D; ++k) c.at[k] = corner_.quick().at[k].value;
-    c.weight = corner_.quick().weight.value;
-    const double safe = -safe_;
-    for (std::size_t i = from; i < to; ++i) {
-      const auto& h = constraints_[i].halfspace;
-      const double value = Corner<D>::value(c, numbers_of(h.normal), h.offset, [](double x) { return x; });
-      if (value < safe) continue;  // inside, by more than doubles can be off
-      if (corner_.side(lp_plane(constraints_[i])) == Sign::positive) return i;
-    }
-    return to;
+    return query::first_violated(corner_, largest_, constraints_, from, to);
   }
 
   bool contradict(std::span<const Plane> planes, const Plane& last) {
@@ -249,8 +214,7 @@ class Seidel {
   std::span<const Named> constraints_;
   Numbers<D> sides_{};
   std::array<Plane, D> far_{};
-  Numbers<D> most_{};
-  double most_limit_ = 0, safe_ = 0;
+  LargestNumbers<D> largest_;
   Corner<D> corner_;
   std::array<Plane, D + 1> contradiction_{};
   std::size_t contradiction_size_ = 0;

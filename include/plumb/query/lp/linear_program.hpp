@@ -8,7 +8,8 @@
 //   verify(direction, halfspaces, proof_of(best))        // query/lp/verify.hpp
 //
 // Constraints come in random order.  As long as the best point so far meets the next one it stays; where it does not,
-// the best point lies in that constraint's plane, which is a program of one dimension less over those before.
+// the best point lies in that constraint's plane, which is a program of one dimension less over those before.  Before that
+// a guess is tried: planes that doubles find, where signs prove them.
 // Laws: (1) the kind is that of real arithmetic, of zero normals (which hold everywhere or nowhere), of parallel, repeated
 // and redundant constraints, and of any exponents, too.  (2) Of several optimal points it is the lexicographically least;
 // where the optimal points have no least x that with the greatest, where no greatest either that with x = 0, and so for y
