@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "plumb/arith/ball.hpp"
 #include "plumb/certify/checked.hpp"
 #include "plumb/figure/basic/sound.hpp"
 #include "plumb/query/lp/linear_program.hpp"
