@@ -70,6 +70,14 @@
 #include "plumb/query/gjk/gjk.hpp"               // gjk, gjk_intersects, gjk_distance
 #include "plumb/query/gjk/support_mapping.hpp"   // of bodies known by their support mapping
 #include "plumb/query/gjk/swept.hpp"             // of bodies that move straight
+// What meets linear constraints, and what of it lies farthest, or nearest?  maximize, nearest_feasible, verify
+#include "plumb/query/lp/elimination.hpp"       // solutions and projections, by Fourier and Motzkin
+#include "plumb/query/lp/greatest_margin.hpp"   // the thickest slab between two sets of points
+#include "plumb/query/lp/linear_program.hpp"    // in the plane and in space: Seidel's algorithm
+#include "plumb/query/lp/linear_proof.hpp"      // what an answer rests on
+#include "plumb/query/lp/nearest_feasible.hpp"  // the nearest point of an intersection of halfspaces
+#include "plumb/query/lp/simplex.hpp"           // of any number of variables
+#include "plumb/query/lp/verify.hpp"            // is a proof one?
 
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is

@@ -24,13 +24,17 @@ class Dual {
     phase_ = 1;
     run();
     for (std::size_t k = 0; k < size_; ++k) {
-      if (basis_[k] == none && sgn(value_[k]) != 0) return {Optimum::Kind::unbounded, {}, {}};
+      if (basis_[k] == none && sgn(value_[k]) != 0)
+        return {
+            Optimum::Kind::unbounded, {}, {}, {}, multipliers()};  // at most zero on rows, above it on the objective
     }
     phase_ = 2;
-    if (!run()) return {Optimum::Kind::infeasible, {}, {}};
+    if (!run()) return {Optimum::Kind::infeasible, {}, std::move(refuting_), std::move(refutation_)};
     Optimum result{Optimum::Kind::optimal, multipliers(), {}};
     for (std::size_t k = 0; k < size_; ++k) {
-      if (basis_[k] != none && sgn(value_[k]) > 0) result.deciding.push_back(basis_[k]);
+      if (basis_[k] == none || sgn(value_[k]) <= 0) continue;
+      result.deciding.push_back(basis_[k]);
+      result.weights.push_back(value_[k]);
     }
     return result;
   }
@@ -91,7 +95,10 @@ class Dual {
       RationalVector step(size_);
       for (std::size_t k = 0; k < size_; ++k) step[k] = dot(inverse_[k], constraints_.rows[in]);
       const std::size_t out = leaving(step);
-      if (out == none) return false;
+      if (out == none) {
+        refute(in, step);
+        return false;
+      }
       value_[out] /= step[out];
       for (mpq_class& x : inverse_[out]) x /= step[out];
       for (std::size_t k = 0; k < size_; ++k) {
@@ -103,8 +110,21 @@ class Dual {
     }
   }
 
+  // The row that came in is a sum of those in the basis with weights at most zero, its limit less than theirs.
+  void refute(std::size_t in, const RationalVector& step) {
+    refuting_ = {in};
+    refutation_ = {1};
+    for (std::size_t k = 0; k < size_; ++k) {
+      if (sgn(step[k]) == 0) continue;
+      refuting_.push_back(basis_[k]);
+      refutation_.push_back(-step[k]);
+    }
+  }
+
   const Constraints& constraints_;
   std::size_t size_;
+  std::vector<std::size_t> refuting_;
+  RationalVector refutation_;
   std::vector<std::size_t> basis_;
   RationalVector value_;
   std::vector<RationalVector> inverse_;

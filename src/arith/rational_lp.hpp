@@ -1,7 +1,9 @@
 // Linear programming: which point of a polyhedron lies farthest, exactly?  Linear programs of few variables in
 // rationals.
 //
-// Laws: the optimum is exact; every program ends, for after some pivots the smallest index is taken (Bland).
+// Laws: the optimum is exact; every program ends, for after some pivots the smallest index is taken (Bland).  Of an
+// infeasible program those that decide have weights with which their rows add up to zero and their limits to less
+// (Farkas).
 // Method: the simplex method on the dual program, whose basis has one row for each variable; its multipliers are the
 // point.
 // Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; RTCD 9.4.
@@ -34,6 +36,8 @@ struct Optimum {
   Kind kind;
   RationalVector at;                  // an optimal point
   std::vector<std::size_t> deciding;  // constraints of positive weight: met with equality by every optimal point
+  RationalVector weights = {};        // of those that decide: their rows add up to the objective
+  RationalVector ray = {};            // of an unbounded program: no row grows along it, but the objective does
 };
 
 /// The greatest objective . x.
