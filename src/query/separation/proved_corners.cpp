@@ -43,6 +43,12 @@ bool is_one_pair(const ProvedCorners& p) {
   return (m == 1 && a_ends) || (n == 1 && b_ends) || (m == 2 && n == 2 && p.corners.size == 3 && a_ends && b_ends);
 }
 
+/// Does it lead anywhere, for certain?
+template <class T>
+bool leads_somewhere(const Vec<T>& way) {
+  return certain_sign(way.x) != 0 || certain_sign(way.y) != 0 || certain_sign(way.z) != 0;
+}
+
 /// What the corners prove; nothing where a sign was not certain.  `holds`: that they are nearest.
 struct Judged {
   bool holds = false;
@@ -61,6 +67,7 @@ std::optional<Judged> judged(const CoreCorners& a, const CoreCorners& b, const D
   if (!j.proved.meets && corners.size != 2 && certainly_zero(n.square)) j.proved.meets = true;
   if constexpr (std::is_same_v<T, ShortDyadic>) j.proved.meets = j.proved.meets || certainly_zero(n.square);
   if (j.proved.meets) return j;
+  if (!leads_somewhere(n.way)) return {};  // of points and segments nothing else would ask
   j.proved.a = support_of(a, linked(corners, 0).all(), n.way, ask);
   if (!ask.certain()) return {};
   j.proved.b = support_of(b, linked(corners, 1).all(), turned_round(n.way), ask);
