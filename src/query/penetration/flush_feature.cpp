@@ -2,6 +2,7 @@
 
 #include "query/convex/features.hpp"
 #include "query/penetration/basis.hpp"
+#include "query/penetration/furthest.hpp"
 
 namespace plumb::query::parting {
 namespace {
@@ -112,6 +113,13 @@ Feature flush_feature(const BodyView& body, const CoreCorners& c, std::span<cons
     found = is_solid ? of_tetrahedron(level) : of_polygon(level, c.size());
   }
   return body.is_hull() ? *found : on_surface(body.figure, found.value_or(vertex_number(level.first())));
+}
+
+FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d, const Way& along) {
+  Normal way([&]<class T>() { return along.along<T>(d); });
+  const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0]),
+             on_b = all_furthest(d.b, way, Sign::positive, along.from()[1]);
+  return {flush_feature(a, d.a, on_a), flush_feature(b, d.b, on_b), {on_a[0], on_b[0]}};
 }
 
 }  // namespace plumb::query::parting

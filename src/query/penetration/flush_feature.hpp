@@ -10,11 +10,18 @@
 #include <span>
 
 #include "plumb/figure/containment/voronoi_region.hpp"
-#include "query/penetration/difference.hpp"
+#include "query/penetration/way.hpp"
 
 namespace plumb::query::parting {
 
 /// `level`: all corners that lie in the plane, ascending.
 Feature flush_feature(const BodyView& body, const CoreCorners& c, std::span<const std::uint32_t> level);
+
+/// Of both bodies, when the first has moved so that it touches the second, and a corner of each.
+struct FlushPair {
+  Feature a, b;
+  Ends in_plane;
+};
+FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d, const Way& way);
 
 }  // namespace plumb::query::parting

@@ -1,24 +1,9 @@
 #include "query/penetration/parted.hpp"
 
-#include "query/penetration/basis.hpp"
-#include "query/penetration/search.hpp"
-
 namespace plumb::query::parting {
 namespace {
 
 using Triangle = std::array<Ends, 3>;
-
-/// The first direction of several.
-Parting first_of(const Difference& d, std::span<const Triangle> facets) {
-  Parting p{Way::through(facets[0]), false, true};
-  for (const Triangle& f : facets.subspan(1)) {
-    const Way way = Way::through(f);
-    const Sign order = compare_directions(d, way, p.way);
-    if (order == Sign::negative) p.way = way;
-    if (order != Sign::zero) p.is_unique = false;
-  }
-  return p;
-}
 
 /// Of a difference without an inside.
 Parting beside(const Difference& d, std::span<const Ends> basis) {
@@ -55,6 +40,17 @@ bool is_within(const Difference& d, const DifferenceCorners& nearest, const mpq_
 
 }  // namespace
 
+Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
+  Parting p{Way::through(facets[0]), false, true};
+  for (const auto& f : facets.subspan(1)) {
+    const Way way = Way::through(f);
+    const Sign order = compare_directions(d, way, p.way);
+    if (order == Sign::negative) p.way = way;
+    if (order != Sign::zero) p.is_unique = false;
+  }
+  return p;
+}
+
 std::optional<Parting> parted(const Body& a, const Body& b) {
   const Difference d{a.corners, b.corners};
   const CoreDistance core = core_distance(d);
@@ -64,12 +60,9 @@ std::optional<Parting> parted(const Body& a, const Body& b) {
     if (sgn(radii) == 0 || !is_within(d, core.nearest, radii)) return {};
     return Parting{back_from(d, core.nearest), true, true};
   }
-  constexpr EveryWay every_way;
-  Search search(d, every_way);
-  if (nearest.size() == 4) return first_of(d, search.run(core.nearest.ends, true).facets);
-  const std::vector<Ends> basis = affine_basis(d, nearest);
-  if (basis.size() < 4) return beside(d, basis);
-  return first_of(d, search.run({basis[0], basis[1], basis[2], basis[3]}, false).facets);
+  const NearestPlanes planes = nearest_planes(d, core, EveryWay());
+  if (planes.facets.empty()) return beside(d, affine_basis(d, nearest));
+  return first_of(d, planes.facets);
 }
 
 }  // namespace plumb::query::parting

@@ -3,7 +3,6 @@
 #include "arith/rounded_radical.hpp"
 #include "plumb/arith/ball.hpp"
 #include "query/penetration/flush_feature.hpp"
-#include "query/penetration/furthest.hpp"
 #include "query/penetration/parted.hpp"
 
 namespace plumb::query {
@@ -36,11 +35,8 @@ std::optional<Told> told_of(std::string_view function, const BodyView& a, const 
   const std::array<Body, 2> bodies = bodies_of(function, a, b);
   const auto parting = parted(bodies[0], bodies[1]);
   if (!parting) return {};
-  const Difference d{bodies[0].corners, bodies[1].corners};
-  Normal way([&]<class T>() { return parting->way.along<T>(d); });
-  const auto on_a = all_furthest(d.a, way, Sign::negative, parting->way.from()[0]),
-             on_b = all_furthest(d.b, way, Sign::positive, parting->way.from()[1]);
-  return Told{bodies, *parting, flush_feature(a, d.a, on_a), flush_feature(b, d.b, on_b), {on_a[0], on_b[0]}};
+  const FlushPair flush = flush_pair(a, b, {bodies[0].corners, bodies[1].corners}, parting->way);
+  return Told{bodies, *parting, flush.a, flush.b, flush.in_plane};
 }
 
 /// Numbers by pairs of doubles; nothing where these leave one open.

@@ -27,14 +27,14 @@ struct Fraction {
 /// The square of a plane's distance.
 struct EveryWay {
   template <class T>
-  [[nodiscard]] Fraction<T> measure(const PlaneOf<T>& plane) const {
+  [[nodiscard]] Fraction<T> measure(const PlaneOf<T>& plane, std::uint32_t) const {
     const T h = plane.height();
     return {h * h, dot(plane.normal, plane.normal)};
   }
-  /// Does a way of this aim lead out through such a plane?
+  /// How does this aim lead out through such a plane?  0: not at all.
   template <class PlaneIn>
-  [[nodiscard]] bool leads_through(const PlaneIn&) const {
-    return true;
+  [[nodiscard]] std::uint32_t passage(const PlaneIn&) const {
+    return 1;
   }
 };
 
@@ -77,11 +77,14 @@ class Search {
   /// What is to be known of a new facet.
   void look(std::uint32_t f) {
     Facet& facet = surface_[f];
-    const Fraction<Running> m = aim_.measure(surface_.plane<Running>(facet));
-    facet.measure = quotient(m.above, m.below);
     if (around_) {
-      facet.counts = aim_.leads_through([&]<class T>() { return surface_.plane<T>(facet); });
+      facet.passage = aim_.passage([&]<class T>() { return surface_.plane<T>(facet); });
+      if (facet.passage == 0) return;
+      const Fraction<Running> m = aim_.measure(surface_.plane<Running>(facet), facet.passage);
+      facet.measure = quotient(m.above, m.below);
     } else {
+      const Fraction<Running> m = EveryWay().measure(surface_.plane<Running>(facet), 1);
+      facet.measure = quotient(m.above, m.below);
       facet.side = surface_.height_sign(facet);
       if (facet.height.value < 0) facet.measure.value = -facet.measure.value;
     }
@@ -92,7 +95,8 @@ class Search {
     if (p.measure.lower() > q.measure.upper()) return Sign::positive;
     if (p.measure.upper() < q.measure.lower()) return Sign::negative;
     return sign_of([&]<class T>() -> T {
-      const Fraction<T> x = aim_.measure(surface_.plane<T>(p)), y = aim_.measure(surface_.plane<T>(q));
+      const Fraction<T> x = aim_.measure(surface_.plane<T>(p), p.passage),
+                        y = aim_.measure(surface_.plane<T>(q), q.passage);
       return x.above * y.below - y.above * x.below;
     });
   }
@@ -161,13 +165,13 @@ class Search {
     constexpr double nearly = 1 + 0x1p-20;  // a guess: what is as near may be a tie
     std::optional<std::uint32_t> least;
     for (std::uint32_t f = 0; f < surface_.size(); ++f) {
-      if (!is_open(f) || !surface_[f].counts) continue;
+      if (!is_open(f) || surface_[f].passage == 0) continue;
       if (!least || surface_[f].measure.value < surface_[*least].measure.value) least = f;
     }
     if (!least || !best_) return least;
     if (!(surface_[*least].measure.value > surface_[*best_].measure.value * nearly)) return least;
     for (std::uint32_t f = 0; f < surface_.size(); ++f) {
-      if (is_open(f) && surface_[f].counts && compare(f, *best_) != Sign::positive) return f;
+      if (is_open(f) && surface_[f].passage != 0 && compare(f, *best_) != Sign::positive) return f;
     }
     return {};
   }

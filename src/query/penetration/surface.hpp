@@ -22,9 +22,9 @@ struct Facet {
   Vec<Running> normal;
   Running height;              // of the plane over the origin, times the normal's length
   Running measure;             // what is to be least; what is certain of it, and a guess
+  std::uint32_t passage = 1;   // how a way that is asked for leads through it; 0: none does
   Sign side = Sign::positive;  // of the height
   bool is_there = true;
-  bool counts = true;         // a way that is asked for leads through it
   bool is_supported = false;  // no point of the difference lies before it
 };
 

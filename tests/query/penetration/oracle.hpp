@@ -176,7 +176,8 @@ inline Expected of_planes(const std::vector<Plane>& planes, const mpz_class& sca
 
 inline bool is_flat(const std::vector<Plane>& planes, const std::vector<Whole3>& points) {
   return planes.empty() || std::ranges::any_of(planes, [&](const Plane& plane) {
-           return std::ranges::all_of(points, [&](const Whole3& x) { return dot_whole(plane.normal, x) == plane.height; });
+           return std::ranges::all_of(points,
+                                      [&](const Whole3& x) { return dot_whole(plane.normal, x) == plane.height; });
          });
 }
 

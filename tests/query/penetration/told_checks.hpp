@@ -111,7 +111,7 @@ inline std::string fault_of_feature(const query::BodyView& body, const Round& r,
   const std::vector<Exact3> level = level_corners(r, out);
   const int is = dimension(level);
   const bool is_round = !body.is_hull() && query::is_one_of(body.figure.kind, {FigureKind::ball, FigureKind::capsule,
-                                                                              FigureKind::lozenge});
+                                                                               FigureKind::lozenge});
   if (!is_round && static_cast<int>(told.kind) != is) return "dimension of a feature";
   if (body.is_hull()) {  // the first corner in the plane
     std::uint32_t first = 0;
@@ -122,7 +122,8 @@ inline std::string fault_of_feature(const query::BodyView& body, const Round& r,
     const auto& mesh = static_cast<const ConvexPolyhedron3*>(body.figure.shape)->mesh;
     return told.index == first_face(mesh, r, out, level[0]) ? "" : "face of a polyhedron";
   }
-  const bool is_solid = query::is_one_of(body.figure.kind, {FigureKind::tetrahedron, FigureKind::aabb, FigureKind::obb});
+  const bool is_solid =
+      query::is_one_of(body.figure.kind, {FigureKind::tetrahedron, FigureKind::aabb, FigureKind::obb});
   if (is_solid && level.size() == r.corners.size()) return "";  // a flat one, of which several faces lie in the plane
   if (is < 2 && level.size() != static_cast<std::size_t>(is) + 1) return "";
   Exact3 middle{0, 0, 0};
@@ -134,9 +135,9 @@ inline std::string fault_of_feature(const query::BodyView& body, const Round& r,
   ++checked;
   return at == told ? "" : "feature";
 }
-inline std::string fault_of_features(const Expected& wanted, const Round& a, const Round& b, const query::BodyView& of_a,
-                                     const query::BodyView& of_b, const Feature& on_a, const Feature& on_b,
-                                     int& checked) {
+inline std::string fault_of_features(const Expected& wanted, const Round& a, const Round& b,
+                                     const query::BodyView& of_a, const query::BodyView& of_b, const Feature& on_a,
+                                     const Feature& on_b, int& checked) {
   const std::string first = fault_of_feature(of_a, a, mpq_class(-1) * wanted.direction, on_a, checked);
   return first.empty() ? fault_of_feature(of_b, b, wanted.direction, on_b, checked) : first;
 }
