@@ -60,6 +60,10 @@
 #include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
+// How deep are two in one another, and which way is out?  penetration, penetration_along, penetration_within
+#include "plumb/query/penetration/along.hpp"        // by directions given, or within a cone
+#include "plumb/query/penetration/penetration.hpp"  // by the least translation
+
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
 #include "plumb/query/ray/batch.hpp"        // of many triangles or boxes

@@ -7,9 +7,12 @@
 // Cost: 10 to 20 ns where doubles decide, about a microsecond where integers do.
 #pragma once
 
+#include <bit>
+#include <limits>
+
 #include "arith/running_error.hpp"
-#include "arith/short_dyadic.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/arith/stack_dyadic.hpp"
 #include "query/separation/nearest_corners.hpp"
 
 namespace plumb::query::parting {
@@ -17,12 +20,18 @@ namespace plumb::query::parting {
 using arith::cross, arith::dot;
 using Ends = DifferenceCorners::Ends;
 
-/// The sign of value<T>(), which says the same over every number type.
+/// The sign of value<T>(), which says the same over every number type; after doubles.
+template <class Value>
+Sign exact_sign_of(const Value& value) {
+  StackDyadic::clear_range();
+  const Sign s = value.template operator()<StackDyadic>().sign();
+  if (!StackDyadic::left_range()) return s;
+  return value.template operator()<BigDyadic>().sign();
+}
 template <class Value>
 Sign sign_of(const Value& value) {
   if (const Unsure<Sign> s = value.template operator()<Running>().sign(); s.certain()) return s.value();
-  if (const Unsure<Sign> s = value.template operator()<ShortDyadic>().sign(); s.certain()) return s.value();
-  return value.template operator()<BigDyadic>().sign();
+  return exact_sign_of(value);
 }
 
 /// All a - b for a and b in the hulls of the corners.
@@ -57,8 +66,13 @@ class Normal {
   [[nodiscard]] const Vec<T>& as() {
     if constexpr (std::is_same_v<T, Running>) {
       return rough_;
-    } else if constexpr (std::is_same_v<T, ShortDyadic>) {
-      if (!short_) short_ = of_.template operator()<ShortDyadic>();
+    } else if constexpr (std::is_same_v<T, StackDyadic>) {
+      if (!short_) {
+        short_ = of_.template operator()<StackDyadic>();
+        is_lost_ = StackDyadic::left_range();
+      } else if (is_lost_) {
+        static_cast<void>(StackDyadic(std::numeric_limits<double>::quiet_NaN()));  // leaves the range again
+      }
       return *short_;
     } else {
       if (!big_) big_ = of_.template operator()<BigDyadic>();
@@ -69,8 +83,49 @@ class Normal {
  private:
   Of of_;
   Vec<Running> rough_;
-  std::optional<Vec<ShortDyadic>> short_;
+  std::optional<Vec<StackDyadic>> short_;
   std::optional<Vec<BigDyadic>> big_;
+  bool is_lost_ = false;
+};
+
+/// Corners of a body that are known to be level with the first of them; of what has ways all that these lead to.
+class KnownLevel {
+ public:
+  KnownLevel(const CoreCorners& c, std::uint32_t first) : corner_{first, first, first}, by_ways_(c.ways() > 0) {}
+
+  [[nodiscard]] bool has(std::uint32_t i) const {
+    if (by_ways_) return ((i ^ corner_[0]) & ~ways_) == 0;
+    return i == corner_[0] || i == corner_[1] || i == corner_[2];
+  }
+  void add(std::uint32_t i) {
+    if (!by_ways_) {
+      corner_[1] == corner_[0] ? corner_[1] = i : corner_[2] = i;
+    } else if (const std::uint32_t new_ways = (i ^ corner_[0]) & ~ways_; std::has_single_bit(new_ways)) {
+      ways_ |= new_ways;
+    }
+  }
+
+ private:
+  std::array<std::uint32_t, 3> corner_;
+  std::uint32_t ways_ = 0;
+  bool by_ways_;
+};
+
+/// What is known of the plane through three points without arithmetic: two differences in it that share a corner of one
+/// body have corners of the other that are level, too.
+struct KnownPlane {
+  KnownLevel a, b;
+
+  KnownPlane(const Difference& d, const std::array<Ends, 3>& e) : a(d.a, e[0][0]), b(d.b, e[0][1]) {
+    for (int round = 0; round < 3; ++round) {
+      for (std::size_t k = 1; k < 3; ++k) {
+        const bool in_a = a.has(e[k][0]), in_b = b.has(e[k][1]);
+        if (in_a && !in_b) b.add(e[k][1]);
+        if (in_b && !in_a) a.add(e[k][0]);
+      }
+    }
+  }
+  [[nodiscard]] bool has(const Ends& e) const { return a.has(e[0]) && b.has(e[1]); }
 };
 
 }  // namespace plumb::query::parting

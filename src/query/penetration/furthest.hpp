@@ -27,10 +27,13 @@ Sign further_by_way(const CoreCorners& c, Normal<Of>& normal, Sign way, std::siz
   return way * sign_of([&]<class T>() -> T { return dot(normal.template as<T>(), c.template way<T>(k)); });
 }
 
-/// A corner that lies further than this one; nothing where none does.
+/// A corner that lies further than the first of those known to be level; nothing where none does.
 template <class Of>
-std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from) {
-  const auto is_further = [&](std::uint32_t i) { return further(c, normal, way, i, from) == Sign::positive; };
+std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from,
+                                         const KnownLevel& known) {
+  const auto is_further = [&](std::uint32_t i) {
+    return !known.has(i) && further(c, normal, way, i, from) == Sign::positive;
+  };
   if (c.polyhedron() != nullptr) {
     for (const std::uint32_t i : c.polyhedron()->neighbors_of(from)) {
       if (is_further(i)) return i;
@@ -41,6 +44,7 @@ std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& norma
     std::uint32_t best = from;
     for (std::size_t k = 0; k < c.ways(); ++k) {
       const std::uint32_t bit = 1u << k;
+      if (known.has(from ^ bit)) continue;
       const Sign along = further_by_way(c, normal, way, k);
       if (along != Sign::zero) best = along == Sign::positive ? best | bit : best & ~bit;
     }
@@ -48,7 +52,7 @@ std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& norma
     return best;
   }
   for (std::uint32_t i = 0; i < c.size(); ++i) {
-    if (i != from && is_further(i)) return i;
+    if (is_further(i)) return i;
   }
   return {};
 }
@@ -56,7 +60,8 @@ std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& norma
 /// All corners than which none lies further, ascending.
 template <class Of>
 std::vector<std::uint32_t> all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from) {
-  while (const auto better = any_further(c, normal, way, from)) from = *better;  // ends: each lies further
+  while (const auto better = any_further(c, normal, way, from, KnownLevel(c, from)))
+    from = *better;  // each lies further
   std::vector<std::uint32_t> level;
   if (c.ways() > 0) {
     std::uint32_t free = 0;

@@ -69,9 +69,12 @@ class Search {
   [[nodiscard]] bool is_found(std::uint32_t f) const { return surface_[f].is_there && surface_[f].is_supported; }
   [[nodiscard]] bool is_open(std::uint32_t f) const { return surface_[f].is_there && !surface_[f].is_supported; }
   void tell(std::uint32_t f) {
-    std::array<Ends, 3> of;
-    for (std::size_t k = 0; k < 3; ++k) of[k] = surface_.ends(surface_[f].corner[k]);
-    told_.facets.push_back(of);
+    const std::array<Ends, 3> ends = surface_.ends_of(surface_[f]);
+    for (const auto& told : told_.facets) {
+      const KnownPlane plane(of_, told);
+      if (std::ranges::all_of(ends, [&](const Ends& e) { return plane.has(e); })) return;  // another part of it
+    }
+    told_.facets.push_back(ends);
   }
 
   /// What is to be known of a new facet.
@@ -90,10 +93,16 @@ class Search {
     }
   }
 
+  /// As far as that is known without arithmetic.
+  [[nodiscard]] bool are_in_one_plane(const Facet& f, const Facet& g) const {
+    const KnownPlane plane = surface_.known_plane(f);
+    return std::ranges::all_of(surface_.ends_of(g), [&](const Ends& e) { return plane.has(e); });
+  }
   [[nodiscard]] Sign compare(std::uint32_t f, std::uint32_t g) const {
     const Facet &p = surface_[f], &q = surface_[g];
     if (p.measure.lower() > q.measure.upper()) return Sign::positive;
     if (p.measure.upper() < q.measure.lower()) return Sign::negative;
+    if (are_in_one_plane(p, q)) return Sign::zero;
     return sign_of([&]<class T>() -> T {
       const Fraction<T> x = aim_.measure(surface_.plane<T>(p), p.passage),
                         y = aim_.measure(surface_.plane<T>(q), q.passage);
@@ -128,8 +137,9 @@ class Search {
       }
     });
     const Ends& from = surface_.ends(f.corner[0]);
-    const auto on_a = any_further(of_.a, normal, Sign::positive, from[0]),
-               on_b = any_further(of_.b, normal, Sign::negative, from[1]);
+    const KnownPlane known = surface_.known_plane(f);
+    const auto on_a = any_further(of_.a, normal, Sign::positive, from[0], known.a),
+               on_b = any_further(of_.b, normal, Sign::negative, from[1], known.b);
     if (!on_a && !on_b) return {};
     return Ends{on_a.value_or(from[0]), on_b.value_or(from[1])};
   }

@@ -49,7 +49,7 @@ void Surface::grow(const Ends& ends, std::uint32_t beyond) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t g = facets_[f].across[k];
       if (!facets_[g].is_there) continue;  // seen already
-      if (is_beyond([&]<class T>() { return at<T>(point); }, facets_[g])) {
+      if (is_beyond(ends, points_[point].at, facets_[g])) {
         facets_[g].is_there = false;
         seen_.push_back(g);
       }

@@ -58,8 +58,12 @@ class Surface {
   }
   [[nodiscard]] Sign height_sign(const Facet& f) const;
 
+  [[nodiscard]] std::array<Ends, 3> ends_of(const Facet& f) const {
+    return {ends(f.corner[0]), ends(f.corner[1]), ends(f.corner[2])};
+  }
+  [[nodiscard]] KnownPlane known_plane(const Facet& f) const { return {of_, ends_of(f)}; }
   [[nodiscard]] bool is_beyond(const Ends& point, const Facet& f) const {
-    return is_beyond([&]<class T>() { return of_.at<T>(point); }, f);
+    return is_beyond(point, of_.at<Running>(point), f);
   }
 
   /// Takes a point that is beyond the facet; `made` is called with the number of each new facet.
@@ -80,16 +84,11 @@ class Surface {
   };
 
   void grow(const Ends& point, std::uint32_t beyond);
-  template <class At>
-  [[nodiscard]] bool is_beyond(const At& point, const Facet& f) const {
-    return sign_of([&]<class T>() -> T {
-             const Vec<T> p = point.template operator()<T>();
-             if constexpr (std::is_same_v<T, Running>) {
-               return dot(f.normal, p - points_[f.corner[0]].at);
-             } else {
-               return plane<T>(f).beyond(p);
-             }
-           }) == Sign::positive;
+  [[nodiscard]] bool is_beyond(const Ends& point, const Vec<Running>& at, const Facet& f) const {
+    const Unsure<Sign> s = dot(f.normal, at - points_[f.corner[0]].at).sign();
+    if (s.certain()) return s.value() == Sign::positive;
+    if (known_plane(f).has(point)) return false;
+    return exact_sign_of([&]<class T>() -> T { return plane<T>(f).beyond(of_.at<T>(point)); }) == Sign::positive;
   }
   std::uint32_t make(std::uint32_t p, std::uint32_t q, std::uint32_t r);
 

@@ -39,7 +39,9 @@ AskDepth bullet_depth(const Obb3& a, const Obb3& b) {
     const auto& [u, v, w] = o.axes;
     const std::array numbers{o.center.x, o.center.y, o.center.z, u.x, u.y,      u.z,      v.x,     v.y,
                              v.z,        w.x,        w.y,        w.z, o.half.x, o.half.y, o.half.z};
-    return std::make_shared<bullet::Box>(bullet::box(numbers.data()));
+    auto p = std::make_shared<bullet::Box>(bullet::box(numbers.data()));
+    p->shape.setMargin(0);
+    return p;
   };
   return [p = box(a), q = box(b)] { return depth_of(p->shape, p->place, q->shape, q->place); };
 }
