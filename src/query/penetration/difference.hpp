@@ -52,8 +52,23 @@ struct PlaneOf {
   Vec<T> point;
 
   PlaneOf(const Vec<T>& p, const Vec<T>& q, const Vec<T>& r) : normal(cross(q - p, r - p)), point(p) {}
+  PlaneOf(const Vec<T>& n, const Vec<T>& p) : normal(n), point(p) {}
   [[nodiscard]] T height() const { return dot(normal, point); }  // of the origin below it, times the normal's length
   [[nodiscard]] T beyond(const Vec<T>& p) const { return dot(normal, p - point); }
+};
+
+/// Integers that are computed once.  Where they left the range, they leave it each time that they are asked.
+class Kept {
+ public:
+  explicit Kept(const Vec<StackDyadic>& v) : v_(v), is_lost_(StackDyadic::left_range()) {}
+  [[nodiscard]] const Vec<StackDyadic>& get() const {
+    if (is_lost_) static_cast<void>(StackDyadic(std::numeric_limits<double>::quiet_NaN()));
+    return v_;
+  }
+
+ private:
+  Vec<StackDyadic> v_;
+  bool is_lost_;
 };
 
 /// A normal that is computed once over each number type that is asked.
@@ -67,13 +82,8 @@ class Normal {
     if constexpr (std::is_same_v<T, Running>) {
       return rough_;
     } else if constexpr (std::is_same_v<T, StackDyadic>) {
-      if (!short_) {
-        short_ = of_.template operator()<StackDyadic>();
-        is_lost_ = StackDyadic::left_range();
-      } else if (is_lost_) {
-        static_cast<void>(StackDyadic(std::numeric_limits<double>::quiet_NaN()));  // leaves the range again
-      }
-      return *short_;
+      if (!short_) short_.emplace(of_.template operator()<StackDyadic>());
+      return short_->get();
     } else {
       if (!big_) big_ = of_.template operator()<BigDyadic>();
       return *big_;
@@ -83,9 +93,8 @@ class Normal {
  private:
   Of of_;
   Vec<Running> rough_;
-  std::optional<Vec<StackDyadic>> short_;
+  std::optional<Kept> short_;
   std::optional<Vec<BigDyadic>> big_;
-  bool is_lost_ = false;
 };
 
 /// Corners of a body that are known to be level with the first of them; of what has ways all that these lead to.

@@ -30,9 +30,16 @@ class Level {
   /// Of the hull of these corners.
   [[nodiscard]] std::size_t rank(std::span<const Index> of) const {
     if (of.size() == 1) return 0;
+    if (of.size() == 2 && is_apart(of[0], of[1])) return 1;
     std::vector<Ends> ways;
     for (const Index i : of) ways.push_back({i, of[0]});
     return affine_basis_among({corners_, corners_}, ways).size() - 1;
+  }
+
+  /// By one coordinate, as far as doubles tell.
+  [[nodiscard]] bool is_apart(Index i, Index j) const {
+    const Vec<Running> way = corners_.at<Running>(i) - corners_.at<Running>(j);
+    return certain_sign(way.x) != 0 || certain_sign(way.y) != 0 || certain_sign(way.z) != 0;
   }
 
   const CoreCorners& corners_;
@@ -117,8 +124,9 @@ Feature flush_feature(const BodyView& body, const CoreCorners& c, std::span<cons
 
 FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d, const Way& along) {
   Normal way([&]<class T>() { return along.along<T>(d); });
-  const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0]),
-             on_b = all_furthest(d.b, way, Sign::positive, along.from()[1]);
+  const KnownPlane known = along.known(d);
+  const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0], known.a),
+             on_b = all_furthest(d.b, way, Sign::positive, along.from()[1], known.b);
   return {flush_feature(a, d.a, on_a), flush_feature(b, d.b, on_b), {on_a[0], on_b[0]}};
 }
 

@@ -57,23 +57,27 @@ std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& norma
   return {};
 }
 
-/// All corners than which none lies further, ascending.
+/// All corners than which none lies further, ascending; the search begins at the first of those known to be level.
 template <class Of>
-std::vector<std::uint32_t> all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from) {
-  while (const auto better = any_further(c, normal, way, from, KnownLevel(c, from)))
-    from = *better;  // each lies further
+std::vector<std::uint32_t> all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from,
+                                        KnownLevel known) {
+  while (const auto better = any_further(c, normal, way, from, known)) {  // ends: each lies further
+    from = *better;
+    known = KnownLevel(c, from);
+  }
   std::vector<std::uint32_t> level;
   if (c.ways() > 0) {
     std::uint32_t free = 0;
     for (std::size_t k = 0; k < c.ways(); ++k) {
-      if (!c.has_length(k) || further_by_way(c, normal, way, k) == Sign::zero) free |= 1u << k;
+      const std::uint32_t bit = 1u << k;
+      if (known.has(from ^ bit) || !c.has_length(k) || further_by_way(c, normal, way, k) == Sign::zero) free |= bit;
     }
     for (std::uint32_t i = 0; i < c.size(); ++i) {
       if ((i & ~free) == (from & ~free)) level.push_back(i);
     }
     return level;
   }
-  const auto is_level = [&](std::uint32_t i) { return i == from || further(c, normal, way, i, from) == Sign::zero; };
+  const auto is_level = [&](std::uint32_t i) { return known.has(i) || further(c, normal, way, i, from) == Sign::zero; };
   if (c.polyhedron() == nullptr) {
     for (std::uint32_t i = 0; i < c.size(); ++i) {
       if (is_level(i)) level.push_back(i);

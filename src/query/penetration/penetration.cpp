@@ -28,6 +28,7 @@ struct Told {
   Ends in_plane;
 
   [[nodiscard]] Difference difference() const { return {bodies[0].corners, bodies[1].corners}; }
+  [[nodiscard]] bool is_round() const { return sgn(bodies[0].radius) != 0 || sgn(bodies[1].radius) != 0; }
   [[nodiscard]] mpq_class radii() const { return bodies[0].radius + bodies[1].radius; }
 };
 
@@ -42,13 +43,16 @@ std::optional<Told> told_of(std::string_view function, const BodyView& a, const 
 /// Numbers by pairs of doubles; nothing where these leave one open.
 std::optional<Penetration> quick_numbers(const Told& t) {
   const Lengths<Ball> n(t.difference(), t.parting.way, t.in_plane);
-  const mpq_class radii = t.radii();
-  const double radius = radii.get_d();
-  if (radius != radii) return {};
+  double radius = 0;
+  if (t.is_round()) {
+    const mpq_class radii = t.radii();
+    radius = radii.get_d();
+    if (radius != radii) return {};
+  }
   const Ball length = root(n.square), both = Ball(radius);
   const auto unit = [&](const Ball& x) { return quotient(x, length); };
   const Ball depth = both + unit(n.overlap);
-  const Ball share = sgn(radii) == 0 ? quotient(n.overlap, n.square) : quotient(depth, length);
+  const Ball share = radius == 0 ? quotient(n.overlap, n.square) : quotient(depth, length);
   Penetration p{0, {}, {}, t.feature_a, t.feature_b, t.parting.is_unique};
   bool is_told = true;
   const auto tell = [&](double& to, const Ball& from) {

@@ -98,8 +98,8 @@ class Search {
     const KnownPlane plane = surface_.known_plane(f);
     return std::ranges::all_of(surface_.ends_of(g), [&](const Ends& e) { return plane.has(e); });
   }
-  [[nodiscard]] Sign compare(std::uint32_t f, std::uint32_t g) const {
-    const Facet &p = surface_[f], &q = surface_[g];
+  [[nodiscard]] Sign compare(std::uint32_t f, std::uint32_t g) {
+    Facet &p = surface_[f], &q = surface_[g];
     if (p.measure.lower() > q.measure.upper()) return Sign::positive;
     if (p.measure.upper() < q.measure.lower()) return Sign::negative;
     if (are_in_one_plane(p, q)) return Sign::zero;
@@ -128,7 +128,7 @@ class Search {
     surface_.add(e, f, [&](std::uint32_t made) { look(made); });
     return true;
   }
-  [[nodiscard]] std::optional<Ends> beyond(const Facet& f) const {
+  [[nodiscard]] std::optional<Ends> beyond(Facet& f) {
     Normal normal([&]<class T>() -> Vec<T> {
       if constexpr (std::is_same_v<T, Running>) {
         return f.normal;
@@ -171,7 +171,7 @@ class Search {
   }
 
   /// The facet to look at; nothing where the best is nearest for certain.
-  [[nodiscard]] std::optional<std::uint32_t> next() const {
+  [[nodiscard]] std::optional<std::uint32_t> next() {
     constexpr double nearly = 1 + 0x1p-20;  // a guess: what is as near may be a tie
     std::optional<std::uint32_t> least;
     for (std::uint32_t f = 0; f < surface_.size(); ++f) {

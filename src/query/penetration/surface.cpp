@@ -4,7 +4,7 @@
 
 namespace plumb::query::parting {
 
-Sign Surface::height_sign(const Facet& f) const {
+Sign Surface::height_sign(Facet& f) {
   return sign_of([&]<class T>() -> T {
     if constexpr (std::is_same_v<T, Running>) {
       return f.height;
@@ -49,7 +49,7 @@ void Surface::grow(const Ends& ends, std::uint32_t beyond) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t g = facets_[f].across[k];
       if (!facets_[g].is_there) continue;  // seen already
-      if (is_beyond(ends, points_[point].at, facets_[g])) {
+      if (is_beyond(ends, points_[point].at, facets_[g], [&]<class T>() { return at<T>(point); })) {
         facets_[g].is_there = false;
         seen_.push_back(g);
       }

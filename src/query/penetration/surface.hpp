@@ -20,10 +20,11 @@ struct Facet {
   std::array<std::uint32_t, 3> corner;  // numbers of points
   std::array<std::uint32_t, 3> across;  // the facet beyond the edge from corner[i] to the next
   Vec<Running> normal;
-  Running height;              // of the plane over the origin, times the normal's length
-  Running measure;             // what is to be least; what is certain of it, and a guess
-  std::uint32_t passage = 1;   // how a way that is asked for leads through it; 0: none does
-  Sign side = Sign::positive;  // of the height
+  Running height;                      // of the plane over the origin, times the normal's length
+  Running measure;                     // what is to be least; what is certain of it, and a guess
+  std::uint32_t passage = 1;           // how a way that is asked for leads through it; 0: none does
+  Sign side = Sign::positive;          // of the height
+  const Kept* exact_normal = nullptr;  // where it was asked for
   bool is_there = true;
   bool is_supported = false;  // no point of the difference lies before it
 };
@@ -45,25 +46,40 @@ class Surface {
   [[nodiscard]] const Ends& ends(std::uint32_t point) const { return points_[point].ends; }
 
   template <class T>
-  [[nodiscard]] Vec<T> at(std::uint32_t point) const {
+  [[nodiscard]] Vec<T> at(std::uint32_t point) {
+    Point& p = points_[point];
     if constexpr (std::is_same_v<T, Running>) {
-      return points_[point].at;
+      return p.at;
+    } else if constexpr (std::is_same_v<T, StackDyadic>) {
+      if (p.exact == nullptr) p.exact = kept(of_.at<T>(p.ends));
+      return p.exact->get();
     } else {
-      return of_.at<T>(points_[point].ends);
+      return of_.at<T>(p.ends);
     }
   }
   template <class T>
-  [[nodiscard]] PlaneOf<T> plane(const Facet& f) const {
-    return {at<T>(f.corner[0]), at<T>(f.corner[1]), at<T>(f.corner[2])};
+  [[nodiscard]] PlaneOf<T> plane(Facet& f) {
+    if constexpr (std::is_same_v<T, Running>) {
+      return {f.normal, at<T>(f.corner[0])};
+    } else if constexpr (std::is_same_v<T, StackDyadic>) {
+      if (f.exact_normal == nullptr) {
+        const PlaneOf<T> p(at<T>(f.corner[0]), at<T>(f.corner[1]), at<T>(f.corner[2]));
+        f.exact_normal = kept(p.normal);
+        return p;
+      }
+      return {f.exact_normal->get(), at<T>(f.corner[0])};
+    } else {
+      return {at<T>(f.corner[0]), at<T>(f.corner[1]), at<T>(f.corner[2])};
+    }
   }
-  [[nodiscard]] Sign height_sign(const Facet& f) const;
+  [[nodiscard]] Sign height_sign(Facet& f);
 
   [[nodiscard]] std::array<Ends, 3> ends_of(const Facet& f) const {
     return {ends(f.corner[0]), ends(f.corner[1]), ends(f.corner[2])};
   }
   [[nodiscard]] KnownPlane known_plane(const Facet& f) const { return {of_, ends_of(f)}; }
-  [[nodiscard]] bool is_beyond(const Ends& point, const Facet& f) const {
-    return is_beyond(point, of_.at<Running>(point), f);
+  [[nodiscard]] bool is_beyond(const Ends& point, Facet& f) {
+    return is_beyond(point, of_.at<Running>(point), f, [&]<class T>() { return of_.at<T>(point); });
   }
 
   /// Takes a point that is beyond the facet; `made` is called with the number of each new facet.
@@ -77,18 +93,25 @@ class Surface {
   struct Point {
     Ends ends;
     Vec<Running> at;
-    std::uint32_t starts = 0;  // the new facet whose first edge starts here, while one point is taken
+    const Kept* exact = nullptr;  // where it was asked for
+    std::uint32_t starts = 0;     // the new facet whose first edge starts here, while one point is taken
   };
   struct Edge {
     std::uint32_t from, to, outer;
   };
 
+  /// As long as the surface; nothing is to be destroyed.
+  const Kept* kept(const Vec<StackDyadic>& v) {
+    return std::pmr::polymorphic_allocator<>(&memory_).new_object<Kept>(v);
+  }
   void grow(const Ends& point, std::uint32_t beyond);
-  [[nodiscard]] bool is_beyond(const Ends& point, const Vec<Running>& at, const Facet& f) const {
+  template <class At>
+  [[nodiscard]] bool is_beyond(const Ends& point, const Vec<Running>& at, Facet& f, const At& exact) {
     const Unsure<Sign> s = dot(f.normal, at - points_[f.corner[0]].at).sign();
     if (s.certain()) return s.value() == Sign::positive;
     if (known_plane(f).has(point)) return false;
-    return exact_sign_of([&]<class T>() -> T { return plane<T>(f).beyond(of_.at<T>(point)); }) == Sign::positive;
+    return exact_sign_of([&]<class T>() -> T { return plane<T>(f).beyond(exact.template operator()<T>()); }) ==
+           Sign::positive;
   }
   std::uint32_t make(std::uint32_t p, std::uint32_t q, std::uint32_t r);
 

@@ -35,6 +35,11 @@ class Way {
     if (kind_ == Kind::beside) return cross(u, cross(u, axis));
     return cross(d.at<T>(of_[2]) - p, u);
   }
+  /// What is level, where the way leads out through a plane; else one corner of each body.
+  [[nodiscard]] KnownPlane known(const Difference& d) const {
+    if (kind_ == Kind::plane) return {d, of_};
+    return {d, {of_[0], of_[0], of_[0]}};
+  }
   /// One of the points.
   [[nodiscard]] const Ends& from() const { return of_[0]; }
 
