@@ -78,6 +78,9 @@
 #include "plumb/query/lp/nearest_feasible.hpp"  // the nearest point of an intersection of halfspaces
 #include "plumb/query/lp/simplex.hpp"           // of any number of variables
 #include "plumb/query/lp/verify.hpp"            // is a proof one?
+// How deep are two in one another, and which way is out?  penetration, penetration_along, penetration_within
+#include "plumb/query/penetration/along.hpp"        // by directions given, or within a cone
+#include "plumb/query/penetration/penetration.hpp"  // by the least translation
 
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is

@@ -49,6 +49,16 @@ inline bool is_one_pair(const ProvedCorners& p) {
   return (m == 1 && a_ends) || (n == 1 && b_ends) || (m == 2 && n == 2 && p.corners.size == 3 && a_ends && b_ends);
 }
 
+/// Does it lead anywhere, for certain?
+template <class T>
+bool leads_somewhere(const Vec<T>& way) {
+  const auto is_not_zero = [](const T& x) {
+    CertainSigns ask;
+    return ask(x) != Sign::zero && ask.certain();
+  };
+  return is_not_zero(way.x) || is_not_zero(way.y) || is_not_zero(way.z);
+}
+
 /// What the corners prove; nothing where a sign was not certain.  `holds`: that they are nearest.
 struct Judged {
   bool holds = false;
@@ -67,6 +77,7 @@ std::optional<Judged> judged(const CoreCorners& a, const CoreCorners& b, const D
   if (!j.proved.meets && corners.size != 2 && certainly_zero(n.square)) j.proved.meets = true;
   if constexpr (!std::is_same_v<T, Running>) j.proved.meets = j.proved.meets || certainly_zero(n.square);
   if (j.proved.meets) return j;
+  if (!leads_somewhere(n.way)) return {};  // of points and segments nothing else would ask
   j.proved.a = support_of(a, linked(corners, 0).all(), n.way, ask);
   if (!ask.certain()) return {};
   j.proved.b = support_of(b, linked(corners, 1).all(), turned_round(n.way), ask);

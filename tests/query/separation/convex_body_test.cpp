@@ -73,6 +73,21 @@ TEST(ConvexBodies, TheSearchTakesHullsAndPoses) {
   }
 }
 
+TEST(ConvexBodies, PointsAndSegmentsThatMeetAreSaidTo) {
+  const auto proved = [](const auto& a, const auto& b) {
+    const auto bodies = bodies_of("asked", body_view(a), body_view(b));
+    return proved_nearest(bodies[0].corners, bodies[1].corners);
+  };
+  const Point3 middle{0.5, 1, 1.5}, beside{0.5, 1, std::nextafter(1.5, 2)};
+  const Segment3 segment{{0, 0, 0}, {1, 2, 3}}, other{{1, 1, 1.5}, {0, 1, 1.5}};
+  EXPECT_TRUE(proved(middle, middle)->meets);
+  EXPECT_TRUE(proved(middle, segment)->meets);
+  EXPECT_TRUE(proved(segment, middle)->meets);
+  EXPECT_TRUE(proved(segment, other)->meets);
+  EXPECT_FALSE(proved(middle, beside)->meets);
+  EXPECT_FALSE(proved(beside, segment)->meets);
+}
+
 TEST(ConvexBodies, RoundOnesKeepTheirRadius) {
   const Pose twice{{{{0, 2, 0}, {-2, 0, 0}, {0, 0, 2}}}, {1, 2, 3}};
   EXPECT_EQ(body(Sphere3{{1, 2, 3}, 0.75}).radius, mpq_class(3, 4));

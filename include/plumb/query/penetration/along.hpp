@@ -1,0 +1,89 @@
+// Penetration by directions given: how far must a convex body move along a direction, one of several, or within a cone of them,
+// until it is parted from another?
+//
+//   penetration_along(a, b, up)                 the least t >= 0 for which a, moved by t * up, is parted from b
+//   penetration_along(a, b, directions)         along that of several whose translation is shortest
+//   penetration_within(a, b, cone)              by the shortest translation in the cone that the directions span
+//
+// Parted is what it is for penetration (query/penetration/penetration.hpp): a plane has one body on each side.  A game's floor
+// pushes upward, a machine's tool leaves along its axis: the least translation of all is often one that cannot be had.
+// Laws: (1) exact, then rounded once; `multiple` and `exact_translation` are not rounded.  (2) Bodies that are disjoint have
+// none; bodies that are parted as they stand, which touch or are flat in one plane, have depth zero.  (3) Of several
+// directions that are as short that one is told which comes first in the list; of several translations within a cone the first in
+// lexicographic order, and `is_unique` is false.  (4) A cone is all sums of its directions with weights that are not
+// negative: one direction spans a ray, two a sector, three or more a pyramid, six along the axes everything; a half-space by
+// four.  Every direction leads out in the end.  (5) The features are as in penetration: of
+// the plane that the translation ends at, of several such planes of the one through which penetration would rather leave; at
+// depth zero those of penetration.
+// Bodies without a radius: what is round leaves along curves whose ends are no rational numbers.
+// A direction of length zero, and none at all, throws InvalidShape, NaN and infinity NonFinite, by name.
+// Source: RTCD 9.3.8, 9.5; van den Bergen 2001; Cameron 1997 for translational distances by directions.
+// Cost: that of exact_penetration, for each direction; of a cone of n directions n^3 signs a facet of the polytope.
+#pragma once
+
+#include <span>
+
+#include "plumb/query/penetration/penetration.hpp"
+
+namespace plumb {
+
+struct PenetrationAlong {
+  std::size_t index;  // of the direction
+  Rational multiple;  // of the direction
+  double depth;       // the length of the translation
+  Vector3 translation;
+  Feature feature_a, feature_b;
+};
+
+/// All sums of these with weights that are not negative.
+struct DirectionCone3 {
+  std::span<const Vector3> directions;
+};
+
+struct PenetrationWithin {
+  ExactVector3 exact_translation;
+  Rational square;  // of its length
+  double depth;
+  Vector3 translation;
+  Feature feature_a, feature_b;
+  bool is_unique;
+};
+
+namespace query {
+
+template <class Shape>
+inline constexpr bool is_straight_body =
+    is_vertex_hull<UnposedType<Shape>> ||
+    !is_one_of(figure_kind<UnposedType<Shape>>, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
+template <>
+inline constexpr bool is_straight_body<VertexHull3> = true;
+template <>
+inline constexpr bool is_straight_body<Posed<VertexHull3>> = true;
+
+std::optional<PenetrationAlong> penetration_along_of(const BodyView& a, const BodyView& b,
+                                                     std::span<const Vector3> directions, bool is_list);
+std::optional<PenetrationWithin> penetration_within_of(const BodyView& a, const BodyView& b,
+                                                       const DirectionCone3& cone);
+
+}  // namespace query
+
+/// A convex body whose radius is zero because its kind has none.
+template <class Shape>
+concept StraightBody3 = ConvexBody3<Shape> && query::is_straight_body<Shape>;
+
+template <StraightBody3 A, StraightBody3 B>
+std::optional<PenetrationAlong> penetration_along(const A& a, const B& b, const Vector3& direction) {
+  return query::penetration_along_of(query::body_view(a), query::body_view(b), {&direction, 1}, false);
+}
+
+template <StraightBody3 A, StraightBody3 B>
+std::optional<PenetrationAlong> penetration_along(const A& a, const B& b, std::span<const Vector3> directions) {
+  return query::penetration_along_of(query::body_view(a), query::body_view(b), directions, true);
+}
+
+template <StraightBody3 A, StraightBody3 B>
+std::optional<PenetrationWithin> penetration_within(const A& a, const B& b, const DirectionCone3& cone) {
+  return query::penetration_within_of(query::body_view(a), query::body_view(b), cone);
+}
+
+}  // namespace plumb

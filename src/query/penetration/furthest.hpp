@@ -1,0 +1,97 @@
+// Extreme vertex: which corner of a body lies furthest along a direction, and which ones are level with it?  A guess in
+// doubles, and the exact answers.
+//
+// Laws: of the guess nothing is certain.  What is exact is so whatever corner the search begins at.
+// Source: RTCD 9.5.3, 9.5.4 (hill climbing).
+// Cost: of boxes a sign a way, of polyhedra the way climbed, else linear in the corners.
+#pragma once
+
+#include <vector>
+
+#include "query/penetration/difference.hpp"
+
+namespace plumb::query::parting {
+
+/// A guess, from a corner that may be near.
+std::uint32_t guessed_furthest(const CoreCorners& c, const arith::Plain& along, std::uint32_t from);
+
+/// The sign of how much further corner i lies than another; `way` negative: against the normal.
+template <class Of>
+Sign further(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t i, std::uint32_t from) {
+  return way * sign_of([&]<class T>() -> T {
+           return dot(normal.template as<T>(), c.template at<T>(i) - c.template at<T>(from));
+         });
+}
+template <class Of>
+Sign further_by_way(const CoreCorners& c, Normal<Of>& normal, Sign way, std::size_t k) {
+  return way * sign_of([&]<class T>() -> T { return dot(normal.template as<T>(), c.template way<T>(k)); });
+}
+
+/// A corner that lies further than the first of those known to be level; nothing where none does.
+template <class Of>
+std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from,
+                                         const KnownLevel& known) {
+  const auto is_further = [&](std::uint32_t i) {
+    return !known.has(i) && further(c, normal, way, i, from) == Sign::positive;
+  };
+  if (c.polyhedron() != nullptr) {
+    for (const std::uint32_t i : c.polyhedron()->neighbors_of(from)) {
+      if (is_further(i)) return i;
+    }
+    return {};
+  }
+  if (c.ways() > 0) {
+    std::uint32_t best = from;
+    for (std::size_t k = 0; k < c.ways(); ++k) {
+      const std::uint32_t bit = 1u << k;
+      if (known.has(from ^ bit)) continue;
+      const Sign along = further_by_way(c, normal, way, k);
+      if (along != Sign::zero) best = along == Sign::positive ? best | bit : best & ~bit;
+    }
+    if (best == from) return {};
+    return best;
+  }
+  for (std::uint32_t i = 0; i < c.size(); ++i) {
+    if (is_further(i)) return i;
+  }
+  return {};
+}
+
+/// All corners than which none lies further, ascending; the search begins at the first of those known to be level.
+template <class Of>
+std::vector<std::uint32_t> all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from,
+                                        KnownLevel known) {
+  while (const auto better = any_further(c, normal, way, from, known)) {  // ends: each lies further
+    from = *better;
+    known = KnownLevel(c, from);
+  }
+  std::vector<std::uint32_t> level;
+  if (c.ways() > 0) {
+    std::uint32_t free = 0;
+    for (std::size_t k = 0; k < c.ways(); ++k) {
+      const std::uint32_t bit = 1u << k;
+      if (known.has(from ^ bit) || !c.has_length(k) || further_by_way(c, normal, way, k) == Sign::zero) free |= bit;
+    }
+    for (std::uint32_t i = 0; i < c.size(); ++i) {
+      if ((i & ~free) == (from & ~free)) level.push_back(i);
+    }
+    return level;
+  }
+  const auto is_level = [&](std::uint32_t i) { return known.has(i) || further(c, normal, way, i, from) == Sign::zero; };
+  if (c.polyhedron() == nullptr) {
+    for (std::uint32_t i = 0; i < c.size(); ++i) {
+      if (is_level(i)) level.push_back(i);
+    }
+    return level;
+  }
+  level.push_back(from);  // what is level on a convex surface hangs together
+  for (std::size_t k = 0; k < level.size(); ++k) {
+    for (const std::uint32_t i : c.polyhedron()->neighbors_of(level[k])) {
+      if (std::ranges::find(level, i) == level.end() && is_level(i)) level.push_back(i);
+    }
+  }
+  std::ranges::sort(level);
+  return level;
+}
+
+}  // namespace plumb::query::parting

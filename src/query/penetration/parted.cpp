@@ -1,0 +1,68 @@
+#include "query/penetration/parted.hpp"
+
+namespace plumb::query::parting {
+namespace {
+
+using Triangle = std::array<Ends, 3>;
+
+/// Of a difference without an inside.
+Parting beside(const Difference& d, std::span<const Ends> basis) {
+  if (basis.size() == 3) {
+    const std::array both{Triangle{basis[0], basis[1], basis[2]}, Triangle{basis[0], basis[2], basis[1]}};
+    return first_of(d, both);
+  }
+  if (basis.size() == 1) return {Way::against_axis(0), false, false};
+  const auto along = [&](int axis) {
+    return sign_of([&]<class T>() -> T {
+      const Vec<T> u = d.at<T>(basis[1]) - d.at<T>(basis[0]);
+      return axis == 1 ? u.y : u.z;
+    });
+  };
+  const bool is_along_x = along(1) == Sign::zero && along(2) == Sign::zero;
+  return {Way::beside_line(basis[0], basis[1], is_along_x ? 1 : 0), false, false};
+}
+
+/// From the nearest point of cores that are apart.
+Way back_from(const Difference& d, const DifferenceCorners& nearest) {
+  const auto& e = nearest.ends;
+  if (nearest.size == 1) return Way::to_point(e[0]);
+  if (nearest.size == 2) return Way::to_line(e[0], e[1]);
+  const Sign height =
+      sign_of([&]<class T>() -> T { return PlaneOf<T>(d.at<T>(e[0]), d.at<T>(e[1]), d.at<T>(e[2])).height(); });
+  return height == Sign::negative ? Way::through({e[0], e[1], e[2]}) : Way::through({e[0], e[2], e[1]});
+}
+
+bool is_within(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii) {
+  CertainSigns ask;
+  const auto n = nearest_of<BigDyadic, Sought::square>(d.a, d.b, nearest, ask);
+  return big_rational(n.square).value <= radii * radii * big_rational(n.square_whole).value;
+}
+
+}  // namespace
+
+Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
+  Parting p{Way::through(facets[0]), false, true};
+  for (const auto& f : facets.subspan(1)) {
+    const Way way = Way::through(f);
+    const Sign order = compare_directions(d, way, p.way);
+    if (order == Sign::negative) p.way = way;
+    if (order != Sign::zero) p.is_unique = false;
+  }
+  return p;
+}
+
+std::optional<Parting> parted(const Body& a, const Body& b) {
+  const Difference d{a.corners, b.corners};
+  const CoreDistance core = core_distance(d);
+  const std::span<const Ends> nearest(core.nearest.ends.data(), core.nearest.size);
+  if (!core.meet) {
+    const mpq_class radii = a.radius + b.radius;
+    if (sgn(radii) == 0 || !is_within(d, core.nearest, radii)) return {};
+    return Parting{back_from(d, core.nearest), true, true};
+  }
+  const NearestPlanes planes = nearest_planes(d, core, EveryWay());
+  if (planes.facets.empty()) return beside(d, affine_basis(d, nearest));
+  return first_of(d, planes.facets);
+}
+
+}  // namespace plumb::query::parting

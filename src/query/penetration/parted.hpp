@@ -1,0 +1,42 @@
+// Along which direction is the least translation that parts two bodies?
+//
+// Laws: those of plumb/query/penetration/penetration.hpp; nothing of bodies that are disjoint.
+// Source: query/penetration/search.hpp; of cores that are apart, query/separation/proved_corners.hpp.
+// Cost: that of both.
+#pragma once
+
+#include "query/penetration/basis.hpp"
+#include "query/penetration/search.hpp"
+#include "query/penetration/way.hpp"
+#include "query/separation/convex_body.hpp"
+
+namespace plumb::query::parting {
+
+struct Parting {
+  Way way;
+  bool cores_are_apart, is_unique;
+};
+
+std::optional<Parting> parted(const Body& a, const Body& b);
+
+/// Do the cores meet, and which corners of their difference are nearest to the origin?
+struct CoreDistance {
+  DifferenceCorners nearest;
+  bool meet = false;
+};
+CoreDistance core_distance(const Difference& d);
+
+/// Of cores that meet; a flat difference has its origin on the boundary, and no facets.
+template <class Aim>
+NearestPlanes nearest_planes(const Difference& d, const CoreDistance& core, const Aim& aim) {
+  Search search(d, aim);
+  if (core.nearest.size == 4) return search.run(core.nearest.ends, true);
+  const std::vector<Ends> basis = affine_basis(d, {core.nearest.ends.data(), core.nearest.size});
+  if (basis.size() < 4) return {Origin::on_boundary, {}};
+  return search.run({basis[0], basis[1], basis[2], basis[3]}, false);
+}
+
+/// The first of several facets, by the direction in which the body leaves.
+Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets);
+
+}  // namespace plumb::query::parting
