@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "figure/k_dop/halfspace_slack.hpp"
+#include "figure/k_dop/inner_point.hpp"
 #include "figure/k_dop/sets.hpp"
 
 namespace plumb {
@@ -84,6 +85,7 @@ std::vector<bool> with_slack(const arith::Constraints& halfspaces) {
 template <class Vector>
 Relation relation(std::string_view function, const KDop<Vector>& a, const KDop<Vector>& b) {
   if (!overlap(function, a, b)) return Relation::disjoint;
+  if (CommonSlabs(a, b).have_inner_point()) return Relation::overlapping;
   const KDop<Vector> both = common_part(a, b);
   const auto sign = sign_of_slack(both);
   if (sign && (*sign != 0 || (sign_of_slack(a) == 1 && sign_of_slack(b) == 1))) return static_cast<Relation>(*sign);
@@ -104,6 +106,7 @@ Relation relation(std::string_view function, const KDop<Vector>& a, const KDop<V
 template <class Vector>
 bool meet(const KDop<Vector>& a, const KDop<Vector>& b) {
   if (!overlap("intersects", a, b)) return false;
+  if (CommonSlabs(a, b).have_inner_point()) return true;
   const KDop<Vector> both = common_part(a, b);
   if (const auto sign = sign_of_slack(both)) return *sign >= 0;
   return !is_empty(halfspaces(both));
@@ -113,6 +116,7 @@ template <class Vector>
 bool is_empty_set(const KDop<Vector>& k_dop) {
   require_sound("is_empty", k_dop);
   if (has_empty_interval(k_dop)) return true;
+  if (CommonSlabs(k_dop, k_dop).have_inner_point()) return false;
   if (const auto sign = sign_of_slack(k_dop)) return *sign < 0;
   return is_empty(halfspaces(k_dop));
 }

@@ -39,7 +39,8 @@ class LocalPoints {
                         at(middle_.y, local.y, extent_.min.y, extent_.max.y),
                         at(middle_.z, local.z, extent_.min.z, extent_.max.z)};
     PointScan<Point3> scan(points_, scale_for(half_width(extent_)));
-    return {center, figure::within_doubles(enclosing_radius(points_, scan, center), function_, "radius")};
+    RestScan<SpannedSphere3> rests(points_, extent_);
+    return {center, figure::within_doubles(enclosing_radius(scan, rests, points_, center), function_, "radius")};
   }
 
   [[nodiscard]] Sphere3 unrounded(const Sphere3& s) const {

@@ -69,8 +69,9 @@ class SphereSearch {
  public:
   using Point = PointOf<Ball>;
 
-  SphereSearch(std::span<const Point> points, PointScan<Point>& scan, const Point& middle, std::vector<Ball>* history)
-      : points_(points), scan_(scan), history_(history), center_(middle) {
+  SphereSearch(std::span<const Point> points, PointScan<Point>& scan, RestScan<Ball>& rests, const Point& middle,
+               std::vector<Ball>* history)
+      : points_(points), scan_(scan), rests_(rests), history_(history), center_(middle) {
     scan_.pass(center_);
     gather(-1);
     become({{points[candidates_[0]]}, 1});
@@ -101,14 +102,15 @@ class SphereSearch {
   bool holds_all(std::vector<std::uint32_t>& boundary) {
     constexpr std::size_t enough = 32;  // for the next ball, which takes in most of the others as well
     const FineBall<Ball> fine = fine_ball(ball_);
+    rests_.aim(fine);
     boundary.clear();
     candidates_.clear();
     double least = 0;
     std::size_t outside = 0;
     std::vector<std::size_t> open;
-    scan_.blocks_from(limit_, [&](std::size_t first, std::span<const Point> points) {
+    scan_.blocks_from(limit_, [&](std::size_t first, std::span<const Point>) {
       open.clear();
-      not_certainly_inside(fine, points, first, open);
+      rests_.not_certainly_inside(first, open);
       for (const std::size_t i : open) {
         const plumb::Ball rest = fine.rest(points_[i]);
         const Sign s = rest.sign().certain() ? rest.sign().value() : side(ball_, points_[i]);
@@ -162,6 +164,7 @@ class SphereSearch {
 
   std::span<const Point> points_;
   PointScan<Point>& scan_;
+  RestScan<Ball>& rests_;
   std::vector<Ball>* history_;
   Ball ball_{};
   Point center_;
@@ -214,24 +217,43 @@ Result minimum(std::string_view function, std::span<const PointOf<Ball>> points,
   if (points.empty()) throw InvalidShape(std::string(function).append(": no points; give at least one"));
   constexpr std::size_t few = 12;  // of whom no doubles need to say who is far from the center
   const auto all = extent(function, points);
-  PointScan<PointOf<Ball>> scan(points, scale_for(half_width(all)));
   Result result{};
-  std::vector<std::uint32_t> boundary;
+  double radius = 0;
   if (points.size() <= few) {
     result.exact = gone_around<Ball>(
         points.size(), [&](std::size_t i) { return points[i]; }, history);
+    std::vector<std::uint32_t> boundary;
+    boundary.reserve(few);
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       if (side(result.exact, points[i]) == Sign::zero) boundary.push_back(i);
     }
+    result.support = support_of(points, std::move(boundary), result.exact);
+    FarthestPoints<Ball> farthest(center_of(result.exact));
+    farthest.reserve(few);
+    const double scale = scale_for(half_width(all));
+    std::array<double, few> square{};
+    double most = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      square[i] = square_of_distance(farthest.center(), points[i], scale).value;
+      most = std::max(most, square[i]);
+    }
+    const double least = PointScan<PointOf<Ball>>::rivals(most);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (square[i] >= least) farthest.take(points[i]);
+    }
+    result.*round = {farthest.center(), 0};
+    radius = farthest.distance();
   } else {
-    SphereSearch<Ball> search(points, scan, middle_of(all), history);
-    boundary = search.run();
+    PointScan<PointOf<Ball>> scan(points, scale_for(half_width(all)));
+    RestScan<Ball> rests(points, all);
+    SphereSearch<Ball> search(points, scan, rests, middle_of(all), history);
+    std::vector<std::uint32_t> boundary = search.run();
     result.exact = search.ball();
+    result.support = support_of(points, std::move(boundary), result.exact);
+    result.*round = {center_of(result.exact), 0};
+    radius = enclosing_radius(scan, rests, points, (result.*round).center);
   }
-  result.support = support_of(points, std::move(boundary), result.exact);
-  const auto center = center_of(result.exact);
-  const double radius = enclosing_radius(points, scan, center);
-  result.*round = {center, figure::within_doubles(radius, function, "radius")};
+  (result.*round).radius = figure::within_doubles(radius, function, "radius");
   return result;
 }
 

@@ -16,38 +16,20 @@
 
 #include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
-#include "figure/sphere/fine_scan.hpp"
+#include "figure/sphere/block_reach.hpp"
+#include "figure/sphere/rest_scan.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/error_free.hpp"
 #include "plumb/arith/interval.hpp"
-#include "plumb/arith/square_sum.hpp"
 
 namespace plumb::figure::sphere {
-
-template <class Point>
-struct Extent {
-  Point min, max;
-};
 
 /// The extent of the points, for which there is at least one.  Throws NonFinite naming function and point.
 template <class Point>
 Extent<Point> extent(std::string_view function, std::span<const Point> points) {
-  Extent<Point> e{points[0], points[0]};
-  double zero = 0;
-  const auto take = [&](double Point::*axis) {
-    double least = points[0].*axis, most = least, not_real = 0;
-    for (const Point& p : points) {
-      const double x = p.*axis;
-      least = x < least ? x : least;
-      most = x > most ? x : most;
-      not_real += x - x;
-    }
-    e.min.*axis = least, e.max.*axis = most, zero += not_real;
-  };
-  take(&Point::x), take(&Point::y);
-  if constexpr (requires { &Point::z; }) take(&Point::z);
-  if (zero != 0) figure::require_finite_points(function, "points", points);
+  Extent<Point> e;
+  if (!find_extent(points, e)) figure::require_finite_points(function, "points", points);
   return e;
 }
 
@@ -72,20 +54,6 @@ inline double scale_for(double width) {
   return std::ldexp(1.0, std::clamp(-std::ilogb(width), -1021, 1022));
 }
 
-/// |cp|^2 times the square of a power of two.
-template <bool scaled, class Point>
-auto square_of_distance(const Point& c, const Point& p, double power) {
-  const auto square = [power](double to, double from) {
-    const auto d = arith::squares::difference(to, from);
-    return squared(scaled ? arith::squares::scaled(d, power) : d);
-  };
-  if constexpr (std::is_same_v<Point, Point3>) {
-    return square(p.x, c.x) + square(p.y, c.y) + square(p.z, c.z);
-  } else {
-    return square(p.x, c.x) + square(p.y, c.y);
-  }
-}
-
 template <class Point>
 class PointScan {
  public:
@@ -96,11 +64,18 @@ class PointScan {
       : points_(points), scale_(scale), most_((points.size() + block - 1) / block) {}
 
   [[nodiscard]] double distance(const Point& c, std::size_t i) const {
-    return scale_ == 1 ? plain<false>(c, points_[i]) : plain<true>(c, points_[i]);
+    return square_of_distance(c, points_[i], scale_).value;
   }
 
   /// The largest distance from the center; remembers the largest of each block.
-  double pass(const Point& c) { return scale_ == 1 ? pass<false>(c) : pass<true>(c); }
+  double pass(const Point& c) {
+    double all = 0;
+    for (std::size_t b = 0; b < most_.size(); ++b) {
+      most_[b] = farthest_square(c, points_.subspan(b * block, end_of(b) - b * block), scale_);
+      all = std::max(all, most_[b]);
+    }
+    return all;
+  }
 
   /// Whoever is at this computed distance or nearer is certainly within `reach` of the center.
   [[nodiscard]] double within(double reach) const {
@@ -110,7 +85,7 @@ class PointScan {
   }
 
   /// Whoever is nearer than this computed distance is certainly nearer than someone at the distance `most`.
-  [[nodiscard]] double rivals(double most) const {
+  [[nodiscard]] static double rivals(double most) {
     return most < infinity ? Square::certainly_within(Square{most}.lower()) : 0;
   }
 
@@ -143,77 +118,82 @@ class PointScan {
   }
 
  private:
-  using Square = decltype(square_of_distance<true>(Point{}, Point{}, 1));
-
-  template <bool scaled>
-  [[nodiscard]] double plain(const Point& c, const Point& p) const {
-    return square_of_distance<scaled>(c, p, scale_).value;
-  }
+  using Square = decltype(square_of_distance(Point{}, Point{}, 1));
 
   [[nodiscard]] std::size_t end_of(std::size_t b) const { return std::min(points_.size(), (b + 1) * block); }
-
-  template <bool scaled>
-  double pass(const Point& c) {
-    double all = 0;
-    for (std::size_t b = 0; b < most_.size(); ++b) {
-      std::size_t i = b * block;
-      const std::size_t end = end_of(b);
-      double m0 = 0, m1 = 0, m2 = 0, m3 = 0;
-      for (; i + 4 <= end; i += 4) {
-        const double s0 = plain<scaled>(c, points_[i]), s1 = plain<scaled>(c, points_[i + 1]);
-        const double s2 = plain<scaled>(c, points_[i + 2]), s3 = plain<scaled>(c, points_[i + 3]);
-        m0 = s0 > m0 ? s0 : m0, m1 = s1 > m1 ? s1 : m1, m2 = s2 > m2 ? s2 : m2, m3 = s3 > m3 ? s3 : m3;
-      }
-      for (; i < end; ++i) m0 = std::max(m0, plain<scaled>(c, points_[i]));
-      most_[b] = std::max(std::max(m0, m1), std::max(m2, m3));
-      all = std::max(all, most_[b]);
-    }
-    return all;
-  }
 
   std::span<const Point> points_;
   double scale_;
   std::vector<double> most_;
 };
 
-/// The distance of the farthest point from the center, rounded up once; infinite beyond all doubles.
-template <class Point>
-double enclosing_radius(std::span<const Point> points, PointScan<Point>& scan, const Point& center) {
-  using Spanned = std::conditional_t<std::is_same_v<Point, Point2>, SpannedCircle2, SpannedSphere3>;
-  const auto exactly = [](auto... x) { return FineBall<Spanned>{{Ball{x}...}, Ball{-1}}; };
-  FineBall<Spanned> most = std::apply(exactly, std::tuple_cat(coordinates(center)));
+/// The farthest of some points from a center: those that are not certainly nearer than another.
+template <class Spanned>
+class FarthestPoints {
+ public:
+  using Point = PointOf<Spanned>;
+
+  explicit FarthestPoints(const Point& center) : center_(center), most_(around(center)) {}
+
+  void reserve(std::size_t count) { farthest_.reserve(count); }
+  /// Is it certainly farther than all before?
+  bool take(const Point& p) {
+    const Ball square = most_.square_of_distance(p);
+    const Unsure<Sign> s = (most_.square - square).sign();
+    if (s == Unsure{Sign::positive}) return false;
+    farthest_.push_back({p, square});
+    if (s != Unsure{Sign::negative}) return false;
+    most_.square = square;
+    return true;
+  }
+  /// Around the center, to the farthest as far as that is certain.
+  [[nodiscard]] const FineBall<Spanned>& ball() const { return most_; }
+  [[nodiscard]] const Point& center() const { return center_; }
+  /// The distance of the farthest, rounded up once; infinite beyond all doubles.
+  [[nodiscard]] double distance() const {
+    double most = 0;
+    for (const auto& [p, square] : farthest_) {
+      if ((most_.square - square).sign() == Unsure{Sign::positive}) continue;
+      const std::optional<double> quick = root(square).rounded(Rounding::up);
+      most = std::max(most, quick ? *quick : rounded_root(Rounding::up, SquaredDistance<Point>{}, center_, p));
+    }
+    return most;
+  }
+
+ private:
   struct Far {
-    std::size_t point;
+    Point point;
     Ball square;
   };
-  std::vector<Far> farthest;  // whoever was not certainly nearer than another
+  static FineBall<Spanned> around(const Point& center) {
+    const auto exactly = [](auto... x) { return FineBall<Spanned>{{Ball{x}...}, Ball{-1}}; };
+    return std::apply(exactly, std::tuple_cat(coordinates(center)));
+  }
+
+  Point center_;
+  FineBall<Spanned> most_;
+  std::vector<Far> farthest_;
+};
+
+/// The distance of the farthest point from the center, rounded up once; infinite beyond all doubles.
+template <class Spanned, class Point>
+double enclosing_radius(PointScan<Point>& scan, RestScan<Spanned>& rests, std::span<const Point> points,
+                        const Point& center) {
+  FarthestPoints<Spanned> farthest(center);
   std::vector<std::size_t> open;
-  farthest.reserve(std::min<std::size_t>(points.size(), 16)), open.reserve(std::min<std::size_t>(points.size(), 128));
   const double least = scan.rivals(scan.pass(center));
-  scan.blocks_from(least, [&](std::size_t first, std::span<const Point> block) {
+  scan.farthest(center, -1, 1, open);
+  farthest.take(points[open[0]]);
+  rests.aim(farthest.ball());
+  scan.blocks_from(least, [&](std::size_t first, std::span<const Point>) {
     open.clear();
-    if (farthest.empty()) {
-      for (std::size_t i = 0; i < block.size(); ++i) open.push_back(first + i);
-    } else {
-      not_certainly_inside(most, block, first, open);
-    }
+    rests.not_certainly_inside(first, open);
     for (const std::size_t i : open) {
-      if (scan.distance(center, i) < least) continue;
-      const Ball square = most.square_of_distance(points[i]);
-      const Unsure<Sign> s = (most.square - square).sign();
-      if (s == Unsure{Sign::positive}) continue;
-      farthest.push_back({i, square});
-      if (s == Unsure{Sign::negative}) most.square = square;
+      if (scan.distance(center, i) >= least && farthest.take(points[i])) rests.aim(farthest.ball());
     }
     return true;
   });
-  double radius = 0;
-  for (const auto& [i, square] : farthest) {
-    if ((most.square - square).sign() == Unsure{Sign::positive}) continue;
-    const std::optional<double> quick = root(square).rounded(Rounding::up);
-    radius = std::max(radius, quick ? *quick : rounded_root(Rounding::up, SquaredDistance<Point>{}, center, points[i]));
-  }
-  return radius;
+  return farthest.distance();
 }
 
 }  // namespace plumb::figure::sphere

@@ -8,9 +8,9 @@
 // Interval ends of the wrong number, and two k-DOPs of different directions, throw InvalidShape, as do no points and a
 // direction that is zero; NaN and infinities throw NonFinite; an interval that no double ends throws BeyondDoubles.
 // Source: RTCD 4.6, 4.6.2, 4.6.3, 4.6.4, 6.5.4.
-// Cost: intervals_overlap that of the plain test; relate the same where some interval is disjoint, else below a
-// microsecond for a linear program in doubles of which the outcome is proved, some microseconds where sets touch, up to
-// a millisecond in rationals where one is flat; moves, measures: milliseconds.
+// Cost: intervals_overlap that of the plain test; relate the same where some interval is disjoint, 4 to 10 ns a slab
+// where a point inside both is guessed, else some microseconds for a linear program in doubles of which the outcome is
+// proved, ten where sets touch, up to a millisecond in rationals where one is flat; moves, measures: milliseconds.
 #pragma once
 
 #include <memory>
