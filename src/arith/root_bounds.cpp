@@ -27,11 +27,11 @@ BigBounds root_bounds(const BigDyadic& x) {
   const long top = x.exponent() + static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2));
   const long half = (top - (top & 1)) / 2;
   const BigDyadic one(1), scaled = x * power_of_two(-2 * half);  // in [1/2, 2)
-  const BigDyadic first(rounded_root(Rounding::down, scaled, one));
-  const BigDyadic rest = scaled - first * first, twice = first + first, scale = power_of_two(half);
-  // The root is first + rest / (first + root), and root lies in [first, first + 2^-52].
-  const BigDyadic less(rounded_quotient(Rounding::down, rest, twice + BigDyadic(0x1p-52)));
-  const BigDyadic more(rounded_quotient(Rounding::up, rest, twice));
+  const BigDyadic first(rounded_root(Rounding::down, scaled, one)), last(rounded_root(Rounding::up, scaled, one));
+  const BigDyadic rest = scaled - first * first, scale = power_of_two(half);
+  // The root is first + rest / (first + root), and root lies between these doubles.
+  const BigDyadic less(rounded_quotient(Rounding::down, rest, first + last));
+  const BigDyadic more(rounded_quotient(Rounding::up, rest, first + first));
   return {(first + less) * scale, (first + more) * scale};
 }
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "arith/running_error.hpp"
+#include "plumb/arith/error_free.hpp"
 #include "plumb/arith/strict.hpp"
 
 namespace plumb {
@@ -174,13 +176,14 @@ double exact_distance(const Parts& parts, double value) {
   return read.ec == std::errc() && distance > 0 ? distance : std::numeric_limits<double>::denorm_min();
 }
 
-// A little more than the distance of a decimal of up to 19 digits, behind whose point lie up to 22 of them.
+// No less than the distance of a decimal of up to 19 digits, behind whose point lie up to 22 of them.
 double distance_bound(std::uint64_t significand, std::int64_t power, double value) {
   const double ten = tens[static_cast<std::size_t>(-power)];
   const auto high = static_cast<double>(significand);
   const auto low = static_cast<double>(static_cast<std::int64_t>(significand - static_cast<std::uint64_t>(high)));
-  const double distance = std::fabs(std::fma(-std::fabs(value), ten, high) + low) / ten;
-  return distance * (1 + 0x1p-50) + std::fabs(value) * 0x1p-100;  // the fma, the sum and the quotient each rounded
+  const Rounded product = two_product(std::fabs(value), ten);
+  const Running off = (Running(high) - Running(product.value)) + (Running(low) - Running(product.error));
+  return quotient(magnitude(off), Running(ten)).upper();
 }
 
 // The farthest that anything rounded to this double can have come from, at least the smallest subnormal.

@@ -47,6 +47,8 @@ class Number {
   friend Number operator-(const Number& a, const Number& b) { return difference(a, b, slips()); }
   friend Number operator*(const Number& a, const Number& b) { return product(a, b, slips()); }
   friend Number negated(const Number& a) { return opposite(a, slips()); }
+  friend Number plus_product(const Number& sum, const Number& a, const Number& b) { return sum + a * b; }
+  friend Number minus_product(const Number& sum, const Number& a, const Number& b) { return sum - a * b; }
   friend Number twice(const Number& a) { return a + a; }
   friend Number magnitude(const Number& a) { return size(a, slips()); }
   friend Number larger(const Number& a, const Number& b) { return larger_of(a, b, slips()); }
@@ -80,6 +82,7 @@ class World : public ExactNumbers<Number, WorldKind::rationals> {
   static Number sum(double a, double b) {
     return Number(a) + Number(b);
   }
+  static Number difference_within(double b, double a, const auto&, const auto&) { return Number(b) - Number(a); }
   static bool positive(const Number& x) { return x.sign() == Sign::positive; }
   static bool negative(const Number& x) { return x.sign() == Sign::negative; }
   void leave_open() { open_ = true; }

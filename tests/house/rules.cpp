@@ -24,7 +24,8 @@ struct Source {
   std::size_t lines = 0;
   std::vector<std::string> includes;  // as spelled
   std::vector<std::string> in_brackets{};
-  std::vector<std::string> namespaces{};  // opened at the left margin, from the outermost
+  std::vector<std::string> namespaces{};    // opened at the left margin, from the outermost
+  std::vector<std::size_t> typed_bounds{};  // the numbers of the lines
 };
 
 bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
@@ -49,6 +50,24 @@ std::optional<std::string> included(std::string_view line) {
   const std::size_t end = line.find(line.front() == '"' ? '"' : '>', 1);
   if (end == std::string_view::npos) return {};
   return std::string(line.substr(1, end - 1));
+}
+
+/// Does the line hold a small number that may be an error bound typed in by hand?
+bool has_typed_bound(std::string_view line) {
+  if (line.find("0x1p-") != std::string_view::npos || line.find("2.125") != std::string_view::npos) return true;
+  const std::size_t constant = line.find("* filter_constant");
+  return constant != std::string_view::npos && constant >= 2 && line[constant - 2] >= '0' && line[constant - 2] <= '9';
+}
+/// Does it say what else that is?  A guess decides nothing; a power of two rounds nothing.
+bool says_what_else(std::string_view line) {
+  return line.find("uess") != std::string_view::npos || line.find("power of two") != std::string_view::npos ||
+         line.find("powers of two") != std::string_view::npos;
+}
+/// The number of the lines since that was said.
+void follow_bounds(std::string_view line, std::size_t number, std::size_t& silent, std::vector<std::size_t>& typed) {
+  constexpr std::size_t heard = 4;
+  silent = says_what_else(line) ? 0 : silent + 1;
+  if (silent > heard && has_typed_bound(line)) typed.push_back(number);
 }
 
 /// Keeps the namespaces that are open, by the lines that open and close them as clang-format writes them.
@@ -80,8 +99,10 @@ std::vector<Source> read_sources(const fs::path& tree) {
       Source source{fs::relative(entry.path(), tree).generic_string(), 0, {}};
       std::ifstream in(entry.path());
       std::vector<std::string> open;
+      std::size_t silent = longest_file;
       for (std::string line; std::getline(in, line); ++source.lines) {
         follow_namespaces(line, open, source.namespaces);
+        follow_bounds(line, source.lines + 1, silent, source.typed_bounds);
         if (auto spelled = included(line)) {
           if (line.find('<') < line.find('"')) source.in_brackets.push_back(*spelled);
           source.includes.push_back(std::move(*spelled));
@@ -331,6 +352,17 @@ void check_faces(const std::vector<Source>& sources, std::vector<Breach>& out) {
   }
 }
 
+/// What decides a question has a bound that is derived.  The kinds' inputs are made, and their rivals judged, by others.
+void check_bounds(const Source& source, std::vector<Breach>& out) {
+  const std::string& path = source.path;
+  const auto below = [&path](std::string_view folder) { return path.find(folder) == 0; };
+  const bool decides =
+      below("src/query/") || below("src/figure/") || below("include/plumb/query/") || below("include/plumb/figure/");
+  if (!decides || below("src/query/kinds/") || source.typed_bounds.empty()) return;
+  out.push_back({path, "types a bound in line " + std::to_string(source.typed_bounds.front()) +
+                           " and says of no guess and no power of two"});
+}
+
 void check_names(const fs::path& tree, std::vector<Breach>& out) {
   for (const char* top : {"include", "src", "predicates", "tests", "fuzz", "docs"}) {
     if (!fs::is_directory(tree / top)) continue;
@@ -372,6 +404,7 @@ std::vector<Breach> breaches(const fs::path& tree) {
     check_spelling(source, out);
     check_namespaces(source, out);
     check_libraries(source, out);
+    check_bounds(source, out);
     if (source.lines > longest_file) {
       out.push_back({source.path, "has " + std::to_string(source.lines) + " lines; 500 are the most"});
     }

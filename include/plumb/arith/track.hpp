@@ -114,6 +114,13 @@ constexpr Track weight(std::size_t scale, std::size_t over, const Track& of_worl
   return t;
 }
 
+/// A number in [0, 1], of no scale.
+constexpr Track portion(const Track& of_world) {
+  Track t = of_world;
+  t.size = Track::one;
+  return t;
+}
+
 /// A difference of which `scale` has the product with two others.
 constexpr Track crosswise(std::size_t scale, std::size_t j, std::size_t k, const Track& of_world) {
   Track t = within(scale, of_world);
@@ -287,6 +294,10 @@ constexpr double threshold(const Track& t) {
 constexpr double reach(const Track& t) {
   return static_cast<double>(t.error) * (t.of_pairs ? 0x1p-138 : 0x1p-85) * (1 + 0x1p-47);
 }
+
+/// What is taken from a computed number, or added to it, so that the exact one is no less, or no more, than the double that
+/// this is rounded to.
+constexpr double margin(const Track& t) { return static_cast<double>(t.error + t.size) * 0x1p-85 * (1 + 0x1p-47); }
 
 /// The least power of two that a scale starts from, and the greatest that it may reach is one over it.  The low parts
 /// of pairs need room below.

@@ -101,6 +101,7 @@ class ExactNumbers {
   [[nodiscard]] N weight(double a) const {
     return N(a);
   }
+  [[nodiscard]] N portion(double t) const { return N(portion_of(t)); }
   [[nodiscard]] Sign sign(const N& x) const { return x.sign(); }
   [[nodiscard]] Sign compare(const N& x, const N& y) const { return (x - y).sign(); }
   static constexpr bool certain() { return true; }

@@ -13,6 +13,7 @@
 // Cost: microseconds for each operation; Gappa takes up to seconds for a script.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,6 +77,8 @@ class Number {
     return a;
   }
   friend Number negated(const Number& a) { return -a; }
+  friend Number plus_product(const Number& sum, const Number& a, const Number& b) { return sum + a * b; }
+  friend Number minus_product(const Number& sum, const Number& a, const Number& b) { return sum - a * b; }
   friend Number twice(const Number& a) { return a + a; }
   friend Number magnitude(const Number& a) { return a.value_.sign() == Sign::negative ? -a : a; }
   friend Number larger(const Number& a, const Number& b) { return select(b < a, a, b); }
@@ -137,10 +140,15 @@ class World {
             on_axis<scale>(arith::track::within(scale, start), axis),
             Rational(b) - Rational(a)};
   }
+  template <std::size_t scale = 0>
+  Number difference_within(double b, double a, const Number&, const Number&) {
+    return difference_within<scale>(b, a, std::size_t{0});
+  }
   template <std::size_t over>
   Number weight(double a, std::size_t axis = 0) {
     return {book_, {Book::Entry::Kind::given}, on_axis<over>(arith::track::weight(0, over, start), axis), a};
   }
+  Number portion(double t) { return {book_, {Book::Entry::Kind::given}, arith::track::portion(start), portion_of(t)}; }
   static Sign sign(const Number& x) { return x.sign(); }
   static Sign compare(const Number& x, const Number& y) { return (x - y).sign(); }
   static bool positive(const Number& x) { return x.sign() == Sign::positive; }

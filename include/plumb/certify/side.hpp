@@ -60,8 +60,9 @@ constexpr std::array<Filtered, sizeof...(I)> zeros(std::index_sequence<I...>) {
   return {(static_cast<void>(I), Filtered(0, 0))...};
 }
 
-/// Pays for the products of a query that underflow, at once (docs/batches.md, "One against many").
-inline constexpr double floor = 0x1p-1070;
+/// The guards of a query's products, which are added up first (docs/proof.md, "Filter A").
+template <Formula F>
+inline constexpr double guards = static_cast<double>(form_of<F>.variables) * underflow_guard;
 
 }  // namespace certify::side
 
@@ -102,13 +103,13 @@ class Side {
   /// -1, 0 or 1, where 0 is 'unsure'.
   [[nodiscard]] int filter(const Point& p) const {
     const auto number = variables_at(p, std::make_index_sequence<certify::side::form_of<F>.query.size>());
-    double value = 0, magnitude = 0;
+    double value = 0, magnitude = certify::side::guards<F>;
     for (std::size_t v = 0; v < variables; ++v) {
       const Filtered& x = number[certify::side::form_of<F>.variable[v]];
       value = v == 0 ? x.value * coefficient_[v] : value + x.value * coefficient_[v];
-      magnitude = v == 0 ? x.magnitude * magnitude_[v] : magnitude + x.magnitude * magnitude_[v];
+      magnitude += x.magnitude * magnitude_[v];
     }
-    return beyond(value, certify::side::constant<F> * magnitude + certify::side::floor);
+    return beyond(value, certify::side::constant<F> * magnitude);
   }
 
   /// The coordinates of the formula, with p as the last point.

@@ -34,6 +34,9 @@ constexpr std::string_view to_string(WorldKind w) { return world_names[static_ca
 /// those that are off by less than its unit are not off; pairs of doubles, on a lattice as well.
 enum class Precision : std::uint8_t { doubles, lattice, pairs };
 
+/// The number of [0, 1] that a guess is taken for.
+constexpr double portion_of(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
+
 /// Is told the tracks of what doubles judge (certify/judged_bounds.hpp).  This one does nothing and costs nothing.
 struct NoBoundListener {
   static constexpr void judged(const Track&) {}

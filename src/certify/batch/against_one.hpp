@@ -78,11 +78,12 @@ struct AgainstOne {
   HWY_INLINE Judged sum_of(const Magnified* number, std::index_sequence<W...>) const {
     constexpr const auto& variable = certify::side::form_of<F>.variable;
     V value = hn::Mul(number[variable[0]].value, coefficient[0].value);
-    V magnitude = hn::Mul(number[variable[0]].magnitude, coefficient[0].magnitude);
+    V magnitude =
+        hn::MulAdd(number[variable[0]].magnitude, coefficient[0].magnitude, broadcast(certify::side::guards<F>));
     ((value = hn::Add(value, hn::Mul(number[variable[W + 1]].value, coefficient[W + 1].value)),
       magnitude = hn::MulAdd(number[variable[W + 1]].magnitude, coefficient[W + 1].magnitude, magnitude)),
      ...);
-    return {value, hn::MulAdd(broadcast(certify::side::constant<F>), magnitude, broadcast(certify::side::floor))};
+    return {value, hn::Mul(broadcast(certify::side::constant<F>), magnitude)};
   }
 };
 

@@ -27,7 +27,7 @@ void HalfspaceSlack::reserve(std::size_t rows) {
 }
 
 void HalfspaceSlack::add(const Near& row, double unit) {
-  const double by = std::clamp(power_below(unit), 0x1p-1000, 0x1p1000), times = 1 / by;  // both powers of two
+  const double by = std::clamp(power_below(unit), 0x1p-1000, 0x1p1000), times = 1 / by;  // powers of two
   rows_.push_back({row, by});
   const auto part = [times](const Running& x) { return certain_part(x) * times; };
   guess_.push_back({{part(row.normal[0]), part(row.normal[1]), part(row.normal[2])}, part(row.limit)});

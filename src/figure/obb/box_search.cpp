@@ -9,7 +9,7 @@
 namespace plumb::figure::frame {
 namespace {
 
-// The tolerance of the result: no volume is sought that is smaller by less than this part of it.
+// The tolerance of the result, a guess of what pays: no volume is sought that is smaller by less than this part of it.
 constexpr double precision = 0x1p-42;
 // Where the search stops, guesses of what still pays: a turn smaller than this is not halved, nor are parts beyond this
 // depth; what is left so counts as what it may be.
@@ -191,7 +191,7 @@ class BoxSearch {
   [[nodiscard]] Across across_at_end(const SearchedArc& a, const SearchedArc& b, const SearchedPart& p,
                                      std::size_t end) const {
     const std::size_t other = std::fabs(dot(p.a[end], p.b[0])) <= std::fabs(dot(p.a[end], p.b[1])) ? 0 : 1;
-    constexpr double slightly = 0x1p-42;  // any vertices will do
+    constexpr double slightly = 0x1p-42;  // a guess: any vertices will do
     const Vector3 n1 = plus(p.a[end], times(p.a[1 - end], slightly));
     const Vector3 n2 = plus(p.b[other], times(p.b[1 - other], slightly)), n3 = cross(n1, n2);
     return {{a.flush.vertex, b.flush.vertex, farthest(n3)}, {opposite(n1), opposite(n2), opposite(n3)}};

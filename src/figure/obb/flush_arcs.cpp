@@ -60,7 +60,7 @@ struct Scaled {
   explicit Scaled(std::span<const Point3> given) : points(given.begin(), given.end()) {
     double most = 0;
     for (const Point3& p : given) most = std::max({most, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    if (most > 0x1p-300 && most < 0x1p300) return;
+    if (most > 0x1p-300 && most < 0x1p300) return;  // near enough: the guess
     exponent = frame::exponent(most);
     for (Point3& p : points) {
       for (double* x : {&p.x, &p.y, &p.z}) {

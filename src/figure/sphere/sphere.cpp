@@ -115,7 +115,7 @@ Ball merged(std::string_view function, const Ball& one, const Ball& other) {
   if (holds(a, b)) return a;
   if (holds(b, a)) return b;
   auto center = a.center;
-  if (is_large(a) || is_large(b)) {
+  if (is_large(a) || is_large(b)) {  // scaled by powers of two for the guess
     center = times(Ball{center_between(times(a, 0x1p-16), times(b, 0x1p-16)), 0}, 0x1p16).center;
   } else {
     center = center_between(a, b);

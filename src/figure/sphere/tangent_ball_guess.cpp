@@ -12,7 +12,7 @@ namespace plumb::figure::sphere {
 namespace {
 
 constexpr int most_steps = 100;
-// What does not reach beyond a ball by more than this part of it counts as within: of the balls that held the last one,
+// Guesses: what does not reach beyond a ball by more than this part of it counts as within: of the balls that held the last one,
 // and of all others.
 constexpr double of_basis = 0x1p-40, of_all = 0x1p-46;
 

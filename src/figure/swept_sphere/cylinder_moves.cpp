@@ -20,7 +20,7 @@ using arith::Vec;
 
 constexpr double largest = std::numeric_limits<double>::max();
 
-/// Times 2^e, outward.
+/// Times 2^e, by powers of two, outward.
 Interval scaled(Interval x, int e) {
   for (; e > 1000; e -= 1000) x = x * Interval(0x1p1000);
   for (; e < -1000; e += 1000) x = x * Interval(0x1p-1000);

@@ -13,9 +13,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 
+#include "plumb/arith/track.hpp"
 #include "plumb/certify/detail/filter_stage.hpp"
 #include "plumb/predicates/cross.hpp"
 #include "query/overlap/linear3.hpp"
@@ -70,12 +70,12 @@ double error_bound(Pair x, Pair y, Pair z, double values) {
   return largest_threshold<F>({most(x), most(y), most(z)}) + (values - values);
 }
 
-/// By how much the bound of volumes grows whose differences are taken from another corner: between two points that are
-/// seen from one lies at most twice the largest difference; the rest is for what those differences, and this product,
-/// were rounded.
+/// By how much the bound of volumes grows whose differences are taken from another corner: those are differences within
+/// two others, of whose size the track says how much it is of both (arith/track.hpp; docs/proof.md, "Filter B").
 inline constexpr double from_any_corner = [] {
-  constexpr double twice = 2 * (1 + 8 * std::numeric_limits<double>::epsilon());
-  return largest_threshold<Volume>({twice, twice, twice}) / largest_threshold<Volume>({1, 1, 1});
+  constexpr double most =
+      2 * static_cast<double>(arith::track::within(0, Track{}).size) / static_cast<double>(Track::one);
+  return most * most * most;
 }();
 
 /// What is straight from p in direction d; of a segment it ends at p + d.  The pairs are d and p - t.a.

@@ -25,7 +25,7 @@ template <std::size_t N>
 Guess<N> guess(const Plain& corner, const std::array<Plain, N>& edges, const Plain& origin, const Plain& direction,
                bool is_ray) {
   constexpr int most_rounds = N == 1 ? 1 : 24;
-  constexpr double settled_on_edge = 0x1p-30;  // of an edge, for what is proved after it
+  constexpr double settled_on_edge = 0x1p-30;  // a guess, of an edge: what it is of is proved
   const double square = arith::dot(direction, direction);
   const Plain from = corner - origin;
   Guess<N> g;

@@ -107,7 +107,7 @@ std::optional<Bracket> bracket_of(const Floats& w, const CubicPiece& piece, doub
 template <std::size_t Count>
 Crossing crossing_near_root(const Figures<Count>& f, const Cubic& cubic, const Bracket& b) {
   const double doubt = f.w.template doubt<CubicPiece::value_type::track>();
-  constexpr double ulp = 0x1p-52;
+  constexpr double ulp = 0x1p-52;                                  // of the guess
   double reach = doubt / __builtin_fabs(b.slope) + b.guess * ulp;  // a guess: six times the cubic, and more
   for (int i = 0; i < 2; ++i, reach *= 16) {
     const double from = larger(b.guess - reach, b.from), to = smaller(b.guess + reach, b.to);

@@ -2,7 +2,10 @@
 #include <cmath>
 
 #include "certify/batch/batch_cases.hpp"
+#include "certify/gappa.hpp"
+#include "certify/sanitized.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/certify/proof_script.hpp"
 
 namespace plumb::batches {
 namespace {
@@ -127,6 +130,74 @@ TEST(Sides, HaveFiltersOfTheirOwn) {
   EXPECT_EQ(PlaneSide::variables, 3u);
   EXPECT_EQ(CircleSide::variables, 3u);
   EXPECT_EQ(SphereSide::variables, 4u);
+}
+
+/// What a side does to given points and a query, as one program; its sign is turned over where the first term is negative.
+template <class F>
+std::vector<certify::tape::Instruction> form_instructions() {
+  using certify::tape::Instruction;
+  constexpr const certify::side::Form& form = certify::side::form_of<F>;
+  constexpr std::size_t dimension = certify::side::dimension<F>;
+  std::vector<Instruction> all(form.fixed.instructions.begin(),
+                               form.fixed.instructions.begin() + static_cast<std::ptrdiff_t>(form.fixed.size));
+  const auto write = [&all](char operation, std::size_t left, std::size_t right) {
+    all.push_back({operation, static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(right)});
+    return arity<F> + all.size() - 1;
+  };
+  std::vector<std::size_t> asked;
+  for (std::size_t a = 0; a < dimension; ++a) {
+    asked.push_back(write('-', arity<F> - dimension + a, certify::side::pivot<F> * dimension + a));
+  }
+  for (std::size_t i = 0; i < form.query.size; ++i) {
+    const Instruction in = form.query.instructions[i];
+    asked.push_back(write(in.operation, asked[in.left], asked[in.right]));
+  }
+  std::size_t sum = 0;
+  for (std::size_t v = 0; v < form.variables; ++v) {
+    const std::size_t term = write('*', asked[form.variable[v]], form.coefficient[v].number);
+    const bool minus = form.coefficient[v].negative != form.coefficient[0].negative;
+    sum = v == 0 ? term : write(minus ? '-' : '+', sum, term);
+  }
+  return all;
+}
+
+TYPED_TEST(EveryFormula, HasAFilterThatGappaConfirms) {
+  using F = TypeParam;
+  const std::vector<certify::tape::Instruction> all = form_instructions<F>();
+  const certify::tape::Program form{arity<F>, all};
+  EXPECT_EQ(count_terms(form), count_terms(certify::tape::program<F>()));
+  if (!gappa::is_installed() || battery::sanitized) return;
+  for (const ProofScale scale : {ProofScale::unit, ProofScale::every}) {
+    const gappa::Answer answer = gappa::prove(proof_script(F::name, form, certify::side::constant<F>, scale));
+    EXPECT_EQ(answer.code, 0) << answer.text;
+  }
+}
+TEST(Sides, GappaRefusesSmallerConstants) {
+  if (!gappa::is_installed() || battery::sanitized) return;
+  using F = predicates::Orient3d;
+  const std::vector<certify::tape::Instruction> all = form_instructions<F>();
+  for (const ProofScale scale : {ProofScale::unit, ProofScale::every}) {
+    EXPECT_TRUE(gappa::refuses(proof_script(F::name, {arity<F>, all}, certify::side::constant<F> / 2, scale)));
+  }
+}
+
+// Coordinates whose products underflow: what is told is what the exact stages say.
+TYPED_TEST(EveryFormula, TellsOfProductsThatUnderflow) {
+  using F = TypeParam;
+  int told = 0;
+  for (std::uint64_t index = 0; index < 400; ++index) {
+    Coordinates<F> c = one_against<F>(Family::grid, index, 1)[0];
+    const int exponent = -1074 / static_cast<int>(F::dimension + 1) - static_cast<int>(index % 40) + 20;
+    for (double& x : c) x = std::ldexp(x, exponent);
+    const Side<F> side = side_of<F>(c);
+    const auto q = Arrays<F>::point_of(&c[arity<F> - certify::side::dimension<F>]);
+    const Sign truth = decide_exactly<F>(c).sign;
+    EXPECT_EQ(side(q), truth) << index;
+    told += truth != Sign::zero ? 1 : 0;
+    const int filtered = side.filter(q);
+    EXPECT_TRUE(filtered == 0 || static_cast<Sign>(filtered) == truth) << index;
+  }
+  EXPECT_GE(told, 100);
 }
 
 TYPED_TEST(EveryFormula, FiltersAsSurelyAsTheFunction) {

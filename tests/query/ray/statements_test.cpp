@@ -95,6 +95,24 @@ std::array<Rational, 5> exactly(const Segment3& s, const Triangle3& t) {
   return {smaller(smaller(ab, bc), ca), larger(larger(ab, bc), ca), sum, height, height - sum};
 }
 
+/// The height, in which no direction has a part.
+struct HeightOfTriangle {
+  static constexpr int highest = AtTriangle::highest;
+  static constexpr Scales scales{.count = 4, .maxima = 0b1110};
+  Sign operator()(auto& world, const Point3& origin, const Triangle3& t) const {
+    return world.sign(AtTriangle::seen(world, origin, t.a, t.b, t.c).height());
+  }
+};
+TEST(RayStatements, TheBoundOfAHeightIsProved) {
+  const Triangle3 t{{0, 0, 0}, {1, 1, 1}, {1, 2, 4}};
+  const std::vector<std::string> bounds = judged_bounds(HeightOfTriangle{}, Point3{-1, 0.25, 0.5}, t);
+  ASSERT_EQ(bounds.size(), 1);
+  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/golden_statements.txt");
+  const std::string recorded{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(recorded.find("triangle_passed " + bounds[0] + '\n'), std::string::npos) << bounds[0];
+  expect_proved(bounds, judged_proofs("height", HeightOfTriangle{}, Point3{-1, 0.25, 0.5}, t));
+}
+
 TEST(RayStatements, DerivedBoundsAtATriangleAreAsRecorded) {
   BoundListener::taken();
   judged<BoundListener>({{-1, 0.25, 0.5}, {1, 0.5, 0.25}}, {{0, 0, 0}, {1, 1, 1}, {1, 2, 4}});

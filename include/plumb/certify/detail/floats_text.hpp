@@ -95,6 +95,11 @@ template <class V, Track A, Track B>
 [[gnu::always_inline]] constexpr auto select(bool first, const Tracked<V, A>& a, const Tracked<V, B>& b) {
   return Tracked<V, derive::either(A, B)>{first ? a.value : b.value};
 }
+/// Lane by lane.
+template <class V, Track A, Track B>
+[[gnu::always_inline]] constexpr auto chosen(const Truth& first, const Tracked<V, A>& a, const Tracked<V, B>& b) {
+  return Tracked<V, derive::either(A, B)>{chosen(first, a.value, b.value)};
+}
 /// A difference of which nothing but the sign is asked, which is exact.
 template <class V>
 struct Ordered {
@@ -170,6 +175,12 @@ class Floats {
     if constexpr (on_lattice) weight_units_[over] = smaller(weight_units_[over], lowest_bit(a.value));
     return Tracked<Number, derive::weight(0, over, start)>{as_number(a.value)};
   }
+  /// A number in [0, 1] of no scale, which a guess may be: below, and where it is no number, it is 0, above 1.
+  [[gnu::always_inline]] constexpr auto portion(const auto& t) const {
+    static_assert(!on_lattice, "it is a multiple of nothing that is known");
+    const V x = loaded(t);
+    return Tracked<Number, derive::portion(start)>{smaller(chosen(above(x, of_all(0)), x, of_all(0)), of_all(1))};
+  }
   /// b - a, one for each k of 1, 2 and 3, of which scale 0 has the product with both of these scales that are not k: the
   /// latest, so that there may be others after what was judged.
   template <std::size_t k>
@@ -230,6 +241,15 @@ class Floats {
   template <Track T>
   [[gnu::always_inline]] constexpr V reach() const {
     return of_all(derive::reach(T)) * all_scales<T>();
+  }
+  /// Doubles that are no more, and no less, than the exact number.
+  template <Track T>
+  [[gnu::always_inline]] constexpr V lower(const Tracked<Number, T>& x) const requires(!of_pairs) {
+    return minus_product(x.value, of_all(derive::margin(T)), all_scales<T>());
+  }
+  template <Track T>
+  [[gnu::always_inline]] constexpr V upper(const Tracked<Number, T>& x) const requires(!of_pairs) {
+    return plus_product(x.value, of_all(derive::margin(T)), all_scales<T>());
   }
   template <Track T>
   [[gnu::always_inline]] constexpr Truth positive(const Tracked<Number, T>& x) const {

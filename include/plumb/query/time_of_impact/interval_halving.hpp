@@ -30,7 +30,7 @@ struct TimeSpan {
 };
 
 struct HalvingOptions {
-  double resolution = 0x1p-20;               // of time; below 2^-50 it is taken for that
+  double resolution = 0x1p-20;               // of time, a guess of what pays; below 2^-50 it is taken for that
   std::vector<TimeSpan>* history = nullptr;  // every span that was looked at, in turn
 };
 
@@ -51,7 +51,8 @@ std::optional<TimeSpan> first_span(const Motion& motion, const HalvingOptions& o
   if (options.history != nullptr) options.history->push_back(span);
   if (stays_apart(span, distance_from, distance_to, motion.speed_between(span.from, span.to))) return {};
   const double length = span.to - span.from, middle = span.from + length / 2;  // exact: multiples of 2^-51
-  if (length <= options.resolution || length <= 0x1p-50) return span;
+  constexpr double finest = 0x1p-50;  // a guess of what pays: a span is told as it is
+  if (length <= options.resolution || length <= finest) return span;
   const double distance_middle = motion.distance_at(middle);
   const auto first = first_span(motion, options, {span.from, middle}, distance_from, distance_middle);
   return first ? first : first_span(motion, options, {middle, span.to}, distance_middle, distance_to);
