@@ -11,23 +11,38 @@
 namespace plumb {
 namespace {
 
-/// Every edge leaves each of its vertices once.
+/// What spans the face at its corner k: the next corner, and where the corner lies in a straight edge one off its line.  Every
+/// edge leaves each of its vertices once.
+template <class Take>
+void take_neighbors(const PolygonFaces& faces, std::span<const std::uint32_t> corners, std::size_t k, Take take) {
+  const std::uint32_t next = corners[k + 1 < corners.size() ? k + 1 : 0],
+                      before = corners[k > 0 ? k - 1 : corners.size() - 1];
+  take(next);
+  if (!collinear(faces.at(before), faces.at(corners[k]), faces.at(next))) return;
+  const auto off_line = std::ranges::find_if(
+      corners, [&](std::uint32_t c) { return !collinear(faces.at(before), faces.at(next), faces.at(c)); });
+  if (off_line != corners.end()) take(*off_line);
+}
+
 void find_neighbors(ConvexPolyhedron3& polyhedron) {
   const PolygonMesh& mesh = polyhedron.mesh;
-  std::vector<std::uint32_t>&first = polyhedron.first_neighbor, &neighbors = polyhedron.neighbors;
-  first.assign(mesh.vertices.size() + 1, 0);
-  for (const std::uint32_t v : mesh.corners) ++first[v + 1];
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  neighbors.resize(mesh.corners.size());
-  std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
   const PolygonFaces faces = faces_of(mesh);
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  pairs.reserve(mesh.corners.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto corners = faces[f];
     for (std::size_t k = 0; k < corners.size(); ++k)
-      neighbors[end[corners[k]]++] = corners[k + 1 < corners.size() ? k + 1 : 0];
+      take_neighbors(faces, corners, k, [&](std::uint32_t v) { pairs.push_back({corners[k], v}); });
   }
-  for (std::size_t v = 0; v + 1 < first.size(); ++v)
-    std::sort(neighbors.begin() + first[v], neighbors.begin() + first[v + 1]);
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  polyhedron.first_neighbor.assign(mesh.vertices.size() + 1, 0);
+  for (const auto& [v, neighbor] : pairs) {
+    ++polyhedron.first_neighbor[v + 1];
+    polyhedron.neighbors.push_back(neighbor);
+  }
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    polyhedron.first_neighbor[v + 1] += polyhedron.first_neighbor[v];
 }
 
 /// The side of the face on which p lies, positive below; corners on one line with the first two tell nothing.
