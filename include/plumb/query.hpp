@@ -60,6 +60,9 @@
 #include "plumb/query/separation/restated.hpp"     // of slabs, of boxes by width or by center
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
+// By which method, of convex bodies?
+#include "plumb/query/polytope_hierarchy/polytope_hierarchy.hpp"  // extreme vertex and distance in logarithmic time
+
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
 #include "plumb/query/ray/batch.hpp"        // of many triangles or boxes
