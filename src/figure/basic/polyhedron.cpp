@@ -1,6 +1,7 @@
 #include "plumb/figure/basic/polyhedron.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "figure/basic/finite_parts.hpp"
@@ -24,6 +25,38 @@ void take_neighbors(const PolygonFaces& faces, std::span<const std::uint32_t> co
   if (off_line != corners.end()) take(*off_line);
 }
 
+/// Of four corners that are in no plane, of whose like every polyhedron has some, one is off any plane.
+class OffPlane {
+ public:
+  explicit OffPlane(const std::vector<Point3>& all) : all_(all) {
+    const auto count = static_cast<std::uint32_t>(all.size());
+    std::uint32_t i = 1;
+    while (all[i] == all[0]) ++i;
+    std::uint32_t j = i + 1;
+    while (collinear(all[0], all[i], all[j])) ++j;
+    std::uint32_t k = j + 1;
+    while (k < count && orient3d(all[0], all[i], all[j], all[k]) == Sign::zero) ++k;
+    some_ = {0, i, j, k};
+  }
+  [[nodiscard]] std::uint32_t operator()(const Point3& a, const Point3& b, const Point3& c) const {
+    return *std::ranges::find_if(some_, [&](std::uint32_t v) { return orient3d(a, b, c, all_[v]) != Sign::zero; });
+  }
+
+ private:
+  const std::vector<Point3>& all_;
+  std::array<std::uint32_t, 4> some_{};
+};
+
+/// Within a flat part of the surface, where all neighbors are in one plane with it: a corner off that plane.
+std::optional<std::uint32_t> neighbor_off_plane(const std::vector<Point3>& all, const Point3& v,
+                                                std::span<const std::uint32_t> neighbors, const OffPlane& off_plane) {
+  const Point3& a = all[neighbors[0]];
+  const auto b = std::ranges::find_if(neighbors, [&](std::uint32_t w) { return !collinear(v, a, all[w]); });
+  const auto is_off = [&](std::uint32_t w) { return orient3d(v, a, all[*b], all[w]) != Sign::zero; };
+  if (std::ranges::any_of(neighbors, is_off)) return {};
+  return off_plane(v, a, all[*b]);
+}
+
 void find_neighbors(ConvexPolyhedron3& polyhedron) {
   const PolygonMesh& mesh = polyhedron.mesh;
   const PolygonFaces faces = faces_of(mesh);
@@ -36,13 +69,19 @@ void find_neighbors(ConvexPolyhedron3& polyhedron) {
   }
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  polyhedron.first_neighbor.assign(mesh.vertices.size() + 1, 0);
-  for (const auto& [v, neighbor] : pairs) {
-    ++polyhedron.first_neighbor[v + 1];
-    polyhedron.neighbors.push_back(neighbor);
+  const OffPlane off_plane(mesh.vertices);
+  auto& neighbors = polyhedron.neighbors;
+  for (auto at = pairs.begin(); at != pairs.end();) {
+    const std::uint32_t v = (*at)[0];
+    const std::size_t first = neighbors.size();
+    for (; at != pairs.end() && (*at)[0] == v; ++at) neighbors.push_back((*at)[1]);
+    const auto off =
+        neighbor_off_plane(mesh.vertices, mesh.vertices[v], std::span(neighbors).subspan(first), off_plane);
+    if (off)
+      neighbors.insert(std::upper_bound(neighbors.begin() + static_cast<std::ptrdiff_t>(first), neighbors.end(), *off),
+                       *off);
+    polyhedron.first_neighbor.push_back(static_cast<std::uint32_t>(neighbors.size()));
   }
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    polyhedron.first_neighbor[v + 1] += polyhedron.first_neighbor[v];
 }
 
 /// The side of the face on which p lies, positive below; corners on one line with the first two tell nothing.

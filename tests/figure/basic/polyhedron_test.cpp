@@ -119,6 +119,30 @@ TEST(Figure3_19, AStraightEdgesVertexHasNeighborsOffItsLine) {
   for (std::size_t v : {0u, 4u, 5u}) EXPECT_EQ(solid.neighbors_of(v).size(), 3u);
 }
 
+TEST(Figure3_19, AFlatVertexHasANeighborOffItsPlane) {
+  for (std::uint64_t start = 0; start < 4; ++start) {
+    Entropy entropy(start, 3);
+    const std::vector<Point3> points = cloud3(Cloud::lattice, 125, entropy);
+    const Hull3 hull = convex_hull(points, {.triangulate = true, .all_boundary_points = true});
+    const ConvexPolyhedron3 solid = convex_polyhedron(hull, points);
+    // Along every axis, what has no neighbor farther is farthest of all.
+    for (const Vector3& d : {Vector3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
+      const auto along = [&](std::size_t v) {
+        const Point3& p = solid.mesh.vertices[v];
+        return p.x * d.x + p.y * d.y + p.z * d.z;
+      };
+      double most = along(0);
+      for (std::size_t v = 0; v < solid.mesh.vertices.size(); ++v) most = std::max(most, along(v));
+      for (std::size_t v = 0; v < solid.mesh.vertices.size(); ++v) {
+        const auto neighbors = solid.neighbors_of(v);
+        EXPECT_TRUE(std::ranges::is_sorted(neighbors));
+        const bool is_top = std::ranges::none_of(neighbors, [&](std::uint32_t w) { return along(w) > along(v); });
+        EXPECT_EQ(is_top, along(v) == most);
+      }
+    }
+  }
+}
+
 TEST(Figure3_20, Simplices) {
   const std::vector<Point3> v{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const Faces faces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
