@@ -5,16 +5,14 @@
 #include "arith/big_rounding.hpp"
 #include "plumb/arith/error.hpp"
 #include "query/body/vectors.hpp"
-#include "query/separation/convex_body.hpp"
 #include "query/separation/corner_numbers.hpp"
 #include "query/separation/proved_corners.hpp"
+#include "query/vclip/clip_input.hpp"
 #include "query/vclip/nearest_features.hpp"
 
 namespace plumb::query {
 namespace vclipping {
 namespace {
-
-BodyView body_view(const ClipView& v) { return {.figure = view_of(*v.polyhedron), .pose = v.pose}; }
 
 /// Does the walk come back?  Its last state is compared with one of before, ever farther back: Brent's cycle finding.
 class CycleFinder {
@@ -30,14 +28,6 @@ class CycleFinder {
   MeshFeaturePair kept_;
   std::size_t since_ = 0, keep_at_ = 1;
 };
-
-Sign turn_of(const Pose* pose) {
-  if (pose == nullptr) return Sign::positive;
-  return proved_sign([&]<class T>() {
-    const auto& c = pose->columns;
-    return dot(arith::vec<T>(c[0]), cross(arith::vec<T>(c[1]), arith::vec<T>(c[2])));
-  });
-}
 
 Feature feature_of(const Solid& s, const MeshFeature& f) {
   if (f.kind == FeatureKind::vertex) return {f.kind, s.vertex(f.corner)};
@@ -75,9 +65,8 @@ Point3 rounded_vertex(const Solid& s, std::uint32_t corner) {
 }
 
 void require_start(std::string_view name, const ClipView& v, const MeshFeature& start) {
+  require_faces("vclip", name, v);
   const auto& corners = v.polyhedron->mesh.corners;
-  if (corners.empty())
-    throw InvalidShape(std::string("vclip: ").append(name).append(" has no faces; make it by convex_polyhedron"));
   if (start.corner < corners.size() && start.kind != FeatureKind::interior) return;
   throw InvalidShape(std::string("vclip: start.")
                          .append(name)
@@ -89,30 +78,27 @@ void require_start(std::string_view name, const ClipView& v, const MeshFeature& 
 
 /// By the exact search, of any two.
 VClipResult by_search(const ClipView& a, const ClipView& b, VClipResult r) {
-  const Posed<ConvexPolyhedron3> p{*a.polyhedron, a.pose != nullptr ? *a.pose : identity_pose},
-      q{*b.polyhedron, b.pose != nullptr ? *b.pose : identity_pose};
   r.by_search = true;
-  r.closest = a.pose == nullptr && b.pose == nullptr ? closest_points_of(view_of(*a.polyhedron), view_of(*b.polyhedron))
-                                                     : closest_points(p, q);
-  r.squared_distance = squared_distance_exact(p, q);
+  if (a.pose == nullptr && b.pose == nullptr) {
+    r.closest = closest_points_of(view_of(*a.polyhedron), view_of(*b.polyhedron));
+  } else {
+    r.closest =
+        posed_closest_points({view_of(*a.polyhedron), a.pose, nullptr}, {view_of(*b.polyhedron), b.pose, nullptr});
+  }
+  r.squared_distance = exact_square(a, b);
   r.meet = r.squared_distance->sign() == Sign::zero;
   return r;
 }
 
 }  // namespace
 
-void CheckedSigns::check() {
-  static_cast<void>(bodies_of("vclip", body_view(*views_[0]), body_view(*views_[1])));
-  checked_ = true;
-}
-
 }  // namespace vclipping
 
 VClipResult vclip_of(const ClipView& a, const ClipView& b, const VClipOptions& options) {
   using namespace vclipping;
   require_start("a", a, options.start.a), require_start("b", b, options.start.b);
-  CheckedSigns sign(a, b);
-  const Sign turn_a = turn_of(a.pose), turn_b = turn_of(b.pose);
+  CheckedSigns sign("vclip", a, b);
+  const Sign turn_a = turn_of(a), turn_b = turn_of(b);
   const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
   VClipResult r;
   r.at = options.start;

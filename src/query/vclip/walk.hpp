@@ -6,28 +6,10 @@
 // Cost: a step takes the planes of two features, at some 10 ns a sign.
 #pragma once
 
-#include "arith/proved_sign.hpp"
+#include "query/vclip/checked_signs.hpp"
 #include "query/vclip/voronoi_planes.hpp"
 
 namespace plumb::query::vclipping {
-
-/// What is told of NaN and infinity before integers are made of them.
-class CheckedSigns {
- public:
-  CheckedSigns(const ClipView& a, const ClipView& b) : views_{&a, &b} {}
-  template <class Text>
-  Sign operator()(const Text& text) {
-    if (const Unsure<Sign> s = text.template operator()<Running>().sign(); s.certain()) [[likely]]
-      return s.value();
-    if (!checked_) check();
-    return sign_by_integers(text);
-  }
-
- private:
-  void check();
-  std::array<const ClipView*, 2> views_;
-  bool checked_ = false;
-};
 
 enum class Outcome : unsigned char {
   moved,
