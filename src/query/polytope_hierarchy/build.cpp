@@ -166,6 +166,12 @@ PolytopeHierarchy build_polytope_hierarchy(ConvexPolyhedron3 polyhedron) {
       h.rims.push_back({{r, *normal}, {neighbors.begin(), neighbors.end()}});
   }
   h.levels.assign(drafts.size(), {});
+  const auto coarsest = std::span(h.points).first(drafts.back().vertices.size());
+  const Hull3 triangles = convex_hull(coarsest, {.triangulate = true});
+  for (std::size_t f = 0; f < triangles.face_count(); ++f) {
+    const auto t = triangles.face(f);
+    h.coarsest_faces.push_back({t[0], t[1], t[2]});
+  }
   for (std::size_t i = 0; i < drafts.size(); ++i) {
     HierarchyLevel& level = h.levels[i];
     level.size = static_cast<std::uint32_t>(drafts[i].vertices.size());
@@ -187,7 +193,7 @@ std::size_t bytes(const PolytopeHierarchy& h) {
   const ConvexPolyhedron3& p = h.polyhedron;
   std::size_t sum = sizeof h + of(p.mesh.vertices) + of(p.mesh.corners) + of(p.mesh.first) + of(p.across) +
                     of(p.neighbors) + of(p.first_neighbor) + of(h.vertices) + of(h.points) + of(h.corners) +
-                    of(h.levels) + of(h.first_neighbor) + of(h.neighbors) + of(h.rims);
+                    of(h.levels) + of(h.first_neighbor) + of(h.neighbors) + of(h.rims) + of(h.coarsest_faces);
   for (const PolytopeHierarchy::Rim& r : h.rims) sum += of(r.neighbors);
   for (const HierarchyLevel& l : h.levels)
     sum += of(l.first_removed) + of(l.removed) + of(l.first_around) + of(l.around) + of(l.fans);

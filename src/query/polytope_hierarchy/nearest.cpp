@@ -1,7 +1,5 @@
-// Distance of a point: the nearest point of the coarsest polytope, then of each finer one, which is beyond the plane through the
-// one before or is it.
-//
-// What of the finer polytope is beyond that plane is within the hull of one removed vertex and its neighbors: eight at most.
+#include "query/polytope_hierarchy/nearest.hpp"
+
 #include "arith/proved_sign.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
@@ -51,17 +49,13 @@ class NearestWay {
   std::optional<Vec<Running>> near_;
 };
 
-struct NearestOfHierarchy {
-  DifferenceCorners corners;  // of p, and of the polytope by its ranks
-  bool meets;
-};
+}  // namespace
 
-/// Nothing where a number takes more than a thousand bits.
-std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const Point3& p) {
-  const CoreCorners point = corners_of({&p, 1}), polytope = corners_of(h.points);
-  const auto coarsest = proved_nearest(point, corners_of(std::span(h.points).first(h.levels.back().size)));
+std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const CoreCorners& body) {
+  const CoreCorners polytope = corners_of(h.points);
+  const auto coarsest = proved_nearest(body, corners_of(std::span(h.points).first(h.levels.back().size)));
   if (!coarsest) return {};
-  NearestOfHierarchy found{coarsest->corners, coarsest->meets};
+  NearestOfHierarchy found{coarsest->corners, coarsest->meets, h.levels.size() - 1, {}};
   for (std::size_t i = h.levels.size() - 1; i-- > 0 && !found.meets;) {
     const HierarchyLevel& finer = h.levels[i];
     std::uint32_t at = found.corners.ends[0][1];
@@ -69,19 +63,25 @@ std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const Poin
       if (finer.removed_at(found.corners.ends[k][1]).size() < finer.removed_at(at).size())
         at = found.corners.ends[k][1];
     }
-    const auto beyond = beyond_plane(h, finer, at, NearestWay(point, polytope, found.corners));
+    const auto beyond = beyond_plane(h, finer, at, NearestWay(body, polytope, found.corners));
     if (!beyond) continue;
     std::array<std::uint32_t, most_candidates> rank{*beyond};
     std::size_t size = 1;
     for (const std::uint32_t v : finer.neighbors_of_removed(*beyond - h.levels[i + 1].size)) rank[size++] = v;
     std::array<Point3, most_candidates> candidates;
     for (std::size_t k = 0; k < size; ++k) candidates[k] = h.points[rank[k]];
-    const auto proved = proved_nearest(point, corners_of(std::span(candidates).first(size)));
+    const auto proved = proved_nearest(body, corners_of(std::span(candidates).first(size)));
     if (!proved) return {};
-    found = {proved->corners, proved->meets};
+    found = {proved->corners, proved->meets, i, *beyond};
     for (std::size_t k = 0; k < found.corners.size; ++k) found.corners.ends[k][1] = rank[found.corners.ends[k][1]];
   }
   return found;
+}
+
+namespace {
+
+std::optional<NearestOfHierarchy> nearest_to(const PolytopeHierarchy& h, const Point3& p) {
+  return nearest(h, corners_of({&p, 1}));
 }
 
 void require_point(std::string_view function, const Point3& p) { require_finite_parts(function, {"p"}, p); }
@@ -89,11 +89,10 @@ void require_point(std::string_view function, const Point3& p) { require_finite_
 }  // namespace
 }  // namespace query::hierarchy
 
-using namespace query::hierarchy;
-
 Closest closest_points(const Point3& p, const PolytopeHierarchy& h) {
+  using namespace query::hierarchy;
   require_point("closest_points", p);
-  const auto found = nearest(h, p);
+  const auto found = nearest_to(h, p);
   if (!found || found->meets) return closest_points(p, h.polyhedron);
   const auto numbers = query::numbers_of(corners_of({&p, 1}), corners_of(h.points), found->corners);
   const Feature start{FeatureKind::edge, h.corners[found->corners.ends[0][1]]};
@@ -102,23 +101,26 @@ Closest closest_points(const Point3& p, const PolytopeHierarchy& h) {
 }
 
 double distance(const Point3& p, const PolytopeHierarchy& h) {
+  using namespace query::hierarchy;
   require_point("distance", p);
-  const auto found = nearest(h, p);
+  const auto found = nearest_to(h, p);
   if (!found) return distance(p, h.polyhedron);
   return found->meets ? 0 : query::distance_of(corners_of({&p, 1}), corners_of(h.points), found->corners);
 }
 
 Rational squared_distance_exact(const Point3& p, const PolytopeHierarchy& h) {
+  using namespace query::hierarchy;
   require_point("squared_distance_exact", p);
-  const auto found = nearest(h, p);
+  const auto found = nearest_to(h, p);
   if (!found) return squared_distance_exact(p, h.polyhedron);
   if (found->meets) return 0;
   return Rational(BigRational{query::square_of(corners_of({&p, 1}), corners_of(h.points), found->corners)});
 }
 
 bool contains(const PolytopeHierarchy& h, const Point3& p) {
+  using namespace query::hierarchy;
   require_point("contains", p);
-  const auto found = nearest(h, p);
+  const auto found = nearest_to(h, p);
   return found ? found->meets : contains(h.polyhedron, p);
 }
 

@@ -174,6 +174,36 @@ TEST(PolytopeHierarchies, DistancesAreThoseOfThePolyhedron) {
   EXPECT_GT(apart * 5, within);
 }
 
+void expect_hits(const ConvexPolyhedron3& polyhedron, const PolytopeHierarchy& h, const AnyRay& ray,
+                 const std::string& name, int& hits) {
+  const auto wanted = first_hit_parameter(ray, polyhedron), is = first_hit_parameter(ray, h);
+  ASSERT_EQ(is.has_value(), wanted.has_value()) << name;
+  if (!is) return;
+  ++hits;
+  ASSERT_TRUE((*is <=> *wanted) == 0) << name;
+}
+
+TEST(PolytopeHierarchies, RaysHitWhenTheyHitThePolyhedron) {
+  int hits = 0, asked = 0;
+  for (const auto& [name, polyhedron] : all_polyhedra()) {
+    const PolytopeHierarchy h = build_polytope_hierarchy(polyhedron);
+    Entropy entropy(23, h.points.size());
+    for (int k = 0; k < (battery::sanitized ? 3 : 12); ++k) {
+      const Point3 a = point_for(polyhedron, entropy), b = point_for(polyhedron, entropy);
+      const Vector3 d{b.x - a.x, b.y - a.y, b.z - a.z};
+      const std::string about = name + ", ray " + std::to_string(k);
+      ASSERT_NO_FATAL_FAILURE(expect_hits(polyhedron, h, Ray3{a, d}, about, hits));
+      ASSERT_NO_FATAL_FAILURE(expect_hits(polyhedron, h, Segment3{a, b}, about, hits));
+      ASSERT_NO_FATAL_FAILURE(expect_hits(polyhedron, h, Line3{a, d}, about, hits));
+      ASSERT_NO_FATAL_FAILURE(expect_hits(polyhedron, h, Ray3{b, direction_for(polyhedron, entropy)}, about, hits));
+      asked += 4;
+    }
+  }
+  std::printf("%d rays, %d hit\n", asked, hits);
+  EXPECT_GT(hits * 4, asked);
+  EXPECT_LT(hits * 10, asked * 9);
+}
+
 TEST(PolytopeHierarchies, SmallOnesOfAnyExponent) {
   shape_cases::on_shapes(22, battery::sanitized ? 30 : 400, [&](shape_cases::Material& m) {
     const auto polyhedron = pair_cases::figure<ConvexPolyhedron3>(m);
@@ -181,6 +211,10 @@ TEST(PolytopeHierarchies, SmallOnesOfAnyExponent) {
     const Vector3 d = m.direction3();
     EXPECT_EQ(support_point(h, d), support_point(std::span<const Point3>(polyhedron.mesh.vertices), d)) << m.about();
     expect_distances(polyhedron, h, m.probe3(), m.about());
+    int hits = 0;
+    expect_hits(polyhedron, h, Ray3{m.probe3(), m.direction3()}, m.about(), hits);
+    expect_hits(polyhedron, h, Segment3{m.probe3(), m.probe3()}, m.about(), hits);
+    expect_hits(polyhedron, h, Line3{m.probe3(), m.direction3()}, m.about(), hits);
   });
 }
 
@@ -191,6 +225,11 @@ TEST(PolytopeHierarchies, WhatIsNoneIsNamed) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT([&] { (void)support_point(h, {0, nan, 0}); }, ThrowsMessage<NonFinite>(HasSubstr("direction.y")));
   EXPECT_THAT([&] { (void)closest_points(Point3{0, 0, nan}, h); }, ThrowsMessage<NonFinite>(HasSubstr("p.z")));
+  EXPECT_THAT(
+      [&] {
+        (void)first_hit_parameter(Ray3{{0, nan, 0}, {1, 0, 0}}, h);
+      },
+      ThrowsMessage<NonFinite>(HasSubstr("origin.y")));
   EXPECT_THAT([&] { (void)contains(h, {0, INFINITY, 0}); }, ThrowsMessage<NonFinite>(HasSubstr("contains: p.y")));
 }
 

@@ -1,10 +1,11 @@
-// Dobkin-Kirkpatrick hierarchy: which vertex of a convex polytope lies farthest along a direction, and how near does it come
-// to a point, in logarithmic time?
+// Dobkin-Kirkpatrick hierarchy: which vertex of a convex polytope lies farthest along a direction, how near does it come to a
+// point, and when does a ray hit it, in logarithmic time?
 //
 //   const PolytopeHierarchy h = build_polytope_hierarchy(polyhedron);
 //   const Support3 s = support_point(h, direction);      // that of the polyhedron, number for number
 //   const Closest c = closest_points(p, h);              // and so are these
 //   const double d = distance(p, h);
+//   const auto t = first_hit_parameter(ray, h);
 //
 // Polytopes, each the hull of the vertices that the one before it has left after an independent set of vertices of bounded
 // degree was removed.  What lies beyond a plane that bounds one of them is, in the next finer one, a removed vertex at most,
@@ -13,7 +14,7 @@
 // within them included: what is no extreme point is in none.  (2) No two vertices that are removed together are neighbors,
 // and none has more than `most_neighbors` there.  (3) Each polytope has at most 17/18 of the vertices of the next finer one, as a
 // rule 2/3, until `fewest_vertices` are left or the rest would be flat.  (4) Answers are those of support_point,
-// closest_points, distance, squared_distance_exact and contains of the polyhedron.
+// closest_points, distance, squared_distance_exact, contains and first_hit_parameter of the polyhedron.
 // A polyhedron without faces throws InvalidShape, a direction or point that is NaN or infinite NonFinite, by name.
 // Source: RTCD 9.3.1; Dobkin and Kirkpatrick, Fast detection of polyhedral intersection, 1983, and Determining the
 // separation of preprocessed polyhedra, 1990.
@@ -26,6 +27,7 @@
 #include "plumb/figure/basic/convex_polyhedron.hpp"
 #include "plumb/figure/support/support.hpp"
 #include "plumb/query/closest/closest.hpp"
+#include "plumb/query/ray/ray.hpp"
 
 namespace plumb {
 
@@ -72,7 +74,8 @@ struct PolytopeHierarchy {
   std::vector<HierarchyLevel> levels{1};  // the finest first
   // Of the finest polytope: neighbors[first_neighbor[v]] up to [first_neighbor[v + 1]].
   std::vector<std::uint32_t> first_neighbor{0}, neighbors;
-  std::vector<Rim> rims;  // ascending
+  std::vector<Rim> rims;                                     // ascending
+  std::vector<std::array<std::uint32_t, 3>> coarsest_faces;  // counterclockwise seen from outside
 
   [[nodiscard]] std::span<const std::uint32_t> neighbors_of(std::uint32_t v) const {
     return std::span(neighbors).subspan(first_neighbor[v], first_neighbor[v + 1] - first_neighbor[v]);
@@ -92,5 +95,8 @@ Closest closest_points(const Point3& p, const PolytopeHierarchy& hierarchy);
 double distance(const Point3& p, const PolytopeHierarchy& hierarchy);
 Rational squared_distance_exact(const Point3& p, const PolytopeHierarchy& hierarchy);
 bool contains(const PolytopeHierarchy& hierarchy, const Point3& p);
+
+/// When does a ray, a segment or a line come in?  The t of first_hit, exactly; nothing where it misses.
+std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const PolytopeHierarchy& hierarchy);
 
 }  // namespace plumb
