@@ -34,10 +34,11 @@ CornerNumbers numbers_of(const CoreCorners& a, const CoreCorners& b, const Diffe
   const auto near = nearest_of<Ball>(a, b, corners, ask);
   const auto on_a = nearest_doubles_of(summed_corners(a, corners, 0, near), near.whole),
              on_b = nearest_doubles_of(summed_corners(b, corners, 1, near), near.whole);
-  if (on_a && on_b) return {*on_a, *on_b, distance_of(a, b, corners)};
+  const auto d = root(quotient(near.square, near.square_whole)).nearest();
+  if (on_a && on_b) return {*on_a, *on_b, d ? *d : distance_of(a, b, corners)};
   const auto n = nearest_of<BigDyadic>(a, b, corners, ask);
   return {rounded_point(summed_corners(a, corners, 0, n), n.whole),
-          rounded_point(summed_corners(b, corners, 1, n), n.whole), distance_of(a, b, corners)};
+          rounded_point(summed_corners(b, corners, 1, n), n.whole), d ? *d : distance_of(a, b, corners)};
 }
 
 double distance_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {

@@ -174,6 +174,22 @@ TEST(PolytopeHierarchies, DistancesAreThoseOfThePolyhedron) {
   EXPECT_GT(apart * 5, within);
 }
 
+/// Mutants of a hierarchy, each of which lacks the removed neighbors of one polytope, are wrong of some direction.
+TEST(PolytopeHierarchies, NoPolytopeCanBeLeftOut) {
+  const ConvexPolyhedron3 ball = polyhedra_of(largest, 19)[4].polyhedron;
+  const PolytopeHierarchy h = build_polytope_hierarchy(ball);
+  ASSERT_GT(h.levels.size(), 4U);
+  for (std::size_t i = 0; i + 1 < h.levels.size(); ++i) {
+    PolytopeHierarchy mutant = h;
+    std::ranges::fill(mutant.levels[i].first_removed, 0U);
+    const auto is_noticed = [&](const Point3& p) {
+      const Vector3 d{p.x, p.y, p.z};
+      return !(support_point(mutant, d) == support_point(h, d));
+    };
+    EXPECT_TRUE(std::ranges::any_of(h.points, is_noticed)) << i;
+  }
+}
+
 void expect_hits(const ConvexPolyhedron3& polyhedron, const PolytopeHierarchy& h, const AnyRay& ray,
                  const std::string& name, int& hits) {
   const auto wanted = first_hit_parameter(ray, polyhedron), is = first_hit_parameter(ray, h);

@@ -7,7 +7,9 @@
 
 #include "certify/sanitized.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "query/separation/corner_numbers.hpp"
 #include "query/separation/proved_corners.hpp"
+#include "query/vclip/nearest_features.hpp"
 #include "query/vclip/pairs.hpp"
 
 namespace plumb {
@@ -108,6 +110,38 @@ TEST(VClip, TheStartChangesNoDistance) {
   EXPECT_GT(starts, battery::sanitized ? 500 : 20'000);
   EXPECT_LT(by_search * 50, starts);
   EXPECT_GT(still * 16 * 10, starts * 9);
+}
+
+/// Mutants of an answer: features that are not nearest are refused by what proves those that are.
+TEST(VClip, OtherFeaturesHaveNoProof) {
+  using namespace query::vclipping;
+  int proved = 0, refused = 0;
+  for (std::uint64_t i = 0; i < (battery::sanitized ? 2 : 14); ++i) {
+    const auto [a, b, name] = pair_of(97, i);
+    const query::ClipView view_a{&a}, view_b{&b};
+    const auto core_a = query::CoreCorners::of(query::view_of(a)), core_b = query::CoreCorners::of(query::view_of(b));
+    const Solid solid_a(a, *core_a, false), solid_b(b, *core_b, false);
+    CheckedSigns sign("test", view_a, view_b);
+    const Rational wanted = squared_distance_exact(a, b);
+    for (const MeshFeature& of_a : features_of(a)) {
+      for (const MeshFeature& of_b : features_of(b)) {
+        if (of_a.kind != FeatureKind::vertex && of_b.kind != FeatureKind::vertex &&
+            (of_a.kind == FeatureKind::face || of_b.kind == FeatureKind::face))
+          continue;  // a walk never ends there
+        const MeshFeaturePair at{of_a, of_b};
+        const auto corners = corners_of_features(solid_a, solid_b, at, sign);
+        if (!corners || !prove_features(solid_a, solid_b, at, *corners).holds) {
+          ++refused;
+          continue;
+        }
+        ++proved;
+        ASSERT_TRUE(Rational(BigRational{query::square_of(*core_a, *core_b, *corners)}) == wanted) << name;
+      }
+    }
+  }
+  std::printf("%d pairs of features proved, %d refused\n", proved, refused);
+  EXPECT_GT(proved, 10);
+  EXPECT_GT(refused, 20 * proved);
 }
 
 const Pose turned{{{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}}, {1, 0.5, -2}},
