@@ -2,10 +2,10 @@
 //
 //   const Sign s = proved_sign([&]<class T>() { return dot(way<T>(), at<T>(i) - at<T>(j)); });
 //
-// For walks whose every step takes a few signs, of which most are clear: unlike certainly() no sign is asked again because
-// another was not certain.
-// Laws: the sign is that of the exact value: over doubles with running errors where these tell, else over integers on the stack,
-// where a thousand bits do not hold them over GMP's.  Of numbers that are NaN or infinite it means nothing.
+// For walks whose every step takes a few signs, of which most are clear: unlike certainly() no sign is asked again
+// because another was not certain.
+// Laws: the sign is that of the exact value: over doubles with running errors where these tell, else over integers on
+// the stack, where a thousand bits do not hold them over GMP's.  Of numbers that are NaN or infinite it means nothing.
 // Source: docs/proof.md.
 // Cost: as a rule three times that of plain doubles.
 #pragma once

@@ -1,9 +1,9 @@
-// When does a Dobkin-Kirkpatrick hierarchy pay for itself?  Support and distance by it, by climbing and by looking at all
-// vertices; what it takes to build.
+// When does a Dobkin-Kirkpatrick hierarchy pay for itself?  Support and distance by it, by climbing and by looking at
+// all vertices; what it takes to build.
 //
-// Points of a sphere, nearly all of which are vertices.  An iteration is 256 questions, of any directions and of points at
-// twice the radius; `ns` is the time of one.  `climb` begins each at the same vertex, `bytes` are those of the hierarchy
-// without its polyhedron.
+// Points of a sphere, nearly all of which are vertices.  An iteration is 256 questions, of any directions and of points
+// at twice the radius; `ns` is the time of one.  `climb` begins each at the same vertex, `bytes` are those of the
+// hierarchy without its polyhedron.
 #include <benchmark/benchmark.h>
 
 #include "plumb/degenerate/cloud.hpp"

@@ -1,8 +1,9 @@
-// Which method of convex polyhedra is the fastest?  V-Clip, Chung and Wang's separating vector, separating axes, and the
-// library's own intersects and distance, from scratch and from the last answer.
+// Which method of convex polyhedra is the fastest?  V-Clip, Chung and Wang's separating vector, separating axes, and
+// the library's own intersects and distance, from scratch and from the last answer.
 //
-// Hulls of points of a sphere, of coordinates that are multiples of 2^-30, so that moves are exact.  `scattered`: 64 pairs, half
-// of which meet.  `coherent`: one passes the other in 64 steps, a quarter of which meet.  An iteration is all 64; `ns` is the time of one pair.
+// Hulls of points of a sphere, of coordinates that are multiples of 2^-30, so that moves are exact.  `scattered`: 64
+// pairs, half of which meet.  `coherent`: one passes the other in 64 steps, a quarter of which meet.  An iteration is
+// all 64; `ns` is the time of one pair.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Half-edges: which corner is next to a corner of a convex polyhedron's mesh, and which on the other side of its edge?
 //
-// Laws: a corner of a face is also the edge that leaves it, as the face runs.  A corner off the line of an edge is there, for
-// faces have area.
+// Laws: a corner of a face is also the edge that leaves it, as the face runs.  A corner off the line of an edge is
+// there, for faces have area.
 // Source: RTCD 12.2; figure/basic/convex_polyhedron.hpp.
 // Cost: the face of a corner is found by halving; the twin among the corners of one face.
 #pragma once

@@ -12,8 +12,8 @@
 namespace plumb {
 namespace {
 
-/// What spans the face at its corner k: the next corner, and where the corner lies in a straight edge one off its line.  Every
-/// edge leaves each of its vertices once.
+/// What spans the face at its corner k: the next corner, and where the corner lies in a straight edge one off its line.
+/// Every edge leaves each of its vertices once.
 template <class Take>
 void take_neighbors(const PolygonFaces& faces, std::span<const std::uint32_t> corners, std::size_t k, Take take) {
   const std::uint32_t next = corners[k + 1 < corners.size() ? k + 1 : 0],

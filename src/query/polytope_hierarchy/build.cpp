@@ -10,8 +10,8 @@ namespace plumb {
 namespace query::hierarchy {
 namespace {
 
-/// The edges of a hull: neighbors of each of its vertices, by their places in hull.vertices, in the order in which they stand
-/// around it.
+/// The edges of a hull: neighbors of each of its vertices, by their places in hull.vertices, in the order in which they
+/// stand around it.
 struct Skeleton {
   std::vector<std::uint32_t> first, ring;
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t v) const {

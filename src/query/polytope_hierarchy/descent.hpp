@@ -1,8 +1,9 @@
 // Descent of a hierarchy: what of the next finer polytope lies beyond a plane that bounds the coarser one?
 //
-// A vertex of the finer polytope that lies beyond the plane was removed, and so has all its neighbors on this side of it: it is
-// higher than they, and therefore the highest of all.  Any other vertex has a higher neighbor on the way up to it; of one
-// that lies in the plane that is it.  So there is one such vertex at most, and it is a neighbor of each in the plane.
+// A vertex of the finer polytope that lies beyond the plane was removed, and so has all its neighbors on this side of
+// it: it is higher than they, and therefore the highest of all.  Any other vertex has a higher neighbor on the way up
+// to it; of one that lies in the plane that is it.  So there is one such vertex at most, and it is a neighbor of each
+// in the plane.
 // Laws: nothing where no vertex lies beyond the plane.
 // Source: Dobkin and Kirkpatrick 1983; RTCD 9.3.1.
 // Cost: a sign for each removed neighbor, of a fan the logarithm of their number.

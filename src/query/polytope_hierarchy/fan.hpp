@@ -1,10 +1,11 @@
-// Extreme vertex of a fan: which of the many neighbors of a vertex lies beyond a plane through it?  In logarithmic time.
+// Extreme vertex of a fan: which of the many neighbors of a vertex lies beyond a plane through it?  In logarithmic
+// time.
 //
-// The neighbors of a vertex of a convex polytope are, seen from it and cut by a plane, the corners of a convex polygon, in the
-// order in which they stand around it.  Of every second of them, every fourth and so on the farthest is found by a step
-// from the one before: a hierarchy of the plane.
-// Laws: the fan's normal is a guess in doubles, and all the neighbors are strictly on its side by exact signs; where it is not
-// so there is no fan, and the neighbors are asked one by one.
+// The neighbors of a vertex of a convex polytope are, seen from it and cut by a plane, the corners of a convex polygon,
+// in the order in which they stand around it.  Of every second of them, every fourth and so on the farthest is found by
+// a step from the one before: a hierarchy of the plane.
+// Laws: the fan's normal is a guess in doubles, and all the neighbors are strictly on its side by exact signs; where it
+// is not so there is no fan, and the neighbors are asked one by one.
 // Source: Dobkin and Kirkpatrick 1983; RTCD 9.3.1.
 // Cost: two signs of degree 4 or more for each halving.
 #pragma once
@@ -38,9 +39,9 @@ std::size_t greatest_of_cycle(std::size_t size, IsLess is_less) {
   return at;
 }
 
-/// A Direction tells the sign() of a text that takes it as a vector of any number type, of any length above zero.
-/// Of the neighbors of the fan's vertex the one that lies farthest along a direction, as seen from there: where any lies beyond
-/// the plane through the vertex at right angles to it, this does.
+/// A Direction tells the sign() of a text that takes it as a vector of any number type, of any length above zero. Of
+/// the neighbors of the fan's vertex the one that lies farthest along a direction, as seen from there: where any lies
+/// beyond the plane through the vertex at right angles to it, this does.
 template <class Direction>
 std::uint32_t farthest_of_fan(std::span<const Point3> points, const HierarchyLevel::Fan& fan,
                               std::span<const std::uint32_t> around, const Direction& direction) {

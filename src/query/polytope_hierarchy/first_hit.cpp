@@ -1,13 +1,13 @@
-// Ray cast: the coarsest polytope that is hit, then the planes about the vertices beyond the one through which the ray comes in.
+// Ray cast: the coarsest polytope that is hit, then the planes about the vertices beyond the one through which the ray
+// comes in.
 //
-// What of a finer polytope is beyond a plane that bounds the coarser one is there bounded by the faces about one vertex alone: the ray
-// comes in through the last of them that it comes to.
+// What of a finer polytope is beyond a plane that bounds the coarser one is there bounded by the faces about one vertex
+// alone: the ray comes in through the last of them that it comes to.
 #include <algorithm>
 #include <cmath>
 
 #include "arith/proved_sign.hpp"
 #include "plumb/figure/basic/plane.hpp"
-#include "query/convex/convex_view.hpp"
 #include "query/polytope_hierarchy/nearest.hpp"
 #include "query/separation/convex_body.hpp"
 

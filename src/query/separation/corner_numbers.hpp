@@ -1,8 +1,8 @@
-// Closest points: what are the numbers of a nearest pair, whose corners are proved?  Both points and the distance, each rounded
-// once, and the exact square of it.
+// Closest points: what are the numbers of a nearest pair, whose corners are proved?  Both points and the distance, each
+// rounded once, and the exact square of it.
 //
-// Laws: the corners are independent and their nearest point needs all of them (query/separation/proved_corners.hpp).  Pairs of
-// doubles answer where they leave one double, GMP's integers otherwise.
+// Laws: the corners are independent and their nearest point needs all of them (query/separation/proved_corners.hpp).
+// Pairs of doubles answer where they leave one double, GMP's integers otherwise.
 // Source: query/separation/nearest_corners.hpp; Ziv 1991.
 // Cost: some 200 ns by pairs of doubles, some microseconds by integers.
 #pragma once

@@ -1,8 +1,9 @@
 // Edge clipping: what of an edge is within the planes of a Voronoi region, and does it come nearer beyond them?
 //
-// An edge is tail + t (head - tail).  A plane with the values p at the tail and q at the head is crossed at t = p / (p - q),
-// and everything that is asked there is a sign of what is over that denominator.
-// Laws: signs are exact.  `low` is the plane at the least t that is left, nothing where that is 0; `high` that at the greatest.
+// An edge is tail + t (head - tail).  A plane with the values p at the tail and q at the head is crossed at t = p / (p
+// - q), and everything that is asked there is a sign of what is over that denominator.
+// Laws: signs are exact.  `low` is the plane at the least t that is left, nothing where that is 0; `high` that at the
+// greatest.
 // Source: Mirtich 1998; RTCD 5.3.8 (Cyrus-Beck).
 // Cost: two signs a plane; one more, of degree up to 8, for each that cuts.
 #pragma once
@@ -78,8 +79,8 @@ class ClippedEdge {
   [[nodiscard]] Sign run_sign(const VoronoiPlane& p) const {
     return side(p, tail_) == Sign::negative ? Sign::negative : Sign::positive;
   }
-  /// Negative where the second is crossed later than the first, of two planes at which the edge comes in, or leaves; of one of each
-  /// where the first is crossed later.
+  /// Negative where the second is crossed later than the first, of two planes at which the edge comes in, or leaves; of
+  /// one of each where the first is crossed later.
   [[nodiscard]] Sign order(const VoronoiPlane& first, const VoronoiPlane& second) const {
     return sign_([&]<class T>() {
       const auto [p, q] = ends<T>(first);

@@ -1,7 +1,8 @@
 // Closest features: between which corners of two features is the least way, and does no other corner lie before it?
 //
-// Laws: `corners` are independent and their nearest point needs all of them; nothing where the features' nearest points are not
-// inside of them.  `holds`: no corner of either solid lies before the plane through its point, at right angles to the way.
+// Laws: `corners` are independent and their nearest point needs all of them; nothing where the features' nearest points
+// are not inside of them.  `holds`: no corner of either solid lies before the plane through its point, at right angles
+// to the way.
 // Source: query/separation/nearest_corners.hpp.
 // Cost: some 10 signs, and one for each neighbor of a corner of each feature.
 #pragma once

@@ -83,8 +83,8 @@ class AxisSearch {
   bool across(std::uint32_t p, std::uint32_t p_twin, std::uint32_t q, std::uint32_t q_twin) {
     const Sign gap = sign_([&]<class T>() { return dot(axis<T>(p, q), b_.place<T>(q) - a_.place<T>(p)); });
     if (gap == Sign::zero && found_) return false;
-    // The solid has to lie on this side of its edge along the axis, and not in one plane with both faces there: that is a
-    // face's normal, or no direction.
+    // The solid has to lie on this side of its edge along the axis, and not in one plane with both faces there: that is
+    // a face's normal, or no direction.
     const auto lies = [&](const Solid& s, std::uint32_t edge, std::uint32_t twin, Sign way) {
       const auto side = [&](std::uint32_t c) {
         return sign_([&]<class T>() {

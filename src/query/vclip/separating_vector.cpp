@@ -81,7 +81,7 @@ class VectorSearch {
   }
   /// To the farthest corner of a along s, and the least far one of b.
   void climb(const Plain& s) {
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {0U, 1U}) {
       const Sign wanted = i == 0 ? Sign::positive : Sign::negative;
       for (bool better = true; better;) {  // ends, for each corner is farther than the one before
         better = false;

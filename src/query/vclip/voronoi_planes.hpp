@@ -1,4 +1,5 @@
-// Voronoi planes: on which side of the planes that bound the Voronoi region of a polyhedron's vertex, edge or face is a point?
+// Voronoi planes: on which side of the planes that bound the Voronoi region of a polyhedron's vertex, edge or face is a
+// point?
 //
 // Laws: a value is positive on the feature's own side, over any number type; its scale says nothing.  The height over a
 // face is positive outside.

@@ -1,4 +1,5 @@
-// Which of several edges of a face seems nearest, and which face farthest below, is a guess in doubles, which holds no bound.
+// Which of several edges of a face seems nearest, and which face farthest below, is a guess in doubles, which holds no
+// bound.
 #include "query/vclip/walk.hpp"
 
 #include <cmath>
@@ -49,7 +50,7 @@ Outcome Walk::step() {
 }
 
 Outcome Walk::from_vertices() {
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     std::optional<MeshFeature> beyond;
     const auto is_beyond = [&](const VoronoiPlane& p) {
       const bool is = sign_([&]<class T>() { return p.value(*solids_[i], place<T>(1 - i)); }) == Sign::negative;
@@ -59,7 +60,7 @@ Outcome Walk::from_vertices() {
     if (any_plane_of_vertex(*solids_[i], at_[i].corner, is_beyond)) return move(i, *beyond);
   }
   // Of a vertex within a flat part of the surface, what is below it has passed, too.
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     const auto is_outside = [&](const VoronoiPlane& p) { return !is_below(i, solids_[i]->face_of(p.from)); };
     if (!any_plane_of_vertex(*solids_[i], at_[i].corner, is_outside))
       return move(i, {FeatureKind::face, at_[i].corner});
@@ -92,7 +93,7 @@ Outcome Walk::from_vertex_and_edge(std::size_t v) {
 }
 
 Outcome Walk::from_edges() {
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     const Solid &clipping = *solids_[i], &clipped = *solids_[1 - i];
     ClippedEdge by_ends(clipped, at_[1 - i].corner, clipping, sign_);
     any_end_plane(clipping, at_[i].corner, [&](const VoronoiPlane& p) { return !by_ends.cut(p); });

@@ -1,7 +1,7 @@
 // V-Clip: from pair to pair of features, until they are nearest or a point is common.
 //
-// Laws: a step is a function of the pair alone.  What it decides is exact; of several features that it may go on to, it takes
-// by a guess in doubles the one that seems nearest.
+// Laws: a step is a function of the pair alone.  What it decides is exact; of several features that it may go on to, it
+// takes by a guess in doubles the one that seems nearest.
 // Source: Mirtich 1998; RTCD 9.2.1.
 // Cost: a step takes the planes of two features, at some 10 ns a sign.
 #pragma once

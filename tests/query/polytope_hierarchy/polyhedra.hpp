@@ -1,5 +1,5 @@
-// Convex polyhedra of every size: of the clouds that have volume, with all that lies in their faces or without it, cut into
-// triangles or not, and cones, whose apex is a neighbor of all.
+// Convex polyhedra of every size: of the clouds that have volume, with all that lies in their faces or without it, cut
+// into triangles or not, and cones, whose apex is a neighbor of all.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Pairs of convex polyhedra in special positions: that share a corner, an edge or a face, an ulp apart, one within the other, of
-// scales 2^60 apart, with corners in their straight edges and flat faces.
+// Pairs of convex polyhedra in special positions: that share a corner, an edge or a face, an ulp apart, one within the
+// other, of scales 2^60 apart, with corners in their straight edges and flat faces.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Dobkin-Kirkpatrick hierarchy: which vertex of a convex polytope lies farthest along a direction, how near does it come to a
-// point, and when does a ray hit it, in logarithmic time?
+// Dobkin-Kirkpatrick hierarchy: which vertex of a convex polytope lies farthest along a direction, how near does it
+// come to a point, and when does a ray hit it, in logarithmic time?
 //
 //   const PolytopeHierarchy h = build_polytope_hierarchy(polyhedron);
 //   const Support3 s = support_point(h, direction);      // that of the polyhedron, number for number
@@ -7,21 +7,21 @@
 //   const double d = distance(p, h);
 //   const auto t = first_hit_parameter(ray, h);
 //
-// Polytopes, each the hull of the vertices that the one before it has left after an independent set of vertices of bounded
-// degree was removed.  What lies beyond a plane that bounds one of them is, in the next finer one, a removed vertex at most,
-// and that is a neighbor of every vertex in the plane.
-// Laws: (1) every polytope is the hull of its vertices in real arithmetic (figure/hull/hull3.hpp), flat faces and corners
-// within them included: what is no extreme point is in none.  (2) No two vertices that are removed together are neighbors,
-// and none has more than `most_neighbors` there.  (3) Each polytope has at most 17/18 of the vertices of the next finer one, as a
-// rule 2/3, until `fewest_vertices` are left or the rest would be flat.  (4) Answers are those of support_point,
-// closest_points, distance, squared_distance_exact, contains and first_hit_parameter of the polyhedron.
+// Polytopes, each the hull of the vertices that the one before it has left after an independent set of vertices of
+// bounded degree was removed.  What lies beyond a plane that bounds one of them is, in the next finer one, a removed
+// vertex at most, and that is a neighbor of every vertex in the plane.
+// Laws: (1) every polytope is the hull of its vertices in real arithmetic (figure/hull/hull3.hpp), flat faces and
+// corners within them included: what is no extreme point is in none.  (2) No two vertices that are removed together are
+// neighbors, and none has more than `most_neighbors` there.  (3) Each polytope has at most 17/18 of the vertices of the
+// next finer one, as a rule 2/3, until `fewest_vertices` are left or the rest would be flat.  (4) Answers are those of
+// support_point, closest_points, distance, squared_distance_exact, contains and first_hit_parameter of the polyhedron.
 // A polyhedron without faces throws InvalidShape, a direction or point that is NaN or infinite NonFinite, by name.
 // Source: RTCD 9.3.1; Dobkin and Kirkpatrick, Fast detection of polyhedral intersection, 1983, and Determining the
 // separation of preprocessed polyhedra, 1990.
-// Cost: one hull for each of some 4 log n polytopes, n log n in all; some 20 n entries beside the polyhedron.  A question
-// takes a step a polytope: a sign for each removed neighbor, of a vertex that has many the logarithm of their number; for the
-// distance also a search among nine points at most.  Where several vertices are farthest these and their neighbors are looked
-// at; where a point is within, closest_points asks the polyhedron, in linear time.
+// Cost: one hull for each of some 4 log n polytopes, n log n in all; some 20 n entries beside the polyhedron.  A
+// question takes a step a polytope: a sign for each removed neighbor, of a vertex that has many the logarithm of their
+// number; for the distance also a search among nine points at most.  Where several vertices are farthest these and
+// their neighbors are looked at; where a point is within, closest_points asks the polyhedron, in linear time.
 #pragma once
 
 #include "plumb/figure/basic/convex_polyhedron.hpp"
@@ -33,8 +33,8 @@ namespace plumb {
 
 /// One polytope of a hierarchy: the hull of the first `size` of its vertices.
 struct HierarchyLevel {
-  /// Of a vertex that has many neighbors to be asked: they are in the order in which they stand around it, and lie on one side
-  /// of the plane through it with this normal.
+  /// Of a vertex that has many neighbors to be asked: they are in the order in which they stand around it, and lie on
+  /// one side of the plane through it with this normal.
   struct Fan {
     std::uint32_t vertex;
     Vector3 normal;
@@ -44,7 +44,8 @@ struct HierarchyLevel {
   // Of vertex v that the next coarser polytope has too, those of its neighbors here which that has not:
   // removed[first_removed[v]] up to [first_removed[v + 1]], in the order in which they stand around it.
   std::vector<std::uint32_t> first_removed{0}, removed;
-  // Of vertex v that the next coarser one has not, all its neighbors here: around[first_around[v - coarser size]] up to the next.
+  // Of vertex v that the next coarser one has not, all its neighbors here: around[first_around[v - coarser size]] up to
+  // the next.
   std::vector<std::uint32_t> first_around{0}, around;
   std::vector<Fan> fans;  // ascending
 

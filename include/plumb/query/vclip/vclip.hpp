@@ -3,17 +3,16 @@
 //   VClipResult r = vclip(a, b);                       // r.meet, r.closest, r.at
 //   r = vclip(a, Posed{b, pose}, {.start = r.at});     // b has moved a little: as a rule no step or one
 //
-// A walk over pairs of a vertex, an edge or a face of each: where the one is not within the other's Voronoi region, or an edge,
-// clipped by the planes of that region, comes nearer beyond one of them, it goes on to the feature beyond.
-// Laws: (1) what it ends at is proved: the closest points of the two features, and a slab between planes through them that has
-// all of a on one side and all of b on the other; or a point that both have.  (2) `closest` has the features of the lowest
-// dimension that hold these points, as closest_points numbers them; coordinates and the distance are the exact ones
-// rounded once.  It is that of closest_points where one pair alone is nearest, else one of the nearest pairs; of polyhedra that meet
-// one of their common points, with the features that the walk ended at.  (3) The start changes the time, never the distance.
-// (4) The walk ends: it is a function of the pair, and one that comes back to a pair is left to the exact search, as is what a
-// singular pose flattens.
-// Polyhedra, one or both under a Pose.  One without faces and a start that is no corner of its mesh throw InvalidShape,
-// NaN and infinity NonFinite, by name.
+// A walk over pairs of a vertex, an edge or a face of each: where the one is not within the other's Voronoi region, or
+// an edge, clipped by the planes of that region, comes nearer beyond one of them, it goes on to the feature beyond.
+// Laws: (1) what it ends at is proved: the closest points of the two features, and a slab between planes through them
+// that has all of a on one side and all of b on the other; or a point that both have.  (2) `closest` has the features
+// of the lowest dimension that hold these points, as closest_points numbers them; coordinates and the distance are the
+// exact ones rounded once.  It is that of closest_points where one pair alone is nearest, else one of the nearest
+// pairs; of polyhedra that meet one of their common points, with the features that the walk ended at.  (3) The start
+// changes the time, never the distance. (4) The walk ends: it is a function of the pair, and one that comes back to a
+// pair is left to the exact search, as is what a singular pose flattens. Polyhedra, one or both under a Pose.  One
+// without faces and a start that is no corner of its mesh throw InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 9.2.1 (figure 9.4); Mirtich, V-Clip: fast and robust polyhedral collision detection, 1998.
 // Cost: docs/convex.md.
 #pragma once
