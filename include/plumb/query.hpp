@@ -81,6 +81,11 @@
 // How deep are two in one another, and which way is out?  penetration, penetration_along, penetration_within
 #include "plumb/query/penetration/along.hpp"        // by directions given, or within a cone
 #include "plumb/query/penetration/penetration.hpp"  // by the least translation
+// By which method, of convex bodies?
+#include "plumb/query/polytope_hierarchy/polytope_hierarchy.hpp"  // extreme vertex and distance in logarithmic time
+#include "plumb/query/vclip/separating_axis.hpp"    // a direction that parts polyhedra, by faces and edges
+#include "plumb/query/vclip/separating_vector.hpp"  // the same by support vertices, from that of before
+#include "plumb/query/vclip/vclip.hpp"              // nearest features of polyhedra, from those of before
 
 // What does a ray hit first?  first_hit, hits, all_hits
 #include "plumb/certify/ray_parameter.hpp"  // a parameter as it is

@@ -1,6 +1,7 @@
 #include "plumb/figure/basic/polyhedron.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "figure/basic/finite_parts.hpp"
@@ -11,21 +12,77 @@
 namespace plumb {
 namespace {
 
+/// What spans the face at its corner k: the next corner, and where the corner lies in a straight edge one off its line.
 /// Every edge leaves each of its vertices once.
-void find_neighbors(const PolygonMesh& mesh, std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& neighbors) {
-  first.assign(mesh.vertices.size() + 1, 0);
-  for (const std::uint32_t v : mesh.corners) ++first[v + 1];
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  neighbors.resize(mesh.corners.size());
-  std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
+template <class Take>
+void take_neighbors(const PolygonFaces& faces, std::span<const std::uint32_t> corners, std::size_t k, Take take) {
+  const std::uint32_t next = corners[k + 1 < corners.size() ? k + 1 : 0],
+                      before = corners[k > 0 ? k - 1 : corners.size() - 1];
+  take(next);
+  if (!collinear(faces.at(before), faces.at(corners[k]), faces.at(next))) return;
+  const auto off_line = std::ranges::find_if(
+      corners, [&](std::uint32_t c) { return !collinear(faces.at(before), faces.at(next), faces.at(c)); });
+  if (off_line != corners.end()) take(*off_line);
+}
+
+/// Of four corners that are in no plane, of whose like every polyhedron has some, one is off any plane.
+class OffPlane {
+ public:
+  explicit OffPlane(const std::vector<Point3>& all) : all_(all) {
+    const auto count = static_cast<std::uint32_t>(all.size());
+    std::uint32_t i = 1;
+    while (all[i] == all[0]) ++i;
+    std::uint32_t j = i + 1;
+    while (collinear(all[0], all[i], all[j])) ++j;
+    std::uint32_t k = j + 1;
+    while (k < count && orient3d(all[0], all[i], all[j], all[k]) == Sign::zero) ++k;
+    some_ = {0, i, j, k};
+  }
+  [[nodiscard]] std::uint32_t operator()(const Point3& a, const Point3& b, const Point3& c) const {
+    return *std::ranges::find_if(some_, [&](std::uint32_t v) { return orient3d(a, b, c, all_[v]) != Sign::zero; });
+  }
+
+ private:
+  const std::vector<Point3>& all_;
+  std::array<std::uint32_t, 4> some_{};
+};
+
+/// Within a flat part of the surface, where all neighbors are in one plane with it: a corner off that plane.
+std::optional<std::uint32_t> neighbor_off_plane(const std::vector<Point3>& all, const Point3& v,
+                                                std::span<const std::uint32_t> neighbors, const OffPlane& off_plane) {
+  const Point3& a = all[neighbors[0]];
+  const auto b = std::ranges::find_if(neighbors, [&](std::uint32_t w) { return !collinear(v, a, all[w]); });
+  const auto is_off = [&](std::uint32_t w) { return orient3d(v, a, all[*b], all[w]) != Sign::zero; };
+  if (std::ranges::any_of(neighbors, is_off)) return {};
+  return off_plane(v, a, all[*b]);
+}
+
+void find_neighbors(const PolygonMesh& mesh, std::vector<std::uint32_t>& first_of,
+                    std::vector<std::uint32_t>& neighbors) {
   const PolygonFaces faces = faces_of(mesh);
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  pairs.reserve(mesh.corners.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto corners = faces[f];
     for (std::size_t k = 0; k < corners.size(); ++k)
-      neighbors[end[corners[k]]++] = corners[k + 1 < corners.size() ? k + 1 : 0];
+      take_neighbors(faces, corners, k, [&](std::uint32_t v) { pairs.push_back({corners[k], v}); });
   }
-  for (std::size_t v = 0; v + 1 < first.size(); ++v)
-    std::sort(neighbors.begin() + first[v], neighbors.begin() + first[v + 1]);
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const OffPlane off_plane(mesh.vertices);
+  first_of = {0};
+  neighbors.clear();
+  for (auto at = pairs.begin(); at != pairs.end();) {
+    const std::uint32_t v = (*at)[0];
+    const std::size_t first = neighbors.size();
+    for (; at != pairs.end() && (*at)[0] == v; ++at) neighbors.push_back((*at)[1]);
+    const auto off =
+        neighbor_off_plane(mesh.vertices, mesh.vertices[v], std::span(neighbors).subspan(first), off_plane);
+    if (off)
+      neighbors.insert(std::upper_bound(neighbors.begin() + static_cast<std::ptrdiff_t>(first), neighbors.end(), *off),
+                       *off);
+    first_of.push_back(static_cast<std::uint32_t>(neighbors.size()));
+  }
 }
 
 /// The side of the face on which p lies, positive below; corners on one line with the first two tell nothing.
@@ -76,12 +133,12 @@ std::string flaw_of_vertex(const ConvexPolyhedron3& p, std::size_t v, std::span<
   };
   const std::string vertex = with("vertex ", v);
   for (const std::uint32_t w : listed) {
+    if (has(wanted, w)) continue;
     const std::string names = std::string(vertex).append(with(" has the neighbor ", w));
-    if (!has(p.neighbors_of(w), v))
-      return std::string(names)
-          .append(with(", but not the other way round: vertex ", w))
-          .append(with(" has not the neighbor ", v));
-    if (!has(wanted, w)) return std::string(names).append(", but no edge of the mesh joins them");
+    if (has(p.neighbors_of(w), v)) return std::string(names).append(", but no edge of the mesh joins them");
+    return std::string(names)
+        .append(with(", but not the other way round: vertex ", w))
+        .append(with(" has not the neighbor ", v));
   }
   for (const std::uint32_t w : wanted) {
     if (!has(listed, w))

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "figure/basic/finite_parts.hpp"
+#include "figure/basic/mesh_corners.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 #include "plumb/predicates.hpp"
@@ -13,10 +14,10 @@
 namespace plumb {
 namespace {
 
-class RegionWalk {
+class RegionWalk : MeshCorners {
  public:
   RegionWalk(const ConvexPolyhedron3& polyhedron, const Point3& p)
-      : polyhedron_(polyhedron), mesh_(polyhedron.mesh), p_(p) {}
+      : MeshCorners(polyhedron), mesh_(polyhedron.mesh), p_(p) {}
 
   Feature from(FeatureKind kind, std::uint32_t corner) {
     for (;;) {
@@ -41,35 +42,9 @@ class RegionWalk {
     std::uint32_t corner;
   };
 
-  [[nodiscard]] const Point3& at(std::uint32_t corner) const { return mesh_.vertices[mesh_.corners[corner]]; }
-  [[nodiscard]] std::uint32_t face_of(std::uint32_t corner) const {
-    return static_cast<std::uint32_t>(std::ranges::upper_bound(mesh_.first, corner) - mesh_.first.begin() - 1);
-  }
-  [[nodiscard]] std::uint32_t next(std::uint32_t corner, std::uint32_t face) const {
-    return corner + 1 == mesh_.first[face + 1] ? mesh_.first[face] : corner + 1;
-  }
-  [[nodiscard]] std::uint32_t next(std::uint32_t corner) const { return next(corner, face_of(corner)); }
-  [[nodiscard]] std::uint32_t before(std::uint32_t corner, std::uint32_t face) const {
-    return corner == mesh_.first[face] ? mesh_.first[face + 1] - 1 : corner - 1;
-  }
-  /// The corner that the same edge leaves on its other side.
-  [[nodiscard]] std::uint32_t twin(std::uint32_t corner) const {
-    const std::uint32_t face = polyhedron_.across[corner], head = mesh_.corners[next(corner)];
-    std::uint32_t c = mesh_.first[face];
-    while (mesh_.corners[c] != head || mesh_.corners[next(c, face)] != mesh_.corners[corner]) ++c;
-    return c;
-  }
-
   /// Does the way from one to the other lead toward p?
   [[nodiscard]] bool toward(const Point3& a, const Point3& b) const { return angle_sign(p_, a, b) == Sign::positive; }
 
-  /// A corner of the face off the line of its edge: corners may lie on straight edges.
-  [[nodiscard]] const Point3& off_line(std::uint32_t corner, std::uint32_t face) const {
-    const std::uint32_t head = next(corner, face);
-    std::uint32_t c = next(head, face);
-    while (c != corner && collinear(at(corner), at(head), at(c))) c = next(c, face);
-    return at(c);
-  }
   /// The side of the edge, in the plane of the face, on which p projects: positive on the face's own.
   [[nodiscard]] Sign side(std::uint32_t corner, std::uint32_t face) const {
     return coplanar_orientation(at(corner), at(next(corner, face)), off_line(corner, face), p_);
@@ -143,7 +118,6 @@ class RegionWalk {
     throw InvalidShape("voronoi_region: the polyhedron is not convex; make it by convex_polyhedron");
   }
 
-  const ConvexPolyhedron3& polyhedron_;
   const PolygonMesh& mesh_;
   const Point3& p_;
 };

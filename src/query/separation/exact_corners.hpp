@@ -96,14 +96,7 @@ std::uint32_t least_corner(const CoreCorners& c, std::uint32_t from, const Vec<T
   if (c.polyhedron() != nullptr) {
     for (bool better = true; better && ask.certain();) {
       better = false;
-      bool is_below_some = false;
       for (const std::uint32_t i : c.polyhedron()->neighbors_of(from)) {
-        const Sign ahead = ask(dot(way, c.at<T>(i) - c.at<T>(from)));
-        is_below_some = is_below_some || ahead == Sign::positive;
-        if (ahead == Sign::negative) from = i, better = true;
-      }
-      for (std::uint32_t i = 0; i < c.size() && !better && !is_below_some;
-           ++i) {  // inside of a flat part, as support_of says
         if (is_less(i, from)) from = i, better = true;
       }
     }

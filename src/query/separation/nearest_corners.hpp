@@ -169,19 +169,10 @@ Support support_of(const CoreCorners& c, std::span<const std::uint32_t> named, c
   };
   if (c.polyhedron() != nullptr) {
     const Vec<T> from = c.at<T>(ref);
-    bool is_below_some = false;
-    const auto look = [&](std::uint32_t i) {
-      if (std::ranges::find(named, i) != named.end()) return;
-      const Sign ahead = ask(dot(way, c.at<T>(i) - from));
-      is_below_some = is_below_some || ahead == Sign::positive;
-      judge(ahead, 1);
-    };
     for (const std::uint32_t i : c.polyhedron()->neighbors_of(ref)) {
-      look(i);
-      if (!s.holds) return s;
+      if (std::ranges::find(named, i) == named.end()) judge(ask(dot(way, c.at<T>(i) - from)), 1);
+      if (!s.holds) break;
     }
-    // Of a vertex inside of a flat part all neighbors are level where the plane is that part's, on whichever side it is.
-    for (std::uint32_t i = 0; i < c.size() && !is_below_some && s.holds; ++i) look(i);
     return s;
   }
   if (c.is_listed()) {

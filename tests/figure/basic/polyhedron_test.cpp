@@ -93,6 +93,56 @@ TEST(Figure3_19, ConvexAndConcave) {
             "convex_polyhedron: face 6 is not a convex polygon of distinct corners that has an area");
 }
 
+TEST(Figure3_19, AStraightEdgesVertexHasNeighborsOffItsLine) {
+  // Vertex 8 halves an edge of the roof, in both faces there: its edges alone span no more than their line.
+  PolygonMesh mesh = cube();
+  std::vector<std::uint32_t> corners, first{0};
+  mesh.vertices.push_back({1, 0, mesh.vertices[4].z});
+  for (std::size_t f = 0; f + 1 < mesh.first.size(); ++f) {
+    for (std::uint32_t c = mesh.first[f]; c < mesh.first[f + 1]; ++c) {
+      const std::uint32_t a = mesh.corners[c], b = mesh.corners[c + 1 < mesh.first[f + 1] ? c + 1 : mesh.first[f]];
+      corners.push_back(a);
+      if ((a == 4 && b == 5) || (a == 5 && b == 4)) corners.push_back(8);
+    }
+    first.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  const ConvexPolyhedron3 solid = convex_polyhedron(PolygonMesh{mesh.vertices, corners, first});
+  const auto neighbors = solid.neighbors_of(8);
+  ASSERT_EQ(neighbors.size(), 4u);
+  for (const double way : {1.0, -1.0}) {
+    const auto is_before = [&](std::uint32_t v) {
+      const Point3 &p = solid.mesh.vertices[v], &from = solid.mesh.vertices[8];
+      return (p.y - from.y) + way * (p.z - from.z) > 0;
+    };
+    EXPECT_TRUE(std::ranges::any_of(neighbors, is_before)) << way;
+  }
+  for (std::size_t v : {0u, 4u, 5u}) EXPECT_EQ(solid.neighbors_of(v).size(), 3u);
+}
+
+TEST(Figure3_19, AFlatVertexHasANeighborOffItsPlane) {
+  for (std::uint64_t start = 0; start < 4; ++start) {
+    Entropy entropy(start, 3);
+    const std::vector<Point3> points = cloud3(Cloud::lattice, 125, entropy);
+    const Hull3 hull = convex_hull(points, {.triangulate = true, .all_boundary_points = true});
+    const ConvexPolyhedron3 solid = convex_polyhedron(hull, points);
+    // Along every axis, what has no neighbor farther is farthest of all.
+    for (const Vector3& d : {Vector3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
+      const auto along = [&](std::size_t v) {
+        const Point3& p = solid.mesh.vertices[v];
+        return p.x * d.x + p.y * d.y + p.z * d.z;
+      };
+      double most = along(0);
+      for (std::size_t v = 0; v < solid.mesh.vertices.size(); ++v) most = std::max(most, along(v));
+      for (std::size_t v = 0; v < solid.mesh.vertices.size(); ++v) {
+        const auto neighbors = solid.neighbors_of(v);
+        EXPECT_TRUE(std::ranges::is_sorted(neighbors));
+        const bool is_top = std::ranges::none_of(neighbors, [&](std::uint32_t w) { return along(w) > along(v); });
+        EXPECT_EQ(is_top, along(v) == most);
+      }
+    }
+  }
+}
+
 TEST(Figure3_20, Simplices) {
   const std::vector<Point3> v{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const Faces faces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};

@@ -131,6 +131,23 @@ TEST(Separation, EveryPairOfThePlaneHasItsCertificate) {
   expect_certified(makers_of(pair_cases::Plane{}), 19'000, cases_of_pair);
 }
 
+TEST(Separation, AVertexThatHalvesAnEdgeEndsNoClimb) {
+  // A cube whose vertex 0, where searches begin, halves an edge of its roof: its edges lead nowhere else.
+  const std::vector<std::vector<std::uint32_t>> faces{{4, 3, 2, 1}, {5, 0, 6, 7, 8}, {1, 2, 6, 0, 5},
+                                                      {2, 3, 7, 6}, {3, 4, 8, 7},    {4, 1, 5, 8}};
+  PolygonMesh mesh{
+      {{1, 0, 2}, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}}, {}, {0}};
+  for (const auto& f : faces) {
+    mesh.corners.insert(mesh.corners.end(), f.begin(), f.end());
+    mesh.first.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+  const ConvexPolyhedron3 cube = convex_polyhedron(mesh);
+  EXPECT_EQ(distance(cube, Segment3{{1, 0.125, 3}, {1, 0.25, 4}}), 1);
+  const Closest c = closest_points(cube, Sphere3{{1, 0.125, 4}, 1});
+  EXPECT_EQ(c.distance, 1);
+  EXPECT_EQ(c.feature_a, (Feature{FeatureKind::face, 1}));
+}
+
 /// Every simplex of its vertices, of which there are at most four.
 std::vector<straight_oracle::Part> simplices_of(const std::vector<Point3>& vertices) {
   std::vector<straight_oracle::Part> parts;

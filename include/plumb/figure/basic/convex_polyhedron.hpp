@@ -2,7 +2,10 @@
 //
 // Laws: made by convex_polyhedron or by a hull, which prove it convex; faces are counterclockwise seen from outside.
 // Every vertex is a corner of some face; faces in one plane may stand beside one another.  across[i] is the face beyond
-// the edge that leaves corner i of its face; the neighbors of a vertex are listed ascending.
+// the edge that leaves corner i of its face; the neighbors of a vertex are listed ascending: the other ends of its
+// edges, of each face in whose straight edge it lies a corner off that line, and where all of these are in one plane
+// with it one off that plane.  So what lies no less far than its neighbors along a direction lies no less far than any
+// vertex.
 // Source: RTCD 3.8, 3.8.1, 4.2.5.
 // Cost: none.
 #pragma once

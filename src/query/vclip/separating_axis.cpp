@@ -1,0 +1,128 @@
+#include "plumb/query/vclip/separating_axis.hpp"
+
+#include <string>
+
+#include "plumb/arith/error.hpp"
+#include "query/vclip/checked_signs.hpp"
+#include "query/vclip/voronoi_planes.hpp"
+
+namespace plumb::query {
+namespace vclipping {
+namespace {
+
+constexpr std::string_view name = "separating_axis";
+
+void require_volume(std::string_view of, const ClipView& v) {
+  require_faces(name, of, v);
+  if (turn_of(v) != Sign::zero) return;
+  throw InvalidShape(std::string(name).append(": ").append(of).append(
+      ".pose is singular and flattens the polyhedron, which has no axes of its own then; ask relate or distance"));
+}
+
+std::array<Rational, 3> rational(const Vec<BigDyadic>& v) {
+  return {Rational(big_rational(v.x)), Rational(big_rational(v.y)), Rational(big_rational(v.z))};
+}
+
+class AxisSearch {
+ public:
+  AxisSearch(const Solid& a, const Solid& b, CheckedSigns& sign) : a_(a), b_(b), sign_(sign) {}
+
+  std::optional<SeparatingAxis> run() {
+    static_cast<void>(along_faces(a_, b_, AxisKind::face_of_a) || along_faces(b_, a_, AxisKind::face_of_b) ||
+                      across_edges());
+    return found_;
+  }
+
+ private:
+  /// True where it parts the two, which ends the search.
+  bool take(SeparatingAxis axis) {
+    const bool apart = axis.relation == Relation::disjoint;
+    if (apart || !found_) found_ = std::move(axis);
+    return apart;
+  }
+
+  bool along_faces(const Solid& of, const Solid& other, AxisKind kind) {
+    const auto faces = static_cast<std::uint32_t>(of.mesh().first.size() - 1);
+    for (std::uint32_t face = 0; face < faces; ++face) {
+      const auto gap = least_height(of, face, other);
+      if (gap == Sign::negative) continue;
+      SeparatingAxis axis{gap == Sign::zero ? Relation::touching : Relation::disjoint, kind, {}, {}, {}};
+      (kind == AxisKind::face_of_a ? axis.a : axis.b) = face;
+      const Vec<BigDyadic> n = of.normal<BigDyadic>(face), none{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
+      axis.direction = rational(kind == AxisKind::face_of_a ? n : none - n);
+      if (take(std::move(axis))) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] Sign least_height(const Solid& of, std::uint32_t face, const Solid& other) const {
+    Sign least = Sign::positive;
+    for (std::uint32_t v = 0; v < other.core().size() && least != Sign::negative; ++v)
+      least = std::min(least, sign_([&]<class T>() { return of.height(face, other.core().at<T>(v)); }));
+    return least;
+  }
+
+  /// Edges but once, by the lower of their two corners.
+  template <class Take>
+  static bool any_edge(const Solid& s, Take take) {
+    for (std::uint32_t c = 0; c < s.mesh().corners.size(); ++c) {
+      const std::uint32_t other = s.twin(c);
+      if (c < other && take(c, other)) return true;
+    }
+    return false;
+  }
+  bool across_edges() {
+    return any_edge(a_, [&](std::uint32_t p, std::uint32_t p_twin) {
+      return any_edge(b_, [&](std::uint32_t q, std::uint32_t q_twin) { return across(p, p_twin, q, q_twin); });
+    });
+  }
+
+  template <class T>
+  [[nodiscard]] Vec<T> axis(std::uint32_t p, std::uint32_t q) const {
+    return cross(a_.place<T>(a_.next(p)) - a_.place<T>(p), b_.place<T>(b_.next(q)) - b_.place<T>(q));
+  }
+  bool across(std::uint32_t p, std::uint32_t p_twin, std::uint32_t q, std::uint32_t q_twin) {
+    const Sign gap = sign_([&]<class T>() { return dot(axis<T>(p, q), b_.place<T>(q) - a_.place<T>(p)); });
+    if (gap == Sign::zero && found_) return false;
+    // The solid has to lie on this side of its edge along the axis, and not in one plane with both faces there: that is
+    // a face's normal, or no direction.
+    const auto lies = [&](const Solid& s, std::uint32_t edge, std::uint32_t twin, Sign way) {
+      const auto side = [&](std::uint32_t c) {
+        return sign_([&]<class T>() {
+          return dot(axis<T>(p, q), s.place<T>(s.corner_off_line(c, s.face_of(c))) - s.place<T>(c));
+        });
+      };
+      const Sign left = side(edge);
+      if (left == -way) return false;
+      const Sign right = side(twin);
+      return right != -way && (left == way || right == way);
+    };
+    for (const Sign way : {Sign::positive, Sign::negative}) {
+      if (gap == -way) continue;
+      if (!lies(a_, p, p_twin, -way) || !lies(b_, q, q_twin, way)) continue;
+      const Vec<BigDyadic> n = axis<BigDyadic>(p, q), none{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
+      return take({gap == Sign::zero ? Relation::touching : Relation::disjoint, AxisKind::edges, p, q,
+                   rational(way == Sign::positive ? n : none - n)});
+    }
+    return false;
+  }
+
+  const Solid &a_, &b_;
+  CheckedSigns& sign_;
+  std::optional<SeparatingAxis> found_;
+};
+
+}  // namespace
+}  // namespace vclipping
+
+std::optional<SeparatingAxis> separating_axis_of(const ClipView& a, const ClipView& b) {
+  using namespace vclipping;
+  CheckedSigns sign(vclipping::name, a, b);
+  if (a.pose != nullptr || b.pose != nullptr) sign.check();
+  require_volume("a", a), require_volume("b", b);
+  const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
+  const Solid solid_a(*a.polyhedron, *core_a, turn_of(a) == Sign::negative),
+      solid_b(*b.polyhedron, *core_b, turn_of(b) == Sign::negative);
+  return AxisSearch(solid_a, solid_b, sign).run();
+}
+
+}  // namespace plumb::query
