@@ -66,10 +66,12 @@
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
 // The same of convex bodies by GJK: with a history, and with caches from frame to frame
+#include "plumb/query/gjk/batch.hpp"             // many pairs, by threads
 #include "plumb/query/gjk/contact_manifold.hpp"  // all nearest pairs: the polygon, edge or point where they touch
 #include "plumb/query/gjk/gjk.hpp"               // gjk, gjk_intersects, gjk_distance
 #include "plumb/query/gjk/support_mapping.hpp"   // of bodies known by their support mapping
 #include "plumb/query/gjk/swept.hpp"             // of bodies that move straight
+
 // What meets linear constraints, and what of it lies farthest, or nearest?  maximize, nearest_feasible, verify
 #include "plumb/query/lp/elimination.hpp"       // solutions and projections, by Fourier and Motzkin
 #include "plumb/query/lp/greatest_margin.hpp"   // the thickest slab between two sets of points
@@ -78,9 +80,11 @@
 #include "plumb/query/lp/nearest_feasible.hpp"  // the nearest point of an intersection of halfspaces
 #include "plumb/query/lp/simplex.hpp"           // of any number of variables
 #include "plumb/query/lp/verify.hpp"            // is a proof one?
+
 // How deep are two in one another, and which way is out?  penetration, penetration_along, penetration_within
 #include "plumb/query/penetration/along.hpp"        // by directions given, or within a cone
 #include "plumb/query/penetration/penetration.hpp"  // by the least translation
+
 // By which method, of convex bodies?
 #include "plumb/query/polytope_hierarchy/polytope_hierarchy.hpp"  // extreme vertex and distance in logarithmic time
 #include "plumb/query/vclip/separating_axis.hpp"    // a direction that parts polyhedra, by faces and edges
