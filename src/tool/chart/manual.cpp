@@ -19,6 +19,7 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        box-box, obb-obb: do boxes meet, along the axes, turned?
        point-in-polygon, point-in-polyhedron: is it in, or on the border?
        segment-segment: do segments of the plane meet?
+       convex-convex: do the hulls of 8 and 8 points meet?
        hull-2d, hull-3d: which of 16, 12 points are corners of the hull?
        smallest-ball: how large is the smallest ball around 5 points?
        point-triangle-distance, segment-segment-distance,

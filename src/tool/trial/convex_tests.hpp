@@ -1,7 +1,8 @@
-// How is the distance of convex sets commonly computed in floating point?  By simplices in the set of differences.
+// GJK in floating point: how is the distance of convex sets commonly computed, and whether they meet?  By simplices in the
+// set of differences.
 //
 // Laws: none; they are on trial, and decide nothing of ours.  The search stops when a step no longer gains more than an
-// epsilon, or after as many steps as no honest search takes.
+// epsilon, or after as many steps as no honest search takes: `stuck` says that it did.
 // Source: Gilbert, Johnson and Keerthi 1988, RTCD 9.5.
 // Cost: some hundred operations a step.
 #pragma once
@@ -13,28 +14,36 @@
 
 namespace plumb::tool::trial {
 
-inline constexpr std::size_t set_points = 4;
-
-/// The points of one set, then those of the other.
-struct ConvexDistance {
+/// Two sets of n points each: the points of one, then those of the other.
+template <std::size_t n>
+class ConvexSearch {
+ public:
   template <class T>
-  double operator()(const std::array<T, 6 * set_points>& q, T epsilon) const {
-    Simplex<T> simplex{{vec(q, 0) - vec(q, set_points)}, 1};
+  struct Found {
+    bool meet, stuck;  // stuck: no step gained, or too many were taken
+    T square;          // of the distance, where they do not meet
+  };
+
+  template <class T>
+  Found<T> operator()(const std::array<T, 6 * n>& q, T epsilon) const {
+    Simplex<T> simplex{{vec(q, 0) - vec(q, n)}, 1};
     Vec<T> nearest = simplex.corners[0];
+    T square = dot(nearest, nearest);
     for (int step = 0; step < 64; ++step) {
-      const T square = dot(nearest, nearest);
-      if (square <= epsilon) return 0;
-      const Vec<T> w = farthest(q, 0, nearest * T(-1)) - farthest(q, set_points, nearest);
-      if (square - dot(nearest, w) <= epsilon * square) break;
+      if (square <= epsilon) return {true, false, square};
+      const Vec<T> w = farthest(q, 0, nearest * T(-1)) - farthest(q, n, nearest);
+      if (square - dot(nearest, w) <= epsilon * square) return {false, false, square};
       const auto same = [&](const Vec<T>& v) { return v.x == w.x && v.y == w.y && v.z == w.z; };
-      if (std::any_of(simplex.corners.begin(), simplex.corners.begin() + simplex.count, same)) break;
+      if (std::any_of(simplex.corners.begin(), simplex.corners.begin() + simplex.count, same))
+        return {false, false, square};
       simplex.corners[static_cast<std::size_t>(simplex.count++)] = w;
       const Vec<T> next = reduce(simplex);
-      if (simplex.count == 4) return 0;  // around the origin
-      if (!(dot(next, next) < square)) break;
-      nearest = next;
+      if (simplex.count == 4) return {true, false, square};  // around the origin
+      const T nearer = dot(next, next);
+      if (!(nearer < square)) break;
+      nearest = next, square = nearer;
     }
-    return root_as_double(dot(nearest, nearest));
+    return {false, true, square};
   }
 
  private:
@@ -45,9 +54,9 @@ struct ConvexDistance {
   };
 
   template <class T>
-  static Vec<T> farthest(const std::array<T, 6 * set_points>& q, std::size_t first, const Vec<T>& direction) {
+  static Vec<T> farthest(const std::array<T, 6 * n>& q, std::size_t first, const Vec<T>& direction) {
     Vec<T> best = vec(q, first);
-    for (std::size_t i = 1; i < set_points; ++i) {
+    for (std::size_t i = 1; i < n; ++i) {
       const Vec<T> p = vec(q, first + i);
       if (dot(p, direction) > dot(best, direction)) best = p;
     }
@@ -93,10 +102,10 @@ struct ConvexDistance {
     }
     const Vec<T> v = c - a;
     if (s.count == 3) {
-      const Vec<T> n = cross(u, v);
-      const T whole = dot(n, n), of_b = dot(cross(v, a), n), of_c = dot(cross(a, u), n);
+      const Vec<T> normal = cross(u, v);
+      const T whole = dot(normal, normal), of_b = dot(cross(v, a), normal), of_c = dot(cross(a, u), normal);
       if (!(whole > 0) || of_b < 0 || of_c < 0 || of_b + of_c > whole) return false;
-      at = n * T(dot(a, n) / whole);
+      at = normal * T(dot(a, normal) / whole);
       return true;
     }
     const Vec<T> w = d - a;
@@ -105,6 +114,21 @@ struct ConvexDistance {
     at = {T(0), T(0), T(0)};
     if (whole > 0) return of_a >= 0 && of_b >= 0 && of_c >= 0 && of_d >= 0;
     return whole < 0 && of_a <= 0 && of_b <= 0 && of_c <= 0 && of_d <= 0;
+  }
+};
+
+struct ConvexDistance {
+  template <class T, std::size_t N>
+  double operator()(const std::array<T, N>& q, T epsilon) const {
+    const auto found = ConvexSearch<N / 6>{}(q, epsilon);
+    return found.meet ? 0 : root_as_double(found.square);
+  }
+};
+
+struct ConvexMeeting {
+  template <class T, std::size_t N>
+  bool operator()(const std::array<T, N>& q, T epsilon) const {
+    return ConvexSearch<N / 6>{}(q, epsilon).meet;
   }
 };
 

@@ -59,43 +59,11 @@ std::vector<InputClass> lattice_classes(void (*fill)(std::span<double>, Entropy&
   };
 }
 
-/// In a closed polygon: on an edge, or an odd number of edges crosses the ray to the right.
-bool in_polygon(std::span<const double> q) {
-  const auto at = [q](std::size_t i) { return std::array{mpq_class(q[2 * i]), mpq_class(q[2 * i + 1])}; };
-  const auto p = at(0);
-  bool inside = false;
-  for (std::size_t i = 1; i <= polygon_corners; ++i) {
-    const auto a = at(i), b = at(i % polygon_corners + 1);
-    const mpq_class side = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-    const auto within = [&](std::size_t k) { return std::min(a[k], b[k]) <= p[k] && p[k] <= std::max(a[k], b[k]); };
-    if (side == 0 && within(0) && within(1)) return true;
-    if ((a[1] > p[1]) != (b[1] > p[1]) && (side > 0) == (b[1] > a[1])) inside = !inside;
-  }
-  return inside;
-}
-
-/// In a closed solid: on a face, or an odd number of faces is hit by a ray that meets no edge.
-bool in_solid(std::span<const double> q) {
-  const RationalVec p = rational_vec(q, 0);
-  const auto corner = [&](std::size_t face, std::size_t i) { return rational_vec(q, 1 + octahedron_faces[face][i]); };
-  for (std::size_t face = 0; face < octahedron_faces.size(); ++face) {
-    if (meet({{p}, {}}, {{corner(face, 0), corner(face, 1), corner(face, 2)}, {}})) return true;
-  }
-  for (long attempt = 1;; ++attempt) {
-    const RationalVec d{mpq_class(1000), mpq_class(17 * attempt), mpq_class(attempt * attempt + 1)};
-    bool inside = false, lucky = true;
-    for (std::size_t face = 0; face < octahedron_faces.size() && lucky; ++face) {
-      const RationalVec a = corner(face, 0) - p, b = corner(face, 1) - p, c = corner(face, 2) - p;
-      const RationalVec n = cross(b - a, c - a);
-      const mpq_class height = dot(a, n), rise = dot(d, n);
-      if (height == 0) continue;  // beside the face, in its plane: a ray that leaves the plane misses it
-      const std::array side{dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))};
-      lucky = rise != 0 && std::ranges::none_of(side, [](const mpq_class& s) { return s == 0; });
-      const bool through = (side[0] > 0) == (side[1] > 0) && (side[1] > 0) == (side[2] > 0);
-      if (lucky && through && height / rise > 0) inside = !inside;
-    }
-    if (lucky) return inside;
-  }
+std::vector<std::array<RationalVec, 3>> faces_of(std::span<const double> q) {
+  std::vector<std::array<RationalVec, 3>> faces;
+  for (const auto& [a, b, c] : octahedron_faces)
+    faces.push_back({rational_vec(q, 1 + a), rational_vec(q, 1 + b), rational_vec(q, 1 + c)});
+  return faces;
 }
 
 }  // namespace
@@ -122,7 +90,7 @@ Task point_in_polyhedron_task() {
   Task task{"point-in-polyhedron", "is a point in a closed mesh?", 21, AnswerKind::decision, {}, {}, {}, {}};
   task.symmetries = {reordered(3, {0, 3, 4, 5, 6, 1, 2})};  // the axes in turn: the same solid
   task.classes = lattice_classes(fill_solid);
-  task.judge = [](std::span<const double> q) { return as_answer(in_solid(q)); };
+  task.judge = [](std::span<const double> q) { return as_answer(in_solid(rational_vec(q, 0), faces_of(q))); };
   task.methods = branching_methods<AnswerKind::decision, 21>(PointInPolyhedron{});
   task.methods.push_back(each_made<21>(
       "exact", "ours, one at a time",

@@ -110,6 +110,85 @@ mpq_class square_distance_of_segments(const RationalVec& a, const RationalVec& b
       {square_distance(a, c, d), square_distance(b, c, d), square_distance(c, a, b), square_distance(d, a, b)});
 }
 
+mpq_class square_between_hulls(std::span<const RationalVec> a, std::span<const RationalVec> b) {
+  if (meet({{a.begin(), a.end()}, {}}, {{b.begin(), b.end()}, {}})) return 0;
+  mpq_class least = square_distance_of_segments(a[0], a[0], b[0], b[0]);
+  const auto edges = [](std::span<const RationalVec> of, auto f) {  // and points
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      for (std::size_t j = i; j < of.size(); ++j) f(of[i], of[j]);
+    }
+  };
+  edges(a, [&](const RationalVec& p, const RationalVec& q) {
+    edges(b, [&](const RationalVec& r, const RationalVec& s) {
+      least = std::min(least, square_distance_of_segments(p, q, r, s));
+    });
+  });
+  const auto to_triangles = [&](std::span<const RationalVec> of, std::span<const RationalVec> from) {
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      for (std::size_t j = i + 1; j < of.size(); ++j) {
+        for (std::size_t k = j + 1; k < of.size(); ++k) {
+          for (const RationalVec& p : from) least = std::min(least, square_distance(p, of[i], of[j], of[k]));
+        }
+      }
+    }
+  };
+  to_triangles(a, b);
+  to_triangles(b, a);
+  return least;
+}
+
+bool in_polygon(std::span<const double> q) {
+  const auto at = [q](std::size_t i) { return std::array{mpq_class(q[2 * i]), mpq_class(q[2 * i + 1])}; };
+  const auto p = at(0);
+  const std::size_t corners = q.size() / 2 - 1;
+  bool inside = false;
+  for (std::size_t i = 1; i <= corners; ++i) {
+    const auto a = at(i), b = at(i % corners + 1);
+    const mpq_class side = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+    const auto within = [&](std::size_t k) { return std::min(a[k], b[k]) <= p[k] && p[k] <= std::max(a[k], b[k]); };
+    if (side == 0 && within(0) && within(1)) return true;
+    if ((a[1] > p[1]) != (b[1] > p[1]) && (side > 0) == (b[1] > a[1])) inside = !inside;
+  }
+  return inside;
+}
+
+bool in_solid(const RationalVec& p, std::span<const std::array<RationalVec, 3>> faces) {
+  for (const auto& [a, b, c] : faces) {
+    if (meet({{p}, {}}, {{a, b, c}, {}})) return true;
+  }
+  for (long attempt = 1;; ++attempt) {
+    const RationalVec d{mpq_class(1000), mpq_class(17 * attempt), mpq_class(attempt * attempt + 1)};
+    bool inside = false, lucky = true;
+    for (std::size_t face = 0; face < faces.size() && lucky; ++face) {
+      const RationalVec a = faces[face][0] - p, b = faces[face][1] - p, c = faces[face][2] - p;
+      const RationalVec n = cross(b - a, c - a);
+      const mpq_class height = dot(a, n), rise = dot(d, n);
+      if (height == 0) continue;  // beside the face, in its plane: a ray that leaves the plane misses it
+      const std::array side{dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))};
+      lucky = rise != 0 && std::ranges::none_of(side, [](const mpq_class& s) { return s == 0; });
+      const bool through = (side[0] > 0) == (side[1] > 0) && (side[1] > 0) == (side[2] > 0);
+      if (lucky && through && height / rise > 0) inside = !inside;
+    }
+    if (lucky) return inside;
+  }
+}
+
+std::uint32_t corners_of_hull(std::span<const RationalVec> points) {
+  const auto same = [](const RationalVec& p, const RationalVec& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
+  std::uint32_t corners = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Generated others;
+    bool is_first = true;
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      if (!same(points[i], points[j])) others.points.push_back(points[j]);
+      if (j < i && same(points[i], points[j])) is_first = false;
+    }
+    const bool inner = !others.points.empty() && meet({{points[i]}, {}}, others);
+    if (is_first && !inner) corners |= std::uint32_t{1} << i;
+  }
+  return corners;
+}
+
 double nearest_root(const mpq_class& square) { return rounded_root(Rounding::nearest, Rational(BigRational{square})); }
 
 }  // namespace plumb::tool::trial

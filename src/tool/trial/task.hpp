@@ -84,6 +84,7 @@ Task hull3_task();
 Task smallest_ball_task();
 Task point_triangle_distance_task();
 Task segment_segment_distance_task();
+Task convex_meeting_task();
 Task convex_distance_task();
 Task vertex_face_motion_task();
 Task edge_edge_motion_task();

@@ -46,6 +46,7 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               smallest_ball_task,
                               point_triangle_distance_task,
                               segment_segment_distance_task,
+                              convex_meeting_task,
                               convex_distance_task,
                               vertex_face_motion_task,
                               edge_edge_motion_task,

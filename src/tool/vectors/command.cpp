@@ -13,6 +13,7 @@
 #include "tool/manual/meanings.hpp"
 #include "tool/terminal/terminal.hpp"
 #include "tool/trial/measure.hpp"
+#include "tool/vectors/sized_cases.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -58,6 +59,7 @@ constexpr std::array layouts{
     Layout{"smallest-ball", "5 points: x y z each", Form::number},
     Layout{"point-triangle-distance", "the point, corners of the triangle: x y z each", Form::number},
     Layout{"segment-segment-distance", "ends of either segment: x y z each", Form::number},
+    Layout{"convex-convex", "8 points of one set, 8 of the other: x y z each", Form::yes_no},
     Layout{"convex-distance", "4 points of one set, 4 of the other: x y z each", Form::number},
 };
 
@@ -225,6 +227,7 @@ std::string file_of(const Task& task, const Layout& layout, std::uint64_t seed) 
 std::vector<std::string> file_names() {
   std::vector<std::string> names;
   for (const Layout& layout : layouts) names.push_back(fmt::format("{}.txt", layout.task));
+  for (const SizedTask& task : sized_tasks()) names.push_back(sized_name(task) + ".txt");
   return names;
 }
 
@@ -243,6 +246,7 @@ std::vector<NamedText> vector_files(std::uint64_t seed, std::string_view only) {
     const auto layout = std::ranges::find(layouts, task.name, &Layout::task);
     if (layout != layouts.end()) files.push_back({task.name + ".txt", file_of(task, *layout, seed)});
   }
+  if (only.empty()) std::ranges::move(sized_files(seed), std::back_inserter(files));
   return files;
 }
 

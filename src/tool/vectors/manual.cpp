@@ -16,6 +16,9 @@ double, absolute and relative, as `plumb chart --help` explains them.
 Lines that begin with '#' are no cases; the first ones say what is
 asked, what the numbers are, and how many cases each way gets wrong.
 
+Files named of-any-size hold questions of any number of points or
+triangles, each behind its count, and mark no ways.
+
 Answers are computed in rational numbers. Of each class there are its
 first cases, the first of each answer, and the first that each way gets
 wrong, as far as there are any. The files depend on the seed alone.)"}},

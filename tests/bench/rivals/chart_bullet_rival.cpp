@@ -1,5 +1,7 @@
 #include <LinearMath/btConvexHullComputer.h>
 
+#include <cmath>
+
 #include "bench/rivals/bullet_calls.hpp"
 #include "bench/rivals/chart_rival.hpp"
 
@@ -62,6 +64,15 @@ void add_bullet(Rivals& all) {
         return Clouds{Cloud(&q[0], 4), Cloud(&q[12], 4)};
       },
       [](const Clouds& q) { return gap(q.first.shape(), q.second.shape()); });
+  join<48>(
+      all, "convex-convex", "bullet", "Bullet's btGjkPairDetector, clouds of eight points, no margin",
+      [](const std::array<double, 48>& q) {
+        return Clouds{Cloud(&q[0], 8), Cloud(&q[24], 8)};
+      },
+      [](const Clouds& q) {
+        const double apart = gap(q.first.shape(), q.second.shape());
+        return std::isnan(apart) ? tool::trial::unsure : tool::trial::as_answer(apart <= 0);
+      });
   join<36>(all, "hull-3d", "bullet", "Bullet's btConvexHullComputer", [](const std::array<double, 36>& q) {
     btConvexHullComputer hull;
     hull.compute(q.data(), 3 * sizeof(double), 12, 0, 0);

@@ -22,6 +22,8 @@ void add_ccd(Rivals& all) {
   add_pair<18>(all, "triangle-triangle", "libccd-gjk", gjk, ccdGJKIntersect, [](const std::array<double, 18>& q) {
     return std::pair{corners<3>(&q[0]), corners<3>(&q[9])};
   });
+  const auto hulls = [](const std::array<double, 48>& q) { return std::pair{corners<8>(&q[0]), corners<8>(&q[24])}; };
+  add_pair<48>(all, "convex-convex", "libccd-gjk", gjk, ccdGJKIntersect, hulls);
   // Not of segments and triangles: of sets without a volume it may never come back.
   const auto boxes = [](const std::array<double, 30>& q) { return std::pair{box(&q[0]), box(&q[15])}; };
   add_pair<30>(all, "obb-obb", "libccd-gjk", gjk, ccdGJKIntersect, boxes);
