@@ -69,6 +69,7 @@ Experiment sweep_experiment();
 Experiment location_experiment();
 Experiment leak_experiment();
 Experiment box_experiment();
+Experiment convex_experiment();
 Experiment move_experiment();
 Experiment pose_experiment();
 Experiment distance_experiment();
