@@ -34,9 +34,9 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
      {"body", "closest", "convex", "overlap", "ray", "section", "separation", "lp", "certificate", "gjk",
       "polytope_hierarchy", "vclip", "penetration", "time_of_impact", "kinds"}},
     {"space", {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence"}},
-    {"tool", {"terminal", "drawing",  "mesh",    "trial", "manual",    "bounds",  "bvh",       "check",      "chart",
-              "convert",  "distance", "doctor",  "fuzz",  "help",      "inside",  "intersect", "placements", "plan",
-              "proof",    "ray",      "section", "sign",  "stability", "vectors", "program"}},
+    {"tool", {"terminal", "drawing", "mesh",     "trial",   "manual", "bounds",    "bvh",     "check",     "chart",
+              "convert",  "convex",  "distance", "doctor",  "fuzz",   "help",      "inside",  "intersect", "placements",
+              "plan",     "proof",   "ray",      "section", "sign",   "stability", "vectors", "program"}},
 };
 
 /// The most source files in one folder; data may be more.

@@ -38,6 +38,7 @@ Command bvh_command(CLI::App& program);
 Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals);
 Command check_command(CLI::App& program);
 Command convert_command(CLI::App& program);
+Command convex_command(CLI::App& program);
 Command distance_command(CLI::App& program);
 Command doctor_command(CLI::App& program);
 Command completion_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);

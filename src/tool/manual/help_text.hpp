@@ -25,6 +25,7 @@ Manual chart_manual();
 Manual check_manual();
 Manual completion_manual();
 Manual convert_manual();
+Manual convex_manual();
 Manual distance_manual();
 Manual fuzz_manual();
 Manual help_manual();

@@ -136,6 +136,7 @@ class Program {
                                           bvh_command(app_),
                                           intersect_command(app_),
                                           distance_command(app_),
+                                          convex_command(app_),
                                           inside_command(app_),
                                           section_command(app_),
                                           convert_command(app_),
