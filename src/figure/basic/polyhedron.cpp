@@ -135,16 +135,14 @@ std::string flaw_of_vertex(const ConvexPolyhedron3& p, std::size_t v, std::span<
   for (const std::uint32_t w : listed) {
     if (has(wanted, w)) continue;
     const std::string names = std::string(vertex).append(with(" has the neighbor ", w));
-    if (has(p.neighbors_of(w), v)) return std::string(names).append(", but no edge of the mesh joins them");
+    if (has(p.neighbors_of(w), v)) return std::string(names).append(", which it has not in the mesh");
     return std::string(names)
         .append(with(", but not the other way round: vertex ", w))
         .append(with(" has not the neighbor ", v));
   }
   for (const std::uint32_t w : wanted) {
     if (!has(listed, w))
-      return std::string(vertex)
-          .append(with(" lacks the neighbor ", w))
-          .append(", though an edge of the mesh joins them");
+      return std::string(vertex).append(with(" lacks the neighbor ", w)).append(", which it has in the mesh");
   }
   if (std::ranges::equal(listed, wanted)) return {};
   return std::string("the neighbors of ").append(vertex).append(" are not each named once, in ascending order");

@@ -13,7 +13,7 @@ namespace plumb::query {
 namespace {
 
 /// The same way in integers without a common factor.
-ProofDirection direction_in_integers(const Exact3& n) {
+ExactVector3 direction_in_integers(const Exact3& n) {
   mpz_class denominators = 1, factors = 0;
   for (const mpq_class& x : n) denominators = lcm(denominators, x.get_den());
   std::array<mpz_class, 3> whole;
@@ -26,7 +26,7 @@ ProofDirection direction_in_integers(const Exact3& n) {
 }
 
 /// Nearly the same way in doubles: a guess.
-ProofDirection direction_in_doubles(const ProofDirection& n) {
+ExactVector3 direction_in_doubles(const ExactVector3& n) {
   const auto bits = [](const Rational& x) { return static_cast<long>(mpz_sizeinbase(number(x).get_num_mpz_t(), 2)); };
   const long most = std::max({bits(n.x), bits(n.y), bits(n.z)});
   const auto rounded = [most](const Rational& x) {
@@ -38,12 +38,12 @@ ProofDirection direction_in_doubles(const ProofDirection& n) {
 }
 
 /// From a to b, of cores whose difference has this point nearest to the origin.
-ProofDirection direction_of(const NearestDifference& nearest) {
+ExactVector3 direction_of(const NearestDifference& nearest) {
   return direction_in_integers(mpq_class(-1) * nearest.at);
 }
 
 /// Do doubles prove that the direction leaves a gap of more than the radii?
-bool leaves_gap(const ProofDirection& n, const Body& a, const Body& b, const mpq_class& radii) {
+bool leaves_gap(const ExactVector3& n, const Body& a, const Body& b, const mpq_class& radii) {
   const arith::Vec<Running> way{Running(n.x.rounded()), Running(n.y.rounded()), Running(n.z.rounded())};
   double end = -HUGE_VAL, begin = HUGE_VAL;
   for (std::size_t i = 0; i < a.corners.size(); ++i) end = std::max(end, dot(way, a.corners.at<Running>(i)).upper());
@@ -56,7 +56,7 @@ bool leaves_gap(const ProofDirection& n, const Body& a, const Body& b, const mpq
 }
 
 Certificate disjoint(const Body& a, const Body& b, const NearestDifference& nearest) {
-  const ProofDirection exact = direction_of(nearest), rounded = direction_in_doubles(exact);
+  const ExactVector3 exact = direction_of(nearest), rounded = direction_in_doubles(exact);
   return {Claim::disjoint, leaves_gap(rounded, a, b, a.radius + b.radius) ? rounded : exact, {}};
 }
 

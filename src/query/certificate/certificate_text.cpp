@@ -210,7 +210,7 @@ Proof evidence_at(const Place& at, Proof proof) {
   if (at.has("direction")) {
     const Place n = at["direction"];
     n.require_size(3);
-    proof.direction = ProofDirection{n.item(0).exact(), n.item(1).exact(), n.item(2).exact()};
+    proof.direction = ExactVector3{n.item(0).exact(), n.item(1).exact(), n.item(2).exact()};
   }
   const Place pairs = at["pairs"];
   for (std::size_t i = 0; i < pairs.size(); ++i)

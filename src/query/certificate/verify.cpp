@@ -100,7 +100,7 @@ std::string flaw_of_intersecting(const Exact& d, const mpq_class& reach) {
   return square(d) <= reach ? "" : "the points of the pairs are farther apart than the radii reach";
 }
 
-Exact exact(const ProofDirection& n) { return {number(n.x), number(n.y), number(n.z)}; }
+Exact exact(const ExactVector3& n) { return {number(n.x), number(n.y), number(n.z)}; }
 
 }  // namespace
 

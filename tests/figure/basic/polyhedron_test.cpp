@@ -473,11 +473,11 @@ TEST(CheckPolyhedron, NamesWhatIsWrong) {
   EXPECT_EQ(refused([](auto& p) { p.neighbors[0] = 6; }),
             "asked: vertex 0 has the neighbor 6, but not the other way round: vertex 6 has not the neighbor 0" + by);
   EXPECT_EQ(refused([](auto& p) { p.neighbors[0] = 3; }),
-            "asked: vertex 0 lacks the neighbor 1, though an edge of the mesh joins them" + by);
+            "asked: vertex 0 lacks the neighbor 1, which it has in the mesh" + by);
   EXPECT_EQ(refused([](auto& p) { std::swap(p.neighbors[0], p.neighbors[1]); }),
             "asked: the neighbors of vertex 0 are not each named once, in ascending order" + by);
   const auto other_edge = [](auto& p) { p.neighbors[1] = 6, p.neighbors[p.first_neighbor[6] + 1] = 0; };
-  EXPECT_EQ(refused(other_edge), "asked: vertex 0 has the neighbor 6, but no edge of the mesh joins them" + by);
+  EXPECT_EQ(refused(other_edge), "asked: vertex 0 has the neighbor 6, which it has not in the mesh" + by);
   const PolygonMesh dent = prism({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}});
   EXPECT_NE(
       refused([&](auto& p) { p.mesh = dent; }).find("asked: the ridge between face 2 and face 3, the edge from vertex"),

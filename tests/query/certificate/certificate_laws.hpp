@@ -99,7 +99,7 @@ class Judge {
  private:
   /// From a to b, the step of each pair along n.
   template <class Holds>
-  [[nodiscard]] bool every_step(const ProofDirection& n, Holds holds) const {
+  [[nodiscard]] bool every_step(const ExactVector3& n, Holds holds) const {
     const Exact3 way{mpq(n.x), mpq(n.y), mpq(n.z)};
     const mpq_class length = dot(way, way);
     return std::ranges::all_of(differences_, [&](const Exact3& d) {
@@ -107,12 +107,12 @@ class Judge {
       return holds(step, length);
     });
   }
-  [[nodiscard]] bool all_farther(const ProofDirection& n, const mpq_class& most) const {
+  [[nodiscard]] bool all_farther(const ExactVector3& n, const mpq_class& most) const {
     return every_step(
         n, [&](const mpq_class& step, const mpq_class& length) { return step > 0 && step * step > most * length; });
   }
   /// No pair is nearer along n, some is not farther, and of bodies that meet some is.
-  [[nodiscard]] bool is_wall(const ProofDirection& n, const mpq_class& square) const {
+  [[nodiscard]] bool is_wall(const ExactVector3& n, const mpq_class& square) const {
     bool as_near = false, farther = false;
     const bool none_nearer = every_step(n, [&](const mpq_class& step, const mpq_class& length) {
       const int order = cmp(mpq_class(step * step), mpq_class(square * length));

@@ -59,15 +59,15 @@ class MutantsOf {
 
   void directions() {
     if (!proof_.direction) {
-      add("a direction", [](Proof& p) { p.direction = ProofDirection{1, 0, 0}; });
+      add("a direction", [](Proof& p) { p.direction = ExactVector3{1, 0, 0}; });
       return;
     }
-    const ProofDirection n = *proof_.direction;
+    const ExactVector3 n = *proof_.direction;
     add("no direction", [](Proof& p) { p.direction.reset(); });
-    add("direction zero", [](Proof& p) { p.direction = ProofDirection{0, 0, 0}; });
-    add("direction turned", [&](Proof& p) { p.direction = ProofDirection{-n.x, -n.y, -n.z}; });
+    add("direction zero", [](Proof& p) { p.direction = ExactVector3{0, 0, 0}; });
+    add("direction turned", [&](Proof& p) { p.direction = ExactVector3{-n.x, -n.y, -n.z}; });
     const Rational third(1, 3);
-    add("direction shorter", [&](Proof& p) { p.direction = ProofDirection{n.x * third, n.y * third, n.z * third}; });
+    add("direction shorter", [&](Proof& p) { p.direction = ExactVector3{n.x * third, n.y * third, n.z * third}; });
     for (const Rational& x : nudged(n.x)) add("direction.x", [&](Proof& p) { p.direction->x = x; });
     for (const Rational& y : nudged(n.y)) add("direction.y", [&](Proof& p) { p.direction->y = y; });
     for (const Rational& z : nudged(n.z)) add("direction.z", [&](Proof& p) { p.direction->z = z; });

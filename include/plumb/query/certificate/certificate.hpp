@@ -39,6 +39,7 @@
 #include <vector>
 
 #include "plumb/arith/exact_distance.hpp"
+#include "plumb/arith/exact_vector.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/query/separation/convex_body.hpp"
 
@@ -54,12 +55,6 @@ constexpr std::string_view name_of(Claim c) {
                                    : "intersecting";
 }
 
-/// From a to b.
-struct ProofDirection {
-  Rational x, y, z;
-  friend bool operator==(const ProofDirection&, const ProofDirection&) = default;
-};
-
 /// A vertex of a and one of b, by their numbers.
 struct WeightedPair {
   std::uint32_t of_a, of_b;
@@ -69,16 +64,16 @@ struct WeightedPair {
 
 struct Certificate {
   Claim claim = Claim::disjoint;
-  std::optional<ProofDirection> direction;  // of what is disjoint or touches
-  std::vector<WeightedPair> pairs;          // of what meets
+  std::optional<ExactVector3> direction;  // of what is disjoint or touches
+  std::vector<WeightedPair> pairs;        // of what meets
   friend bool operator==(const Certificate&, const Certificate&) = default;
 };
 
 /// The points of the cores that the pairs are, each the sum of its vertices by the weights, are nearest to one another.
 struct DistanceCertificate {
-  double distance = 0;                      // rounded once
-  ExactDistance exact;                      // the square is that of the cores, the inset both radii together
-  std::optional<ProofDirection> direction;  // where the cores do not meet
+  double distance = 0;                    // rounded once
+  ExactDistance exact;                    // the square is that of the cores, the inset both radii together
+  std::optional<ExactVector3> direction;  // where the cores do not meet
   std::vector<WeightedPair> pairs;
 };
 

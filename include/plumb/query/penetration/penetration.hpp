@@ -27,7 +27,7 @@
 
 #include <optional>
 
-#include "plumb/arith/rational.hpp"
+#include "plumb/arith/exact_vector.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 #include "plumb/query/separation/convex_body.hpp"
 
@@ -41,11 +41,6 @@ struct Penetration {
   Feature feature_a, feature_b;
   bool is_unique;
   friend bool operator==(const Penetration&, const Penetration&) = default;
-};
-
-struct ExactVector3 {
-  Rational x, y, z;
-  friend bool operator==(const ExactVector3&, const ExactVector3&) = default;
 };
 
 struct ExactPenetration {

@@ -18,17 +18,13 @@
 #include <variant>
 #include <vector>
 
+#include "plumb/arith/exact_vector.hpp"
 #include "plumb/certify/exact_point.hpp"
 #include "plumb/figure/basic/plane.hpp"
 
 namespace plumb {
 
 using AnyPlane3 = std::variant<Plane3, ThreePointPlane3>;
-
-struct ExactVector3 {
-  Rational x, y, z;
-  friend bool operator==(const ExactVector3&, const ExactVector3&) = default;
-};
 
 /// The nearest doubles; throws BeyondDoubles where there are none.
 Vector3 approximate(const ExactVector3& a);
