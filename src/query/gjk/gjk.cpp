@@ -7,6 +7,7 @@
 #include "query/gjk/body_pair.hpp"
 #include "query/gjk/origin.hpp"
 #include "query/gjk/quick_meeting.hpp"
+#include "query/separation/guessed_corners.hpp"
 
 namespace plumb::query {
 namespace {
@@ -53,19 +54,49 @@ struct Found {
   std::uint32_t steps = 0;
 };
 
+/// Seen from near to it.
+class NearHull {
+ public:
+  NearHull(const QuickHull& hull, const arith::Plain& origin, std::uint32_t last)
+      : hull_(hull), origin_(origin), last_(last) {}
+  [[nodiscard]] arith::Plain at(std::uint32_t i) const { return hull_.at(i) - origin_; }
+  std::uint32_t least(const arith::Plain& n) { return last_ = hull_.farthest(n * -1, last_); }
+
+ private:
+  const QuickHull& hull_;
+  arith::Plain origin_;
+  std::uint32_t last_;
+};
+
+/// Of hulls without a radius by what QuickHull tells, else by corners.
+DifferenceCorners guessed_at_once(const SeenBody& a, const SeenBody& b, bool is_known, DifferenceCorners from,
+                                  std::uint32_t& steps) {
+  QuickHull p, q;
+  if (!p.set(a.view) || !q.set(b.view)) return guessed_nearest(a.corners, b.corners, from, steps);
+  if (!is_known) {
+    const arith::Plain way = p.middle() - q.middle();
+    from.ends[0] = {p.farthest(way * -1, 0), q.farthest(way, 0)};
+  }
+  const auto [first_a, first_b] = from.ends[0];
+  const arith::Plain origin = p.at(first_a);
+  NearHull near_p(p, origin, first_a), near_q(q, origin, first_b);
+  return guessed_between(near_p, near_q, from, steps);
+}
+
 /// As far as doubles prove it.
-std::optional<Found> quickly_found(const CoreCorners& a, const CoreCorners& b, const GjkOptions& options) {
+std::optional<Found> quickly_found(const SeenBody& a, const SeenBody& b, const GjkOptions& options) {
   Found f;
-  DifferenceCorners guess = start_of(options.cache, a, b);
-  if (options.cache != nullptr && options.cache->simplex.size != 0) {
+  DifferenceCorners guess = start_of(options.cache, a.corners, b.corners);
+  const bool is_known = options.cache != nullptr && options.cache->simplex.size != 0;
+  if (is_known) {
     ++f.steps;
-    if (const auto j = judged<Running>(a, b, guess); j && j->holds) {
+    if (const auto j = judged<Running>(a.corners, b.corners, guess); j && j->holds) {
       f.proved = j->proved;
       return f;
     }
   }
-  guess = guessed_nearest(a, b, guess, f.steps);
-  const auto j = judged<Running>(a, b, guess);
+  guess = guessed_at_once(a, b, is_known, guess, f.steps);
+  const auto j = judged<Running>(a.corners, b.corners, guess);
   if (!j || !j->holds) return {};
   f.proved = j->proved;
   return f;
@@ -171,7 +202,7 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
 double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   const auto p = corners_at_once(a), q = corners_at_once(b);
   if (options.history == nullptr && p && q) {
-    if (const auto f = quickly_found(*p, *q, options)) {
+    if (const auto f = quickly_found({a, *p}, {b, *q}, options)) {
       remember(options, *p, *q, f->proved);
       const QuickPair quick(*p, *q, radius_at_once(a), radius_at_once(b), f->proved);
       if (const auto d = quick.distance()) return *d;
@@ -186,7 +217,7 @@ double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& opti
 GjkAnswer gjk_answer(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   const auto p = corners_at_once(a), q = corners_at_once(b);
   if (options.history == nullptr && p && q) {
-    const auto f = quickly_found(*p, *q, options);
+    const auto f = quickly_found({a, *p}, {b, *q}, options);
     if (f && !f->proved.meets) {
       const QuickPair quick(*p, *q, radius_at_once(a), radius_at_once(b), f->proved);
       if (const auto c = closest_at_once(quick, {a, *p}, {b, *q}, f->proved)) {

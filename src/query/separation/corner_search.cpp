@@ -1,13 +1,12 @@
 // A guess in doubles, which holds no bound.
 #include "query/separation/corner_search.hpp"
 
-#include "figure/support/gjk_simplex.hpp"
+#include "query/separation/guessed_corners.hpp"
 
 namespace plumb::query {
 namespace {
 
 using arith::Plain;
-using Ends = DifferenceCorners::Ends;
 
 /// A figure in doubles, seen from near to it.
 class PlainHull {
@@ -58,8 +57,6 @@ class PlainHull {
   std::uint32_t last_;
 };
 
-using EndsSimplex = figure::gjk::Simplex<Ends>;
-
 }  // namespace
 
 DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
@@ -71,43 +68,10 @@ DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b) {
 
 DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& from,
                                   std::uint32_t& rounds) {
-  constexpr int most_rounds = 48;
-  constexpr double nearer_by = 1 - 0x1p-40;  // a guess: what is level but for roundings is no corner more
   const auto [first_a, first_b] = from.ends[0];
   const Plain origin = a.at<double>(first_a);
   PlainHull p(a, origin, first_a), q(b, origin, first_b);
-  EndsSimplex simplex({from.ends[0], p.at(first_a) - q.at(first_b)});
-  for (std::size_t i = 1; i < from.size && !simplex.is_full(); ++i) {
-    simplex.add({from.ends[i], p.at(from.ends[i][0]) - q.at(from.ends[i][1])});
-  }
-  double square = arith::dot(simplex.nearest(), simplex.nearest());
-  EndsSimplex last = simplex;
-  for (int round = 0; round < most_rounds; ++round) {
-    ++rounds;
-    if (simplex.is_full()) break;
-    const Plain x = simplex.nearest();
-    const Ends ends{p.least(x), q.least(x * -1)};
-    const Plain w = p.at(ends[0]) - q.at(ends[1]);
-    const bool is_new =
-        std::ranges::find(simplex.corners(), ends, &EndsSimplex::Corner::ends) == simplex.corners().end();
-    if (!is_new || !(arith::dot(x, w) < square * nearer_by)) break;
-    last = simplex;
-    simplex.add({ends, w});
-    if (simplex.is_full()) continue;
-    const Plain next = simplex.nearest();
-    const double nearer = arith::dot(next, next);
-    if (!(nearer < square)) {
-      simplex = last;
-      break;
-    }
-    square = nearer;
-  }
-  DifferenceCorners corners;
-  for (const auto& c : simplex.corners()) {
-    if (c.weight > 0) corners.add(c.ends);
-  }
-  if (corners.size == 0) corners.add({0, 0});
-  return corners;
+  return guessed_between(p, q, from, rounds);
 }
 
 }  // namespace plumb::query

@@ -111,7 +111,8 @@ TEST(Gjk, IsAsTheExactSetsAre) {
   std::uint64_t start = 31'000;
   for (const Make& first : makers()) {
     for (const Make& second : makers()) {
-      shape_cases::on_shapes(start++, battery::sanitized ? 1 : 2, [&](Material& m) {
+      if (++start % 2 == 0 && battery::sanitized) continue;
+      shape_cases::on_shapes(start, battery::sanitized ? 1 : 2, [&](Material& m) {
         const AnyBody a = first(m), b = second(m);
         expect_answer(a, b, m, seen, name_of(a.view) + " and " + name_of(b.view) + " " + m.about());
       });
@@ -128,7 +129,7 @@ TEST(Gjk, IsAsTheExactImagesAreUnderPoses) {
   std::uint64_t start = 32'000;
   for (const Make& first : makers()) {
     for (const Make& second : makers()) {
-      if (start++ % 2 == 0) continue;
+      if (start++ % (battery::sanitized ? 8 : 2) != 0) continue;
       shape_cases::on_shapes(start, 1, [&](Material& m) {
         AnyBody a = first(m), b = second(m);
         a = under(a, m.below(2) == 0 ? pair_cases::whole_pose(m) : pair_cases::regular_pose(m));
@@ -139,7 +140,7 @@ TEST(Gjk, IsAsTheExactImagesAreUnderPoses) {
   }
   std::printf("%d cases, %d meet, %d touch, %d are none\n", seen.cases, seen.meet, seen.touch, seen.none);
   EXPECT_GT(seen.meet * 10, seen.cases);
-  EXPECT_GT(seen.cases, 30);
+  EXPECT_GT(seen.cases, battery::sanitized ? 5 : 30);
 }
 
 TEST(Gjk, RefusesWhatIsNoBody) {
