@@ -1,8 +1,8 @@
-// How long does the penetration of two convex bodies take?  Ours, exact, and the expanding polytopes of FCL and Bullet in
-// doubles, with how many of their answers are wrong: off by more than a millionth, or none.
+// How long does the penetration of two convex bodies take?  Ours, exact, and the expanding polytopes of FCL and Bullet
+// in doubles, with how many of their answers are wrong: off by more than a millionth, or none.
 //
-// Classes: hulls of 8, 32 and 128 vertices and oriented boxes, all of which overlap: anywhere, deep in one another, barely; and boxes
-// that are aligned.
+// Classes: hulls of 8, 32 and 128 vertices and oriented boxes, all of which overlap: anywhere, deep in one another,
+// barely; and boxes that are aligned.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

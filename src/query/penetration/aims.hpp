@@ -1,8 +1,8 @@
-// Which ways out does a translation of a given direction have, or one within a cone?  Aims for the search of the nearest
-// plane.
+// Which ways out does a translation of a given direction have, or one within a cone?  Aims for the search of the
+// nearest plane.
 //
-// A plane n . x = h, h > 0, is left by the translations t with -n . t >= h.  Of those in a cone the shortest leads along
-// the point of the cone that is nearest to -n, which is a sum of up to three of the cone's directions.
+// A plane n . x = h, h > 0, is left by the translations t with -n . t >= h.  Of those in a cone the shortest leads
+// along the point of the cone that is nearest to -n, which is a sum of up to three of the cone's directions.
 // Laws: signs are exact.  Of several such sums the one of the fewest directions is taken, then of the first.
 // Source: RTCD 9.3.8; Moreau 1962 (the projection on a cone).
 // Cost: of a direction one sign a facet; of a cone of n some n^3.
@@ -45,7 +45,8 @@ struct ConePart {
   std::uint32_t size = 0;
 };
 
-/// The point of the span of a part that is nearest to v: the sum of the directions times weight / whole, whole above zero.
+/// The point of the span of a part that is nearest to v: the sum of the directions times weight / whole, whole above
+/// zero.
 template <class T>
 struct InPart {
   std::array<Vec<T>, 3> direction;

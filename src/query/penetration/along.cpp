@@ -28,12 +28,6 @@ void require_directions(const std::string& function, std::span<const Vector3> al
   }
 }
 
-/// A shortest translation, and the way of penetration through the plane that it ends at.
-struct Move {
-  Exact by;
-  Way through;
-};
-
 PlaneOf<mpq_class> exact_plane(const Difference& d, const std::array<Ends, 3>& facet) {
   return {d.at<mpq_class>(facet[0]), d.at<mpq_class>(facet[1]), d.at<mpq_class>(facet[2])};
 }

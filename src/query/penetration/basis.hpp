@@ -1,7 +1,7 @@
 // Affine basis: how many dimensions has the difference of two bodies, and which of its points span it?
 //
-// Laws: 1 to 4 points, which are affinely independent, exactly; every difference of corners is in their affine hull.  Those
-// that are named are taken before others.
+// Laws: 1 to 4 points, which are affinely independent, exactly; every difference of corners is in their affine hull.
+// Those that are named are taken before others.
 // Cost: a few signs a corner, until there are four.
 #pragma once
 

@@ -1,8 +1,8 @@
-// Minkowski difference: on which side of a plane through three of its points is a fourth?  Points that are a corner of one
-// body less a corner of the other, and signs of what is computed of them.
+// Minkowski difference: on which side of a plane through three of its points is a fourth?  Points that are a corner of
+// one body less a corner of the other, and signs of what is computed of them.
 //
-// Laws: a sign is that of real arithmetic: doubles with running errors are asked first, then integers of a thousand bits,
-// then integers of any length.
+// Laws: a sign is that of real arithmetic: doubles with running errors are asked first, then integers of a thousand
+// bits, then integers of any length.
 // Source: RTCD 3.11, 9.5; docs/proof.md.
 // Cost: 10 to 20 ns where doubles decide, about a microsecond where integers do.
 #pragma once

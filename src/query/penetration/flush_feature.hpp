@@ -1,8 +1,8 @@
 // Contact features: which vertex, edge or face of a body lies in a plane that touches it?
 //
-// Laws: of the dimension of what of the body lies in the plane, the feature of the lowest number that lies wholly in it,
-// numbered as figure/containment/voronoi_region.hpp does, of round bodies as its surface; of a hull by its vertices alone
-// the edge or face of the lowest vertex.
+// Laws: of the dimension of what of the body lies in the plane, the feature of the lowest number that lies wholly in
+// it, numbered as figure/containment/voronoi_region.hpp does, of round bodies as its surface; of a hull by its vertices
+// alone the edge or face of the lowest vertex.
 // Source: RTCD 9.5.3, 3.10.
 // Cost: comparisons; a few signs where several corners lie in the plane.
 #pragma once

@@ -10,8 +10,8 @@ namespace {
 
 using namespace parting;  // NOLINT: all of it is of this question
 
-/// What is told of a parting: numbers are of a way v, the squared length w of it, and how far along it the cores' planes
-/// overlap, times its length: h, below zero where they are apart.
+/// What is told of a parting: numbers are of a way v, the squared length w of it, and how far along it the cores'
+/// planes overlap, times its length: h, below zero where they are apart.
 template <class T>
 struct Lengths {
   Vec<T> way;

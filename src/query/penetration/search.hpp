@@ -1,14 +1,14 @@
 // Expanding polytope algorithm (EPA): which planes around a difference of two bodies are nearest to the origin, for
 // certain?
 //
-// A surface between points of the difference grows beyond its facet nearest to the origin until that one has no point of
-// the difference before it.  What is within the surface is within the difference, and so no way out is shorter than that
-// to the surface's nearest facet; a facet without a point before it is a way out.  How near a facet is says an aim: every
-// way, along one direction, or within a cone of them.
+// A surface between points of the difference grows beyond its facet nearest to the origin until that one has no point
+// of the difference before it.  What is within the surface is within the difference, and so no way out is shorter than
+// that to the surface's nearest facet; a facet without a point before it is a way out.  How near a facet is says an
+// aim: every way, along one direction, or within a cone of them.
 // Laws: (1) the surface is convex, by exact signs, and a facet counts as nearest only where it is compared exactly with
-// all others; which facet is looked at next is a guess.  (2) It ends: each step finds a facet without points before it, or a
-// point of finitely many that lies outside of the surface so far.  (3) Of an origin inside of the difference all nearest
-// planes are told; of one on its boundary all facets through it; of one outside nothing.
+// all others; which facet is looked at next is a guess.  (2) It ends: each step finds a facet without points before it,
+// or a point of finitely many that lies outside of the surface so far.  (3) Of an origin inside of the difference all
+// nearest planes are told; of one on its boundary all facets through it; of one outside nothing.
 // Source: van den Bergen 2001; RTCD 9.3.8.
 // Cost: some 300 ns a step; 8 to 40 steps for bodies of 8 to 128 corners.
 #pragma once

@@ -2,10 +2,10 @@
 // other.  Beneath-beyond, in exact signs.
 //
 // Laws: the triangles are the boundary of the hull of the points taken; each is counterclockwise seen from outside, and
-// knows the three beyond its edges; neighbors may lie in one plane.  A triangle that is no longer there keeps its number
-// until another takes it.
-// Source: van den Bergen 2001, "Proximity queries and penetration depth computation on 3D game objects"; RTCD 9.5; Seidel
-// 1981 (beneath-beyond).
+// knows the three beyond its edges; neighbors may lie in one plane.  A triangle that is no longer there keeps its
+// number until another takes it.
+// Source: van den Bergen 2001, "Proximity queries and penetration depth computation on 3D game objects"; RTCD 9.5;
+// Seidel 1981 (beneath-beyond).
 // Cost: a sign for each triangle that a point sees and each beside them; 4 KiB of the stack, and what outgrows it.
 #pragma once
 

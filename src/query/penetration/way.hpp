@@ -1,9 +1,9 @@
-// Which way does a body move, to be parted from another?  A direction said by a few points of their difference, over any number
-// type.
+// Which way does a body move, to be parted from another?  A direction said by a few points of their difference, over
+// any number type.
 //
 // Laws: of three points it is the normal of their plane, turned round: they are counterclockwise seen from where the
-// difference is not.  Of one or two it leads from the origin to the nearest point of their affine hull.  A flat difference
-// has ways at right angles to it.
+// difference is not.  Of one or two it leads from the origin to the nearest point of their affine hull.  A flat
+// difference has ways at right angles to it.
 // Source: RTCD 9.3.8.
 // Cost: some 10 to 30 operations.
 #pragma once

@@ -1,5 +1,5 @@
-// Penetration of bodies in every position to one another, of hulls by their vertices, of small ones in large ones, under poses; what
-// is told of them by the numbers, and what is no body.
+// Penetration of bodies in every position to one another, of hulls by their vertices, of small ones in large ones,
+// under poses; what is told of them by the numbers, and what is no body.
 #include <gmock/gmock.h>
 
 #include <cstdio>

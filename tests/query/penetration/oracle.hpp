@@ -1,5 +1,5 @@
-// What is the least translation that parts two bodies?  Brute force from the definition, in integers: of all planes through
-// three points of the difference those that have the whole of it on one side.
+// What is the least translation that parts two bodies?  Brute force from the definition, in integers: of all planes
+// through three points of the difference those that have the whole of it on one side.
 //
 // Laws: written from the header's laws, independent of the search.  It asks every triple of differences of corners.
 // Cost: some ms for bodies of four corners, a tenth of a second for two boxes.

@@ -1,5 +1,5 @@
-// Is this the answer?  What was told of a penetration against what brute force expects: a text that says what is wrong, or
-// nothing.
+// Is this the answer?  What was told of a penetration against what brute force expects: a text that says what is wrong,
+// or nothing.
 //
 // Laws: numbers are compared with bounds of the exact ones of 2,000 bits; features with the point in the middle of the
 // corners that lie in the plane.
@@ -104,8 +104,8 @@ inline std::uint32_t first_face(const PolygonMesh& m, const Round& r, const Exac
   return face;
 }
 
-/// `checked` counts those that a point in the middle tells apart: where no vertex stands twice in the plane, and no edge of it
-/// is in two parts.
+/// `checked` counts those that a point in the middle tells apart: where no vertex stands twice in the plane, and no
+/// edge of it is in two parts.
 inline std::string fault_of_feature(const query::BodyView& body, const Round& r, const Exact3& out, const Feature& told,
                                     int& checked) {
   const std::vector<Exact3> level = level_corners(r, out);

@@ -1,22 +1,23 @@
-// Penetration by directions given: how far must a convex body move along a direction, one of several, or within a cone of them,
-// until it is parted from another?
+// Penetration by directions given: how far must a convex body move along a direction, one of several, or within a cone
+// of them, until it is parted from another?
 //
 //   penetration_along(a, b, up)                 the least t >= 0 for which a, moved by t * up, is parted from b
 //   penetration_along(a, b, directions)         along that of several whose translation is shortest
 //   penetration_within(a, b, cone)              by the shortest translation in the cone that the directions span
 //
-// Parted is what it is for penetration (query/penetration/penetration.hpp): a plane has one body on each side.  A game's floor
-// pushes upward, a machine's tool leaves along its axis: the least translation of all is often one that cannot be had.
-// Laws: (1) exact, then rounded once; `multiple` and `exact_translation` are not rounded.  (2) Bodies that are disjoint have
-// none; bodies that are parted as they stand, which touch or are flat in one plane, have depth zero.  (3) Of several
-// directions that are as short that one is told which comes first in the list; of several translations within a cone the first in
-// lexicographic order, and `is_unique` is false.  (4) A cone is all sums of its directions with weights that are not
-// negative: one direction spans a ray, two a sector, three or more a pyramid, six along the axes everything; a half-space by
-// four.  Every direction leads out in the end.  (5) The features are as in penetration: of
-// the plane that the translation ends at, of several such planes of the one through which penetration would rather leave; at
-// depth zero those of penetration.
-// Bodies without a radius: what is round leaves along curves whose ends are no rational numbers.
-// A direction of length zero, and none at all, throws InvalidShape, NaN and infinity NonFinite, by name.
+// Parted is what it is for penetration (query/penetration/penetration.hpp): a plane has one body on each side.  A
+// game's floor pushes upward, a machine's tool leaves along its axis: the least translation of all is often one that
+// cannot be had.
+// Laws: (1) exact, then rounded once; `multiple` and `exact_translation` are not rounded.  (2) Bodies that are disjoint
+// have none; bodies that are parted as they stand, which touch or are flat in one plane, have depth zero.  (3) Of
+// several directions that are as short that one is told which comes first in the list; of several translations within a
+// cone the first in lexicographic order, and `is_unique` is false.  (4) A cone is all sums of its directions with
+// weights that are not negative: one direction spans a ray, two a sector, three or more a pyramid, six along the axes
+// everything; a half-space by four.  Every direction leads out in the end.  (5) The features are as in penetration: of
+// the plane that the translation ends at, of several such planes of the one through which penetration would rather
+// leave; at depth zero those of penetration. Bodies without a radius: what is round leaves along curves whose ends are
+// no rational numbers. A direction of length zero, and none at all, throws InvalidShape, NaN and infinity NonFinite, by
+// name.
 // Source: RTCD 9.3.8, 9.5; van den Bergen 2001; Cameron 1997 for translational distances by directions.
 // Cost: that of exact_penetration, for each direction; of a cone of n directions n^3 signs a facet of the polytope.
 #pragma once

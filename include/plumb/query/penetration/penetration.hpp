@@ -1,26 +1,27 @@
-// Penetration depth: what is the least translation that parts two convex bodies, and which of their features touch after it?
+// Penetration depth: what is the least translation that parts two convex bodies, and which of their features touch
+// after it?
 //
 //   penetration(a, b)          if (const auto p = penetration(box, hull)) { p->depth; p->direction; p->feature_a; }
 //   exact_penetration(a, b)    the same without any rounding
 //
-// Two bodies are parted where a plane has one of them on each side; both may touch it, and each other.  So solids are parted
-// where their interiors do not meet, and what is left of them is touching; the depth of a triangle that crosses another, or is
-// within a solid, is above zero, for no plane has them on different sides; and flat bodies in one plane are parted as they
-// are: their depth is zero, along the plane's normal.
+// Two bodies are parted where a plane has one of them on each side; both may touch it, and each other.  So solids are
+// parted where their interiors do not meet, and what is left of them is touching; the depth of a triangle that crosses
+// another, or is within a solid, is above zero, for no plane has them on different sides; and flat bodies in one plane
+// are parted as they are: their depth is zero, along the plane's normal.
 // Laws: (1) `depth` is the least length of a translation of the first body after which the two are parted, `direction`
-// its direction, the first one moving: exact, then rounded once.  (2) Bodies that are disjoint have none: ask distance or
-// closest_points (query/separation/separation.hpp).  Bodies that touch have depth zero, and the direction of a plane between
-// them.  (3) Where several directions are as short, `is_unique` is false, and of the facets of the Minkowski
+// its direction, the first one moving: exact, then rounded once.  (2) Bodies that are disjoint have none: ask distance
+// or closest_points (query/separation/separation.hpp).  Bodies that touch have depth zero, and the direction of a plane
+// between them.  (3) Where several directions are as short, `is_unique` is false, and of the facets of the Minkowski
 // difference that are nearest that one is told whose unit direction comes first in lexicographic order; of bodies whose
-// difference is flat, of the directions at right angles to it.  (4) The features are what of each body lies in
-// the plane between them after the translation: the vertex, the edge or the face of the lowest number that is of the
-// dimension of what lies there, and wholly in the plane.  They are numbered as elsewhere (query/separation/convex_body.hpp);
-// of a hull by its vertices alone the edge or face has the number of its lowest vertex.  (5) Where the direction is unique,
-// penetration(b, a) is the same with the opposite direction; a translation of both changes nothing.  (6) Round bodies are their
-// cores and a radius: while the cores overlap, the depth is that of the cores and both radii, else the radii less the
-// distance of the cores.
-// NaN and infinity throw NonFinite, an empty body, a negative radius and a polygon that is not planar and convex
-// InvalidShape, a pose that makes no ball of a ball UnevenPose, by name.
+// difference is flat, of the directions at right angles to it.  (4) The features are what of each body lies in the
+// plane between them after the translation: the vertex, the edge or the face of the lowest number that is of the
+// dimension of what lies there, and wholly in the plane.  They are numbered as elsewhere
+// (query/separation/convex_body.hpp); of a hull by its vertices alone the edge or face has the number of its lowest
+// vertex.  (5) Where the direction is unique, penetration(b, a) is the same with the opposite direction; a translation
+// of both changes nothing.  (6) Round bodies are their cores and a radius: while the cores overlap, the depth is that
+// of the cores and both radii, else the radii less the distance of the cores. NaN and infinity throw NonFinite, an
+// empty body, a negative radius and a polygon that is not planar and convex InvalidShape, a pose that makes no ball of
+// a ball UnevenPose, by name.
 // Source: RTCD 9.3.8, 9.5; van den Bergen 2001 (EPA).
 // Cost: docs/measurements.md; the exact answer some microseconds more.
 #pragma once
