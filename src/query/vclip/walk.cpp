@@ -16,10 +16,10 @@ double guessed_square(const Plain& a, const Plain& b, const Plain& c, const Plai
   const Plain u = b - a, v = d - c, r = a - c;
   const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
   const double det = uu * vv - uv * uv;
-  const auto unit = [](double x) { return x > 0 ? std::min(x, 1.0) : 0.0; };
-  double s = det > 0 ? unit((uv * vr - ur * vv) / det) : 0;
-  const double t = vv > 0 ? unit((uv * s + vr) / vv) : 0;
-  s = uu > 0 ? unit((uv * t - ur) / uu) : 0;
+  const auto clamped = [](double x) { return x > 0 ? std::min(x, 1.0) : 0.0; };
+  double s = det > 0 ? clamped((uv * vr - ur * vv) / det) : 0;
+  const double t = vv > 0 ? clamped((uv * s + vr) / vv) : 0;
+  s = uu > 0 ? clamped((uv * t - ur) / uu) : 0;
   const Plain between = r + u * s - v * t;
   return dot(between, between);
 }
