@@ -2,6 +2,7 @@
 // bound.
 #include "query/vclip/walk.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "query/vclip/clipped_edge.hpp"
@@ -165,7 +166,10 @@ Outcome Walk::from_edge_and_face(std::size_t e) {
     return move(f, {FeatureKind::edge, *nearest.edge});
   }
   const Sign low = edge.height_at(edge.low(), face, false), high = edge.height_at(edge.high(), face, true);
-  if (low * high != Sign::positive) return Outcome::crosses;
+  if (low * high != Sign::positive) {
+    entry_ = edge.low();
+    return Outcome::crosses;
+  }
   if (edge.climb(face) * low != Sign::negative)  // it comes nearer toward its tail
     return edge.low() ? move(f, edge.low()->beyond) : move(e, {FeatureKind::vertex, tail});
   return edge.high() ? move(f, edge.high()->beyond) : move(e, {FeatureKind::vertex, head});
