@@ -23,9 +23,11 @@ class RegionWalk : MeshCorners {
     for (;;) {
       std::optional<Place> next;
       if (kind == FeatureKind::vertex) {
-        if (!(next = off_vertex(corner))) return {FeatureKind::vertex, mesh_.corners[corner]};
+        if (!(next = off_vertex(corner)))
+          return is_behind_vertex(corner) ? among_all() : Feature{FeatureKind::vertex, mesh_.corners[corner]};
       } else if (kind == FeatureKind::edge) {
-        if (!(next = off_edge(corner))) return {FeatureKind::edge, std::min(corner, twin(corner))};
+        if (!(next = off_edge(corner)))
+          return is_behind_edge(corner) ? among_all() : Feature{FeatureKind::edge, std::min(corner, twin(corner))};
       } else if (!(next = off_face(corner))) {
         const std::uint32_t face = face_of(corner);
         return is_behind(face) ? among_all() : Feature{FeatureKind::face, face};
@@ -52,6 +54,19 @@ class RegionWalk : MeshCorners {
   [[nodiscard]] bool is_behind(std::uint32_t face) const {
     const std::uint32_t a = mesh_.first[face];
     return orient3d(at(a), at(next(a, face)), off_line(a, face), p_) == Sign::positive;  // below
+  }
+
+  /// Of what lies in one plane with all its faces the region has two sides: is p on the solid's?
+  [[nodiscard]] bool is_behind_edge(std::uint32_t corner) const {
+    return is_behind(face_of(corner)) && is_behind(face_of(twin(corner)));
+  }
+  [[nodiscard]] bool is_behind_vertex(std::uint32_t corner) const {
+    std::uint32_t c = corner;
+    do {
+      if (!is_behind(face_of(c))) return false;
+      c = next(twin(c));
+    } while (c != corner);
+    return true;
   }
 
   /// Edges lead away from p; a face in whose straight edge the vertex lies may yet lead toward it.
@@ -107,10 +122,10 @@ class RegionWalk : MeshCorners {
     if (face == faces) return {FeatureKind::interior, 0};
     const auto corners = static_cast<std::uint32_t>(mesh_.corners.size());
     for (std::uint32_t c = 0; c < corners; ++c) {
-      if (!off_vertex(c)) return {FeatureKind::vertex, mesh_.corners[c]};
+      if (!off_vertex(c) && !is_behind_vertex(c)) return {FeatureKind::vertex, mesh_.corners[c]};
     }
     for (std::uint32_t c = 0; c < corners; ++c) {
-      if (!off_edge(c)) return {FeatureKind::edge, std::min(c, twin(c))};
+      if (!off_edge(c) && !is_behind_edge(c)) return {FeatureKind::edge, std::min(c, twin(c))};
     }
     for (face = 0; face < faces; ++face) {
       if (!is_behind(face) && !off_face(mesh_.first[face])) return {FeatureKind::face, face};

@@ -10,13 +10,16 @@ namespace plumb::query {
 namespace vclipping {
 namespace {
 
-constexpr std::string_view name = "separating_axis";
+constexpr std::string_view axis_question = "separating_axis";
 
 void require_volume(std::string_view of, const ClipView& v) {
-  require_faces(name, of, v);
+  require_faces(axis_question, of, v);
   if (turn_of(v) != Sign::zero) return;
-  throw InvalidShape(std::string(name).append(": ").append(of).append(
-      ".pose is singular and flattens the polyhedron, which has no axes of its own then; ask relate or distance"));
+  throw InvalidShape(std::string(axis_question)
+                         .append(": ")
+                         .append(of)
+                         .append(".pose is singular and flattens the polyhedron, which has no axes of its own then; "
+                                 "ask relate or distance"));
 }
 
 std::array<Rational, 3> rational(const Vec<BigDyadic>& v) {
@@ -116,7 +119,7 @@ class AxisSearch {
 
 std::optional<SeparatingAxis> separating_axis_of(const ClipView& a, const ClipView& b) {
   using namespace vclipping;
-  CheckedSigns sign(vclipping::name, a, b);
+  CheckedSigns sign(axis_question, a, b);
   if (a.pose != nullptr || b.pose != nullptr) sign.check();
   require_volume("a", a), require_volume("b", b);
   const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));

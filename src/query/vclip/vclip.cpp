@@ -3,11 +3,13 @@
 #include <string>
 
 #include "arith/big_rounding.hpp"
+#include "plumb/arith/ball.hpp"
 #include "plumb/arith/error.hpp"
 #include "query/body/vectors.hpp"
 #include "query/separation/corner_numbers.hpp"
 #include "query/separation/proved_corners.hpp"
 #include "query/vclip/clip_input.hpp"
+#include "query/vclip/guessed_start.hpp"
 #include "query/vclip/nearest_features.hpp"
 
 namespace plumb::query {
@@ -48,20 +50,44 @@ MeshFeature needed_part(const Solid& s, const MeshFeature& f, const DifferenceCo
   return f;  // two corners of a face across it
 }
 
-/// Where the edge crosses the plane of the face; its tail where it runs within it.
-Point3 crossing(const Solid& of_edge, std::uint32_t edge, const Solid& of_face, std::uint32_t face) {
-  const std::uint32_t head = of_edge.next(edge);
-  const BigDyadic p = of_face.height(face, of_edge.place<BigDyadic>(edge)),
-                  q = of_face.height(face, of_edge.place<BigDyadic>(head)), whole = p - q;
-  const Vec<BigDyadic> at = of_edge.place<BigDyadic>(head) * p - of_edge.place<BigDyadic>(edge) * q;
-  const auto rounded = [&](const BigDyadic& x) { return rounded_quotient(Rounding::nearest, x, whole); };
-  return told(Point3{rounded(at.x), rounded(at.y), rounded(at.z)});
+/// A point over a weight.
+template <class T>
+struct WeightedPoint {
+  Vec<T> at;
+  T whole;
+};
+
+/// Pairs of doubles answer where they leave one double, integers otherwise.
+template <class Make>
+Point3 rounded_once(const Make& make) {
+  const WeightedPoint<Ball> near = make.template operator()<Ball>();
+  const auto part = [&](const Ball& x) { return quotient(x, near.whole).nearest(); };
+  if (const auto x = part(near.at.x), y = part(near.at.y), z = part(near.at.z); x && y && z)
+    return told(Point3{*x, *y, *z});
+  const WeightedPoint<BigDyadic> p = make.template operator()<BigDyadic>();
+  const auto rounded = [&](const BigDyadic& x) { return rounded_quotient(Rounding::nearest, x, p.whole); };
+  return told(Point3{rounded(p.at.x), rounded(p.at.y), rounded(p.at.z)});
 }
 
 Point3 rounded_vertex(const Solid& s, std::uint32_t corner) {
-  const Vec<BigDyadic> at = s.place<BigDyadic>(corner);
-  const auto rounded = [](const BigDyadic& x) { return rounded_quotient(Rounding::nearest, x, BigDyadic(1.0)); };
-  return told(Point3{rounded(at.x), rounded(at.y), rounded(at.z)});
+  return rounded_once([&]<class T>() { return WeightedPoint<T>{s.place<T>(corner), T(1.0)}; });
+}
+
+/// Where the edge crosses the plane of the face; of one that runs within it where it comes in above the face.
+Point3 crossing(const Solid& of_edge, std::uint32_t edge, const Solid& of_face, std::uint32_t face,
+                const std::optional<VoronoiPlane>& entry) {
+  const std::uint32_t head = of_edge.next(edge);
+  const bool within =
+      proved_sign([&]<class T>() {
+        return of_face.height(face, of_edge.place<T>(edge)) - of_face.height(face, of_edge.place<T>(head));
+      }) == Sign::zero;
+  if (within && !entry) return rounded_vertex(of_edge, edge);
+  return rounded_once([&]<class T>() {
+    const auto value = [&](const Vec<T>& y) { return within ? entry->value(of_face, y) : of_face.height(face, y); };
+    const Vec<T> from = of_edge.place<T>(edge), to = of_edge.place<T>(head);
+    const T p = value(from), q = value(to);
+    return WeightedPoint<T>{to * p - from * q, p - q};
+  });
 }
 
 void require_start(std::string_view name, const ClipView& v, const MeshFeature& start) {
@@ -96,20 +122,22 @@ VClipResult by_search(const ClipView& a, const ClipView& b, VClipResult r) {
 
 VClipResult vclip_of(const ClipView& a, const ClipView& b, const VClipOptions& options) {
   using namespace vclipping;
-  require_start("a", a, options.start.a), require_start("b", b, options.start.b);
+  const MeshFeaturePair given = options.start.value_or(MeshFeaturePair{});
+  require_start("a", a, given.a), require_start("b", b, given.b);
   CheckedSigns sign("vclip", a, b);
   const Sign turn_a = turn_of(a), turn_b = turn_of(b);
   const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
   VClipResult r;
-  r.at = options.start;
+  r.at = given;
   if (turn_a == Sign::zero || turn_b == Sign::zero) {
     bodies_of("vclip", vclipping::body_view(a), vclipping::body_view(b));
     return by_search(a, b, r);
   }
   const Solid solid_a(*a.polyhedron, *core_a, turn_a == Sign::negative),
       solid_b(*b.polyhedron, *core_b, turn_b == Sign::negative);
-  Walk walk(solid_a, solid_b, options.start, sign);
-  CycleFinder cycle(options.start);
+  const MeshFeaturePair start = options.start ? given : guessed_start(solid_a, solid_b);
+  Walk walk(solid_a, solid_b, start, sign);
+  CycleFinder cycle(start);
   Outcome outcome = Outcome::moved;
   while (true) {
     if (options.history != nullptr) options.history->push_back(walk.pair());
@@ -138,8 +166,8 @@ VClipResult vclip_of(const ClipView& a, const ClipView& b, const VClipOptions& o
                                                         : rounded_vertex(solid_b, r.at.b.corner);
   } else {
     r.closest.on_a = r.at.a.kind == FeatureKind::edge
-                         ? crossing(solid_a, r.at.a.corner, solid_b, solid_b.face_of(r.at.b.corner))
-                         : crossing(solid_b, r.at.b.corner, solid_a, solid_a.face_of(r.at.a.corner));
+                         ? crossing(solid_a, r.at.a.corner, solid_b, solid_b.face_of(r.at.b.corner), walk.entry())
+                         : crossing(solid_b, r.at.b.corner, solid_a, solid_a.face_of(r.at.a.corner), walk.entry());
   }
   r.closest.on_b = r.closest.on_a;
   if (options.squared_distance) r.squared_distance = Rational(0.0);

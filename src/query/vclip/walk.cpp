@@ -2,6 +2,7 @@
 // bound.
 #include "query/vclip/walk.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "query/vclip/clipped_edge.hpp"
@@ -16,10 +17,10 @@ double guessed_square(const Plain& a, const Plain& b, const Plain& c, const Plai
   const Plain u = b - a, v = d - c, r = a - c;
   const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
   const double det = uu * vv - uv * uv;
-  const auto unit = [](double x) { return x > 0 ? std::min(x, 1.0) : 0.0; };
-  double s = det > 0 ? unit((uv * vr - ur * vv) / det) : 0;
-  const double t = vv > 0 ? unit((uv * s + vr) / vv) : 0;
-  s = uu > 0 ? unit((uv * t - ur) / uu) : 0;
+  const auto clamped = [](double x) { return x > 0 ? std::min(x, 1.0) : 0.0; };
+  double s = det > 0 ? clamped((uv * vr - ur * vv) / det) : 0;
+  const double t = vv > 0 ? clamped((uv * s + vr) / vv) : 0;
+  s = uu > 0 ? clamped((uv * t - ur) / uu) : 0;
   const Plain between = r + u * s - v * t;
   return dot(between, between);
 }
@@ -165,7 +166,10 @@ Outcome Walk::from_edge_and_face(std::size_t e) {
     return move(f, {FeatureKind::edge, *nearest.edge});
   }
   const Sign low = edge.height_at(edge.low(), face, false), high = edge.height_at(edge.high(), face, true);
-  if (low * high != Sign::positive) return Outcome::crosses;
+  if (low * high != Sign::positive) {
+    entry_ = edge.low();
+    return Outcome::crosses;
+  }
   if (edge.climb(face) * low != Sign::negative)  // it comes nearer toward its tail
     return edge.low() ? move(f, edge.low()->beyond) : move(e, {FeatureKind::vertex, tail});
   return edge.high() ? move(f, edge.high()->beyond) : move(e, {FeatureKind::vertex, head});

@@ -25,6 +25,8 @@ class Walk {
 
   [[nodiscard]] MeshFeaturePair pair() const { return {at_[0], at_[1]}; }
   Outcome step();
+  /// Of an edge that crosses: the plane by which it comes in above the face, nothing where it begins there.
+  [[nodiscard]] const std::optional<VoronoiPlane>& entry() const { return entry_; }
 
  private:
   Outcome move(std::size_t which, const MeshFeature& to) {
@@ -49,6 +51,7 @@ class Walk {
   std::array<const Solid*, 2> solids_;
   std::array<MeshFeature, 2> at_;
   CheckedSigns& sign_;
+  std::optional<VoronoiPlane> entry_;
 };
 
 }  // namespace plumb::query::vclipping

@@ -359,6 +359,35 @@ TEST(VoronoiRegionTest, CollapsedTriangles) {
   EXPECT_EQ(voronoi_region(Triangle3{}, {1, 2, 3}), (Feature{vertex, 0}));
 }
 
+/// Of a cube whose faces are cut into triangles at their middles: those are corners within flat parts of it.
+TEST(VoronoiRegionTest, WhatIsBelowAFlatPartIsNotInItsRegion) {
+  std::vector<Point3> points;
+  for (const double x : {0, 1, 2}) {
+    for (const double y : {0, 1, 2}) {
+      for (const double z : {0, 1, 2}) points.push_back({x, y, z});
+    }
+  }
+  points.erase(points.begin() + 13);  // the middle of all
+  const Hull3 hull = convex_hull(points, {.triangulate = true, .all_boundary_points = true});
+  const ConvexPolyhedron3 solid = convex_polyhedron(hull, points);
+  int inside = 0;
+  for (const double x : {-1.0, 0.5, 1.0, 2.0, 3.0}) {
+    for (const double y : {-1.0, 0.0, 1.0, 1.5}) {
+      for (const double z : {-0.5, 0.25, 1.0, 2.5}) {
+        const Point3 p{x, y, z};
+        const Feature wanted = voronoi_region(solid, p);
+        EXPECT_EQ(wanted.kind == FeatureKind::interior, locate(solid, p) == Location::inside) << x << y << z;
+        inside += wanted.kind == FeatureKind::interior ? 1 : 0;
+        for (std::uint32_t c = 0; c < solid.mesh.corners.size(); ++c) {
+          EXPECT_EQ(voronoi_region(solid, p, Feature{FeatureKind::edge, c}), wanted);
+          EXPECT_EQ(voronoi_region(solid, p, Feature{FeatureKind::vertex, solid.mesh.corners[c]}), wanted);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(inside, 8);
+}
+
 TEST(VoronoiRegionTest, BadInputIsNamed) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const Obb3 box{{0, 0, 0}, {{{1, 0, 0}, {0, inf, 0}, {0, 0, 1}}}, {1, 1, 1}};

@@ -96,7 +96,7 @@ TEST(VClip, TheStartChangesNoDistance) {
     const double wanted = distance(a, b);
     for (const MeshFeature& of_a : features_of(a)) {
       for (const MeshFeature& of_b : features_of(b)) {
-        const VClipResult r = vclip(a, b, {.start = {of_a, of_b}});
+        const VClipResult r = vclip(a, b, {.start = MeshFeaturePair{of_a, of_b}});
         ASSERT_EQ(r.closest.distance, wanted) << name;
         ++starts, by_search += r.by_search ? 1 : 0;
         if (r.by_search || starts % 16 != 0) continue;
@@ -169,6 +169,28 @@ TEST(VClip, PosesAreExact) {
   EXPECT_LT(by_search * 5, asked * 2);  // all that is flattened, and little else
 }
 
+/// An edge that runs within a face's plane, and comes in at a side of it or begins there.
+TEST(VClip, AnEdgeInAFaceHasACommonPoint) {
+  const ConvexPolyhedron3 slab =
+      clip_cases::solid_of({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}, {4, 4, -1}}, false, false);
+  for (const double from : {-2.0, 2.0}) {
+    const ConvexPolyhedron3 ridge =
+        clip_cases::solid_of({{from, 3, 0}, {5, 4, 0}, {from, 2, 4}, {5, 6, 4}}, false, false);
+    int asked = 0;
+    for (const MeshFeature& of_a : features_of(slab)) {
+      for (const MeshFeature& of_b : features_of(ridge)) {
+        const VClipResult r = vclip(slab, ridge, {.start = MeshFeaturePair{of_a, of_b}});
+        ASSERT_TRUE(r.meet);
+        ASSERT_EQ(r.closest.on_a, r.closest.on_b);
+        ASSERT_EQ(r.closest.on_a.z, 0);
+        ASSERT_GE(r.closest.on_a.x, 0);
+        ++asked;
+      }
+    }
+    EXPECT_GT(asked, 100);
+  }
+}
+
 /// RTCD figure 9.4: a vertex below a face, nearest to it of all its neighbors, and outside of another face.
 TEST(VClip, ALocalMinimumIsLeft) {
   const ConvexPolyhedron3 slab = clip_cases::solid_of({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}, {4, 4, -1}}, false,
@@ -197,7 +219,7 @@ TEST(VClip, WhatIsNoneIsNamed) {
   const clip_cases::Pair pair = pair_of(9, 0);
   const auto &a = pair.a, &b = pair.b;
   const ConvexPolyhedron3 none;
-  const VClipOptions off{.start = {{FeatureKind::edge, 9999}, {}}};
+  const VClipOptions off{.start = MeshFeaturePair{{FeatureKind::edge, 9999}, {}}};
   EXPECT_THAT([&] { (void)vclip(a, none); }, ThrowsMessage<InvalidShape>(HasSubstr("b has no faces")));
   EXPECT_THAT([&] { (void)vclip(a, b, off); }, ThrowsMessage<InvalidShape>(HasSubstr("start.a is corner 9999")));
   ConvexPolyhedron3 broken = a;

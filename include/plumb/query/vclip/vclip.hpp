@@ -35,7 +35,7 @@ struct MeshFeaturePair {
 };
 
 struct VClipOptions {
-  MeshFeaturePair start{};
+  std::optional<MeshFeaturePair> start{};           // else vertices toward one another, by a guess
   bool squared_distance = false;                    // is the exact one wanted?
   std::vector<MeshFeaturePair>* history = nullptr;  // every pair of the walk is appended
 };
