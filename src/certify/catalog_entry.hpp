@@ -47,11 +47,20 @@ constexpr bool asks(Stage stage) {
 
 template <Formula F>
 Unsure<Sign> ask(Stage stage, std::span<const double> coordinates) {
-  const Coordinates<F> p = copy<F>(coordinates);
+  Coordinates<F> p = copy<F>(coordinates);
+  if constexpr (has_wide_stages<F>) {
+    if (stage != Stage::filter && certify::Levels<F>(p).are_low()) {  // raised after a look for structural zeros
+      if (stage == Stage::integer && structural_zero_sign<F>(p).certain()) return {};
+      p = certify::raised<F>(p);
+    }
+  }
   switch (stage) {
     case Stage::filter:
       return of_filter(filter<F>(p));
     case Stage::structural_zero:
+      if constexpr (has_wide_stages<F>) {
+        if (const auto s = repeated_argument_sign<F>(p, certify::Levels<F>(p)); s.certain()) return s;
+      }
       return structural_zero_sign<F>(p);
     case Stage::integer:
       if constexpr (asks<F>(Stage::integer)) return integer_sign<F>(p);

@@ -22,6 +22,7 @@ void expect_the_coordinates(const std::array<double, N>& p, int& taken) {
   const bool in_range = lattice.bits > 0 && lattice.bits <= LatticeIntegers<N>::most_bits && top > -1014 && top <= 1021;
   SCOPED_TRACE(testing::Message() << std::hexfloat << p[0] << ' ' << p[1] << ' ' << p[N - 1]);
   ASSERT_EQ(all.bits() != 0, in_range);
+  ASSERT_EQ((LatticeIntegers<N, 64>(p).bits()), top > 64 - 1023 ? all.bits() : 0);
   if (!in_range) return;
   ++taken;
   ASSERT_EQ(all.bits() - all.zeros(), std::min(lattice.bits, all.bits()));
@@ -59,7 +60,8 @@ TYPED_TEST(LatticeIntegersTest, AreTheCoordinatesOfEveryClass) {
 // ends.
 TYPED_TEST(LatticeIntegersTest, ReachAsFarAsTheySay) {
   int taken = 0;
-  for (const int top : {-1073, -1023, -1022, -1015, -1014, -1013, -1012, -52, 0, 1, 53, 1020, 1021, 1022, 1023, 1024}) {
+  for (const int top : {-1073, -1023, -1022, -1015, -1014, -1013, -1012, -960, -959, -958, -52, 0, 1, 53, 1020, 1021,
+                        1022, 1023, 1024}) {
     for (int bits = 1; bits <= 64; ++bits) {
       for (const double sign : {1.0, -1.0}) {
         TypeParam p{};

@@ -136,6 +136,67 @@ TYPED_TEST(BrokenFilters, AnIntervalThatIsNotRoundedOutwardIsCaught) {
   EXPECT_GT(lies<TypeParam>(stage, hard, some), 10);
 }
 
+// The long doubles, of which the swap that brings the least argument to the end is not paid for.
+TYPED_TEST(BrokenFilters, AParityThatIsLeftOutIsCaught) {
+  const auto stage = [](bool parity) {
+    return [=](const Coordinates<TypeParam>& p) {
+      const certify::LeastLast<TypeParam> seen(p);
+      const auto s = of(filter<TypeParam>(seen.at));
+      return s.certain() && parity ? Unsure{s.value() * seen.parity} : s;
+    };
+  };
+  EXPECT_EQ(lies<TypeParam>(stage(true), far, some), 0);
+  EXPECT_GT(lies<TypeParam>(stage(false), far, some), 10);
+}
+
+// Integers of leveled coordinates, of which the small ones are lost where an axis spans too much.
+TYPED_TEST(BrokenFilters, LevelsThatLoseSmallCoordinatesAreCaught) {
+  const auto stage = [](int most) {
+    return [=](const Coordinates<TypeParam>& p) {
+      const certify::Levels<TypeParam> levels(p);
+      if (levels.span() > most) return Unsure<Sign>{};
+      Coordinates<TypeParam> leveled = levels.at(p);
+      for (double& x : leveled) x = std::fabs(x) < 0x1p-900 ? 0 : x;  // as products with a power of two lose them
+      return wide_integer_sign<TypeParam>(leveled);
+    };
+  };
+  EXPECT_EQ(lies<TypeParam>(stage(certify::integer::widest<TypeParam>), far, some), 0);
+  EXPECT_GT(lies<TypeParam>(stage(9999), far, some), 0);
+}
+
+// One power of two for each axis, though the formula's terms differ in their degrees there.
+TYPED_TEST(BrokenFilters, AxesScaledApartWhereTheFormulaForbidsItAreCaught) {
+  const auto stage = [](const Coordinates<TypeParam>& p) {
+    Coordinates<TypeParam> scaled = p;
+    for (std::size_t i = 0; i < p.size(); i += static_cast<std::size_t>(TypeParam::dimension)) scaled[i] *= 0x1p-3;
+    return integer_sign<TypeParam>(scaled);
+  };
+  const int count = lies<TypeParam>(stage, {Family::uniform, Family::grid, Family::degenerate_short}, some);
+  if constexpr (certify::Levels<TypeParam>::count > 1) {
+    EXPECT_EQ(count, 0);
+  } else {
+    EXPECT_GT(count, 10);
+  }
+}
+
+// Arguments that share their first coordinate alone are not equal.
+TYPED_TEST(BrokenFilters, ArgumentsEqualInOneAxisAloneAreCaught) {
+  const auto stage = [](std::size_t axes) {
+    return [=](const Coordinates<TypeParam>& p) {
+      constexpr auto size = static_cast<std::size_t>(TypeParam::dimension);
+      for (std::size_t i = 0; i < p.size(); i += size) {
+        for (std::size_t k = 0; k < i; k += size) {
+          if (std::equal(&p[i], &p[i] + axes, &p[k])) return Unsure{Sign::zero};
+        }
+      }
+      return Unsure<Sign>{};
+    };
+  };
+  EXPECT_EQ(
+      lies<TypeParam>(stage(static_cast<std::size_t>(TypeParam::dimension)), {Family::grid, Family::mixture}, some), 0);
+  EXPECT_GT(lies<TypeParam>(stage(1), {Family::grid, Family::mixture}, some), 10);
+}
+
 TYPED_TEST(BrokenFilters, IntegersCutOffInsteadOfRefusedAreCaught) {
   const auto stage = [](const Coordinates<TypeParam>& p) {
     const double largest = std::abs(*std::ranges::max_element(p, {}, [](double x) { return std::abs(x); }));

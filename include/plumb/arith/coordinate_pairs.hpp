@@ -35,6 +35,10 @@ struct CoordinatePairs {
     return std::bit_cast<std::uint64_t>(larger[0] > larger[1] ? larger[0] : larger[1]) >> 52;
   }
 
+  /// The first of the coordinates of pair i.
+  static constexpr std::size_t place(std::size_t i) { return 2 * i + 2 <= N ? 2 * i : N - 2; }
+  static Pair absolute(Pair x) { return std::bit_cast<Pair>(std::bit_cast<Bits>(x) & Bits{~0ull >> 1, ~0ull >> 1}); }
+
   static void store(Bits value, std::size_t i, std::array<std::uint64_t, N>& to) {
     std::memcpy(&to[place(i)], &value, sizeof value);
   }
@@ -43,10 +47,6 @@ struct CoordinatePairs {
     const auto x = std::bit_cast<double>(pattern);
     return Pair{x, x};
   }
-
- private:
-  static constexpr std::size_t place(std::size_t i) { return 2 * i + 2 <= N ? 2 * i : N - 2; }
-  static Pair absolute(Pair x) { return std::bit_cast<Pair>(std::bit_cast<Bits>(x) & Bits{~0ull >> 1, ~0ull >> 1}); }
 };
 
 }  // namespace plumb

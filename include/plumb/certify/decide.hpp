@@ -28,23 +28,10 @@ namespace plumb {
 /// Throws as that where a coordinate is NaN or infinite, and only there.
 template <Formula F>
 void require_finite(const Coordinates<F>& p, std::string_view name = F::name) {
-  for (const double x : p) {
-    if (!(x - x == 0)) throw_non_finite(name, arguments<F>, p, axes<F>, argument_names<F>);
-  }
+  double zero = 0;  // or NaN: one branch for all
+  for (const double x : p) zero += x - x;
+  if (!(zero == 0)) throw_non_finite(name, arguments<F>, p, axes<F>, argument_names<F>);
 }
-
-/// Does it pay to compile long doubles, the wide integers and the interval for this formula?  For those that are asked most, by
-/// measurement (docs/measurements.md, "Stages"); the last stage serves the others without code of their own.
-template <Formula F>
-inline constexpr bool has_wide_stages = false;
-template <>
-inline constexpr bool has_wide_stages<predicates::Orient2d> = true;
-template <>
-inline constexpr bool has_wide_stages<predicates::Orient3d> = true;
-template <>
-inline constexpr bool has_wide_stages<predicates::InCircle> = true;
-template <>
-inline constexpr bool has_wide_stages<predicates::InSphere> = true;
 
 /// Has the library this formula's decisions, compiled once?  Those of the manifest it has.
 template <class F>
@@ -55,6 +42,26 @@ inline constexpr bool in_library = false;
 PLUMB_PREDICATES(PLUMB_DECLARE)
 #undef PLUMB_DECLARE
 
+/// What is below, in a function of its own; for coordinates that the filter could not decide.
+template <Formula F>
+requires(!in_library<F>) [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p);
+// Defined where the catalog is compiled (src/certify/catalog_entry.hpp).  A declaration for each formula would cost
+// every file that includes this one a millisecond.
+template <Formula F>
+requires in_library<F> Decision decide_exactly(const Coordinates<F>& p);
+
+/// Of coordinates whose magnitudes are far apart, or at an end of the exponents: what no lattice of them holds.
+template <Formula F>
+[[gnu::noinline]] Decision decide_far(const Coordinates<F>& p) {
+  const certify::Levels<F> levels(p);
+  if (levels.are_low()) return decide_exactly<F>(certify::raised<F>(p));
+  if (const auto s = repeated_argument_sign<F>(p, levels); s.certain()) return {s.value(), Stage::structural_zero};
+  if (const auto s = long_double_sign<F>(p, levels); s.certain()) return {s.value(), Stage::long_double};
+  if (const auto s = wide_integer_sign<F>(p, levels); s.certain()) return {s.value(), Stage::wide_integer};
+  if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
+  return {big_integer_sign(certify::tape::program<F>(), p), Stage::big_integer};
+}
+
 /// Exact stages in the order of their cost.
 template <Formula F>
 [[gnu::always_inline]] inline Decision decide_by_stages(const Coordinates<F>& p) {
@@ -64,26 +71,18 @@ template <Formula F>
   require_finite<F>(p);
   if (const auto s = structural_zero_sign<F>(p); s.certain()) return {s.value(), Stage::structural_zero};
   if constexpr (has_wide_stages<F>) {
-    if (const auto s = long_double_sign<F>(p); s.certain()) return {s.value(), Stage::long_double};
+    const certify::Levels<F> levels(p);
+    if (certify::begins_with_one_lattice<F>(levels, certify::integer::widest<F> - 53)) {
+      if (const auto s = certify::integer::sign_on_lattice<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
+    }
+    return decide_far<F>(p);
+  } else {
+    return {big_integer_sign(certify::tape::program<F>(), p), Stage::big_integer};
   }
-  if constexpr (is_homogeneous<F> && has_wide_stages<F>) {
-    if (const auto s = wide_integer_sign<F>(p); s.certain()) return {s.value(), Stage::wide_integer};
-  }
-  if constexpr (has_wide_stages<F>) {
-    if (const auto s = interval_sign<F>(p); s.certain()) return {s.value(), Stage::interval};
-  }
-  return {big_integer_sign(certify::tape::program<F>(), p), Stage::big_integer};
 }
 
-/// The same, in a function of its own; for coordinates that the filter could not decide.
 template <Formula F>
-requires(!in_library<F>) [[gnu::noinline]] Decision decide_exactly(const Coordinates<F>& p) {
-  return decide_by_stages<F>(p);
-}
-// Defined where the catalog is compiled (src/certify/catalog_entry.hpp).  A declaration for each formula would cost
-// every file that includes this one a millisecond.
-template <Formula F>
-requires in_library<F> Decision decide_exactly(const Coordinates<F>& p);
+requires(!in_library<F>) Decision decide_exactly(const Coordinates<F>& p) { return decide_by_stages<F>(p); }
 
 /// decide below, whole, as the library has it (src/certify/compiled_signs.cpp).
 template <Formula F>

@@ -22,6 +22,7 @@
 #include "plumb/arith/occurrence.hpp"
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/decide.hpp"
+#include "plumb/certify/detail/alternating.hpp"
 
 namespace plumb {
 
@@ -42,18 +43,6 @@ struct Indexed3 {
 /// One for each argument.
 template <Formula F>
 using Indices = std::array<std::uint64_t, arguments<F>.size()>;
-
-/// Does every swap of two arguments flip the sign?  Then they are sorted first, which makes the rest cheaper.
-template <Formula F>
-inline constexpr bool is_alternating = false;
-template <>
-inline constexpr bool is_alternating<predicates::Orient2d> = true;
-template <>
-inline constexpr bool is_alternating<predicates::Orient3d> = true;
-template <>
-inline constexpr bool is_alternating<predicates::InCircle> = true;
-template <>
-inline constexpr bool is_alternating<predicates::InSphere> = true;
 
 namespace certify::perturbation {
 

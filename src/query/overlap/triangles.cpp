@@ -72,25 +72,12 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
 
 namespace {
 
-/// orient3d, of corners whose exponents may be far apart: the sums of magnitudes tell more of those, and most as seen
-/// from the corner whose coordinates are least.  Seen from one that is far, all others look like one.
+/// orient3d, of corners whose exponents may be far apart: the sums of magnitudes tell more of those.
 Sign spread_volume(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   using predicates::Orient3d;
   const auto at = coordinates_of<Orient3d>(a, b, c, d);
   if (const int s = magnitude_filter<Orient3d>(at); s != 0) return static_cast<Sign>(s);
-  const auto size = [](const Point3& p) {
-    return std::max(std::max(magnitude_of(p.x), magnitude_of(p.y)), magnitude_of(p.z));
-  };
-  const double of_a = size(a), of_b = size(b), of_c = size(c), of_d = size(d),
-               least = std::min({of_a, of_b, of_c, of_d});
-  const auto told = [&](const Point3& k, const Point3& l, const Point3& m, const Point3& n) {
-    return long_double_sign<Orient3d>(coordinates_of<Orient3d>(k, l, m, n));
-  };
-  const auto s = of_d == least   ? told(a, b, c, d)
-                 : of_c == least ? told(b, a, d, c)
-                 : of_b == least ? told(c, d, a, b)
-                                 : told(d, c, b, a);
-  return s.certain() ? s.value() : decide_exactly<Orient3d>(at).sign;
+  return decide_exactly<Orient3d>(at).sign;
 }
 
 /// Of corners whose coordinates take many bits.  What two equal corners span is zero, however far apart the others are.
