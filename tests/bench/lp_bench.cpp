@@ -1,5 +1,5 @@
-// How long does a linear program in space take?  Seidel's algorithm over exact signs, the simplex method in rationals, and
-// CGAL's exact solver.
+// How long does a linear program in space take?  Seidel's algorithm over exact signs, the simplex method in rationals,
+// and CGAL's exact solver.
 //
 // Classes: planes tangent to a sphere; the same with redundant ones behind them; infeasible by opposite ones; planes of
 // whole numbers through one point, all of which an optimum there meets with equality; unbounded.

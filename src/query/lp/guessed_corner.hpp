@@ -1,8 +1,8 @@
-// A guess, in doubles: which planes make the best corner of a linear program, or contradict one another?  The dual simplex
-// method, the constraint that is violated most first.
+// A guess, in doubles: which planes make the best corner of a linear program, or contradict one another?  The dual
+// simplex method, the constraint that is violated most first.
 //
-// Laws: none of its answers is proved, and it holds no bound; a guess is a corner's planes, or those of a contradiction, for
-// someone to prove, or nothing.  It is the same on every machine.
+// Laws: none of its answers is proved, and it holds no bound; a guess is a corner's planes, or those of a
+// contradiction, for someone to prove, or nothing.  It is the same on every machine.
 // Source: Lemke 1954; Chvatal, Linear Programming, 1983, chapter 10; RTCD 9.4.
 // Cost: some ten to twenty steps, each with a pass over the constraints: of many over one in so many first, so that few
 // steps pass over all.

@@ -1,4 +1,5 @@
-// Fourier-Motzkin elimination, the simplex method and Seidel's algorithm against one another; projections by definition.
+// Fourier-Motzkin elimination, the simplex method and Seidel's algorithm against one another; projections by
+// definition.
 #include "plumb/query/lp/elimination.hpp"
 
 #include <gmock/gmock.h>

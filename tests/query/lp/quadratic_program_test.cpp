@@ -1,4 +1,4 @@
-// Nearest feasible points and greatest margins: their proofs, brute force over all sets of active constraints, false ones.
+// Nearest feasible points and greatest margins: their proofs, and false ones; whether there are any, by linear programs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
