@@ -1,9 +1,9 @@
 // Support vector machine, hard margin: which slab without points parts two sets of points, and is as thick as can be?
 //
 //   if (const auto m = greatest_margin(first, second)) {
-//     m->direction;                         // exactly, across the slab
-//     m->first_end; m->second_end;          // dot products with it: at most this of one set, at least that of the other
-//     m->square;                            // of the slab's thickness
+//     m->direction;                 // across the slab, exactly
+//     m->first_end; m->second_end;  // dot products with it: at most this of one set, at least that of the other
+//     m->square;                    // of the slab's thickness
 //   }
 //
 // The slab lies between the nearest points of the two convex hulls.
