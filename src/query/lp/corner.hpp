@@ -4,7 +4,8 @@
 // A plane is normal . x = limit + far M, where M is larger than any number.  The point of D of them is (at + far M) /
 // weight with a weight above zero; a value there is compared by its part with M first.
 // Laws: signs are exact.  Doubles tell them, with a bound that they carry along; then what is zero by zeros alone; then
-// integers of as many limbs as they need, on the stack, then GMP's.  What the numbers of a point are is computed once in each.
+// integers of as many limbs as they need, on the stack, then GMP's.  What the numbers of a point are is computed once
+// in each.
 // Source: RTCD 3.1.4, 5.4.5; docs/proof.md, "Tracked errors".
 // Cost: 3 ns a side where doubles tell, some 50 ns where integers on the stack do.
 #pragma once
@@ -273,8 +274,8 @@ inline const Halfspace3& halfspace_of(const Halfspace3& h) { return h; }
 inline const Halfspace2& halfspace_of(const NamedHalfspace2& n) { return n.halfspace; }
 inline const Halfspace3& halfspace_of(const NamedHalfspace3& n) { return n.halfspace; }
 
-/// The first of constraints [from, to) that a corner violates; `to` where it violates none.  Their numbers are theirs, or
-/// their places.
+/// The first of constraints [from, to) that a corner violates; `to` where it violates none.  Their numbers are theirs,
+/// or their places.
 template <std::size_t D, class Constraint>
 std::size_t first_violated(Corner<D>& corner, const LargestNumbers<D>& largest, std::span<const Constraint> constraints,
                            std::size_t from, std::size_t to) {

@@ -28,7 +28,8 @@ CornerNumbers<Running, D> corner_through(const std::array<typename LpOf<D>::Half
 
 template <std::size_t D>
 Numbers<D> nearest_corner(const std::array<typename LpOf<D>::Halfspace, D>& planes) {
-  // A point in doubles, and how far the exact one is from it: the solution of the same planes through what they lack there.
+  // A point in doubles, and how far the exact one is from it: the solution of the same planes through what they lack
+  // there.
   const auto rough = numbers_of_corner<D>(planes, [](double x) { return x; });
   Numbers<D> near{};
   for (std::size_t k = 0; k < D; ++k) near[k] = rough.at[k] / rough.weight;

@@ -1,10 +1,11 @@
-// A guess, in doubles: which planes make the best corner of a linear program, or contradict one another?  The dual simplex
-// method, the constraint that is violated most first.
+// A guess, in doubles: which planes make the best corner of a linear program, or contradict one another?  The dual
+// simplex method, the constraint that is violated most first.
 //
-// Laws: none of its answers is proved, and it holds no bound; a guess is a corner's planes, or those of a contradiction, for
-// someone to prove, or nothing.  It is the same on every machine.
+// Laws: none of its answers is proved, and it holds no bound; a guess is a corner's planes, or those of a
+// contradiction, for someone to prove, or nothing.  It is the same on every machine.
 // Source: Lemke 1954; Chvatal, Linear Programming, 1983, chapter 10; RTCD 9.4.
-// Cost: a pass over the constraints for each of some five to ten steps.
+// Cost: some ten to twenty steps, each with a pass over the constraints: of many over one in so many first, so that few
+// steps pass over all.
 #pragma once
 
 #include "query/lp/corner.hpp"
@@ -37,14 +38,19 @@ GuessedCorner<D> guess_corner(const Numbers<D>& direction, std::span<const Halfs
     weight[k] = magnitude_of(direction[k]);
     guess.constraints[k] = no_constraint;
   }
+  std::size_t stride = std::max<std::size_t>(1, constraints.size() / 64);  // of some constraints first
   for (int step = 0; step < most_steps; ++step) {
     double reach = most_limit;
     for (const double x : at) reach += size * magnitude_of(x);
     double worst = off * reach;
     std::size_t next = constraints.size();
-    for (std::size_t i = 0; i < constraints.size(); ++i) {
+    for (std::size_t i = 0; i < constraints.size(); i += stride) {
       const double v = dot_of(numbers_of(constraints[i].normal), at) - constraints[i].offset;
       if (v > worst) worst = v, next = i;
+    }
+    if (next == constraints.size() && stride > 1) {
+      stride = std::max<std::size_t>(1, stride / 8);
+      continue;
     }
     if (next == constraints.size()) {
       for (std::size_t k = 0; k < D; ++k) {

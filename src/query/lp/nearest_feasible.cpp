@@ -104,8 +104,8 @@ class NearestSearch {
     return active.size() <= D && solve_rows(rows);
   }
 
-  /// To the nearest point of those that meet the active constraints with equality: from less the sum of their normals with
-  /// weights.
+  /// To the nearest point of those that meet the active constraints with equality: from less the sum of their normals
+  /// with weights.
   void move(const Active& active) {
     active_ = active;
     at_ = from_;

@@ -1,9 +1,10 @@
 // Linear programming, Seidel's algorithm: the search for the best corner in D = 2 or 3 dimensions, over exact signs.
 //
 // Three planes infinitely far away (two lines) bound the program where its objective grows, so that there is a best
-// corner before the first constraint; an optimum that lies on one of them is none of the program's own.  Ties are broken
-// by an objective that is a list of vectors, of which the later ones are infinitely smaller than those before.  Where a
-// constraint is violated, the search in its plane starts at the best corner there of those that met in the corner before.
+// corner before the first constraint; an optimum that lies on one of them is none of the program's own.  Ties are
+// broken by an objective that is a list of vectors, of which the later ones are infinitely smaller than those before.
+// Where a constraint is violated, the search in its plane starts at the best corner there of those that met in the
+// corner before.
 // Laws: solve ends with the one best corner, or with constraints that contradict one another, whatever the order.
 // Source: Seidel 1991; de Berg and others, Computational Geometry, chapter 4; RTCD 9.4.1.
 // Cost: expected some 11 sides a constraint in space, 3 in the plane.
@@ -115,11 +116,11 @@ class Seidel {
     }
   }
 
-  /// Which plane of the corner does the best corner in this plane, of those of the corner alone, do without?  The normal is
-  /// a sum of theirs, and so is the objective; it is the one whose weight in the objective is least, over that in the normal,
-  /// of those of weight above zero in the normal (the ratio test of the dual simplex method).  With three planes p, q, r of
-  /// positive determinant the ratio of p less that of q has the sign of det(objective, normal, r).
-  /// Three where there is none: the plane contradicts them.
+  /// Which plane of the corner does the best corner in this plane, of those of the corner alone, do without?  The
+  /// normal is a sum of theirs, and so is the objective; it is the one whose weight in the objective is least, over
+  /// that in the normal, of those of weight above zero in the normal (the ratio test of the dual simplex method).  With
+  /// three planes p, q, r of positive determinant the ratio of p less that of q has the sign of det(objective, normal,
+  /// r). Three where there is none: the plane contradicts them.
   [[nodiscard]] std::size_t dropped(const Plane& plane) const requires(D == 3) {
     const std::array<Plane, 3>& p = corner_.planes();
     std::size_t best = 3;
@@ -160,8 +161,8 @@ class Seidel {
     return r;
   }
 
-  /// The best corner on a line, of the constraints before `count` and those that are kept.  Before, the corner is the best
-  /// of the same constraints in the plane, or in all, and violates the last plane of the line.
+  /// The best corner on a line, of the constraints before `count` and those that are kept.  Before, the corner is the
+  /// best of the same constraints in the plane, or in all, and violates the last plane of the line.
   bool on_line(const std::array<Plane, D - 1>& line, std::size_t count, std::span<const Plane> kept) {
     Sign up = Sign::zero;  // the turn of the way on which the objective grows
     for (std::size_t level = 0; up == Sign::zero && level < objective_.levels; ++level)

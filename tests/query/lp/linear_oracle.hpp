@@ -1,5 +1,5 @@
-// What is the answer to a linear program, by definition?  Asked of the simplex method in rationals, one coordinate after
-// another.
+// What is the answer to a linear program, by definition?  Asked of the simplex method in rationals, one coordinate
+// after another.
 //
 // Laws: those of include/plumb/query/lp/linear_program.hpp, of the point and of is_unique.
 #pragma once

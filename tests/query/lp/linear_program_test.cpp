@@ -80,7 +80,7 @@ void expect_every_class() {
   for (const Class c : all_classes) {
     Counts counts;
     expect_as_simplex<D>(c, counts);
-    EXPECT_GT(counts.kind[0], static_cast<int>(cases) / 20) << "class " << static_cast<int>(c);
+    EXPECT_GT(counts.kind[0], static_cast<int>(cases) / 30) << "class " << static_cast<int>(c);
     for (std::size_t k = 0; k < 3; ++k) all.kind[k] += counts.kind[k];
     all.tied += counts.tied, all.zero_coordinate += counts.zero_coordinate;
     all.far_from_dimension += counts.far_from_dimension;

@@ -1,4 +1,4 @@
-// Nearest feasible points and greatest margins: their proofs, brute force over all sets of active constraints, false ones.
+// Nearest feasible points and greatest margins: their proofs, and false ones; whether there are any, by linear programs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -135,8 +135,8 @@ TEST(GreatestMargin, PartsWhatCanBeParted) {
     nearer.push_back(b[0]);
     EXPECT_FALSE(verify(nearer, b, *m)) << index;
   }
-  EXPECT_GT(parted, 15);
-  EXPECT_GT(met, 15);
+  EXPECT_GT(parted, battery::sanitized ? 5 : 30);
+  EXPECT_GT(met, battery::sanitized ? 5 : 30);
   EXPECT_GT(several, 10);
 }
 

@@ -1,15 +1,17 @@
 // Support vector machine, hard margin: which slab without points parts two sets of points, and is as thick as can be?
 //
 //   if (const auto m = greatest_margin(first, second)) {
-//     m->direction;           // dot products with it are at most m->first_end on one set, at least m->second_end on the other
-//     m->square;              // of the slab's thickness, exactly
+//     m->direction;                 // across the slab, exactly
+//     m->first_end; m->second_end;  // dot products with it: at most this of one set, at least that of the other
+//     m->square;                    // of the slab's thickness
 //   }
 //
 // The slab lies between the nearest points of the two convex hulls.
-// Laws: (1) exact, of any points: repeated, collinear, single ones.  (2) Nothing where the hulls meet, if only in a point.
+// Laws: (1) exact, of any points: repeated, collinear, single ones.  (2) Nothing where the hulls meet, if only in a
+// point.
 // (3) The direction is the way from the hull of the first to that of the second; its square is that of the thickness.
-// (4) Supporting points have weights above zero that add up to one; with them they are the nearest points of the hulls.  At
-// most four pairs of points are needed; which ones depends on the order where there are several.  (5) verify(first,
+// (4) Supporting points have weights above zero that add up to one; with them they are the nearest points of the hulls.
+// At most four pairs of points are needed; which ones depends on the order where there are several.  (5) verify(first,
 // second, m) is true (query/lp/verify.hpp).
 // No points throw InvalidShape, NaN and infinity NonFinite, both by name.
 // Source: Wolfe 1976; Vapnik 1982; RTCD 9.4.2.

@@ -8,18 +8,19 @@
 //   verify(direction, halfspaces, proof_of(best))        // query/lp/verify.hpp
 //
 // Constraints come in random order.  As long as the best point so far meets the next one it stays; where it does not,
-// the best point lies in that constraint's plane, which is a program of one dimension less over those before.  Before that
-// a guess is tried: planes that doubles find, where signs prove them.
-// Laws: (1) the kind is that of real arithmetic, of zero normals (which hold everywhere or nowhere), of parallel, repeated
-// and redundant constraints, and of any exponents, too.  (2) Of several optimal points it is the lexicographically least;
-// where the optimal points have no least x that with the greatest, where no greatest either that with x = 0, and so for y
-// and z.  `is_unique` says whether there is one alone.  (3) Kind, point, ray and is_unique do not depend on the order of the
-// constraints, and nothing depends on the seed.  (4) What is named proves the answer: proof_of.  (5) With the direction zero
-// every point is optimal: `at` is the first of the feasible ones; it is also the point of an unbounded program.
+// the best point lies in that constraint's plane, which is a program of one dimension less over those before.  Before
+// that a guess is tried: planes that doubles find, where signs prove them.
+// Laws: (1) the kind is that of real arithmetic, of zero normals (which hold everywhere or nowhere), of parallel,
+// repeated and redundant constraints, and of any exponents, too.  (2) Of several optimal points it is the
+// lexicographically least; where the optimal points have no least x that with the greatest, where no greatest either
+// that with x = 0, and so for y and z.  `is_unique` says whether there is one alone.  (3) Kind, point, ray and
+// is_unique do not depend on the order of the constraints, and nothing depends on the seed.  (4) What is named proves
+// the answer: proof_of.  (5) With the direction zero every point is optimal: `at` is the first of the feasible ones; it
+// is also the point of an unbounded program.
 // NaN and infinity throw NonFinite, by name; more than 2^32 - 2 constraints throw Error.
 // Source: Seidel, "Small-dimensional linear programming and convex hulls made easy", 1991; RTCD 9.4.1.
-// Cost: expected linear in the constraints, whatever they are; docs/measurements.md.  Where doubles tell the signs nothing
-// is allocated but the scratch, which a caller may keep.
+// Cost: expected linear in the constraints, whatever they are; docs/measurements.md.  A unique optimum of which doubles
+// tell the signs allocates nothing but the scratch, which a caller may keep.
 #pragma once
 
 #include <array>

@@ -2,14 +2,15 @@
 // can check in a few multiplications.
 //
 //   program:  maximize  objective . x  where  rows[i] . x <= limits[i]
-//   optimal: `point` meets all rows, and `weights` at least zero of rows that it meets with equality add up to the objective:
-//            objective . x = sum weight (row . x) <= sum weight limit = objective . point, for any x that meets the rows.
-//   infeasible: `weights` at least zero, under which the rows add up to zero and the limits to less than zero: whoever met
-//            the rows would have 0 <= a negative number (Farkas).
+//   optimal: `point` meets all rows, and `weights` at least zero of rows that it meets with equality add up to the
+//            objective.  For any x that meets the rows, objective . x = sum weight (row . x) <= sum weight limit =
+//            objective . point.
+//   infeasible: `weights` at least zero, under which the rows add up to zero and the limits to less than zero: whoever
+//            met the rows would have 0 <= a negative number (Farkas).
 //   unbounded: `point` meets all rows, and along `ray` no row grows, but the objective does.
 //
-// Laws: exact; of infeasible rows at most one more than there are variables have a weight, of an optimum at most as many
-// as there are variables.  verify (query/lp/verify.hpp) says whether a proof is one, whoever made it.
+// Laws: exact; of infeasible rows at most one more than there are variables have a weight, of an optimum at most as
+// many as there are variables.  verify (query/lp/verify.hpp) says whether a proof is one, whoever made it.
 // Source: Chvatal, Linear Programming, 1983, chapters 5 and 9; RTCD 9.4.
 // Cost: an allocation a number.
 #pragma once

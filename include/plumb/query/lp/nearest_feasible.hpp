@@ -8,12 +8,14 @@
 // Seidel's algorithm: the nearest point so far stays, or the next constraint decides, and the nearest point lies in its
 // plane.
 // Laws: (1) exact, of zero normals, parallel, repeated and redundant constraints, and of any exponents.  The point is
-// unique, and depends on no order.  (2) The proof is that of Karush, Kuhn and Tucker: normals of constraints that the point
-// meets with equality, with weights above zero, at most as many as there are dimensions, add up to the way from it to p.
+// unique, and depends on no order.  (2) The proof is that of Karush, Kuhn and Tucker: normals of constraints that the
+// point meets with equality, with weights above zero, at most as many as there are dimensions, add up to the way from
+// it to p.
 // (3) Where no point meets all constraints the kind is infeasible, and the proof is that of the linear program.
 // NaN and infinity throw NonFinite, by name.
 // Source: Karush 1939; Kuhn and Tucker 1951; Seidel 1991; RTCD 9.4.2.
-// Cost: expected linear in the constraints, some 100 ns a constraint and a few microseconds for each that moves the point.
+// Cost: expected linear in the constraints, some 100 ns a constraint and a few microseconds for each that moves the
+// point.
 #pragma once
 
 #include "plumb/arith/exact_distance.hpp"

@@ -6,9 +6,9 @@
 //   const LinearProof best = maximize(std::vector<Rational>{1, 1, 1, 1}, s);
 //   best.kind; best.point; best.weights;
 //
-// Laws: exact, of any rows: zero ones, parallel, repeated and redundant ones, none.  Of several optimal points it is one that
-// depends on the order of the rows.  verify(objective, system, best) is true.  As many variables as the objective has
-// numbers; a row or a list of limits of another length throws InvalidShape, which names it.
+// Laws: exact, of any rows: zero ones, parallel, repeated and redundant ones, none.  Of several optimal points it is
+// one that depends on the order of the rows.  verify(objective, system, best) is true.  As many variables as the
+// objective has numbers; a row or a list of limits of another length throws InvalidShape, which names it.
 // Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; RTCD 9.4.
 // Cost: some ten microseconds a pivot for few variables; of two and three query/lp/linear_program.hpp is faster by far.
 #pragma once
