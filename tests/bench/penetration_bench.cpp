@@ -12,7 +12,7 @@
 #include "plumb/figure/hull/hull3.hpp"
 #include "plumb/query/penetration/penetration.hpp"
 #ifdef PLUMB_BENCH_PENETRATION_RIVALS
-#include "bench/rivals/penetration_rival.hpp"
+#include "bench/rivals/penetration/rival.hpp"
 #endif
 
 namespace plumb {

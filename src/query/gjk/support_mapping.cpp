@@ -25,9 +25,9 @@ BigDyadic square_of(const Vector3& v) {
 }
 
 /// What a mapping has told so far, and is held to.
-class Told {
+class MappingHull {
  public:
-  Told(const SupportCall& mapping, std::string_view name, double rounding)
+  MappingHull(const SupportCall& mapping, std::string_view name, double rounding)
       : mapping_(mapping), name_(name), rounding_(rounding) {}
 
   const Point3& ask(const Vector3& direction) {
@@ -91,7 +91,7 @@ GjkBounds bounds_of(const SupportCall& a, const SupportCall& b, const GjkBoundsO
   };
   require_length("rounding", options.rounding), require_length("within", options.within);
   const BigDyadic both_off = BigDyadic(options.rounding) + BigDyadic(options.rounding), none(0.0);
-  Told of_a(a, "a", options.rounding), of_b(b, "b", options.rounding);
+  MappingHull of_a(a, "a", options.rounding), of_b(b, "b", options.rounding);
   GjkBounds r;
   r.upper = Ball::infinity;
   Vector3 n{1, 0, 0};

@@ -122,26 +122,16 @@ class Program {
   const std::function<const std::vector<Command>&()> known_ = [this]() -> const std::vector<Command>& {
     return commands_;
   };
-  const std::vector<Command> commands_ = {bounds_command(app_),
-                                          chart_command(app_, rivals_),
-                                          check_command(app_),
-                                          fuzz_command(app_),
-                                          plan_command(app_),
-                                          sign_command(app_),
-                                          proof_command(app_),
-                                          stability_command(app_),
-                                          vectors_command(app_),
-                                          doctor_command(app_),
-                                          ray_command(app_),
-                                          bvh_command(app_),
-                                          intersect_command(app_),
-                                          distance_command(app_),
-                                          convex_command(app_),
-                                          inside_command(app_),
-                                          section_command(app_),
-                                          convert_command(app_),
-                                          help_command(app_, known_),
-                                          completion_command(app_, known_)};
+  const std::vector<Command> commands_ = {bounds_command(app_),       chart_command(app_, rivals_),
+                                          check_command(app_),        fuzz_command(app_),
+                                          plan_command(app_),         sign_command(app_),
+                                          proof_command(app_),        stability_command(app_),
+                                          vectors_command(app_),      doctor_command(app_),
+                                          ray_command(app_),          bvh_command(app_),
+                                          intersect_command(app_),    distance_command(app_),
+                                          convex_command(app_),       inside_command(app_),
+                                          section_command(app_),      convert_command(app_),
+                                          help_command(app_, known_), completion_command(app_, known_)};
 };
 
 int refuse(std::string_view text) {

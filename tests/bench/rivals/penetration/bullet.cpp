@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "bench/rivals/bullet_calls.hpp"
-#include "bench/rivals/penetration_rival.hpp"
+#include "bench/rivals/penetration/rival.hpp"
 
 namespace plumb::bench {
 namespace {

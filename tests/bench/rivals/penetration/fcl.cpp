@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "bench/rivals/fcl_calls.hpp"
-#include "bench/rivals/penetration_rival.hpp"
+#include "bench/rivals/penetration/rival.hpp"
 
 namespace plumb::bench {
 namespace {
