@@ -1,8 +1,12 @@
 #include "query/overlap/lattice3.hpp"
 
+#include <array>
 #include <bit>
+#include <cstdint>
 
+#include "plumb/arith/coordinate_pairs.hpp"
 #include "query/overlap/lattice_volumes.hpp"
+#include "query/overlap/linear3.hpp"
 #include "query/overlap/quick2.hpp"
 #include "query/overlap/wide_volumes.hpp"
 
@@ -63,6 +67,73 @@ std::optional<Relation> relate_by(const Segment3& s, const Triangle3& t, const S
   return low * high == Sign::zero ? Relation::touching : relation(reaches);
 }
 
+constexpr int short_bits = 24;
+static_assert(2 * (short_bits + 1) <= exact_area_bits, "areas of differences are exact in doubles");
+
+/// Differences from the first corner, in units of the lattice; products and sums wrap around.
+struct WordPlace {
+  std::uint64_t x, y, z;
+
+  friend WordPlace cross(const WordPlace& a, const WordPlace& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  friend std::uint64_t dot(const WordPlace& a, const WordPlace& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  [[nodiscard]] bool is_zero() const { return (x | y | z) == 0; }
+};
+
+class ShortCorners {
+ public:
+  ShortCorners(const Triangle3& a, const Triangle3& b) {
+    // Most of which corners take more bits are told by the patterns of few.
+    const auto pattern = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    constexpr std::uint64_t too_low = (1ull << (53 - short_bits)) - 1;
+    if (((pattern(a.a.x) | pattern(a.b.y) | pattern(b.a.z) | pattern(b.c.x)) & too_low) != 0) return;
+    using Pairs = CoordinatePairs<18>;
+    using Bits = Pairs::Bits;
+    const Pairs x(std::bit_cast<std::array<double, 18>>(std::array{a, b}));
+    const std::uint64_t exponent = x.largest_exponent();  // all are below 2^short_bits units of 2^unit
+    unit_ = static_cast<int>(exponent) - 1022 - short_bits;
+    if (unit_ < -400 || unit_ > 400) return;
+    // What is added to 1.5 * 2^52 units is rounded to whole ones, which are the low bits of the sum.
+    const auto addend = Pairs::both(static_cast<std::uint64_t>(unit_ + 1023 + 52) << 52 | 1ull << 51);
+    Bits exact = ~Bits{};
+#pragma GCC unroll 9
+    for (std::size_t i = 0; i < Pairs::count; ++i) {
+      const auto whole = x.pair[i] + addend;
+      exact &= std::bit_cast<Bits>(whole - addend == x.pair[i]);
+      Pairs::store(std::bit_cast<Bits>(whole), i, raw_);
+    }
+    are_short_ = (exact[0] & exact[1]) != 0;
+  }
+
+  [[nodiscard]] bool are_short() const { return are_short_; }
+  [[nodiscard]] double to_units_of_volume(double x) const {
+    const double times = power_of_two(-unit_);
+    return x * times * times * times;
+  }
+  [[nodiscard]] WordPlace from_first(std::size_t i) const {
+    return {raw_[3 * i] - raw_[0], raw_[3 * i + 1] - raw_[1], raw_[3 * i + 2] - raw_[2]};
+  }
+
+ private:
+  std::array<std::uint64_t, 18> raw_;
+  int unit_;
+  bool are_short_ = false;
+};
+
+/// Where all corners lie on one line.
+[[gnu::noinline]] std::optional<Relation> by_one_line(const Triangle3& a, const Triangle3& b,
+                                                      const ShortCorners& corners) {
+  WordPlace along = corners.from_first(1);
+  for (std::size_t i = 2; i < 6; ++i) {
+    const WordPlace at = corners.from_first(i);
+    if (along.is_zero()) along = at;
+    if (!cross(along, at).is_zero()) return {};  // exact: areas are below 2^51
+  }
+  const std::size_t axis = along.x != 0 ? 0 : along.y != 0 ? 1 : 2;
+  return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a), std::bit_cast<std::array<double, 9>>(b), axis);
+}
+
 }  // namespace
 
 std::optional<Relation> by_lattice(const Segment3& s, const Triangle3& t) {
@@ -75,6 +146,27 @@ std::optional<Relation> by_lattice(const Segment3& s, const Triangle3& t) {
   if (const LatticePoints<5, 3> points(coordinates); points.is_lattice()) return by_lattice<SegmentSigns>(points, ask);
   if (const WideSigns wide(coordinates); wide.is_lattice()) return ask(wide);
   return {};
+}
+
+std::optional<Relation> by_short_plane(const Triangle3& a, const Triangle3& b, double error) {
+  const ShortCorners corners(a, b);
+  // A word is all of an integer below 2^63.
+  if (!corners.are_short() || !(corners.to_units_of_volume(error) < 0x1p61)) return {};
+  const WordPlace normal = cross(corners.from_first(1), corners.from_first(2));  // exact: areas are below 2^51
+  if ((dot(corners.from_first(3), normal) | dot(corners.from_first(4), normal) | dot(corners.from_first(5), normal)) !=
+      0)
+    return {};
+  if (normal.is_zero()) return by_one_line(a, b, corners);
+  const std::size_t axis = normal.x != 0 ? 0 : normal.y != 0 ? 1 : 2;  // along which a is seen to have an area
+  const Point2 from = seen(a.a, axis);
+  const auto at = [&](const Point3& p) { return from_to(from, seen(p, axis)); };
+  const auto areas = triangle_areas(at(a.b), at(a.c), {at(b.a), at(b.b), at(b.c)});
+  if (areas.of_b == 0) {
+    const Linear3 straight = flattened(b);
+    if (straight.is_point()) return {};
+    return relation(sign_of_number(depth(segment_areas(at(a.b), at(a.c), at(straight.p), at(straight.q)))));
+  }
+  return relation(sign_of_number(depth(areas)));
 }
 
 }  // namespace plumb::query

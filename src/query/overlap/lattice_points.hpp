@@ -20,6 +20,9 @@ constexpr double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
 }
 
+/// Of areas of differences that take so many bits together doubles are exact: 6 * 2^50 < 2^53.
+inline constexpr int exact_area_bits = 50;
+
 template <std::size_t N, std::size_t D>
 class LatticePoints {
  public:
@@ -48,7 +51,7 @@ class LatticePoints {
   template <class Make>
   [[nodiscard]] auto seen(std::size_t right, std::size_t up, const Make& made) const {
     const int bits = bits_[right] + bits_[up];
-    if (bits <= 50) {  // 6 * 2^50 < 2^53: doubles of areas are exact
+    if (bits <= exact_area_bits) {
       return made(
           [&](std::size_t i) {
             return Seen2<double>{static_cast<double>(at_[i][right]), static_cast<double>(at_[i][up])};

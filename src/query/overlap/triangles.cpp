@@ -6,6 +6,7 @@
 
 #include "query/body/figure_input.hpp"
 #include "query/overlap/filters.hpp"
+#include "query/overlap/lattice3.hpp"
 #include "query/overlap/lattice_volumes.hpp"
 #include "query/overlap/pair_answer.hpp"
 #include "query/overlap/shared_corners.hpp"
@@ -36,8 +37,12 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   const bool certain_a = certain(over_a, error);
   if (!certain_a) {
     if (!(magnitude_of(error) < std::numeric_limits<double>::infinity())) return {};
+    const bool are_coplanar = std::max(high(over_a), -low(over_a)) <= error;  // or nearly so
+    if (are_coplanar) {
+      if (const auto answer = by_short_plane(a, b, error)) return answer;
+    }
     if (const auto answer = by_shared_corners(a, b, over_a, error)) return answer;
-    if (std::max(high(over_a), -low(over_a)) <= error) return {};  // coplanar, or nearly so
+    if (are_coplanar) return {};
   }
 
   const Difference m = cross(difference(b.a, b.b), difference(b.a, b.c));
