@@ -194,11 +194,11 @@ template <Formula F>
 
 namespace certify {
 
-/// Is the lattice of all coordinates asked first?  Not where those of the axes by themselves take fewer bits, nor where
-/// the exponents span more than this.
+/// Is the lattice of all coordinates asked first?  Not where those of the axes by themselves take far fewer bits, nor
+/// where the exponents span more than this.  (Of few bits, a choice that is not foreseen costs more than it saves.)
 template <Formula F>
 bool begins_with_one_lattice(const Levels<F>& levels, int most) {
-  return levels.span_of_all() <= std::min(most, levels.span() + 16);
+  return levels.span_of_all() <= std::min(most, std::max(levels.span() + 16, 128));
 }
 
 }  // namespace certify
