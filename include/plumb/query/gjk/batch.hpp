@@ -10,7 +10,7 @@
 // pair of its number; whatever is in it, the answers are the same.  (3) Where a body is none, or a pair names a body that there
 // is not, the error is that of the lowest such pair, whose number it tells; what was written before means nothing then.
 // Spans of another length than the pairs throw UnequalLengths, a number beyond the bodies Error.
-// Source: RTCD 9.5, 2.4.1.
+// Source: RTCD 9.5.
 // Cost: that of each pair; threads share them in blocks.
 #pragma once
 
