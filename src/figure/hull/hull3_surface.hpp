@@ -42,13 +42,13 @@ struct FacePlane {
   FacePlane() = default;
   FacePlane(const PlaneSide& side, const Vector3& widths) {
     const std::array<double, 3> d{widths.x, widths.y, widths.z};
-    double magnitude = 0;
+    double magnitude = certify::side::guards<predicates::Orient3d>;
     for (std::size_t a = 0; a < 3; ++a) {
       coefficient[a] = side.coefficient(a);
       pivot[a] = side.pivot(a);
-      magnitude = a == 0 ? d[a] * side.magnitude(a) : magnitude + d[a] * side.magnitude(a);
+      magnitude += d[a] * side.magnitude(a);
     }
-    bound = certify::side::constant<predicates::Orient3d> * magnitude + certify::side::floor;
+    bound = certify::side::constant<predicates::Orient3d> * magnitude;
   }
 
   /// As PlaneSide computes it: below zero above the face; certain beyond the bound.

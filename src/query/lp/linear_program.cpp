@@ -131,10 +131,12 @@ class LinearProgram {
     const Corner<D>& corner = search.corner();
     answer_.deciding_count = 0;
     std::array<std::uint32_t, D> numbers{};
-    for (std::size_t k = 0; k < D; ++k) {
-      if (search.weight_of(k) == Sign::positive) numbers[answer_.deciding_count++] = corner.planes()[k].number;
+    for (std::size_t k = 0; k < D; ++k) {  // ascending, by insertion
+      if (search.weight_of(k) != Sign::positive) continue;
+      std::size_t at = answer_.deciding_count++;
+      for (; at > 0 && numbers[at - 1] > corner.planes()[k].number; --at) numbers[at] = numbers[at - 1];
+      numbers[at] = corner.planes()[k].number;
     }
-    std::sort(numbers.begin(), numbers.begin() + answer_.deciding_count);
     for (std::size_t k = 0; k < answer_.deciding_count; ++k) answer_.deciding[k] = named(numbers[k]);
   }
   [[nodiscard]] Named named(std::uint32_t number) const { return {given_[number], number}; }
