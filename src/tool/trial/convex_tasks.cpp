@@ -12,7 +12,7 @@
 namespace plumb::tool::trial {
 namespace {
 
-constexpr std::size_t set_points = 4, hull_points = 8;
+constexpr std::size_t set_points = 4, meeting_points = 8;
 
 std::array<Generated, 2> sets_of(std::span<const double> q) {
   std::array<Generated, 2> sets;
@@ -52,13 +52,13 @@ void move_second(std::span<double> q) {
 }  // namespace
 
 Task convex_meeting_task() {
-  constexpr std::size_t numbers = 6 * hull_points;
+  constexpr std::size_t numbers = 6 * meeting_points;
   Task task{"convex-convex", "do the hulls of 8 and 8 points meet?", numbers, AnswerKind::decision, {}, {}, {}, {}};
   task.fewer = 8;
   std::vector<std::size_t> others, turned;
-  for (std::size_t i = 0; i < 2 * hull_points; ++i) {
-    others.push_back((i + hull_points) % (2 * hull_points));
-    turned.push_back(i < hull_points ? hull_points - 1 - i : i);
+  for (std::size_t i = 0; i < 2 * meeting_points; ++i) {
+    others.push_back((i + meeting_points) % (2 * meeting_points));
+    turned.push_back(i < meeting_points ? meeting_points - 1 - i : i);
   }
   task.symmetries = {reordered(3, others), reordered(3, turned)};
   task.judge = [](std::span<const double> q) {
@@ -71,7 +71,7 @@ Task convex_meeting_task() {
   task.methods.push_back(each_made<numbers>(
       "exact", "ours, one at a time",
       [](const std::array<double, numbers>& q) {
-        return Hulls{points_at(q.data(), hull_points), points_at(&q[numbers / 2], hull_points)};
+        return Hulls{points_at(q.data(), meeting_points), points_at(&q[numbers / 2], meeting_points)};
       },
       [](const Hulls& q) { return gjk_intersects(VertexHull3{q[0]}, VertexHull3{q[1]}); }));
   return task;
