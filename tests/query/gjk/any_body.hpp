@@ -13,7 +13,7 @@
 #include "query/body/posed_cases.hpp"
 #include "query/separation/convex_body.hpp"
 
-namespace plumb::any_body {
+namespace plumb::drawn_body {
 
 using pair_cases::Material, query::BodyView, query::Exact3, query::FlatSet;
 
@@ -73,4 +73,4 @@ inline std::string name_of(const BodyView& v) {
   return std::string(query::spoken(v)) + (v.pose == nullptr ? "" : " posed");
 }
 
-}  // namespace plumb::any_body
+}  // namespace plumb::drawn_body

@@ -16,7 +16,7 @@
 namespace plumb {
 namespace {
 
-using namespace any_body;
+using namespace drawn_body;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 

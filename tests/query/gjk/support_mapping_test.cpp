@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-using namespace any_body;
+using namespace drawn_body;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
