@@ -1,6 +1,9 @@
 #include "plumb/query/gjk/support_mapping.hpp"
 
-#include <fmt/format.h>
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
 
 #include "arith/rounded_radical.hpp"
 #include "plumb/arith/ball.hpp"
@@ -13,8 +16,18 @@ namespace {
 
 using BigVec = arith::Vec<BigDyadic>;
 
-std::string text_of(const char* what, double x, double y, double z) {
-  return fmt::format("{} ({}, {}, {})", what, x, y, z);
+std::string joined(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts) text.append(part);
+  return text;
+}
+/// With the fewest digits that tell it from its neighbors.
+std::string text_of(double x) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
+}
+std::string text_of(std::string_view what, double x, double y, double z) {
+  return joined({what, " (", text_of(x), ", ", text_of(y), ", ", text_of(z), ")"});
 }
 std::string text_of(const Point3& p) { return text_of("point", p.x, p.y, p.z); }
 std::string text_of(const Vector3& v) { return text_of("direction", v.x, v.y, v.z); }
@@ -33,8 +46,8 @@ class MappingHull {
   const Point3& ask(const Vector3& direction) {
     const Point3 p = mapping_(direction);
     if (!is_real(sum_of(p))) {
-      throw NonFinite(fmt::format("gjk_bounds: {} tells {} for {}; a support mapping tells a point of finite numbers",
-                                  name_, text_of(p), text_of(direction)));
+      throw NonFinite(joined({"gjk_bounds: ", name_, " tells ", text_of(p), " for ", text_of(direction),
+                              "; a support mapping tells a point of finite numbers"}));
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
       require_no_farther(direction, points_[i], p, "which is less far along it than", points_[i]);
@@ -54,9 +67,9 @@ class MappingHull {
     const BigDyadic ahead = dot(arith::vec<BigDyadic>(along), way), slack = BigDyadic(rounding_) + BigDyadic(rounding_);
     if (ahead.sign() != Sign::positive || (ahead * ahead - slack * slack * square_of(along)).sign() != Sign::positive)
       return;
-    throw InvalidShape(fmt::format(
-        "gjk_bounds: {} contradicts itself: it tells {}, {} {}; state its rounding, if it is no more than that", name_,
-        text_of(&other == &one ? than : one), how, text_of(other)));
+    throw InvalidShape(
+        joined({"gjk_bounds: ", name_, " contradicts itself: it tells ", text_of(&other == &one ? than : one), ", ",
+                how, " ", text_of(other), "; state its rounding, if it is no more than that"}));
   }
 
   SupportCall mapping_;
@@ -86,8 +99,9 @@ double rounded_bound(Rounding rounding, const BigDyadic& square, const BigDyadic
 
 GjkBounds bounds_of(const SupportCall& a, const SupportCall& b, const GjkBoundsOptions& options) {
   const auto require_length = [](const char* name, double x) {
-    if (!is_real(x)) throw NonFinite(fmt::format("gjk_bounds: options.{} is {}; give a finite double", name, x));
-    if (x < 0) throw InvalidShape(fmt::format("gjk_bounds: options.{} is negative; give one that is not", name));
+    if (!is_real(x))
+      throw NonFinite(joined({"gjk_bounds: options.", name, " is ", text_of(x), "; give a finite double"}));
+    if (x < 0) throw InvalidShape(joined({"gjk_bounds: options.", name, " is negative; give one that is not"}));
   };
   require_length("rounding", options.rounding), require_length("within", options.within);
   const BigDyadic both_off = BigDyadic(options.rounding) + BigDyadic(options.rounding), none(0.0);
