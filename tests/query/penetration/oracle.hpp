@@ -111,7 +111,7 @@ struct Differences {
       points.push_back(w);
     }
     std::ranges::sort(points);
-    points.erase(std::ranges::unique(points).begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
   }
 };
 
