@@ -124,7 +124,9 @@ TEST(Vectors, OfAnySizeCoverEveryGenerator) {
         const std::set<double> corners(ours.begin(), ours.end());
         std::set<double> told;
         for (const std::string& i : v.answer) told.insert(std::stod(i));
-        if (!corners.empty()) EXPECT_EQ(corners, told) << v.input;  // flat ones have no triangles
+        if (!corners.empty()) {  // flat ones have no triangles
+          EXPECT_EQ(corners, told) << v.input;
+        }
       } else {
         EXPECT_EQ(ours.at(0), number_of(v.answer, std::string(task.kind))) << sized_name(task) << ' ' << v.input;
       }

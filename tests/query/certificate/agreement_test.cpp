@@ -42,7 +42,7 @@ TEST(CertificatesOfFigures, SayWhatRelateAndDistanceSay) {
   int asked = 0, refused = 0;
   on_pairs(Bodies{}, [&]<class A, class B>(const A*, const B*) {
     Answers answers;
-    shape_cases::on_shapes(start++, battery::sanitized ? 1 : 20, [&](Material& m) {
+    shape_cases::on_shapes(start++, battery::sanitized ? 4 : 20, [&](Material& m) {
       const auto [a, b] = pair_of<A, B>(m);
       const std::string about = pair_name<A, B>() + m.about(a, b);
       const bool is_pair = expect_agrees(a, b, about, answers) && expect_agrees(b, a, about, answers);
@@ -50,7 +50,7 @@ TEST(CertificatesOfFigures, SayWhatRelateAndDistanceSay) {
     });
     add_to_kinds<A, B>(by_kind, answers);
   });
-  expect_every_answer(by_kind);
+  if (!battery::sanitized) expect_every_answer(by_kind);  // a fifth of the cases does not reach all
   std::printf("%d pairs, and %d of which one is no body\n", asked, refused);
   EXPECT_GT(asked, refused);
 }
@@ -61,7 +61,7 @@ TEST(CertificatesOfFigures, UnderPoses) {
   int uneven = 0;
   on_pairs(Types<Segment3, Triangle3, Sphere3, Aabb3, Capsule3, ConvexPolyhedron3>{},
            [&]<class A, class B>(const A*, const B*) {
-             shape_cases::on_shapes(start++, battery::sanitized ? 1 : 16, [&](Material& m) {
+             shape_cases::on_shapes(start++, battery::sanitized ? 4 : 16, [&](Material& m) {
                const auto [a, b] = pair_of<A, B>(m);
                const Pose pose = m.below(2) == 0 ? regular_pose(m) : whole_pose(m),
                           quarter{{{{0, 2, 0}, {-2, 0, 0}, {0, 0, 2}}}, {m.number(), 1, 0}};
