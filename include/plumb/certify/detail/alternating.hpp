@@ -6,7 +6,6 @@
 // Cost: a comparison for each pair of arguments.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -62,7 +61,11 @@ struct LeastLast {
       of_least = of_this < of_least ? of_this : of_least;
     }
     if (least == last) return;
-    std::swap_ranges(at.begin() + last, at.end(), at.begin() + least);
+    for (std::size_t axis = 0; axis < size; ++axis) {
+      const double kept = at[last + axis];
+      at[last + axis] = at[least + axis];
+      at[least + axis] = kept;
+    }
     parity = Sign::negative;
   }
 

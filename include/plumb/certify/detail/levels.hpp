@@ -9,7 +9,6 @@
 // Cost: 2 to 5 ns; `at` a product for each coordinate.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -57,7 +56,11 @@ class Levels {
 
   /// Are all below 2^-959?  Sums of such numbers may be subnormal, which takes a hundred times as long.
   static constexpr int least_exponent = 64;
-  [[nodiscard]] bool are_low() const { return *std::max_element(highest_.begin(), highest_.end()) < least_exponent; }
+  [[nodiscard]] bool are_low() const {
+    bool low = true;
+    for (const int highest : highest_) low = low && highest < least_exponent;
+    return low;
+  }
   /// The most exponents between the numbers of one axis.
   [[nodiscard]] int span() const {
     int most = 0;
