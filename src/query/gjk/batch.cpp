@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 
+#include "certify/batch/cases.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb {
@@ -16,15 +17,7 @@ namespace {
 constexpr std::size_t pairs_in_block = 64;
 
 void require_as_many(std::string_view function, std::string_view name, std::size_t length, std::size_t pairs) {
-  if (length == pairs) return;
-  throw UnequalLengths(std::string(function)
-                           .append(": ")
-                           .append(name)
-                           .append(" has ")
-                           .append(std::to_string(length))
-                           .append(" items, but pairs has ")
-                           .append(std::to_string(pairs))
-                           .append("; give spans of equal length"));
+  if (length != pairs) certify::batch::throw_unequal(function, name, length, "pairs", pairs);
 }
 
 /// The error in hand, with the pair's number behind the function's name.

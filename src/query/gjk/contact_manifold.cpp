@@ -8,7 +8,7 @@
 #include "query/gjk/body_pair.hpp"
 #include "query/gjk/least_face.hpp"
 #include "query/gjk/touching_faces.hpp"
-#include "query/section/common_part.hpp"
+#include "query/section/exact_section.hpp"
 #include "query/separation/told_pair.hpp"
 
 namespace plumb::query {

@@ -23,7 +23,7 @@ template <std::size_t D, class Halfspace>
 GuessedCorner<D> guess_corner(const Numbers<D>& direction, std::span<const Halfspace> constraints,
                               const Numbers<D>& most, double most_limit) {
   constexpr int most_steps = 64;
-  constexpr double off = 0x1p-40;
+  constexpr double off = 0x1p-40;  // a guess, as all here: of what a constraint is violated by
   GuessedCorner<D> guess;
   double size = 0;
   for (const double x : most) size = std::max(size, x);

@@ -6,7 +6,7 @@
 #include "query/body/posed_input.hpp"
 #include "query/convex/posed_set.hpp"
 #include "query/convex/set.hpp"
-#include "query/section/common_part.hpp"
+#include "query/section/exact_section.hpp"
 
 namespace plumb::query {
 namespace {

@@ -64,7 +64,7 @@ std::string convex_text(const ConvexReport& r, const Style& style) {
       const auto& [x, y, z] = which == 0 ? r.nearest.closest.on_a : r.nearest.closest.on_b;
       text += fmt::format("{} {} {} {}: {}\n", "ab"[which], x, y, z, numbers_text(nearest_corners(r, which)));
     }
-  } else if (r.penetration) {
+  } else if (r.proof.claim == Claim::overlapping) {
     const auto& [x, y, z] = r.penetration->translation;
     text += fmt::format("they no more than touch once a is moved by {} {} {}{}\n", x, y, z,
                         r.penetration->is_unique ? "" : ", which is one of several ways");
