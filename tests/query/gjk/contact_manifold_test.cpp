@@ -8,7 +8,7 @@
 #include "plumb/query/gjk/gjk.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
-#include "query/section/common_part.hpp"
+#include "query/section/exact_section.hpp"
 
 namespace plumb {
 namespace {
