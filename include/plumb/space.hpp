@@ -49,6 +49,9 @@
 #include "plumb/space/moving/posed_translating.hpp"  // meshes that have been moved before, along a line
 #include "plumb/space/moving/translating_mesh.hpp"   // a mesh along a line, another
 
+// Which boxes overlap?
+#include "plumb/space/pairs/box_pair.hpp"  // what is told of each pair, by any method
+
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself
 #include "plumb/space/pairs/neighbors.hpp"      // two triangles of one mesh, beyond what they share

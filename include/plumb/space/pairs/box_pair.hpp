@@ -1,0 +1,28 @@
+// Broad phase: what is told of boxes of which two overlap, and what is asked of them?
+//
+// Laws: every method of the broad phase (grids, trees, sort and sweep) tells the same pairs: those of two different
+// boxes whose relate is not disjoint, or, where touching is left out, is overlapping; each once, a < b within one set.
+// Their order depends on the boxes and on the method, not on the number of threads.
+// Source: RTCD 2.4.1.
+// Cost: none.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include "plumb/certify/batch.hpp"
+
+namespace plumb {
+
+/// The numbers of two boxes; of two sets, a in the first and b in the second.
+struct BoxPair {
+  std::uint32_t a, b;
+  friend auto operator<=>(const BoxPair&, const BoxPair&) = default;
+};
+
+struct BoxPairOptions {
+  bool touching = true;  // false: only the pairs that overlap
+  Execution execution = Execution::parallel;
+};
+
+}  // namespace plumb
