@@ -60,6 +60,11 @@
 #include "plumb/space/octree/loose_octree.hpp"  // boxes that come, go and move
 #include "plumb/space/octree/point_octree.hpp"  // points
 
+// Which rooms are there, what is seen through their doors?  PortalCells, seen_from, potentially_visible, passage
+#include "plumb/space/cells/passage.hpp"       // what moves through them
+#include "plumb/space/cells/portal_cells.hpp"  // convex cells, and portals in their faces
+#include "plumb/space/cells/visibility.hpp"    // what is seen from a place, or from anywhere in a cell
+
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself
 #include "plumb/space/pairs/neighbors.hpp"      // two triangles of one mesh, beyond what they share

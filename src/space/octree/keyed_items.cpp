@@ -14,9 +14,9 @@ constexpr unsigned digit_bits = 11;
 constexpr std::size_t digits = 1 << digit_bits;
 constexpr std::size_t digit_block = 1 << 15;
 
-/// By three digits, least first; stable.  Digits that all have in common are passed over.
-void sort_by_digits(Execution execution, std::span<KeyedItem> items, std::span<KeyedItem> room,
-                    const std::array<unsigned, 3>& shifts) {
+/// By these digits, least first; stable.  Digits that all have in common are passed over.  Are they in `room` then?
+bool sort_by_digits(Execution execution, std::span<KeyedItem> items, std::span<KeyedItem> room,
+                    std::span<const unsigned> shifts) {
   std::vector<std::array<std::uint32_t, digits>> counts(blocks_of(items.size(), digit_block));
   std::span<KeyedItem> from = items, to = room;
   for (const unsigned shift : shifts) {
@@ -37,23 +37,30 @@ void sort_by_digits(Execution execution, std::span<KeyedItem> items, std::span<K
     });
     std::swap(from, to);
   }
-  if (from.data() != items.data()) std::copy(from.begin(), from.end(), items.begin());
+  return from.data() != items.data();
 }
 
 }  // namespace
 
 void sort_by_key(Execution execution, std::vector<KeyedItem>& items) {
   if (items.empty()) return;
-  constexpr unsigned told_apart = 64 - 3 * digit_bits;
-  constexpr std::size_t few = 256;
+  // So many of the upper bits that few keys have them in common, and then what these do not tell apart.
+  constexpr std::size_t few_items = std::size_t{1} << 17, few = 256;
+  constexpr std::array<unsigned, 3> upper{31, 42, 53};
+  constexpr std::array<unsigned, 4> lower{0, 11, 22, 31};
+  const bool two = items.size() <= few_items;
+  const unsigned told_apart = upper[two ? 1 : 0];
   std::vector<KeyedItem> room(items.size());
-  sort_by_digits(execution, items, room, {31, 42, 53});
+  if (sort_by_digits(execution, items, room, std::span(upper).subspan(two ? 1 : 0))) items.swap(room);
   for (std::size_t begin = 0; begin < items.size();) {
     std::size_t end = begin + 1;
     while (end < items.size() && items[end].key >> told_apart == items[begin].key >> told_apart) ++end;
-    const std::span<KeyedItem> run = std::span(items).subspan(begin, end - begin);
+    const std::span<KeyedItem> run = std::span(items).subspan(begin, end - begin),
+                               aside = std::span(room).subspan(begin, end - begin);
     if (run.size() > few) {
-      sort_by_digits(execution, run, std::span(room).subspan(begin, run.size()), {0, 11, 20});
+      if (sort_by_digits(execution, run, aside, std::span(lower).first(two ? 4 : 3))) {
+        std::copy(aside.begin(), aside.end(), run.begin());
+      }
     } else if (run.size() > 1) {
       const auto before = [](const KeyedItem& a, const KeyedItem& b) {
         return a.key != b.key ? a.key < b.key : a.item < b.item;

@@ -2,7 +2,8 @@
 //
 // Laws: the order depends on no thread: keys of one digit are placed block by block.
 // Source: Knuth, The Art of Computer Programming 3, 5.2.5.
-// Cost: three passes over all, and a sort of those that 33 bits do not tell apart; as much memory as the items.
+// Cost: two or three passes over all, and a sort of those that 22 or 33 bits do not tell apart; as much memory as the
+// items.
 #pragma once
 
 #include <cstdint>
