@@ -156,12 +156,12 @@ TEST(SeenFrom, IsWhatLinearProgramsSay) {
   }
   EXPECT_GT(told, battery::sanitized ? 5u : 60u);
   EXPECT_GE(longest, battery::sanitized ? 1u : 3u);
-  EXPECT_GT(points, 0u);
+  EXPECT_TRUE(points > 0 || !battery::reaches_rare);
 }
 
 TEST(PotentiallyVisible, MissesNothingThatIsSeen) {
   std::size_t seen = 0, hidden = 0;
-  for (std::uint64_t i = 0; i < (battery::sanitized ? 2u : 10u); ++i) {
+  for (std::uint64_t i = 0; i < 10; ++i) {
     Entropy e(841, i);
     const rooms::Made made = rooms::lattice(e, 3, 2, 1 + static_cast<int>(e.below(2)));
     const PortalCells all = made.rooms();
@@ -182,7 +182,7 @@ TEST(PotentiallyVisible, MissesNothingThatIsSeen) {
       }
     }
   }
-  EXPECT_GT(seen, battery::sanitized ? 1u : 40u);
+  EXPECT_GT(seen, 40u);
   EXPECT_GT(hidden, 5u);
 }
 

@@ -6,7 +6,6 @@
 
 #include <limits>
 
-#include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/rational.hpp"
@@ -35,7 +34,7 @@ Rational exact_border(const CellFrame<D>& frame, std::size_t axis, std::uint64_t
 template <std::size_t D>
 void numbers_are_exact(std::uint64_t run) {
   std::size_t on_border = 0, infinite = 0;
-  scenes::on_scenes(run, battery::sanitized ? 5 : 40, [&](scenes::Family family, Entropy& e, const std::string& text) {
+  scenes::on_scenes(run, 40, [&](scenes::Family family, Entropy& e, const std::string& text) {
     const auto boxes = scenes::boxes_of<D>(family, 2, e);
     const CellFrame<D> frame(boxes[0]);
     EXPECT_TRUE(frame.holds(boxes[0].min) && frame.holds(boxes[0].max)) << text;
