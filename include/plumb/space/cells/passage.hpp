@@ -9,11 +9,11 @@
 //
 // Laws: (1) a passage goes from one closed cell into another at a place that the segment has in common with a portal of
 // both: it arrives exactly where some chain of cells and portals covers the segment from its beginning to its end.
-// (2) It is the one of the fewest portals; of as many one that is at its last portal soonest, of these that of the
-// lowest numbers. Through a corner that portals have in common it may lead through several at one place.  (3) Where
-// none arrives it is the one that comes farthest, and `until` the part of the segment up to there, exactly: 1 where it
-// arrives.  (4) An object that arrives is moved, one that does not stays where it was.  On a portal it is in the cell
-// that it came from. A segment that begins outside the cell, and an object outside all cells, throw InvalidShape; a
+// (2) It is one of the fewest portals, the same in every run.  Through a corner that portals have in common it may lead
+// through several at one place.  (3) Where none arrives it is one that comes farthest, and `until` the part of the
+// segment up to there, exactly: 1 where it arrives.  (4) An object that arrives is moved, one that does not stays where
+// it was.  On a portal it is in the cell that it came from.
+// A segment that begins outside the cell, and an object outside all cells, throw InvalidShape; a
 // handle that holds nothing Error; NaN and infinity NonFinite.
 // Source: RTCD 7.6.
 // Cost: a sign for each face while it stays in the cell; rational numbers for each cell that it leaves.

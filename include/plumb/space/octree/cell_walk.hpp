@@ -8,9 +8,10 @@
 // its upper ones: each point of it in the root is in one leaf.  They ascend along the ray.  (2) CellWalk::closed:
 // exactly the leaves whose closed cells it touches, in a face, an edge or a corner too.  They ascend by where it comes
 // to them first, those that it comes to at one place by their codes, in Morton order.  (3) A ray without a direction,
-// and a segment of one point, is that point.  (4) What is nearer than a stop need not be paid for: nothing behind the
-// last leaf taken is looked at, but cells beside the way. Where a ray crosses which border first is told by the sign of
-// (c - o.x) d.y - (d - o.y) d.x, certified: no parameter is computed, none adds up.  NaN and infinity throw NonFinite.
+// and a segment of one point, is that point.  (4) Nothing beyond the last leaf that was taken is looked
+// at, but other children of cells on the way to it.
+// Where a ray crosses which border first is told by the sign of (c - o.x) d.y - (d - o.y) d.x, certified: no parameter
+// is computed, none adds up.  NaN and infinity throw NonFinite.
 // Source: RTCD 7.4.1; Revelles, Urena and Lastra 2000 for octrees by parameters.
 // Cost: some 20 comparisons of borders for each cell that is entered on the way; no recursion.
 #pragma once

@@ -1,7 +1,6 @@
 // Loose octree, loose quadtree: which boxes are in a region, and which two overlap, where boxes come, go and move?
 //
-//   LooseOctree tree(Aabb3{{0, 0, 0}, {100, 100, 100}});    // the world: what lies outside is found as well, only
-// later
+//   LooseOctree tree(Aabb3{{0, 0, 0}, {100, 100, 100}});    // the world; what lies outside is found as well
 //   const std::uint32_t handle = tree.insert(box);
 //   tree.move(handle, elsewhere);
 //   tree.boxes_in(region);  tree.overlapping_pairs();       // by their handles
