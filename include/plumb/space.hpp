@@ -52,6 +52,19 @@
 // Which boxes overlap?
 #include "plumb/space/pairs/box_pair.hpp"  // what is told of each pair, by any method
 
+// Which cells of a cube are things in, and a ray?  build_octree, build_quadtree, locate, cells_along
+#include "plumb/space/octree/box_octree.hpp"    // boxes: in the smallest cell that holds them, or in all leaves
+#include "plumb/space/octree/cell_frame.hpp"    // borders that are doubles
+#include "plumb/space/octree/cell_tree.hpp"     // cells and their codes
+#include "plumb/space/octree/cell_walk.hpp"     // what a ray goes through
+#include "plumb/space/octree/loose_octree.hpp"  // boxes that come, go and move
+#include "plumb/space/octree/point_octree.hpp"  // points
+
+// Which rooms are there, what is seen through their doors?  PortalCells, seen_from, potentially_visible, passage
+#include "plumb/space/cells/passage.hpp"       // what moves through them
+#include "plumb/space/cells/portal_cells.hpp"  // convex cells, and portals in their faces
+#include "plumb/space/cells/visibility.hpp"    // what is seen from a place, or from anywhere in a cell
+
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself
 #include "plumb/space/pairs/neighbors.hpp"      // two triangles of one mesh, beyond what they share
