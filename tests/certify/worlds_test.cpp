@@ -33,6 +33,14 @@ struct Seen {
   int certain_sign;  // 2: none
 };
 
+// Compiled once, not in every statement.
+mpq_class sum(const mpq_class& a, const mpq_class& b) { return a + b; }
+mpq_class difference(const mpq_class& a, const mpq_class& b) { return a - b; }
+mpq_class product(const mpq_class& a, const mpq_class& b) { return a * b; }
+mpq_class absolute(const mpq_class& a) { return abs(a); }
+mpq_class larger_of(const mpq_class& a, const mpq_class& b) { return a > b ? a : b; }
+mpq_class smaller_of(const mpq_class& a, const mpq_class& b) { return a < b ? a : b; }
+
 /// A number of both worlds; what is computed is noted.
 template <class T>
 struct Both {
@@ -47,26 +55,24 @@ class Run {
  public:
   using Seen = plumb::Seen<typename World<precision>::Number>;
 
-  explicit Run(const Numbers& numbers) : x_(numbers) {}
+  explicit Run(const Numbers& numbers) : x_(numbers), exact_(numbers.begin(), numbers.end()) {}
 
   template <class T>
   auto noted(const T& t, const mpq_class& exact) {
-    seen_.push_back({t.value, exact, T::track, 0});
-    judges_.push_back(judge_of<T>());
+    note(t.value, exact, T::track, judge_of<T>());
     return Both{t, exact};
   }
   template <std::uint64_t seed, std::size_t scale>
   auto leaf() {
     constexpr std::size_t i = seed % 6, j = seed / 6 % 6;
-    const mpq_class a(x_[i]), b(x_[j]);
     if constexpr (scale == 3) {  // a weight: of power 1 of scale 0, -1 of scale 1
-      return noted(world_.template weight<1>(world_.given(x_[i])), a);
+      return noted(world_.template weight<1>(world_.given(x_[i])), exact_[i]);
     } else if constexpr (seed / 36 % 3 == 0) {
-      return noted(world_.template number<scale>(x_[i]), a);
+      return noted(world_.template number<scale>(x_[i]), exact_[i]);
     } else if constexpr (seed / 36 % 3 == 1) {
-      return noted(world_.template sum<scale>(world_.given(x_[i]), world_.given(x_[j])), a + b);
+      return noted(world_.template sum<scale>(world_.given(x_[i]), world_.given(x_[j])), sum(exact_[i], exact_[j]));
     } else {
-      return noted(world_.template difference<scale>(x_[i], x_[j]), a - b);
+      return noted(world_.template difference<scale>(x_[i], x_[j]), difference(exact_[i], exact_[j]));
     }
   }
   /// Signs are asked at the end, when all leaves are in their scales.
@@ -91,7 +97,13 @@ class Run {
     };
   }
 
+  void note(const Number& number, const mpq_class& exact, const Track& track, Judge judge) {
+    seen_.push_back({number, exact, track, 0});
+    judges_.push_back(judge);
+  }
+
   Numbers x_;
+  std::vector<mpq_class> exact_;
   World<precision> world_;
   std::vector<Seen> seen_;
   std::vector<Judge> judges_;
@@ -113,7 +125,7 @@ auto tree(Run& run) {
     if constexpr (q > 1 && p > 0 && h % 5 == 0) {  // a weight
       const auto a = run.template leaf<h, 3>();
       const auto b = tree<next(1), 0, p - 1, q + 1>(run);
-      return run.noted(a.floats * b.floats, a.exact * b.exact);
+      return run.noted(a.floats * b.floats, product(a.exact, b.exact));
     } else {
       constexpr int left_p = p > 0 ? static_cast<int>(h / 16 % static_cast<unsigned>(p + 1)) : 0;
       constexpr int wanted_q = q > 0 ? static_cast<int>(h / 256 % static_cast<unsigned>(q + 1)) : 0;
@@ -123,24 +135,24 @@ auto tree(Run& run) {
       constexpr int d = depth > 0 ? depth - 1 : 0;
       const auto a = tree<next(1), d, lp, lq>(run);
       const auto b = tree<next(2), d, p - lp, q - lq>(run);
-      return run.noted(a.floats * b.floats, a.exact * b.exact);
+      return run.noted(a.floats * b.floats, product(a.exact, b.exact));
     }
   } else {
     const auto a = tree<next(3), depth - 1, p, q>(run);
     if constexpr (h / 8 % 7 == 0) {
-      return run.noted(magnitude(a.floats), abs(a.exact));
+      return run.noted(magnitude(a.floats), absolute(a.exact));
     } else if constexpr (h / 8 % 7 == 1) {
-      return run.noted(twice(a.floats), 2 * a.exact);
+      return run.noted(twice(a.floats), sum(a.exact, a.exact));
     } else {
       const auto b = tree<next(4), depth - 1, p, q>(run);
       if constexpr (h / 8 % 7 == 2) {
-        return run.noted(larger(a.floats, b.floats), a.exact > b.exact ? a.exact : b.exact);
+        return run.noted(larger(a.floats, b.floats), larger_of(a.exact, b.exact));
       } else if constexpr (h / 8 % 7 == 3) {
-        return run.noted(smaller(a.floats, b.floats), a.exact < b.exact ? a.exact : b.exact);
+        return run.noted(smaller(a.floats, b.floats), smaller_of(a.exact, b.exact));
       } else if constexpr (h / 8 % 7 < 5) {
-        return run.noted(a.floats + b.floats, a.exact + b.exact);
+        return run.noted(a.floats + b.floats, sum(a.exact, b.exact));
       } else {
-        return run.noted(a.floats - b.floats, a.exact - b.exact);
+        return run.noted(a.floats - b.floats, difference(a.exact, b.exact));
       }
     }
   }
@@ -175,12 +187,19 @@ mpq_class power_of(const mpq_class& x, int n) {
   return n < 0 ? mpq_class(1 / r) : r;
 }
 
+template <Precision precision>
+using Statement = void (*)(Run<precision>&);
 template <Precision precision, std::uint64_t seed>
-void expect_laws(Tally& tally) {
+void statement(Run<precision>& run) {
+  (void)tree<seed, 5, seed % 3, 2 - seed % 2>(run);
+}
+
+template <Precision precision>
+void expect_laws(Statement<precision> ask, std::uint64_t seed, Tally& tally) {
   Entropy e(seed, 18);
   for (int round = 0; round < 60; ++round) {
     Run<precision> run(drawn(e));
-    (void)tree<seed, 5, seed % 3, 2 - seed % 2>(run);
+    ask(run);
     if (!run.world().certain()) {
       ++tally.out_of_range;
       continue;
@@ -212,7 +231,7 @@ void expect_laws(Tally& tally) {
 template <Precision precision, std::uint64_t... seeds>
 Tally tally_of(std::integer_sequence<std::uint64_t, seeds...>) {
   Tally tally;
-  (expect_laws<precision, seeds + 1>(tally), ...);
+  (expect_laws<precision>(statement<precision, seeds + 1>, seeds + 1, tally), ...);
   return tally;
 }
 
