@@ -33,46 +33,61 @@ struct Seen {
   int certain_sign;  // 2: none
 };
 
-// Compiled once, not in every statement.
-mpq_class sum(const mpq_class& a, const mpq_class& b) { return a + b; }
-mpq_class difference(const mpq_class& a, const mpq_class& b) { return a - b; }
-mpq_class product(const mpq_class& a, const mpq_class& b) { return a * b; }
-mpq_class absolute(const mpq_class& a) { return abs(a); }
-mpq_class larger_of(const mpq_class& a, const mpq_class& b) { return a > b ? a : b; }
-mpq_class smaller_of(const mpq_class& a, const mpq_class& b) { return a < b ? a : b; }
+/// The exact values of what is computed, by their numbers.  No statement holds one itself, so that what is compiled for
+/// each of its parts is short.
+class Exacts {
+ public:
+  explicit Exacts(const Numbers& numbers) : x_(numbers.begin(), numbers.end()) {}
+  [[nodiscard]] const mpq_class& operator[](std::size_t i) const { return x_[i]; }
+
+  std::size_t sum(std::size_t a, std::size_t b) { return add(x_[a] + x_[b]); }
+  std::size_t difference(std::size_t a, std::size_t b) { return add(x_[a] - x_[b]); }
+  std::size_t product(std::size_t a, std::size_t b) { return add(x_[a] * x_[b]); }
+  std::size_t magnitude(std::size_t a) { return add(abs(x_[a])); }
+  [[nodiscard]] std::size_t larger(std::size_t a, std::size_t b) const { return x_[a] > x_[b] ? a : b; }
+  [[nodiscard]] std::size_t smaller(std::size_t a, std::size_t b) const { return x_[a] < x_[b] ? a : b; }
+
+ private:
+  std::size_t add(const mpq_class& x) {
+    x_.push_back(x);
+    return x_.size() - 1;
+  }
+
+  std::vector<mpq_class> x_;
+};
 
 /// A number of both worlds; what is computed is noted.
 template <class T>
 struct Both {
   T floats;
-  mpq_class exact;
+  std::size_t exact;
 };
 template <class T>
-Both(T, mpq_class) -> Both<T>;
+Both(T, std::size_t) -> Both<T>;
 
 template <Precision precision>
 class Run {
  public:
   using Seen = plumb::Seen<typename World<precision>::Number>;
 
-  explicit Run(const Numbers& numbers) : x_(numbers), exact_(numbers.begin(), numbers.end()) {}
+  explicit Run(const Numbers& numbers) : exact(numbers), x_(numbers) {}
 
   template <class T>
-  auto noted(const T& t, const mpq_class& exact) {
-    note(t.value, exact, T::track, judge_of<T>());
-    return Both{t, exact};
+  auto noted(const T& t, std::size_t value) {
+    note(t.value, value, T::track, judge_of<T>());
+    return Both{t, value};
   }
   template <std::uint64_t seed, std::size_t scale>
   auto leaf() {
     constexpr std::size_t i = seed % 6, j = seed / 6 % 6;
     if constexpr (scale == 3) {  // a weight: of power 1 of scale 0, -1 of scale 1
-      return noted(world_.template weight<1>(world_.given(x_[i])), exact_[i]);
+      return noted(world_.template weight<1>(world_.given(x_[i])), i);
     } else if constexpr (seed / 36 % 3 == 0) {
-      return noted(world_.template number<scale>(x_[i]), exact_[i]);
+      return noted(world_.template number<scale>(x_[i]), i);
     } else if constexpr (seed / 36 % 3 == 1) {
-      return noted(world_.template sum<scale>(world_.given(x_[i]), world_.given(x_[j])), sum(exact_[i], exact_[j]));
+      return noted(world_.template sum<scale>(world_.given(x_[i]), world_.given(x_[j])), exact.sum(i, j));
     } else {
-      return noted(world_.template difference<scale>(x_[i], x_[j]), difference(exact_[i], exact_[j]));
+      return noted(world_.template difference<scale>(x_[i], x_[j]), exact.difference(i, j));
     }
   }
   /// Signs are asked at the end, when all leaves are in their scales.
@@ -81,6 +96,8 @@ class Run {
     return std::move(seen_);
   }
   World<precision>& world() { return world_; }
+
+  Exacts exact;
 
  private:
   using Number = typename World<precision>::Number;
@@ -97,13 +114,12 @@ class Run {
     };
   }
 
-  void note(const Number& number, const mpq_class& exact, const Track& track, Judge judge) {
-    seen_.push_back({number, exact, track, 0});
+  void note(const Number& number, std::size_t value, const Track& track, Judge judge) {
+    seen_.push_back({number, exact[value], track, 0});
     judges_.push_back(judge);
   }
 
   Numbers x_;
-  std::vector<mpq_class> exact_;
   World<precision> world_;
   std::vector<Seen> seen_;
   std::vector<Judge> judges_;
@@ -120,12 +136,12 @@ auto tree(Run& run) {
   constexpr std::uint64_t h = mixed(seed);
   constexpr auto next = [](std::uint64_t i) { return mixed(h + i * 0x51ed27); };
   if constexpr (p + q == 1 && (depth == 0 || h % 4 == 0)) {
-    return run.template leaf<h, q>();
+    return run.template leaf<h % 108, q>();  // what it looks at of h
   } else if constexpr (p + q > 1 && (depth == 0 || h % 3 == 0)) {
     if constexpr (q > 1 && p > 0 && h % 5 == 0) {  // a weight
-      const auto a = run.template leaf<h, 3>();
+      const auto a = run.template leaf<h % 6, 3>();
       const auto b = tree<next(1), 0, p - 1, q + 1>(run);
-      return run.noted(a.floats * b.floats, product(a.exact, b.exact));
+      return run.noted(a.floats * b.floats, run.exact.product(a.exact, b.exact));
     } else {
       constexpr int left_p = p > 0 ? static_cast<int>(h / 16 % static_cast<unsigned>(p + 1)) : 0;
       constexpr int wanted_q = q > 0 ? static_cast<int>(h / 256 % static_cast<unsigned>(q + 1)) : 0;
@@ -135,24 +151,24 @@ auto tree(Run& run) {
       constexpr int d = depth > 0 ? depth - 1 : 0;
       const auto a = tree<next(1), d, lp, lq>(run);
       const auto b = tree<next(2), d, p - lp, q - lq>(run);
-      return run.noted(a.floats * b.floats, product(a.exact, b.exact));
+      return run.noted(a.floats * b.floats, run.exact.product(a.exact, b.exact));
     }
   } else {
     const auto a = tree<next(3), depth - 1, p, q>(run);
     if constexpr (h / 8 % 7 == 0) {
-      return run.noted(magnitude(a.floats), absolute(a.exact));
+      return run.noted(magnitude(a.floats), run.exact.magnitude(a.exact));
     } else if constexpr (h / 8 % 7 == 1) {
-      return run.noted(twice(a.floats), sum(a.exact, a.exact));
+      return run.noted(twice(a.floats), run.exact.sum(a.exact, a.exact));
     } else {
       const auto b = tree<next(4), depth - 1, p, q>(run);
       if constexpr (h / 8 % 7 == 2) {
-        return run.noted(larger(a.floats, b.floats), larger_of(a.exact, b.exact));
+        return run.noted(larger(a.floats, b.floats), run.exact.larger(a.exact, b.exact));
       } else if constexpr (h / 8 % 7 == 3) {
-        return run.noted(smaller(a.floats, b.floats), smaller_of(a.exact, b.exact));
+        return run.noted(smaller(a.floats, b.floats), run.exact.smaller(a.exact, b.exact));
       } else if constexpr (h / 8 % 7 < 5) {
-        return run.noted(a.floats + b.floats, sum(a.exact, b.exact));
+        return run.noted(a.floats + b.floats, run.exact.sum(a.exact, b.exact));
       } else {
-        return run.noted(a.floats - b.floats, difference(a.exact, b.exact));
+        return run.noted(a.floats - b.floats, run.exact.difference(a.exact, b.exact));
       }
     }
   }

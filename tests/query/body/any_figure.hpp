@@ -1,9 +1,9 @@
 // A figure of any kind: what tests of all pairs draw, map and rename, without its type.
 //
-// Laws: draws what figure<Shape> and near_figure<Shape> draw of the same material, and maps and renames as mapped<Shape>
-// and renamed<Shape> do.
-// Cost: a call by pointer.  What is compiled for a kind is compiled in any_figure.cpp, once for all tests, where a lambda
-// for each of 365 pairs would be compiled in every test.
+// Laws: it draws what figure<Shape> and near_figure<Shape> draw of the same material, and maps and renames as
+// mapped<Shape> and renamed<Shape> do.
+// Cost: a call by pointer.  What is compiled for a kind is compiled in any_figure.cpp, once for all tests, where a
+// lambda for each of 365 pairs would be compiled in every test.
 #pragma once
 
 #include <memory>

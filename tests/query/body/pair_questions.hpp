@@ -1,5 +1,5 @@
-// Which questions has each pair of the table, and how are they asked without types?  The public functions, each called by
-// its name for the two types.
+// Which questions has each pair of the table, and how are they asked without types?  The public functions, each called
+// by its name for the two types.
 //
 // Laws: pairs in the order of on_pairs; what a pair does not answer is nullptr.
 // Cost: a call by pointer; the functions are instantiated in pair_questions.cpp, once for all tests.

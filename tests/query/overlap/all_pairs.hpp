@@ -50,11 +50,9 @@ void expect_all_as_oracle(All all, std::uint64_t start) {
   expect_every_answer(answers);
 }
 
-inline oracle::CgalFigure2 cgal_figure_of(Plane);
-inline oracle::CgalFigure3 cgal_figure_of(Space);
-
 /// Those that CGAL has.
-template <class All, class CgalFigure = decltype(cgal_figure_of(All{}))>
+template <class All,
+          class CgalFigure = std::conditional_t<std::is_same_v<All, Plane>, oracle::CgalFigure2, oracle::CgalFigure3>>
 std::optional<CgalFigure> cgal_figure(All all, const AnyFigure& s) {
   return on_kind<std::optional<CgalFigure>>(all, s, []<class Shape>(const Shape& shape) -> std::optional<CgalFigure> {
     if constexpr (std::is_constructible_v<CgalFigure, Shape>) {
