@@ -1,7 +1,8 @@
 #include "degenerate/own_call.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <array>
+#include <bit>
 #include <typeinfo>
 
 #include "plumb/arith/error.hpp"
@@ -10,40 +11,54 @@ namespace plumb::degenerate {
 
 namespace {
 
-template <bool counted>
+/// What a function is handed: of slot i the argument, and whether it is that one's count.
+template <unsigned mask, std::size_t arguments>
+struct Slots {
+  static constexpr std::size_t size = arguments + static_cast<std::size_t>(std::popcount(mask));
+  static constexpr std::size_t argument(std::size_t slot) { return found(slot) / 2; }
+  static constexpr bool is_count(std::size_t slot) { return found(slot) % 2 != 0; }
+
+ private:
+  // Bit i of the mask: a count follows argument i.
+  static constexpr std::size_t found(std::size_t slot) {
+    std::size_t argument = 0;
+    for (std::size_t before = 0;; ++argument) {
+      if (before == slot) return 2 * argument;
+      const bool counted = (mask >> argument & 1U) != 0;
+      if (counted && before + 1 == slot) return 2 * argument + 1;
+      before += counted ? 2 : 1;
+    }
+  }
+};
+
+template <bool is_count>
 auto handed(const Passed& passed) {
-  if constexpr (counted) {
-    return std::tuple(passed.numbers, passed.count);
+  if constexpr (is_count) {
+    return passed.count;
   } else {
-    return std::tuple(passed.numbers);
+    return passed.numbers;
   }
 }
+template <bool is_count>
+using Handed = decltype(handed<is_count>({}));
 
-// Bit i of the mask: a count follows argument i.
-template <class R, unsigned mask, std::size_t... i>
-auto all_of(std::span<const Passed> passed, std::index_sequence<i...>) {
-  return std::tuple_cat(handed<(mask >> i & 1U) != 0>(passed[i])...);
-}
-
-template <class R, unsigned mask, std::size_t arguments>
+// Packs of slots, and no tuples of them: there are 138 of these.
+template <class R, class Of, std::size_t... slot>
 Answer call_with(ForeignFunction function, std::span<const Passed> passed) {
-  return std::apply(
-      [function](auto... given) -> Answer {
-        const R answer = reinterpret_cast<R (*)(decltype(given)...)>(function)(given...);
-        return std::is_same_v<R, int> ? (answer != 0 ? 1.0 : 0.0) : static_cast<double>(answer);
-      },
-      all_of<R, mask>(passed, std::make_index_sequence<arguments>()));
+  using Function = R (*)(Handed<Of::is_count(slot)>...);
+  const R answer = reinterpret_cast<Function>(function)(handed<Of::is_count(slot)>(passed[Of::argument(slot)])...);
+  return std::is_same_v<R, int> ? (answer != 0 ? 1.0 : 0.0) : static_cast<double>(answer);
 }
 
-template <class R, class... A>
-std::type_index type_of(const std::tuple<A...>*) {
-  return typeid(R(A...));
+template <class R, class Of, std::size_t... slot>
+OwnCall made_of(std::index_sequence<slot...>) {
+  return {call_with<R, Of, slot...>, typeid(R(Handed<Of::is_count(slot)>...))};
 }
 
 template <class R, unsigned mask, std::size_t arguments>
 OwnCall made() {
-  using All = decltype(all_of<R, mask>({}, std::make_index_sequence<arguments>()));
-  return {call_with<R, mask, arguments>, type_of<R>(static_cast<const All*>(nullptr))};
+  using Of = Slots<mask, arguments>;
+  return made_of<R, Of>(std::make_index_sequence<Of::size>());
 }
 
 using Make = OwnCall (*)();

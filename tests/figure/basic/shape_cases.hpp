@@ -148,7 +148,18 @@ class Material {
   template <class... Parts>
   [[nodiscard]] std::string about(const Parts&... parts) const {
     std::string text = "start " + std::to_string(start_) + " index " + std::to_string(index_);
-    (append(text, parts), ...);
+    (text.append(numbers(parts)), ...);
+    return text;
+  }
+  template <class Part>
+  static std::string numbers(const Part& part) {
+    std::string text;
+    if constexpr (std::is_trivially_copyable_v<Part> && sizeof(Part) % sizeof(double) == 0) {
+      std::array<double, sizeof(Part) / sizeof(double)> all;
+      std::memcpy(all.data(), &part, sizeof(Part));
+      for (const double x : all) text.append(" ").append(hexadecimal(x));
+      text.append(";");
+    }
     return text;
   }
 
@@ -302,16 +313,6 @@ class Material {
     if (below(10) == 0) return box;
     return {{std::fmin(a.x, b.x), std::fmin(a.y, b.y), std::fmin(a.z, b.z)},
             {std::fmax(a.x, b.x), std::fmax(a.y, b.y), std::fmax(a.z, b.z)}};
-  }
-
-  template <class Part>
-  static void append(std::string& text, const Part& part) {
-    if constexpr (std::is_trivially_copyable_v<Part> && sizeof(Part) % sizeof(double) == 0) {
-      std::array<double, sizeof(Part) / sizeof(double)> numbers;
-      std::memcpy(numbers.data(), &part, sizeof(Part));
-      for (const double x : numbers) text.append(" ").append(hexadecimal(x));
-      text.append(";");
-    }
   }
 
   std::uint64_t start_, index_;

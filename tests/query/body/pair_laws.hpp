@@ -1,4 +1,4 @@
-// What must hold of every pair of the table?  The answer of brute force, and the laws.
+// How many cases has each pair of the table, and did every answer come?
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,8 +7,6 @@
 #include <cstdio>
 
 #include "certify/sanitized.hpp"
-#include "oracle/meetings.hpp"
-#include "query/body/pair_oracle.hpp"
 #include "query/body/pair_shapes.hpp"
 #include "query/body/pair_types.hpp"
 
@@ -47,37 +45,25 @@ std::pair<A, B> pair_of(Material& m) {
   }
 }
 
-template <class A, class B>
-Answers expect_as_oracle(std::uint64_t start, std::uint64_t cases) {
-  Answers answers;
-  shape_cases::on_shapes(start, cases, [&](Material& m) {
-    const auto [a, b] = pair_of<A, B>(m);
-    const Relation expected = oracle::relation(oracle::cells(a), oracle::cells(b));
-    answers.add(expected);
-    EXPECT_EQ(relate(a, b), expected) << pair_name<A, B>() << m.about(a, b);
-    EXPECT_EQ(relate(b, a), expected) << pair_name<B, A>() << m.about(b, a);
-    EXPECT_EQ(intersects(a, b), expected != Relation::disjoint) << pair_name<A, B>() << m.about(a, b);
-    EXPECT_EQ(intersects(b, a), expected != Relation::disjoint) << pair_name<B, A>() << m.about(b, a);
-  });
-  return answers;
-}
-
 /// Brute force costs most for polygons and for what halfspaces bound.
-template <class Shape>
-inline constexpr bool is_costly = query::is_one_of(figure_kind<Shape>, {FigureKind::quadrilateral, FigureKind::polygon,
-                                                                        FigureKind::holed_polygon, FigureKind::k_dop,
-                                                                        FigureKind::halfspace_intersection});
-template <class A, class B>
-inline constexpr std::uint64_t cases_by_brute_force =
-    is_costly<A> || is_costly<B> ? cases_of_costly_pair : cases_of_pair;
+constexpr bool is_costly(FigureKind k) {
+  return query::is_one_of(k, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon,
+                              FigureKind::k_dop, FigureKind::halfspace_intersection});
+}
+constexpr std::uint64_t cases_by_brute_force(FigureKind a, FigureKind b) {
+  return is_costly(a) || is_costly(b) ? cases_of_costly_pair : cases_of_pair;
+}
 
 /// Of each kind with all others.
 using AnswersByKind = std::array<Answers, figure_kinds>;
 
+inline void add_to_kinds(AnswersByKind& answers, FigureKind a, FigureKind b, const Answers& one) {
+  answers[static_cast<std::size_t>(a)].add(one);
+  if (a != b) answers[static_cast<std::size_t>(b)].add(one);
+}
 template <class A, class B>
 void add_to_kinds(AnswersByKind& answers, const Answers& one) {
-  answers[static_cast<std::size_t>(figure_kind<A>)].add(one);
-  if (figure_kind<A> != figure_kind<B>) answers[static_cast<std::size_t>(figure_kind<B>)].add(one);
+  add_to_kinds(answers, figure_kind<A>, figure_kind<B>, one);
 }
 
 /// Each answer in at least one case of fifty of every kind that was asked.
@@ -90,44 +76,6 @@ inline void expect_every_answer(const AnswersByKind& answers) {
     for (const Relation r : {Relation::disjoint, Relation::touching, Relation::overlapping})
       EXPECT_GE(of_kind.of(r) * 50, of_kind.all()) << figure_names[i];
   }
-}
-
-/// All pairs of straight edges and flat faces.
-template <class All>
-void expect_all_as_oracle(All all, std::uint64_t start) {
-  AnswersByKind answers{};
-  on_pairs_of<PairOracle::cells>(all, [&]<class A, class B>(const A*, const B*) {
-    add_to_kinds<A, B>(answers, expect_as_oracle<A, B>(start++, cases_by_brute_force<A, B>));
-  });
-  expect_every_answer(answers);
-}
-
-template <class Shape>
-using CgalFigure = std::conditional_t<figure_dimension<Shape> == 2, oracle::CgalFigure2, oracle::CgalFigure3>;
-
-/// All pairs that CGAL has, where it accepts both shapes.
-template <class All>
-void expect_all_as_cgal(All all, std::uint64_t start) {
-  int asked = 0, meet = 0;
-  on_pairs(all, [&]<class A, class B>(const A*, const B*) {
-    if constexpr (std::is_constructible_v<CgalFigure<A>, A> && std::is_constructible_v<CgalFigure<B>, B>) {
-      int of_pair = 0;
-      shape_cases::on_shapes(start++, cases_of_pair, [&](Material& m) {
-        const auto [a, b] = pair_of<A, B>(m);
-        const std::optional<bool> expected = oracle::meet_by_cgal(CgalFigure<A>(a), CgalFigure<B>(b));
-        if (!expected) return;
-        ++of_pair;
-        meet += *expected;
-        EXPECT_EQ(intersects(a, b), *expected) << pair_name<A, B>() << m.about(a, b);
-        EXPECT_EQ(intersects(b, a), *expected) << pair_name<B, A>() << m.about(b, a);
-      });
-      EXPECT_GE(static_cast<std::uint64_t>(of_pair) * 4, cases_of_pair * shape_cases::more) << pair_name<A, B>();
-      asked += of_pair;
-    }
-  });
-  std::printf("CGAL answered %d, of which %d meet\n", asked, meet);
-  EXPECT_GE(meet * 5, asked);
-  EXPECT_GE((asked - meet) * 5, asked);
 }
 
 }  // namespace plumb::pair_cases

@@ -126,17 +126,18 @@ class Map {
 };
 
 /// Boxes along the axes are only permuted and mirrored, round figures not sheared.
-template <class A, class B>
-MapKind map_kind(Material& m) {
-  constexpr auto is_box = [](FigureKind k) { return k == FigureKind::aabb; };
+inline MapKind map_kind(FigureKind a, FigureKind b, Material& m) {
   constexpr auto is_round = [](FigureKind k) {
     return query::is_one_of(k, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
                                 FigureKind::cone, FigureKind::spherical_cap});
   };
   const std::size_t kind = m.below(3);
-  if (is_box(figure_kind<A>) || is_box(figure_kind<B>) || kind == 0) return MapKind::along_axes;
-  const bool round = is_round(figure_kind<A>) || is_round(figure_kind<B>);
-  return round || kind == 1 ? MapKind::turned : MapKind::sheared;
+  if (a == FigureKind::aabb || b == FigureKind::aabb || kind == 0) return MapKind::along_axes;
+  return is_round(a) || is_round(b) || kind == 1 ? MapKind::turned : MapKind::sheared;
+}
+template <class A, class B>
+MapKind map_kind(Material& m) {
+  return map_kind(figure_kind<A>, figure_kind<B>, m);
 }
 
 /// By what the figure says of its members.

@@ -84,7 +84,7 @@ Relation expected_relation(const Flat& flat, const SphericalCap3& cap) {
 template <class Flat>
 Answers expect_flat(std::uint64_t start) {
   Answers answers;
-  constexpr std::uint64_t cases = pair_cases::is_costly<Flat> ? 24 : 96;
+  constexpr std::uint64_t cases = pair_cases::is_costly(figure_kind<Flat>) ? 24 : 96;
   on_shapes(start, battery::sanitized ? 8 : cases, [&](Material& m) {
     auto cap = m.shape<SphericalCap3>();
     const auto flat = pair_cases::near_figure<Flat>(m);

@@ -1,6 +1,6 @@
 // Every pair of figures with straight edges in the plane, against brute force in rationals, both ways round; and all
 // that CGAL has.
-#include "query/body/pair_laws.hpp"
+#include "query/overlap/all_pairs.hpp"
 
 namespace plumb::pair_cases {
 namespace {

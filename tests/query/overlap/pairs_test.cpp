@@ -4,7 +4,7 @@
 
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/hull/hull3.hpp"
-#include "query/body/pair_laws.hpp"
+#include "query/overlap/all_pairs.hpp"
 
 namespace plumb::pair_cases {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "plumb/query/separation/separation.hpp"
 #include "query/body/pair_laws.hpp"
+#include "query/body/pair_questions.hpp"
 #include "query/body/posed_cases.hpp"
 
 namespace plumb::pair_cases {
@@ -20,50 +21,44 @@ double asked(const query::PosedView& a, const query::PosedView& b) {
   return query::posed_distance(a, b, query::Question::distance);
 }
 
-template <class A, class B>
-void expect_distances(DistanceSeen& seen, std::uint64_t start) {
-  using By = std::conditional_t<figure_dimension<A> == 2, Pose2, Pose>;
-  if constexpr (query::PosedMeasured<Posed<A, By>, B>) {
-    shape_cases::on_shapes(start, battery::sanitized ? 1 : 4, [&](Material& m) {
-      const auto pair = pair_of<A, B>(m);
-      const A& a = pair.first;
-      const B& b = pair.second;
-      double plain = 0;
-      const Pose2 stays{{{{1, 0}, {0, 1}}}, {0, 0}};
-      const query::PosedView posed = posed_by(query::view_of(a), identity_pose, stays), other{query::view_of(b)};
-      try {
-        plain = distance(a, b);
-      } catch (const InvalidShape&) {
-        EXPECT_THROW(asked(posed, other), InvalidShape) << pair_name<A, B>() << m.about(a, b);
-        return;
-      }
-      ++seen.cases, seen.apart += plain > 0;
-      EXPECT_EQ(asked(posed, other), plain) << pair_name<A, B>() << m.about(a, b);
-      EXPECT_EQ(asked(other, posed), plain) << pair_name<A, B>() << m.about(a, b);
-      EXPECT_EQ(
-          compare(query::posed_exact_distance(posed, other, query::Question::exact_distance), exact_distance(a, b)),
-          Sign::zero)
-          << pair_name<A, B>() << m.about(a, b);
-      Map map(m, figure_dimension<A>, map_kind<A, B>(m), m.below(2) == 0);
-      const Pose pose = pose_of(map);
-      const Pose2 flat = in_plane(pose);
-      const A c = mapped(a, map);
-      const B d = mapped(b, map);
-      if (!map.exact()) return;
-      ++seen.mapped;
-      const double of_images = distance(c, d);
-      EXPECT_EQ(asked(posed_by(query::view_of(a), pose, flat), {query::view_of(d)}), of_images)
-          << pair_name<A, B>() << m.about(a, b);
-      EXPECT_EQ(asked(posed_by(query::view_of(a), pose, flat), posed_by(query::view_of(b), pose, flat)), of_images)
-          << pair_name<A, B>() << m.about(a, b);
-    });
-  }
+void expect_distances(const PairRow& pair, DistanceSeen& seen, std::uint64_t start) {
+  if (pair.forth.distance == nullptr) return;
+  shape_cases::on_shapes(start, battery::sanitized ? 1 : 4, [&](Material& m) {
+    const auto [a, b] = pair_of(pair, m);
+    const std::string name = pair.name() + about(m, a, b);
+    double plain = 0;
+    const Pose2 stays{{{{1, 0}, {0, 1}}}, {0, 0}};
+    const query::PosedView posed = posed_by(a.view(), identity_pose, stays), other{b.view()};
+    try {
+      plain = pair.forth.distance(a.shape(), b.shape());
+    } catch (const InvalidShape&) {
+      EXPECT_THROW(asked(posed, other), InvalidShape) << name;
+      return;
+    }
+    ++seen.cases, seen.apart += plain > 0;
+    EXPECT_EQ(asked(posed, other), plain) << name;
+    EXPECT_EQ(asked(other, posed), plain) << name;
+    EXPECT_EQ(compare(query::posed_exact_distance(posed, other, query::Question::exact_distance),
+                      pair.forth.exact_distance(a.shape(), b.shape())),
+              Sign::zero)
+        << name;
+    const MapKind kind = map_kind(a.row().kind, b.row().kind, m);
+    Map map(m, pair.dimension(), kind, m.below(2) == 0);
+    const Pose pose = pose_of(map);
+    const Pose2 flat = in_plane(pose);
+    const AnyFigure c = mapped(a, map), d = mapped(b, map);
+    if (!map.exact()) return;
+    ++seen.mapped;
+    const double of_images = pair.forth.distance(c.shape(), d.shape());
+    EXPECT_EQ(asked(posed_by(a.view(), pose, flat), {d.view()}), of_images) << name;
+    EXPECT_EQ(asked(posed_by(a.view(), pose, flat), posed_by(b.view(), pose, flat)), of_images) << name;
+  });
 }
 
 template <class All>
 void expect_all_distances(std::uint64_t start) {
   DistanceSeen seen;
-  on_pairs(All{}, [&]<class A, class B>(const A*, const B*) { expect_distances<A, B>(seen, start++); });
+  for (const PairRow& pair : pairs_of(All{})) expect_distances(pair, seen, start++);
   std::printf("%d cases, %d apart, %d mapped\n", seen.cases, seen.apart, seen.mapped);
   EXPECT_GT(seen.apart * 4, seen.cases);
   EXPECT_GT(seen.mapped * 3, seen.cases);

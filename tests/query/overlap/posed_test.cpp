@@ -4,6 +4,7 @@
 
 #include "figure/basic/thrown.hpp"
 #include "query/body/pair_laws.hpp"
+#include "query/body/pair_questions.hpp"
 #include "query/body/posed_cases.hpp"
 
 namespace plumb::pair_cases {
@@ -43,36 +44,32 @@ int broken_maps(const query::FigureView& a, const query::FigureView& a_image, co
   return (answers[0] != expected ? 1 : 0) | (answers[1] != expected ? 2 : 0);
 }
 
-template <class A, class B>
-void expect_posed_laws(PosedSeen& seen, std::uint64_t start) {
+void expect_posed_laws(const PairRow& pair, PosedSeen& seen, std::uint64_t start) {
   shape_cases::on_shapes(start, battery::sanitized ? 1 : 3, [&](Material& m) {
-    const auto pair = pair_of<A, B>(m);
-    const A& a = pair.first;
-    const B& b = pair.second;
-    const Relation r = relate(a, b);
-    const auto name = [&] { return pair_name<A, B>() + m.about(a, b); };
+    const AnyPair drawn = pair_of(pair, m);
+    const AnyFigure &a = drawn.a, &b = drawn.b;
+    const Relation r = relate(pair, a, b);
+    const auto name = [&] { return pair.name() + about(m, a, b); };
     ++seen.cases;
     seen.answers.add(r);
     const Pose pose = regular_pose(m);
-    EXPECT_EQ(broken(query::view_of(a), query::view_of(b), pose, r), 0) << name();
-    Map map(m, figure_dimension<A>, map_kind<A, B>(m), m.below(2) == 0);
+    EXPECT_EQ(broken(a.view(), b.view(), pose, r), 0) << name();
+    const MapKind kind = map_kind(a.row().kind, b.row().kind, m);
+    Map map(m, pair.dimension(), kind, m.below(2) == 0);
     const Pose exact = pose_of(map);
-    const A c = mapped(a, map);
-    const B d = mapped(b, map);
+    const AnyFigure c = mapped(a, map), d = mapped(b, map);
     if (!map.exact()) return;
     ++seen.moved;
-    EXPECT_EQ(broken_maps(query::view_of(a), query::view_of(c), query::view_of(b), query::view_of(d), exact, r), 0)
-        << name() << " to" << m.about(c, d);
+    EXPECT_EQ(broken_maps(a.view(), c.view(), b.view(), d.view(), exact, r), 0) << name() << " to" << about(m, c, d);
   });
 }
 
 template <class All>
 void expect_posed_laws_of_all(std::uint64_t start) {
   PosedSeen seen;
-  on_pairs(All{}, [&]<class A, class B>(const A*, const B*) {
-    using By = std::conditional_t<figure_dimension<A> == 2, Pose2, Pose>;
-    if constexpr (query::PosedPair<Posed<A, By>, B>) expect_posed_laws<A, B>(seen, start++);
-  });
+  for (const PairRow& pair : pairs_of(All{})) {
+    if (pair.is_posed) expect_posed_laws(pair, seen, start++);
+  }
   std::printf("%d cases, %d mapped; disjoint %d, touching %d, overlapping %d\n", seen.cases, seen.moved,
               seen.answers.of(Relation::disjoint), seen.answers.of(Relation::touching),
               seen.answers.of(Relation::overlapping));

@@ -6,6 +6,7 @@
 
 #include "plumb/figure/containment/contains.hpp"
 #include "query/body/pair_laws.hpp"
+#include "query/body/pair_oracle.hpp"
 #include "query/convex/flat_set.hpp"
 #include "query/convex/flat_view.hpp"
 

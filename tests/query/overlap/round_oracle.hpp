@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-#include "query/body/pair_laws.hpp"
+#include "query/overlap/all_pairs.hpp"
 
 namespace plumb::oracle {
 
@@ -264,40 +264,73 @@ void expect_relation(const A& a, const B& b, Relation expected, const std::strin
   EXPECT_EQ(intersects(b, a), expected != Relation::disjoint) << about;
 }
 
-/// On random figures; two times of three with the radius that makes them touch, where a double is it.
-template <class Flat, class Round>
-pair_cases::Answers expect_as_brute_force(std::uint64_t start, std::uint64_t cases, int& just_touching) {
-  pair_cases::Answers answers;
-  shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
-    const Flat flat = pair_cases::near_figure<Flat>(m);
-    auto round = m.shape<Round>();
-    const oracle::RoundOracle expected(oracle::core(round), oracle::pieces(flat));
-    if (expected.square() && m.below(3) != 0) {
-      if (const auto root = oracle::exact_root(*expected.square())) round.radius = *root;
+}  // namespace plumb
+
+namespace plumb::pair_cases {
+
+using RoundKinds = Types<Circle2, Capsule2, Sphere3, Capsule3, Lozenge3>;
+
+inline oracle::Spanned core_of(const AnyFigure& round) {
+  return on_kind<oracle::Spanned>(RoundKinds{}, round, [](const auto& s) { return oracle::core(s); });
+}
+inline double radius_of(const AnyFigure& round) {
+  return on_kind<double>(RoundKinds{}, round, [](const auto& s) { return s.radius; });
+}
+inline AnyFigure with_radius(const AnyFigure& round, double radius) {
+  return on_kind<AnyFigure>(RoundKinds{}, round, [&]<class Shape>(const Shape& s) {
+    auto* changed = new Shape(s);
+    changed->radius = radius;
+    return AnyFigure(round.row(), changed);
+  });
+}
+template <class All>
+oracle::Pieces pieces_of(All all, const AnyFigure& flat) {
+  return on_kind<oracle::Pieces>(all, flat, []<class Shape>(const Shape& s) -> oracle::Pieces {
+    if constexpr (query::FlatFigure<Shape>) {
+      return oracle::pieces(s);
+    } else {
+      throw std::logic_error("brute force has no pieces of a round figure");
     }
-    const Relation answer = expected.relation(mpq_class(round.radius));
+  });
+}
+
+/// On random figures, the second of which is round; two times of three with the radius that makes them touch, where a
+/// double is it.  The pair is asked as it stands in the table.
+template <class All>
+Answers expect_as_brute_force(All all, const PairRow& pair, std::uint64_t start, std::uint64_t cases,
+                              int& just_touching) {
+  Answers answers;
+  const bool round_first = has_core(pair.a->kind);
+  const FigureRow &of_flat = round_first ? *pair.b : *pair.a, &of_round = round_first ? *pair.a : *pair.b;
+  shape_cases::on_shapes(start, cases, [&](Material& m) {
+    const AnyFigure flat = near_figure(of_flat, m);
+    AnyFigure round = figure(of_round, m);
+    const oracle::RoundOracle expected(core_of(round), pieces_of(all, flat));
+    if (expected.square() && m.below(3) != 0) {
+      if (const auto root = oracle::exact_root(*expected.square())) round = with_radius(round, *root);
+    }
+    const Relation answer = expected.relation(mpq_class(radius_of(round)));
     answers.add(answer);
-    if (round.radius > 0 && answer == Relation::touching) ++just_touching;
-    expect_relation(flat, round, answer, pair_cases::pair_name<Flat, Round>() + m.about(flat, round));
+    if (radius_of(round) > 0 && answer == Relation::touching) ++just_touching;
+    expect_relation(pair, round_first ? round : flat, round_first ? flat : round, answer, m);
   });
   return answers;
 }
 
 /// Two round figures, likewise.
-template <class A, class B>
-pair_cases::Answers expect_round_as_brute_force(std::uint64_t start, std::uint64_t cases) {
-  pair_cases::Answers answers;
-  shape_cases::on_shapes(start, cases, [&](shape_cases::Material& m) {
-    const auto a = m.shape<A>();
-    auto b = m.shape<B>();
-    const oracle::RoundOracle expected(oracle::core(a), {{oracle::core(b)}, {}});
+inline Answers expect_round_as_brute_force(const PairRow& pair, std::uint64_t start, std::uint64_t cases) {
+  Answers answers;
+  shape_cases::on_shapes(start, cases, [&](Material& m) {
+    const AnyFigure a = figure(*pair.a, m);
+    AnyFigure b = figure(*pair.b, m);
+    const oracle::RoundOracle expected(core_of(a), {{core_of(b)}, {}});
     if (const auto root = oracle::exact_root(*expected.square()); root && m.below(2) == 0) {
-      const double rest = *root - a.radius;
-      if (rest >= 0) b.radius = rest;
+      const double rest = *root - radius_of(a);
+      if (rest >= 0) b = with_radius(b, rest);
     }
-    const Relation answer = expected.relation(mpq_class(a.radius) + mpq_class(b.radius));
+    const Relation answer = expected.relation(mpq_class(radius_of(a)) + mpq_class(radius_of(b)));
     answers.add(answer);
-    expect_relation(a, b, answer, pair_cases::pair_name<A, B>() + m.about(a, b));
+    expect_relation(pair, a, b, answer, m);
   });
   return answers;
 }
@@ -305,23 +338,20 @@ pair_cases::Answers expect_round_as_brute_force(std::uint64_t start, std::uint64
 /// All pairs with a core.
 template <class All>
 void expect_all_round(All all, std::uint64_t start) {
-  using namespace pair_cases;
   RoundAnswers answers;
-  on_pairs_of<PairOracle::core>(all, [&]<class A, class B>(const A*, const B*) {
-    constexpr std::uint64_t some = cases_by_brute_force<A, B>;
-    constexpr bool round_a = has_core(figure_kind<A>), round_b = has_core(figure_kind<B>);
-    if constexpr (round_a && round_b) {
-      add_to_kinds<A, B>(answers.of_kind, expect_round_as_brute_force<A, B>(start++, some));
-    } else if constexpr (round_a) {
-      add_to_kinds<A, B>(answers.of_kind, expect_as_brute_force<B, A>(start++, some, answers.just_touching));
-    } else {
-      add_to_kinds<A, B>(answers.of_kind, expect_as_brute_force<A, B>(start++, some, answers.just_touching));
-    }
-  });
+  for (const PairRow& pair : pairs_of(all)) {
+    const FigureKind a = pair.a->kind, b = pair.b->kind;
+    if (oracle_of(a, b) != PairOracle::core) continue;
+    const std::uint64_t some = cases_by_brute_force(a, b);
+    add_to_kinds(answers.of_kind, a, b,
+                 has_core(a) && has_core(b) ? expect_round_as_brute_force(pair, start, some)
+                                            : expect_as_brute_force(all, pair, start, some, answers.just_touching));
+    ++start;
+  }
   std::printf("%d touch by a radius above zero\n", answers.just_touching);
   if (!battery::reaches_rare) return;
   expect_every_answer(answers.of_kind);
   EXPECT_GE(static_cast<std::uint64_t>(answers.just_touching), cases_of_pair * shape_cases::more);
 }
 
-}  // namespace plumb
+}  // namespace plumb::pair_cases

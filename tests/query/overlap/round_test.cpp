@@ -7,8 +7,8 @@
 namespace plumb {
 namespace {
 
-TEST(OverlapRound, AllPairsOfSpaceAsBruteForce) { expect_all_round(pair_cases::Space{}, 500); }
-TEST(OverlapRound, AllPairsOfThePlaneAsBruteForce) { expect_all_round(pair_cases::Plane{}, 620); }
+TEST(OverlapRound, AllPairsOfSpaceAsBruteForce) { pair_cases::expect_all_round(pair_cases::Space{}, 500); }
+TEST(OverlapRound, AllPairsOfThePlaneAsBruteForce) { pair_cases::expect_all_round(pair_cases::Plane{}, 620); }
 
 TEST(OverlapRound, BoxesWhoseAxesAllButVanishReachFar) {
   const auto box = [](Point3 center, double axis, Vector3 half) {

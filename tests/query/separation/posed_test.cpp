@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "query/body/pair_laws.hpp"
+#include "query/body/pair_questions.hpp"
 #include "query/body/posed_cases.hpp"
 #include "query/convex/features.hpp"
 #include "query/separation/cores.hpp"
@@ -20,78 +21,64 @@ query::PosedView under(const query::FigureView& v, const Pose& in_space, const P
   return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
 }
 
-template <class Shape>
-constexpr bool ends_everywhere = !query::is_one_of(
-    figure_kind<Shape>, {FigureKind::line, FigureKind::ray, FigureKind::plane, FigureKind::three_point_plane,
-                         FigureKind::halfspace, FigureKind::halfspace_intersection, FigureKind::k_dop});
-
-/// Without poses, in space.
-template <class A, class B>
-Closest plain_answer(const A& a, const B& b) {
-  if constexpr (figure_dimension<A> == 3) {
-    return closest_points(a, b);
-  } else {
-    const Closest2 c = closest_points(a, b);
-    return {{c.on_a.x, c.on_a.y, 0}, {c.on_b.x, c.on_b.y, 0}, c.distance, c.feature_a, c.feature_b};
-  }
+constexpr bool ends_everywhere(FigureKind k) {
+  return !query::is_one_of(k, {FigureKind::line, FigureKind::ray, FigureKind::plane, FigureKind::three_point_plane,
+                               FigureKind::halfspace, FigureKind::halfspace_intersection, FigureKind::k_dop});
 }
 
-template <class A, class B>
-void expect_closest(PosedNearSeen& seen, std::uint64_t start) {
-  using By = std::conditional_t<figure_dimension<A> == 2, Pose2, Pose>;
-  if constexpr (query::PosedNear<Posed<A, By>, B>) {
-    // Others tell the pair by laws of their own where there are several.
-    constexpr bool by_one_law = query::SeparatedPair<A, B> || query::SeparatedPair<B, A>;
-    shape_cases::on_shapes(start, battery::sanitized ? 1 : 2, [&](Material& m) {
-      const auto pair = pair_of<A, B>(m);
-      const A& a = pair.first;
-      const B& b = pair.second;
-      const std::string about = pair_name<A, B>() + m.about(a, b);
-      const Pose2 stays{{{{1, 0}, {0, 1}}}, {0, 0}};
-      const query::PosedView posed = under(query::view_of(a), identity_pose, stays), other{query::view_of(b)};
-      Closest plain{};
-      try {
-        plain = plain_answer(a, b);
-      } catch (const InvalidShape&) {
-        EXPECT_THROW(query::posed_closest_points(posed, other), InvalidShape) << about;
-        return;
-      }
-      ++seen.cases, seen.apart += plain.distance > 0;
-      const Closest told = query::posed_closest_points(posed, other);
-      EXPECT_EQ(told.distance, plain.distance) << about;
-      EXPECT_EQ(query::posed_closest_points(other, posed), swapped(told)) << about;
-      if (by_one_law) {
-        EXPECT_EQ(told, plain) << about;
-      }
-      Map map(m, figure_dimension<A>, map_kind<A, B>(m), m.below(2) == 0);
-      const Pose pose = pose_of(map);
-      const Pose2 flat = in_plane(pose);
-      const A c = mapped(a, map);
-      const B d = mapped(b, map);
-      if (!map.exact()) return;
-      ++seen.mapped, seen.round += query::is_round<A> || query::is_round<B> ? 1 : 0;
-      const query::PosedView both_a = under(query::view_of(a), pose, flat),
-                             both_b = under(query::view_of(b), pose, flat);
-      const Closest moved = query::posed_closest_points(both_a, both_b);
-      const Closest images = plain_answer(c, d);
-      EXPECT_EQ(moved.distance, images.distance) << about;
-      const Closest half_posed = query::posed_closest_points(both_a, {query::view_of(d)});
-      EXPECT_EQ(half_posed.distance, images.distance) << about;
-      // Of what goes on there need not be a first pair, and features of an image that is drawn anew have other numbers.
-      if (by_one_law && (ends_everywhere<A> || ends_everywhere<B>)) {
-        EXPECT_EQ(half_posed.on_a, images.on_a) << about;
-        EXPECT_EQ(half_posed.on_b, images.on_b) << about;
-        EXPECT_EQ(moved.on_a, images.on_a) << about;
-        EXPECT_EQ(moved.on_b, images.on_b) << about;
-      }
-    });
-  }
+void expect_closest(const PairRow& pair, PosedNearSeen& seen, std::uint64_t start) {
+  if (pair.forth.closest_points == nullptr) return;
+  // Others tell the pair by laws of their own where there are several.
+  const bool by_one_law = pair.is_separated;
+  const auto plain_answer = [&pair](const AnyFigure& a, const AnyFigure& b) {
+    return pair.forth.closest_points(a.shape(), b.shape());
+  };
+  shape_cases::on_shapes(start, battery::sanitized ? 1 : 2, [&](Material& m) {
+    const auto [a, b] = pair_of(pair, m);
+    const std::string name = pair.name() + about(m, a, b);
+    const Pose2 stays{{{{1, 0}, {0, 1}}}, {0, 0}};
+    const query::PosedView posed = under(a.view(), identity_pose, stays), other{b.view()};
+    Closest plain{};
+    try {
+      plain = plain_answer(a, b);
+    } catch (const InvalidShape&) {
+      EXPECT_THROW(query::posed_closest_points(posed, other), InvalidShape) << name;
+      return;
+    }
+    ++seen.cases, seen.apart += plain.distance > 0;
+    const Closest told = query::posed_closest_points(posed, other);
+    EXPECT_EQ(told.distance, plain.distance) << name;
+    EXPECT_EQ(query::posed_closest_points(other, posed), swapped(told)) << name;
+    if (by_one_law) {
+      EXPECT_EQ(told, plain) << name;
+    }
+    const MapKind kind = map_kind(a.row().kind, b.row().kind, m);
+    Map map(m, pair.dimension(), kind, m.below(2) == 0);
+    const Pose pose = pose_of(map);
+    const Pose2 flat = in_plane(pose);
+    const AnyFigure c = mapped(a, map), d = mapped(b, map);
+    if (!map.exact()) return;
+    ++seen.mapped, seen.round += has_core(a.row().kind) || has_core(b.row().kind) ? 1 : 0;
+    const query::PosedView both_a = under(a.view(), pose, flat), both_b = under(b.view(), pose, flat);
+    const Closest moved = query::posed_closest_points(both_a, both_b);
+    const Closest images = plain_answer(c, d);
+    EXPECT_EQ(moved.distance, images.distance) << name;
+    const Closest half_posed = query::posed_closest_points(both_a, {d.view()});
+    EXPECT_EQ(half_posed.distance, images.distance) << name;
+    // Of what goes on there need not be a first pair, and features of an image that is drawn anew have other numbers.
+    if (by_one_law && (ends_everywhere(a.row().kind) || ends_everywhere(b.row().kind))) {
+      EXPECT_EQ(half_posed.on_a, images.on_a) << name;
+      EXPECT_EQ(half_posed.on_b, images.on_b) << name;
+      EXPECT_EQ(moved.on_a, images.on_a) << name;
+      EXPECT_EQ(moved.on_b, images.on_b) << name;
+    }
+  });
 }
 
 template <class All>
 void expect_all_closest(std::uint64_t start) {
   PosedNearSeen seen;
-  on_pairs(All{}, [&]<class A, class B>(const A*, const B*) { expect_closest<A, B>(seen, start++); });
+  for (const PairRow& pair : pairs_of(All{})) expect_closest(pair, seen, start++);
   std::printf("%d cases, %d apart, %d mapped, %d of them round\n", seen.cases, seen.apart, seen.mapped, seen.round);
   EXPECT_GT(seen.apart * 4, seen.cases);
   EXPECT_GT(seen.mapped * 3, seen.cases);
