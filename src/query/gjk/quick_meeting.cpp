@@ -11,7 +11,7 @@ namespace plumb::query {
 namespace {
 
 using arith::Plain, arith::cross, arith::dot;
-using gjk_origin::Ahead, gjk_origin::AreAhead, gjk_origin::IsAroundOrigin;
+using gjk_origin::Ahead, gjk_origin::AllOnSide, gjk_origin::AreAhead, gjk_origin::IsAroundOrigin;
 using RunningVec = arith::Vec<Running>;
 
 /// A corner of the difference.
@@ -89,8 +89,31 @@ bool is_least(const QuickHull& h, std::uint32_t i, const Plain& n) {
   return is_so && w.certain();
 }
 
+/// Are all corners on this side of the plane through m?
+template <int side>
+bool are_all_on_side(const QuickHull& h, const Plain& n, const Point3& m) {
+  FloatWorld<AllOnSide<side>> w;
+  const bool is_so = AllOnSide<side>{}(w, n, {&h.given(0), h.size()}, m);
+  return is_so && w.certain();
+}
+
+/// Of so few corners all are asked: as quick as those about one of them, and corners that are level do no harm.
+constexpr std::uint32_t most_asked = 12;
+
+bool are_few(const QuickHull& a, const QuickHull& b) {
+  return a.is_given() && b.is_given() && a.size() <= most_asked && b.size() <= most_asked;
+}
+
+/// Is all of a strictly farther along than all of b, both as given and of few corners?
+bool are_few_apart(const QuickHull& a, const QuickHull& b, const Plain& n, const GjkCorner& ends, const Plain& gap) {
+  const Plain middle = b.at(ends[1]) + gap * 0.5;
+  const Point3 m{middle.x, middle.y, middle.z};
+  return are_all_on_side<1>(a, n, m) && are_all_on_side<-1>(b, n, m);
+}
+
 /// Is all of a strictly farther along than all of b, which these corners are likely nearest to?
 bool is_apart(const QuickBody& a, const QuickBody& b, const Plain& n, const GjkCorner& ends, const Plain& gap) {
+  if (are_few(a.hull, b.hull)) return are_few_apart(a.hull, b.hull, n, ends, gap);
   if (a.hull.solid() != nullptr && b.hull.solid() != nullptr && a.hull.is_given() && b.hull.is_given()) {
     if (ahead(n, a.hull.given(ends[0]), b.hull.given(ends[1])) != Sign::positive) return false;
     if (is_least(a.hull, ends[0], n) && is_least(b.hull, ends[1], n * -1)) return true;
@@ -243,6 +266,13 @@ Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::
     found.simplex.corners[0] = last, found.simplex.size = 1, found.direction = {n.x, n.y, n.z};
     return Told::apart;
   };
+  if (is_known && has_way && are_few(p, q)) {  // what proved the last answer likely proves this one
+    const Plain gap = p.at(last[0]) - q.at(last[1]);
+    if (dot(gap, n) > 0 && are_few_apart(p, q, n, last, gap)) {
+      ++steps;
+      return tell_apart();
+    }
+  }
   if (is_known) last = {p.farthest_from(n * -1, last[0]), q.farthest_from(n, last[1])};
   Corner c = is_known ? Corner{last, p.at(last[0]) - q.at(last[1])} : next();
   Directed simplex(c);
