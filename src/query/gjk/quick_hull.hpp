@@ -99,9 +99,9 @@ class QuickHull {
                        ((b[2] == wanted) & Bits{16, 32}) | ((b[3] == wanted) & Bits{64, 128});
     return static_cast<std::uint32_t>(std::countr_zero(static_cast<std::uint64_t>(found[0] | found[1] | 128)));
   }
-  /// First how far all of them are, then which one is that far: nothing waits for a comparison.  The last block ends where
-  /// the points end, and begins within the one before it.
-  /// (By numbers, in registers: pairs of them would wait for a vector that has just been stored.)
+  /// First how far all of them are, then which one is that far: nothing waits for a comparison.  The last block ends
+  /// where the points end, and begins within the one before it. (By numbers, in registers: pairs of them would wait for
+  /// a vector that has just been stored.)
   [[nodiscard]] std::uint32_t scanned(double x, double y, double z) const {
     if (size_ < 4) return scanned_singly({x, y, z});
     const Along along{Two{x, y}, Two{z, x}, Two{y, z}};

@@ -24,7 +24,8 @@ struct NearestOfHierarchy {
 /// Where the body meets a polytope of the hierarchy, finer ones are not asked; nor are those finer than `finest`.
 std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const CoreCorners& body, std::size_t finest = 0);
 
-/// A vertex that was removed of the polytope `level`, and its neighbors there: all that can be nearer than the coarser one.
+/// A vertex that was removed of the polytope `level`, and its neighbors there: all that can be nearer than the coarser
+/// one.
 struct Candidates {
   std::array<std::uint32_t, PolytopeHierarchy::most_neighbors + 1> rank;
   std::array<Point3, PolytopeHierarchy::most_neighbors + 1> points;

@@ -1,5 +1,5 @@
-// Support mapping along the way between nearest points: which point lies farther along the way that corners of two bodies
-// prove to be the least, whose numbers may be of any length?
+// Support mapping along the way between nearest points: which point lies farther along the way that corners of two
+// bodies prove to be the least, whose numbers may be of any length?
 //
 // Laws: exact, by proved signs; the way leads from the second body to the first, or back.
 // Source: query/separation/nearest_corners.hpp.

@@ -1,12 +1,12 @@
-// Separation of two hierarchies: the nearest points of the coarsest polytopes, then of one that is finer by a step against
-// the other, in turn.
+// Separation of two hierarchies: the nearest points of the coarsest polytopes, then of one that is finer by a step
+// against the other, in turn.
 //
 // What of the finer polytope lies beyond the plane through the nearest point, at right angles to the way, is within the
 // hull of one removed vertex and its neighbors, as query/polytope_hierarchy/descent.hpp says.  Where there is no such
-// vertex the pair is still the nearest.  Where there is one, the point is not nearest any more: it is in the hull of these
-// few, which all the corners in the plane are among, and from it a way leads nearer; whatever is nearer begins beyond the
-// plane, and so within that hull.  So the nearest pair is that of the few and of the other polytope, down which they
-// descend by themselves.
+// vertex the pair is still the nearest.  Where there is one, the point is not nearest any more: it is in the hull of
+// these few, which all the corners in the plane are among, and from it a way leads nearer; whatever is nearer begins
+// beyond the plane, and so within that hull.  So the nearest pair is that of the few and of the other polytope, down
+// which they descend by themselves.
 #include "plumb/query/separation/separation.hpp"
 #include "query/polytope_hierarchy/nearest_way.hpp"
 #include "query/separation/corner_numbers.hpp"

@@ -1,7 +1,7 @@
-// Every method for convex bodies against every other: GJK with and without a cache, V-Clip, separating vectors (Chung and Wang),
-// separating axes, hierarchies of polytopes, certificates and their verifier, relate, distance, and linear programs in rationals,
-// on pairs of every kind: that share a vertex, an edge, a face, an ulp from it, contained, flat against flat, points, sizes 2^60
-// apart, repeated points, as they stand and under common poses.
+// Every method for convex bodies against every other: GJK with and without a cache, V-Clip, separating vectors (Chung
+// and Wang), separating axes, hierarchies of polytopes, certificates and their verifier, relate, distance, and linear
+// programs in rationals, on pairs of every kind: that share a vertex, an edge, a face, an ulp from it, contained, flat
+// against flat, points, sizes 2^60 apart, repeated points, as they stand and under common poses.
 //
 // With PLUMB_LONG_TESTS 1,000,000 pairs in 400 pieces, which --gtest_filter runs by their numbers.
 #include <gtest/gtest.h>
@@ -71,8 +71,8 @@ class Programs {
     EXPECT_EQ(best.kind, arith::Optimum::Kind::optimal);
     return best.at[4];
   }
-  /// Of all planes between both, the greatest sum of what the corners are off it: zero where the insides meet, for a plane that
-  /// is between them holds both then.
+  /// Of all planes between both, the greatest sum of what the corners are off it: zero where the insides meet, for a
+  /// plane that is between them holds both then.
   [[nodiscard]] mpq_class farthest_of_all() const {
     arith::Constraints all = directions(4);
     arith::RationalVector sum(4);
@@ -133,7 +133,6 @@ class Methods {
     const Told told{Programs(ca, cb).relation(), certified(va, vb, name)};
     ++seen_.pairs, ++seen_.relations[static_cast<std::size_t>(static_cast<int>(told.relation) + 1)];
     ASSERT_EQ(query::certified_relation(va, vb).claim, claim_of(told.relation)) << name;
-    ASSERT_EQ(told.distance == 0, told.meet()) << name;
     of_gjk(va, vb, told, name);
     if (testing::Test::HasFailure()) return;
     if ((a.pose || b.pose) && !(a.pose && b.pose && *a.pose == *b.pose && pair_cases::determinant(*a.pose) != 0))
@@ -146,7 +145,6 @@ class Methods {
     const Corners ca = corners_of(va), cb = corners_of(vb);
     const Told told{Programs(ca, cb).relation(), certified(va, vb, name)};
     ++seen_.pairs, ++seen_.relations[static_cast<std::size_t>(static_cast<int>(told.relation) + 1)];
-    ASSERT_EQ(told.distance == 0, told.meet()) << name;
     of_figures(a, b, nullptr, told, name);
   }
 
@@ -159,8 +157,9 @@ class Methods {
     EXPECT_EQ(query::verdict_on(i, a, b).flaw, "") << name;
     EXPECT_EQ(query::verdict_on(d, a, b).flaw, "") << name;
     EXPECT_EQ(i.claim == Claim::disjoint, c.claim == Claim::disjoint) << name;
-    // Of what is so near that no double is as small, the root of the square still is above zero.
-    return d.exact.square.sign() == Sign::zero ? 0 : d.distance;
+    // Not of the distance: an ulp of zero, seen at an angle, rounds to zero.
+    EXPECT_EQ(d.exact.square.sign() == Sign::positive, c.claim == Claim::disjoint) << name;
+    return d.distance;
   }
   void of_gjk(const query::BodyView& a, const query::BodyView& b, const Told& told, const std::string& name) {
     ASSERT_EQ(query::gjk_meets(a, b, {}), told.meet()) << name;
