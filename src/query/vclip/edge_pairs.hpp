@@ -11,6 +11,7 @@
 #pragma once
 
 #include "arith/certain.hpp"
+#include "arith/running_error.hpp"
 #include "plumb/certify/certainly.hpp"
 #include "query/vclip/voronoi_planes.hpp"
 
