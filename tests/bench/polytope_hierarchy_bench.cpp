@@ -3,11 +3,12 @@
 //
 // Points of a sphere, nearly all of which are vertices.  An iteration is 256 questions, of any directions and of points
 // at twice the radius; `ns` is the time of one.  `climb` begins each at the same vertex, `bytes` are those of the
-// hierarchy without its polyhedron.
+// hierarchy without its polyhedron.  `pair`: 64 pairs of two such polytopes, the second moved by 2 to 3 radii any way.
 #include <benchmark/benchmark.h>
 
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/figure/hull/hull3.hpp"
+#include "plumb/query/gjk/gjk.hpp"
 #include "plumb/query/polytope_hierarchy/polytope_hierarchy.hpp"
 
 namespace plumb::bench {
@@ -77,6 +78,45 @@ void distance_walk(benchmark::State& state) {
   ask_all(state, [&](const Point3& p) { return distance(p, polyhedron); });
 }
 
+/// Both of a pair, and a hierarchy of each.
+struct Pair {
+  PolytopeHierarchy a, b;
+};
+const std::vector<Pair>& pairs_of(std::int64_t vertices) {
+  static std::vector<Pair> pairs;
+  static std::int64_t known = 0;
+  if (known == vertices) return pairs;
+  known = vertices, pairs.clear();
+  const ConvexPolyhedron3 still = ball_of(vertices);
+  const std::size_t count = vertices > 10'000 ? 4 : vertices > 1024 ? 16 : 64;
+  Entropy entropy(4, 4);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3 to = cloud3(Cloud::sphere, 1, entropy)[0];
+    const double far = 2 + static_cast<double>(entropy.bits(53)) * 0x1p-53;
+    ConvexPolyhedron3 moved = still;
+    for (Point3& p : moved.mesh.vertices) p = {far * to.x - p.y, far * to.y + p.x, far * to.z + p.z};  // and turned
+    pairs.push_back({build_polytope_hierarchy(still), build_polytope_hierarchy(convex_polyhedron(
+                                                          convex_hull(moved.mesh.vertices), moved.mesh.vertices))});
+  }
+  return pairs;
+}
+template <class Ask>
+void ask_pairs(benchmark::State& state, Ask ask) {
+  const std::vector<Pair>& pairs = pairs_of(state.range(0));
+  for (auto _ : state) {
+    for (const Pair& p : pairs) benchmark::DoNotOptimize(ask(p));
+  }
+  state.counters["ns"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(pairs.size()) * 1e-9,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+void pair_hierarchy(benchmark::State& state) {
+  ask_pairs(state, [](const Pair& p) { return distance(p.a, p.b); });
+}
+void pair_gjk(benchmark::State& state) {
+  ask_pairs(state, [](const Pair& p) { return gjk_distance(p.a.polyhedron, p.b.polyhedron); });
+}
+
 #define PLUMB_BENCH_SIZES Arg(32)->Arg(128)->Arg(1024)->Arg(10'000)->Arg(100'000)
 BENCHMARK(build)->PLUMB_BENCH_SIZES->Unit(benchmark::kMicrosecond);
 BENCHMARK(support_hierarchy)->PLUMB_BENCH_SIZES;
@@ -84,6 +124,8 @@ BENCHMARK(support_climb)->PLUMB_BENCH_SIZES;
 BENCHMARK(support_all)->PLUMB_BENCH_SIZES;
 BENCHMARK(distance_hierarchy)->PLUMB_BENCH_SIZES;
 BENCHMARK(distance_walk)->PLUMB_BENCH_SIZES;
+BENCHMARK(pair_hierarchy)->PLUMB_BENCH_SIZES;
+BENCHMARK(pair_gjk)->PLUMB_BENCH_SIZES;
 
 }  // namespace
 }  // namespace plumb::bench

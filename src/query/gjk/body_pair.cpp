@@ -30,13 +30,20 @@ std::vector<Exact3> exact_corners(const CoreCorners& c) {
   return all;
 }
 
-std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
-                                       const ProvedCorners& proved) {
-  if (proved.meets || !proved.is_alone) return {};
+std::optional<std::array<Feature, 2>> features_at_once(const SeenBody& a, const SeenBody& b,
+                                                       const ProvedCorners& proved) {
   const auto feature_a = feature_of(a, named(proved.corners, 0).all(), proved.a);
   const auto feature_b = feature_of(b, named(proved.corners, 1).all(), proved.b);
   if (!feature_a || !feature_b) return {};
-  return pair.closest(*feature_a, *feature_b);
+  return std::array{*feature_a, *feature_b};
+}
+
+std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
+                                       const ProvedCorners& proved) {
+  if (proved.meets || !proved.is_alone) return {};
+  const auto features = features_at_once(a, b, proved);
+  if (!features) return {};
+  return pair.closest((*features)[0], (*features)[1]);
 }
 
 mpq_class BodyPair::square(const ProvedCorners& proved) const { return QuickPair(a(), b(), 0, 0, proved).square(); }

@@ -7,6 +7,7 @@
 #include "query/gjk/body_pair.hpp"
 #include "query/gjk/origin.hpp"
 #include "query/gjk/quick_meeting.hpp"
+#include "query/gjk/quick_nearest.hpp"
 #include "query/separation/guessed_corners.hpp"
 
 namespace plumb::query {
@@ -164,13 +165,14 @@ bool touches(const QuickHull& a, const QuickHull& b, const GjkSimplex& near) {
   }
 }
 
+bool are_real(const QuickHull& h) { return h.solid() != nullptr || h.is_finite(); }
+
 /// Of hulls without a radius, as far as doubles, or signs at few corners, tell it.
 std::optional<bool> met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& cache) {
   std::uint32_t steps = 0;
   const Told told = quickly_told(a, b, cache, steps);
   if (told == Told::apart) return false;
-  const auto is_real = [](const QuickBody& body) { return body.hull.solid() != nullptr || body.hull.is_finite(); };
-  if (!is_real(a) || !is_real(b)) return {};
+  if (!are_real(a.hull) || !are_real(b.hull)) return {};
   if (told == Told::meet) return true;
   const bool are_given = a.hull.is_given() && b.hull.is_given();
   if (are_given && touches(a.hull, b.hull, cache.simplex)) return true;
@@ -178,6 +180,42 @@ std::optional<bool> met_at_once(const QuickBody& a, const QuickBody& b, GjkCache
   cache.simplex = simplex_of(guessed_nearest(*p, *q, start_of(&cache, *p, *q), steps));
   if (are_given && touches(a.hull, b.hull, cache.simplex)) return true;
   return {};
+}
+
+void remember(const GjkOptions& options, const QuickNearest& found) {
+  if (options.cache == nullptr) return;
+  options.cache->simplex = simplex_of(found.proved.corners);
+  options.cache->direction = {found.way.x, found.way.y, found.way.z};
+}
+
+/// Of hulls as given and without a radius, as far as doubles prove it.  All corners of what is no polyhedron are asked,
+/// so that a number which is none is seen.
+std::optional<double> apart_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options) {
+  QuickHull p, q;
+  if (options.history != nullptr || !p.set(a) || !q.set(b) || !p.is_given() || !q.is_given()) return {};
+  const auto found = quickly_nearest(p, q, options.cache);
+  if (!found || (found->proved.meets && !(are_real(p) && are_real(q)))) return {};
+  const auto d = found->proved.meets ? 0 : quick_distance(p, q, found->proved.corners);
+  if (d) remember(options, *found);
+  return d;
+}
+
+std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options) {
+  const auto is_known_kind = [](const BodyView& v) {
+    return v.is_hull() || v.figure.kind == FigureKind::convex_polyhedron;
+  };
+  if (options.history != nullptr || !is_known_kind(a) || !is_known_kind(b)) return {};
+  QuickHull p, q;
+  if (!p.set(a) || !q.set(b) || !p.is_given() || !q.is_given()) return {};
+  const auto found = quickly_nearest(p, q, options.cache);
+  if (!found || found->proved.meets || !found->proved.is_alone) return {};
+  auto c = quick_points(p, q, found->proved.corners);
+  if (!c) return {};
+  const auto features = features_at_once({a, *CoreCorners::of(a)}, {b, *CoreCorners::of(b)}, found->proved);
+  if (!features) return {};
+  c->feature_a = (*features)[0], c->feature_b = (*features)[1];
+  remember(options, *found);
+  return GjkAnswer{false, *c, found->steps, simplex_of(found->proved.corners)};
 }
 
 }  // namespace
@@ -200,6 +238,7 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
 }
 
 double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& options) {
+  if (const auto d = apart_at_once(a, b, options)) return *d;
   const auto p = corners_at_once(a), q = corners_at_once(b);
   if (options.history == nullptr && p && q) {
     if (const auto f = quickly_found({a, *p}, {b, *q}, options)) {
@@ -215,6 +254,7 @@ double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& opti
 }
 
 GjkAnswer gjk_answer(const BodyView& a, const BodyView& b, const GjkOptions& options) {
+  if (const auto answer = answered_at_once(a, b, options)) return *answer;
   const auto p = corners_at_once(a), q = corners_at_once(b);
   if (options.history == nullptr && p && q) {
     const auto f = quickly_found({a, *p}, {b, *q}, options);

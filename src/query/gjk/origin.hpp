@@ -43,6 +43,30 @@ struct AreAhead {
   }
 };
 
+/// Are all of a list on the side of p that n points to, or on the other one?
+template <int side>
+struct AllOnSide {
+  static constexpr int highest = 2;
+  static constexpr Scales scales{.count = 2};
+  template <class W>
+  [[gnu::always_inline]] inline bool operator()(W& w, const arith::Plain& n, std::span<const Point3> all,
+                                                const Point3& p) const {
+    const auto nx = w.template number<1>(n.x), ny = w.template number<1>(n.y), nz = w.template number<1>(n.z);
+    const auto ahead = [&](const Point3& v) {
+      return nx * w.difference(v.x, p.x) + ny * w.difference(v.y, p.y) + nz * w.difference(v.z, p.z);
+    };
+    auto nearest = ahead(all[0]);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      if constexpr (side > 0) {
+        nearest = smaller(nearest, ahead(all[i]));
+      } else {
+        nearest = larger(nearest, ahead(all[i]));
+      }
+    }
+    return w.sign(nearest) == (side > 0 ? Sign::positive : Sign::negative);
+  }
+};
+
 /// Corner i of the difference is a[i] - b[i].
 struct Pairs {
   std::array<Point3, 4> a, b;

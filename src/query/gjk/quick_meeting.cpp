@@ -5,20 +5,16 @@
 
 #include "arith/running_error.hpp"
 #include "figure/support/gjk_simplex.hpp"
+#include "query/gjk/directed.hpp"
 #include "query/gjk/origin.hpp"
 
 namespace plumb::query {
 namespace {
 
 using arith::Plain, arith::cross, arith::dot;
-using gjk_origin::Ahead, gjk_origin::AreAhead, gjk_origin::IsAroundOrigin;
+using gjk_origin::Ahead, gjk_origin::AllOnSide, gjk_origin::AreAhead, gjk_origin::IsAroundOrigin;
+using gjk_search::Corner, gjk_search::Directed;
 using RunningVec = arith::Vec<Running>;
-
-/// A corner of the difference.
-struct Corner {
-  GjkCorner ends;
-  Plain at;
-};
 
 [[gnu::always_inline]] inline Sign ahead(const Plain& n, const Point3& v, const Point3& p) {
   FloatWorld<Ahead> w;
@@ -89,8 +85,31 @@ bool is_least(const QuickHull& h, std::uint32_t i, const Plain& n) {
   return is_so && w.certain();
 }
 
+/// Are all corners on this side of the plane through m?
+template <int side>
+bool are_all_on_side(const QuickHull& h, const Plain& n, const Point3& m) {
+  FloatWorld<AllOnSide<side>> w;
+  const bool is_so = AllOnSide<side>{}(w, n, {&h.given(0), h.size()}, m);
+  return is_so && w.certain();
+}
+
+/// Of so few corners all are asked: as quick as those about one of them, and corners that are level do no harm.
+constexpr std::uint32_t most_asked = 12;
+
+bool are_few(const QuickHull& a, const QuickHull& b) {
+  return a.is_given() && b.is_given() && a.size() <= most_asked && b.size() <= most_asked;
+}
+
+/// Is all of a strictly farther along than all of b, both as given and of few corners?
+bool are_few_apart(const QuickHull& a, const QuickHull& b, const Plain& n, const GjkCorner& ends, const Plain& gap) {
+  const Plain middle = b.at(ends[1]) + gap * 0.5;
+  const Point3 m{middle.x, middle.y, middle.z};
+  return are_all_on_side<1>(a, n, m) && are_all_on_side<-1>(b, n, m);
+}
+
 /// Is all of a strictly farther along than all of b, which these corners are likely nearest to?
 bool is_apart(const QuickBody& a, const QuickBody& b, const Plain& n, const GjkCorner& ends, const Plain& gap) {
+  if (are_few(a.hull, b.hull)) return are_few_apart(a.hull, b.hull, n, ends, gap);
   if (a.hull.solid() != nullptr && b.hull.solid() != nullptr && a.hull.is_given() && b.hull.is_given()) {
     if (ahead(n, a.hull.given(ends[0]), b.hull.given(ends[1])) != Sign::positive) return false;
     if (is_least(a.hull, ends[0], n) && is_least(b.hull, ends[1], n * -1)) return true;
@@ -105,108 +124,13 @@ bool is_apart(const QuickBody& a, const QuickBody& b, const Plain& n, const GjkC
 }
 
 bool is_around(const QuickBody& a, const QuickBody& b, const std::array<GjkCorner, 4>& corners) {
-  if (a.hull.is_given() && b.hull.is_given()) {
-    gjk_origin::Pairs pairs;
-    for (std::size_t i = 0; i < 4; ++i) {
-      pairs.a[i] = a.hull.given(corners[i][0]), pairs.b[i] = b.hull.given(corners[i][1]);
-    }
-    FloatWorld<IsAroundOrigin> w;
-    const bool is_so = IsAroundOrigin{}(w, pairs);
-    return is_so && w.certain();
-  }
+  if (a.hull.is_given() && b.hull.is_given()) return are_around_origin(a.hull, b.hull, corners);
   const auto p = CoreCorners::of(a.view), q = CoreCorners::of(b.view);
   std::array<RunningVec, 4> at;
   for (std::size_t i = 0; i < 4; ++i) at[i] = p->at<Running>(corners[i][0]) - q->at<Running>(corners[i][1]);
   return figure::gjk::is_around_origin(
       [&](std::size_t i, std::size_t j, std::size_t k) { return certain(dot(at[i], cross(at[j], at[k]))); });
 }
-
-/// The simplex, without lengths: the direction to its nearest point alone.
-class Directed {
- public:
-  explicit Directed(const Corner& first) : size_(1), direction_(first.at) { corners_[0] = first; }
-
-  [[nodiscard]] const Plain& direction() const { return direction_; }
-  [[nodiscard]] std::uint32_t size() const { return size_; }
-  [[nodiscard]] const Corner& operator[](std::size_t i) const { return corners_[i]; }
-  [[nodiscard]] bool has(const GjkCorner& ends) const {
-    for (std::uint32_t i = 0; i < size_; ++i) {
-      if (corners_[i].ends == ends) return true;
-    }
-    return false;
-  }
-
-  /// A fourth corner, if it is one: true where the origin seems to be within.
-  bool add(const Corner& c) {
-    const Plain back = c.at * -1;
-    switch (size_) {
-      case 1:
-        edge(corners_[0], c, back);
-        return false;
-      case 2:
-        triangle(corners_[0], corners_[1], c, back);
-        return false;
-      default:
-        return tetrahedron(c, back);
-    }
-  }
-
- private:
-  void take(const Corner& p) { corners_[0] = p, size_ = 1, direction_ = p.at; }
-  void take(const Corner& p, const Corner& q, const Plain& direction) {
-    const std::array<Corner, 2> two{p, q};
-    corners_[0] = two[0], corners_[1] = two[1], size_ = 2, direction_ = direction;
-  }
-  /// Of p and the new corner c, at which the origin lies `back`.
-  void edge(const Corner& p, const Corner& c, const Plain& back) {
-    const Plain u = p.at - c.at;
-    if (dot(u, back) > 0) {
-      take(p, c, cross(u, cross(c.at, u)));
-    } else {
-      take(c);
-    }
-  }
-  void triangle(const Corner& p, const Corner& q, const Corner& c, const Plain& back) {
-    const Plain u = p.at - c.at, v = q.at - c.at, n = cross(u, v);
-    if (dot(cross(u, n), back) > 0) {
-      if (dot(u, back) > 0) {
-        take(p, c, cross(u, cross(c.at, u)));
-      } else {
-        edge(Corner(q), Corner(c), back);
-      }
-    } else if (dot(cross(n, v), back) > 0) {
-      edge(Corner(q), Corner(c), back);
-    } else {
-      const std::array<Corner, 3> three{p, q, c};
-      for (std::size_t i = 0; i < 3; ++i) corners_[i] = three[i];
-      size_ = 3, direction_ = n * (dot(n, back) > 0 ? -1.0 : 1.0);
-    }
-  }
-  bool tetrahedron(const Corner& c, const Plain& back) {
-    const Plain u = corners_[0].at - c.at, v = corners_[1].at - c.at, w = corners_[2].at - c.at;
-    const Plain uv = cross(u, v), vw = cross(v, w), wu = cross(w, u);
-    const double turn = dot(uv, w) > 0 ? -1 : 1;  // the three look outward
-    const std::array outside{dot(uv, back) * turn, dot(vw, back) * turn, dot(wu, back) * turn};
-    if (outside[0] <= 0 && outside[1] <= 0 && outside[2] <= 0) {
-      corners_[3] = c, size_ = 4;
-      return true;
-    }
-    // The face that the origin is farthest beyond.
-    const std::array lengths{dot(uv, uv), dot(vw, vw), dot(wu, wu)};
-    std::size_t face = 3;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (outside[i] <= 0) continue;
-      if (face == 3 || outside[i] * outside[i] * lengths[face] > outside[face] * outside[face] * lengths[i]) face = i;
-    }
-    const Corner p = corners_[face], q = corners_[face == 2 ? 0 : face + 1];
-    triangle(p, q, Corner(c), back);
-    return false;
-  }
-
-  std::array<Corner, 4> corners_{};
-  std::uint32_t size_;
-  Plain direction_;
-};
 
 void keep(GjkCache& found, const Directed& simplex) {
   found.simplex.size = simplex.size();
@@ -222,6 +146,14 @@ bool are_corners(const QuickHull& a, const QuickHull& b, const GjkSimplex& s) {
 }
 
 }  // namespace
+
+bool are_around_origin(const QuickHull& a, const QuickHull& b, const std::array<GjkCorner, 4>& corners) {
+  gjk_origin::Pairs pairs;
+  for (std::size_t i = 0; i < 4; ++i) pairs.a[i] = a.given(corners[i][0]), pairs.b[i] = b.given(corners[i][1]);
+  FloatWorld<IsAroundOrigin> w;
+  const bool is_so = IsAroundOrigin{}(w, pairs);
+  return is_so && w.certain();
+}
 
 Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::uint32_t& steps) {
   constexpr int most_rounds = 64;  // a guess: whoever has not ended by then goes round
@@ -243,6 +175,13 @@ Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::
     found.simplex.corners[0] = last, found.simplex.size = 1, found.direction = {n.x, n.y, n.z};
     return Told::apart;
   };
+  if (is_known && has_way && are_few(p, q)) {  // what proved the last answer likely proves this one
+    const Plain gap = p.at(last[0]) - q.at(last[1]);
+    if (dot(gap, n) > 0 && are_few_apart(p, q, n, last, gap)) {
+      ++steps;
+      return tell_apart();
+    }
+  }
   if (is_known) last = {p.farthest_from(n * -1, last[0]), q.farthest_from(n, last[1])};
   Corner c = is_known ? Corner{last, p.at(last[0]) - q.at(last[1])} : next();
   Directed simplex(c);

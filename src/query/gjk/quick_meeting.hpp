@@ -20,6 +20,9 @@ struct QuickBody {
   QuickHull hull = {};
 };
 
+/// Of hulls as given: is the origin strictly within these corners of the difference, as far as doubles prove it?
+bool are_around_origin(const QuickHull& a, const QuickHull& b, const std::array<GjkCorner, 4>& corners);
+
 Told quickly_told(const QuickBody& a, const QuickBody& b, GjkCache& found, std::uint32_t& steps);
 
 }  // namespace plumb::query

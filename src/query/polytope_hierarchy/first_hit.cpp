@@ -95,10 +95,6 @@ class RayDescent {
   [[nodiscard]] bool begins_beyond(const Triangle& t) const {
     return ray_.kind != AnyRay::Kind::line && proved_sign([&]<class T>() { return coming<T>(t)[0]; }) != Sign::positive;
   }
-  [[nodiscard]] static std::uint32_t fewest_removed(const HierarchyLevel& level, const Triangle& t) {
-    return *std::ranges::min_element(t, {}, [&](std::uint32_t v) { return level.removed_at(v).size(); });
-  }
-
   const PolytopeHierarchy& h_;
   const AnyRay& ray_;
 };

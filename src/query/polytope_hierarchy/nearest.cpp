@@ -1,79 +1,46 @@
 #include "query/polytope_hierarchy/nearest.hpp"
 
-#include "arith/proved_sign.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
-#include "query/polytope_hierarchy/descent.hpp"
+#include "query/polytope_hierarchy/nearest_way.hpp"
 #include "query/separation/convex_body.hpp"
 #include "query/separation/corner_numbers.hpp"
 #include "query/separation/proved_corners.hpp"
 
 namespace plumb {
 namespace query::hierarchy {
-namespace {
-
-constexpr std::size_t most_candidates = PolytopeHierarchy::most_neighbors + 1;
 
 CoreCorners corners_of(std::span<const Point3> points) { return *CoreCorners::of(BodyView{.vertices = points}); }
 
-/// From a polytope's nearest point toward p.
-class NearestWay {
- public:
-  NearestWay(const CoreCorners& p, const CoreCorners& polytope, const DifferenceCorners& corners)
-      : p_(p), polytope_(polytope), corners_(corners), near_(way<Running>()) {}
+Candidates candidates_about(const PolytopeHierarchy& h, std::size_t level, std::uint32_t removed) {
+  Candidates c;
+  c.rank[c.size++] = removed;
+  for (const std::uint32_t v : h.levels[level].neighbors_of_removed(removed - h.levels[level + 1].size))
+    c.rank[c.size++] = v;
+  for (std::size_t k = 0; k < c.size; ++k) c.points[k] = h.points[c.rank[k]];
+  return c;
+}
 
-  template <class Text>
-  [[nodiscard]] Sign sign(const Text& text) const {
-    if (near_) {
-      if (const Unsure<Sign> s = text(*near_).sign(); s.certain()) return s.value();
-    }
-    if (const auto w = way<ShortDyadic>()) {
-      if (const Unsure<Sign> s = text(*w).sign(); s.certain()) return s.value();
-    }
-    return text(*way<BigDyadic>()).sign();
-  }
-  [[nodiscard]] Sign beyond(const Point3& a, const Point3& b) const {
-    return sign([&]<class T>(const Vec<T>& d) { return dot(d, arith::vec<T>(a) - arith::vec<T>(b)); });
-  }
+std::uint32_t fewest_removed(const HierarchyLevel& finer, std::span<const std::uint32_t> ranks) {
+  return *std::ranges::min_element(ranks, {}, [&](std::uint32_t v) { return finer.removed_at(v).size(); });
+}
 
- private:
-  template <class T>
-  [[nodiscard]] std::optional<Vec<T>> way() const {
-    CertainSigns ask;
-    const NearestOfCorners<T> n = nearest_of<T>(p_, polytope_, corners_, ask);
-    return ask.certain() ? std::optional(n.way) : std::nullopt;
-  }
-
-  const CoreCorners &p_, &polytope_;
-  const DifferenceCorners& corners_;
-  std::optional<Vec<Running>> near_;
-};
-
-}  // namespace
-
-std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const CoreCorners& body) {
+std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const CoreCorners& body, std::size_t finest) {
   const CoreCorners polytope = corners_of(h.points);
   const auto coarsest = proved_nearest(body, corners_of(std::span(h.points).first(h.levels.back().size)));
   if (!coarsest) return {};
   NearestOfHierarchy found{coarsest->corners, coarsest->meets, h.levels.size() - 1, {}};
-  for (std::size_t i = h.levels.size() - 1; i-- > 0 && !found.meets;) {
+  for (std::size_t i = h.levels.size() - 1; i-- > finest && !found.meets;) {
     const HierarchyLevel& finer = h.levels[i];
-    std::uint32_t at = found.corners.ends[0][1];
-    for (std::size_t k = 1; k < found.corners.size; ++k) {
-      if (finer.removed_at(found.corners.ends[k][1]).size() < finer.removed_at(at).size())
-        at = found.corners.ends[k][1];
-    }
+    const std::uint32_t at = fewest_removed(finer, named(found.corners, 1).all());
     const auto beyond = beyond_plane(h, finer, at, NearestWay(body, polytope, found.corners));
     if (!beyond) continue;
-    std::array<std::uint32_t, most_candidates> rank{*beyond};
-    std::size_t size = 1;
-    for (const std::uint32_t v : finer.neighbors_of_removed(*beyond - h.levels[i + 1].size)) rank[size++] = v;
-    std::array<Point3, most_candidates> candidates;
-    for (std::size_t k = 0; k < size; ++k) candidates[k] = h.points[rank[k]];
-    const auto proved = proved_nearest(body, corners_of(std::span(candidates).first(size)));
+    const Candidates candidates = candidates_about(h, i, *beyond);
+    const auto proved = proved_nearest(body, corners_of(candidates.all()));
     if (!proved) return {};
     found = {proved->corners, proved->meets, i, *beyond};
-    for (std::size_t k = 0; k < found.corners.size; ++k) found.corners.ends[k][1] = rank[found.corners.ends[k][1]];
+    for (std::size_t k = 0; k < found.corners.size; ++k)
+      found.corners.ends[k][1] = candidates.rank[found.corners.ends[k][1]];
   }
   return found;
 }

@@ -21,7 +21,23 @@ struct NearestOfHierarchy {
   std::optional<std::uint32_t> about;
 };
 
-/// Where the body meets a polytope of the hierarchy, finer ones are not asked.
-std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const CoreCorners& body);
+/// Where the body meets a polytope of the hierarchy, finer ones are not asked; nor are those finer than `finest`.
+std::optional<NearestOfHierarchy> nearest(const PolytopeHierarchy& h, const CoreCorners& body, std::size_t finest = 0);
+
+/// A vertex that was removed of the polytope `level`, and its neighbors there: all that can be nearer than the coarser
+/// one.
+struct Candidates {
+  std::array<std::uint32_t, PolytopeHierarchy::most_neighbors + 1> rank;
+  std::array<Point3, PolytopeHierarchy::most_neighbors + 1> points;
+  std::size_t size = 0;
+  [[nodiscard]] std::span<const Point3> all() const { return {points.data(), size}; }
+};
+Candidates candidates_about(const PolytopeHierarchy& h, std::size_t level, std::uint32_t removed);
+
+/// Of vertices in a plane the one that has the fewest removed neighbors to be asked.
+std::uint32_t fewest_removed(const HierarchyLevel& finer, std::span<const std::uint32_t> ranks);
+
+/// Of the hull of these points, which live longer.
+CoreCorners corners_of(std::span<const Point3> points);
 
 }  // namespace plumb::query::hierarchy

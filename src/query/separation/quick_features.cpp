@@ -1,4 +1,5 @@
 // Features by corners: what the headers of figure/ and query/closest/ number, told by the corners' numbers.
+#include <algorithm>
 #include <bit>
 
 #include "query/convex/features.hpp"
@@ -26,22 +27,31 @@ std::optional<Feature> feature_along(std::size_t ways, std::uint32_t corner, std
   return numbered(FeatureKind::face, 2 * w + (corner >> w & 1));
 }
 
+/// The first place from this one on where a vertex is a corner.
+std::size_t corner_at(const PolygonMesh& m, std::uint32_t vertex, std::size_t from) {
+  return static_cast<std::size_t>(
+      std::find(m.corners.begin() + static_cast<std::ptrdiff_t>(from), m.corners.end(), vertex) - m.corners.begin());
+}
+
+/// An edge is the lower of the two corners that it leaves, a face that of three vertices.
 std::optional<Feature> feature_of_mesh(const PolygonMesh& m, std::span<const std::uint32_t> of) {
   if (of.size() == 1) return numbered(FeatureKind::vertex, of[0]);
-  for (std::uint32_t f = 0; f + 1 < m.first.size(); ++f) {
-    const auto face = std::span(m.corners).subspan(m.first[f], m.first[f + 1] - m.first[f]);
+  std::size_t edge = m.corners.size();
+  for (std::size_t c = corner_at(m, of[0], 0); c < m.corners.size(); c = corner_at(m, of[0], c + 1)) {
+    const auto f = static_cast<std::size_t>(std::ranges::upper_bound(m.first, c) - m.first.begin() - 1);
+    const std::size_t first = m.first[f], last = m.first[f + 1] - 1;
     if (of.size() == 3) {
+      const auto face = std::span(m.corners).subspan(first, last + 1 - first);
       const auto has = [&](std::uint32_t v) { return std::ranges::find(face, v) != face.end(); };
-      if (std::ranges::all_of(of, has)) return numbered(FeatureKind::face, f);
+      if (has(of[1]) && has(of[2])) return numbered(FeatureKind::face, f);
       continue;
     }
-    for (std::size_t c = 0; c < face.size(); ++c) {
-      const std::uint32_t from = face[c], to = face[c + 1 == face.size() ? 0 : c + 1];
-      if ((from == of[0] && to == of[1]) || (from == of[1] && to == of[0]))
-        return numbered(FeatureKind::edge, m.first[f] + c);
-    }
+    const std::size_t before = c == first ? last : c - 1, after = c == last ? first : c + 1;
+    if (m.corners[after] == of[1]) edge = std::min(edge, c);
+    if (m.corners[before] == of[1]) edge = std::min(edge, before);
   }
-  return {};
+  if (edge == m.corners.size()) return {};
+  return numbered(FeatureKind::edge, edge);
 }
 
 /// Of two corners of a triangle or tetrahedron.

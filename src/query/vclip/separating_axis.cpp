@@ -1,10 +1,11 @@
 #include "plumb/query/vclip/separating_axis.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "plumb/arith/error.hpp"
 #include "query/vclip/checked_signs.hpp"
-#include "query/vclip/voronoi_planes.hpp"
+#include "query/vclip/edge_pairs.hpp"
 
 namespace plumb::query {
 namespace vclipping {
@@ -30,9 +31,9 @@ class AxisSearch {
  public:
   AxisSearch(const Solid& a, const Solid& b, CheckedSigns& sign) : a_(a), b_(b), sign_(sign) {}
 
-  std::optional<SeparatingAxis> run() {
-    static_cast<void>(along_faces(a_, b_, AxisKind::face_of_a) || along_faces(b_, a_, AxisKind::face_of_b) ||
-                      across_edges());
+  /// `as_given`: neither is under a pose.
+  std::optional<SeparatingAxis> run(bool as_given) {
+    if (!along_faces(a_, b_, AxisKind::face_of_a) && !along_faces(b_, a_, AxisKind::face_of_b)) across_edges(as_given);
     return found_;
   }
 
@@ -57,51 +58,55 @@ class AxisSearch {
     }
     return false;
   }
-  [[nodiscard]] Sign least_height(const Solid& of, std::uint32_t face, const Solid& other) const {
+  /// The last vertex that was below a face is likely below the next one.
+  [[nodiscard]] Sign least_height(const Solid& of, std::uint32_t face, const Solid& other) {
+    const auto height = [&](std::uint32_t v) {
+      return sign_([&]<class T>() { return of.height(face, other.core().at<T>(v)); });
+    };
+    const auto size = static_cast<std::uint32_t>(other.core().size());
+    if (below_ < size && height(below_) == Sign::negative) return Sign::negative;
     Sign least = Sign::positive;
-    for (std::uint32_t v = 0; v < other.core().size() && least != Sign::negative; ++v)
-      least = std::min(least, sign_([&]<class T>() { return of.height(face, other.core().at<T>(v)); }));
+    for (std::uint32_t v = 0; v < size && least != Sign::negative; ++v) {
+      least = std::min(least, height(v));
+      if (least == Sign::negative) below_ = v;
+    }
     return least;
   }
 
-  /// Edges but once, by the lower of their two corners.
-  template <class Take>
-  static bool any_edge(const Solid& s, Take take) {
-    for (std::uint32_t c = 0; c < s.mesh().corners.size(); ++c) {
-      const std::uint32_t other = s.twin(c);
-      if (c < other && take(c, other)) return true;
+  void across_edges(bool as_given) {
+    const std::vector<SolidEdge> edges_a = edges_of(a_), edges_b = edges_of(b_);
+    const auto take = [&](std::size_t i, std::size_t j) { return across(edges_a[i], edges_b[j]); };
+    if (as_given) {
+      sign_.check();
+      FloatWorld<SpanningPairs> w;
+      SpanningPairs{}(w, a_, edges_a, b_, edges_b, take);
+      if (w.certain()) return;
     }
-    return false;
-  }
-  bool across_edges() {
-    return any_edge(a_, [&](std::uint32_t p, std::uint32_t p_twin) {
-      return any_edge(b_, [&](std::uint32_t q, std::uint32_t q_twin) { return across(p, p_twin, q, q_twin); });
-    });
+    each_spanning_pair(a_, edges_a, b_, edges_b, take);
   }
 
   template <class T>
   [[nodiscard]] Vec<T> axis(std::uint32_t p, std::uint32_t q) const {
     return cross(a_.place<T>(a_.next(p)) - a_.place<T>(p), b_.place<T>(b_.next(q)) - b_.place<T>(q));
   }
-  bool across(std::uint32_t p, std::uint32_t p_twin, std::uint32_t q, std::uint32_t q_twin) {
+  bool across(const SolidEdge& on_a, const SolidEdge& on_b) {
+    const std::uint32_t p = on_a.corner, q = on_b.corner;
     const Sign gap = sign_([&]<class T>() { return dot(axis<T>(p, q), b_.place<T>(q) - a_.place<T>(p)); });
     if (gap == Sign::zero && found_) return false;
     // The solid has to lie on this side of its edge along the axis, and not in one plane with both faces there: that is
     // a face's normal, or no direction.
-    const auto lies = [&](const Solid& s, std::uint32_t edge, std::uint32_t twin, Sign way) {
-      const auto side = [&](std::uint32_t c) {
-        return sign_([&]<class T>() {
-          return dot(axis<T>(p, q), s.place<T>(s.corner_off_line(c, s.face_of(c))) - s.place<T>(c));
-        });
+    const auto lies = [&](const Solid& s, const SolidEdge& edge, Sign way) {
+      const auto side = [&](std::uint32_t from, std::uint32_t off) {
+        return sign_([&]<class T>() { return dot(axis<T>(p, q), s.place<T>(off) - s.place<T>(from)); });
       };
-      const Sign left = side(edge);
+      const Sign left = side(edge.corner, edge.off);
       if (left == -way) return false;
-      const Sign right = side(twin);
+      const Sign right = side(edge.twin, edge.off_twin);
       return right != -way && (left == way || right == way);
     };
     for (const Sign way : {Sign::positive, Sign::negative}) {
       if (gap == -way) continue;
-      if (!lies(a_, p, p_twin, -way) || !lies(b_, q, q_twin, way)) continue;
+      if (!lies(a_, on_a, -way) || !lies(b_, on_b, way)) continue;
       const Vec<BigDyadic> n = axis<BigDyadic>(p, q), none{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
       return take({gap == Sign::zero ? Relation::touching : Relation::disjoint, AxisKind::edges, p, q,
                    rational(way == Sign::positive ? n : none - n)});
@@ -111,6 +116,7 @@ class AxisSearch {
 
   const Solid &a_, &b_;
   CheckedSigns& sign_;
+  std::uint32_t below_ = 0;
   std::optional<SeparatingAxis> found_;
 };
 
@@ -125,7 +131,7 @@ std::optional<SeparatingAxis> separating_axis_of(const ClipView& a, const ClipVi
   const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
   const Solid solid_a(*a.polyhedron, *core_a, turn_of(a) == Sign::negative),
       solid_b(*b.polyhedron, *core_b, turn_of(b) == Sign::negative);
-  return AxisSearch(solid_a, solid_b, sign).run();
+  return AxisSearch(solid_a, solid_b, sign).run(a.pose == nullptr && b.pose == nullptr);
 }
 
 }  // namespace plumb::query

@@ -1,11 +1,12 @@
 // Dobkin-Kirkpatrick hierarchy: which vertex of a convex polytope lies farthest along a direction, how near does it
-// come to a point, and when does a ray hit it, in logarithmic time?
+// come to a point or to another polytope, and when does a ray hit it, in logarithmic time?
 //
 //   const PolytopeHierarchy h = build_polytope_hierarchy(polyhedron);
 //   const Support3 s = support_point(h, direction);      // that of the polyhedron, number for number
 //   const Closest c = closest_points(p, h);              // and so are these
 //   const double d = distance(p, h);
 //   const auto t = first_hit_parameter(ray, h);
+//   const double apart = distance(h, other);             // separation of two hierarchies
 //
 // Polytopes, each the hull of the vertices that the one before it has left after an independent set of vertices of
 // bounded degree was removed.  What lies beyond a plane that bounds one of them is, in the next finer one, a removed
@@ -14,14 +15,16 @@
 // corners within them included: what is no extreme point is in none.  (2) No two vertices that are removed together are
 // neighbors, and none has more than `most_neighbors` there.  (3) Each polytope has at most 17/18 of the vertices of the
 // next finer one, as a rule 2/3, until `fewest_vertices` are left or the rest would be flat.  (4) Answers are those of
-// support_point, closest_points, distance, squared_distance_exact, contains and first_hit_parameter of the polyhedron.
+// support_point, closest_points, distance, squared_distance_exact, contains, intersects and first_hit_parameter of the
+// polyhedron, of two hierarchies those of their polyhedra.
 // A polyhedron without faces throws InvalidShape, a direction or point that is NaN or infinite NonFinite, by name.
 // Source: RTCD 9.3.1; Dobkin and Kirkpatrick, Fast detection of polyhedral intersection, 1983, and Determining the
 // separation of preprocessed polyhedra, 1990.
 // Cost: one hull for each of some 4 log n polytopes, n log n in all; some 20 n entries beside the polyhedron.  A
 // question takes a step a polytope: a sign for each removed neighbor, of a vertex that has many the logarithm of their
 // number; for the distance also a search among nine points at most.  Where several vertices are farthest these and
-// their neighbors are looked at; where a point is within, closest_points asks the polyhedron, in linear time.
+// their neighbors are looked at; where a point is within, closest_points asks the polyhedron, in linear time.  Two
+// hierarchies take a step for each of their polytopes, and where one comes nearer a descent of the other, log n log n.
 #pragma once
 
 #include "plumb/figure/basic/convex_polyhedron.hpp"
@@ -96,6 +99,10 @@ Closest closest_points(const Point3& p, const PolytopeHierarchy& hierarchy);
 double distance(const Point3& p, const PolytopeHierarchy& hierarchy);
 Rational squared_distance_exact(const Point3& p, const PolytopeHierarchy& hierarchy);
 bool contains(const PolytopeHierarchy& hierarchy, const Point3& p);
+
+double distance(const PolytopeHierarchy& a, const PolytopeHierarchy& b);
+Rational squared_distance_exact(const PolytopeHierarchy& a, const PolytopeHierarchy& b);
+bool intersects(const PolytopeHierarchy& a, const PolytopeHierarchy& b);
 
 /// When does a ray, a segment or a line come in?  The t of first_hit, exactly; nothing where it misses.
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const PolytopeHierarchy& hierarchy);

@@ -1,0 +1,107 @@
+// Closest points of two hulls: are these up to three corners of the difference all that the nearest point needs, and
+// does every other corner of both lie strictly behind the planes through it?  A statement over any world.
+//
+// What query/separation/nearest_corners.hpp asks over numbers that carry their errors, of points of doubles as given:
+// where all is strict, so that the nearest pair is the only one of these corners.
+// Laws: those of certify/world.hpp.
+// Source: Wolfe 1976; Gilbert, Johnson and Keerthi 1988; RTCD 9.5.
+// Cost: 30 to 90 operations, and 8 for each corner that is asked.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "plumb/certify/certainly.hpp"
+#include "query/gjk/origin.hpp"
+
+namespace plumb::query::gjk_origin {
+
+/// Corners of one hull that have to lie behind the plane through `ref`, but for those that are known to lie in it.
+struct Asked {
+  const Point3* at;
+  std::span<const std::uint32_t> of;  // their numbers; where there is none all of the first `size`
+  std::uint32_t size;
+  std::span<const std::uint32_t> in_plane;  // the first is that through which the plane goes
+
+  template <class Take>
+  [[gnu::always_inline]] void each(const Take& take) const {
+    const auto is_known = [this](std::uint32_t i) {
+      for (const std::uint32_t k : in_plane) {
+        if (i == k) return true;
+      }
+      return false;
+    };
+    for (const std::uint32_t i : of) {
+      if (!is_known(i)) take(at[i]);
+    }
+    for (std::uint32_t i = 0; of.empty() && i < size; ++i) {
+      if (!is_known(i)) take(at[i]);
+    }
+  }
+};
+
+template <int count>
+struct AreNearest {
+  static constexpr int highest = count == 1 ? 2 : 4;
+  static constexpr Scales scales{.count = 2};
+
+  template <class W>
+  [[gnu::always_inline]] inline bool operator()(W& w, const Pairs& p, const Asked& a, const Asked& b) const {
+    using N = std::remove_cvref_t<decltype(w.difference(0.0, 0.0))>;
+    using V = std::array<N, 3>;
+    const auto corner = [&](std::size_t i) {
+      return V{w.difference(p.a[i].x, p.b[i].x), w.difference(p.a[i].y, p.b[i].y), w.difference(p.a[i].z, p.b[i].z)};
+    };
+    const auto less = [](const auto& u, const auto& v) { return std::array{u[0] - v[0], u[1] - v[1], u[2] - v[2]}; };
+    const auto crossed = [](const auto& u, const auto& v) {
+      return std::array{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    };
+    const auto product = [](const auto& u, const auto& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+    const auto is_positive = [&](const auto& x) { return w.sign(x) == Sign::positive; };
+    const auto is_negative = [&](const auto& x) { return w.sign(x) == Sign::negative; };
+    const V d = corner(0);
+    if constexpr (count == 1) {
+      return are_behind(w, d, true, a, b);
+    } else {
+      const auto u = less(corner(1), d);
+      if constexpr (count == 2) {
+        const auto along = product(u, d);  // below zero, and above minus the square of u
+        if (!is_negative(along) || !is_positive(product(u, u) + along)) return false;
+        return are_behind(w, crossed(u, crossed(d, u)), true, a, b);
+      } else {
+        const auto v = less(corner(2), d);
+        const auto normal = crossed(u, v);
+        const auto second = product(crossed(d, v), normal), third = product(crossed(u, d), normal);
+        if (!is_negative(second) || !is_negative(third) || !is_positive(product(normal, normal) + second + third))
+          return false;
+        const Sign side = w.sign(product(normal, d));
+        return side != Sign::zero && are_behind(w, normal, side == Sign::positive, a, b);
+      }
+    }
+  }
+
+ private:
+  /// Is all of a strictly farther along than its plane, and all of b strictly less far than its own?  `forth`: or the
+  /// other way.
+  template <class W, class Way>
+  [[gnu::always_inline]] static inline bool are_behind(W& w, const Way& way, bool forth, const Asked& a,
+                                                       const Asked& b) {
+    return are_on_side(w, way, forth, a) && are_on_side(w, way, !forth, b);
+  }
+  template <class W, class Way>
+  [[gnu::always_inline]] static inline bool are_on_side(W& w, const Way& way, bool farther, const Asked& asked) {
+    const Point3& ref = asked.at[asked.in_plane[0]];
+    const auto ahead = [&](const Point3& p) {
+      return way[0] * w.template difference<1>(p.x, ref.x) + way[1] * w.template difference<1>(p.y, ref.y) +
+             way[2] * w.template difference<1>(p.z, ref.z);
+    };
+    std::optional<std::remove_cvref_t<decltype(ahead(ref))>> nearest;
+    asked.each([&](const Point3& p) {
+      const auto x = ahead(p);
+      nearest = !nearest ? x : farther ? smaller(*nearest, x) : larger(*nearest, x);
+    });
+    return !nearest || w.sign(*nearest) == (farther ? Sign::positive : Sign::negative);
+  }
+};
+
+}  // namespace plumb::query::gjk_origin

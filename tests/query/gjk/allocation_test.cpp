@@ -1,0 +1,111 @@
+// Does GJK allocate where doubles decide?  Every allocation of this program is counted.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "certify/sanitized.hpp"
+#include "plumb/degenerate.hpp"
+#include "plumb/figure/hull/hull3.hpp"
+#include "plumb/query/gjk/gjk.hpp"
+
+namespace {
+
+std::size_t allocations = 0;
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+
+namespace plumb {
+namespace {
+
+ConvexPolyhedron3 ball_of(std::size_t vertices, const Vector3& by, Entropy& entropy) {
+  std::vector<Point3> points = cloud3(Cloud::sphere, vertices, entropy);
+  for (Point3& p : points) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+  return convex_polyhedron(convex_hull(points), points);
+}
+
+/// How many of `asked` the question allocated for.
+template <class Question>
+std::size_t allocating(std::size_t asked, Question question) {
+  std::size_t some = 0;
+  for (std::size_t i = 0; i < asked; ++i) {
+    const std::size_t before = allocations;
+    question(i);
+    some += allocations != before ? 1 : 0;
+  }
+  return some;
+}
+
+TEST(GjkAllocations, AreNoneWhereDoublesDecide) {
+  { const std::vector<int> one(1); }
+  EXPECT_GT(allocations, 0U);  // so they are counted
+  constexpr std::size_t pairs = battery::sanitized ? 20 : 200;
+  for (const std::size_t n : {std::size_t{8}, std::size_t{32}, std::size_t{128}}) {
+    Entropy entropy(77, n);
+    std::vector<ConvexPolyhedron3> a, b;
+    std::size_t meet = 0;
+    while (a.size() < pairs) {
+      const auto way = [&] { return 1.75 * (static_cast<double>(entropy.bits(53)) * 0x1p-52 - 1); };
+      a.push_back(ball_of(n, {0, 0, 0}, entropy));
+      b.push_back(ball_of(n, {way(), way(), way()}, entropy));
+      meet += gjk_intersects(a.back(), b.back()) ? 1 : 0;
+    }
+    EXPECT_GT(meet * 4, pairs) << n;
+    EXPECT_LT(meet * 4, pairs * 3) << n;
+    const auto hull = [](const ConvexPolyhedron3& p) { return VertexHull3{p.mesh.vertices}; };
+    GjkCache cache;
+    std::size_t sum = 0;
+    EXPECT_EQ(allocating(pairs, [&](std::size_t i) { sum += gjk_intersects(a[i], b[i]) ? 1 : 0; }), 0U) << n;
+    EXPECT_EQ(allocating(pairs, [&](std::size_t i) { sum += gjk_intersects(hull(a[i]), hull(b[i])) ? 1 : 0; }), 0U)
+        << n;
+    EXPECT_EQ(allocating(pairs, [&](std::size_t i) { sum += gjk_intersects(a[i], b[i], {.cache = &cache}) ? 1 : 0; }),
+              0U)
+        << n;
+    EXPECT_EQ(sum, 3 * meet) << n;
+    double apart = 0;
+    EXPECT_EQ(allocating(pairs, [&](std::size_t i) { apart += gjk_distance(a[i], b[i]); }), 0U) << n;
+    EXPECT_EQ(allocating(pairs, [&](std::size_t i) { apart += gjk_distance(a[i], b[i], {.cache = &cache}); }), 0U) << n;
+    EXPECT_GT(apart, 0) << n;
+    EXPECT_EQ(allocating(pairs,
+                         [&](std::size_t i) {
+                           if (!gjk_intersects(a[i], b[i])) apart += gjk(a[i], b[i]).closest.distance;
+                         }),
+              0U)
+        << n;
+  }
+}
+
+/// In motion, by a cache that is kept.
+TEST(GjkAllocations, AreNoneInMotion) {
+  Entropy entropy(78, 1);
+  const ConvexPolyhedron3 a = ball_of(32, {0, 0, 0}, entropy), start = ball_of(32, {1.5, 0, 0}, entropy);
+  std::vector<ConvexPolyhedron3> frames;
+  for (int k = 0; k < 100; ++k) {
+    frames.push_back(start);
+    for (Point3& p : frames.back().mesh.vertices) p.x += 0.01 * k;
+  }
+  GjkCache meeting, apart;
+  std::size_t meet = 0;
+  EXPECT_EQ(allocating(frames.size(),
+                       [&](std::size_t i) { meet += gjk_intersects(a, frames[i], {.cache = &meeting}) ? 1 : 0; }),
+            0U);
+  EXPECT_GT(meet, 10U);
+  EXPECT_LT(meet, 90U);
+  EXPECT_EQ(allocating(frames.size(), [&](std::size_t i) { (void)gjk_distance(a, frames[i], {.cache = &apart}); }), 0U);
+}
+
+}  // namespace
+}  // namespace plumb
