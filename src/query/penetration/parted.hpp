@@ -17,7 +17,8 @@ struct Parting {
   bool cores_are_apart, is_unique;
 };
 
-std::optional<Parting> parted(const Body& a, const Body& b);
+/// `radii`: both together, where a body has one.
+std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class>& radii);
 
 /// Do the cores meet, and which corners of their difference are nearest to the origin?
 struct CoreDistance {
@@ -31,12 +32,17 @@ template <class Aim>
 NearestPlanes nearest_planes(const Difference& d, const CoreDistance& core, const Aim& aim) {
   Search search(d, aim);
   if (core.nearest.size == 4) return search.run(core.nearest.ends, true);
-  const std::vector<Ends> basis = affine_basis(d, {core.nearest.ends.data(), core.nearest.size});
+  const Basis basis = affine_basis(d, {core.nearest.ends.data(), core.nearest.size});
   if (basis.size() < 4) return {Origin::on_boundary, {}};
-  return search.run({basis[0], basis[1], basis[2], basis[3]}, false);
+  return search.run(basis.all(), false);
 }
 
 /// The first of several facets, by the direction in which the body leaves.
+struct FirstWay {
+  std::size_t index;
+  bool is_unique;
+};
+FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets);
 Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets);
 
 }  // namespace plumb::query::parting
