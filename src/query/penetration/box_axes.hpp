@@ -1,8 +1,8 @@
 // Separating axis test (SAT): is an axis of two boxes the one of fifteen along which they overlap least?  A statement
 // over any world of numbers.
 //
-// Along n = u x v, of two of the six axes, the boxes reach sum s |n . w| over the other four, s the lengths; c is the way
-// between their middles, everything times two: they overlap by that less |n . c|, over |n|.
+// Along n = u x v, of two of the six axes, the boxes reach sum s |n . w| over the other four, s the lengths; c is the
+// way between their middles, everything times two: they overlap by that less |n . c|, over |n|.
 // Laws: it is so, for certain, where no axis is as near, none has the boxes touch, and no four edges are in one plane.
 // Source: RTCD 4.4.1; Gottschalk, Lin and Manocha 1996.
 // Cost: some 900 operations.

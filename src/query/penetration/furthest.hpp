@@ -6,9 +6,8 @@
 // Cost: of boxes a sign a way, of polyhedra the way climbed, else linear in the corners.
 #pragma once
 
-#include <vector>
-
 #include "query/penetration/difference.hpp"
+#include "query/penetration/short_list.hpp"
 
 namespace plumb::query::parting {
 
@@ -58,14 +57,14 @@ std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& norma
 }
 
 /// All corners than which none lies further, ascending; the search begins at the first of those known to be level.
+using LevelCorners = ShortList<std::uint32_t, 16>;
 template <class Of>
-std::vector<std::uint32_t> all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from,
-                                        KnownLevel known) {
+LevelCorners all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from, KnownLevel known) {
   while (const auto better = any_further(c, normal, way, from, known)) {  // ends: each lies further
     from = *better;
     known = KnownLevel(c, from);
   }
-  std::vector<std::uint32_t> level;
+  LevelCorners level;
   if (c.ways() > 0) {
     std::uint32_t free = 0;
     for (std::size_t k = 0; k < c.ways(); ++k) {

@@ -1,8 +1,8 @@
-// Separating axis test (SAT): along which of fifteen axes is the least translation that parts two boxes?  Of rectangles,
-// segments and points as well: of whatever is a sum of edges.
+// Separating axis test (SAT): along which of fifteen axes is the least translation that parts two boxes?  Of
+// rectangles, segments and points as well: of whatever is a sum of edges.
 //
-// The Minkowski difference of such bodies is a zonotope: its facets are at right angles to each two of the edges that are
-// not parallel, two for each, as far from its middle as half of the other edges lead along the normal.
+// The Minkowski difference of such bodies is a zonotope: its facets are at right angles to each two of the edges that
+// are not parallel, two for each, as far from its middle as half of the other edges lead along the normal.
 // Laws: exact, by running errors, then integers; what is told is what query/penetration/search.hpp would tell.
 // Where all edges are along the axes of space, three differences take the place of the fifteen axes.  A difference
 // without an inside is not answered here.

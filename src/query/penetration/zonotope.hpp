@@ -1,7 +1,7 @@
 // Zonotope: how far do two sums of edges overlap along the normals of their difference's facets?
 //
-// Along the normal n of two groups of edges the difference reaches sum |n . g| over the other groups to both sides of its
-// middle c, everything times two; the bodies overlap by sum |n . g| - |n . c|.
+// Along the normal n of two groups of edges the difference reaches sum |n . g| over the other groups to both sides of
+// its middle c, everything times two; the bodies overlap by sum |n . g| - |n . c|.
 // Laws: signs are exact: running errors first, then integers; n . g of three groups is one determinant.
 // Source: RTCD 4.4.1, 5.2.1.
 // Cost: fifteen cross products, twenty determinants and as many products in running errors; integers are made once.
