@@ -15,10 +15,14 @@ namespace plumb::query::parting {
 
 using arith::Vec;
 
+template <class T>
+Vec<T> vec_of(const T& x, const T& y, const T& z) {
+  return {x, y, z};
+}
 /// Of numbers whose errors are in their types, which are not those of their products.
 template <class T>
 auto tracked_cross(const Vec<T>& u, const Vec<T>& v) {
-  return Vec{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  return vec_of(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
 }
 template <class S, class T>
 auto tracked_dot(const Vec<S>& u, const Vec<T>& v) {
@@ -40,7 +44,7 @@ struct IsLeastAxis {
   Told operator()(W& w, const GivenBox& a, const GivenBox& b, std::uint32_t i, std::uint32_t j) const {
     const auto axis = [&](std::size_t k) {
       const Vector3& v = (k < 3 ? a : b).axes[k % 3];
-      return Vec{w.template number<1>(v.x), w.template number<1>(v.y), w.template number<1>(v.z)};
+      return vec_of(w.template number<1>(v.x), w.template number<1>(v.y), w.template number<1>(v.z));
     };
     const std::array g{axis(0), axis(1), axis(2), axis(3), axis(4), axis(5)};
     const auto length = [&](std::size_t k) {
@@ -53,7 +57,7 @@ struct IsLeastAxis {
       const GivenBox::Ends &p = a.middle[k], &q = b.middle[k];
       return (w.difference(p.to, p.from) - w.difference(q.to, q.from)) * one;
     };
-    const Vec c{middle(0), middle(1), middle(2)};
+    const auto c = vec_of(middle(0), middle(1), middle(2));
     const auto of_pair = [&](std::uint32_t p, std::uint32_t q) {
       const auto n = tracked_cross(g[p], g[q]);
       const auto m = tracked_dot(n, c);

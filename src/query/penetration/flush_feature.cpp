@@ -150,8 +150,9 @@ Feature flush_feature(const BodyView& body, const CoreCorners& c, std::span<cons
 FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d, const Way& along) {
   Normal way([&]<class T>() { return along.along<T>(d); });
   const KnownPlane known = along.known(d);
-  const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0], known.a),
-             on_b = all_furthest(d.b, way, Sign::positive, along.from()[1], known.b);
+  const bool is_plane = along.is_through_plane();
+  const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0], known.a, is_plane),
+             on_b = all_furthest(d.b, way, Sign::positive, along.from()[1], known.b, is_plane);
   return {flush_feature(a, d.a, on_a), flush_feature(b, d.b, on_b), {on_a[0], on_b[0]}};
 }
 

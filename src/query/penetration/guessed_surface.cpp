@@ -10,13 +10,14 @@ namespace plumb::query::parting {
 namespace {
 
 constexpr std::uint32_t nowhere = ~0U;
-constexpr double nearly = 0x1p-40, as_near = 1 + 0x1p-20;
+constexpr double nearly = 0x1p-40;       // a guess: what is no further beyond a plane lies in it
+constexpr double as_near = 1 + 0x1p-20;  // a guess: what is as near may be a tie
 
 }  // namespace
 
 GuessedSurface::GuessedSurface(const Difference& d, const std::array<Ends, 4>& start) : of_(d) {
   points_.reserve(64), facets_.reserve(160), seen_.reserve(64), horizon_.reserve(64);
-  for (const Ends& e : start) points_.push_back({e, d.at<double>(e), nowhere});
+  for (const Ends& e : start) take(e, d.at<double>(e));
   const arith::Plain& p = points_[0].at;
   if (dot(cross(points_[1].at - p, points_[2].at - p), points_[3].at - p) > 0) std::swap(points_[0], points_[1]);
   make(0, 1, 2), make(0, 3, 1), make(1, 3, 2), make(2, 3, 0);
@@ -27,22 +28,20 @@ GuessedSurface::GuessedSurface(const Difference& d, const std::array<Ends, 4>& s
   run();
 }
 
-void GuessedSurface::make(std::uint32_t p, std::uint32_t q, std::uint32_t r) {
-  const arith::Plain &at = points_[p].at, n = cross(points_[q].at - at, points_[r].at - at);
-  const double distance = dot(n, at) / std::sqrt(dot(n, n));
-  facets_.push_back({{p, q, r}, {}, n, distance, true, !(std::fabs(distance) < HUGE_VAL)});
+void GuessedSurface::take(const Ends& e, const arith::Plain& at) {
+  points_.push_back({e, at, nowhere});
+  size_ = std::max({size_, std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)});
 }
 
-bool GuessedSurface::sees(const arith::Plain& at, const Facet& f) const {
-  const arith::Plain &n = f.normal, &p = points_[f.corner[0]].at;
-  const double size = std::fabs(n.x) * (std::fabs(at.x) + std::fabs(p.x)) +
-                      std::fabs(n.y) * (std::fabs(at.y) + std::fabs(p.y)) +
-                      std::fabs(n.z) * (std::fabs(at.z) + std::fabs(p.z));
-  return dot(n, at - p) > size * nearly;
+void GuessedSurface::make(std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+  const arith::Plain &at = points_[p].at, n = cross(points_[q].at - at, points_[r].at - at);
+  const double offset = dot(n, at), distance = offset / std::sqrt(dot(n, n));
+  const double doubt = (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z)) * size_ * nearly;
+  facets_.push_back({{p, q, r}, {}, n, offset, doubt, distance, true, !(std::fabs(distance) < HUGE_VAL)});
 }
 
 bool GuessedSurface::has(const Ends& e) const {
-  return std::ranges::any_of(points_, [&](const Point& p) { return p.ends == e; });
+  return std::ranges::any_of(points_, [&](const Point& p) { return p.ends[0] == e[0] && p.ends[1] == e[1]; });
 }
 
 void GuessedSurface::run() {
@@ -70,7 +69,7 @@ void GuessedSurface::run() {
 
 void GuessedSurface::grow(const Ends& ends, const arith::Plain& at, std::uint32_t beyond) {
   const auto point = static_cast<std::uint32_t>(points_.size());
-  points_.push_back({ends, at, nowhere});
+  take(ends, at);
   seen_.assign(1, beyond), horizon_.clear();
   facets_[beyond].is_there = false;
   for (std::size_t i = 0; i < seen_.size(); ++i) {

@@ -19,7 +19,8 @@ class GuessedSurface {
   struct Facet {
     std::array<std::uint32_t, 3> corner, across;  // as those of query/penetration/surface.hpp
     arith::Plain normal;
-    double distance;  // from the origin, below zero where that is before it
+    double offset, doubt;  // the plane's, times the normal's length; what is no further beyond it is taken to lie in it
+    double distance;       // from the origin, below zero where that is before it
     bool is_there, is_done;
   };
   struct Point {
@@ -43,8 +44,11 @@ class GuessedSurface {
 
  private:
   void run();
+  void take(const Ends& e, const arith::Plain& at);
   void make(std::uint32_t p, std::uint32_t q, std::uint32_t r);
-  [[nodiscard]] bool sees(const arith::Plain& at, const Facet& f) const;
+  [[nodiscard]] static bool sees(const arith::Plain& at, const Facet& f) {
+    return dot(f.normal, at) - f.offset > f.doubt;
+  }
   [[nodiscard]] bool has(const Ends& e) const;
   void grow(const Ends& ends, const arith::Plain& at, std::uint32_t beyond);
 
@@ -58,6 +62,7 @@ class GuessedSurface {
     std::uint32_t from, to, outer, made;
   };
   std::pmr::vector<Edge> horizon_{&memory_};
+  double size_ = 0;  // the largest coordinate
   bool is_sound_ = true;
 };
 

@@ -60,13 +60,15 @@ bool has_nothing_before(const Difference& d, const std::array<Ends, 3>& e) {
 std::optional<NearestPlanes> proved_planes(const Difference& d, const std::array<Ends, 4>& start) {
   const GuessedSurface s(d, start);
   if (!s.is_sound() || !is_closed(s)) return {};
+  ShortList<Vec<Running>, 48> at;
+  for (const GuessedSurface::Point& p : s.points()) at.push_back(d.at<Running>(p.ends));
   ShortList<Candidate, 16> nearest;
   double most = std::numeric_limits<double>::infinity();
   bool touches = false;
   for (const GuessedSurface::Facet& f : s.facets()) {
     if (!f.is_there) continue;
     const std::array<Ends, 3> ends = s.ends_of(f);
-    const PlaneOf<Running> plane = plane_of<Running>(d, ends);
+    const PlaneOf<Running> plane(at[f.corner[0]], at[f.corner[1]], at[f.corner[2]]);
     const Running height = plane.height();
     const Sign side = sign_of([&]<class T>() -> T {
       if constexpr (std::is_same_v<T, Running>) {

@@ -49,8 +49,8 @@ class Way {
     if (kind_ == Kind::plane) return {d, of_};
     return {d, {of_[0], of_[0], of_[0]}};
   }
-  /// Is it of length 1 as it stands, along an axis of space?
-  [[nodiscard]] bool is_along_axis() const { return kind_ == Kind::axis; }
+  /// Out through a plane before which nothing lies?
+  [[nodiscard]] bool is_through_plane() const { return kind_ == Kind::plane; }
   /// One of the points.
   [[nodiscard]] const Ends& from() const { return of_[0]; }
 

@@ -135,7 +135,9 @@ TEST(SeparatingAxes, OfAxesThatAreNotAtRightAngles) {
     if (i % 4 == 0) expect_same(Posed{a, turn}, Posed{b, turn}, "posed " + std::to_string(i), seen);
     if (i % 4 == 1) expect_same(Posed{a, turn}, b, "one of them posed " + std::to_string(i), seen);
   }
-  expect_many(seen, 20);
+  std::printf("nothing %d, apart %d, touching %d, deep %d, several %d\n", seen.nothing, seen.apart, seen.touching,
+              seen.deep, seen.several);
+  EXPECT_GE(std::min({seen.nothing, seen.apart, seen.deep, seen.several}), battery::sanitized ? 0 : 20);
 }
 
 TEST(SeparatingAxes, OfBoxesThatTouchOrNearlyDo) {
