@@ -2,7 +2,8 @@
 // in doubles, with how many of their answers are wrong: off by more than a millionth, or none.
 //
 // Classes: hulls of 8, 32 and 128 vertices and oriented boxes, all of which overlap: anywhere, deep in one another,
-// barely; and boxes that are aligned.
+// barely; boxes that are aligned; and degenerate pairs (degenerate/...), whose goal is five times what hulls of 8 or
+// oriented boxes take anywhere: a body with itself, cubes on a lattice, a point in a hull, what touches, what is flat.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -127,7 +128,69 @@ void add(const std::string& name, Class c, bool on_lattice, Make make) {
 #endif
 }
 
+/// Ours alone; of pairs that are made one by one.
+template <class Make>
+void add_degenerate(const std::string& name, Make make) {
+  benchmark::RegisterBenchmark(("degenerate/" + name + "/plumb").c_str(), [make](benchmark::State& s) {
+    Numbers n(31);
+    std::vector<decltype(make(n))> all;
+    while (all.size() < 64) all.push_back(make(n));
+    run(s, all.size(), [&](std::size_t i) { return penetration(all[i].first, all[i].second); });
+  });
+}
+
+ConvexPolyhedron3 cube_at(const Point3& at) {
+  std::vector<Point3> corners;
+  for (unsigned i = 0; i < 8; ++i) corners.push_back({at.x + (i & 1), at.y + (i >> 1 & 1), at.z + (i >> 2 & 1)});
+  return convex_polyhedron(convex_hull(corners), corners);
+}
+/// Its first three corners.
+Triangle3 part_of_face(const ConvexPolyhedron3& p) {
+  const auto corner = [&](std::size_t i) { return p.mesh.vertices[p.mesh.corners[i]]; };
+  return {corner(0), corner(1), corner(2)};
+}
+
+void add_degenerate_pairs() {
+  for (const std::size_t vertices : {8, 32}) {
+    const std::string of = "hull" + std::to_string(vertices);
+    const auto hull = [=](Numbers& n) { return hull_of(vertices, {0, 0, 0}, n); };
+    add_degenerate(of + "_itself", [=](Numbers& n) {
+      const ConvexPolyhedron3 p = hull(n);
+      return std::pair(p, p);
+    });
+    add_degenerate(of + "_point_inside", [=](Numbers& n) {
+      return std::pair(Point3{n(-0.2, 0.2), n(-0.2, 0.2), n(-0.2, 0.2)}, hull(n));
+    });
+    add_degenerate(of + "_touched_at_vertex", [=](Numbers& n) {
+      const ConvexPolyhedron3 p = hull(n);
+      return std::pair(p.mesh.vertices[0], p);
+    });
+    add_degenerate(of + "_touched_at_face", [=](Numbers& n) {
+      const ConvexPolyhedron3 p = hull(n);
+      return std::pair(part_of_face(p), p);
+    });
+  }
+  add_degenerate("cubes_on_lattice", [](Numbers& n) {
+    const auto step = [&] { return std::round(n(-2, 2)) / 2; };
+    return std::pair(cube_at({0, 0, 0}), cube_at({step(), step(), step()}));
+  });
+  add_degenerate("box_itself", [](Numbers& n) {
+    const Obb3 b = box_of(false, {0, 0, 0}, n);
+    return std::pair(b, b);
+  });
+  add_degenerate("aabbs_on_lattice", [](Numbers& n) {
+    const auto step = [&] { return std::round(n(-8, 8)) / 8; };
+    const Point3 p{step(), step(), step()};
+    return std::pair(Aabb3{{0, 0, 0}, {1, 1, 1}}, Aabb3{p, {p.x + 1, p.y + 1, p.z + 1}});
+  });
+  add_degenerate("triangles_in_one_plane", [](Numbers& n) {
+    const auto point = [&] { return Point3{n(-1, 1), n(-1, 1), 0}; };
+    return std::pair(Triangle3{point(), point(), {0, 0, 0}}, Triangle3{point(), point(), {0, 0, 0}});
+  });
+}
+
 const bool added = [] {
+  add_degenerate_pairs();
   for (const Class c : {Class::anywhere, Class::deep, Class::shallow}) {
     for (const std::size_t vertices : {8, 32, 128}) {
       add<ConvexPolyhedron3>("hulls" + std::to_string(vertices), c, false,

@@ -45,7 +45,7 @@ class Pair {
     if (planes_.origin != parting::Origin::inside) return {};
     return planes_.facets;
   }
-  [[nodiscard]] Way way_as_it_stands() const { return parting::parted(bodies_[0], bodies_[1])->way; }
+  [[nodiscard]] Way way_as_it_stands() const { return parting::parted(difference(), {})->way; }
   [[nodiscard]] Way first_way(std::span<const std::array<Ends, 3>> facets) const {
     return parting::first_of(difference(), facets).way;
   }

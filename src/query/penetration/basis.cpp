@@ -9,8 +9,8 @@ T part(const Vec<T>& v, int axis) {
 }
 
 /// Is the point outside of the affine hull of these?
-bool leads_out(const Difference& d, const std::vector<Ends>& of, const Ends& e) {
-  const auto from_first = [&]<class T>(const Ends& to) { return d.at<T>(to) - d.at<T>(of[0]); };
+bool leads_out(const Difference& d, const Basis& of, const Ends& e) {
+  const auto from_first = [&]<class T>(const Ends& to) { return d.between<T>(of[0], to); };
   if (of.size() == 3) {
     return sign_of([&]<class T>() -> T {
              return dot(cross(from_first.template operator()<T>(of[1]), from_first.template operator()<T>(of[2])),
@@ -29,24 +29,23 @@ bool leads_out(const Difference& d, const std::vector<Ends>& of, const Ends& e) 
 
 }  // namespace
 
-std::vector<Ends> affine_basis_among(const Difference& d, std::span<const Ends> named) {
-  std::vector<Ends> of;
-  for (const Ends& e : named) {
-    if (of.size() < 4 && (of.empty() || leads_out(d, of, e))) of.push_back(e);
-  }
+void extend(Basis& of, const Difference& d, const Ends& e) {
+  if (of.size() < 4 && (of.size() == 0 || leads_out(d, of, e))) of.add(e);
+}
+
+Basis affine_basis_among(const Difference& d, std::span<const Ends> named) {
+  Basis of;
+  for (const Ends& e : named) extend(of, d, e);
   return of;
 }
 
-std::vector<Ends> affine_basis(const Difference& d, std::span<const Ends> named) {
-  std::vector<Ends> of = affine_basis_among(d, named);
-  if (of.empty()) of.push_back({0, 0});
+Basis affine_basis(const Difference& d, std::span<const Ends> named) {
+  Basis of = affine_basis_among(d, named);
+  if (of.size() == 0) of.add({0, 0});
   // Every difference is the first one, a way between corners of one body, and one between corners of the other.
   const Ends first = of[0];
-  const auto take = [&](const Ends& e) {
-    if (leads_out(d, of, e)) of.push_back(e);
-  };
-  for (std::uint32_t i = 0; i < d.a.size() && of.size() < 4; ++i) take({i, first[1]});
-  for (std::uint32_t j = 0; j < d.b.size() && of.size() < 4; ++j) take({first[0], j});
+  for (std::uint32_t i = 0; i < d.a.size() && of.size() < 4; ++i) extend(of, d, {i, first[1]});
+  for (std::uint32_t j = 0; j < d.b.size() && of.size() < 4; ++j) extend(of, d, {first[0], j});
   return of;
 }
 

@@ -31,9 +31,9 @@ class Level {
   [[nodiscard]] std::size_t rank(std::span<const Index> of) const {
     if (of.size() == 1) return 0;
     if (of.size() == 2 && is_apart(of[0], of[1])) return 1;
-    std::vector<Ends> ways;
-    for (const Index i : of) ways.push_back({i, of[0]});
-    return affine_basis_among({corners_, corners_}, ways).size() - 1;
+    Basis basis;
+    for (const Index i : of) extend(basis, {corners_, corners_}, {i, of[0]});
+    return basis.size() - 1;
   }
 
   /// By one coordinate, as far as doubles tell.
@@ -102,7 +102,32 @@ std::optional<Feature> of_mesh(const Level& level, const PolygonMesh& m) {
   return {};
 }
 
+/// Of independent edges: the level ones are those that are free, from the corner that has none of them.
+Feature of_plain_sum(std::size_t edges, const SumLevel& level) {
+  const Index first = level.first, free = level.free;
+  const auto has = [&](Index k) { return first >> k & 1; };
+  if (free == 0) return vertex_number(first);
+  if (edges == 1 || (edges == 2 && free == 3)) return edges == 1 ? edge_number(0) : face_number(0);
+  if (edges == 2) return edge_number(free == 1 ? has(1) : 2 + has(0));
+  if (std::has_single_bit(free)) {
+    const auto u = static_cast<Index>(std::countr_zero(free)), v = u == 0 ? 1U : 0U, w = 3 - u - v;
+    return edge_number(4 * u + has(v) + 2 * has(w));
+  }
+  const auto w = static_cast<Index>(std::countr_zero(~free));
+  return face_number(2 * w + has(w));
+}
+
 }  // namespace
+
+Feature flush_feature(const BodyView& body, const CoreCorners& c, const SumLevel& level, bool is_plain) {
+  if (is_plain) return on_surface(body.figure, of_plain_sum(c.edges(), level));
+  std::array<Index, 8> corners{};
+  std::size_t size = 0;
+  for (Index i = 0; i < c.size(); ++i) {
+    if ((i & ~level.free) == level.first) corners[size++] = i;
+  }
+  return flush_feature(body, c, std::span(corners).first(size));
+}
 
 Feature flush_feature(const BodyView& body, const CoreCorners& c, std::span<const std::uint32_t> corners) {
   const Level level(c, corners);
@@ -125,8 +150,9 @@ Feature flush_feature(const BodyView& body, const CoreCorners& c, std::span<cons
 FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d, const Way& along) {
   Normal way([&]<class T>() { return along.along<T>(d); });
   const KnownPlane known = along.known(d);
-  const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0], known.a),
-             on_b = all_furthest(d.b, way, Sign::positive, along.from()[1], known.b);
+  const bool is_plane = along.is_through_plane();
+  const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0], known.a, is_plane),
+             on_b = all_furthest(d.b, way, Sign::positive, along.from()[1], known.b, is_plane);
   return {flush_feature(a, d.a, on_a), flush_feature(b, d.b, on_b), {on_a[0], on_b[0]}};
 }
 

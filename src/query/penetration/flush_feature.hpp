@@ -10,12 +10,16 @@
 #include <span>
 
 #include "plumb/figure/containment/voronoi_region.hpp"
+#include "query/penetration/edge_sum.hpp"
 #include "query/penetration/way.hpp"
 
 namespace plumb::query::parting {
 
 /// `level`: all corners that lie in the plane, ascending.
 Feature flush_feature(const BodyView& body, const CoreCorners& c, std::span<const std::uint32_t> level);
+
+/// Of a body that is a sum of edges, some of which lie in the plane.  `is_plain`: they are independent.
+Feature flush_feature(const BodyView& body, const CoreCorners& c, const SumLevel& level, bool is_plain);
 
 /// Of both bodies, when the first has moved so that it touches the second, and a corner of each.
 struct FlushPair {

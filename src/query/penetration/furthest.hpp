@@ -6,9 +6,8 @@
 // Cost: of boxes a sign a way, of polyhedra the way climbed, else linear in the corners.
 #pragma once
 
-#include <vector>
-
 #include "query/penetration/difference.hpp"
+#include "query/penetration/short_list.hpp"
 
 namespace plumb::query::parting {
 
@@ -58,14 +57,17 @@ std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& norma
 }
 
 /// All corners than which none lies further, ascending; the search begins at the first of those known to be level.
+/// `is_furthest`: none is further than that one, for certain.
+using LevelCorners = ShortList<std::uint32_t, 16>;
 template <class Of>
-std::vector<std::uint32_t> all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from,
-                                        KnownLevel known) {
-  while (const auto better = any_further(c, normal, way, from, known)) {  // ends: each lies further
-    from = *better;
-    known = KnownLevel(c, from);
+LevelCorners all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from, KnownLevel known,
+                          bool is_furthest = false) {
+  while (!is_furthest) {  // ends: each lies further
+    const auto better = any_further(c, normal, way, from, known);
+    is_furthest = !better;
+    if (better) from = *better, known = KnownLevel(c, from);
   }
-  std::vector<std::uint32_t> level;
+  LevelCorners level;
   if (c.ways() > 0) {
     std::uint32_t free = 0;
     for (std::size_t k = 0; k < c.ways(); ++k) {
@@ -84,10 +86,12 @@ std::vector<std::uint32_t> all_furthest(const CoreCorners& c, Normal<Of>& normal
     }
     return level;
   }
+  LevelCorners below;     // those that were looked at
   level.push_back(from);  // what is level on a convex surface hangs together
   for (std::size_t k = 0; k < level.size(); ++k) {
     for (const std::uint32_t i : c.polyhedron()->neighbors_of(level[k])) {
-      if (std::ranges::find(level, i) == level.end() && is_level(i)) level.push_back(i);
+      if (std::ranges::find(level, i) != level.end() || std::ranges::find(below, i) != below.end()) continue;
+      (is_level(i) ? level : below).push_back(i);
     }
   }
   std::ranges::sort(level);

@@ -6,7 +6,7 @@ namespace {
 using Triangle = std::array<Ends, 3>;
 
 /// Of a difference without an inside.
-Parting beside(const Difference& d, std::span<const Ends> basis) {
+Parting beside(const Difference& d, const Basis& basis) {
   if (basis.size() == 3) {
     const std::array both{Triangle{basis[0], basis[1], basis[2]}, Triangle{basis[0], basis[2], basis[1]}};
     return first_of(d, both);
@@ -14,7 +14,7 @@ Parting beside(const Difference& d, std::span<const Ends> basis) {
   if (basis.size() == 1) return {Way::against_axis(0), false, false};
   const auto along = [&](int axis) {
     return sign_of([&]<class T>() -> T {
-      const Vec<T> u = d.at<T>(basis[1]) - d.at<T>(basis[0]);
+      const Vec<T> u = d.between<T>(basis[0], basis[1]);
       return axis == 1 ? u.y : u.z;
     });
   };
@@ -40,24 +40,26 @@ bool is_within(const Difference& d, const DifferenceCorners& nearest, const mpq_
 
 }  // namespace
 
-Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
-  Parting p{Way::through(facets[0]), false, true};
-  for (const auto& f : facets.subspan(1)) {
-    const Way way = Way::through(f);
-    const Sign order = compare_directions(d, way, p.way);
-    if (order == Sign::negative) p.way = way;
-    if (order != Sign::zero) p.is_unique = false;
+FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
+  FirstWay r{0, true};
+  for (std::size_t i = 1; i < facets.size(); ++i) {
+    const Sign order = compare_directions(d, Way::through(facets[i]), Way::through(facets[r.index]));
+    if (order == Sign::negative) r.index = i;
+    if (order != Sign::zero) r.is_unique = false;
   }
-  return p;
+  return r;
 }
 
-std::optional<Parting> parted(const Body& a, const Body& b) {
-  const Difference d{a.corners, b.corners};
+Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
+  const FirstWay first = first_way(d, facets);
+  return {Way::through(facets[first.index]), false, first.is_unique};
+}
+
+std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class>& radii) {
   const CoreDistance core = core_distance(d);
   const std::span<const Ends> nearest(core.nearest.ends.data(), core.nearest.size);
   if (!core.meet) {
-    const mpq_class radii = a.radius + b.radius;
-    if (sgn(radii) == 0 || !is_within(d, core.nearest, radii)) return {};
+    if (!radii || !is_within(d, core.nearest, *radii)) return {};
     return Parting{back_from(d, core.nearest), true, true};
   }
   const NearestPlanes planes = nearest_planes(d, core, EveryWay());

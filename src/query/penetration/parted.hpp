@@ -6,6 +6,7 @@
 #pragma once
 
 #include "query/penetration/basis.hpp"
+#include "query/penetration/proved_surface.hpp"
 #include "query/penetration/search.hpp"
 #include "query/penetration/way.hpp"
 #include "query/separation/convex_body.hpp"
@@ -17,7 +18,8 @@ struct Parting {
   bool cores_are_apart, is_unique;
 };
 
-std::optional<Parting> parted(const Body& a, const Body& b);
+/// `radii`: both together, where a body has one.
+std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class>& radii);
 
 /// Do the cores meet, and which corners of their difference are nearest to the origin?
 struct CoreDistance {
@@ -29,14 +31,22 @@ CoreDistance core_distance(const Difference& d);
 /// Of cores that meet; a flat difference has its origin on the boundary, and no facets.
 template <class Aim>
 NearestPlanes nearest_planes(const Difference& d, const CoreDistance& core, const Aim& aim) {
-  Search search(d, aim);
-  if (core.nearest.size == 4) return search.run(core.nearest.ends, true);
-  const std::vector<Ends> basis = affine_basis(d, {core.nearest.ends.data(), core.nearest.size});
-  if (basis.size() < 4) return {Origin::on_boundary, {}};
-  return search.run({basis[0], basis[1], basis[2], basis[3]}, false);
+  const bool around = core.nearest.size == 4;
+  const Basis basis = around ? Basis() : affine_basis(d, {core.nearest.ends.data(), core.nearest.size});
+  if (!around && basis.size() < 4) return {Origin::on_boundary, {}};
+  const std::array<Ends, 4>& start = around ? core.nearest.ends : basis.all();
+  if constexpr (std::is_same_v<Aim, EveryWay>) {
+    if (auto proved = proved_planes(d, start)) return *proved;
+  }
+  return Search(d, aim).run(start, around);
 }
 
 /// The first of several facets, by the direction in which the body leaves.
+struct FirstWay {
+  std::size_t index;
+  bool is_unique;
+};
+FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets);
 Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets);
 
 }  // namespace plumb::query::parting

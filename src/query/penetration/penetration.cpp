@@ -4,6 +4,7 @@
 #include "plumb/arith/ball.hpp"
 #include "query/penetration/flush_feature.hpp"
 #include "query/penetration/parted.hpp"
+#include "query/penetration/separating_axes.hpp"
 
 namespace plumb::query {
 namespace {
@@ -22,59 +23,80 @@ struct Lengths {
 };
 
 struct Told {
-  std::array<Body, 2> bodies;
+  std::array<CoreCorners, 2> corners;
+  std::optional<mpq_class> radii;  // both together, where a body has one
   Parting parting;
-  Feature feature_a, feature_b;
-  Ends in_plane;
+  FlushPair flush;
+  std::optional<Ball> overlap;  // of the cores, where it is known
 
-  [[nodiscard]] Difference difference() const { return {bodies[0].corners, bodies[1].corners}; }
-  [[nodiscard]] bool is_round() const { return sgn(bodies[0].radius) != 0 || sgn(bodies[1].radius) != 0; }
-  [[nodiscard]] mpq_class radii() const { return bodies[0].radius + bodies[1].radius; }
+  [[nodiscard]] Difference difference() const { return {corners[0], corners[1]}; }
 };
 
 std::optional<Told> told_of(std::string_view function, const BodyView& a, const BodyView& b) {
-  const std::array<Body, 2> bodies = bodies_of(function, a, b);
-  const auto parting = parted(bodies[0], bodies[1]);
+  std::optional<mpq_class> radii;
+  if (has_radius(a) || has_radius(b)) {
+    const std::array<Body, 2> bodies = bodies_of(function, a, b);
+    radii = bodies[0].radius + bodies[1].radius;
+  }
+  const std::array<CoreCorners, 2> corners = corners_of(function, a, b);
+  const Difference d{corners[0], corners[1]};
+  if (corners[0].is_sum() && corners[1].is_sum()) {
+    const SumParting s = parted_sums(d);
+    if (s.known == SumParting::Known::apart && !radii) return {};
+    if (s.known == SumParting::Known::parting) {
+      const FlushPair flush{flush_feature(a, corners[0], s.level[0], s.is_plain[0]),
+                            flush_feature(b, corners[1], s.level[1], s.is_plain[1]),
+                            {s.level[0].first, s.level[1].first}};
+      return Told{corners, radii, *s.parting, flush, s.overlap};
+    }
+  }
+  const auto parting = parted(d, radii);
   if (!parting) return {};
-  const FlushPair flush = flush_pair(a, b, {bodies[0].corners, bodies[1].corners}, parting->way);
-  return Told{bodies, *parting, flush.a, flush.b, flush.in_plane};
+  return Told{corners, radii, *parting, flush_pair(a, b, d, parting->way), {}};
 }
+
+Penetration without_numbers(const Told& t) { return {0, {}, {}, t.flush.a, t.flush.b, t.parting.is_unique}; }
 
 /// Numbers by pairs of doubles; nothing where these leave one open.
 std::optional<Penetration> quick_numbers(const Told& t) {
-  const Lengths<Ball> n(t.difference(), t.parting.way, t.in_plane);
   double radius = 0;
-  if (t.is_round()) {
-    const mpq_class radii = t.radii();
-    radius = radii.get_d();
-    if (radius != radii) return {};
+  if (t.radii) {
+    radius = t.radii->get_d();
+    if (radius != *t.radii) return {};
   }
-  const Ball length = root(n.square), both = Ball(radius);
-  const auto unit = [&](const Ball& x) { return quotient(x, length); };
-  const Ball depth = both + unit(n.overlap);
-  const Ball share = radius == 0 ? quotient(n.overlap, n.square) : quotient(depth, length);
-  Penetration p{0, {}, {}, t.feature_a, t.feature_b, t.parting.is_unique};
+  Penetration p = without_numbers(t);
   bool is_told = true;
   const auto tell = [&](double& to, const Ball& from) {
     const auto nearest = from.nearest();
     is_told = is_told && nearest;
     to = nearest.value_or(0);
   };
-  tell(p.depth, depth);
-  tell(p.direction.x, unit(n.way.x)), tell(p.direction.y, unit(n.way.y)), tell(p.direction.z, unit(n.way.z));
-  tell(p.translation.x, n.way.x * share), tell(p.translation.y, n.way.y * share),
-      tell(p.translation.z, n.way.z * share);
+  if (t.overlap) {
+    const auto way = t.parting.way.along<double>(t.difference());
+    tell(p.depth, Ball(radius) + *t.overlap);
+    p.direction = {way.x, way.y, way.z};
+    p.translation = {way.x * p.depth + 0.0, way.y * p.depth + 0.0, way.z * p.depth + 0.0};
+  } else {
+    const Lengths<Ball> n(t.difference(), t.parting.way, t.flush.in_plane);
+    const Ball length = root(n.square), share = quotient(Ball(1), length), depth = Ball(radius) + n.overlap * share;
+    const Vec<Ball> unit = n.way * share;
+    tell(p.depth, depth);
+    tell(p.direction.x, unit.x), tell(p.direction.y, unit.y), tell(p.direction.z, unit.z);
+    // Without a radius no root is in it, and what is near to a number halfway is seen to be there.
+    const Ball by = radius == 0 ? quotient(n.overlap, n.square) : depth * share;
+    tell(p.translation.x, n.way.x * by), tell(p.translation.y, n.way.y * by), tell(p.translation.z, n.way.z * by);
+  }
   if (!is_told) return {};
   return p;
 }
 
 Penetration exact_numbers(const Told& t) {
-  const Lengths<BigDyadic> n(t.difference(), t.parting.way, t.in_plane);
-  const mpq_class radii = t.radii();
+  const Lengths<BigDyadic> n(t.difference(), t.parting.way, t.flush.in_plane);
+  const mpq_class radii = t.radii.value_or(0);
   const BigDyadic over{mpz_class(radii.get_num())}, under{mpz_class(radii.get_den())}, none(0.0);
   constexpr Rounding nearest = Rounding::nearest;
-  const bool is_round = sgn(radii) != 0;
-  Penetration p{0, {}, {}, t.feature_a, t.feature_b, t.parting.is_unique};
+  const bool is_round = t.radii.has_value();
+  Penetration p = without_numbers(t);
   // over / under + h / root(w), which is (over w + under h root(w)) / (under w).
   p.depth = is_round ? rounded_radical(nearest, over * n.square, under * n.overlap, n.square, under * n.square)
                      : rounded_root(nearest, n.overlap * n.overlap, n.square);
@@ -112,13 +134,16 @@ std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b) 
 std::optional<ExactPenetration> exact_penetration_of(const BodyView& a, const BodyView& b) {
   const auto told = told_of("exact_penetration", a, b);
   if (!told) return {};
-  const Lengths<mpq_class> n(told->difference(), told->parting.way, told->in_plane);
+  const Lengths<mpq_class> n(told->difference(), told->parting.way, told->flush.in_plane);
   const mpq_class share = n.overlap / n.square, square = n.overlap * share;
-  return ExactPenetration{
-      primitive(n.way),        {rational(n.way.x * share), rational(n.way.y * share), rational(n.way.z * share)},
-      rational(square),        told->parting.cores_are_apart,
-      rational(told->radii()), told->feature_a,
-      told->feature_b,         told->parting.is_unique};
+  return ExactPenetration{primitive(n.way),
+                          {rational(n.way.x * share), rational(n.way.y * share), rational(n.way.z * share)},
+                          rational(square),
+                          told->parting.cores_are_apart,
+                          rational(told->radii.value_or(0)),
+                          told->flush.a,
+                          told->flush.b,
+                          told->parting.is_unique};
 }
 
 }  // namespace plumb::query

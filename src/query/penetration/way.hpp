@@ -22,34 +22,48 @@ class Way {
   /// At right angles to the line through two, as far against an axis as can be.
   static Way beside_line(const Ends& p, const Ends& q, int axis) { return {Kind::beside, {p, q, q}, axis}; }
   static Way against_axis(int axis) { return {Kind::axis, {}, axis}; }
+  /// Along an axis of space, up or down; the point is one of those that it leads out through.
+  static Way along_axis(int axis, bool up, const Ends& p) { return {Kind::axis, {p, p, p}, axis, up}; }
+
+  /// Along u x v; the point as before.
+  static Way across(const Vector3& u, const Vector3& v, const Ends& p) {
+    Way way(Kind::across, {p, p, p});
+    way.u_ = u, way.v_ = v;
+    return way;
+  }
 
   template <class T>
   [[nodiscard]] Vec<T> along(const Difference& d) const {
     const T zero(0.0), one(1.0);
     const Vec<T> axis{axis_ == 0 ? one : zero, axis_ == 1 ? one : zero, axis_ == 2 ? one : zero};
-    if (kind_ == Kind::axis) return Vec<T>{zero, zero, zero} - axis;
-    const Vec<T> p = d.at<T>(of_[0]);
-    if (kind_ == Kind::point) return p;
-    const Vec<T> u = d.at<T>(of_[1]) - p;
-    if (kind_ == Kind::line) return cross(u, cross(p, u));
+    if (kind_ == Kind::axis) return is_up_ ? axis : Vec<T>{zero, zero, zero} - axis;
+    if (kind_ == Kind::across) return cross(arith::vec<T>(u_), arith::vec<T>(v_));
+    if (kind_ == Kind::point) return d.at<T>(of_[0]);
+    const Vec<T> u = d.between<T>(of_[0], of_[1]);
+    if (kind_ == Kind::line) return cross(u, cross(d.at<T>(of_[0]), u));
     if (kind_ == Kind::beside) return cross(u, cross(u, axis));
-    return cross(d.at<T>(of_[2]) - p, u);
+    return cross(d.between<T>(of_[0], of_[2]), u);
   }
   /// What is level, where the way leads out through a plane; else one corner of each body.
   [[nodiscard]] KnownPlane known(const Difference& d) const {
     if (kind_ == Kind::plane) return {d, of_};
     return {d, {of_[0], of_[0], of_[0]}};
   }
+  /// Out through a plane before which nothing lies?
+  [[nodiscard]] bool is_through_plane() const { return kind_ == Kind::plane; }
   /// One of the points.
   [[nodiscard]] const Ends& from() const { return of_[0]; }
 
  private:
-  enum class Kind : unsigned char { plane, point, line, beside, axis };
-  Way(Kind kind, const std::array<Ends, 3>& of, int axis = 0) : kind_(kind), of_(of), axis_(axis) {}
+  enum class Kind : unsigned char { plane, point, line, beside, axis, across };
+  Way(Kind kind, const std::array<Ends, 3>& of, int axis = 0, bool is_up = false)
+      : kind_(kind), of_(of), axis_(axis), is_up_(is_up) {}
 
   Kind kind_;
   std::array<Ends, 3> of_;
   int axis_;
+  bool is_up_;
+  Vector3 u_{}, v_{};
 };
 
 /// The order of two directions: by x, then y, then z of the vectors of length 1.

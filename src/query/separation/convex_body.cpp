@@ -42,12 +42,7 @@ void require_convex(std::string_view function, std::string_view name, const Figu
   });
 }
 
-}  // namespace
-
-std::string_view spoken(const BodyView& body) { return body.is_hull() ? "hull" : spoken(body.figure); }
-
-Body body_of(std::string_view function, std::string_view name, const BodyView& body) {
-  const PosedView posed{body.figure, body.pose, nullptr};
+CoreCorners sound_corners(std::string_view function, std::string_view name, const BodyView& body) {
   if (body.is_hull()) {
     const std::string of_shape = std::string(name).append(body.pose != nullptr ? ".shape" : "");
     require_hull(function, of_shape, body);
@@ -56,20 +51,45 @@ Body body_of(std::string_view function, std::string_view name, const BodyView& b
       require_posed(function, name, {view_of(origin), body.pose, nullptr});
     }
   } else {
-    require_posed(function, name, posed);
-    require_convex(function, std::string(name).append(body.pose != nullptr ? ".shape" : ""), body.figure);
+    require_posed(function, name, {body.figure, body.pose, nullptr});
+    const bool may_be_concave = is_one_of(body.figure.kind, {FigureKind::polygon, FigureKind::quadrilateral});
+    if (may_be_concave) {
+      require_convex(function, std::string(name).append(body.pose != nullptr ? ".shape" : ""), body.figure);
+    }
   }
-  const auto corners = CoreCorners::of(body);
-  if (!corners) throw_empty(function, name);
-  if (body.is_hull()) return {*corners, 0};
+  if (const auto corners = CoreCorners::of(body)) return *corners;
+  throw_empty(function, name);
+}
+
+std::array<std::string_view, 2> names_of(const BodyView& a, const BodyView& b) {
+  const bool alike = a.is_hull() == b.is_hull() && (a.is_hull() || a.figure.kind == b.figure.kind);
+  if (alike) return {"a", "b"};
+  return {spoken(a), spoken(b)};
+}
+
+}  // namespace
+
+std::string_view spoken(const BodyView& body) { return body.is_hull() ? "hull" : spoken(body.figure); }
+
+Body body_of(std::string_view function, std::string_view name, const BodyView& body) {
+  const CoreCorners corners = sound_corners(function, name, body);
+  if (body.is_hull()) return {corners, 0};
   const double radius = radius_of(body.figure);
-  if (radius == 0 || body.pose == nullptr) return {*corners, radius};
-  return {*corners, radius_of_image(function, posed, posed_set(posed))};
+  if (radius == 0 || body.pose == nullptr) return {corners, radius};
+  const PosedView posed{body.figure, body.pose, nullptr};
+  return {corners, radius_of_image(function, posed, posed_set(posed))};
+}
+
+bool has_radius(const BodyView& body) { return !body.is_hull() && radius_of(body.figure) != 0; }
+
+std::array<CoreCorners, 2> corners_of(std::string_view function, const BodyView& a, const BodyView& b) {
+  const auto [name_a, name_b] = names_of(a, b);
+  return {sound_corners(function, name_a, a), sound_corners(function, name_b, b)};
 }
 
 std::array<Body, 2> bodies_of(std::string_view function, const BodyView& a, const BodyView& b) {
-  const bool alike = a.is_hull() == b.is_hull() && (a.is_hull() || a.figure.kind == b.figure.kind);
-  return {body_of(function, alike ? "a" : spoken(a), a), body_of(function, alike ? "b" : spoken(b), b)};
+  const auto [name_a, name_b] = names_of(a, b);
+  return {body_of(function, name_a, a), body_of(function, name_b, b)};
 }
 
 }  // namespace plumb::query

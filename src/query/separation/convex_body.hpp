@@ -23,6 +23,10 @@ struct Body {
 std::array<Body, 2> bodies_of(std::string_view function, const BodyView& a, const BodyView& b);
 Body body_of(std::string_view function, std::string_view name, const BodyView& body);
 
+/// The same without the radius, and without GMP; of what is round it is known to be sound, but for an uneven pose.
+std::array<CoreCorners, 2> corners_of(std::string_view function, const BodyView& a, const BodyView& b);
+bool has_radius(const BodyView& body);
+
 /// What a text calls it.
 std::string_view spoken(const BodyView& body);
 

@@ -64,6 +64,30 @@ std::optional<CoreCorners> CoreCorners::of(const BodyView& body) {
   return c;
 }
 
+std::optional<Vector3> CoreCorners::axis_of_edge(std::size_t k) const {
+  if (ways_ > 0 && !aligned_) return half_[k] == 0 ? Vector3{} : axes_[k];
+  const auto [a, b] = std::pair(points_[0], points_[1]);
+  const auto along = [&](std::size_t axis, double from, double to) {
+    if (from == to || (aligned_ && k != axis)) return 0;
+    return from < to ? 1 : -1;
+  };
+  const int x = along(0, a.x, b.x), y = along(1, a.y, b.y), z = along(2, a.z, b.z);
+  if (x * x + y * y + z * z > 1) return {};
+  return Vector3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+}
+
+std::optional<GivenBox> CoreCorners::given_box() const {
+  if (ways_ != 3 || !stands_ || is_swept_) return {};
+  const Point3 &p = points_[0], &q = points_[1];
+  if (aligned_) {
+    return GivenBox{{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}},
+                    {{{p.x, q.x}, {p.y, q.y}, {p.z, q.z}}},
+                    {{{-p.x, q.x}, {-p.y, q.y}, {-p.z, q.z}}}};
+  }
+  const auto& h = half_;
+  return GivenBox{axes_, {{{-h[0], h[0]}, {-h[1], h[1]}, {-h[2], h[2]}}}, {{{-p.x, p.x}, {-p.y, p.y}, {-p.z, p.z}}}};
+}
+
 bool CoreCorners::is_finite() const {
   double sum = sum_of(by_) + sum_of(less_) + time_;
   if (pose_ != nullptr) {

@@ -17,6 +17,15 @@
 
 namespace plumb::query {
 
+/// A box by numbers as given, everything times two.
+struct GivenBox {
+  struct Ends {
+    double from, to;  // their difference is meant
+  };
+  std::array<Vector3, 3> axes;
+  std::array<Ends, 3> length, middle;
+};
+
 class CoreCorners {
  public:
   /// Of points, segments, triangles, tetrahedra, boxes, rectangles, polyhedra, balls, capsules and lozenges.
@@ -31,6 +40,40 @@ class CoreCorners {
   /// How many ways there are; no corner but by them.
   [[nodiscard]] std::size_t ways() const { return is_swept_ ? 0 : ways_; }
   [[nodiscard]] const ConvexPolyhedron3* polyhedron() const { return is_swept_ ? nullptr : polyhedron_; }
+
+  /// Is it a sum of a point and edges, and no list of corners: a box of any kind, a rectangle, a segment, a point?
+  [[nodiscard]] bool is_sum() const {
+    return !is_swept_ && polyhedron_ == nullptr && list_.empty() && (ways_ > 0 || size_ <= 2);
+  }
+  /// Of a sum: edge k leads from a corner to the one whose number has bit k besides.
+  [[nodiscard]] std::size_t edges() const { return ways_ > 0 ? ways_ : size_ - 1; }
+  template <class T>
+  [[nodiscard]] arith::Vec<T> edge(std::size_t k) const {
+    if (ways_ == 0) return at<T>(1) - at<T>(0);
+    const arith::Vec<T> w = way<T>(k);
+    return both_ && !aligned_ ? w + w : w;
+  }
+  /// Along an axis of space, of an edge that is along one (axis_of_edge) without a pose.
+  template <class T>
+  [[nodiscard]] T length_of_edge(std::size_t k, int axis) const {
+    const auto part = [&](const auto& v) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; };
+    if (ways_ == 0 || aligned_) return magnitude(T(part(points_[1])) - T(part(points_[0])));
+    const T half = magnitude(T(part(axes_[k])) * T(half_[k]));
+    return both_ ? half + half : half;
+  }
+  template <class T>
+  [[nodiscard]] arith::Vec<T> twice_middle() const {
+    if (ways_ == 0 || aligned_ || !both_ || time_ != 0) return at<T>(0) + at<T>(size_ - 1);
+    const arith::Vec<T> p = arith::vec<T>(points_[0]);
+    const arith::Vec<T> middle = pose_ == nullptr ? p : turned(p) + arith::vec<T>(pose_->translation);
+    return middle + middle;
+  }
+  /// Which way an edge leads by what is given, without arithmetic: a multiple above zero of an axis under the pose, and
+  /// of the axis that is zero where it has no length; nothing where two points differ in several coordinates.
+  [[nodiscard]] std::optional<Vector3> axis_of_edge(std::size_t k) const;
+  [[nodiscard]] const Pose* pose() const { return pose_; }
+  /// Of a box as it stands, without a pose.
+  [[nodiscard]] std::optional<GivenBox> given_box() const;
 
   /// The same at a time of a straight motion.
   void move(const Vector3& by, double time) { by_ = by, time_ = time, stands_ = stands_ && time == 0; }

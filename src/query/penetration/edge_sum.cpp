@@ -1,0 +1,59 @@
+#include "query/penetration/edge_sum.hpp"
+
+namespace plumb::query::parting {
+namespace {
+
+std::optional<int> coordinate_axis(const Vector3& v) {
+  if ((v.x != 0) + (v.y != 0) + (v.z != 0) != 1) return {};
+  return v.x != 0 ? 0 : v.y != 0 ? 1 : 2;
+}
+
+/// 1 or -1 of axes that are parallel without arithmetic, else 0.
+int alike(const Vector3& u, const Vector3& v) {
+  if (u == v) return 1;
+  if (u == Vector3{-v.x, -v.y, -v.z}) return -1;
+  const auto axis = coordinate_axis(u);
+  if (!axis || axis != coordinate_axis(v)) return 0;
+  const double x = u.x + u.y + u.z, y = v.x + v.y + v.z;  // but one of them is not zero
+  return (x > 0) == (y > 0) ? 1 : -1;
+}
+
+bool turns_alike(const Pose* p, const Pose* q) {
+  return p == q || (p != nullptr && q != nullptr && p->columns == q->columns);
+}
+
+}  // namespace
+
+EdgeSum::EdgeSum(const Difference& d) : of_(d) {
+  for (std::uint32_t k = 0; k < d.a.edges(); ++k) add(0, d.a, k);
+  for (std::uint32_t k = 0; k < d.b.edges(); ++k) add(1, d.b, k);
+}
+
+void EdgeSum::add(std::uint32_t body, const CoreCorners& c, std::uint32_t bit) {
+  const auto along = c.axis_of_edge(bit);
+  if (along && *along == Vector3{}) return;
+  for (std::uint32_t g = 0; g < groups_ && along; ++g) {
+    if (!along_[g] || !turns_alike(pose_[g], c.pose())) continue;
+    if (const int way = alike(*along_[g], *along); way != 0) {
+      edges_[size_++] = {body, bit, g, way < 0};
+      return;
+    }
+  }
+  const auto g = static_cast<std::uint32_t>(groups_++);
+  along_[g] = along, pose_[g] = c.pose();
+  if (along && c.pose() == nullptr) axis_[g] = coordinate_axis(*along);
+  edges_[size_++] = {body, bit, g, false};
+}
+
+bool EdgeSum::has_its_own(std::uint32_t body) const {
+  std::uint32_t groups = 0;
+  std::size_t count = 0;
+  for (const SumEdge& e : edges()) {
+    if (e.body != body) continue;
+    if ((groups >> e.group & 1) != 0) return false;
+    groups |= 1U << e.group, ++count;
+  }
+  return count == (body == 0 ? of_.a : of_.b).edges();
+}
+
+}  // namespace plumb::query::parting
