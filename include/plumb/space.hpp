@@ -50,7 +50,10 @@
 #include "plumb/space/moving/translating_mesh.hpp"   // a mesh along a line, another
 
 // Which boxes overlap?
-#include "plumb/space/pairs/box_pair.hpp"  // what is told of each pair, by any method
+#include "plumb/space/pairs/box_pair.hpp"           // what is told of each pair, by any method
+#include "plumb/space/pairs/brute_force_pairs.hpp"  // by asking each pair
+#include "plumb/space/pairs/float_boxes.hpp"        // of float32
+#include "plumb/space/pairs/pair_sink.hpp"          // where pairs go
 
 // Which triangles meet?  intersecting_pairs, self_intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself
