@@ -1,7 +1,7 @@
 // float32 boxes of the broad phase: which boxes of doubles are they?
 //
 // Laws: a float stands for exactly the real number that it is, so a widened box is the same set of points.
-// Source: RTCD 2.4.1, 4.2.
+// Source: RTCD 2.4.1.
 // Cost: a conversion a number.
 #pragma once
 
