@@ -14,9 +14,9 @@ bool is_interval(double from, double to) {
   constexpr double most = std::numeric_limits<double>::max();
   return (-most <= from) & (from <= to) & (to <= most);
 }
-bool is_taken(const Aabb2& b) { return is_interval(b.min.x, b.max.x) & is_interval(b.min.y, b.max.y); }
+bool is_taken(const Aabb2& b) { return is_interval(b.min.x, b.max.x) && is_interval(b.min.y, b.max.y); }
 bool is_taken(const Aabb3& b) {
-  return is_interval(b.min.x, b.max.x) & is_interval(b.min.y, b.max.y) & is_interval(b.min.z, b.max.z);
+  return is_interval(b.min.x, b.max.x) && is_interval(b.min.y, b.max.y) && is_interval(b.min.z, b.max.z);
 }
 bool is_taken(const FloatBox2& b) { return is_taken(widened(b)); }
 bool is_taken(const FloatBox3& b) { return is_taken(widened(b)); }

@@ -13,7 +13,7 @@ OrdinalMap::Piece::Piece(double from, double to, double last_step) : min(from), 
 OrdinalMap::OrdinalMap(const SetBounds& bounds, const std::array<std::size_t, 3>& order, const std::array<int, 3>& bits)
     : order_(order) {
   for (std::size_t k = 0; k < 3; ++k) {
-    axes_[k].emplace_back(bounds.min[order[k]], bounds.max[order[k]], std::ldexp(1.0, bits[k]) - 1);
+    whole_[k] = Piece(bounds.min[order[k]], bounds.max[order[k]], std::ldexp(1.0, bits[k]) - 1);
     widening_[k] = bounds.min[order[k]] == bounds.max[order[k]] ? 1 : 0;
   }
 }
@@ -28,7 +28,7 @@ OrdinalMap::OrdinalMap(const SetBounds& bounds, const std::array<std::size_t, 3>
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     if (ends.size() <= 2) continue;
     const std::int32_t steps = (std::int32_t{1} << bits[k]) / static_cast<std::int32_t>(ends.size());
-    axes_[k].clear();
+    is_even_ = false;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       axes_[k].emplace_back(ends[i], ends[i + 1], steps - 1);
       axes_[k].back().first = static_cast<std::int32_t>(i) * steps;

@@ -63,8 +63,7 @@ class OrdinalMap {
   /// Of a number on axis order[k]; beyond the bounds the least and the greatest ordinal.
   [[nodiscard]] std::int32_t ordinal(std::size_t k, double x) const {
     const std::vector<Piece>& pieces = axes_[k];
-    if (pieces.size() == 1) [[likely]]
-      return pieces[0](x);
+    if (pieces.empty()) return whole_[k](x);
     std::size_t at = 0, count = pieces.size();  // the last that begins at x or before it, or the first
     while (count > 1) {
       const std::size_t half = count / 2;
@@ -79,14 +78,21 @@ class OrdinalMap {
     constexpr std::size_t axes = axes_of<Box>;
     const auto x = numbers_of(box);
     OrdinalBox made;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t axis = order_[k];
-      if (axis < axes) {
-        made.low[k] = ordinal(k, x[axis]);
-        made.high[k] = ordinal(k, x[axis + axes]) + widening_[k];
-      } else {
-        made.low[k] = 0, made.high[k] = 1;
+    const auto place = [&](const auto& ordinal_of) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t axis = order_[k];
+        if (axes == 3 || axis < axes) {
+          made.low[k] = ordinal_of(k, x[axis]);
+          made.high[k] = ordinal_of(k, x[axis + axes]) + widening_[k];
+        } else {
+          made.low[k] = 0, made.high[k] = 1;
+        }
       }
+    };
+    if (is_even_) [[likely]] {
+      place([this](std::size_t k, double of) { return whole_[k](of); });
+    } else {
+      place([this](std::size_t k, double of) { return ordinal(k, of); });
     }
     made.number = static_cast<std::int32_t>(number);
     made.marks = marks;
@@ -95,17 +101,20 @@ class OrdinalMap {
 
  private:
   struct Piece {
+    Piece() = default;
     Piece(double from, double to, double last_step);
     std::int32_t operator()(double x) const {
       const double step = (x * halved - start) * scale;
       return first + static_cast<std::int32_t>(std::max(std::min(step, last), 0.0));
     }
-    double min, halved, start, scale, last;
+    double min = 0, halved = 1, start = 0, scale = 0, last = 0;
     std::int32_t first = 0;
   };
 
   std::array<std::size_t, 3> order_{0, 1, 2};
-  std::array<std::vector<Piece>, 3> axes_;
+  bool is_even_ = true;
+  std::array<Piece, 3> whole_;
+  std::array<std::vector<Piece>, 3> axes_;  // none where steps are of equal length
   // Where all numbers of an axis are equal, all boxes overlap on it whether touching counts or not: nobody need ask.
   std::array<std::int32_t, 3> widening_{};
 };

@@ -11,7 +11,7 @@ std::size_t cgal_box_pairs(std::span<const Aabb3> boxes) {
   std::vector<Box> all;
   all.reserve(boxes.size());
   for (const auto& [min, max] : boxes) {
-    const double low[]{min.x, min.y, min.z}, high[]{max.x, max.y, max.z};
+    double low[]{min.x, min.y, min.z}, high[]{max.x, max.y, max.z};
     all.emplace_back(low, high);
   }
   std::size_t count = 0;
