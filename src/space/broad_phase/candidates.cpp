@@ -7,24 +7,25 @@
 
 namespace plumb::space {
 
-void Candidates::grow_to(std::size_t slots) {
-  if (first_.size() >= slots) return;
-  const std::size_t room = std::max(slots, 2 * first_.size());
-  first_.resize(room, Candidate::none);
-  fat_.resize(room), now_.resize(room), serial_.resize(room), has_fat_.resize(room);
+std::uint32_t Candidates::place_for(std::uint32_t slot) {
+  if (place_of_.size() <= slot) place_of_.resize(std::size_t{slot} + 1, none);
+  if (place_of_[slot] != none) return place_of_[slot];
+  place_of_[slot] = static_cast<std::uint32_t>(slot_of_.size());
+  slot_of_.push_back(slot), serial_.push_back(0), fat_.emplace_back(), now_.emplace_back();
+  has_fat_.push_back(0), is_listed_.push_back(0), first_added_.push_back(none);
+  return place_of_[slot];
 }
 
 void Candidates::make_anew(std::span<const Aabb3> boxes, std::span<const std::uint32_t> slots, double margin) {
   std::vector<Aabb3> alive;
   alive.reserve(slots.size());
   for (const std::uint32_t slot : slots) alive.push_back(boxes[slot]);
-  grow_to(boxes.size());
-  std::fill(first_.begin(), first_.end(), Candidate::none);
-  std::fill(serial_.begin(), serial_.end(), 0);
-  std::fill(has_fat_.begin(), has_fat_.end(), 0);
-  all_.clear(), met_.clear();
-  dropped_ = 0;
-  columns_ = {}, placed_.clear();
+  place_of_.assign(boxes.size(), none);
+  slot_of_.clear(), serial_.clear(), fat_.clear(), now_.clear(), has_fat_.clear(), is_listed_.clear();
+  first_added_.clear(), next_added_.clear(), all_.clear(), met_.clear();
+  listed_.clear(), listed_from_.clear(), placed_.clear();
+  dropped_ = 0, made_ = 0, outside_ = 0;
+  columns_ = {};
   has_map_ = !alive.empty();
   if (alive.empty()) return;
 
@@ -39,6 +40,7 @@ void Candidates::make_anew(std::span<const Aabb3> boxes, std::span<const std::ui
   }
   auto [map, plan] = place_sweep(set, bounds);
   map_ = map;
+  bounds_ = bounds;
   map_.expect_others();
   auto sorted = sorted_ordinals(Execution::serial, set, map_);
   std::array<double, 3> lengths{};
@@ -49,22 +51,34 @@ void Candidates::make_anew(std::span<const Aabb3> boxes, std::span<const std::ui
     const double wide = margin * lengths[k] / static_cast<double>(alive.size());
     margin_[k] = static_cast<std::int32_t>(std::min(wide, 0x1p29));
   }
+  std::vector<OrdinalBox> here(boxes.size());       // of each slot
   for (std::size_t i = 0; i < alive.size(); ++i) {  // starts move by the same steps, so the order stays
     OrdinalBox& box = sorted[i];
     box.number = static_cast<std::int32_t>(slots[static_cast<std::size_t>(box.number)]);
-    now_[static_cast<std::size_t>(box.number)] = box;
+    here[static_cast<std::size_t>(box.number)] = box;
     box = fattened(box);
-    fat_[static_cast<std::size_t>(box.number)] = box;
-    has_fat_[static_cast<std::size_t>(box.number)] = 1;
   }
   const std::size_t n = alive.size();
   strips_ = plan.columns;
   while (!divide_into_columns(Execution::serial, {sorted.get(), n}, strips_, 6 * n + 4096, columns_)) {
     for (auto& strips : strips_) strips = (strips + 1) / 2;
   }
+  // Places in the order of columns.
+  for (std::uint32_t i = 0; i < columns_.begin.back(); ++i) {
+    OrdinalBox& copy = columns_.boxes[i];
+    if (copy.marks != 0) continue;  // it has begun in another column
+    const std::uint32_t own = place_for(static_cast<std::uint32_t>(copy.number));
+    now_[own] = here[slot_of_[own]];
+    fat_[own] = copy;
+    has_fat_[own] = is_listed_[own] = 1;
+  }
+  for (std::uint32_t i = 0; i < columns_.begin.back(); ++i) {
+    OrdinalBox& copy = columns_.boxes[i];
+    copy.number = static_cast<std::int32_t>(place_of_[static_cast<std::size_t>(copy.number)]);
+  }
   PairBlock block(&all_, [](void* to, std::span<const BoxPair> pairs) {
     auto& all = *static_cast<std::vector<Candidate>*>(to);
-    for (const BoxPair& p : pairs) all.push_back({p.a, p.b, Candidate::none, Candidate::none});
+    for (const BoxPair& p : pairs) all.push_back({p.a, p.b});
   });
   longest_.assign(columns_.size(), 0);
   placed_.resize(columns_.size());
@@ -76,11 +90,20 @@ void Candidates::make_anew(std::span<const Aabb3> boxes, std::span<const std::ui
     sweep(swept, 0, swept.size() - 1, {nullptr, [](const void*, std::int32_t, std::int32_t) { return true; }}, block);
   }
   block.flush();
+  list_made();
+}
+
+void Candidates::list_made() {
+  made_ = static_cast<std::uint32_t>(all_.size());
   met_.assign(all_.size(), Met::no);
-  for (std::uint32_t c = 0; c < all_.size(); ++c) {
-    Candidate& candidate = all_[c];
-    candidate.next_a = std::exchange(first_[candidate.a], c);
-    candidate.next_b = std::exchange(first_[candidate.b], c);
+  listed_from_.assign(slot_of_.size() + 2, 0);
+  for (const auto& [a, b] : all_) ++listed_from_[a + 2], ++listed_from_[b + 2];
+  for (std::size_t i = 2; i < listed_from_.size(); ++i) listed_from_[i] += listed_from_[i - 1];
+  listed_.resize(2 * all_.size());
+  for (std::uint32_t c = 0; c < made_; ++c) {
+    const auto& [a, b] = all_[c];
+    listed_[listed_from_[a + 1]++] = {b, c};
+    listed_[listed_from_[b + 1]++] = {a, c};
   }
 }
 
@@ -94,36 +117,40 @@ OrdinalBox Candidates::fattened(OrdinalBox box) const {
 }
 
 bool Candidates::move_to(std::uint32_t slot, const Aabb3& box) {
-  grow_to(std::size_t{slot} + 1);
   if (!has_map_) return false;
-  const OrdinalBox here = map_(box, slot, 0);
-  now_[slot] = here;
-  const OrdinalBox& fat = fat_[slot];
-  bool within = has_fat_[slot] != 0;
+  const std::uint32_t own = place_for(slot);
+  const OrdinalBox here = map_(box, own, 0);
+  now_[own] = here;
+  const OrdinalBox& fat = fat_[own];
+  bool within = has_fat_[own] != 0;
   for (std::size_t k = 0; k < 3; ++k) within &= (fat.low[k] <= here.low[k]) & (here.high[k] <= fat.high[k]);
   return within;
 }
 
 void Candidates::drop(std::uint32_t slot) {
-  if (slot >= first_.size()) return;
-  for_each_of(slot, [&](std::uint32_t c) { met_[c] = Met::dropped, ++dropped_; });
-  first_[slot] = Candidate::none;
-  has_fat_[slot] = 0;
-  ++serial_[slot];
+  const std::uint32_t own = slot < place_of_.size() ? place_of_[slot] : none;
+  if (own == none) return;
+  for_each_of(slot, [&](std::uint32_t c, const Candidate&) { met_[c] = Met::dropped, ++dropped_; });
+  first_added_[own] = none;
+  is_listed_[own] = has_fat_[own] = 0;
+  ++serial_[own];
 }
 
 void Candidates::add(std::uint32_t a, std::uint32_t b) {
   const auto c = static_cast<std::uint32_t>(all_.size());
-  all_.push_back({a, b, first_[a], first_[b]});
+  all_.push_back({a, b});
   met_.push_back(Met::no);
-  first_[a] = first_[b] = c;
+  next_added_.push_back({first_added_[a], first_added_[b]});
+  first_added_[a] = first_added_[b] = c;
 }
 
-void Candidates::place(std::uint32_t slot) {
-  OrdinalBox fat = fattened(now_[slot]);
-  fat.number = static_cast<std::int32_t>(slot);
-  fat_[slot] = fat;
-  has_fat_[slot] = 1;
+void Candidates::place(std::uint32_t slot, const Aabb3& box) {
+  outside_ += is_outside(box) ? 1 : 0;
+  const std::uint32_t own = place_of_[slot];
+  OrdinalBox fat = fattened(now_[own]);
+  fat.number = static_cast<std::int32_t>(own);
+  fat_[own] = fat;
+  has_fat_[own] = 1;
   const std::uint32_t from1 = strip_of(fat.low[1], strips_[0]), from2 = strip_of(fat.low[2], strips_[1]);
   const std::uint32_t to1 = strip_of(fat.high[1], strips_[0]), to2 = strip_of(fat.high[2], strips_[1]);
   for (std::uint32_t s = from1; s <= to1; ++s) {
@@ -133,7 +160,7 @@ void Candidates::place(std::uint32_t slot) {
       const auto consider = [&](const OrdinalBox& b) {
         bool apart = (b.marks & begun) != 0;
         for (std::size_t k = 0; k < 3; ++k) apart |= (fat.low[k] > b.high[k]) | (b.low[k] > fat.high[k]);
-        if (!apart && is_current(b)) add(slot, static_cast<std::uint32_t>(b.number));
+        if (!apart && is_current(b)) add(own, static_cast<std::uint32_t>(b.number));
       };
       const std::span<const OrdinalBox> standing = columns_[column];
       auto at = std::partition_point(standing.begin(), standing.end(),
@@ -141,20 +168,9 @@ void Candidates::place(std::uint32_t slot) {
       for (; at != standing.end() && at->low[0] <= fat.high[0]; ++at) consider(*at);
       for (const OrdinalBox& b : placed_[column]) consider(b);
       placed_[column].push_back(fat);
-      placed_[column].back().marks = static_cast<std::int32_t>(serial_[slot] << 2) | begun;
+      placed_[column].back().marks = static_cast<std::int32_t>(serial_[own] << 2) | begun;
     }
   }
-}
-
-bool Candidates::do_meet(const Candidate& c, std::span<const Aabb3> boxes, bool touching) const {
-  const OrdinalBox &a = now_[c.a], &b = now_[c.b];
-  bool apart = false, equal = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    apart |= (a.low[k] > b.high[k]) | (b.low[k] > a.high[k]);
-    equal |= (a.low[k] == b.high[k]) | (b.low[k] == a.high[k]);
-  }
-  if (apart) return false;
-  return equal ? boxes_meet(boxes[c.a], boxes[c.b], touching) : true;
 }
 
 }  // namespace plumb::space

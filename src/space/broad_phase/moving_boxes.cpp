@@ -57,8 +57,11 @@ struct MovingBoxes::State {
   [[nodiscard]] HandlePair pair(std::uint32_t a, std::uint32_t b) const {
     return {handle(std::min(a, b)), handle(std::max(a, b))};
   }
+  [[nodiscard]] HandlePair pair(const space::Candidate& c) const {
+    return pair(candidates.slot_of(c.a), candidates.slot_of(c.b));
+  }
   void lose_removed();
-  void ask(std::uint32_t c);
+  void ask(std::uint32_t c, const space::Candidate& candidate);
   void keep(std::span<const std::uint32_t> escaped);
   void make_anew();
 };
@@ -66,9 +69,8 @@ struct MovingBoxes::State {
 // Their handles are those of the boxes that were: a slot is used again only afterwards.
 void MovingBoxes::State::lose_removed() {
   for (const std::uint32_t slot : removed) {
-    candidates.for_each_of(slot, [&](std::uint32_t c) {
-      const auto& [a, b, next_a, next_b] = candidates.all()[c];
-      if (candidates.met()[c] == Met::yes) changes.lost.push_back(pair(a, b));
+    candidates.for_each_of(slot, [&](std::uint32_t c, const space::Candidate& candidate) {
+      if (candidates.met()[c] == Met::yes) changes.lost.push_back(pair(candidate));
     });
     candidates.drop(slot);
   }
@@ -79,33 +81,33 @@ void MovingBoxes::State::lose_removed() {
   removed.clear();
 }
 
-void MovingBoxes::State::ask(std::uint32_t c) {
-  const space::Candidate& candidate = candidates.all()[c];
+void MovingBoxes::State::ask(std::uint32_t c, const space::Candidate& candidate) {
   const Met now = candidates.do_meet(candidate, boxes, options.touching) ? Met::yes : Met::no;
   Met& before = candidates.met()[c];
   if (now == before) return;
   before = now;
-  (now == Met::yes ? changes.added : changes.lost).push_back(pair(candidate.a, candidate.b));
+  (now == Met::yes ? changes.added : changes.lost).push_back(pair(candidate));
 }
 
 void MovingBoxes::State::keep(std::span<const std::uint32_t> escaped) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> met_before;
   for (const std::uint32_t slot : escaped) {
-    candidates.for_each_of(slot, [&](std::uint32_t c) {
-      const auto& [a, b, next_a, next_b] = candidates.all()[c];
+    candidates.for_each_of(slot, [&](std::uint32_t c, const space::Candidate& candidate) {
+      const std::uint32_t a = candidates.slot_of(candidate.a), b = candidates.slot_of(candidate.b);
       if (candidates.met()[c] == Met::yes) met_before.emplace_back(std::min(a, b), std::max(a, b));
     });
     candidates.drop(slot);
   }
   const auto first_placed = static_cast<std::uint32_t>(candidates.all().size());
-  for (const std::uint32_t slot : escaped) candidates.place(slot);
+  for (const std::uint32_t slot : escaped) candidates.place(slot, boxes[slot]);
   std::sort(met_before.begin(), met_before.end());
   std::vector<std::uint8_t> still(met_before.size());
   for (std::uint32_t c = first_placed; c < candidates.all().size(); ++c) {
     const space::Candidate& candidate = candidates.all()[c];
     if (!candidates.do_meet(candidate, boxes, options.touching)) continue;
     candidates.met()[c] = Met::yes;
-    const std::pair slots(std::min(candidate.a, candidate.b), std::max(candidate.a, candidate.b));
+    const std::uint32_t a = candidates.slot_of(candidate.a), b = candidates.slot_of(candidate.b);
+    const std::pair slots(std::min(a, b), std::max(a, b));
     const auto at = std::lower_bound(met_before.begin(), met_before.end(), slots);
     if (at != met_before.end() && *at == slots) {
       still[static_cast<std::size_t>(at - met_before.begin())] = 1;
@@ -119,13 +121,13 @@ void MovingBoxes::State::keep(std::span<const std::uint32_t> escaped) {
   // The others: where most boxes move, in the order in which candidates lie in memory.
   if (2 * moved.size() > size) {
     for (std::uint32_t c = 0; c < first_placed; ++c) {
-      if (candidates.met()[c] != Met::dropped) ask(c);
+      if (candidates.met()[c] != Met::dropped) ask(c, candidates.all()[c]);
     }
   } else {
     for (const std::uint32_t slot : moved) {
       if (alive[slot] == 0) continue;
-      candidates.for_each_of(slot, [&](std::uint32_t c) {
-        if (c < first_placed) ask(c);
+      candidates.for_each_of(slot, [&](std::uint32_t c, const space::Candidate& candidate) {
+        if (c < first_placed) ask(c, candidate);
       });
     }
   }
@@ -141,7 +143,8 @@ struct PartnersOf {
     const auto each = [&](auto work) {
       for (std::size_t c = 0; c < candidates.all().size(); ++c) {
         if (candidates.met()[c] != Met::yes) continue;
-        const auto& [a, b, next_a, next_b] = candidates.all()[c];
+        const std::uint32_t a = candidates.slot_of(candidates.all()[c].a),
+                            b = candidates.slot_of(candidates.all()[c].b);
         work(std::min(a, b), std::max(a, b));
       }
     };
@@ -168,7 +171,7 @@ void MovingBoxes::State::make_anew() {
     if (candidates.do_meet(candidates.all()[c], boxes, options.touching)) candidates.met()[c] = Met::yes;
   }
   const PartnersOf now(candidates, boxes.size());
-  std::vector<std::uint32_t> seen(boxes.size(), space::Candidate::none);  // by which slot, among its partners before
+  std::vector<std::uint32_t> seen(boxes.size(), space::Candidates::none);  // by which slot, among its partners before
   constexpr std::uint32_t still = 1u << 31;
   for (const std::uint32_t slot : slots) {
     for (const std::uint32_t other : before.of(slot)) seen[other] = slot;
@@ -278,8 +281,11 @@ const BoxPairChanges& MovingBoxes::changes() {
   s.changes = {};
   s.lose_removed();
   std::vector<std::uint32_t> escaped;
+  std::size_t outside = 0;
   for (const std::uint32_t slot : s.moved) {
-    if (s.alive[slot] != 0 && !s.candidates.move_to(slot, s.boxes[slot])) escaped.push_back(slot);
+    if (s.alive[slot] == 0 || s.candidates.move_to(slot, s.boxes[slot])) continue;
+    escaped.push_back(slot);
+    outside += s.candidates.is_made() && s.candidates.is_outside(s.boxes[slot]) ? 1 : 0;
   }
   MovingWork& work = s.changes.work;
   for (const std::uint32_t slot : s.moved) work.moved += s.alive[slot];
@@ -289,6 +295,7 @@ const BoxPairChanges& MovingBoxes::changes() {
   work.cost_to_keep = static_cast<double>(escaped.size()) * (of_placed + of_each * of_asked) +
                       (2 * s.moved.size() > s.size ? static_cast<double>(s.candidates.all().size()) * of_asked_in_order
                                                    : stay * of_each * of_asked);
+  work.cost_to_keep += static_cast<double>(outside) * static_cast<double>(s.candidates.outside() + outside) * of_asked;
   work.cost_to_make_anew = size * of_box_anew + candidates * of_candidate_anew;
   // So many dropped candidates are in the way of all that follows.
   const bool is_worn = s.candidates.dropped() > 4096 + s.candidates.size();
@@ -311,8 +318,7 @@ std::vector<HandlePair> MovingBoxes::pairs() const {
   std::vector<HandlePair> pairs;
   for (std::size_t c = 0; c < state_->candidates.all().size(); ++c) {
     if (state_->candidates.met()[c] != Met::yes) continue;
-    const auto& [a, b, next_a, next_b] = state_->candidates.all()[c];
-    pairs.push_back(state_->pair(a, b));
+    pairs.push_back(state_->pair(state_->candidates.all()[c]));
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;

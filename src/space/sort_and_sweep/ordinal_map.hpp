@@ -73,6 +73,12 @@ class OrdinalMap {
     return pieces[at](x);
   }
 
+  /// low[0] of its ordinals.
+  template <class Box>
+  [[nodiscard]] std::uint32_t start(const Box& box) const {
+    return static_cast<std::uint32_t>(order_[0] < axes_of<Box> ? ordinal(0, numbers_of(box)[order_[0]]) : 0);
+  }
+
   template <class Box>
   [[nodiscard]] OrdinalBox operator()(const Box& box, std::size_t number, std::int32_t marks) const {
     constexpr std::size_t axes = axes_of<Box>;

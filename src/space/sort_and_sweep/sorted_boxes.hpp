@@ -18,20 +18,20 @@ template <class Box>
 std::unique_ptr<OrdinalBox[]> sorted_ordinals(Execution execution, const BoxSet<Box>& set, const OrdinalMap& map) {
   constexpr std::size_t block_size = 1 << 15;
   const std::size_t n = set.size();
-  auto boxes = std::make_unique_for_overwrite<OrdinalBox[]>(n),
-       sorted = std::make_unique_for_overwrite<OrdinalBox[]>(n);
   auto keys = std::make_unique_for_overwrite<NumberedKey[]>(n),
        other = std::make_unique_for_overwrite<NumberedKey[]>(n);
+  for_blocks(execution, n, block_size, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) keys[i] = {map.start(set[i]), static_cast<std::uint32_t>(i)};
+  });
+  radix_sort(execution, n, swept_bits(n) > 22 ? 3 : 2, keys, other);
+  other.reset();
+  auto sorted = std::make_unique_for_overwrite<OrdinalBox[]>(n);
   const bool is_two = !set.b.empty();
   for_blocks(execution, n, block_size, [&](std::size_t, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
-      boxes[i] = map(set[i], i, !is_two ? 0 : i < set.a.size() ? of_first_set : of_second_set);
-      keys[i] = {static_cast<std::uint32_t>(boxes[i].low[0]), static_cast<std::uint32_t>(i)};
+      const std::size_t k = keys[i].number;
+      sorted[i] = map(set[k], k, !is_two ? 0 : k < set.a.size() ? of_first_set : of_second_set);
     }
-  });
-  radix_sort(execution, n, swept_bits(n) > 22 ? 3 : 2, keys, other);
-  for_blocks(execution, n, block_size, [&](std::size_t, std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) sorted[i] = boxes[keys[i].number];
   });
   return sorted;
 }
