@@ -36,14 +36,12 @@ class Candidates {
   /// Do the boxes of a candidate overlap?  Ordinals say, or else the numbers.
   [[nodiscard]] bool do_meet(const Candidate& c, std::span<const Aabb3> boxes, bool touching) const {
     const OrdinalBox &a = now_[c.a], &b = now_[c.b];
-    bool apart = false, equal = false;
-    for (std::size_t k = 0; k < 3; ++k) {
-      apart |= (a.low[k] > b.high[k]) | (b.low[k] > a.high[k]);
-      equal |= (a.low[k] == b.high[k]) | (b.low[k] == a.high[k]);
-    }
-    if (!equal) [[likely]]
-      return !apart;
-    return !apart && boxes_meet(boxes[slot_of_[c.a]], boxes[slot_of_[c.b]], touching);
+    const Four a_low = four_from(a, 0), a_high = four_from(a, 3), b_low = four_from(b, 0), b_high = four_from(b, 3);
+    const Four apart = (a_low > b_high) | (b_low > a_high), equal = (a_low == b_high) | (b_low == a_high);
+    const bool is_apart = (apart[0] | apart[1] | apart[2]) != 0;
+    if ((equal[0] | equal[1] | equal[2]) == 0) [[likely]]
+      return !is_apart;
+    return !is_apart && boxes_meet(boxes[slot_of_[c.a]], boxes[slot_of_[c.b]], touching);
   }
 
   /// Does it reach beyond the space that ordinals tell apart?  What does has candidates of all else that does.
@@ -83,6 +81,13 @@ class Candidates {
   }
 
  private:
+  // Three ordinals, and what comes after them.
+  using Four = std::int32_t __attribute__((vector_size(16)));
+  static Four four_from(const OrdinalBox& box, std::size_t number) {
+    Four four;
+    __builtin_memcpy(&four, reinterpret_cast<const char*>(&box) + number * sizeof(std::int32_t), sizeof four);
+    return four;
+  }
   void add(std::uint32_t a, std::uint32_t b);
   void list_made();
   [[nodiscard]] OrdinalBox fattened(OrdinalBox box) const;

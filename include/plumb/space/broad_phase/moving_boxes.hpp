@@ -17,7 +17,7 @@
 // A handle that names no box, or one that was removed, throws InvalidShape; so do two boxes for one handle in a call of
 // update; NonFinite and InvalidShape refuse bad boxes, spans of different lengths throw UnequalLengths.  Then all is as
 // it was before the call.
-// Source: RTCD 2.4.1, 7.5; Bullet's and Box2D's trees enlarge boxes likewise (Catto 2019).
+// Source: RTCD 2.4.1, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
 // Cost: a few ns for each candidate of a box that moves; to make all anew about twice overlapping_pairs.
 #pragma once
 
