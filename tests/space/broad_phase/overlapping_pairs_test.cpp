@@ -53,7 +53,7 @@ void expect_brute_force(const std::vector<Box>& boxes, std::size_t first, const 
 TEST(OverlappingPairs, AreThoseOfBruteForce) {
   for (int s = 0; s <= static_cast<int>(box_scenes::last_scene); ++s) {
     Seen seen;
-    for (std::uint64_t i = 0; i < battery::fitting(20u); ++i) {
+    for (std::uint64_t i = 0; i < (battery::sanitized ? 6 : 20); ++i) {
       Entropy e(2041, i);
       const std::size_t n = i < 4 ? i : e.below(i % 8 == 0 ? 400 : 120) + 1;
       const auto boxes = box_scenes::boxes_of(static_cast<Scene>(s), e, n);
@@ -65,6 +65,7 @@ TEST(OverlappingPairs, AreThoseOfBruteForce) {
       expect_brute_force(plane, first, about + " in the plane", seen);
       expect_brute_force(box_scenes::in_floats(plane), first, about + " in floats in the plane", seen);
     }
+    if (!battery::reaches_rare) continue;
     EXPECT_GT(seen.pairs, 100u) << s;
     const Scene scene = static_cast<Scene>(s);
     if (scene == Scene::lattice || scene == Scene::flat || scene == Scene::off_lattice) {
@@ -98,8 +99,10 @@ TEST(OverlappingPairs, AreTheSameOnAllThreadsAndInstructionSets) {
     };
     certify::batch::take_instruction_set(batch_instruction_sets().front());
     const auto first = ask(Execution::serial);
-    EXPECT_GT(first.first.size(), n / 4);
-    EXPECT_GT(first.second.size(), n / 16);
+    if (battery::reaches_rare) {
+      EXPECT_GT(first.first.size(), n / 4);
+      EXPECT_GT(first.second.size(), n / 16);
+    }
     for (const std::string_view set : batch_instruction_sets()) {
       certify::batch::take_instruction_set(set);
       EXPECT_TRUE(ask(Execution::parallel) == first) << static_cast<int>(scene) << " by " << set;

@@ -133,7 +133,9 @@ TEST(SweepLists, AnswerAsBruteForceWhileBoxesComeGoAndMove) {
       }
     }
   }
-  EXPECT_GT(pairs, battery::fitting(10000u));
+  if (battery::reaches_rare) {
+    EXPECT_GT(pairs, 10000u);
+  }
 }
 
 TEST(SweepLists, RefuseWhatIsNotThere) {
