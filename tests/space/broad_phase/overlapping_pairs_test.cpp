@@ -53,7 +53,7 @@ void expect_brute_force(const std::vector<Box>& boxes, std::size_t first, const 
 TEST(OverlappingPairs, AreThoseOfBruteForce) {
   for (int s = 0; s <= static_cast<int>(box_scenes::last_scene); ++s) {
     Seen seen;
-    for (std::uint64_t i = 0; i < (battery::sanitized ? 6 : 20); ++i) {
+    for (std::uint64_t i = 0; i < (battery::sanitized ? 6u : 20u); ++i) {
       Entropy e(2041, i);
       const std::size_t n = i < 4 ? i : e.below(i % 8 == 0 ? 400 : 120) + 1;
       const auto boxes = box_scenes::boxes_of(static_cast<Scene>(s), e, n);
