@@ -123,7 +123,7 @@ bool Candidates::move_to(std::uint32_t slot, const Aabb3& box) {
   now_[own] = here;
   const OrdinalBox& fat = fat_[own];
   bool within = has_fat_[own] != 0;
-  for (std::size_t k = 0; k < 3; ++k) within &= (fat.low[k] <= here.low[k]) & (here.high[k] <= fat.high[k]);
+  for (std::size_t k = 0; k < 3; ++k) within &= fat.low[k] <= here.low[k] && here.high[k] <= fat.high[k];
   return within;
 }
 
@@ -159,7 +159,7 @@ void Candidates::place(std::uint32_t slot, const Aabb3& box) {
       const std::int32_t begun = (s != from1 ? 1 : 0) | (t != from2 ? 2 : 0);
       const auto consider = [&](const OrdinalBox& b) {
         bool apart = (b.marks & begun) != 0;
-        for (std::size_t k = 0; k < 3; ++k) apart |= (fat.low[k] > b.high[k]) | (b.low[k] > fat.high[k]);
+        for (std::size_t k = 0; k < 3; ++k) apart |= fat.low[k] > b.high[k] || b.low[k] > fat.high[k];
         if (!apart && is_current(b)) add(own, static_cast<std::uint32_t>(b.number));
       };
       const std::span<const OrdinalBox> standing = columns_[column];

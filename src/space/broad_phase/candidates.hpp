@@ -48,7 +48,7 @@ class Candidates {
   [[nodiscard]] bool is_outside(const Aabb3& box) const {
     const auto x = numbers_of(box);
     bool outside = false;
-    for (std::size_t k = 0; k < 3; ++k) outside |= (x[k] < bounds_.min[k]) | (x[k + 3] > bounds_.max[k]);
+    for (std::size_t k = 0; k < 3; ++k) outside |= x[k] < bounds_.min[k] || x[k + 3] > bounds_.max[k];
     return outside;
   }
   /// Boxes that were placed although they do.

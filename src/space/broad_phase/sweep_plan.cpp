@@ -39,7 +39,7 @@ double overlapping_share(std::span<const SampledBox> sample, std::size_t axis) {
   for (std::size_t i = 0; i < sample.size(); ++i) {
     const float low = sample[i].low[axis], high = sample[i].high[axis];
     for (std::size_t j = 0; j < i; ++j) {
-      pairs += static_cast<std::size_t>((low <= sample[j].high[axis]) & (sample[j].low[axis] <= high));
+      pairs += static_cast<std::size_t>(low <= sample[j].high[axis] && sample[j].low[axis] <= high);
     }
   }
   const auto m = static_cast<double>(sample.size());
