@@ -49,8 +49,16 @@
 #include "plumb/space/moving/posed_translating.hpp"  // meshes that have been moved before, along a line
 #include "plumb/space/moving/translating_mesh.hpp"   // a mesh along a line, another
 
-// Which boxes overlap?
-#include "plumb/space/pairs/box_pair.hpp"  // what is told of each pair, by any method
+// Which boxes overlap?  overlapping_pairs
+#include "plumb/space/broad_phase/moving_boxes.hpp"       // while they come, go and move
+#include "plumb/space/broad_phase/overlapping_pairs.hpp"  // by the fastest method
+#include "plumb/space/pairs/box_pair.hpp"                 // what is told of each pair, by any method
+#include "plumb/space/pairs/brute_force_pairs.hpp"        // by asking each pair
+#include "plumb/space/pairs/float_boxes.hpp"              // of float32
+#include "plumb/space/pairs/pair_sink.hpp"                // where pairs go
+#include "plumb/space/sort_and_sweep/sort_and_sweep.hpp"  // along one axis, from scratch
+#include "plumb/space/sort_and_sweep/sweep_array.hpp"     // with an order that is kept
+#include "plumb/space/sort_and_sweep/sweep_lists.hpp"     // by linked lists
 
 // Which cells of a cube are things in, and a ray?  build_octree, build_quadtree, locate, cells_along
 #include "plumb/space/octree/box_octree.hpp"    // boxes: in the smallest cell that holds them, or in all leaves

@@ -1,0 +1,91 @@
+// Broad phase, frame coherence: which of boxes that come, go and move overlap, and what has changed since the last frame?
+//
+//   MovingBoxes world;
+//   const std::vector<BoxHandle> handles = world.insert(boxes);
+//   world.update(handles, moved);
+//   const BoxPairChanges& now = world.changes();   // now.added and now.lost, since the last call
+//   world.pairs()                                  // all, as of the last call of changes()
+//
+// Each box stands in a fat one, a margin larger.  Pairs of fat boxes are kept as candidates; while boxes stay within
+// theirs, only candidates are asked.  A box that has left its fat box is given another; where a model of measured costs
+// says that it is cheaper, all are made anew (MovingWork says what was done, and what either was to cost).
+//
+// Laws: (1) pairs() are those of brute_force_pairs of the boxes there are.  (2) changes() tells exactly what those of
+// this call and of the last differ by; pairs of a box that was removed are lost.  (3) Nothing depends on which way was
+// taken, nor on threads or instruction set; lists ascend.  (4) A handle names one box for ever: its slot is used again
+// with another generation.
+// A handle that names no box, or one that was removed, throws InvalidShape; so do two boxes for one handle in a call of
+// update; NonFinite and InvalidShape refuse bad boxes, spans of different lengths throw UnequalLengths.  Then all is as
+// it was before the call.
+// Source: RTCD 2.4.1, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
+// Cost: a few ns for each candidate of a box that moves; to make all anew about twice overlapping_pairs.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "plumb/figure/basic/box.hpp"
+
+namespace plumb {
+
+struct BoxHandle {
+  std::uint32_t slot = 0xffffffff, generation = 0;
+  friend auto operator<=>(const BoxHandle&, const BoxHandle&) = default;
+};
+
+/// a.slot < b.slot.
+struct HandlePair {
+  BoxHandle a, b;
+  friend auto operator<=>(const HandlePair&, const HandlePair&) = default;
+};
+
+struct MovingBoxesOptions {
+  bool touching = true;  // false: only the pairs that overlap
+  double margin = 0.1;   // of fat boxes on each side, in mean lengths of a box; from 0 to 100, any answers alike
+};
+
+/// What a call of changes() did.
+struct MovingWork {
+  bool made_anew = false;                          // all candidates
+  std::size_t moved = 0;                           // boxes that were updated or inserted
+  std::size_t escaped = 0;                         // of these, those that are not in their fat box
+  std::size_t candidates = 0;                      // pairs of fat boxes that are kept
+  double cost_to_keep = 0, cost_to_make_anew = 0;  // predicted, in ns on the machine of docs/measurements.md
+};
+
+struct BoxPairChanges {
+  std::vector<HandlePair> added, lost;
+  MovingWork work;
+};
+
+class MovingBoxes {
+ public:
+  explicit MovingBoxes(const MovingBoxesOptions& options = {});
+  MovingBoxes(MovingBoxes&&) noexcept;
+  MovingBoxes& operator=(MovingBoxes&&) noexcept;
+  ~MovingBoxes();
+
+  BoxHandle insert(const Aabb3& box);
+  std::vector<BoxHandle> insert(std::span<const Aabb3> boxes);
+  void remove(const BoxHandle& handle);
+  void update(const BoxHandle& handle, const Aabb3& box);
+  void update(std::span<const BoxHandle> handles, std::span<const Aabb3> boxes);
+
+  [[nodiscard]] bool contains(const BoxHandle& handle) const;
+  [[nodiscard]] const Aabb3& box(const BoxHandle& handle) const;
+  [[nodiscard]] std::size_t size() const;
+
+  /// Valid until the next call.
+  const BoxPairChanges& changes();
+
+  [[nodiscard]] std::vector<HandlePair> pairs() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,61 @@
+#include "plumb/space/sort_and_sweep/sort_and_sweep.hpp"
+
+#include "plumb/arith/error.hpp"
+#include "space/pairs/checked_boxes.hpp"
+#include "space/sort_and_sweep/swept_set.hpp"
+
+namespace plumb {
+namespace {
+
+template <class Box>
+space::SetBounds checked_bounds(const char* function, std::span<const Box> boxes) {
+  space::SetBounds bounds;
+  if (!space::find_bounds(boxes, bounds)) space::check_boxes(function, "boxes", boxes);
+  return bounds;
+}
+
+template <class Box>
+std::vector<BoxPair> swept_pairs(std::span<const Box> boxes, const SortAndSweepOptions& options) {
+  if (space::is_planar<Box> && options.axis == SweepAxis::z) {
+    throw InvalidShape("sort_and_sweep_pairs: options.axis is z, which boxes in the plane do not have");
+  }
+  const space::SetBounds bounds = checked_bounds("sort_and_sweep_pairs", boxes);
+  const space::BoxSet<Box> set{boxes, {}, options.touching};
+  const std::size_t axis = options.axis == SweepAxis::greatest_variance ? space::widest_axis(set, bounds)
+                                                                        : static_cast<std::size_t>(options.axis);
+  std::vector<BoxPair> pairs;
+  space::find_by_sweep(options.execution, set, bounds, axis,
+                       {&pairs, [](void* to, std::span<const BoxPair> block, double) {
+                          auto& kept = *static_cast<std::vector<BoxPair>*>(to);
+                          kept.insert(kept.end(), block.begin(), block.end());
+                        }});
+  return pairs;
+}
+
+template <class Box>
+SweepAxis axis_of(std::span<const Box> boxes) {
+  const space::SetBounds bounds = checked_bounds("axis_of_greatest_variance", boxes);
+  return static_cast<SweepAxis>(space::widest_axis(space::BoxSet<Box>{boxes}, bounds));
+}
+
+}  // namespace
+
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb2> boxes, const SortAndSweepOptions& options) {
+  return swept_pairs(boxes, options);
+}
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb3> boxes, const SortAndSweepOptions& options) {
+  return swept_pairs(boxes, options);
+}
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox2> boxes, const SortAndSweepOptions& options) {
+  return swept_pairs(boxes, options);
+}
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox3> boxes, const SortAndSweepOptions& options) {
+  return swept_pairs(boxes, options);
+}
+
+SweepAxis axis_of_greatest_variance(std::span<const Aabb2> boxes) { return axis_of(boxes); }
+SweepAxis axis_of_greatest_variance(std::span<const Aabb3> boxes) { return axis_of(boxes); }
+SweepAxis axis_of_greatest_variance(std::span<const FloatBox2> boxes) { return axis_of(boxes); }
+SweepAxis axis_of_greatest_variance(std::span<const FloatBox3> boxes) { return axis_of(boxes); }
+
+}  // namespace plumb

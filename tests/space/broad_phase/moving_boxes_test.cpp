@@ -1,0 +1,176 @@
+// Do boxes that come, go and move overlap as asking each pair says, frame after frame, and is every change told once?
+#include "plumb/space/broad_phase/moving_boxes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "certify/sanitized.hpp"
+#include "figure/basic/thrown.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/space/broad_phase/overlapping_pairs.hpp"
+#include "space/pairs/box_scenes.hpp"
+
+namespace plumb {
+namespace {
+
+using box_scenes::part;
+using box_scenes::Scene;
+using ::testing::HasSubstr;
+
+/// What ought to be there, and what is.
+struct Replay {
+  explicit Replay(const MovingBoxesOptions& o) : options(o), world(o) {}
+
+  MovingBoxesOptions options;
+  MovingBoxes world;
+  std::vector<BoxHandle> handles;
+  std::vector<Aabb3> boxes;
+  std::set<HandlePair> pairs;
+  std::size_t anew = 0, kept = 0, added = 0, lost = 0;
+
+  void insert(const Aabb3& box) {
+    handles.push_back(world.insert(box));
+    boxes.push_back(box);
+  }
+  void remove(std::size_t i) {
+    world.remove(handles[i]);
+    handles.erase(handles.begin() + static_cast<std::ptrdiff_t>(i));
+    boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  void expect(const std::string& about) {
+    const BoxPairChanges& changes = world.changes();
+    std::set<HandlePair> now;
+    for (const BoxPair& p : overlapping_pairs(boxes, BroadPhaseOptions{.touching = options.touching})) {
+      const BoxHandle &a = handles[p.a], &b = handles[p.b];
+      now.insert(a < b ? HandlePair{a, b} : HandlePair{b, a});
+    }
+    std::vector<HandlePair> new_ones, gone;
+    std::set_difference(now.begin(), now.end(), pairs.begin(), pairs.end(), std::back_inserter(new_ones));
+    std::set_difference(pairs.begin(), pairs.end(), now.begin(), now.end(), std::back_inserter(gone));
+    ASSERT_EQ(changes.added, new_ones) << about;
+    ASSERT_EQ(changes.lost, gone) << about;
+    ASSERT_EQ(world.pairs(), std::vector<HandlePair>(now.begin(), now.end())) << about;
+    ASSERT_EQ(world.size(), boxes.size());
+    added += new_ones.size(), lost += gone.size();
+    if (changes.work.moved != 0) ++(changes.work.made_anew ? anew : kept);
+    pairs = std::move(now);
+  }
+};
+
+Aabb3 moved(const Aabb3& b, double x, double y, double z) {
+  return {{b.min.x + x, b.min.y + y, b.min.z + z}, {b.max.x + x, b.max.y + y, b.max.z + z}};
+}
+
+// Of every scene; some boxes tremble, some jump, some change size, some come and some go.
+TEST(MovingBoxes, AreReplayedAgainstFromScratch) {
+  std::size_t anew = 0, kept = 0, added = 0, lost = 0;
+  for (int s = 0; s <= static_cast<int>(box_scenes::last_scene); ++s) {
+    Entropy e(2051, static_cast<std::uint64_t>(s));
+    const std::size_t n = 30 + e.below(60);
+    const auto material = box_scenes::boxes_of(static_cast<Scene>(s), e, 4 * n);
+    const double margins[] = {0.1, 0, 1, 5};
+    Replay replay({.touching = s % 2 == 0, .margin = margins[e.below(4)]});
+    for (std::size_t i = 0; i < n; ++i) replay.insert(material[i]);
+    for (std::size_t frame = 0; frame < battery::fitting(250u); ++frame) {
+      const std::uint64_t busy = frame % 16 == 0 ? 2 : 16;
+      std::vector<BoxHandle> handles;
+      std::vector<Aabb3> boxes;
+      for (std::size_t i = 0; i < replay.boxes.size(); ++i) {
+        Aabb3& box = replay.boxes[i];
+        const std::uint64_t way = e.below(busy * 4);
+        const double step = std::abs(box.max.x) > 1e6 ? 0 : part(e) - 0.5;
+        if (way == 0) box = material[e.below(material.size())];
+        if (way == 1 || way == 2) box = moved(box, 0.1 * step, -0.1 * step, 0);
+        if (way == 3) box = moved(box, e.coin() ? 1 : -1, 0, 0);
+        if (way > 3) continue;
+        handles.push_back(replay.handles[i]);
+        boxes.push_back(box);
+      }
+      replay.world.update(handles, boxes);
+      while (!replay.boxes.empty() && e.below(8) == 0) replay.remove(e.below(replay.boxes.size()));
+      while (replay.boxes.size() < 2 * n && e.below(8) == 0) replay.insert(material[e.below(material.size())]);
+      replay.expect("scene " + std::to_string(s) + ", frame " + std::to_string(frame));
+      if (HasFatalFailure()) return;
+    }
+    anew += replay.anew, kept += replay.kept, added += replay.added, lost += replay.lost;
+  }
+  if (battery::reaches_rare) {
+    EXPECT_GT(anew, 20u);
+    EXPECT_GT(kept, 500u);
+    EXPECT_GT(added, 2000u);
+    EXPECT_GT(lost, 2000u);
+  }
+}
+
+// All move a little in every frame, then 1 %, then one jumps, then all jump: what is done can be seen.
+TEST(MovingBoxes, KeepCandidatesWhereThatIsCheaper) {
+  Entropy e(2052);
+  Replay replay({});
+  for (const Aabb3& box : box_scenes::boxes_of(Scene::uniform, e, battery::fitting(2000u))) replay.insert(box);
+  replay.expect("at first");
+  EXPECT_EQ(replay.anew, 1u);
+  const auto shift = [&](std::size_t every, double by) {
+    std::vector<BoxHandle> handles;
+    std::vector<Aabb3> boxes;
+    for (std::size_t i = 0; i < replay.boxes.size(); i += every) {
+      replay.boxes[i] = moved(replay.boxes[i], by * (part(e) - 0.5), by * (part(e) - 0.5), by * (part(e) - 0.5));
+      handles.push_back(replay.handles[i]);
+      boxes.push_back(replay.boxes[i]);
+    }
+    replay.world.update(handles, boxes);
+    replay.expect("shifted");
+  };
+  for (int frame = 0; frame < 20; ++frame) shift(1, 0.01);
+  EXPECT_EQ(replay.anew, 1u);
+  for (int frame = 0; frame < 20; ++frame) shift(100, 0.01);
+  shift(1000, 20);
+  EXPECT_EQ(replay.anew, 1u);
+  EXPECT_GT(replay.added, 20u);
+  shift(1, 20);
+  EXPECT_EQ(replay.anew, 2u);
+  replay.expect("nothing moved");
+  EXPECT_EQ(replay.anew + replay.kept, 43u);
+}
+
+TEST(MovingBoxes, RefuseWhatIsNotThereAndStayAsTheyWere) {
+  constexpr Aabb3 unit{{0, 0, 0}, {1, 1, 1}}, far{{9, 9, 9}, {10, 10, 10}};
+  MovingBoxes world;
+  const BoxHandle a = world.insert(unit), b = world.insert(unit);
+  EXPECT_EQ(world.changes().added, (std::vector<HandlePair>{{a, b}}));
+  world.remove(b);
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.remove(b); }),
+              HasSubstr("MovingBoxes::remove: handle (slot 1, generation 0) was removed"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(b, far); }), HasSubstr("handles[0] (slot 1, generation 0) was"));
+  EXPECT_EQ(world.changes().lost, (std::vector<HandlePair>{{a, b}}));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.remove(b); }), HasSubstr("was removed"));
+  const BoxHandle c = world.insert(unit);
+  EXPECT_EQ(c, (BoxHandle{1, 1}));
+  EXPECT_FALSE(world.contains(b));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.remove(b); }), HasSubstr("generation 0) was removed"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.remove({7, 0}); }), HasSubstr("names no box that was inserted"));
+  EXPECT_EQ(world.changes().added, (std::vector<HandlePair>{{a, c}}));
+
+  const Aabb3 empty{{0, 0, 0}, {1, -1, 1}}, infinite{{0, 0, 0}, {1, 1, std::numeric_limits<double>::infinity()}};
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.insert(empty); }), HasSubstr("MovingBoxes::insert: box is empty"));
+  EXPECT_THAT(text_of<NonFinite>([&] { world.insert(infinite); }), HasSubstr("MovingBoxes::insert: box.max.z"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(a, empty); }), HasSubstr("boxes[0] is empty"));
+  const BoxHandle twice[]{a, c, a}, stale[]{a, b};
+  const Aabb3 far_ones[]{far, far, far};
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(twice, far_ones); }),
+              HasSubstr("handles[2] (slot 0, generation 0) is there twice"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(stale, std::span<const Aabb3>(far_ones).first(2)); }),
+              HasSubstr("handles[1] (slot 1, generation 0) was removed"));
+  EXPECT_THAT(text_of<UnequalLengths>([&] { world.update(stale, far_ones); }), HasSubstr("2 items, but boxes has 3"));
+  EXPECT_EQ(world.box(a), unit);
+  EXPECT_TRUE(world.changes().added.empty() && world.changes().lost.empty());
+  EXPECT_EQ(world.pairs(), (std::vector<HandlePair>{{a, c}}));
+  world.update(std::span<const BoxHandle>(twice).first(2), std::span<const Aabb3>(far_ones).first(2));
+  EXPECT_TRUE(world.changes().lost.empty());
+  EXPECT_THAT(text_of<InvalidShape>([] { MovingBoxes({.margin = -1}); }), HasSubstr("options.margin is -1"));
+}
+
+}  // namespace
+}  // namespace plumb
