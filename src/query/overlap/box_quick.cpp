@@ -11,8 +11,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "figure/aabb/axes2.hpp"
 #include "query/overlap/box_axes.hpp"
-#include "query/overlap/box_axes2.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::query::box_quick::HWY_NAMESPACE {
@@ -58,10 +58,10 @@ HWY_INLINE std::optional<Relation> by_pairs(const Input&... input) {
 }
 
 [[maybe_unused]] std::optional<Relation> relation(const Segment2& s, const Aabb2& b) {
-  return by_doubles<box_axes2::HWY_NAMESPACE::SegmentAndBox2>(s, b);
+  return by_doubles<figure::box_axes2::HWY_NAMESPACE::SegmentAndBox2>(s, b);
 }
 [[maybe_unused]] std::optional<Relation> relation(const Triangle2& t, const Aabb2& b) {
-  return by_doubles<box_axes2::HWY_NAMESPACE::TriangleAndBox2>(t, b);
+  return by_doubles<figure::box_axes2::HWY_NAMESPACE::TriangleAndBox2>(t, b);
 }
 
 [[maybe_unused]] std::optional<Relation> near_relation(const Segment3& s, const Obb3& b) {

@@ -1,7 +1,5 @@
 // Which world answers in the plane?  The statements of boxes against segments and triangles, over doubles and over exact
 // numbers, on every family of inputs.
-#include "query/overlap/box_axes2.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -11,6 +9,7 @@
 #include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "certify/written_axes.hpp"
+#include "figure/aabb/axes2.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -19,7 +18,7 @@
 namespace plumb::query {
 namespace {
 
-namespace axes2 = box_axes2::HWY_NAMESPACE;
+namespace axes2 = figure::box_axes2::HWY_NAMESPACE;
 namespace lanes = certify::three_lanes::HWY_NAMESPACE;
 using Integers = certify::exact_axes::ExactAxes<StackDyadic, WorldKind::integers>;
 using Rationals = certify::exact_axes::ExactAxes<BigDyadic, WorldKind::rationals>;

@@ -148,11 +148,7 @@ class Floats {
     }
   }
 
-  [[gnu::always_inline]] constexpr Given<V> given(const auto& x) const { return {loaded(x)}; }
-  /// Of lanes: a number each.
-  [[gnu::always_inline]] constexpr Given<V> given(const auto& x, const auto& y, const auto& z) const {
-    return {three(x, y, z)};
-  }
+  [[gnu::always_inline]] constexpr Given<V> given(const auto&... x) const { return {loaded(x...)}; }
 
   /// A leaf of this scale: b - a of numbers as given; their sum; one by itself.
   template <std::size_t scale = 0>

@@ -24,7 +24,7 @@
 #include "plumb/figure/basic/simplex.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::query::box_axes2::HWY_NAMESPACE {
+namespace plumb::figure::box_axes2::HWY_NAMESPACE {
 
 /// A point as given: x, and y twice.
 template <class W>
@@ -99,6 +99,6 @@ struct TriangleAndBox2 {
   }
 };
 
-}  // namespace plumb::query::box_axes2::HWY_NAMESPACE
+}  // namespace plumb::figure::box_axes2::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
