@@ -132,6 +132,7 @@ class ExactAxes {
 
   static Given given(const Point3& p) { return {p.x, p.y, p.z}; }
   static Given given(const Vector3& v) { return {v.x, v.y, v.z}; }
+  static Given given(double x, double y, double z) { return {x, y, z}; }
   template <std::size_t scale = 0>
   static Axes<N> number(const Given& a) {
     return each(a, [](double x) { return N(x); });

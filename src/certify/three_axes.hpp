@@ -45,6 +45,12 @@ HWY_INLINE PairColumns transposed(const Pair<Three>& a, const Pair<Three>& b, co
 #define PLUMB_FLOATS_TEXT
 #include "plumb/certify/detail/floats_text.hpp"
 
+HWY_INLINE Given<Three> turned(const Given<Three>& a) { return {turned(a.value)}; }
+template <int lane>
+HWY_INLINE Given<Three> spread(const Given<Three>& a) {
+  return {spread<lane>(a.value)};
+}
+
 /// Lane k has what lane k + 1 had, or k + 2.
 template <class V, Track A>
 HWY_INLINE auto turned(const Tracked<V, A>& a) {

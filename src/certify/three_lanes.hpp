@@ -174,6 +174,7 @@ HWY_INLINE unsigned bits(const Truth& t) { return (t.x ? 1U : 0U) | (t.y ? 2U : 
 HWY_INLINE Truth both(const Truth& a, const Truth& b) { return a & b; }
 HWY_INLINE Three loaded(const Point3& p) { return loaded(&p.x); }
 HWY_INLINE Three loaded(const Vector3& v) { return loaded(&v.x); }
+HWY_INLINE Three loaded(double x, double y, double z) { return three(x, y, z); }
 /// Is none a NaN or positive infinity?
 HWY_INLINE bool all_real(const Three& a) { return all(above(of_all(__builtin_huge_val()), a)); }
 /// The sum of columns' parts along a vector, lane by lane: the dot products of the vectors that were transposed.

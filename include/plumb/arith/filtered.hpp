@@ -7,6 +7,9 @@
 // Cost: about one extra operation for each operation of the formula.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 namespace plumb {
 
 /// From 2^-1021 on it pays for underflow; this much also keeps its product with any filter's constant a normal number:
@@ -16,33 +19,49 @@ inline constexpr double underflow_guard = 0x1p-968;
 /// |x| by clearing the sign bit: std::fabs is not constexpr in C++20.
 constexpr double magnitude_of(double x) { return __builtin_fabs(x); }
 
-struct Filtered {
+/// Two doubles, of which one operation of the machine makes two others.
+using TwoDoubles = double __attribute__((vector_size(16)));
+inline TwoDoubles magnitude_of(TwoDoubles x) {
+  using Bits = std::uint64_t __attribute__((vector_size(16)));
+  return std::bit_cast<TwoDoubles>(std::bit_cast<Bits>(x) & Bits{~0ULL >> 1, ~0ULL >> 1});
+}
+
+/// Over doubles, or two of them at once.
+template <class V>
+struct FilteredOf {
   struct Input {  // a coordinate as given
-    double value;
+    V value;
   };
   struct Rounded {  // one rounded sum of coordinates: its magnitude is its own absolute value
-    double value;
+    V value;
   };
 
-  double value, magnitude;
+  V value, magnitude;
 
-  constexpr Filtered(double v, double m) : value(v), magnitude(m) {}
-  constexpr Filtered(Input x) : Filtered(x.value, magnitude_of(x.value)) {}    // NOLINT: mixes as an intermediate value
-  constexpr Filtered(Rounded x) : Filtered(x.value, magnitude_of(x.value)) {}  // NOLINT: likewise
+  constexpr FilteredOf(V v, V m) : value(v), magnitude(m) {}
+  constexpr FilteredOf(Input x)
+      : FilteredOf(x.value, magnitude_of(x.value)) {}  // NOLINT: mixes as a value of a formula
+  constexpr FilteredOf(Rounded x) : FilteredOf(x.value, magnitude_of(x.value)) {}  // NOLINT: likewise
 
   friend constexpr Rounded operator-(Input a, Input b) { return {a.value - b.value}; }
   friend constexpr Rounded operator+(Input a, Input b) { return {a.value + b.value}; }
-  friend constexpr Filtered operator*(Input a, Input b) { return Rounded{a.value} * Rounded{b.value}; }
+  friend constexpr FilteredOf operator*(Input a, Input b) { return Rounded{a.value} * Rounded{b.value}; }
   // |a| * |b| rounds like |a * b|: one product serves value and magnitude.
-  friend constexpr Filtered operator*(Rounded a, Rounded b) {
-    const double v = a.value * b.value;
+  friend constexpr FilteredOf operator*(Rounded a, Rounded b) {
+    const V v = a.value * b.value;
     return {v, magnitude_of(v) + underflow_guard};
   }
-  friend constexpr Filtered operator+(Filtered a, Filtered b) { return {a.value + b.value, a.magnitude + b.magnitude}; }
-  friend constexpr Filtered operator-(Filtered a, Filtered b) { return {a.value - b.value, a.magnitude + b.magnitude}; }
-  friend constexpr Filtered operator*(Filtered a, Filtered b) {
+  friend constexpr FilteredOf operator+(FilteredOf a, FilteredOf b) {
+    return {a.value + b.value, a.magnitude + b.magnitude};
+  }
+  friend constexpr FilteredOf operator-(FilteredOf a, FilteredOf b) {
+    return {a.value - b.value, a.magnitude + b.magnitude};
+  }
+  friend constexpr FilteredOf operator*(FilteredOf a, FilteredOf b) {
     return {a.value * b.value, a.magnitude * b.magnitude + underflow_guard};
   }
 };
+using Filtered = FilteredOf<double>;
+using FilteredTwo = FilteredOf<TwoDoubles>;
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "figure/aabb/axes2.hpp"
 #include "query/overlap/box_axes.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -56,6 +57,13 @@ HWY_INLINE std::optional<Relation> by_pairs(const Input&... input) {
   return by_doubles<TriangleAndObb>(t, b);
 }
 
+[[maybe_unused]] std::optional<Relation> relation(const Segment2& s, const Aabb2& b) {
+  return by_doubles<figure::box_axes2::HWY_NAMESPACE::SegmentAndBox2>(s, b);
+}
+[[maybe_unused]] std::optional<Relation> relation(const Triangle2& t, const Aabb2& b) {
+  return by_doubles<figure::box_axes2::HWY_NAMESPACE::TriangleAndBox2>(t, b);
+}
+
 [[maybe_unused]] std::optional<Relation> near_relation(const Segment3& s, const Obb3& b) {
   return by_pairs<StraightAndObb<LinearKind::segment>>(s.a, s.b, b);
 }
@@ -86,6 +94,8 @@ PLUMB_QUICK_RELATION(Segment3, Obb3)
 PLUMB_QUICK_RELATION(Ray3, Obb3)
 PLUMB_QUICK_RELATION(Line3, Obb3)
 PLUMB_QUICK_RELATION(Triangle3, Obb3)
+PLUMB_QUICK_RELATION(Segment2, Aabb2)
+PLUMB_QUICK_RELATION(Triangle2, Aabb2)
 #undef PLUMB_QUICK_RELATION
 
 namespace {

@@ -21,6 +21,8 @@ std::optional<Relation> quick_relation(const Segment3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Ray3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Line3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Triangle3& a, const Obb3& b);
+std::optional<Relation> quick_relation(const Segment2& a, const Aabb2& b);
+std::optional<Relation> quick_relation(const Triangle2& a, const Aabb2& b);
 
 /// For what that leaves: pairs of doubles, then integers on the stack, then those of GMP.  Nothing is told of a box without
 /// an inside that touches, of axes that lie in a plane, and of a direction that is zero.

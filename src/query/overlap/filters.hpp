@@ -96,8 +96,11 @@ inline std::optional<Relation> by_doubles(LinearKind reach, const PairOfDifferen
   double least = std::min(std::min(u * way, v * way), (all - u - v) * way);
   if (reach != LinearKind::line) least = std::min(least, at * way);
   if (reach == LinearKind::segment) least = std::min(least, (all - at) * way);
-  if (least < -error && magnitude_of(all) > error) return Relation::disjoint;
-  if (least > error) return Relation::overlapping;  // so u, v and what is left of all have one sign, and all has it
+  // Where it is positive u, v and what is left of all have one sign, and all has it, so that this is no more to ask.  No
+  // branch on which it is: it could not be predicted.
+  const int told = beyond(least, error);
+  if (told != 0 && magnitude_of(all) > error) [[likely]]
+    return static_cast<Relation>(told);
   if (reach == LinearKind::segment) {  // at, and at less all, are the heights of both ends, which may tell alone
     const double to = at - all;
     if (std::min(at, to) > error || std::max(at, to) < -error) return Relation::disjoint;

@@ -32,10 +32,19 @@ Sign side(const Plane3& plane, const Point3& p) {
 }
 Sign side(const ThreePointPlane3& plane, const Point3& p) { return -orient3d(plane.a, plane.b, plane.c, p); }
 
-// Zero where doubles do not tell.
-int quick_side(const Plane3& plane, const Point3& p) {
+/// Of two points at once, by their coordinates: -1, 0 or 1, where 0 is what doubles do not tell.
+struct TwoSides {
+  int first, second;
+};
+TwoSides quick_sides(const Plane3& plane, TwoDoubles x, TwoDoubles y, TwoDoubles z) {
   using predicates::SideOfPlane;
-  return filter<SideOfPlane>(coordinates_of<SideOfPlane>(plane.normal, plane.offset, p));
+  using Input = FilteredTwo::Input;
+  const auto both = [](double a) { return Input{TwoDoubles{a, a}}; };
+  const auto& n = plane.normal;
+  const FilteredTwo sides =
+      SideOfPlane{}(std::array{both(n.x), both(n.y), both(n.z), both(plane.offset), Input{x}, Input{y}, Input{z}});
+  const TwoDoubles error = filter_constant<SideOfPlane>() * sides.magnitude;
+  return {beyond(sides.value[0], error[0]), beyond(sides.value[1], error[1])};
 }
 
 SignTriple negated(const SignTriple& s) { return {-s[0], -s[1], -s[2]}; }
@@ -159,19 +168,23 @@ PLUMB_PAIR_ANSWER(Point3, Plane3, relate_to_plane)
 PLUMB_PAIR_ANSWER(Segment3, Plane3, relate_to_plane)
 Relation relate_pair(PairFunction<Plane3, Triangle3>, const Plane3& a, const Triangle3& b, Question question) {
   assert_sound_thread();
-  const int p = quick_side(a, b.a), q = quick_side(a, b.b), r = quick_side(a, b.c);
+  const auto [p, q] = quick_sides(a, TwoDoubles{b.a.x, b.b.x}, TwoDoubles{b.a.y, b.b.y}, TwoDoubles{b.a.z, b.b.z});
+  const int r = quick_sides(a, TwoDoubles{b.c.x, b.c.x}, TwoDoubles{b.c.y, b.c.y}, TwoDoubles{b.c.z, b.c.z}).first;
   if (p * q * r == 0) return relate_to_plane(a, b, question);
-  return p == q && q == r ? Relation::disjoint : Relation::overlapping;
+  return static_cast<Relation>(1 - 2 * static_cast<int>(p == q) * static_cast<int>(q == r));
 }
 PLUMB_PAIR_ANSWER(Plane3, Tetrahedron3, relate_to_plane)
 Relation relate_pair(PairFunction<Plane3, Aabb3>, const Plane3& a, const Aabb3& b, Question question) {
   assert_sound_thread();
-  const bool x = a.normal.x > 0, y = a.normal.y > 0, z = a.normal.z > 0;
-  const auto& [min, max] = b;
-  const int high = quick_side(a, {x ? max.x : min.x, y ? max.y : min.y, z ? max.z : min.z});
-  const int low = quick_side(a, {x ? min.x : max.x, y ? min.y : max.y, z ? min.z : max.z});
-  if (low * high == 0 || is_empty(b)) return relate_to_plane(a, b, question);
-  return low == high ? Relation::disjoint : Relation::overlapping;
+  // The corner that is lowest along the normal, and the highest.
+  const auto ends = [](double along, double min, double max) {
+    return TwoDoubles{along, along} > 0 ? TwoDoubles{min, max} : TwoDoubles{max, min};
+  };
+  const auto [low, high] = quick_sides(a, ends(a.normal.x, b.min.x, b.max.x), ends(a.normal.y, b.min.y, b.max.y),
+                                       ends(a.normal.z, b.min.z, b.max.z));
+  const int are_alike = low * high;
+  if (are_alike == 0 || is_empty(b)) return relate_to_plane(a, b, question);
+  return static_cast<Relation>(-are_alike);
 }
 PLUMB_PAIR_ANSWER(Plane3, Obb3, relate_to_plane)
 

@@ -9,6 +9,7 @@
 #include "plumb/predicates/line_triangle.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/flat_set.hpp"
+#include "query/overlap/filters.hpp"
 #include "query/overlap/linear3.hpp"
 #include "query/overlap/pair_answer.hpp"
 #include "query/overlap/signs.hpp"
@@ -36,7 +37,7 @@ struct Faces {
   std::array<unsigned, 4> inner{};
   Sign all = Sign::positive;
 };
-Faces faces(const TetrahedronCorners& t, Points q) {
+Faces exact_faces(const TetrahedronCorners& t, Points q) {
   Faces found;
   for (std::size_t f = 0; f < 4 && found.all != Sign::negative; ++f) {
     Sign here = Sign::negative;
@@ -48,6 +49,56 @@ Faces faces(const TetrahedronCorners& t, Points q) {
     found.all = least(found.all, here);
   }
   return found;
+}
+
+/// As much as is added up for the face across from the corner that all differences are taken from.
+struct FourVolumes {
+  static constexpr std::string_view name = "relate";
+  static constexpr int points = 4, dimension = 3;
+  template <class T>
+  constexpr auto operator()(const std::array<T, 12>& p) const {
+    const auto v = Volume{}(p);
+    return v - v - v - v;
+  }
+};
+
+// By doubles: each normal once, and of the face across from the first corner by the sum of all four volumes, which is the
+// tetrahedron's.  No branch on a single sign.
+template <std::size_t size>
+Faces faces(const TetrahedronCorners& t, const std::array<Point3, size>& q) {
+  using predicates::cross, predicates::dot;
+  const std::array u{difference(t[0], t[1]), difference(t[0], t[2]), difference(t[0], t[3])};
+  const std::array normals{cross(u[1], u[2]), cross(u[2], u[0]), cross(u[0], u[1])};
+  const double whole = dot(u[0], normals[0]);
+  std::array<std::array<double, size>, 4> volumes;  // below zero inside
+  double x = 0, y = 0, z = 0, values = whole;
+  const auto raise = [&](const Difference& w) {
+    const auto at_least = [](double& most, double d) { most = d > most ? d : most; };
+    at_least(x, magnitude_of(w.x)), at_least(y, magnitude_of(w.y)), at_least(z, magnitude_of(w.z));
+  };
+  for (const Difference& w : u) raise(w);
+  for (std::size_t m = 0; m < size; ++m) {
+    const Difference w = difference(t[0], q[m]);
+    raise(w);
+    for (std::size_t f = 1; f < 4; ++f) volumes[f][m] = dot(w, normals[f - 1]);
+    volumes[0][m] = whole - volumes[1][m] - volumes[2][m] - volumes[3][m];
+    values += volumes[0][m];
+  }
+  const auto alone = [](double most) { return Pair{most, most}; };
+  const double error = error_bound<FourVolumes>(alone(x), alone(y), alone(z), values);
+  Faces found;
+  bool certain = true;
+  for (std::size_t f = 0; f < 4; ++f) {
+    unsigned inner = 0, outer = 0;
+    for (std::size_t m = 0; m < size; ++m) {
+      inner |= static_cast<unsigned>(volumes[f][m] < -error) << m;
+      outer |= static_cast<unsigned>(volumes[f][m] > error) << m;
+    }
+    certain = certain & ((inner | outer) == (1u << size) - 1);
+    found.inner[f] = inner;
+    found.all = inner == 0 ? Sign::negative : found.all;
+  }
+  return certain ? found : exact_faces(t, q);
 }
 
 // The side of p to the plane through i along ij and uv.

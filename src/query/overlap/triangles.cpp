@@ -70,8 +70,8 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   const double starts = way * volume(*p[i], *p[first_a], *q[j], *q[first_b]);
   const double ends = -way * volume(*p[i], *p[second_a], *q[j], *q[second_b]);
   const double limit = twofold + ((starts + ends) - (starts + ends)), least = std::min(starts, ends);
-  if (least > limit) return Relation::overlapping;
-  if (least < -limit) return Relation::disjoint;
+  if (const int told = beyond(least, limit); told != 0) [[likely]]
+    return static_cast<Relation>(told);
   return {};
 }
 

@@ -148,7 +148,7 @@ class Floats {
     }
   }
 
-  [[gnu::always_inline]] constexpr Given<V> given(const auto& x) const { return {loaded(x)}; }
+  [[gnu::always_inline]] constexpr Given<V> given(const auto&... x) const { return {loaded(x...)}; }
 
   /// A leaf of this scale: b - a of numbers as given; their sum; one by itself.
   template <std::size_t scale = 0>

@@ -90,8 +90,10 @@ class Gaps {
       if (!all(settled_.truth()) || !(all(world_.positive(have_inside)) && ...)) world_.leave_open();
       return static_cast<Answer>(below);
     }
-    if ((apart | below) != 0) [[likely]]
-      return static_cast<Answer>(below - apart);
+    // Never both: one comparison of the two, for a branch on either alone could not be predicted.
+    const int told = below - apart;
+    if (told != 0) [[likely]]
+      return static_cast<Answer>(told);
     if (!all(settled_.truth()) || !(all(world_.positive(have_inside)) && ...)) world_.leave_open();
     return static_cast<Answer>(0);
   }
