@@ -78,3 +78,7 @@
 #include "plumb/space/ray/ray_slabs.hpp"   // the slab test, for descents of one's own
 #include "plumb/space/ray/shape_ray.hpp"   // shapes of any kind
 #include "plumb/space/ray/volume_ray.hpp"  // a mesh, by spheres, oriented boxes or k-DOPs
+
+// In which cell of a grid is it?
+#include "plumb/space/grid/cell_grid.hpp"  // a point
+#include "plumb/space/grid/grid_walk.hpp"  // a ray or segment, cell by cell
