@@ -233,18 +233,23 @@ void GridWalk<n>::queue_cells(const Cell& old, unsigned crossed) {
 template <std::size_t n>
 void GridWalk<n>::set_times() {
   const ExactNumbers<Ball, WorldKind::pairs> balls;
-  std::array<Ball, 3> time{Ball{0}, Ball{0}, Ball{0}}, pace = time;
+  const Ball nothing{0};
+  std::array<Ball, 3> way{nothing, nothing, nothing}, time = way, pace = way;
+  for (std::size_t a = 0; a < n; ++a) way[a] = magnitude(balls.difference(axis_[a].to, axis_[a].base));
   double least = Ball::infinity;
   std::size_t base = n;
   for (std::size_t a = 0; a < n; ++a) {
     if (!moves_[a]) continue;
-    const space::WalkAxis& x = axis_[a];
-    Ball ways{1};
+    Ball others{1};
+    bool any = false;
     for (std::size_t b = 0; b < n; ++b) {
-      if (moves_[b] && b != a) ways = ways * magnitude(balls.difference(axis_[b].to, axis_[b].base));
+      if (b == a || !moves_[b]) continue;
+      others = any ? others * way[b] : way[b];
+      any = true;
     }
-    time[a] = space::way_to_wall(balls, x, next_wall(a)) * ways * Ball{static_cast<double>(step_[a])};
-    pace[a] = Ball{x.size} * ways;
+    const Ball distance = space::way_to_wall(balls, axis_[a], next_wall(a));
+    time[a] = (step_[a] > 0 ? distance : nothing - distance) * others;
+    pace[a] = Ball{axis_[a].size} * others;
     if (pace[a].high < least) least = pace[a].high;
     if (base == n || time[a].high < time[base].high) base = a;
   }
@@ -256,7 +261,7 @@ void GridWalk<n>::set_times() {
     const Ball now = time[base];
     for (std::size_t a = 0; a < n; ++a) {
       if (!moves_[a]) continue;
-      const auto [at, at_width, at_known] = space::in_units(a == base ? Ball{0} : time[a] - now, units, never);
+      const auto [at, at_width, at_known] = space::in_units(a == base ? nothing : time[a] - now, units, never);
       const auto [by, by_width, by_known] = space::in_units(pace[a], units, never);
       if (!handy || !at_known || !by_known || by <= 0) {
         doubt_ = all_near;
