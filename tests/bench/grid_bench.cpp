@@ -1,10 +1,12 @@
-// What do grids cost: a walk a cell, beside the usual ones in doubles, and all pairs of boxes by each kind?  One thread.
+// What do grids cost: a walk a cell, beside the usual ones in doubles, and all pairs of boxes by each kind?  One
+// thread.
 //
-// walk: 1,000 segments through 256^3 cells of size 0.1, between random places or through the corners of cells.  `ns_cell`
-// counts what begins a walk, too; `wrong` is how many of the 1,000 visit other cells than exact ones do (half open).
+// walk: 1,000 segments through 256^3 cells of size 0.1, between random places or through the corners of cells.
+// `ns_cell` counts what begins a walk, too; `wrong` is how many of the 1,000 visit other cells than exact ones do
+// (half open).
 // accumulated is the walk of textbooks, which adds up parameters; recomputed divides anew at each wall.
-// pairs: `ns_box` of building and asking, `pairs` a box, `bytes` a box.  uniform: boxes of mean extent 1, as many as fill
-// space once; clustered: the same extents in 100 clusters; sizes: extents from 1 to 1,000, each octave as often.
+// pairs: `ns_box` of building and asking, `pairs` a box, `bytes` a box.  uniform: boxes of mean extent 1, as many as
+// fill space once; clustered: the same extents in 100 clusters; sizes: extents from 1 to 1,000, each octave as often.
 // retests: one box at a time, in cells of half a box, where each comes up often; ns a query.
 #include <benchmark/benchmark.h>
 

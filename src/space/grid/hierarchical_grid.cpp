@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t least_places = 64, boxes_in_part = 2048;
 
-/// What a box, which reaches into these cells, may find there: it is told by its first cell, and reaches no farther than
-/// the next.
+/// What a box, which reaches into these cells, may find there: it is told by its first cell, and reaches no farther
+/// than the next.
 template <std::size_t n>
 space::CellSpan<n> with_those_before(space::CellSpan<n> span) {
   for (std::int32_t& x : span.first) --x;

@@ -1,7 +1,7 @@
 // Uniform grid: in which cell does a point lie?  Cells of one size, numbered by integers, without end or within a box.
 //
-// Cell (i, j, k) of a grid lies from origin + (i, j, k) size to origin + (i + 1, j + 1, k + 1) size: real numbers, which
-// are not rounded.  A wall between cells belongs to both (closed cells) or to the upper one (half-open cells).
+// Cell (i, j, k) of a grid lies from origin + (i, j, k) size to origin + (i + 1, j + 1, k + 1) size: real numbers,
+// which are not rounded.  A wall between cells belongs to both (closed cells) or to the upper one (half-open cells).
 // Laws: (1) cell_of is floor((p - origin) / size), exactly, on each axis: the half-open cell.  (2) Numbers lie between
 // -most_cell and most_cell; of what lies beyond, the last number is told.
 // A size that is not above zero throws InvalidShape, NaN and infinity NonFinite, by name.

@@ -1,15 +1,16 @@
-// Grid traversal (voxel walk, digital differential analyzer): which cells of a uniform grid does a ray or segment visit?
+// Grid traversal (voxel walk, digital differential analyzer): which cells of a uniform grid does a ray or segment
+// visit?
 //
 //   GridWalk3 walk(grid, ray, {.range = {{0, 0, 0}, {63, 63, 63}}});
 //   while (walk.next()) use(walk.cell());                                // in the order in which the ray comes to them
 //   GridWalk2 touched(grid, segment, {.cells = WalkedCells::closed});    // with all that it only touches
 //
-// Laws: (1) half_open: the cells of law (1) of cell_grid.hpp that hold a point of the ray, exactly: each point is in one
-// cell, so a ray along a wall is in the cells above it.  (2) closed: the cells that the ray touches, corners, edges and
-// walls included.  (3) Each once, in the order of the parameters at which the ray comes to them; of those to which it
-// comes at once (closed) the one whose first axes have been crossed less.  (4) Only cells of the range, and all of
-// them: a ray may begin anywhere.  Without a range the walk goes on until who asks has enough.  (5) A ray of zero
-// direction and a segment of equal ends are the points that they are.
+// Laws: (1) half_open: the cells of law (1) of cell_grid.hpp that hold a point of the ray, exactly: each point is in
+// one cell, so a ray along a wall is in the cells above it.  (2) closed: the cells that the ray touches, corners,
+// edges and walls included.  (3) Each once, in the order of the parameters at which the ray comes to them; of those
+// to which it comes at once (closed) the one whose first axes have been crossed less.  (4) Only cells of the range,
+// and all of them: a ray may begin anywhere.  Without a range the walk goes on until who asks has enough.  (5) A ray
+// of zero direction and a segment of equal ends are the points that they are.
 // Numbers of cells are those that cell_grid.hpp names.  A size that is not above zero throws InvalidShape, NaN and
 // infinity NonFinite, by name.
 // Which wall comes first is told by whole numbers: the times of the next walls in units so small that each is known to

@@ -12,8 +12,8 @@
 // Laws: those of list_grid.hpp.  Levels without a box cost nothing.
 // Errors are those of list_grid.hpp, but for memory: a box takes as much as any other.
 // Source: RTCD 7.2.1.
-// Cost: insert, move and remove take constant time (a table that grows moves what is in it); pairs some 14 lists a box and
-// 27 for each higher level that is occupied.
+// Cost: insert, move and remove take constant time (a table that grows moves what is in it); pairs some 14 lists a
+// box and 27 for each higher level that is occupied.
 #pragma once
 
 #include <cstdint>

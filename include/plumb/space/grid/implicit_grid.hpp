@@ -9,8 +9,8 @@
 // Errors are those of list_grid.hpp; a number of rows that is no power of two throws InvalidShape.
 // Source: RTCD 7.1.5.
 // Cost: insert and remove in proportion to the rows that a box reaches into, not to its cells; a query in proportion to
-// all boxes, a 64th of an operation for each and row.  So it is for some thousands of boxes that are asked often, and for
-// large ones among small.
+// all boxes, a 64th of an operation for each and row.  So it is for some thousands of boxes that are asked often, and
+// for large ones among small.
 #pragma once
 
 #include <cstdint>

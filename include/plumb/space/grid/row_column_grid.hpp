@@ -1,14 +1,14 @@
-// Broad phase (hierarchical grid of rows and columns): which boxes overlap, whatever their sizes?  Each level keeps bits of
-// its rows, columns and layers instead of cells.
+// Broad phase (hierarchical grid of rows and columns): which boxes overlap, whatever their sizes?  Each level keeps
+// bits of its rows, columns and layers instead of cells.
 //
 //   RowColumnGrid3 grid;
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
 //   grid.pairs();   grid.overlapping(box);
 //
-// Levels are those of hierarchical_grid.hpp; at each there is an implicit grid (implicit_grid.hpp) of the boxes that are
-// at it.  A box sets two bits along each axis at most.  Nothing is hashed, and what a large box overlaps of a lower level
-// is found by rows, not cell by cell.
+// Levels are those of hierarchical_grid.hpp; at each there is an implicit grid (implicit_grid.hpp) of the boxes that
+// are at it.  A box sets two bits along each axis at most.  Nothing is hashed, and what a large box overlaps of a
+// lower level is found by rows, not cell by cell.
 // Laws: those of list_grid.hpp; pairs ascend by a, then b.
 // Errors are those of implicit_grid.hpp.
 // Source: RTCD 7.2.2.
