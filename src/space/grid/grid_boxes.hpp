@@ -40,14 +40,16 @@ void require_grid_boxes(const std::string& function, std::span<const Box> boxes)
   throw InvalidShape(function + ": " + std::to_string(boxes.size()) + " boxes are more than 32 bits number");
 }
 
-/// Of sound boxes.
+/// Of sound boxes: no sum need be looked at for what is not finite.
 template <class Box>
-bool is_pair(const Box& a, const Box& b, bool touching) {
-  const auto a_min = coordinates(a.min), a_max = coordinates(a.max), b_min = coordinates(b.min),
-             b_max = coordinates(b.max);
-  bool in = true;
-  for (std::size_t k = 0; k < a_min.size(); ++k) in &= (a_min[k] <= b_max[k]) & (b_min[k] <= a_max[k]);
-  return in && (touching || relate(a, b) == Relation::overlapping);
+[[gnu::always_inline]] inline bool have_common(const Box& a, const Box& b) {
+  const auto [first, second] = figure::box::common(a, b);
+  const auto in = (first.starts <= first.ends) & (second.starts <= second.ends);
+  return (in[0] & in[1]) != 0;
+}
+template <class Box>
+[[gnu::always_inline]] inline bool is_pair(const Box& a, const Box& b, bool touching) {
+  return have_common(a, b) && (touching || relate(a, b) == Relation::overlapping);
 }
 
 /// Of all cells that two boxes share, the lowest tells of the pair: so each is told once.

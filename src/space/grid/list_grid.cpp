@@ -26,18 +26,17 @@ void fit(Seen& seen, std::size_t size) {
 }  // namespace
 
 template <class Box, CellTable table>
-ListGrid<Box, table>::ListGrid(double cell_size, const GridOptions& options) requires(table == CellTable::hashed)
-    : options_(options), size_(cell_size), per_size_(space::per_cell_size("HashedGrid", cell_size)) {
-  heads_.assign(least_places, none);
-}
-
-template <class Box, CellTable table>
-ListGrid<Box, table>::ListGrid(const Box& world, double cell_size,
-                               const GridOptions& options) requires(table == CellTable::array)
-    : options_(options), size_(cell_size), per_size_(space::per_cell_size("LinkedGrid", cell_size)) {
-  space::require_grid_box("LinkedGrid", "world", world);
-  all_ = space::cells_of(world, per_size_);
-  space::require_memory("LinkedGrid", space::cell_count(all_) * sizeof(std::uint32_t), options);
+ListGrid<Box, table>::ListGrid(const Box* world, double cell_size, const GridOptions& options)
+    : options_(options), size_(cell_size) {
+  const std::string function = world == nullptr ? "HashedGrid" : "LinkedGrid";
+  per_size_ = space::per_cell_size(function, cell_size);
+  if (world == nullptr) {
+    heads_.assign(least_places, none);
+    return;
+  }
+  space::require_grid_box(function, "world", *world);
+  all_ = space::cells_of(*world, per_size_);
+  space::require_memory(function, space::cell_count(all_) * sizeof(std::uint32_t), options);
   heads_.assign(static_cast<std::size_t>(space::cell_count(all_)), none);
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// More cells than this for each box are not made unasked: they would be empty.
 constexpr double most_cells_a_box = 4, few_cells = 64;
 /// From so many boxes in a cell on they are sorted along x.
-constexpr std::size_t worth_sorting = 12;
+constexpr std::size_t worth_sorting = 40;
 /// The cells are shared out among so many parts, whatever the threads.
 constexpr std::size_t most_parts = 64;
 constexpr std::size_t least_entries_in_part = 4096;
@@ -86,7 +86,7 @@ void StaticGrid<Box>::fill() {
 }
 
 template <class Box>
-void StaticGrid<Box>::pairs_in(std::size_t cell, bool touching, std::vector<std::uint32_t>& order,
+void StaticGrid<Box>::pairs_in(std::size_t cell, bool touching, std::vector<Member>& members,
                                std::vector<BoxPair>& out) const {
   const std::span<const std::uint32_t> slice(numbers_.data() + starts_[cell], starts_[cell + 1] - starts_[cell]);
   if (slice.size() < 2) return;
@@ -97,21 +97,21 @@ void StaticGrid<Box>::pairs_in(std::size_t cell, bool touching, std::vector<std:
     number[k] = all_.first[k] + static_cast<std::int32_t>(rest % width);
     rest /= width;
   }
+  members.clear();
+  for (const std::uint32_t i : slice) members.push_back({boxes_[i], spans_[i].first, i});
   const bool sorted = slice.size() >= worth_sorting;
-  order.assign(slice.begin(), slice.end());
   if (sorted) {
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return boxes_[a].min.x != boxes_[b].min.x ? boxes_[a].min.x < boxes_[b].min.x : a < b;
+    std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
+      return a.box.min.x != b.box.min.x ? a.box.min.x < b.box.min.x : a.number < b.number;
     });
   }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Box& a = boxes_[order[i]];
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const Box& b = boxes_[order[j]];
-      if (sorted && b.min.x > a.max.x) break;
-      if (!space::is_pair(a, b, touching)) continue;
-      if (!space::is_lowest_cell(number, spans_[order[i]].first, spans_[order[j]].first)) continue;
-      out.push_back({std::min(order[i], order[j]), std::max(order[i], order[j])});
+  const Member* const end = members.data() + members.size();
+  for (const Member* a = members.data(); a != end; ++a) {
+    for (const Member* b = a + 1; b != end; ++b) {
+      if (sorted && b->box.min.x > a->box.max.x) break;
+      if (!space::is_pair(a->box, b->box, touching)) continue;
+      if (!space::is_lowest_cell(number, a->first, b->first)) continue;
+      out.push_back({std::min(a->number, b->number), std::max(a->number, b->number)});
     }
   }
 }
@@ -127,9 +127,9 @@ std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options) const
                : static_cast<std::size_t>(std::lower_bound(starts_.begin(), starts_.end(), entry) - starts_.begin());
   };
   space::for_parts("StaticGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
-    std::vector<std::uint32_t> order;
+    std::vector<Member> members;
     for (std::size_t c = first_cell(part), end = first_cell(part + 1); c < end; ++c) {
-      pairs_in(c, options.touching, order, found[part]);
+      pairs_in(c, options.touching, members, found[part]);
     }
   });
   if (parts == 1) return std::move(found[0]);

@@ -40,8 +40,10 @@ template <class Box, CellTable table>
 class ListGrid {
  public:
   /// options.cell_size is not looked at.
-  explicit ListGrid(double cell_size, const GridOptions& options = {}) requires(table == CellTable::hashed);
-  ListGrid(const Box& world, double cell_size, const GridOptions& options = {}) requires(table == CellTable::array);
+  explicit ListGrid(double cell_size, const GridOptions& options = {}) requires(table == CellTable::hashed)
+      : ListGrid(nullptr, cell_size, options) {}
+  ListGrid(const Box& world, double cell_size, const GridOptions& options = {}) requires(table == CellTable::array)
+      : ListGrid(&world, cell_size, options) {}
 
   std::uint32_t insert(const Box& box);
   void remove(std::uint32_t handle);
@@ -67,6 +69,8 @@ class ListGrid {
     space::CellNumber<n> cell;
     std::uint32_t box, next;
   };
+
+  ListGrid(const Box* world, double cell_size, const GridOptions& options);
 
   [[nodiscard]] Span span_of(const Box& box) const;
   [[nodiscard]] std::size_t place_of(const space::CellNumber<n>& cell) const;

@@ -11,8 +11,8 @@
 // A cell size that is not above zero and boxes that are empty throw InvalidShape; NaN and infinity NonFinite; a grid
 // that would take more than options.most_memory throws Error.
 // Source: RTCD 7.1.1, 7.1.4, 7.1.6.2.
-// Cost: time and memory in proportion to the cells that boxes reach into, and to the pairs of boxes in one cell; a slice
-// of many boxes is swept along x.
+// Cost: time and memory in proportion to the cells that boxes reach into, and to the pairs of boxes in one cell; a
+// slice of many boxes is swept along x.
 #pragma once
 
 #include <cstdint>
@@ -44,10 +44,15 @@ class StaticGrid {
  private:
   static constexpr std::size_t n = space::axes_of<Box>;
   using Span = space::CellSpan<n>;
+  struct Member {  // of a cell
+    Box box;
+    space::CellNumber<n> first;
+    std::uint32_t number;
+  };
 
   void fill();
   [[nodiscard]] std::size_t slice_of(const space::CellNumber<n>& cell) const;
-  void pairs_in(std::size_t cell, bool touching, std::vector<std::uint32_t>& order, std::vector<BoxPair>& out) const;
+  void pairs_in(std::size_t cell, bool touching, std::vector<Member>& members, std::vector<BoxPair>& out) const;
 
   std::vector<Box> boxes_;
   double size_ = 1, per_size_ = 1;
