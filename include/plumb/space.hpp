@@ -90,7 +90,8 @@
 #include "plumb/space/coherence/grouped_range.hpp"  // shapes that lie near each other
 #include "plumb/space/coherence/last_answer.hpp"    // the triangles that answered last
 #include "plumb/space/coherence/pair_front.hpp"     // where the descent of two trees ended
-#include "plumb/space/coherence/visit_stamps.hpp"   // what a query has seen
+#include "plumb/space/coherence/visit_bits.hpp"     // what a query has seen, in bits
+#include "plumb/space/coherence/visit_stamps.hpp"   // the same, in bytes
 
 // Where does a ray hit?
 #include "plumb/space/ray/inside.hpp"      // is a point in a closed mesh?  locate, winding_number
@@ -99,3 +100,15 @@
 #include "plumb/space/ray/ray_slabs.hpp"   // the slab test, for descents of one's own
 #include "plumb/space/ray/shape_ray.hpp"   // shapes of any kind
 #include "plumb/space/ray/volume_ray.hpp"  // a mesh, by spheres, oriented boxes or k-DOPs
+
+// In which cell of a grid is it?
+#include "plumb/space/grid/cell_grid.hpp"  // a point
+#include "plumb/space/grid/grid_walk.hpp"  // a ray or segment, cell by cell
+
+// Which boxes overlap, by grids?
+#include "plumb/space/grid/cell_size.hpp"          // how large their cells are to be
+#include "plumb/space/grid/hierarchical_grid.hpp"  // boxes of any sizes, that come, go and move
+#include "plumb/space/grid/implicit_grid.hpp"      // some thousands, by bits
+#include "plumb/space/grid/list_grid.hpp"          // boxes of like sizes, that come, go and move
+#include "plumb/space/grid/row_column_grid.hpp"    // boxes of any sizes, by bits
+#include "plumb/space/grid/static_grid.hpp"        // boxes that stay

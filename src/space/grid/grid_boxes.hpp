@@ -1,0 +1,111 @@
+// What the grids ask of boxes: are they sound, do two overlap, and which cell tells of a pair?
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+
+#include "figure/basic/finite_parts.hpp"
+#include "plumb/figure/aabb/relation.hpp"
+#include "plumb/space/grid/cell_size.hpp"
+#include "plumb/space/grid/detail/cell_span.hpp"
+
+namespace plumb::space {
+
+/// Throws NonFinite and InvalidShape, naming the function and the box.
+template <class Box>
+void require_grid_box(const std::string& function, const std::string& name, const Box& box) {
+  const auto min = coordinates(box.min), max = coordinates(box.max);
+  constexpr double most = std::numeric_limits<double>::max();
+  bool sound = true;  // a NaN fails every comparison
+  for (std::size_t a = 0; a < min.size(); ++a) sound &= -most <= min[a] && min[a] <= max[a] && max[a] <= most;
+  if (sound) [[likely]]
+    return;
+  const std::string low = name + ".min", high = name + ".max";
+  figure::require_finite_parts<decltype(box.min), decltype(box.max)>(function, {low, high}, box.min, box.max);
+  throw InvalidShape(function + ": " + name + " is empty; leave it out");
+}
+template <class Box>
+void require_grid_boxes(const std::string& function, std::span<const Box> boxes) {
+  constexpr double most = std::numeric_limits<double>::max();
+  bool sound = boxes.size() < std::numeric_limits<std::uint32_t>::max();
+  for (const Box& box : boxes) {
+    const auto min = coordinates(box.min), max = coordinates(box.max);
+    for (std::size_t a = 0; a < min.size(); ++a) sound &= -most <= min[a] && min[a] <= max[a] && max[a] <= most;
+  }
+  if (sound) return;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    require_grid_box(function, "boxes[" + std::to_string(i) + "]", boxes[i]);
+  }
+  throw InvalidShape(function + ": " + std::to_string(boxes.size()) + " boxes are more than 32 bits number");
+}
+
+/// Of sound boxes: no sum need be looked at for what is not finite.
+template <class Box>
+[[gnu::always_inline]] inline bool have_common(const Box& a, const Box& b) {
+  const auto [first, second] = figure::box::common(a, b);
+  const auto in = (first.starts <= first.ends) & (second.starts <= second.ends);
+  return (in[0] & in[1]) != 0;
+}
+template <class Box>
+[[gnu::always_inline]] inline bool is_pair(const Box& a, const Box& b, bool touching) {
+  return have_common(a, b) && (touching || relate(a, b) == Relation::overlapping);
+}
+
+/// Of all cells that two boxes share, the lowest tells of the pair: so each is told once.
+template <std::size_t n>
+bool is_lowest_cell(const CellNumber<n>& cell, const CellNumber<n>& first_of_a, const CellNumber<n>& first_of_b) {
+  bool is = true;
+  for (std::size_t k = 0; k < n; ++k) is &= cell[k] == (first_of_a[k] > first_of_b[k] ? first_of_a[k] : first_of_b[k]);
+  return is;
+}
+
+/// How many cells; infinite where nobody counts them.
+template <std::size_t n>
+double cell_count(const CellSpan<n>& span) {
+  double count = 1;
+  for (std::size_t k = 0; k < n; ++k) count *= static_cast<double>(span.last[k]) - span.first[k] + 1;
+  return count;
+}
+
+/// Calls visit(cell) for each cell of the span, the first axis fastest.
+template <std::size_t n, class Visit>
+void for_cells(const CellSpan<n>& span, const Visit& visit) {
+  CellNumber<n> cell = span.first;
+  for (std::size_t a = 0; a < n;) {
+    visit(cell);
+    for (a = 0; a < n && cell[a] == span.last[a]; ++a) cell[a] = span.first[a];
+    if (a < n) ++cell[a];
+  }
+}
+
+template <std::size_t n>
+bool holds_cell(const CellSpan<n>& span, const CellNumber<n>& cell) {
+  bool in = true;
+  for (std::size_t k = 0; k < n; ++k) in &= (span.first[k] <= cell[k]) & (cell[k] <= span.last[k]);
+  return in;
+}
+
+/// The reciprocal of a cell size, which must be above zero.
+inline double per_cell_size(const std::string& function, double size) {
+  if (!(size - size == 0)) throw NonFinite(function + ": options.cell_size is " + std::to_string(size));
+  if (!(size > 0)) {
+    throw InvalidShape(function + ": options.cell_size is " + std::to_string(size) +
+                       ", but cells need a size above zero");
+  }
+  const double per_size = 1 / size;
+  return per_size < std::numeric_limits<double>::max() ? per_size : std::numeric_limits<double>::max();
+}
+
+inline void require_memory(const std::string& function, double bytes, const GridOptions& options) {
+  if (bytes <= static_cast<double>(options.most_memory)) return;
+  throw Error(function + ": the grid would take " + std::to_string(bytes) + " bytes, but options.most_memory is " +
+              std::to_string(options.most_memory) + "; choose larger cells");
+}
+
+inline InvalidShape not_in_grid(const std::string& function, std::uint32_t handle) {
+  return InvalidShape(function + ": handle " + std::to_string(handle) +
+                      " is not in the grid; it was removed, or never given");
+}
+
+}  // namespace plumb::space

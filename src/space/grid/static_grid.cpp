@@ -1,0 +1,176 @@
+#include "plumb/space/grid/static_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "space/bvh/parts.hpp"
+#include "space/grid/grid_boxes.hpp"
+
+namespace plumb {
+namespace {
+
+/// More cells than this for each box are not made unasked: they would be empty.
+constexpr double most_cells_a_box = 4, few_cells = 64;
+/// From so many boxes in a cell on they are sorted along x.
+constexpr std::size_t worth_sorting = 40;
+/// The cells are shared out among so many parts, whatever the threads.
+constexpr std::size_t most_parts = 64;
+constexpr std::size_t least_entries_in_part = 4096;
+
+template <std::size_t n>
+space::CellSpan<n> span_of_all(const std::vector<space::CellSpan<n>>& spans) {
+  space::CellSpan<n> all = spans.front();
+  for (const auto& s : spans) {
+    for (std::size_t k = 0; k < n; ++k) {
+      all.first[k] = std::min(all.first[k], s.first[k]), all.last[k] = std::max(all.last[k], s.last[k]);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+template <class Box>
+StaticGrid<Box>::StaticGrid(std::span<const Box> boxes, const GridOptions& options) {
+  const std::string function = "StaticGrid";
+  space::require_grid_boxes(function, boxes);
+  if (options.cell_size) (void)space::per_cell_size(function, *options.cell_size);
+  boxes_.assign(boxes.begin(), boxes.end());
+  size_ = options.cell_size ? *options.cell_size : choose_cell_size(boxes).size;
+  if (boxes.empty()) return;
+  const auto count = static_cast<double>(boxes.size());
+  spans_.resize(boxes.size());
+  double entries = 0;
+  while (true) {
+    per_size_ = space::per_cell_size(function, size_);
+    for (std::size_t i = 0; i < boxes.size(); ++i) spans_[i] = space::cells_of(boxes[i], per_size_);
+    all_ = span_of_all(spans_);
+    entries = 0;
+    for (const Span& s : spans_) entries += space::cell_count(s);
+    if (options.cell_size) break;
+    const double cells = space::cell_count(all_);
+    if ((cells <= most_cells_a_box * count + few_cells && entries <= 8.0 * n * count) || size_ >= 0x1p1023) break;
+    size_ *= 2;
+  }
+  const double bytes = count * (sizeof(Box) + sizeof(Span)) + 4 * (space::cell_count(all_) + entries);
+  space::require_memory(function, bytes, options);
+  if (entries > 4e9) throw Error(function + ": more than 32 bits number reach into cells; choose larger cells");
+  fill();
+}
+
+template <class Box>
+std::size_t StaticGrid<Box>::slice_of(const space::CellNumber<n>& cell) const {
+  std::size_t slice = 0;
+  for (std::size_t k = n; k-- > 0;) {
+    slice = slice * static_cast<std::size_t>(all_.last[k] - all_.first[k] + 1) +
+            static_cast<std::size_t>(cell[k] - all_.first[k]);
+  }
+  return slice;
+}
+
+template <class Box>
+void StaticGrid<Box>::fill() {
+  starts_.assign(static_cast<std::size_t>(space::cell_count(all_)) + 1, 0);
+  for (const Span& s : spans_) {
+    space::for_cells(s, [&](const auto& cell) { ++starts_[slice_of(cell) + 1]; });
+  }
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  numbers_.resize(starts_.back());
+  for (std::size_t i = spans_.size(); i-- > 0;) {  // from the back: the end of a slice becomes its start
+    space::for_cells(
+        spans_[i], [&](const auto& cell) { numbers_[--starts_[slice_of(cell) + 1]] = static_cast<std::uint32_t>(i); });
+  }
+  const auto entries = static_cast<std::uint32_t>(numbers_.size());
+  std::copy(starts_.begin() + 1, starts_.end(), starts_.begin());
+  starts_.back() = entries;
+}
+
+template <class Box>
+void StaticGrid<Box>::pairs_in(std::size_t cell, bool touching, std::vector<Member>& members,
+                               std::vector<BoxPair>& out) const {
+  const std::span<const std::uint32_t> slice(numbers_.data() + starts_[cell], starts_[cell + 1] - starts_[cell]);
+  if (slice.size() < 2) return;
+  space::CellNumber<n> number{};
+  std::size_t rest = cell;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto width = static_cast<std::size_t>(all_.last[k] - all_.first[k] + 1);
+    number[k] = all_.first[k] + static_cast<std::int32_t>(rest % width);
+    rest /= width;
+  }
+  members.clear();
+  for (const std::uint32_t i : slice) members.push_back({boxes_[i], spans_[i].first, i});
+  const bool sorted = slice.size() >= worth_sorting;
+  if (sorted) {
+    std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
+      return a.box.min.x != b.box.min.x ? a.box.min.x < b.box.min.x : a.number < b.number;
+    });
+  }
+  const Member* const end = members.data() + members.size();
+  for (const Member* a = members.data(); a != end; ++a) {
+    for (const Member* b = a + 1; b != end; ++b) {
+      if (sorted && b->box.min.x > a->box.max.x) break;
+      if (!space::is_pair(a->box, b->box, touching)) continue;
+      if (!space::is_lowest_cell(number, a->first, b->first)) continue;
+      out.push_back({std::min(a->number, b->number), std::max(a->number, b->number)});
+    }
+  }
+}
+
+template <class Box>
+std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options) const {
+  const std::size_t parts = std::clamp<std::size_t>(numbers_.size() / least_entries_in_part, 1, most_parts);
+  std::vector<std::vector<BoxPair>> found(parts);
+  const auto first_cell = [&](std::size_t part) {
+    const auto entry = static_cast<std::uint32_t>(numbers_.size() * part / parts);
+    return part == parts
+               ? cells()
+               : static_cast<std::size_t>(std::lower_bound(starts_.begin(), starts_.end(), entry) - starts_.begin());
+  };
+  space::for_parts("StaticGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
+    std::vector<Member> members;
+    for (std::size_t c = first_cell(part), end = first_cell(part + 1); c < end; ++c) {
+      pairs_in(c, options.touching, members, found[part]);
+    }
+  });
+  if (parts == 1) return std::move(found[0]);
+  std::vector<BoxPair> all;
+  std::size_t size = 0;
+  for (const auto& f : found) size += f.size();
+  all.reserve(size);
+  for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());
+  return all;
+}
+
+template <class Box>
+std::vector<std::uint32_t> StaticGrid<Box>::overlapping(const Box& box, bool touching) const {
+  space::require_grid_box("StaticGrid.overlapping", "box", box);
+  std::vector<std::uint32_t> found;
+  if (boxes_.empty()) return found;
+  Span span = space::cells_of(box, per_size_);
+  const space::CellNumber<n> first = span.first;
+  for (std::size_t k = 0; k < n; ++k) {
+    span.first[k] = std::max(span.first[k], all_.first[k]), span.last[k] = std::min(span.last[k], all_.last[k]);
+    if (span.first[k] > span.last[k]) return found;
+  }
+  space::for_cells(span, [&](const auto& cell) {
+    const std::size_t slice = slice_of(cell);
+    for (std::size_t i = starts_[slice]; i < starts_[slice + 1]; ++i) {
+      const std::uint32_t number = numbers_[i];
+      if (space::is_pair(box, boxes_[number], touching) && space::is_lowest_cell(cell, first, spans_[number].first)) {
+        found.push_back(number);
+      }
+    }
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+template <class Box>
+std::size_t StaticGrid<Box>::memory() const {
+  return boxes_.size() * (sizeof(Box) + sizeof(Span)) + (starts_.size() + numbers_.size()) * sizeof(std::uint32_t);
+}
+
+template class StaticGrid<Aabb2>;
+template class StaticGrid<Aabb3>;
+
+}  // namespace plumb

@@ -1,0 +1,392 @@
+// Does every grid tell the pairs of boxes that brute force tells, each once, while boxes come, go and move?
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+#include "certify/sanitized.hpp"
+#include "figure/basic/thrown.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/degenerate/entropy.hpp"
+#include "plumb/figure/aabb/relation.hpp"
+#include "plumb/space/grid/cell_size.hpp"
+#include "plumb/space/grid/hierarchical_grid.hpp"
+#include "plumb/space/grid/implicit_grid.hpp"
+#include "plumb/space/grid/list_grid.hpp"
+#include "plumb/space/grid/row_column_grid.hpp"
+#include "plumb/space/grid/static_grid.hpp"
+
+namespace plumb {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Kinds of sets of boxes; `one_ulp` is a lattice of boxes that touch, or miss or overlap by an ulp.
+enum class Set { random, clustered, lattice, one_ulp, equal, nested, sizes, extreme, flat };
+constexpr std::array all_sets{Set::random, Set::clustered, Set::lattice, Set::one_ulp, Set::equal,
+                              Set::nested, Set::sizes,     Set::extreme, Set::flat};
+
+double moved_by_an_ulp(double x, Entropy& entropy) {
+  const int way = static_cast<int>(entropy.below(3));
+  return way == 0 ? x : std::nextafter(x, way == 1 ? 1e308 : -1e308);
+}
+
+struct Side {
+  double min, max;
+};
+
+Side side_of(Set set, std::size_t axis, double cluster, Entropy& entropy) {
+  const auto unit = [&] { return static_cast<double>(entropy.bits(53)) * 0x1p-53; };
+  const auto around = [](double center, double half) { return Side{center - half, center + half}; };
+  switch (set) {
+    case Set::random:
+      return around(unit() * 10 - 5, unit());
+    case Set::clustered:
+      return around(cluster + unit() * 0.1, unit() * 0.02);
+    case Set::lattice: {
+      const auto at = static_cast<double>(entropy.within(3));
+      return {at, at + static_cast<double>(entropy.below(3))};
+    }
+    case Set::one_ulp: {
+      const double at = static_cast<double>(entropy.within(2)) * 0.1;
+      const double a = moved_by_an_ulp(at, entropy), b = moved_by_an_ulp(at + 0.1, entropy);
+      return {std::min(a, b), std::max(a, b)};
+    }
+    case Set::equal:
+      return {0.3, 0.7};
+    case Set::nested:
+      return around(0, std::ldexp(1, static_cast<int>(entropy.within(20))));
+    case Set::sizes:
+      return around(unit() * 2000, std::exp2(unit() * 20 - 10));
+    case Set::extreme: {
+      constexpr double most = std::numeric_limits<double>::max();
+      constexpr std::array places{-most, -1.0, -0x1p-1074, -0.0, 0.0, 0x1p-1074, 0x1p-1022, 1e-200, 1.0, 1e200, most};
+      const double a = places[entropy.below(places.size())], b = places[entropy.below(places.size())];
+      return {std::min(a, b), std::max(a, b)};
+    }
+    case Set::flat:
+      if (axis == 0) return {0, 0};
+      return entropy.coin() ? around(unit() * 4, 0) : around(std::round(unit() * 4), std::round(unit()));
+  }
+  return {};
+}
+
+template <class Box>
+Box box_of(Set set, double cluster, Entropy& entropy) {
+  const Side x = side_of(set, 0, cluster, entropy), y = side_of(set, 1, cluster, entropy);
+  if constexpr (std::is_same_v<Box, Aabb2>) {
+    return {{x.min, y.min}, {x.max, y.max}};
+  } else {
+    const Side z = side_of(set, 2, cluster, entropy);
+    return {{x.min, y.min, z.min}, {x.max, y.max, z.max}};
+  }
+}
+
+template <class Box>
+std::vector<Box> boxes_of(Set set, std::size_t count, Entropy& entropy) {
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    boxes.push_back(box_of<Box>(set, static_cast<double>(entropy.below(4)) * 3, entropy));
+  }
+  return boxes;
+}
+
+/// By every pair, of the boxes that are there.
+template <class Box>
+std::vector<BoxPair> by_brute_force(const std::vector<Box>& boxes, const std::vector<char>& there, bool touching) {
+  std::vector<BoxPair> pairs;
+  for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
+      if (there[a] == 0 || there[b] == 0) continue;
+      const Relation r = relate(boxes[a], boxes[b]);
+      if (touching ? r != Relation::disjoint : r == Relation::overlapping) pairs.push_back({a, b});
+    }
+  }
+  return pairs;
+}
+
+std::vector<BoxPair> sorted(std::vector<BoxPair> pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::string name(Set set, std::size_t i) {
+  std::ostringstream out;
+  out << "set " << static_cast<int>(set) << ", case " << i;
+  return out.str();
+}
+
+template <class Grid, class Box>
+void expect_pairs(const Grid& grid, const std::vector<Box>& boxes, const std::vector<char>& there,
+                  const std::string& what) {
+  for (const bool touching : {true, false}) {
+    const std::vector<BoxPair> expected = by_brute_force(boxes, there, touching);
+    for (const Execution execution : {Execution::serial, Execution::parallel}) {
+      ASSERT_EQ(sorted(grid.pairs({touching, execution})), expected) << what << (touching ? ", touching" : "");
+    }
+  }
+}
+
+template <class Grid, class Box>
+void expect_overlapping(const Grid& grid, const std::vector<Box>& boxes, const std::vector<char>& there, const Box& box,
+                        const std::string& what) {
+  for (const bool touching : {true, false}) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t b = 0; b < boxes.size(); ++b) {
+      const Relation r = relate(box, boxes[b]);
+      if (there[b] != 0 && (touching ? r != Relation::disjoint : r == Relation::overlapping)) expected.push_back(b);
+    }
+    ASSERT_EQ(grid.overlapping(box, touching), expected) << what;
+    if constexpr (requires(VisitBits bits) { grid.overlapping(box, bits, touching); }) {
+      static VisitStamps stamps;
+      static VisitBits bits;
+      ASSERT_EQ(grid.overlapping(box, stamps, touching), expected) << what;
+      ASSERT_EQ(grid.overlapping(box, bits, touching), expected) << what;
+    }
+  }
+}
+
+/// What a set of boxes was like.
+struct Count {
+  std::size_t pairs = 0, touching = 0;
+};
+
+template <class Box>
+Count expect_static(Set set) {
+  Count count;
+  for (std::size_t i = 0; i < battery::fitting(20u); ++i) {
+    Entropy entropy(7140 + static_cast<std::uint64_t>(set), i);
+    const std::vector<Box> boxes = boxes_of<Box>(set, 1 + entropy.below(70), entropy);
+    const std::vector<char> there(boxes.size(), 1);
+    GridOptions options;
+    if (i % 3 != 0 && set != Set::extreme && set != Set::sizes && set != Set::nested) {
+      options.cell_size = i % 3 == 1 ? 0.7 : 3;
+    }
+    const StaticGrid<Box> grid(boxes, options);
+    expect_pairs(grid, boxes, there, name(set, i));
+    expect_overlapping(grid, boxes, there, box_of<Box>(set, 0, entropy), name(set, i));
+    if (::testing::Test::HasFatalFailure()) break;
+    const std::size_t all = by_brute_force(boxes, there, true).size();
+    count.pairs += all;
+    count.touching += all - by_brute_force(boxes, there, false).size();
+  }
+  return count;
+}
+
+TEST(BoxGrids, StaticGridsTellThePairsOfBruteForce) {
+  for (const Set set : all_sets) {
+    const Count plane = expect_static<Aabb2>(set), space = expect_static<Aabb3>(set);
+    ASSERT_FALSE(HasFatalFailure());
+    EXPECT_GT(plane.pairs, 20u) << static_cast<int>(set);
+    EXPECT_GT(space.pairs, 20u) << static_cast<int>(set);
+    if (set == Set::lattice || set == Set::one_ulp) {
+      EXPECT_GT(space.touching, space.pairs / 10) << static_cast<int>(set);
+    }
+  }
+}
+
+/// Boxes come, go and move; the handles are those of a list of boxes.
+template <class Grid, class Box>
+void expect_changes(Grid grid, Set set, std::size_t seed) {
+  Entropy entropy(7150 + static_cast<std::uint64_t>(set), seed);
+  std::vector<Box> boxes;
+  std::vector<char> there;
+  const auto any = [&] { return static_cast<std::uint32_t>(entropy.below(boxes.size())); };
+  const int steps = 120;
+  for (int step = 0; step < steps; ++step) {
+    const Box box = box_of<Box>(set, static_cast<double>(entropy.below(4)) * 3, entropy);
+    const auto choice = entropy.below(step < steps / 2 ? 4 : 7);
+    if (choice < 3 || boxes.empty()) {
+      const std::uint32_t handle = grid.insert(box);
+      if (handle == boxes.size()) boxes.push_back(box), there.push_back(0);
+      ASSERT_LT(handle, boxes.size());
+      ASSERT_EQ(there[handle], 0);
+      boxes[handle] = box, there[handle] = 1;
+    } else if (choice < 5) {
+      const std::uint32_t handle = any();
+      if (there[handle] != 0) {
+        grid.move(handle, box);
+        boxes[handle] = box;
+      } else {
+        EXPECT_THROW(grid.move(handle, box), InvalidShape);
+      }
+    } else {
+      const std::uint32_t handle = any();
+      if (there[handle] != 0) grid.remove(handle);
+      there[handle] = 0;
+      EXPECT_THAT(text_of<InvalidShape>([&] { grid.remove(handle); }),
+                  HasSubstr("handle " + std::to_string(handle) + " is not in the grid"));
+    }
+    if (step % 20 == 19) {
+      expect_pairs(grid, boxes, there, name(set, seed));
+      expect_overlapping(grid, boxes, there, box, name(set, seed));
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+  }
+  EXPECT_EQ(grid.size(), static_cast<std::size_t>(std::count(there.begin(), there.end(), 1)));
+  EXPECT_GT(grid.memory(), 0u);
+}
+
+/// A size of cells of which no box of the set reaches into too many.
+double size_for(Set set) {
+  if (set == Set::extreme) return 0x1p1023;
+  return set == Set::nested ? 0x1p20 : set == Set::sizes ? 500 : 1.5;
+}
+
+template <class Box>
+Box world() {
+  if constexpr (std::is_same_v<Box, Aabb2>) return {{-3, -3}, {3, 3}};
+  if constexpr (std::is_same_v<Box, Aabb3>) return {{-3, -3, -3}, {3, 3, 3}};
+}
+
+template <class Box>
+void expect_dynamic(Set set) {
+  for (std::size_t seed = 0; seed < (battery::sanitized ? 1u : 3u); ++seed) {
+    expect_changes<HashedGrid<Box>, Box>(HashedGrid<Box>(size_for(set)), set, seed);
+    expect_changes<LinkedGrid<Box>, Box>(LinkedGrid<Box>(world<Box>(), 1), set, seed);
+    expect_changes<ImplicitGrid<Box>, Box>(ImplicitGrid<Box>(size_for(set), {.rows = seed == 0 ? 4u : 64u}), set, seed);
+    expect_changes<HierarchicalGrid<Box>, Box>(HierarchicalGrid<Box>(), set, seed);
+    expect_changes<HierarchicalGrid<Box>, Box>(HierarchicalGrid<Box>({.least_level = 1}), set, seed);
+    expect_changes<RowColumnGrid<Box>, Box>(RowColumnGrid<Box>({.rows = 16}), set, seed);
+    ASSERT_FALSE(::testing::Test::HasFailure()) << name(set, seed);
+  }
+}
+
+TEST(BoxGrids, GridsThatChangeTellThePairsOfBruteForce) {
+  for (const Set set : all_sets) {
+    expect_dynamic<Aabb2>(set);
+    expect_dynamic<Aabb3>(set);
+    ASSERT_FALSE(HasFailure());
+  }
+}
+
+/// Of many boxes, in many parts.
+TEST(BoxGrids, TellTheSamePairsOnAnyNumberOfThreads) {
+  Entropy entropy(7160, 0);
+  std::vector<Aabb3> boxes = boxes_of<Aabb3>(Set::random, battery::fitting(9000u), entropy);
+  for (Aabb3& b : boxes) {
+    b.max.x = b.min.x + (b.max.x - b.min.x) / 4, b.max.y = b.min.y + (b.max.y - b.min.y) / 4;
+  }
+  const StaticGrid3 grid(boxes);
+  HierarchicalGrid3 levels;
+  ImplicitGrid3 bits(grid.cell_size());
+  RowColumnGrid3 rows;
+  HashedGrid3 hashed(grid.cell_size());
+  for (const Aabb3& b : boxes) levels.insert(b), bits.insert(b), rows.insert(b), hashed.insert(b);
+  const std::vector<BoxPair> serial = grid.pairs({.execution = Execution::serial});
+  EXPECT_GT(serial.size(), boxes.size() / 2);
+  EXPECT_EQ(sorted(levels.pairs()), sorted(serial));
+  EXPECT_EQ(sorted(hashed.pairs()), sorted(serial));
+  EXPECT_EQ(bits.pairs(), sorted(serial));
+  EXPECT_EQ(rows.pairs(), sorted(serial));
+  for (const std::size_t threads : {1, 2, 5}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    EXPECT_EQ(grid.pairs(), serial);
+    EXPECT_EQ(levels.pairs(), levels.pairs({.execution = Execution::serial}));
+  }
+}
+
+TEST(BoxGrids, OfNothing) {
+  const StaticGrid3 none{std::span<const Aabb3>()};
+  EXPECT_TRUE(none.pairs().empty());
+  EXPECT_TRUE(none.overlapping({{0, 0, 0}, {1, 1, 1}}).empty());
+  EXPECT_TRUE(HashedGrid2(1).pairs().empty());
+  EXPECT_TRUE(HierarchicalGrid2().overlapping({{0, 0}, {1, 1}}).empty());
+  EXPECT_TRUE(RowColumnGrid2().pairs().empty());
+  EXPECT_TRUE(ImplicitGrid2(1).overlapping({{0, 0}, {1, 1}}).empty());
+  EXPECT_EQ(choose_cell_size(std::span<const Aabb2>()).size, 1);
+}
+
+/// What throws names the mistake, and changes nothing.
+TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
+  const std::vector<Aabb2> boxes{{{0, 0}, {1, 1}}, {{0, 0}, {1e6, 1e6}}};
+  EXPECT_THAT(text_of<InvalidShape>([&] { StaticGrid2(boxes, {.cell_size = 0}); }), HasSubstr("cell_size is 0"));
+  EXPECT_THAT(text_of<NonFinite>([&] { StaticGrid2(boxes, {.cell_size = NAN}); }), HasSubstr("cell_size is nan"));
+  EXPECT_THAT(text_of<Error>([&] { StaticGrid2(boxes, {.cell_size = 1e-3}); }), HasSubstr("choose larger cells"));
+  const std::vector<Aabb2> inverted{{{0, 0}, {1, 1}}, {{0, 2}, {1, 1}}}, infinite{{{0, 0}, {INFINITY, 1}}};
+  EXPECT_THAT(text_of<InvalidShape>([&] { StaticGrid2{inverted}; }), HasSubstr("boxes[1] is empty"));
+  EXPECT_THAT(text_of<NonFinite>([&] { StaticGrid2{infinite}; }), HasSubstr("boxes[0].max.x is inf"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { (void)choose_cell_size(std::span(inverted)); }), HasSubstr("boxes[1]"));
+
+  HashedGrid2 grid(1, {.most_memory = 1 << 20});
+  const std::uint32_t first = grid.insert(boxes[0]);
+  EXPECT_THAT(text_of<Error>([&] { grid.insert(boxes[1]); }), HasSubstr("options.most_memory is 1048576"));
+  EXPECT_THAT(text_of<Error>([&] { grid.move(first, boxes[1]); }), HasSubstr("choose larger cells"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { grid.insert(inverted[1]); }), HasSubstr("box is empty"));
+  EXPECT_THAT(text_of<NonFinite>([&] { grid.move(first, infinite[0]); }), HasSubstr("box.max.x is inf"));
+  EXPECT_EQ(grid.size(), 1u);
+  EXPECT_EQ(grid[first], boxes[0]);
+  EXPECT_EQ(grid.overlapping(boxes[1]), std::vector<std::uint32_t>{first});
+  EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("cell_size is 0"));
+  EXPECT_THAT(text_of<Error>([] {
+                LinkedGrid2({{0, 0}, {1e9, 1e9}}, 1);
+              }),
+              HasSubstr("LinkedGrid: the grid would take"));
+
+  ImplicitGrid2 bits(1, {.most_memory = 5000});
+  for (int i = 0; i < 64; ++i) bits.insert(boxes[0]);
+  EXPECT_THAT(text_of<Error>([&] { bits.insert(boxes[0]); }), HasSubstr("ImplicitGrid.insert"));
+  EXPECT_EQ(bits.pairs().size(), 64u * 63 / 2);
+  EXPECT_THAT(text_of<InvalidShape>([] { ImplicitGrid2(1, {.rows = 3}); }), HasSubstr("options.rows is 3"));
+  EXPECT_THAT(text_of<InvalidShape>([] { RowColumnGrid2({.rows = 0}); }), HasSubstr("options.rows is 0"));
+  EXPECT_THAT(text_of<InvalidShape>([] { HierarchicalGrid2({.least_level = 2000}); }),
+              HasSubstr("least_level is 2000"));
+}
+
+/// Any range of sizes: a level for each that there is, none for what has gone.
+TEST(BoxGrids, HaveALevelForEachSize) {
+  HierarchicalGrid3 grid;
+  RowColumnGrid3 rows;
+  std::vector<std::uint32_t> handles;
+  for (int e = -900; e <= 900; e += 100) {
+    const double size = std::ldexp(1, e);
+    handles.push_back(grid.insert({{0, 0, 0}, {size, size, size}}));
+    rows.insert({{0, 0, 0}, {size, size, size}});
+  }
+  EXPECT_EQ(grid.levels(), handles.size());
+  EXPECT_EQ(rows.levels(), handles.size());
+  EXPECT_EQ(grid.pairs().size(), handles.size() * (handles.size() - 1) / 2);
+  for (const std::uint32_t h : handles) grid.remove(h), rows.remove(h);
+  EXPECT_EQ(grid.levels(), 0u);
+  EXPECT_EQ(rows.levels(), 0u);
+}
+
+TEST(ChooseCellSize, IsAPowerOfTwoOfTheBoxesSizes) {
+  Entropy entropy(7170, 0);
+  for (const Set set : all_sets) {
+    const CellSize chosen = choose_cell_size(std::span<const Aabb3>(boxes_of<Aabb3>(set, 50, entropy)));
+    EXPECT_EQ(std::ldexp(1, std::ilogb(chosen.size)), chosen.size) << static_cast<int>(set);
+    EXPECT_LE(chosen.mean_extent, chosen.largest_extent);
+  }
+  const std::vector<Aabb2> same(9, Aabb2{{1, 1}, {4, 2}});
+  EXPECT_EQ(choose_cell_size(std::span(same)).mean_extent, 3);
+  EXPECT_EQ(choose_cell_size(std::span(same)).largest_extent, 3);
+}
+
+/// Bits against stamps, whatever was visited before.
+TEST(VisitBits, AreASetThatIsEmptiedByEachQuery) {
+  Entropy entropy(7171, 0);
+  VisitBits bits(200);
+  VisitStamps stamps(200);
+  for (int query = 0; query < 2000; ++query) {
+    for (auto visits = entropy.below(20); visits-- > 0;) {
+      const auto i = static_cast<std::size_t>(entropy.below(200));
+      ASSERT_EQ(bits.visited(i), stamps.visited(i)) << query;
+      ASSERT_EQ(bits.visit(i), stamps.visit(i)) << query;
+    }
+    if (entropy.below(300) == 0) {
+      bits.reset(200), stamps.reset(200);
+    } else {
+      bits.begin(), stamps.begin();
+    }
+  }
+  EXPECT_EQ(VisitBits().size(), 0u);
+}
+
+}  // namespace
+}  // namespace plumb
