@@ -85,13 +85,13 @@ TEST(SquareSumTest, WhatIsCertainlyBeyondIs) {
       ASSERT_GT(exact_b, exact_a) << "433 " << i;
       ++beyond, infinite += b.value == samples::infinity ? 1 : 0;
     } else if (a.value > 0x1p-900) {
-      ASSERT_LE(exact_b, exact_a * rational(1 + 0x1p-49)) << "433 " << i;
+      ASSERT_LE(exact_b, exact_a * rational(1 + 0x1p-48)) << "433 " << i;
       doubted += exact_b > exact_a ? 1 : 0;
     }
     if (b.value > decltype(b)::certainly_beyond(a.value)) {
       ASSERT_GT(exact_b, rational(a.value)) << "433 " << i;
     } else if (a.value > 0x1p-900) {
-      ASSERT_LE(exact_b, rational(a.value) * rational(1 + 0x1p-49)) << "433 " << i;
+      ASSERT_LE(exact_b, rational(a.value) * rational(1 + 0x1p-48)) << "433 " << i;
     }
   }
   EXPECT_GE(beyond, cases / 5);
