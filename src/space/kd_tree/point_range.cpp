@@ -14,7 +14,8 @@ namespace space::kd {
 namespace {
 
 void require_radius(double radius) {
-  require_finite_parts<Point2>("within", {"radius"}, Point2{radius, 0});
+  if (!(radius - radius == 0))
+    throw NonFinite("within: radius is " + std::to_string(radius) + ", not a real number; give a finite double");
   if (radius < 0) throw InvalidShape("within: radius is " + std::to_string(radius) + ", but it must not be negative");
 }
 
