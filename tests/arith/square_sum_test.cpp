@@ -67,6 +67,38 @@ TEST(SquareSumTest, NumbersAreAsNearAsTheirTypesSay) {
   EXPECT_GE(scalings, cases / 3);
 }
 
+// One square against another that is nearly it, or against a number: what is certainly beyond is so, and not much of
+// what is beyond is doubted.
+TEST(SquareSumTest, WhatIsCertainlyBeyondIs) {
+  using namespace arith::squares;
+  std::size_t beyond = 0, doubted = 0, infinite = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    Entropy entropy(433, i);
+    const double of = std::ldexp(1.0, static_cast<int>(entropy.within(515)));
+    const double x = of * signed_unit_coordinate(entropy), y = of * signed_unit_coordinate(entropy);
+    const double z = moved_by_ulps(x, entropy.within(12)), w = entropy.below(4) == 0 ? 0x1p520 : y;
+    const auto a = squared(difference(x, 0)) + squared(difference(y, 0)),
+               b = squared(difference(z, 0)) + squared(difference(w, 0));
+    if (!(a.value < samples::infinity)) continue;
+    const mpq_class exact_a = square(x, 0, 1) + square(y, 0, 1), exact_b = square(z, 0, 1) + square(w, 0, 1);
+    if (b.value > a.beyond()) {
+      ASSERT_GT(exact_b, exact_a) << "433 " << i;
+      ++beyond, infinite += b.value == samples::infinity ? 1 : 0;
+    } else if (a.value > 0x1p-900) {
+      ASSERT_LE(exact_b, exact_a * rational(1 + 0x1p-48)) << "433 " << i;
+      doubted += exact_b > exact_a ? 1 : 0;
+    }
+    if (b.value > decltype(b)::certainly_beyond(a.value)) {
+      ASSERT_GT(exact_b, rational(a.value)) << "433 " << i;
+    } else if (a.value > 0x1p-900) {
+      ASSERT_LE(exact_b, rational(a.value) * rational(1 + 0x1p-48)) << "433 " << i;
+    }
+  }
+  EXPECT_GE(beyond, cases / 5);
+  EXPECT_GE(doubted, cases / 20);
+  EXPECT_GE(infinite, cases / 20);
+}
+
 // Balls that touch up to ulps, of all sizes.
 TEST(SquareSumTest, ComparisonsAreThoseOfExactNumbers) {
   using namespace arith::squares;

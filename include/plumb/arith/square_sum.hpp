@@ -4,7 +4,8 @@
 //
 // Nothing here is negative, so that a sum is its own magnitude: no second sum stands beside it.
 // Laws: (1) |value - exact| <= relative value + absolute, as long as the value is finite; of NaN and infinity nothing is
-// said.  (2) compare() has the sign of the exact difference, or says that it is not sure.
+// said.  (2) compare() has the sign of the exact difference, or says that it is not sure.  (3) What exceeds
+// certainly_beyond() is beyond, infinity as well.
 // Proof: docs/proof.md, "Sums of squares".
 // Source: RTCD 11.2.
 // Cost: that of the plain operations.
@@ -51,6 +52,19 @@ struct NotNegative {
   static constexpr double certainly_within(double limit) {
     const double most = quotient(Interval(limit) - Interval(absolute), Interval(1) + Interval(relative)).lower;
     return most >= 0 && limit < Interval::infinity ? most : -1;
+  }
+  /// Whose value is more than this is itself more than the limit; infinite where nothing is certain.
+  static constexpr double certainly_beyond(double limit) {
+    constexpr Interval share = quotient(Interval(1), Interval(1) - Interval(relative));
+    return ((Interval(limit) + Interval(absolute)) * share).upper;
+  }
+  /// Whose value is more than this is itself more than the exact number.
+  [[nodiscard]] constexpr double beyond() const {
+    constexpr Interval less = Interval(1) - Interval(relative),
+                       factor = quotient(Interval(1) + Interval(relative), less),
+                       guard = quotient(Interval(absolute) + Interval(absolute), less);
+    // Outward after each operation, whether it rounded or not.
+    return Interval::up(Interval::up(value * factor.upper, 1) + guard.upper, 1);
   }
 };
 

@@ -1,0 +1,467 @@
+#include "space/kd_tree/point_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "certify/batch/instruction_sets.hpp"
+#include "plumb/arith/interval.hpp"
+#include "plumb/certify/compare_distance.hpp"
+#include "plumb/certify/sign_of.hpp"
+#include "plumb/query/closest/closest.hpp"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "space/kd_tree/point_search.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "arith/twofold.hpp"
+#include "certify/many_lanes.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace plumb::space::kd::HWY_NAMESPACE {
+namespace {
+
+namespace lanes = certify::many_lanes::HWY_NAMESPACE;
+namespace hn = hwy::HWY_NAMESPACE;
+using lanes::Many, lanes::Truth, lanes::Lanes, lanes::of_all, lanes::at_most;
+
+constexpr std::size_t count_of_lanes = hn::MaxLanes(Lanes());
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+HWY_INLINE Many load(const double* at) { return {hn::LoadU(Lanes(), at)}; }
+
+/// The first n lanes.
+HWY_INLINE unsigned first_lanes(std::size_t n) {
+  return n < count_of_lanes ? (1u << n) - 1 : (1u << count_of_lanes) - 1;
+}
+
+/// The query, and the tree that it is asked of.
+template <class Point>
+struct Query {
+  static constexpr std::size_t d = KdTree<Point>::dimension;
+  const KdTree<Point>& tree;
+  const Point& p;
+  std::array<double, d> at;
+  std::array<double, d> scaled;  // times powers.before
+  Powers powers;
+
+  HWY_INLINE Query(const KdTree<Point>& t, const Point& q, Powers times)
+      : tree(t), p(q), at(coordinates(q)), scaled(at), powers(times) {
+    for (double& x : scaled) x *= powers.before;
+  }
+
+  /// The points of a leaf in turn, lane by lane: their values.
+  template <class Visit>
+  HWY_INLINE void each_value(std::size_t leaf, const Visit& visit) const {
+    const std::size_t first = tree.first(leaf), count = tree.first(leaf + 1) - first;
+    const double* const from = tree.coordinates.data() + d * first;
+    for (std::size_t i = 0; i < count; i += count_of_lanes) {
+      const auto square = [&](std::size_t a) HWY_ATTR {
+        const Many x = (load(from + a * count + i) * of_all(powers.before) - of_all(scaled[a])) * of_all(powers.after);
+        return x * x;
+      };
+      Many sum = square(0) + square(1);
+      if constexpr (d == 3) sum = sum + square(2);
+      visit(sum, first, i, count);
+    }
+  }
+  HWY_INLINE Candidate<Point> candidate(std::size_t first, std::size_t i, std::size_t count, double value) const {
+    const double* const from = tree.coordinates.data() + d * first + i;
+    if constexpr (d == 2) {
+      return {{from[0], from[count]}, tree.numbers[first + i], value};
+    } else {
+      return {{from[0], from[count], from[2 * count]}, tree.numbers[first + i], value};
+    }
+  }
+  /// The square of the way to a plane; of those to planes of all axes.
+  HWY_INLINE double square_to(std::size_t node) const {
+    const double x = (scaled[tree.axes[node]] - tree.planes[node] * powers.before) * powers.after;
+    return x * x;
+  }
+  static HWY_INLINE double sum_of(const std::array<double, d>& square) {
+    if constexpr (d == 2) {
+      return square[0] + square[1];
+    } else {
+      return square[0] + square[1] + square[2];
+    }
+  }
+};
+
+/// The child of a node on the query's side.
+template <class Point>
+HWY_INLINE std::size_t near_child(const KdTree<Point>& tree, std::size_t node,
+                                  const std::array<double, KdTree<Point>::dimension>& at) {
+  return 2 * node + 1 + static_cast<std::size_t>(at[tree.axes[node]] >= tree.planes[node]);
+}
+
+template <class Point>
+HWY_INLINE std::size_t find_leaf(const KdTree<Point>& tree, const std::array<double, KdTree<Point>::dimension>& at) {
+  std::size_t node = 0;
+  for (unsigned level = 0; level < tree.levels; ++level) node = near_child(tree, node, at);
+  return node - (tree.leaves() - 1);
+}
+
+/// The cells below a node, of which `square` is known, nearer ones first; `limit()` may fall with every leaf.
+template <class Point, class Limit, class Visit>
+void search_below(const Query<Point>& query, std::size_t start, const std::array<double, Query<Point>::d>& square,
+                  const Limit& limit, const Visit& visit) {
+  struct Entry {
+    std::size_t node;
+    double sum;
+    std::array<double, Query<Point>::d> square;
+  };
+  const KdTree<Point>& tree = query.tree;
+  const std::size_t first_leaf = tree.leaves() - 1;
+  std::array<Entry, 34> stack;  // one a level at the most
+  std::size_t height = 0;
+  stack[height++] = {start, 0, square};
+  while (height != 0) {
+    const Entry top = stack[--height];
+    if (top.sum > limit()) continue;
+    std::size_t node = top.node;
+    while (node < first_leaf) {
+      const std::size_t near = near_child(tree, node, query.at);
+      Entry& far = stack[height];
+      far.node = 4 * node + 3 - near;
+      far.square = top.square;
+      far.square[tree.axes[node]] = query.square_to(node);
+      far.sum = Query<Point>::sum_of(far.square);
+      height += far.sum > limit() ? 0 : 1;
+      node = near;
+    }
+    visit(node - first_leaf);
+  }
+}
+
+/// The leaf that holds the query, and what may be as near as the limit of the others, from there upward.
+template <class Point, class Limit, class Visit>
+HWY_INLINE void search_from(const Query<Point>& query, std::size_t leaf, const Limit& limit, const Visit& visit) {
+  visit(leaf);
+  for (std::size_t node = leaf + (query.tree.leaves() - 1); node != 0; node = (node - 1) / 2) {
+    const std::size_t parent = (node - 1) / 2;
+    const double value = query.square_to(parent);
+    if (value > limit()) continue;
+    std::array<double, Query<Point>::d> square{};
+    square[query.tree.axes[parent]] = value;
+    search_below(query, 4 * parent + 3 - node, square, limit, visit);
+  }
+}
+
+/// Of a value at which products overflow, or are lost.
+HWY_INLINE bool is_extreme(double value) { return !(value > 0x1p-900 && value < infinity); }
+
+/// The k points that are nearest as yet, the farthest of which says what may be nearer.
+template <class Point>
+class NearestSoFar {
+ public:
+  HWY_INLINE NearestSoFar(const Point& p, Candidate<Point>* room, std::size_t k) : p_(p), best_(room), k_(k) {}
+
+  [[nodiscard]] HWY_INLINE double limit() const { return limit_; }
+  [[nodiscard]] HWY_INLINE bool is_full() const { return size_ == k_; }
+  [[nodiscard]] HWY_INLINE const Candidate<Point>& last() const { return best_[k_ - 1]; }
+  HWY_INLINE void clear() { size_ = 0, limit_ = infinity; }
+
+  HWY_INLINE void scan(const Query<Point>& query, std::size_t leaf) {
+    query.each_value(leaf, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
+      unsigned may_be = bits_of(at_most(value, of_all(limit_))) & first_lanes(count - i);
+      if (may_be == 0) return;
+      HWY_ALIGN double values[count_of_lanes];
+      hn::Store(value.v, Lanes(), values);
+      // Of several the least value comes first, so that as a rule it is the only one.
+      if (k_ == 1 && (may_be & (may_be - 1)) != 0) {
+        double least = infinity;
+        for (unsigned rest = may_be; rest != 0; rest &= rest - 1) least = std::min(least, values[__builtin_ctz(rest)]);
+        may_be &= bits_of(at_most(value, of_all(Square<Point>{least}.beyond())));
+      }
+      for (; may_be != 0; may_be &= may_be - 1) {
+        const auto k = static_cast<std::size_t>(__builtin_ctz(may_be));
+        if (!(values[k] > limit_)) offer(query.candidate(first, i + k, count, values[k]));
+      }
+    });
+  }
+
+ private:
+  HWY_INLINE void offer(const Candidate<Point>& c) {
+    if (size_ == k_ && !comes_first(p_, c, best_[k_ - 1])) return;
+    std::size_t place = size_ < k_ ? size_++ : k_ - 1;
+    for (; place != 0 && comes_first(p_, c, best_[place - 1]); --place) best_[place] = best_[place - 1];
+    best_[place] = c;
+    if (size_ == k_) limit_ = Square<Point>{best_[k_ - 1].value}.beyond();
+  }
+
+  const Point& p_;
+  Candidate<Point>* best_;
+  std::size_t k_, size_ = 0;
+  double limit_ = infinity;
+};
+
+/// Searches again with differences times another power of two where the values are extreme, as long as that brings
+/// another power.
+template <class Point>
+HWY_INLINE void find_nearest(const KdTree<Point>& tree, const Point& p, std::size_t leaf, NearestSoFar<Point>& found) {
+  Powers powers;
+  bool raised = false;
+  for (bool again = true; again;) {
+    again = false;
+    const Query<Point> query(tree, p, powers);
+    search_from(
+        query, leaf, [&]() HWY_ATTR { return again ? -1 : found.limit(); },
+        [&](std::size_t at) HWY_ATTR {
+          found.scan(query, at);
+          if (!found.is_full() || !is_extreme(found.last().value)) [[likely]]
+            return;
+          if (found.last().at == p) return;
+          const Powers other = powers_for(tree, p, half_of_widest(p, found.last().at));
+          // Nearer points only raise the power again: what is far may be infinite then, and is beyond them.
+          if (other.after == powers.after || (raised && other.after < powers.after)) return;
+          raised = raised || other.after > powers.after;
+          powers = other, again = true;
+        });
+    if (again) found.clear();
+  }
+}
+
+/// The nearest double to the distance.
+template <class Point>
+HWY_INLINE double distance_between(const Point& p, const Point& q) {
+  if (p == q) return 0;
+  constexpr bool fma = HWY_NATIVE_FMA != 0;
+  using Two = Twofold<fma>;
+  const auto a = coordinates(p), b = coordinates(q);
+  const auto square = [&](std::size_t k) HWY_ATTR { return Two::difference(a[k], b[k]).squared(); };
+  double told = 0;
+  Two sum = square(0) + square(1);
+  if constexpr (sizeof(Point) == sizeof(Point3)) sum = sum + square(2);
+  return root_at_once(sum).told(told) ? told : distance(p, q);
+}
+
+template <class Point>
+HWY_INLINE NearestPoint nearest_from(const KdTree<Point>& tree, const Point& p, std::size_t leaf) {
+  Candidate<Point> best;
+  NearestSoFar<Point> found(p, &best, 1);
+  find_nearest(tree, p, leaf, found);
+  return {best.number, distance_between(p, best.at)};
+}
+
+template <class Point>
+NearestPoint one(const KdTree<Point>& tree, const Point& p) {
+  return nearest_from(tree, p, find_leaf(tree, coordinates(p)));
+}
+template <class Point>
+void of_each(const KdTree<Point>& tree, const Point* queries, const std::uint64_t* keys, std::size_t n,
+             NearestPoint* out) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto number = static_cast<std::uint32_t>(keys[i]);
+    out[number] = nearest_from(tree, queries[number], keys[i] >> 32);
+  }
+}
+template <class Point>
+void leaves(const KdTree<Point>& tree, const Point* queries, std::size_t n, std::uint64_t* keys) {
+  for (std::size_t i = 0; i < n; ++i) keys[i] = std::uint64_t{find_leaf(tree, coordinates(queries[i]))} << 32 | i;
+}
+template <class Point>
+void several(const KdTree<Point>& tree, const Point& p, std::size_t leaf, Candidate<Point>* room, std::size_t k,
+             NearestPoint* out) {
+  NearestSoFar<Point> found(p, room, k);
+  find_nearest(tree, p, leaf, found);
+  for (std::size_t i = 0; i < k; ++i) out[i] = {room[i].number, distance_between(p, room[i].at)};
+}
+
+/// Those of whose values it is certain, or is_in says so.
+template <class Point, class IsIn>
+HWY_INLINE void add_within_values(const Query<Point>& query, std::size_t leaf, double inside, double outside,
+                                  const IsIn& is_in, std::vector<std::uint32_t>& numbers) {
+  search_from(
+      query, leaf, [&]() HWY_ATTR { return outside; },
+      [&](std::size_t at) HWY_ATTR {
+        query.each_value(at, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
+          unsigned in = bits_of(at_most(value, of_all(outside))) & first_lanes(count - i);
+          const unsigned sure = bits_of(at_most(value, of_all(inside)));
+          for (; in != 0; in &= in - 1) {
+            const auto k = static_cast<std::size_t>(__builtin_ctz(in));
+            if ((sure >> k & 1) != 0 || is_in(query.candidate(first, i + k, count, 0)))
+              numbers.push_back(query.tree.numbers[first + i + k]);
+          }
+        });
+      });
+}
+
+template <class Point>
+void ball(const KdTree<Point>& tree, const Point& p, double radius, Powers powers, double inside, double outside,
+          std::vector<std::uint32_t>& numbers) {
+  const Query<Point> query(tree, p, powers);
+  add_within_values(
+      query, find_leaf(tree, query.at), inside, outside,
+      [&](const Candidate<Point>& c) { return compare_distance(p, c.at, radius) != Sign::positive; }, numbers);
+}
+template <class Point>
+void ties(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers powers,
+          std::vector<std::uint32_t>& numbers) {
+  const Query<Point> query(tree, p, powers);
+  std::array<double, Query<Point>::d> square;
+  const auto b = coordinates(limit);
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    const double x = (b[k] * powers.before - query.scaled[k]) * powers.after;
+    square[k] = x * x;
+  }
+  const double outside = Square<Point>{Query<Point>::sum_of(square)}.beyond();
+  add_within_values(
+      query, find_leaf(tree, query.at), -1, outside,
+      [&](const Candidate<Point>& c) { return compare_distance(p, c.at, limit) == Sign::zero; }, numbers);
+}
+
+template <class Point>
+void box(const KdTree<Point>& tree, const Point& least, const Point& most, std::vector<std::uint32_t>& numbers) {
+  constexpr std::size_t d = KdTree<Point>::dimension;
+  const auto low = coordinates(least), high = coordinates(most);
+  const std::size_t first_leaf = tree.leaves() - 1;
+  std::array<std::size_t, 34> stack;  // one a level at the most
+  std::size_t height = 0;
+  stack[height++] = 0;
+  while (height != 0) {
+    std::size_t node = stack[--height];
+    while (node < first_leaf) {
+      const std::uint8_t axis = tree.axes[node];
+      const double plane = tree.planes[node];
+      const bool above = high[axis] >= plane;
+      if (low[axis] <= plane) {
+        stack[height] = 2 * node + 2;
+        height += above ? 1 : 0;
+        node = 2 * node + 1;
+      } else {
+        node = 2 * node + 2;
+      }
+    }
+    const std::size_t leaf = node - first_leaf, first = tree.first(leaf), count = tree.first(leaf + 1) - first;
+    const double* const from = tree.coordinates.data() + d * first;
+    for (std::size_t i = 0; i < count; i += count_of_lanes) {
+      const auto inside = [&](std::size_t a) HWY_ATTR {
+        const Many x = load(from + a * count + i);
+        return at_most(of_all(low[a]), x) & at_most(x, of_all(high[a]));
+      };
+      Truth in = inside(0) & inside(1);
+      if constexpr (d == 3) in = in & inside(2);
+      for (unsigned bits = bits_of(in) & first_lanes(count - i); bits != 0; bits &= bits - 1)
+        numbers.push_back(tree.numbers[first + i + static_cast<std::size_t>(__builtin_ctz(bits))]);
+    }
+  }
+}
+
+// One for each dimension, which are exported by name.
+#define PLUMB_POINT_SEARCHES(d)                                                                                        \
+  NearestPoint one##d(const KdTree##d& t, const Point##d& p) { return one(t, p); }                                     \
+  void of_each##d(const KdTree##d& t, const Point##d* q, const std::uint64_t* keys, std::size_t n, NearestPoint* o) {  \
+    of_each(t, q, keys, n, o);                                                                                         \
+  }                                                                                                                    \
+  void leaves##d(const KdTree##d& t, const Point##d* q, std::size_t n, std::uint64_t* keys) { leaves(t, q, n, keys); } \
+  void several##d(const KdTree##d& t, const Point##d& p, std::size_t leaf, Candidate<Point##d>* room, std::size_t k,   \
+                  NearestPoint* o) {                                                                                   \
+    several(t, p, leaf, room, k, o);                                                                                   \
+  }                                                                                                                    \
+  void ball##d(const KdTree##d& t, const Point##d& p, double radius, Powers powers, double inside, double outside,     \
+               std::vector<std::uint32_t>& to) {                                                                       \
+    ball(t, p, radius, powers, inside, outside, to);                                                                   \
+  }                                                                                                                    \
+  void ties##d(const KdTree##d& t, const Point##d& p, const Point##d& limit, Powers powers,                            \
+               std::vector<std::uint32_t>& to) {                                                                       \
+    ties(t, p, limit, powers, to);                                                                                     \
+  }                                                                                                                    \
+  void box##d(const KdTree##d& t, const Point##d& low, const Point##d& high, std::vector<std::uint32_t>& to) {         \
+    box(t, low, high, to);                                                                                             \
+  }
+PLUMB_POINT_SEARCHES(2)
+PLUMB_POINT_SEARCHES(3)
+#undef PLUMB_POINT_SEARCHES
+
+}  // namespace
+}  // namespace plumb::space::kd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "certify/batch/chosen_target.hpp"
+
+namespace plumb::space::kd {
+namespace {
+
+#define PLUMB_EXPORT_BOTH(name) \
+  HWY_EXPORT(name##2);          \
+  HWY_EXPORT(name##3)
+PLUMB_EXPORT_BOTH(one);
+PLUMB_EXPORT_BOTH(of_each);
+PLUMB_EXPORT_BOTH(leaves);
+PLUMB_EXPORT_BOTH(several);
+PLUMB_EXPORT_BOTH(ball);
+PLUMB_EXPORT_BOTH(ties);
+PLUMB_EXPORT_BOTH(box);
+#undef PLUMB_EXPORT_BOTH
+
+}  // namespace
+
+template <class Point>
+Powers powers_for(const KdTree<Point>& tree, const Point& p, double distance) {
+  constexpr double large = 0x1p400;
+  if (distance > 1 / large && distance < large) return {};
+  if (distance == 0) return {1, 0x1p1000};
+  const double power = std::ldexp(1.0, std::clamp(-std::ilogb(distance), -1000, 1000));
+  bool halves = distance >= large && tree.halves;
+  for (const double x : coordinates(p)) halves = halves && has_half(x);
+  return halves ? Powers{0.5, 2 * power} : Powers{1, power};
+}
+
+#define PLUMB_BY_DIMENSION(name, ...)            \
+  if constexpr (std::is_same_v<Point, Point2>) { \
+    return PLUMB_DISPATCH(name##2)(__VA_ARGS__); \
+  } else {                                       \
+    return PLUMB_DISPATCH(name##3)(__VA_ARGS__); \
+  }
+
+template <class Point>
+NearestPoint nearest_one(const KdTree<Point>& tree, const Point& p) {
+  PLUMB_BY_DIMENSION(one, tree, p)
+}
+template <class Point>
+void find_leaves(const KdTree<Point>& tree, std::span<const Point> queries, std::uint64_t* keys) {
+  PLUMB_BY_DIMENSION(leaves, tree, queries.data(), queries.size(), keys)
+}
+template <class Point>
+void nearest_of_each(const KdTree<Point>& tree, const Point* queries, std::span<const std::uint64_t> keys,
+                     NearestPoint* out) {
+  PLUMB_BY_DIMENSION(of_each, tree, queries, keys.data(), keys.size(), out)
+}
+template <class Point>
+void k_nearest(const KdTree<Point>& tree, const Point& p, std::size_t leaf, std::span<Candidate<Point>> room,
+               NearestPoint* out) {
+  PLUMB_BY_DIMENSION(several, tree, p, leaf, room.data(), room.size(), out)
+}
+template <class Point>
+void add_ties(const KdTree<Point>& tree, const Point& p, const Point& limit, std::vector<std::uint32_t>& numbers) {
+  const Powers powers = powers_for(tree, p, p == limit ? 0 : half_of_widest(p, limit));
+  PLUMB_BY_DIMENSION(ties, tree, p, limit, powers, numbers)
+}
+template <class Point>
+void add_within(const KdTree<Point>& tree, const Point& p, double radius, std::vector<std::uint32_t>& numbers) {
+  const Powers powers = powers_for(tree, p, radius);
+  const Interval scaled(radius * powers.before * powers.after), square = scaled * scaled;
+  const double inside = Square<Point>::certainly_within(square.lower),
+               outside = Square<Point>::certainly_beyond(square.upper);
+  PLUMB_BY_DIMENSION(ball, tree, p, radius, powers, inside, outside, numbers)
+}
+template <class Point>
+void add_in_box(const KdTree<Point>& tree, const BoxOf<Point>& box,
+                std::vector<std::uint32_t>& numbers){PLUMB_BY_DIMENSION(box, tree, box.min, box.max, numbers)}
+#undef PLUMB_BY_DIMENSION
+
+#define PLUMB_INSTANTIATE(P)                                                                                \
+  template Powers powers_for(const KdTree<P>&, const P&, double);                                           \
+  template NearestPoint nearest_one(const KdTree<P>&, const P&);                                            \
+  template void find_leaves(const KdTree<P>&, std::span<const P>, std::uint64_t*);                          \
+  template void nearest_of_each(const KdTree<P>&, const P*, std::span<const std::uint64_t>, NearestPoint*); \
+  template void k_nearest(const KdTree<P>&, const P&, std::size_t, std::span<Candidate<P>>, NearestPoint*); \
+  template void add_ties(const KdTree<P>&, const P&, const P&, std::vector<std::uint32_t>&);                \
+  template void add_within(const KdTree<P>&, const P&, double, std::vector<std::uint32_t>&);                \
+  template void add_in_box<P>(const KdTree<P>&, const BoxOf<P>&, std::vector<std::uint32_t>&);
+PLUMB_INSTANTIATE(Point2) PLUMB_INSTANTIATE(Point3)
+#undef PLUMB_INSTANTIATE
+
+}  // namespace plumb::space::kd
+#endif
