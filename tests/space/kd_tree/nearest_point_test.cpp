@@ -70,7 +70,7 @@ TYPED_TEST(NearestPointTest, OfManyIsThatOfEach) {
     const auto all = point_sets::points<TypeParam>(kind, battery::fitting(1500u), e);
     const auto tree = build_kd_tree(all);
     std::vector<TypeParam> queries;
-    for (std::size_t i = 0; i < battery::fitting(5000u); ++i) {
+    for (std::size_t i = 0; i < battery::fitting(2500u); ++i) {
       // Mostly few, so that blocks of many queries are met without many exact answers.
       queries.push_back(i < 200 ? point_sets::query(kind, all, e) : queries[i % 200]);
     }
