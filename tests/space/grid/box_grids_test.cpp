@@ -284,7 +284,7 @@ TEST(BoxGrids, TellTheSamePairsOnAnyNumberOfThreads) {
   EXPECT_EQ(sorted(hashed.pairs()), sorted(serial));
   EXPECT_EQ(bits.pairs(), sorted(serial));
   EXPECT_EQ(rows.pairs(), sorted(serial));
-  for (const std::size_t threads : {1, 2, 5}) {
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     EXPECT_EQ(grid.pairs(), serial);
     EXPECT_EQ(levels.pairs(), levels.pairs({.execution = Execution::serial}));
