@@ -82,7 +82,7 @@ void for_cells(const CellSpan<n>& span, const Visit& visit) {
 template <std::size_t n>
 bool holds_cell(const CellSpan<n>& span, const CellNumber<n>& cell) {
   bool in = true;
-  for (std::size_t k = 0; k < n; ++k) in &= (span.first[k] <= cell[k]) & (cell[k] <= span.last[k]);
+  for (std::size_t k = 0; k < n; ++k) in &= span.first[k] <= cell[k] && cell[k] <= span.last[k];
   return in;
 }
 

@@ -182,6 +182,7 @@ TEST(BoxGrids, StaticGridsTellThePairsOfBruteForce) {
   for (const Set set : all_sets) {
     const Count plane = expect_static<Aabb2>(set), space = expect_static<Aabb3>(set);
     ASSERT_FALSE(HasFatalFailure());
+    if (!battery::reaches_rare) continue;
     EXPECT_GT(plane.pairs, 20u) << static_cast<int>(set);
     EXPECT_GT(space.pairs, 20u) << static_cast<int>(set);
     if (set == Set::lattice || set == Set::one_ulp) {
@@ -279,12 +280,14 @@ TEST(BoxGrids, TellTheSamePairsOnAnyNumberOfThreads) {
   HashedGrid3 hashed(grid.cell_size());
   for (const Aabb3& b : boxes) levels.insert(b), bits.insert(b), rows.insert(b), hashed.insert(b);
   const std::vector<BoxPair> serial = grid.pairs({.execution = Execution::serial});
-  EXPECT_GT(serial.size(), boxes.size() / 2);
+  if (battery::reaches_rare) {
+    EXPECT_GT(serial.size(), boxes.size() / 2);
+  }
   EXPECT_EQ(sorted(levels.pairs()), sorted(serial));
   EXPECT_EQ(sorted(hashed.pairs()), sorted(serial));
   EXPECT_EQ(bits.pairs(), sorted(serial));
   EXPECT_EQ(rows.pairs(), sorted(serial));
-  for (const std::size_t threads : {1, 2, 5}) {
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     EXPECT_EQ(grid.pairs(), serial);
     EXPECT_EQ(levels.pairs(), levels.pairs({.execution = Execution::serial}));

@@ -7,7 +7,7 @@
 // Laws: (1) visit(i) is true exactly once between two calls of begin, for each i.  (2) visited(i) says whether it has
 // been called since then.  (3) Of any number of queries: when the stamps come round, all are cleared.
 // An i that is not below size() is a mistake of the caller.
-// Source: RTCD 7.7.
+// Source: RTCD 7.7, 7.7.2, 7.7.3.
 // Cost: a byte each; begin clears them once in 255 calls, which is size() / 255 bytes a query.  It pays where a test
 // costs more than the miss of a cache that a stamp may cost: measure, or test again.
 #pragma once

@@ -13,11 +13,11 @@
 // removed.  (2) Any size of cells gives the same pairs.  (3) A handle is given again after its box has been removed;
 // what throws leaves the grid as it was.
 // What overlaps a box comes up in each cell that both reach into.  It is told once: by the lowest of these cells, as of
-// pairs, which needs no memory; or by stamps or bits that remember it, which spares the test of boxes (RTCD 7.7).  The
+// pairs, which needs no memory; or by stamps or bits that remember it, which spares the test of boxes.  The
 // lowest cell is as fast, and any number of threads may ask (docs/measurements.md).
 // A cell size that is not above zero, an empty box and a handle that is not in the grid throw InvalidShape; NaN and
 // infinity NonFinite; a grid that would take more than options.most_memory throws Error.
-// Source: RTCD 7.1.2, 7.1.3, 7.1.6.
+// Source: RTCD 7.1.2, 7.1.3, 7.1.6, 7.7.1, 7.7.2, 7.7.3.
 // Cost: insert, move and remove in proportion to the cells of the box, and to the boxes in them; a move within the same
 // cells is a copy.
 #pragma once

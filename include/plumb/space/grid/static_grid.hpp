@@ -10,7 +10,7 @@
 // would be more than some for each box.
 // A cell size that is not above zero and boxes that are empty throw InvalidShape; NaN and infinity NonFinite; a grid
 // that would take more than options.most_memory throws Error.
-// Source: RTCD 7.1.1, 7.1.4, 7.1.6.2.
+// Source: RTCD 7.1.4, 7.1.6.
 // Cost: time and memory in proportion to the cells that boxes reach into, and to the pairs of boxes in one cell; a
 // slice of many boxes is swept along x.
 #pragma once
