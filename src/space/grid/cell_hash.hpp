@@ -5,6 +5,8 @@
 
 namespace plumb::space {
 
+inline constexpr std::size_t least_places = 64;
+
 template <std::size_t n>
 std::uint64_t hash_of(const CellNumber<n>& cell) {
   constexpr std::uint64_t odd[3] = {0x9E3779B97F4A7C15u, 0xC2B2AE3D27D4EB4Fu, 0x165667B19E3779F9u};

@@ -12,6 +12,9 @@
 
 namespace plumb::space {
 
+/// What one task looks through.
+inline constexpr std::size_t boxes_in_part = 1024;
+
 /// Throws NonFinite and InvalidShape, naming the function and the box.
 template <class Box>
 void require_grid_box(const std::string& function, const std::string& name, const Box& box) {

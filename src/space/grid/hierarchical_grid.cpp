@@ -10,8 +10,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t least_places = 64, boxes_in_part = 2048;
-
 /// What a box, which reaches into these cells, may find there: it is told by its first cell, and reaches no farther
 /// than the next.
 template <std::size_t n>
@@ -28,7 +26,7 @@ HierarchicalGrid<Box>::HierarchicalGrid(const HierarchicalGridOptions& options) 
     throw InvalidShape("HierarchicalGrid: options.least_level is " + std::to_string(options.least_level) +
                        ", but it must not be above 1023");
   }
-  heads_.assign(least_places, none);
+  heads_.assign(space::least_places, none);
 }
 
 template <class Box>
@@ -152,11 +150,11 @@ void HierarchicalGrid<Box>::pairs_of(std::uint32_t a, bool touching, std::vector
 
 template <class Box>
 std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options) const {
-  const std::size_t parts = (entries_.size() + boxes_in_part - 1) / boxes_in_part;
+  const std::size_t parts = (entries_.size() + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);
   space::for_parts("HierarchicalGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
-    const std::size_t end = std::min(entries_.size(), (part + 1) * boxes_in_part);
-    for (std::size_t i = part * boxes_in_part; i < end; ++i) {
+    const std::size_t end = std::min(entries_.size(), (part + 1) * space::boxes_in_part);
+    for (std::size_t i = part * space::boxes_in_part; i < end; ++i) {
       const auto a = static_cast<std::uint32_t>(i);
       if (holds(a)) pairs_of(a, options.touching, found[part]);
     }

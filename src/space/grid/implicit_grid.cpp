@@ -8,8 +8,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t boxes_in_part = 1024;
-
 std::size_t checked_rows(const ImplicitGridOptions& options) {
   if (std::has_single_bit(options.rows) && options.rows <= std::size_t{1} << 30) return options.rows;
   throw InvalidShape("ImplicitGrid: options.rows is " + std::to_string(options.rows) +
@@ -60,12 +58,12 @@ void ImplicitGrid<Box>::move(std::uint32_t handle, const Box& box) {
 
 template <class Box>
 std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options) const {
-  const std::size_t all = boxes_.numbers(), parts = (all + boxes_in_part - 1) / boxes_in_part;
+  const std::size_t all = boxes_.numbers(), parts = (all + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);
   space::for_parts("ImplicitGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
     std::vector<std::uint64_t> both, one;
-    const std::size_t end = part + 1 == parts ? all : (part + 1) * boxes_in_part;
-    for (std::size_t i = part * boxes_in_part; i < end; ++i) {
+    const std::size_t end = part + 1 == parts ? all : (part + 1) * space::boxes_in_part;
+    for (std::size_t i = part * space::boxes_in_part; i < end; ++i) {
       const auto a = static_cast<std::uint32_t>(i);
       if (!holds(a)) continue;
       rows_.for_common(space::cells_of(boxes_[a], per_size_), i + 1, all, both, one, [&](std::size_t j) {

@@ -9,8 +9,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t least_places = 64;
-
 /// Where nothing is remembered.
 struct LowestCell {};
 void fit(LowestCell&, std::size_t) {}
@@ -31,7 +29,7 @@ ListGrid<Box, table>::ListGrid(const Box* world, double cell_size, const GridOpt
   const std::string function = world == nullptr ? "HashedGrid" : "LinkedGrid";
   per_size_ = space::per_cell_size(function, cell_size);
   if (world == nullptr) {
-    heads_.assign(least_places, none);
+    heads_.assign(space::least_places, none);
     return;
   }
   space::require_grid_box(function, "world", *world);

@@ -8,11 +8,6 @@
 #include "space/grid/grid_boxes.hpp"
 
 namespace plumb {
-namespace {
-
-constexpr std::size_t boxes_in_part = 1024;
-
-}  // namespace
 
 template <class Box>
 RowColumnGrid<Box>::RowColumnGrid(const RowColumnGridOptions& options) : options_(options) {
@@ -110,12 +105,12 @@ void RowColumnGrid<Box>::for_overlapping(const Box& box, bool touching, Scratch&
 
 template <class Box>
 std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options) const {
-  const std::size_t all = places_.size(), parts = (all + boxes_in_part - 1) / boxes_in_part;
+  const std::size_t all = places_.size(), parts = (all + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);
   space::for_parts("RowColumnGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
     Scratch scratch;
     std::vector<std::uint32_t> others;
-    for (std::size_t i = part * boxes_in_part, end = std::min(all, i + boxes_in_part); i < end; ++i) {
+    for (std::size_t i = part * space::boxes_in_part, end = std::min(all, i + space::boxes_in_part); i < end; ++i) {
       const auto a = static_cast<std::uint32_t>(i);
       if (!holds(a)) continue;
       others.clear();

@@ -11,6 +11,14 @@
 
 namespace plumb {
 namespace space::kd {
+
+/// Of one block: lists in the order in which they were asked for.
+struct ListBlock {
+  std::vector<std::uint32_t> numbers;
+  std::vector<std::size_t> start;  // of each query's list, by its place in the block
+  std::vector<std::size_t> size;
+};
+
 namespace {
 
 void require_radius(double radius) {
@@ -35,17 +43,10 @@ void sort_from(std::vector<std::uint32_t>& numbers, std::size_t from) {
   }
 }
 
-/// Of one block: lists in the order in which they were asked for.
-struct Block {
-  std::vector<std::uint32_t> numbers;
-  std::vector<std::size_t> start;  // of each query's list, by its place in the block
-  std::vector<std::size_t> size;
-};
-
 /// add(query, numbers) for each query, in the order of keys where there are any.
 template <class Keys, class Add>
-Block asked(const Keys& keys, const Add& add) {
-  Block block;
+ListBlock asked(const Keys& keys, const Add& add) {
+  ListBlock block;
   block.start.resize(keys.size()), block.size.resize(keys.size());
   for (const auto key : keys) {
     const auto number = static_cast<std::uint32_t>(key);
@@ -57,16 +58,16 @@ Block asked(const Keys& keys, const Add& add) {
   return block;
 }
 
-PointLists put_together(std::size_t n, std::size_t block_size, const std::vector<Block>& blocks) {
+PointLists put_together(std::size_t n, std::size_t block_size, const std::vector<ListBlock>& blocks) {
   PointLists lists;
   lists.first.clear();
   lists.first.reserve(n + 1);
   std::size_t total = 0;
-  for (const Block& b : blocks) total += b.numbers.size();
+  for (const ListBlock& b : blocks) total += b.numbers.size();
   lists.numbers.resize(total);
   std::size_t end = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Block& b = blocks[i / block_size];
+    const ListBlock& b = blocks[i / block_size];
     const std::size_t start = b.start[i % block_size], size = b.size[i % block_size];
     lists.first.push_back(end);
     for (std::size_t k = 0; k < size; ++k) lists.numbers[end + k] = b.numbers[start + k];
@@ -106,7 +107,7 @@ PointLists within(const KdTree<Point>& tree, std::span<const std::type_identity_
   using namespace space::kd;
   require_radius(radius);
   require_finite_points("within", "queries", queries);
-  std::vector<Block> blocks(space::blocks_of(queries.size(), block_size));
+  std::vector<ListBlock> blocks(space::blocks_of(queries.size(), block_size));
   space::for_blocks(execution, queries.size(), block_size, [&](std::size_t b, std::size_t from, std::size_t to) {
     in_query_order(tree, queries.subspan(from, to - from), Execution::serial,
                    [&](std::size_t, std::span<const std::uint64_t> keys) {
@@ -125,7 +126,7 @@ PointLists in_box(const KdTree<Point>& tree, std::span<const space::BoxOf<Point>
     const std::string box = "boxes[" + std::to_string(i) + "]", min = box + ".min", max = box + ".max";
     require_finite_parts<Point, Point>("in_box", {min, max}, boxes[i].min, boxes[i].max);
   }
-  std::vector<Block> blocks(space::blocks_of(boxes.size(), block_size));
+  std::vector<ListBlock> blocks(space::blocks_of(boxes.size(), block_size));
   space::for_blocks(execution, boxes.size(), block_size, [&](std::size_t b, std::size_t from, std::size_t to) {
     std::vector<std::uint32_t> keys(to - from);
     for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = static_cast<std::uint32_t>(i);

@@ -17,7 +17,7 @@
 // one of them, and the units by which those may be off.  They begin anew every few hundred steps.  Times too near to be
 // told apart are compared exactly, as the sign of a determinant of two exact differences.
 // Source: RTCD 7.4.2; Amanatides and Woo 1987.
-// Cost: a few ns a cell, and some 0.4 us to begin; some 50 ns where two walls are crossed at once or nearly so, and
+// Cost: a few ns a cell, and some 1 us to begin; some 50 ns where two walls are crossed at once or nearly so, and
 // where a closed ray runs in a wall.
 #pragma once
 
