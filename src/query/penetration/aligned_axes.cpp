@@ -3,11 +3,6 @@
 namespace plumb::query::parting {
 namespace {
 
-template <class T>
-const T& part(const Vec<T>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /// Pairs of doubles first: sums of a few numbers are exact in them, and so are ties.
 template <class Value>
 Sign sign_by_pairs(const Value& value) {
@@ -24,14 +19,14 @@ Vec<T> middle_of(const Difference& d) {
 class AxisOverlap {
  public:
   AxisOverlap(const EdgeSum& sum, std::size_t group, const Vec<Ball>& middle)
-      : sum_(sum), group_(group), middle_(part(middle, axis())), overlap_(overlap_by(middle_)) {}
+      : sum_(sum), group_(group), middle_(along_axis(middle, axis())), overlap_(overlap_by(middle_)) {}
 
   template <class T>
   [[nodiscard]] T middle() const {
     if constexpr (std::is_same_v<T, Ball>) {
       return middle_;
     } else {
-      return part(middle_of<T>(sum_.difference()), axis());
+      return along_axis(middle_of<T>(sum_.difference()), axis());
     }
   }
   template <class T>

@@ -3,11 +3,6 @@
 namespace plumb::query::parting {
 namespace {
 
-template <class T>
-T part(const Vec<T>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /// Is the point outside of the affine hull of these?
 bool leads_out(const Difference& d, const Basis& of, const Ends& e) {
   const auto from_first = [&]<class T>(const Ends& to) { return d.between<T>(of[0], to); };
@@ -20,7 +15,7 @@ bool leads_out(const Difference& d, const Basis& of, const Ends& e) {
   for (int axis = 0; axis < 3; ++axis) {
     const Sign s = sign_of([&]<class T>() -> T {
       const Vec<T> way = from_first.template operator()<T>(e);
-      return part(of.size() == 1 ? way : cross(from_first.template operator()<T>(of[1]), way), axis);
+      return along_axis(of.size() == 1 ? way : cross(from_first.template operator()<T>(of[1]), way), axis);
     });
     if (s != Sign::zero) return true;
   }

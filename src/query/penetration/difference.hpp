@@ -20,6 +20,11 @@ namespace plumb::query::parting {
 using arith::cross, arith::dot;
 using Ends = DifferenceCorners::Ends;
 
+template <class T>
+const T& along_axis(const Vec<T>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
 /// The sign of value<T>(), which says the same over every number type; after doubles.
 template <class Value>
 Sign exact_sign_of(const Value& value) {

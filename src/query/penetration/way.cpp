@@ -4,7 +4,7 @@ namespace plumb::query::parting {
 
 Sign compare_directions(const Difference& d, const Way& v, const Way& w) {
   for (int axis = 0; axis < 3; ++axis) {
-    const auto part = [axis]<class T>(const Vec<T>& x) { return axis == 0 ? x.x : axis == 1 ? x.y : x.z; };
+    const auto part = [axis]<class T>(const Vec<T>& x) { return along_axis(x, axis); };
     const Sign of_v = sign_of([&]<class T>() -> T { return part(v.along<T>(d)); }),
                of_w = sign_of([&]<class T>() -> T { return part(w.along<T>(d)); });
     if (of_v != of_w) return of_v < of_w ? Sign::negative : Sign::positive;
