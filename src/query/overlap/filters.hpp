@@ -129,5 +129,7 @@ inline constexpr std::array<unsigned char, 8> corner_alone{0, 0, 1, 2, 2, 1, 0, 
 
 /// Touching: in what the shared corners span, and nowhere else.  Overlapping: without a shared corner they cross.
 std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b);
+/// The relation alone: of triangles in one plane as well, who cross, or touch, anywhere.
+std::optional<Relation> relation_by_doubles(const Triangle3& a, const Triangle3& b);
 
 }  // namespace plumb::query

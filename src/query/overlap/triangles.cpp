@@ -17,7 +17,12 @@
 namespace plumb {
 namespace query {
 
-std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
+namespace {
+
+enum class InOnePlane : bool { left, told };
+
+template <InOnePlane in_one_plane>
+[[gnu::always_inline]] inline std::optional<Relation> told_by_doubles(const Triangle3& a, const Triangle3& b) {
   using predicates::cross, predicates::dot;
   const Difference ab = difference(a.a, a.b), ac = difference(a.a, a.c);
   const std::array to{difference(a.a, b.a), difference(a.a, b.b), difference(a.a, b.c)};
@@ -38,7 +43,7 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   if (!certain_a) {
     if (!(magnitude_of(error) < std::numeric_limits<double>::infinity())) return {};
     const bool are_coplanar = std::max(high(over_a), -low(over_a)) <= error;  // or nearly so
-    if (are_coplanar) {
+    if (in_one_plane == InOnePlane::told && are_coplanar) {
       if (const auto answer = by_short_plane(a, b, error)) return answer;
     }
     if (const auto answer = by_shared_corners(a, b, over_a, error)) return answer;
@@ -73,6 +78,15 @@ std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
   if (const int told = beyond(least, limit); told != 0) [[likely]]
     return static_cast<Relation>(told);
   return {};
+}
+
+}  // namespace
+
+std::optional<Relation> by_doubles(const Triangle3& a, const Triangle3& b) {
+  return told_by_doubles<InOnePlane::left>(a, b);
+}
+std::optional<Relation> relation_by_doubles(const Triangle3& a, const Triangle3& b) {
+  return told_by_doubles<InOnePlane::told>(a, b);
 }
 
 namespace {
@@ -210,7 +224,7 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
 }  // namespace
 
 Relation relate(const Triangle3& a, const Triangle3& b, Question question) {
-  if (const auto answer = by_doubles(a, b)) return *answer;
+  if (const auto answer = relation_by_doubles(a, b)) return *answer;
   return by_signs(a, b, question);
 }
 

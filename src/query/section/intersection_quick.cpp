@@ -172,7 +172,6 @@ std::optional<Intersection3> quick(const Triangle3& t, const Triangle3& u) {
   for (const Point3& p : {t.a, t.b, t.c}) {
     if (p == u.a || p == u.b || p == u.c) return {};  // they cross from a corner on, or lie in one plane
   }
-  if (query::orient3d(t.a, t.b, t.c, u.a) == Sign::zero) return {};  // they lie in one plane
   return crossing_segment(t, u);
 }
 
