@@ -6,30 +6,11 @@
 #include <optional>
 
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/certify/certainly.hpp"
+#include "space/octree/crossing_sign.hpp"
 
 namespace plumb {
 namespace space::kd {
 namespace {
-
-/// Where a straight path crosses a plane x = c of an axis: (c - from) / way, the way not zero.
-struct Crossing {
-  double plane, from, to;  // of a segment to `to`; of a ray along the vector `to`
-};
-
-/// Two crossings' parameters: the sign of the first less the second, times the signs of both ways.
-struct CompareCrossings {
-  static constexpr Scales scales{.count = 2};
-  bool is_ray;
-
-  template <class W>
-  Sign operator()(W& w, const Crossing& s, const Crossing& t) const {
-    const auto to_s = w.difference(s.plane, s.from), to_t = w.difference(t.plane, t.from);
-    if (is_ray) return w.compare(to_s * w.template number<1>(t.to), to_t * w.template number<1>(s.to));
-    const auto way_s = w.template difference<1>(s.to, s.from), way_t = w.template difference<1>(t.to, t.from);
-    return w.compare(to_s * way_t, to_t * way_s);
-  }
-};
 
 /// A segment's end, or the vector along a ray.
 template <std::size_t d>
@@ -42,7 +23,6 @@ struct Path {
     const double origin = is_ray ? 0 : from[axis];
     return static_cast<int>(to[axis] > origin) - static_cast<int>(to[axis] < origin);
   }
-  [[nodiscard]] Crossing crossing(std::size_t axis, double plane) const { return {plane, from[axis], to[axis]}; }
 };
 
 int sign_of_difference(double a, double b) { return static_cast<int>(a > b) - static_cast<int>(a < b); }
@@ -61,8 +41,11 @@ template <std::size_t d>
 int compare(const Path<d>& path, const Place& a, const Place& b) {
   if (a.kind == Kind::crossing && b.kind == Kind::crossing) {
     if (a.axis == b.axis) return sign_of_difference(a.plane, b.plane) * path.way(a.axis);
-    const Sign sign =
-        certainly(CompareCrossings{path.is_ray}, path.crossing(a.axis, a.plane), path.crossing(b.axis, b.plane));
+    const auto ask = [&](const auto& statement) {
+      return certainly(statement, a.plane, path.from[a.axis], path.to[a.axis], b.plane, path.from[b.axis],
+                       path.to[b.axis]);
+    };
+    const Sign sign = path.is_ray ? ask(CrossingOrder<false>{}) : ask(CrossingOrder<true>{});
     return static_cast<int>(sign) * path.way(a.axis) * path.way(b.axis);
   }
   if (b.kind == Kind::crossing) return -compare(path, b, a);

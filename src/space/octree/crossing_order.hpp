@@ -9,30 +9,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "plumb/certify/certainly.hpp"
 #include "plumb/space/octree/cell_walk.hpp"
+#include "space/octree/crossing_sign.hpp"
 
 namespace plumb::space {
-
-/// The sign of (c - o) e - (d - p) f, where o and p are the origin's coordinates along two axes, f and e the
-/// directions'.
-template <bool is_segment>
-struct CrossingOrder {
-  static constexpr int highest = 2;
-  static constexpr Scales scales{.count = 2};
-
-  template <class W>
-  Sign operator()(W& w, double c, double o, double f, double d, double p, double e) const {
-    const auto along = [&](double to, double from) {
-      if constexpr (is_segment) {
-        return w.template difference<1>(to, from);
-      } else {
-        return w.template number<1>(to);
-      }
-    };
-    return w.compare(w.difference(c, o) * along(e, p), w.difference(d, p) * along(f, o));
-  }
-};
 
 inline constexpr std::uint8_t at_beginning = 8, at_end = 9;
 

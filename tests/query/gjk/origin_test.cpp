@@ -14,6 +14,7 @@
 #include "plumb/degenerate/points.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query/closest/closest.hpp"
+#include "query/gjk/nearest_statement.hpp"
 
 namespace plumb::query {
 namespace {
@@ -40,6 +41,23 @@ TEST(GjkOrigin, DerivedBoundsAreAsRecordedAndProved) {
                    Pairs{{{{3, 0, -1}, {-2, 2, -1}, {-2, -2, -1}, {0, 0, 5}}}, at_origin});
   expect_bounds_of("gjk_holds_origin2", HoldsOrigin<2>{}, Pairs{{{{1, 2, 3}, {-2, -4, -6}, o, o}}, at_origin});
   expect_bounds_of("gjk_holds_origin3", HoldsOrigin<3>{}, Pairs{{{{3, 0, 0}, {-2, 2, 0}, {-2, -2, 0}, o}}, at_origin});
+}
+
+TEST(GjkNearest, DerivedBoundsAreAsRecordedAndProved) {
+  // Of a triangle above the origin, and of the origin itself with one point beneath it.
+  const std::array<Point3, 4> above{{{2, 0, 1}, {-1, 2, 1}, {-1, -2, 1}, {0, 0, 3}}};
+  const std::array<Point3, 4> beneath{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, -1}}};
+  const std::array<std::uint32_t, 3> three{0, 1, 2}, one{0, 0, 0};
+  const auto asked = [](const std::array<Point3, 4>& of, std::span<const std::uint32_t> in_plane) {
+    return Asked{of.data(), {}, 4, in_plane};
+  };
+  const Asked b = asked(beneath, std::span(one).first(1));
+  expect_bounds_of("gjk_nearest3", AreNearest<3>{}, Pairs{above, beneath}, asked(above, three), b);
+  const std::array<Point3, 4> edge{{{1, 0, 1}, {-1, 0, 1}, {0, 1, 2}, {0, 0, 3}}};
+  expect_bounds_of("gjk_nearest2", AreNearest<2>{}, Pairs{edge, beneath}, asked(edge, std::span(three).first(2)), b);
+  const std::array<Point3, 4> corner{{{0, 0, 1}, {1, 0, 2}, {-1, 0, 2}, {0, 0, 3}}};
+  expect_bounds_of("gjk_nearest1", AreNearest<1>{}, Pairs{corner, beneath}, asked(corner, std::span(three).first(1)),
+                   b);
 }
 
 /// What doubles tell, where they are certain, and integers and rational numbers.
