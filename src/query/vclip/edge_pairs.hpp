@@ -41,7 +41,8 @@ inline std::vector<SolidEdge> edges_of(const Solid& s) {
 template <class N>
 struct EdgeSides {
   std::array<N, 3> way;
-  decltype(N{} * N{} - N{} * N{}) x, y, z, twin_x, twin_y, twin_z;
+  decltype(std::declval<N>() * std::declval<N>() - std::declval<N>() * std::declval<N>()) x, y, z, twin_x, twin_y,
+      twin_z;
 };
 
 /// Calls take(i, j) for pairs of edges that may span a face, until it says true.  Of solids as given, whose numbers are
