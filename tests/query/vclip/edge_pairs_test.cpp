@@ -28,8 +28,8 @@ TEST(SpanningPairs, DerivedBoundsAreAsRecordedAndProved) {
   const auto bounds = judged_bounds(SpanningPairs{}, a, edges_a, b, edges_b, take);
   EXPECT_GE(spanning, 1);
   EXPECT_LT(spanning, 36);
-  expect_golden("spanning_pairs", bounds);
-  expect_proved(bounds, judged_proofs("spanning_pairs", SpanningPairs{}, a, edges_a, b, edges_b, take));
+  expect_golden("spanning_edges", bounds);
+  expect_proved(bounds, judged_proofs("spanning_edges", SpanningPairs{}, a, edges_a, b, edges_b, take));
 }
 
 }  // namespace
