@@ -63,8 +63,10 @@ TEST(GjkAllocations, AreNoneWhereDoublesDecide) {
       b.push_back(ball_of(n, {way(), way(), way()}, entropy));
       meet += gjk_intersects(a.back(), b.back()) ? 1 : 0;
     }
-    EXPECT_GT(meet * 4, pairs) << n;
-    EXPECT_LT(meet * 4, pairs * 3) << n;
+    if (battery::reaches_rare) {
+      EXPECT_GT(meet * 4, pairs) << n;
+      EXPECT_LT(meet * 4, pairs * 3) << n;
+    }
     const auto hull = [](const ConvexPolyhedron3& p) { return VertexHull3{p.mesh.vertices}; };
     GjkCache cache;
     std::size_t sum = 0;

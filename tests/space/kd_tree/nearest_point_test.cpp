@@ -58,9 +58,12 @@ TYPED_TEST(NearestPointTest, IsTheFirstOfAllSorted) {
     }
     ties[index % point_sets::kinds] += more > k ? 1 : 0, told_more += more - k;
   }
-  for (const Kind kind : {Kind::lattice, Kind::equal, Kind::ulps, Kind::tiny})
-    EXPECT_GT(ties[static_cast<std::size_t>(kind)], battery::fitting(10u))
-        << point_sets::kind_names[static_cast<std::size_t>(kind)];
+  for (const Kind kind : {Kind::lattice, Kind::equal, Kind::ulps, Kind::tiny}) {
+    const std::size_t tied = ties[static_cast<std::size_t>(kind)];
+    if (battery::reaches_rare) {
+      EXPECT_GT(tied, 10u) << point_sets::kind_names[static_cast<std::size_t>(kind)];
+    }
+  }
   EXPECT_GT(told_more, battery::fitting(500u));
 }
 
