@@ -56,7 +56,7 @@ class Search {
   /// From the least corners along n, of which these are likely near to some.
   std::optional<QuickNearest> run(Plain n, const GjkCorner& from) {
     constexpr int most_rounds = 64;            // a guess: whoever has not ended by then goes round
-    constexpr double nearer_by = 1 - 0x1p-40;  // another one: what is level but for roundings is no corner more
+    constexpr double nearer_by = 1 - 0x1p-40;  // a guess: what is level but for roundings is no corner more
     last_ = from;
     Directed simplex(least(n));
     int rounds = 1;

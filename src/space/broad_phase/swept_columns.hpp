@@ -27,7 +27,7 @@ PlacedSweep place_sweep(const BoxSet<Box>& set, const SetBounds& bounds) {
   const std::size_t n = set.size(), m = std::min(n, std::clamp<std::size_t>(n / 32, 64, most));
   const std::array<int, 3> all_bits{ordinal_bits, ordinal_bits, ordinal_bits};
   const auto plan_by = [&](const OrdinalMap& map) {
-    std::vector<SampledBox> sample(m);
+    std::vector<SampledBox> sample(m);  // guesses, by which columns are chosen and nothing is decided
     for (std::size_t i = 0; i < m; ++i) {
       const OrdinalBox b = map(set[i * n / m], 0, 0);
       for (std::size_t k = 0; k < 3; ++k) {

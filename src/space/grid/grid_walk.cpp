@@ -256,6 +256,7 @@ void GridWalk<n>::set_times() {
   doubt_ = 0;
   if (base != n) {
     constexpr int bits = 52;  // of the shortest pace: what is held by a double then is a whole number
+    // A guess of where times fit: elsewhere every step is compared exactly.
     const bool handy = least > 0x1p-900 && least < 0x1p900;
     const double units = handy ? std::ldexp(1, bits - std::ilogb(least)) : 1;
     const Ball now = time[base];

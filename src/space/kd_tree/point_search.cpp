@@ -147,7 +147,7 @@ HWY_INLINE void search_from(const Query<Point>& query, std::size_t leaf, const L
   }
 }
 
-/// Of a value at which products overflow, or are lost.
+/// Of a value at which products overflow, or are lost: a guess of when to scale, which decides no neighbor.
 HWY_INLINE bool is_extreme(double value) { return !(value > 0x1p-900 && value < infinity); }
 
 /// The k points that are nearest as yet, the farthest of which says what may be nearer.
