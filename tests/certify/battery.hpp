@@ -24,7 +24,7 @@ namespace plumb::battery {
 #if defined(PLUMB_LONG_TESTS)
 inline constexpr std::uint64_t cases = 10'000'000;
 #else
-inline constexpr std::uint64_t cases = sanitized ? 2'000 : 100'000;
+inline const std::uint64_t cases = sanitized ? 2'000 : 100'000;
 #endif
 /// Every how many cases the rationals judge (elsewhere the last stage does, which they have judged), and CGAL is asked;
 /// odd, so that the special zero sets, every fourth case, get their turn.

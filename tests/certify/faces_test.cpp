@@ -109,7 +109,7 @@ class Faces : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(Faces, SayWhatCgalSays) {
-  constexpr std::uint64_t each = sanitized ? 10 : 60;
+  const std::uint64_t each = sanitized ? 10 : 60;
   for (const FamilyInfo& f : families) {
     try_cases(f.name, each,
               [&](std::vector<double>& p, Entropy& entropy) { fill_arguments(entry(), f.family, p, entropy); });

@@ -323,7 +323,7 @@ TEST(Check, ReadsStandardInput) {
 
 TEST(Check, BoundsWhatAPackedMeshUnpacksTo) {
   const Folder folder;
-  constexpr std::size_t megabytes = battery::sanitized ? 4 : 40;
+  const std::size_t megabytes = battery::sanitized ? 4 : 40;
   put(folder / "bomb.obj.gz", surface_test::gzipped(triangle + std::string(megabytes << 20, '\n')));
   const std::string file = folder / "bomb.obj.gz", enough = "--unpacked " + std::to_string(megabytes + 1) + " ";
   const std::string below = "$PLUMB check --unpacked " + std::to_string(megabytes - 1) + " ";

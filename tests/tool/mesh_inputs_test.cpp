@@ -87,7 +87,7 @@ TEST(MeshInputs, AreRefusedWhereAFolderHoldsNone) {
 TEST(MeshInputs, ThatAreTooLargeNameTheOptionThatTakesThem) {
   const Folder folder;
   const std::string bomb = folder / "bomb.obj.gz", small = folder / "new.ply";
-  constexpr std::size_t megabytes = battery::sanitized ? 2 : 40;  // which is beyond what is taken without a word
+  const std::size_t megabytes = battery::sanitized ? 2 : 40;  // which is beyond what is taken without a word
   const std::string below = " --unpacked " + std::to_string(megabytes - 1),
                     enough = " --unpacked " + std::to_string(megabytes + 1);
   put(bomb, surface_test::gzipped(triangle + std::string(megabytes << 20, '\n')));

@@ -41,7 +41,7 @@ std::string expected_text(std::string_view formula, std::size_t argument, std::s
 
 TYPED_TEST(EveryFormula, RefusesWhatIsNoNumberByItemArgumentAndAxis) {
   using F = TypeParam;
-  constexpr std::size_t count = battery::sanitized ? 10 : 37;
+  const std::size_t count = battery::sanitized ? 10 : 37;
   constexpr std::size_t dimension = certify::side::dimension<F>;
   for (const Family family : {Family::uniform, Family::repeated}) {
     const std::vector<Coordinates<F>> good = cases_of<F>(family, count);
@@ -67,7 +67,7 @@ TYPED_TEST(EveryFormula, RefusesWhatIsNoNumberByItemArgumentAndAxis) {
 
 TYPED_TEST(EveryFormula, NamesTheFirstOfSeveral) {
   using F = TypeParam;
-  constexpr std::size_t count = battery::sanitized ? 10 : 24;
+  const std::size_t count = battery::sanitized ? 10 : 24;
   const std::vector<Coordinates<F>> good = cases_of<F>(Family::uniform, count);
   on_each_instruction_set([&] {
     std::vector<Sign> out(count);

@@ -38,7 +38,7 @@ TYPED_TEST(EveryFormula, TellsTheSignOfEachPoint) {
 #if defined(PLUMB_LONG_TESTS)
   constexpr std::uint64_t sets = 20'000;
 #else
-  constexpr std::uint64_t sets = battery::fitting(200);
+  const std::uint64_t sets = battery::fitting(200);
 #endif
   for (const FamilyInfo& f : families) {
     SCOPED_TRACE(f.name);
@@ -56,7 +56,7 @@ TYPED_TEST(EveryFormula, TellsTheSignOfEachPoint) {
 
 TYPED_TEST(EveryFormula, TellsTheSignsOfManyPointsAtEveryLength) {
   using F = TypeParam;
-  constexpr std::size_t longest = battery::sanitized ? 20 : 70;
+  const std::size_t longest = battery::sanitized ? 20 : 70;
   for (const FamilyInfo& f : families) {
     SCOPED_TRACE(f.name);
     const std::vector<Coordinates<F>> cases = one_against<F>(f.family, 1, longest + 7);

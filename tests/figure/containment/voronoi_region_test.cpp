@@ -164,7 +164,7 @@ struct Seen {
 
 template <class Shape, class Point>
 Seen check_shapes(std::uint64_t start, std::uint64_t cases) {
-  constexpr int each = battery::sanitized ? 4 : 1;  // stands for so many
+  const int each = battery::sanitized ? 4 : 1;  // stands for so many
   Seen seen;
   on_shapes(start, cases / each, [&](Material& m) {
     const auto shape = m.shape<Shape>();

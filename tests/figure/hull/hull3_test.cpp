@@ -285,7 +285,7 @@ TEST(Hull3, OfLargeSets) {
 }
 
 TEST(Hull3, OfALatticeHasEightVertices) {
-  constexpr std::size_t side = battery::sanitized ? 20 : 40;
+  const std::size_t side = battery::sanitized ? 20 : 40;
   Points points;
   for (std::size_t i = 0; i < side * side * side; ++i) {
     points.push_back(

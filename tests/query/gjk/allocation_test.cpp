@@ -52,7 +52,7 @@ std::size_t allocating(std::size_t asked, Question question) {
 TEST(GjkAllocations, AreNoneWhereDoublesDecide) {
   { const std::vector<int> one(1); }
   EXPECT_GT(allocations, 0U);  // so they are counted
-  constexpr std::size_t pairs = battery::sanitized ? 20 : 200;
+  const std::size_t pairs = battery::sanitized ? 20 : 200;
   for (const std::size_t n : {std::size_t{8}, std::size_t{32}, std::size_t{128}}) {
     Entropy entropy(77, n);
     std::vector<ConvexPolyhedron3> a, b;

@@ -67,7 +67,7 @@ void expect_as_posed_ball(Answers& all, std::uint64_t start) {
   }
 }
 
-constexpr int enough = battery::sanitized ? 2 : 20;
+const int enough = battery::sanitized ? 2 : 20;
 
 TEST(EllipsoidPairs, AsTheBallsThatTheyWere) {
   Answers all;

@@ -34,7 +34,7 @@ void place(ConvexPolyhedron3& p, const Vector3& by, int e) {
 // Farthest points that way and back are put upon one another, so that most of them touch there.
 TEST(OverlapPairs, PolyhedraThatTouchAsBruteForce) {
   Answers answers;
-  constexpr int cases = battery::sanitized ? 15 : 60;
+  const int cases = battery::sanitized ? 15 : 60;
   shape_cases::on_shapes(503, cases, [&](Material& m) {
     ConvexPolyhedron3 a = lattice_hull(m), b = lattice_hull(m);
     const Vector3 way{static_cast<double>(m.below(7)) - 3, static_cast<double>(m.below(7)) - 3, 1};

@@ -166,7 +166,7 @@ void expect_pairs(std::uint64_t start, std::uint64_t cases, Seen& seen) {
 }
 
 TEST(PenetrationAlong, IsThatOfBruteForce) {
-  constexpr std::uint64_t few = battery::sanitized ? 2 : 20;
+  const std::uint64_t few = battery::sanitized ? 2 : 20;
   Seen seen;
   expect_pairs<Triangle3, Segment3>(1, few, seen);
   expect_pairs<Triangle3, Triangle3>(2, few, seen);

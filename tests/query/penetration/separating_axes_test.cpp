@@ -83,7 +83,7 @@ void expect_in_positions(int cases, Seen& seen) {
 }
 
 TEST(SeparatingAxes, InEveryPosition) {
-  constexpr int few = battery::sanitized ? 1 : 10;
+  const int few = battery::sanitized ? 1 : 10;
   Seen seen;
   expect_in_positions<Obb3, Obb3>(few, seen);
   expect_in_positions<Aabb3, Aabb3>(few, seen);

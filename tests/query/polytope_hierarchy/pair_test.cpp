@@ -37,7 +37,7 @@ ConvexPolyhedron3 beside(const ConvexPolyhedron3& to, ConvexPolyhedron3 moved, d
 }
 
 TEST(HierarchiesOfTwo, AreAsFarApartAsTheirPolyhedra) {
-  constexpr std::size_t large = battery::sanitized ? 40 : 150;
+  const std::size_t large = battery::sanitized ? 40 : 150;
   Seen seen;
   std::vector<PolytopeHierarchy> all;
   for (const std::size_t n : {std::size_t{5}, std::size_t{30}, large}) {

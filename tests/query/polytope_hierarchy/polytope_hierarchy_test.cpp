@@ -20,7 +20,7 @@ using hierarchy_cases::NamedPolyhedron, hierarchy_cases::polyhedra_of;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr std::size_t largest = battery::sanitized ? 60 : 300;
+const std::size_t largest = battery::sanitized ? 60 : 300;
 
 std::vector<NamedPolyhedron> all_polyhedra() {
   std::vector<NamedPolyhedron> all;

@@ -170,7 +170,7 @@ TEST(Intersection, TrianglesOfSpace) { hold<Triangle3, Triangle3>(72, 500, {noth
 /// Random ones, of which nearly none have a corner on an edge or a face: how many meet so?
 template <class A, class B, class Draw>
 void hold_in_general_position(std::uint64_t start, IntersectionKind kind, int least, const Draw& draw) {
-  constexpr int part = battery::sanitized ? 3 : 1;
+  const int part = battery::sanitized ? 3 : 1;
   int met = 0;
   for (std::uint64_t index = 0; index < 150 * shape_cases::more / part; ++index) {
     Entropy entropy(start, index);

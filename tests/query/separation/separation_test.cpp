@@ -122,7 +122,7 @@ void expect_certified(const std::vector<Maker>& makers, std::uint64_t start, std
   EXPECT_GT(seen.several * 40, seen.meet + seen.apart);
 }
 
-constexpr std::uint64_t cases_of_pair = battery::sanitized ? 1 : 3;
+const std::uint64_t cases_of_pair = battery::sanitized ? 1 : 3;
 
 TEST(Separation, EveryPairOfTheSpaceHasItsCertificate) {
   expect_certified(makers_of(pair_cases::Space{}), 18'000, cases_of_pair);

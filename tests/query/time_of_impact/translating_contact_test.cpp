@@ -101,7 +101,7 @@ void check_pair(std::uint64_t start, int cases, Counts& counts) {
 #if defined(PLUMB_LONG_TESTS)
 constexpr int cases = 20'000;
 #else
-constexpr int cases = battery::sanitized ? 150 : 500;
+const int cases = battery::sanitized ? 150 : 500;
 #endif
 
 template <class A, class... B>
@@ -203,7 +203,7 @@ void check_truth(const std::string& about, const Translating<A>& a, const Transl
 #if defined(PLUMB_LONG_TESTS)
 constexpr int true_cases = 1000;
 #else
-constexpr int true_cases = battery::sanitized ? 15 : 50;
+const int true_cases = battery::sanitized ? 15 : 50;
 #endif
 
 template <class A, class B>

@@ -25,7 +25,7 @@ using certificate_laws::corners_of, certificate_laws::Corners;
 #if defined(PLUMB_LONG_TESTS)
 constexpr std::uint64_t pieces = 400, pairs_of_piece = 2500;
 #else
-constexpr std::uint64_t pieces = 1, pairs_of_piece = battery::fitting(400);
+const std::uint64_t pieces = 1, pairs_of_piece = battery::fitting(400);
 #endif
 
 /// Linear programs over the plane n x = c between two hulls.

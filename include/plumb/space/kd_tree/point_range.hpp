@@ -18,8 +18,19 @@
 namespace plumb {
 
 namespace space {
+// Not a condition on Point: GCC and Clang give the linker different names of functions that take one.
 template <class Point>
-using BoxOf = std::conditional_t<std::is_same_v<Point, Point2>, Aabb2, Aabb3>;
+struct BoxOfPoint;
+template <>
+struct BoxOfPoint<Point2> {
+  using Box = Aabb2;
+};
+template <>
+struct BoxOfPoint<Point3> {
+  using Box = Aabb3;
+};
+template <class Point>
+using BoxOf = typename BoxOfPoint<Point>::Box;
 }  // namespace space
 
 /// Many lists, one after the other.
