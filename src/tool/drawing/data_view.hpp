@@ -1,8 +1,7 @@
-// How do boxes and points lie?  A plan of them: two axes of their space, one scale, and what the axes reach from and to.
+// A guess in floating point of where boxes and points lie, to be looked at: two axes of their space, on one scale.
 //
-// Laws: (1) both axes have the same scale; what lies farther right or up on paper does not lie farther left or down in
-// space.  (2) Any finite doubles have a place, the largest and the least included.  (3) Well-formed XML; same input, same text.
-// A picture: it guesses in floating point, and nothing is decided by it.
+// Laws: (1) what lies farther right or up on paper does not lie farther left or down in space.  (2) Any finite doubles
+// have a place, the largest and the least included.  (3) Well-formed XML; same input, same text.
 // Source: none.
 // Cost: linear in what is drawn.
 #pragma once

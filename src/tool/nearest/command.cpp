@@ -62,6 +62,7 @@ std::string distances_of(const NearestReport& r) {
 
 int run_nearest(const NearestOptions& options) {
   OutputFiles outputs(options.files.words);
+  require_no_table_name("--json", options.json);
   outputs.promise("--json", options.json);
   outputs.promise_unless_there("--out", options.out, options.overwrite);
   outputs.promise_unless_there("--distances", options.distances, options.overwrite);

@@ -1,9 +1,9 @@
 // `plumb nearest`: nearest neighbors in files: which of these points are nearest to each query, or within a radius?
 //
-// Laws: (1) what is nearer in real arithmetic comes first, of equally near points that of the lower number.  (2) Text, JSON and arrays
-// hold the same answers, query by query, and depend on the files, k, the radius and --ties alone, not on threads.
-// (3) Arrays and picture replace no file, unless that is asked for.  Exit code 0 when done; files that cannot be read,
-// more neighbors than there are points and outputs that cannot be written throw Error.
+// Laws: (1) what is nearer in real arithmetic comes first, of equally near points that of the lower number.  (2) Text,
+// JSON and arrays hold the same answers, query by query, and depend on the files, k, the radius and --ties alone, not
+// on threads.  (3) Arrays and picture replace no file, unless that is asked for.  Exit code 0 when done; files that
+// cannot be read, more neighbors than there are points and outputs that cannot be written throw Error.
 // Source: RTCD 7.3.7; plumb/space/kd_tree/nearest_point.hpp, plumb/space/kd_tree/point_range.hpp.
 // Cost: that of reading, of the tree, and some 300 ns a query and neighbor.
 #pragma once

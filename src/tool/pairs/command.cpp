@@ -96,6 +96,7 @@ PairsReport pairs_report(const PairsOptions& options, std::vector<BoxInput> sets
 
 int run_pairs(const PairsOptions& options) {
   OutputFiles outputs(options.files.words);
+  require_no_table_name("--json", options.json);
   outputs.promise("--json", options.json);
   outputs.promise_unless_there("--out", options.out, options.overwrite);
   outputs.promise_unless_there("--svg", options.svg, options.overwrite);

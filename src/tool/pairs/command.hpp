@@ -1,9 +1,9 @@
 // `plumb pairs`: the broad phase on files: which of these boxes overlap, all pairs of one set or of two?
 //
-// Laws: (1) text, JSON and array hold the same pairs, in the order of the library's answer.  (2) Everything but the time depends on
-// the boxes, --no-touching and the method alone, not on threads.  (3) Array and picture replace no file, unless that is
-// asked for.  Exit code 0 when done, also where no two meet; files that cannot be read, boxes that are none and outputs
-// that cannot be written throw Error.
+// Laws: (1) text, JSON and array hold the same pairs, in the order of the library's answer.  (2) Everything but the
+// time depends on the boxes, --no-touching and the method alone, not on threads.  (3) Array and picture replace no
+// file, unless that is asked for.  Exit code 0 when done, also where no two meet; files that cannot be read, boxes that
+// are none and outputs that cannot be written throw Error.
 // Source: RTCD 2.4.1, 7; plumb/space/broad_phase/overlapping_pairs.hpp.
 // Cost: that of reading, which is most, and of the search; pairs are kept where an output has them.
 #pragma once

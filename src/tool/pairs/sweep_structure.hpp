@@ -1,7 +1,7 @@
 // What does the search for pairs divide boxes into?  The columns and the axis of a sweep, for pictures.
 //
-// Law: the columns are those in which overlapping_pairs sweeps these boxes.  Where in space their walls stand is a guess, nearer than
-// a pixel.
+// Law: the columns are those in which overlapping_pairs sweeps these boxes.  Where in space their walls stand is a
+// guess, nearer than a pixel.
 // Source: RTCD 7.1, 7.5.
 // Cost: some passes over the boxes.
 #pragma once

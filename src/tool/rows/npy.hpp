@@ -1,9 +1,9 @@
 // Which numbers does a NumPy file (.npy) hold, and how is an array written as one?
 //
-// Laws: (1) read are arrays of float64 and float32, in either byte order, in C and in Fortran order, of versions 1 to 3;
-// float32 widens exactly.  (2) Others, and files that are shorter or longer than they say, throw Error, which says what
-// was found and how it is mended.  (3) What is written is little endian, in C order, of version 1, whose numbers begin at a multiple
-// of 64 bytes, as NumPy's own.
+// Laws: (1) read are arrays of float64 and float32, in either byte order, in C and in Fortran order, of versions 1 to
+// 3; float32 widens exactly.  (2) Others, and files that are shorter or longer than they say, throw Error, which says
+// what was found and how it is mended.  (3) What is written is little endian, in C order, of version 1, and its numbers
+// begin at a multiple of 64 bytes, as NumPy's own.
 // Source: NumPy Enhancement Proposal 1; numpy.lib.format.
 // Cost: linear; nothing is held that the file does not hold.
 #pragma once

@@ -38,11 +38,17 @@ void require_finite(const NumberTable& table, const RowMeaning& meaning) {
 
 enum class FileKind : unsigned char { text, npy, mesh };
 
-/// By what a name ends with; nothing where that leaves it to the content.
-std::optional<FileKind> kind_by_name(const std::string& file) {
+/// Of a name that ends as tables do.
+std::optional<FileKind> kind_by_ending(const std::string& file) {
   const std::string ending = surface::lower_case(std::filesystem::path(file).extension().string());
   if (ending == ".npy") return FileKind::npy;
   if (ending == ".csv" || ending == ".txt" || ending == ".tsv") return FileKind::text;
+  return {};
+}
+
+/// By what a name ends with; nothing where that leaves it to the content.
+std::optional<FileKind> kind_by_name(const std::string& file) {
+  if (const auto table = kind_by_ending(file)) return table;
   return file == "-" || why_mesh(file).empty() ? std::nullopt : std::optional(FileKind::mesh);
 }
 
@@ -90,6 +96,14 @@ NumberTable table_of_npy(std::string_view bytes, const std::string& name, const 
   NumberTable table{name, array.shape[1], std::move(array.values), {}, 0};
   require_finite(table, meaning);
   return table;
+}
+
+void require_no_table_name(std::string_view option, const std::optional<std::string>& path) {
+  if (!path || kind_by_ending(*path) == std::nullopt) return;
+  throw Error(
+      fmt::format("{0} takes the name of the file to write, and {1} is that of a table, which is kept; write "
+                  "'{0} REPORT {1}', or '{0} - {1}' for standard output",
+                  option, printable(*path)));
 }
 
 TableOrMesh read_table_or_mesh(const std::string& file, const RowMeaning& meaning, const ReadOptions& reading,

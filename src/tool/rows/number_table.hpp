@@ -52,6 +52,9 @@ struct TableOrMesh {
   std::optional<AskedMesh> mesh;
 };
 
+/// Throws Error for a report that takes the name of such a file, as where the report's own was forgotten.
+void require_no_table_name(std::string_view option, const std::optional<std::string>& path);
+
 /// The file, or standard input for "-"; no output may replace what is read.
 TableOrMesh read_table_or_mesh(const std::string& file, const RowMeaning& meaning, const ReadOptions& reading,
                                const OutputFiles& outputs);
