@@ -18,8 +18,6 @@ std::vector<std::size_t> groups_of(const Columns& columns) {
 
 namespace {
 
-constexpr std::size_t few_boxes = 48;  // of which each pair is compared
-
 /// Each pair, of few.
 template <class Box>
 void compare_each(const BoxSet<Box>& set, const PairTaker& to) {

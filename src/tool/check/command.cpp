@@ -1,8 +1,5 @@
 #include "tool/check/command.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -14,6 +11,7 @@
 #include "tool/mesh/inputs.hpp"
 #include "tool/mesh/sample_part.hpp"
 #include "tool/terminal/output_files.hpp"
+#include "tool/terminal/thread_limit.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -95,9 +93,7 @@ int run_check(const CheckOptions& options) {
       return 0;
     }
   }
-  const unsigned threads =
-      options.threads != 0 ? options.threads : static_cast<unsigned>(tbb::info::default_concurrency());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const ThreadLimit limit(options.threads);
   CheckSettings settings;
   settings.verify = options.verify;
   settings.all = options.all;
@@ -113,8 +109,8 @@ int run_check(const CheckOptions& options) {
   const std::vector<MeshCheck>& checks = checker.checks();
   if (options.json) {
     // A file's name may be any bytes; JSON is UTF-8.
-    const std::string text =
-        json_report(checks, inputs.passed_over, threads).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string text = json_report(checks, inputs.passed_over, limit.threads())
+                                 .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     outputs.write("--json", text + "\n");
   }
   if (options.chart) outputs.write("--chart", chart_svg(checks));

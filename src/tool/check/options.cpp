@@ -14,9 +14,7 @@ Command check_command(CLI::App& program) {
   add_meshes(parser, o.meshes, "each mesh is checked in turn.");
   add_output(parser, "--json", o.json, "Write the report as JSON");
   add_output(parser, "--chart", o.chart, "Draw the share of wrong signs against the time per decision, as SVG");
-  parser->add_option("--threads", o.threads, "How many threads work; as many as the machine has when not given.")
-      ->check(CLI::Range(1U, 4096U))
-      ->type_name("N");
+  add_threads(parser, o.threads);
   parser->add_flag("--all", o.all,
                    "Ask every method of every decision; otherwise, on a big mesh, plan and exact of all and the others "
                    "of a sample.");

@@ -21,9 +21,9 @@ number of 2. Where the mesh is not closed the answer depends on the ray,
 which goes along x; the report says so.
 
 The file of --points holds three numbers on a line, with commas or
-blanks between them; empty lines and what follows '#' are passed over.
-A number stands for its nearest double, and it is said how many are
-none.)"}},
+blanks between them; empty lines, what follows '#' and a first line of
+words (a header) are passed over. A number stands for its nearest
+double, and it is said how many are none.)"}},
           {{"EXIT STATUS", R"(
 0      Done, whatever the answers are.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,

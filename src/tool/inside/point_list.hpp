@@ -2,14 +2,13 @@
 //
 //   0.5,0.5,0.5          on a line of its own; blanks may stand for the commas
 //
-// Laws: (1) empty lines, and what follows '#', are passed over.  (2) A decimal stands for its nearest double, and it is
-// told whether that is it.  (3) Other words throw Error, which quotes them and names the file's line.
+// Laws: those of tool/rows/decimal_rows.hpp: what is passed over, and what is refused with its line.
 // Source: none.
 // Cost: that of reading the decimals.
 #pragma once
 
-#include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plumb/arith/point.hpp"
@@ -25,8 +24,8 @@ struct NamedPoint {
 /// "0.5,0.5,0.5"; `what` names it in errors.
 NamedPoint read_point(const std::string& words, const std::string& what);
 
-/// `name` is the file's in errors.
-std::vector<NamedPoint> read_points(std::istream& lines, const std::string& name);
+/// `name` is the text's in errors.
+std::vector<NamedPoint> parse_points(std::string_view text, const std::string& name);
 
 /// Of the file, or of standard input for "-"; throws Error where it cannot be read.
 std::vector<NamedPoint> read_points(const std::string& file);

@@ -46,6 +46,8 @@ Command fuzz_command(CLI::App& program);
 Command help_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
 Command inside_command(CLI::App& program);
 Command intersect_command(CLI::App& program);
+Command nearest_command(CLI::App& program);
+Command pairs_command(CLI::App& program);
 Command plan_command(CLI::App& program);
 Command proof_command(CLI::App& program);
 Command ray_command(CLI::App& program);
@@ -62,6 +64,9 @@ std::vector<std::string> predicate_names();
 
 /// --seed: what is drawn by chance.
 void add_seed(CLI::App* parser, std::uint64_t& seed, const std::string& about);
+
+/// --threads; 0 where it is not given.
+void add_threads(CLI::App* parser, unsigned& threads);
 
 /// MESH: what a command reads, with the option that bounds it.
 void add_meshes(CLI::App* parser, MeshArguments& meshes, const std::string& about);

@@ -76,6 +76,12 @@ inside --point X,Y,Z MESH
 intersect A [B]
        Finds all pairs of triangles of a mesh that meet, or of two.
 
+nearest POINTS QUERIES
+       Finds the points that are nearest to queries, or within a radius.
+
+pairs A [B]
+       Finds all pairs of boxes that overlap, in a file or between two.
+
 plan [MESH]...
        Says what exact decisions on a scene of these meshes need, what a
        coarser lattice would save and do to them, and which bounding

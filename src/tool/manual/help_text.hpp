@@ -31,6 +31,8 @@ Manual fuzz_manual();
 Manual help_manual();
 Manual inside_manual();
 Manual intersect_manual();
+Manual nearest_manual();
+Manual pairs_manual();
 Manual plan_manual();
 Manual ray_manual();
 Manual section_manual();

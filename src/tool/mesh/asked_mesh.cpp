@@ -3,21 +3,29 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "plumb/query/ray/parity.hpp"
 #include "plumb/surface/triangulate.hpp"
 
 namespace plumb::tool {
 
+AskedMesh asked_mesh(const std::string& name, const PolygonMesh& polygons, LoadReport load,
+                     const OutputFiles& outputs) {
+  AskedMesh asked{name, std::move(load), {}, false};
+  asked.mesh = triangulate(polygons, &asked.load.fans);
+  asked.closed = is_closed(asked.mesh);
+  outputs.require_not_read(asked.load.files_beside);
+  return asked;
+}
+
 std::vector<AskedMesh> read_asked_meshes(const MeshArguments& meshes, const OutputFiles& outputs) {
   require_input_once(meshes.words);
   std::vector<AskedMesh> all;
   for (const std::string& file : meshes.words) {
-    AskedMesh& asked = all.emplace_back();
-    asked.name = name_of_input(file);
-    asked.mesh = triangulate(read_input(file, &asked.load, meshes.reading()), &asked.load.fans);
-    asked.closed = is_closed(asked.mesh);
-    outputs.require_not_read(asked.load.files_beside);
+    LoadReport load;
+    const PolygonMesh polygons = read_input(file, &load, meshes.reading());
+    all.push_back(asked_mesh(name_of_input(file), polygons, std::move(load), outputs));
   }
   return all;
 }

@@ -28,6 +28,9 @@ struct AskedMesh {
   bool closed = false;  // every edge is in an even number of triangles
 };
 
+/// Of what was read under this name; no output may replace what was read beside it.
+AskedMesh asked_mesh(const std::string& name, const PolygonMesh& polygons, LoadReport load, const OutputFiles& outputs);
+
 /// The meshes of these words, in their order; no output may replace what is read.
 std::vector<AskedMesh> read_asked_meshes(const MeshArguments& meshes, const OutputFiles& outputs);
 

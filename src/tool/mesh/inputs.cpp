@@ -48,15 +48,6 @@ void walk(const fs::path& folder, MeshInputs& found) {
   }
 }
 
-std::string standard_input() {
-  std::string bytes;
-  std::array<char, 1 << 16> chunk;
-  errno = 0;
-  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), stdin)) bytes.append(chunk.data(), got);
-  if (std::ferror(stdin) != 0) throw Error(std::string("cannot read standard input: ") + std::strerror(errno));
-  return bytes;
-}
-
 /// "parts: 2 meshes; passed over, no meshes by their names: notes.txt".
 std::string remark(const std::string& folder, const MeshInputs& found) {
   constexpr std::size_t shown = 5;
@@ -87,6 +78,15 @@ void add_folder(const std::string& folder, MeshInputs& all) {
   all.passed_over.insert(all.passed_over.end(), found.passed_over.begin(), found.passed_over.end());
 }
 
+/// read() with the mend of a mesh that is too large.
+template <class Read>
+PolygonMesh with_mend(const Read& read) try {
+  return read();
+} catch (const MeshFileError& e) {
+  if (e.problem != MeshFileProblem::too_large) throw;
+  throw Error(fmt::format("{}; '--unpacked MIB' raises it", e.what()));
+}
+
 }  // namespace
 
 ReadOptions MeshArguments::reading() const {
@@ -113,12 +113,29 @@ MeshInputs mesh_inputs(const MeshArguments& arguments) {
   return inputs;
 }
 
-PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOptions& options) try {
-  if (file != "-") return read_polygon_mesh(file, report, options);
-  return parse_mesh(standard_input(), fs::path(name_of_input(file)), report, options);
-} catch (const MeshFileError& e) {
-  if (e.problem != MeshFileProblem::too_large) throw;
-  throw Error(fmt::format("{}; '--unpacked MIB' raises it", e.what()));
+std::string bytes_of_input(const std::string& file) {
+  std::string bytes;
+  std::array<char, 1 << 16> chunk;
+  errno = 0;
+  std::FILE* const stream = file == "-" ? stdin : std::fopen(file.c_str(), "rb");
+  if (stream != nullptr) {
+    while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), stream)) bytes.append(chunk.data(), got);
+  }
+  const bool failed = stream == nullptr || std::ferror(stream) != 0;
+  const std::string why = failed ? std::strerror(errno) : "";
+  if (stream != nullptr && stream != stdin) static_cast<void>(std::fclose(stream));
+  if (failed) throw Error(fmt::format("cannot read {}: {}", printable(name_of_input(file)), why));
+  return bytes;
+}
+
+PolygonMesh parse_input(std::string_view bytes, const std::string& name, LoadReport* report,
+                        const ReadOptions& options) {
+  return with_mend([&] { return parse_mesh(bytes, name, report, options); });
+}
+
+PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOptions& options) {
+  if (file == "-") return parse_input(bytes_of_input(file), name_of_input(file), report, options);
+  return with_mend([&] { return read_polygon_mesh(file, report, options); });
 }
 
 bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take) {

@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plumb/surface/read_mesh.hpp"
@@ -39,6 +40,13 @@ void require_input_once(const std::vector<std::string>& words);
 
 /// Throws Error where standard input is named twice.
 MeshInputs mesh_inputs(const MeshArguments& arguments);
+
+/// All of a file, or of standard input for "-"; throws Error where it cannot be read.
+std::string bytes_of_input(const std::string& file);
+
+/// The mesh that these bytes are, of a file of this name; throws as read_input does.
+PolygonMesh parse_input(std::string_view bytes, const std::string& name, LoadReport* report,
+                        const ReadOptions& options);
 
 /// The mesh of a file, or of standard input for "-".  Throws MeshFileError, and Error where standard input cannot be
 /// read or the mesh is larger than the options allow, naming the option that allows it.

@@ -130,6 +130,7 @@ class Program {
                                           ray_command(app_),          bvh_command(app_),
                                           intersect_command(app_),    distance_command(app_),
                                           convex_command(app_),       inside_command(app_),
+                                          nearest_command(app_),      pairs_command(app_),
                                           section_command(app_),      convert_command(app_),
                                           help_command(app_, known_), completion_command(app_, known_)};
 };

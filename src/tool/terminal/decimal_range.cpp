@@ -10,7 +10,6 @@
 #include <cstdlib>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/surface/decimal.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -66,23 +65,18 @@ std::string plain(const mpz_class& mantissa, int exponent) {
 
 }  // namespace
 
+void refuse_decimal(DecimalReader::Outcome outcome, std::string_view text, std::string_view what) {
+  constexpr std::size_t most = 60;  // a file that holds no numbers may have long words
+  const std::string shown = printable(text.substr(0, most)) + (text.size() > most ? "..." : "");
+  if (outcome == DecimalReader::Outcome::too_large)
+    throw Error(fmt::format("{}: {} is beyond the largest double", printable(what), shown));
+  throw Error(fmt::format("{}: '{}' is not a decimal number; write one such as 1.5", printable(what), shown));
+}
+
 Decimal read_decimal(std::string_view text, std::string_view what) {
   DecimalReader reader;
-  Decimal number{std::string(text), 0, true};
-  const auto shown = [&] {
-    constexpr std::size_t most = 60;  // a file that holds no numbers may have long words
-    return printable(text.substr(0, most)) + (text.size() > most ? "..." : "");
-  };
-  switch (reader.read(text, number.value)) {
-    case DecimalReader::Outcome::number:
-      break;
-    case DecimalReader::Outcome::too_large:
-      throw Error(fmt::format("{}: {} is beyond the largest double", printable(what), shown()));
-    default:
-      throw Error(fmt::format("{}: '{}' is not a decimal number; write one such as 1.5", printable(what), shown()));
-  }
-  number.exact = reader.inexact() == 0;
-  return number;
+  const double value = read_decimal(reader, text, [what] { return what; });
+  return {std::string(text), value, reader.inexact() == 0};
 }
 
 std::vector<Decimal> decimal_range(std::string_view start, std::string_view stop, std::string_view step,

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/surface/decimal.hpp"
+
 namespace plumb::tool {
 
 struct Decimal {
@@ -21,6 +23,18 @@ struct Decimal {
 
 /// `what` names the number in errors.
 Decimal read_decimal(std::string_view text, std::string_view what);
+
+/// Throws Error for what is no number.
+[[noreturn]] void refuse_decimal(DecimalReader::Outcome outcome, std::string_view text, std::string_view what);
+
+/// One of many; what() is asked for errors alone.
+template <class What>
+double read_decimal(DecimalReader& reader, std::string_view text, const What& what) {
+  double value = 0;
+  const DecimalReader::Outcome outcome = reader.read(text, value);
+  if (outcome != DecimalReader::Outcome::number) refuse_decimal(outcome, text, what());
+  return value;
+}
 
 std::vector<Decimal> decimal_range(std::string_view start, std::string_view stop, std::string_view step,
                                    std::string_view what, std::size_t most);

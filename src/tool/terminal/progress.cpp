@@ -26,10 +26,14 @@ Progress::Progress(std::string task, std::uint64_t total, std::FILE* stream, boo
       shown_(shown),
       next_drawing_((Clock::now() + kPause).time_since_epoch().count()) {}
 
-Progress::~Progress() {
+Progress::~Progress() { erase(); }
+
+void Progress::erase() {
+  const std::scoped_lock lock(drawing_);
   if (!drawn_) return;
   std::fputs("\r\033[K", stream_);
   std::fflush(stream_);
+  drawn_ = false;
 }
 
 void Progress::advance(std::uint64_t steps) {

@@ -29,6 +29,8 @@ class Progress {
   void advance(std::uint64_t steps = 1);
   /// What is being done right now, shown after the task; drawn as seldom as the bar, and also where nothing advances.
   void note(std::string what);
+  /// Its line is gone, for other text to stand there; called by one thread, when the others are done.
+  void erase();
   [[nodiscard]] bool shown() const { return shown_; }
   [[nodiscard]] std::uint64_t done() const { return done_.load(std::memory_order_relaxed); }
 

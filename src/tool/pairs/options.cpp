@@ -1,0 +1,30 @@
+#include "tool/manual/command.hpp"
+#include "tool/pairs/command.hpp"
+#include "tool/pairs/method_names.hpp"
+
+namespace plumb::tool {
+
+Command pairs_command(CLI::App& program) {
+  const auto options = std::make_shared<PairsOptions>();
+  PairsOptions& o = *options;
+  CLI::App* const parser = program.add_subcommand("pairs", "Find all pairs of boxes that overlap, in one set or two.");
+  std::vector<std::string> methods;
+  for (const NamedMethod& m : broad_phase_methods) methods.emplace_back(m.name);
+  parser->add_option("FILE", o.files.words, "One file of boxes, or two; '-' is standard input.");
+  add_unpacked(parser, o.files.unpacked_mib);
+  parser->add_flag("--no-touching", o.no_touching, "Pass over pairs that only touch.");
+  parser->add_option("--method", o.method, "Search this way; all of them find the same pairs.")
+      ->check(CLI::IsMember(methods))
+      ->capture_default_str()
+      ->type_name("NAME");
+  add_threads(parser, o.threads);
+  parser->add_flag("--all", o.all, "List every pair, too.");
+  parser->add_flag("--count", o.count, "Leave the pairs out of the JSON.");
+  add_output(parser, "--json", o.json, "Write counts and pairs as JSON");
+  add_output(parser, "--out", o.out, "Write the pairs as an array of NumPy (.npy), a row each");
+  add_output(parser, "--svg", o.svg, "Draw the boxes, and what the search divides them into, as SVG");
+  parser->add_flag("--overwrite", o.overwrite, "Replace the files of --out and --svg where they are there.");
+  return {parser, pairs_manual, [options] { return run_pairs(*options); }, &o.files.words};
+}
+
+}  // namespace plumb::tool
