@@ -78,6 +78,33 @@ TEST(Sweeps, LoseAndInventPairsInFloatingPoint) {
   EXPECT_GT(found.failures.at("float32: pairs that do not meet and were reported"), 0U);
 }
 
+TEST(BoxesAtTouch, AreLostAndInventedInFloatingPoint) {
+  const Found found = found_by(touch_experiment());
+  const auto& f = found.failures;
+  EXPECT_GT(f.at("float32: pairs named that do not overlap"), 0U);
+  EXPECT_EQ(found.in("touching", "float32", 2), 0U);  // equal doubles round to equal floats
+  EXPECT_GT(f.at("double: pairs that overlap and were lost"), 0U);
+  EXPECT_GT(found.in("touching", "double", 3), 0U);  // centers and half lengths round
+  EXPECT_EQ(found.in("uniform", "double", 0), 0U);
+}
+
+TEST(NearEquidistant, NeighborsAreMistakenInFloatingPoint) {
+  const Found found = found_by(neighbor_experiment());
+  EXPECT_GT(found.in("near_ties", "double", 0), 0U);
+  EXPECT_GT(found.in("near_ties", "float32", 0), found.in("near_ties", "double", 0));
+  EXPECT_GT(found.in("far_away", "float32", 2), 0U);
+  EXPECT_EQ(found.in("uniform", "double", 0), 0U);
+}
+
+TEST(WalksAlongCorners, LeaveCellsOutInFloatingPoint) {
+  const Found found = found_by(walk_experiment());
+  for (const char* method : {"float32", "double", "recomputed"}) {
+    EXPECT_GT(found.in("corners", method, 0), 0U) << method;
+    EXPECT_GT(found.in("touched", method, 3), 0U) << method;
+  }
+  EXPECT_EQ(found.in("uniform", "double", 0), 0U);
+}
+
 TEST(Experiments, AreExactForOtherInputsAsWellAndRepeatable) {
   for (const Experiment& e : {hull_experiment(), space_hull_experiment(), segment_experiment(), sweep_experiment()}) {
     const auto other = found_by(e, 7).failures;

@@ -1,5 +1,5 @@
-// The tasks on meshes of `plumb chart`: their meshes are what they are said to be, their judge is the loop over all
-// triangles by the library's exact tests, and what is wrong, missed or far off is counted as such.
+// The tasks on meshes and on many things of `plumb chart`: these are what they are said to be, their judge is the loop
+// over all by the library's exact tests, and what is wrong, missed or far off is counted as such.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/ray/batch.hpp"
 #include "plumb/query/ray/parity.hpp"
+#include "tool/crowd/crowds.hpp"
 #include "tool/trial/measure.hpp"
 #include "tool/trial/mesh_judge.hpp"
 #include "tool/trial/mesh_questions.hpp"
@@ -204,6 +205,49 @@ TEST(ExactMeet, AgreesWithLinearPrograms) {
   EXPECT_GT(hit, battery::fitting(100));
 }
 
+/// Boxes, points and walks: each method of ours says what the judge says, of ties the lowest.
+TEST(CrowdJudges, AgreeWithOurs) {
+  std::size_t pairs = 0, cells = 0;
+  for (const Task& task : {box_pairs_task(), grid_walk_task()}) {
+    each_question(task, task.name == "box-pairs" ? 1 : battery::fitting(20), [&](std::span<const double> q) {
+      for (const Method& method : task.methods) {
+        const bool common = method.value || method.about.find("ours") == std::string::npos;
+        if (common) continue;
+        const auto round = method.prepare(q, {});
+        round->answer();
+        EXPECT_EQ(round->given(0), task.judge(q)) << method.name;
+        (task.name == "box-pairs" ? pairs : cells) += round->given_pairs(0).size();
+      }
+    });
+  }
+  EXPECT_GT(pairs, 10'000U);
+  EXPECT_GT(cells, battery::fitting(500));
+  const Task task = nearest_point_task();
+  std::vector<double> questions;
+  each_question(task, battery::fitting(20),
+                [&](std::span<const double> q) { questions.insert(questions.end(), q.begin(), q.end()); });
+  expect_said(task, questions);
+}
+
+/// A box shares its walls' doubles with 26 others; where it has them nudged, with some of these.
+TEST(Crowds, TouchAsTheyAreSaidTo) {
+  const Task task = box_pairs_task();
+  const auto count = [&](Spread spread) {
+    const std::array<double, box_crowd_numbers> q{crowd_name(spread, 5), 0, 1, 2};
+    const auto round = task.methods.back().prepare(q, {});
+    round->answer();
+    return round->given_pairs(0).size();
+  };
+  constexpr std::size_t side = 8, touching = ((3 * side - 2) * (3 * side - 2) * (3 * side - 2) - crowd_size) / 2;
+  EXPECT_EQ(count(Spread::touching), touching);
+  EXPECT_GT(count(Spread::nudged), touching / 4);
+  EXPECT_LT(count(Spread::nudged), 3 * touching / 4);
+  for (const Spread s : {Spread::uniform, Spread::clustered, Spread::sizes, Spread::degenerate, Spread::far}) {
+    EXPECT_GT(count(s), crowd_size) << static_cast<int>(s);
+    EXPECT_LT(count(s), 40 * crowd_size) << static_cast<int>(s);
+  }
+}
+
 TEST(PairsAsAnswer, AreToldApartAndKnowNoOrder) {
   EXPECT_EQ(as_answer(Pairs{{1, 2}, {3, 4}}), as_answer(Pairs{{3, 4}, {1, 2}}));
   std::set<double> all;
@@ -237,27 +281,37 @@ Score score_of_saying(Task task, const std::string& input, const std::function<d
 TEST(Tally, CountsWhatIsMissed) {
   const Score none = score_of_saying(closest_hit_task(), "vertices_and_edges", [](std::size_t) { return no_item; });
   EXPECT_EQ(none.asked, 64U);
-  EXPECT_EQ(none.tallied, none.asked);  // each hits
+  EXPECT_EQ(none.tallied.at(0), none.asked);  // each hits
   EXPECT_EQ(none.wrong, none.asked);
   const Score beyond = score_of_saying(closest_hit_task(), "generic", [](std::size_t) { return 1e9; });
   EXPECT_EQ(beyond.wrong, beyond.asked);
-  EXPECT_EQ(beyond.tallied, 0U);
+  EXPECT_EQ(beyond.tallied.at(0), 0U);
   const Score unknown = score_of_saying(closest_hit_task(), "generic", [](std::size_t) { return unsure; });
   EXPECT_EQ(unknown.unsure, unknown.asked);
-  EXPECT_EQ(unknown.tallied + unknown.wrong, 0U);
+  EXPECT_EQ(unknown.tallied.at(0) + unknown.wrong, 0U);
 }
 
 TEST(Tally, CountsPairsAndDistancesThatAreOff) {
   const Score far = score_of_saying(mesh_distance_task(), "generic", [](std::size_t) { return 1e9; });
-  EXPECT_EQ(far.tallied, far.asked);
+  EXPECT_EQ(far.tallied.at(0), far.asked);
   const Score far_triangle = score_of_saying(closest_point_task(), "far_away", [](std::size_t) { return no_item; });
-  EXPECT_EQ(far_triangle.tallied, far_triangle.asked);
+  EXPECT_EQ(far_triangle.tallied.at(0), far_triangle.asked);
   const Score pairs = score_of_saying(mesh_pairs_task(), "same", [](std::size_t) { return 0.0; });
   EXPECT_EQ(pairs.wrong, 1U);
   // A triangle of a closed ring, every vertex of which has six, has 12 neighbors, and is its own.
-  EXPECT_EQ(pairs.tallied, 256U * 13);
+  EXPECT_EQ(pairs.tallied.at(0), 256U * 13);
   const Score more = score_of_saying(mesh_pairs_task(), "same", [](std::size_t) { return 0.0; }, {{0, 0}, {900, 900}});
-  EXPECT_EQ(more.tallied, 256U * 13);  // one that meets, and one that is none
+  EXPECT_EQ(more.tallied.at(0), 256U * 13);  // one that meets, and one that is none
+}
+
+TEST(Tally, TellsFalsePairsFromMissedOnes) {
+  const Score none = score_of_saying(box_pairs_task(), "touching", [](std::size_t) { return 0.0; });
+  EXPECT_EQ(none.tallied, (std::vector<std::uint64_t>{0, 5068}));
+  const Score some = score_of_saying(box_pairs_task(), "touching", [](std::size_t) { return 0.0; }, {{0, 1}, {0, 511}});
+  EXPECT_EQ(some.tallied, (std::vector<std::uint64_t>{1, 5067}));
+  const Score cells = score_of_saying(grid_walk_task(), "corners", [](std::size_t) { return 0.0; });
+  EXPECT_EQ(cells.tallied.at(0), 0U);
+  EXPECT_GT(cells.tallied.at(1), 10 * cells.asked);
 }
 
 /// Equally first and equally near triangles are as right as the lowest.

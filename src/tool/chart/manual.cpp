@@ -30,6 +30,9 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        mesh-pairs, mesh-distance: which triangles of two meshes meet,
        how far are the meshes apart?
        closest-point-on-mesh: which triangle is nearest to a point?
+       box-pairs: which boxes of a set overlap?
+       nearest-point: which of many points is nearest to a place?
+       grid-walk: which cells of a grid does a segment visit?
 
 wrong  The share of wrong answers; of numbers, of those that are not the
        nearest double.
@@ -40,11 +43,12 @@ inconsistent
        the arguments are given in another order.
 ulps   Of numbers, how many doubles lie between the answer and the
        nearest one: in the mean, and at most.
-missed, wrong pairs, far off
-       Of meshes, a count of what is worse than wrong: rays that hit
-       nothing where there is something, pairs too many or too few,
-       distances off by more than 1e-4. Of triangles that are equally
-       first or near each is right.
+missed, wrong pairs, far off, false and missed pairs and cells
+       Of meshes and of many things, counts of what is worse than wrong:
+       rays that hit nothing where there is something, pairs and cells
+       too many or too few, distances off by more than 1e-4. Of
+       triangles and points that are equally first or near each is
+       right.
 ns     Nanoseconds a question, on one thread: the least of a few rounds.
 allocations
        How often memory is asked for, a question.
@@ -73,9 +77,12 @@ integers       Integers of any length, always; where code divides, their
                fractions.
 rationals      GMP's rationals, always.
 advancement    Conservative advancement, of what moves.
+recomputed     As double, with each parameter divided for anew.
 plan           Ours, in the arithmetic that the inputs' lattice needs.
 exact          Ours, one question at a time.
 batch          Ours, over spans, on one thread.
+columns, sweep, brute-force
+               Ours, by that method of the broad phase.
 
 Not every task has every method: docs/charts.md says why.)"}},
           {{"EXIT STATUS", R"(

@@ -13,7 +13,7 @@ std::string hint_of(const trial::Score& s, const trial::Trial& t) {
                   s.unsure, s.inconsistent, three_digits(s.ns), three_digits(s.allocations));
   if (t.kind == trial::AnswerKind::number)
     hint += fmt::format("; off by {:.3g} ulps in the mean, {:.3g} at most", s.mean_ulps, s.largest_ulps);
-  if (!t.tally.empty()) hint += fmt::format("; {} {}", s.tallied, t.tally);
+  for (std::size_t k = 0; k < t.tallies.size(); ++k) hint += fmt::format("; {} {}", s.tallied[k], t.tallies[k].name);
   return hint;
 }
 

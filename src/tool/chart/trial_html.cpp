@@ -26,20 +26,20 @@ std::vector<std::string> distinct(std::span<const trial::Trial> trials, Name nam
 
 std::string table(const trial::Trial& t) {
   const bool number = t.kind == trial::AnswerKind::number;
+  std::string tallies;
+  for (const auto& [name, about] : t.tallies)
+    tallies += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", escaped(about), escaped(name));
   std::string text = fmt::format(
       "<details><summary>Figures</summary><div><table>\n<tr><th scope=\"col\">method</th><th scope=\"col\">wrong</th>"
       "<th scope=\"col\">unsure</th><th scope=\"col\">inconsistent</th><th scope=\"col\">of</th>"
       "<th scope=\"col\">ns</th><th scope=\"col\">allocations</th>{}{}</tr>\n",
-      number ? "<th scope=\"col\">mean ulps</th><th scope=\"col\">most ulps</th>" : "",
-      t.tally.empty()
-          ? ""
-          : fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", escaped(t.tally_about), escaped(t.tally)));
+      number ? "<th scope=\"col\">mean ulps</th><th scope=\"col\">most ulps</th>" : "", tallies);
   for (const trial::Score& s : t.scores) {
     text += fmt::format(
         "<tr data-key=\"{0}\"><td>{0}</td><td>{1}</td><td>{2}</td><td>{3}</td><td>{4}</td><td>{5}</td><td>{6}</td>",
         escaped(s.method), s.wrong, s.unsure, s.inconsistent, s.asked, three_digits(s.ns), three_digits(s.allocations));
     if (number) text += fmt::format("<td>{:.3g}</td><td>{:.3g}</td>", s.mean_ulps, s.largest_ulps);
-    if (!t.tally.empty()) text += fmt::format("<td>{}</td>", s.tallied);
+    for (const std::uint64_t counted : s.tallied) text += fmt::format("<td>{}</td>", counted);
     text += "</tr>\n";
   }
   return text + "</table></div></details>\n";

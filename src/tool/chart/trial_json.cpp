@@ -22,7 +22,7 @@ json json_of(const trial::Score& s, const trial::Trial& t) {
     j["mean_ulps"] = s.mean_ulps;
     j["largest_ulps"] = s.largest_ulps;
   }
-  if (!t.tally.empty()) j["tallied"] = s.tallied;
+  if (!t.tallies.empty()) j["tallied"] = s.tallied;
   return j;
 }
 
@@ -43,7 +43,7 @@ json trials_json(std::span<const trial::Trial> trials, const trial::Settings& se
              {"methods", json::array()}};
     if (t.kind == trial::AnswerKind::decision)
       one["truths"] = {{"negative", t.truths[0]}, {"zero", t.truths[1]}, {"positive", t.truths[2]}};
-    if (!t.tally.empty()) one["tally"] = {{"name", t.tally}, {"about", t.tally_about}};
+    for (const auto& [name, about] : t.tallies) one["tallies"].push_back({{"name", name}, {"about", about}});
     for (const trial::Score& s : t.scores) one["methods"].push_back(json_of(s, t));
     j["trials"].push_back(std::move(one));
   }

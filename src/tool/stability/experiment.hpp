@@ -75,5 +75,8 @@ Experiment pose_experiment();
 Experiment distance_experiment();
 Experiment ball_experiment();
 Experiment motion_experiment();
+Experiment touch_experiment();
+Experiment neighbor_experiment();
+Experiment walk_experiment();
 
 }  // namespace plumb::tool::stability

@@ -158,10 +158,10 @@ Task closest_hit_task() {
   task.accepts = [judge](std::span<const double> q, double truth, double said) {
     return judge->equally_first(q, truth, said);
   };
-  task.tally = {"missed", "rays that hit a triangle, but none by this method: leaks, where the mesh is closed",
-                [](std::span<const double>, double truth, const Round& round, std::size_t i) {
-                  return std::uint64_t{truth != no_item && round.given(i) == no_item};
-                }};
+  task.tallies = {{"missed", "rays that hit a triangle, but none by this method: leaks, where the mesh is closed",
+                   [](std::span<const double>, double truth, const Round& round, std::size_t i) {
+                     return std::uint64_t{truth != no_item && round.given(i) == no_item};
+                   }}};
   task.methods.push_back(plain_rays<float>("float32", "our tree in single precision, of coordinates rounded to it", 0));
   task.methods.push_back(plain_rays<double>("double", "our tree, slabs and triangles as commonly written", 0));
   task.methods.push_back(plain_rays<double>("absolute", "double, with an epsilon of 1e-9", customary_epsilon));

@@ -136,10 +136,10 @@ Task closest_point_task() {
   task.accepts = [judge](std::span<const double> q, double truth, double said) {
     return judge->equally_near(q, truth, said);
   };
-  task.tally = {"far off", "triangles that are farther than the nearest by more than 1e-4 of its distance",
-                [judge](std::span<const double> q, double truth, const Round& round, std::size_t i) {
-                  return std::uint64_t{judge->far_off(q, truth, round.given(i))};
-                }};
+  task.tallies = {{"far off", "triangles that are farther than the nearest by more than 1e-4 of its distance",
+                   [judge](std::span<const double> q, double truth, const Round& round, std::size_t i) {
+                     return std::uint64_t{judge->far_off(q, truth, round.given(i))};
+                   }}};
   task.methods.push_back(plain_places<float>("float32", "our tree in single precision, of coordinates rounded to it"));
   task.methods.push_back(plain_places<double>("double", "our tree, distances as commonly written"));
   task.methods.push_back(of_one_mesh<place_numbers>(

@@ -65,6 +65,7 @@ Inputs inputs_of(const Task& task, const InputClass& input, const Settings& sett
 }
 
 void judge(const Round& round, const Task& task, const Inputs& inputs, Score& score) {
+  score.tallied.resize(task.tallies.size());
   for (std::size_t i = 0; i < inputs.truths.size(); ++i) {
     const double said = round.given(i), truth = inputs.truths[i];
     ++score.asked;
@@ -73,7 +74,8 @@ void judge(const Round& round, const Task& task, const Inputs& inputs, Score& sc
     } else {
       const auto question = inputs.question(i, task.numbers);
       if (!task.is_right(question, truth, said)) ++score.wrong;
-      if (task.tally.count) score.tallied += task.tally.count(question, truth, round, i);
+      for (std::size_t t = 0; t < task.tallies.size(); ++t)
+        score.tallied[t] += task.tallies[t].count(question, truth, round, i);
       if (task.kind != AnswerKind::number) continue;
       const double off = doubles_apart(said, truth);
       score.largest_ulps = std::max(score.largest_ulps, off);
@@ -127,7 +129,8 @@ double doubles_apart(double a, double b) {
 }
 
 Trial measure(const Task& task, const InputClass& input, const Settings& settings, const std::function<void()>& tried) {
-  Trial trial{task.name, task.question, input.name, input.about, task.kind, {}, {}, task.tally.name, task.tally.about};
+  Trial trial{task.name, task.question, input.name, input.about, task.kind, {}, {}};
+  for (const Tally& t : task.tallies) trial.tallies.push_back({t.name, t.about});
   const Inputs inputs = inputs_of(task, input, settings);
   const Scene scene = scene_of(inputs.questions);
   if (task.kind == AnswerKind::decision) {

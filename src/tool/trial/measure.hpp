@@ -28,7 +28,7 @@ struct Score {
   double allocations = 0;  // a question
   // Of numbers: how many doubles lie between the answer and the nearest one.
   double largest_ulps = 0, mean_ulps = 0;
-  std::uint64_t tallied = 0;  // what the task's tally counts
+  std::vector<std::uint64_t> tallied = {};  // what each of the task's tallies counts
 
   [[nodiscard]] double share(std::uint64_t count) const {
     return asked == 0 ? 0 : static_cast<double>(count) / static_cast<double>(asked);
@@ -41,7 +41,10 @@ struct Trial {
   AnswerKind kind{};
   std::array<std::uint64_t, 3> truths{};  // of decisions: negative, zero (no), positive (yes)
   std::vector<Score> scores;
-  std::string tally = {}, tally_about = {};  // the task's, where it has one
+  struct Counted {
+    std::string name, about;
+  };
+  std::vector<Counted> tallies = {};  // the task's
 };
 
 /// The number of doubles between two finite ones; from zero to zero none, whatever the signs.

@@ -11,12 +11,12 @@ namespace plumb::tool::trial {
 namespace {
 
 /// Origin and direction of a ray, and the six corners of the solid of octahedron_faces.
-constexpr std::size_t numbers = 24, corners_at = 6;
+constexpr std::size_t ray_mesh_size = 24, corners_at = 6;
 
 /// One triangle after the other.
 struct RayAgainstMesh {
   template <class T>
-  bool operator()(const std::array<T, numbers>& q, T epsilon) const {
+  bool operator()(const std::array<T, ray_mesh_size>& q, T epsilon) const {
     return std::ranges::any_of(octahedron_faces, [&](const std::array<std::size_t, 3>& face) {
       std::array<T, 15> one{};
       std::copy_n(q.begin(), corners_at, one.begin());
@@ -30,9 +30,9 @@ struct RayAndMesh {
   Ray3 ray;
   TriangleMesh mesh;
 };
-RayAndMesh ray_and_mesh(const std::array<double, numbers>& q) {
+RayAndMesh ray_and_mesh(const std::array<double, ray_mesh_size>& q) {
   RayAndMesh made{{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}}, {}};
-  for (std::size_t i = corners_at; i < numbers; i += 3) made.mesh.vertices.push_back({q[i], q[i + 1], q[i + 2]});
+  for (std::size_t i = corners_at; i < ray_mesh_size; i += 3) made.mesh.vertices.push_back({q[i], q[i + 1], q[i + 2]});
   for (const auto& face : octahedron_faces) {
     TriangleMesh::Triangle corners{};
     std::ranges::transform(face, corners.begin(), [](std::size_t i) { return static_cast<std::uint32_t>(i); });
@@ -61,7 +61,7 @@ void fill_leak(std::span<double> q, Entropy& entropy) {
 }  // namespace
 
 Task ray_mesh_task() {
-  Task task{"ray-mesh", "does a ray hit a closed mesh?", numbers, AnswerKind::decision, {}, {}, {}, {}, 4};
+  Task task{"ray-mesh", "does a ray hit a closed mesh?", ray_mesh_size, AnswerKind::decision, {}, {}, {}, {}, 4};
   task.symmetries = {reordered(3, {0, 1, 4, 5, 6, 7, 2, 3})};  // the axes in turn: the same solid
   task.classes = refilled(shape_classes(3), [](std::span<double> q) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -84,9 +84,10 @@ Task ray_mesh_task() {
       return meet({{rational_vec(q, 0)}, {rational_vec(q, 1)}}, triangle);
     }));
   };
-  task.methods = branching_methods<AnswerKind::decision, numbers>(RayAgainstMesh{});
-  task.methods.push_back(each_made<numbers>("exact", "ours, one at a time", ray_and_mesh,
-                                            [](const RayAndMesh& q) { return first_hit(q.ray, q.mesh).has_value(); }));
+  task.methods = branching_methods<AnswerKind::decision, ray_mesh_size>(RayAgainstMesh{});
+  task.methods.push_back(
+      each_made<ray_mesh_size>("exact", "ours, one at a time", ray_and_mesh,
+                               [](const RayAndMesh& q) { return first_hit(q.ray, q.mesh).has_value(); }));
   return task;
 }
 

@@ -1,6 +1,6 @@
 // What is put to the methods?  A question, the kinds of inputs that it is asked of, its true answer, and who answers.
 //
-// Laws: (1) `judge` computes in GMP's rationals and shares no stage with the methods of ours; (2) each symmetry says
+// Laws: (1) `judge` computes in GMP's numbers, or compares doubles as given, and shares no stage with the methods of ours; (2) each symmetry says
 // how the true answer changes when the arguments change places, so that a method can be held against itself; (3)
 // classes are named as the families of plumb/degenerate are, where they are those.
 // Source: RTCD 11.2 (what rounding does to decisions).
@@ -37,7 +37,7 @@ enum class AnswerKind : std::uint8_t { decision, set, number, item };
 struct Tally {
   std::string name, about;
   std::function<std::uint64_t(std::span<const double> question, double truth, const Round& round, std::size_t number)>
-      count = {};
+      count;
 };
 
 struct Task {
@@ -51,7 +51,7 @@ struct Task {
   std::uint64_t fewer = 1;  // divides the cases that are asked, where the judge takes its time
   /// Is what was said right, too, though it is not what the judge said?  Where there is none, it is not.
   std::function<bool(std::span<const double> question, double truth, double said)> accepts = {};
-  Tally tally = {};  // without a name: none
+  std::vector<Tally> tallies = {};
 
   [[nodiscard]] bool is_right(std::span<const double> asked, double truth, double said) const {
     return said == truth || (accepts && accepts(asked, truth, said));
@@ -92,6 +92,9 @@ Task closest_hit_task();
 Task mesh_pairs_task();
 Task mesh_distance_task();
 Task closest_point_task();
+Task box_pairs_task();
+Task nearest_point_task();
+Task grid_walk_task();
 
 /// For test vectors alone: no task of the report.
 Task ray_mesh_task();

@@ -53,7 +53,10 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               closest_hit_task,
                               mesh_pairs_task,
                               mesh_distance_task,
-                              closest_point_task};
+                              closest_point_task,
+                              box_pairs_task,
+                              nearest_point_task,
+                              grid_walk_task};
   for (const auto make : makers) tasks.push_back(make());
   for (Task& task : tasks) {
     for (const Rival& rival : rivals) {

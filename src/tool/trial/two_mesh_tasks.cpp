@@ -114,10 +114,10 @@ Task mesh_pairs_task() {
   task.symmetries = {mesh_axes_in_turn(2, 0, true)};
   const auto judge = std::make_shared<PairJudge>();
   task.judge = [judge](std::span<const double> q) { return as_answer(judge->pairs(q)); };
-  task.tally = {"wrong pairs", "pairs that meet and were not named, and pairs named that do not",
-                [judge](std::span<const double> q, double, const Round& round, std::size_t i) {
-                  return judge->wrong_pairs(q, round.given_pairs(i));
-                }};
+  task.tallies = {{"wrong pairs", "pairs that meet and were not named, and pairs named that do not",
+                   [judge](std::span<const double> q, double, const Round& round, std::size_t i) {
+                     return judge->wrong_pairs(q, round.given_pairs(i));
+                   }}};
   task.methods.push_back(
       plain_pairs<float>("float32", "our trees in single precision, of coordinates rounded to it", 0));
   task.methods.push_back(plain_pairs<double>("double", "our trees, triangles by their intervals", 0));
@@ -146,10 +146,10 @@ Task mesh_distance_task() {
     mpq_div_2exp(square.get_mpq_t(), square.get_mpq_t(), 100);
     return nearest_root(square);
   };
-  task.tally = {"far off", "distances that are off by more than 1e-4 of the true one",
-                [](std::span<const double>, double truth, const Round& round, std::size_t i) {
-                  return std::uint64_t{magnitude(round.given(i) - truth) > 1e-4 * truth};
-                }};
+  task.tallies = {{"far off", "distances that are off by more than 1e-4 of the true one",
+                   [](std::span<const double>, double truth, const Round& round, std::size_t i) {
+                     return std::uint64_t{magnitude(round.given(i) - truth) > 1e-4 * truth};
+                   }}};
   task.methods.push_back(
       plain_distance<float>("float32", "our trees in single precision, of coordinates rounded to it"));
   task.methods.push_back(plain_distance<double>("double", "our trees, distances as commonly written"));

@@ -6,8 +6,10 @@
 #include "bench/rivals/box_pairs/rival.hpp"
 
 namespace plumb::bench {
+namespace {
 
-std::size_t boost_box_pairs(std::span<const Aabb3> boxes) {
+template <class To>
+void boost_pairs(std::span<const Aabb3> boxes, To& to) {
   namespace bg = boost::geometry;
   using Point = bg::model::point<double, 3, bg::cs::cartesian>;
   using Value = std::pair<bg::model::box<Point>, std::size_t>;
@@ -15,11 +17,24 @@ std::size_t boost_box_pairs(std::span<const Aabb3> boxes) {
   for (const auto& [min, max] : boxes)
     all.emplace_back(bg::model::box<Point>({min.x, min.y, min.z}, {max.x, max.y, max.z}), all.size());
   const bg::index::rtree<Value, bg::index::quadratic<16>> tree(all);
-  std::size_t count = 0;
   for (const Value& v : all) {
-    for (auto at = tree.qbegin(bg::index::intersects(v.first)); at != tree.qend(); ++at) count += at->second > v.second;
+    for (auto at = tree.qbegin(bg::index::intersects(v.first)); at != tree.qend(); ++at) {
+      if (at->second > v.second) to(v.second, at->second);
+    }
   }
-  return count;
+}
+
+}  // namespace
+
+std::size_t boost_box_pairs(std::span<const Aabb3> boxes) {
+  PairCount to;
+  boost_pairs(boxes, to);
+  return to.count;
+}
+ToldPairs boost_told_pairs(std::span<const Aabb3> boxes) {
+  PairKeeper to;
+  boost_pairs(boxes, to);
+  return std::move(to.pairs);
 }
 
 }  // namespace plumb::bench

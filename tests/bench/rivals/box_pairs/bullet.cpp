@@ -16,10 +16,15 @@ struct Kept {
   explicit Kept(std::span<const Aabb3> boxes, Arguments... arguments) : broadphase(arguments...) {
     for (const auto& [min, max] : boxes) {
       proxies.push_back(broadphase.createProxy(vector_of(min), vector_of(max), 0, nullptr, 1, 1, nullptr));
+      // A number, told as a place in the boxes.
+      proxies.back()->m_clientObject = const_cast<Aabb3*>(boxes.data() + proxies.size() - 1);
     }
     broadphase.calculateOverlappingPairs(nullptr);
   }
   ~Kept() {
+    // Else each proxy is looked for among all pairs; the sweep finds pairs by their places.
+    if constexpr (std::is_same_v<Broadphase, btDbvtBroadphase>)
+      broadphase.getOverlappingPairCache()->getOverlappingPairArray().clear();
     for (btBroadphaseProxy* p : proxies) broadphase.destroyProxy(p, nullptr);
   }
   Kept(const Kept&) = delete;
@@ -44,6 +49,17 @@ struct Kept {
 std::size_t bullet_box_pairs(std::span<const Aabb3> boxes) {
   Kept<btDbvtBroadphase> kept(boxes);
   return kept.count();
+}
+
+ToldPairs bullet_told_pairs(std::span<const Aabb3> boxes) {
+  Kept<btDbvtBroadphase> kept(boxes);
+  const btBroadphasePairArray& pairs = kept.broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+  const auto number = [&](const btBroadphaseProxy* p) {
+    return static_cast<std::size_t>(static_cast<const Aabb3*>(p->m_clientObject) - boxes.data());
+  };
+  PairKeeper to;
+  for (int i = 0; i < pairs.size(); ++i) to(number(pairs[i].m_pProxy0), number(pairs[i].m_pProxy1));
+  return std::move(to.pairs);
 }
 
 struct BulletTree::State : Kept<btDbvtBroadphase> {

@@ -5,8 +5,10 @@
 #include "bench/rivals/box_pairs/rival.hpp"
 
 namespace plumb::bench {
+namespace {
 
-std::size_t cgal_box_pairs(std::span<const Aabb3> boxes) {
+template <class To>
+void cgal_pairs(std::span<const Aabb3> boxes, To& to) {
   using Box = CGAL::Box_intersection_d::Box_d<double, 3>;
   std::vector<Box> all;
   all.reserve(boxes.size());
@@ -14,9 +16,23 @@ std::size_t cgal_box_pairs(std::span<const Aabb3> boxes) {
     double low[]{min.x, min.y, min.z}, high[]{max.x, max.y, max.z};
     all.emplace_back(low, high);
   }
-  std::size_t count = 0;
-  CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box&, const Box&) { ++count; });
-  return count;
+  if (all.empty()) return;
+  const std::size_t first = all.front().id();
+  CGAL::box_self_intersection_d(all.begin(), all.end(),
+                                [&](const Box& a, const Box& b) { to(a.id() - first, b.id() - first); });
+}
+
+}  // namespace
+
+std::size_t cgal_box_pairs(std::span<const Aabb3> boxes) {
+  PairCount to;
+  cgal_pairs(boxes, to);
+  return to.count;
+}
+ToldPairs cgal_told_pairs(std::span<const Aabb3> boxes) {
+  PairKeeper to;
+  cgal_pairs(boxes, to);
+  return std::move(to.pairs);
 }
 
 }  // namespace plumb::bench

@@ -15,9 +15,8 @@ float float_below(double x) {
 }
 float float_above(double x) { return -float_below(-x); }
 
-}  // namespace
-
-std::size_t embree_box_pairs(std::span<const Aabb3> boxes) {
+template <class To>
+void embree_pairs(std::span<const Aabb3> boxes, To& to) {
   static const RTCDevice device = rtcNewDevice("threads=1");
   std::vector<RTCBounds> bounds(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -43,23 +42,36 @@ std::size_t embree_box_pairs(std::span<const Aabb3> boxes) {
   rtcCommitScene(scene);
   struct Seen {
     const std::vector<RTCBounds>* bounds;
-    std::size_t count;
-  } seen{&bounds, 0};
+    To& to;
+  } seen{&bounds, to};
   rtcCollide(
       scene, scene,
-      [](void* to, RTCCollision* pairs, unsigned n) {
-        auto& s = *static_cast<Seen*>(to);
+      [](void* held, RTCCollision* pairs, unsigned n) {
+        auto& s = *static_cast<Seen*>(held);
         for (unsigned i = 0; i < n; ++i) {
           const unsigned p = pairs[i].primID0, q = pairs[i].primID1;
           if (p >= q) continue;
           const RTCBounds &a = (*s.bounds)[p], &b = (*s.bounds)[q];
-          s.count += a.lower_x <= b.upper_x && b.lower_x <= a.upper_x && a.lower_y <= b.upper_y &&
-                     b.lower_y <= a.upper_y && a.lower_z <= b.upper_z && b.lower_z <= a.upper_z;
+          if (a.lower_x <= b.upper_x && b.lower_x <= a.upper_x && a.lower_y <= b.upper_y && b.lower_y <= a.upper_y &&
+              a.lower_z <= b.upper_z && b.lower_z <= a.upper_z)
+            s.to(p, q);
         }
       },
       &seen);
   rtcReleaseScene(scene);
-  return seen.count;
+}
+
+}  // namespace
+
+std::size_t embree_box_pairs(std::span<const Aabb3> boxes) {
+  PairCount to;
+  embree_pairs(boxes, to);
+  return to.count;
+}
+ToldPairs embree_told_pairs(std::span<const Aabb3> boxes) {
+  PairKeeper to;
+  embree_pairs(boxes, to);
+  return std::move(to.pairs);
 }
 
 }  // namespace plumb::bench

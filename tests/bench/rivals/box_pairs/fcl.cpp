@@ -7,8 +7,10 @@
 #include "bench/rivals/box_pairs/rival.hpp"
 
 namespace plumb::bench {
+namespace {
 
-std::size_t fcl_box_pairs(std::span<const Aabb3> boxes) {
+template <class To>
+void fcl_pairs(std::span<const Aabb3> boxes, To& to) {
   using Object = fcl::CollisionObject<double>;
   std::vector<std::unique_ptr<Object>> objects;
   std::vector<Object*> all;
@@ -19,17 +21,38 @@ std::size_t fcl_box_pairs(std::span<const Aabb3> boxes) {
         fcl::Vector3<double>(min.x + (max.x - min.x) / 2, min.y + (max.y - min.y) / 2, min.z + (max.z - min.z) / 2);
     objects.push_back(std::make_unique<Object>(box, place));
     objects.back()->computeAABB();
+    // A number, told as a place in the boxes.
+    objects.back()->setUserData(const_cast<Aabb3*>(boxes.data() + all.size()));
     all.push_back(objects.back().get());
   }
   fcl::DynamicAABBTreeCollisionManager<double> manager;
   manager.registerObjects(all);
   manager.setup();
-  std::size_t count = 0;
-  manager.collide(&count, [](Object* a, Object* b, void* to) {
-    *static_cast<std::size_t*>(to) += a->getAABB().overlap(b->getAABB()) ? 1 : 0;
+  struct Asked {
+    To& to;
+    const Aabb3* first;
+  } asked{to, boxes.data()};
+  manager.collide(&asked, [](Object* a, Object* b, void* held) {
+    const Asked& told = *static_cast<Asked*>(held);
+    const auto number = [&](const Object* o) {
+      return static_cast<std::size_t>(static_cast<const Aabb3*>(o->getUserData()) - told.first);
+    };
+    if (a->getAABB().overlap(b->getAABB())) told.to(number(a), number(b));
     return false;
   });
-  return count;
+}
+
+}  // namespace
+
+std::size_t fcl_box_pairs(std::span<const Aabb3> boxes) {
+  PairCount to;
+  fcl_pairs(boxes, to);
+  return to.count;
+}
+ToldPairs fcl_told_pairs(std::span<const Aabb3> boxes) {
+  PairKeeper to;
+  fcl_pairs(boxes, to);
+  return std::move(to.pairs);
 }
 
 }  // namespace plumb::bench

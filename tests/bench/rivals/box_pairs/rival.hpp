@@ -1,9 +1,13 @@
-// All pairs of boxes that overlap, as others find them: each from boxes of doubles, on one thread, counting the pairs.
+// All pairs of boxes that overlap, as others find them: each from boxes of doubles, on one thread, counting the pairs, or
+// telling them.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "plumb/figure/basic/box.hpp"
 
@@ -19,6 +23,27 @@ std::size_t bullet_box_pairs(std::span<const Aabb3> boxes);
 std::size_t fcl_box_pairs(std::span<const Aabb3> boxes);
 /// Boost.Geometry's R-tree, packed, asked for each box.
 std::size_t boost_box_pairs(std::span<const Aabb3> boxes);
+
+/// The same pairs, told: the lower number first, in no order.
+using ToldPairs = std::vector<std::array<std::uint32_t, 2>>;
+ToldPairs embree_told_pairs(std::span<const Aabb3> boxes);
+ToldPairs cgal_told_pairs(std::span<const Aabb3> boxes);
+ToldPairs bullet_told_pairs(std::span<const Aabb3> boxes);
+ToldPairs fcl_told_pairs(std::span<const Aabb3> boxes);
+ToldPairs boost_told_pairs(std::span<const Aabb3> boxes);
+
+/// To count them, or to keep them.
+struct PairCount {
+  std::size_t count = 0;
+  void operator()(std::size_t, std::size_t) { ++count; }
+};
+struct PairKeeper {
+  ToldPairs pairs;
+  void operator()(std::size_t a, std::size_t b) {
+    const auto i = static_cast<std::uint32_t>(a), k = static_cast<std::uint32_t>(b);
+    pairs.push_back({i < k ? i : k, i < k ? k : i});
+  }
+};
 
 /// Bullet's btAxisSweep3, whose order is kept from frame to frame.
 class BulletSweep {

@@ -1,0 +1,292 @@
+// Do all indexes of boxes that come, go and move tell the same pairs as asking each pair, whatever is done to them?
+//
+// The bytes are a scale and a sequence of insertions, moves, removals and questions.  Every index does the same; what an
+// index refuses (a grid that would take too much memory) must leave it as it was.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/degenerate/entropy.hpp"
+#include "plumb/figure/aabb/relation.hpp"
+#include "plumb/space.hpp"
+
+namespace plumb::fuzz {
+namespace {
+
+using Id = std::uint32_t;  // of a box, given once
+using Boxes = std::map<Id, Aabb3>;
+using IdPairs = std::vector<std::array<Id, 2>>;  // ascending
+
+[[noreturn]] void fail(const char* index, const char* what) {
+  std::cerr << index << ": " << what << std::endl;
+  std::abort();
+}
+void expect(bool holds, const char* index, const char* what) {
+  if (!holds) fail(index, what);
+}
+
+enum class Scale { integers, nudged, spread, any };
+
+double side(Entropy& e, Scale scale) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  switch (scale) {
+    case Scale::integers:
+      return static_cast<double>(e.within(4));
+    case Scale::nudged: {
+      const double x = static_cast<double>(e.within(3)) / 4;
+      const std::int64_t way = e.within(1);
+      return way == 0 ? x : std::nextafter(x, static_cast<double>(way) * infinity);
+    }
+    case Scale::spread:
+      return std::ldexp(static_cast<double>(e.within(8)), static_cast<int>(e.within(12)));
+    case Scale::any:
+      break;
+  }
+  const double x = std::bit_cast<double>(e.bits(64));
+  return x - x == 0 ? x : 0;
+}
+Aabb3 some_box(Entropy& e, Scale scale) {
+  const auto ends = [&] {
+    const double a = side(e, scale), b = e.below(4) == 0 ? a : side(e, scale);
+    return std::array{std::min(a, b), std::max(a, b)};
+  };
+  const auto x = ends(), y = ends(), z = ends();
+  return {{x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
+}
+
+bool count_as_pair(const Aabb3& a, const Aabb3& b, bool touching) {
+  const Relation r = relate(a, b);
+  return r == Relation::overlapping || (touching && r == Relation::touching);
+}
+IdPairs all_pairs(const Boxes& boxes, bool touching = true) {
+  IdPairs pairs;
+  for (auto a = boxes.begin(); a != boxes.end(); ++a) {
+    for (auto b = std::next(a); b != boxes.end(); ++b) {
+      if (count_as_pair(a->second, b->second, touching)) pairs.push_back({a->first, b->first});
+    }
+  }
+  return pairs;
+}
+
+/// An index whose handles are numbers.
+template <class Index>
+class Indexed {
+ public:
+  Indexed(const char* name, Index index) : name_(name), index_(std::move(index)) {}
+
+  void insert(Id id, const Aabb3& box) {
+    const std::size_t before = index_.size();
+    try {
+      const std::uint32_t handle = index_.insert(box);
+      expect(ids_.emplace(handle, id).second, name_, "a handle is given twice");
+      handles_[id] = handle;
+      boxes_[id] = box;
+    } catch (const Error&) {
+      expect(index_.size() == before, name_, "a refused box was kept");
+    }
+  }
+  void move(Id id, const Aabb3& box) {
+    const auto at = handles_.find(id);
+    if (at == handles_.end()) return;
+    try {
+      index_.move(at->second, box);
+      boxes_[id] = box;
+    } catch (const Error&) {
+      expect(index_.size() == boxes_.size(), name_, "a refused move changed the number of boxes");
+    }
+  }
+  void remove(Id id) {
+    const auto at = handles_.find(id);
+    if (at == handles_.end()) return;
+    const std::uint32_t handle = at->second;
+    index_.remove(handle);
+    ids_.erase(handle);
+    handles_.erase(at);
+    boxes_.erase(id);
+    try {
+      index_.remove(handle);
+    } catch (const Error&) {
+      return;
+    }
+    fail(name_, "a handle is removed twice");
+  }
+  template <class Ask>
+  void check_pairs(const Ask& ask, bool touching = true) const {
+    IdPairs pairs;
+    for (const BoxPair& p : ask(index_)) {
+      expect(p.a < p.b && ids_.contains(p.a) && ids_.contains(p.b), name_, "a pair is none of handles");
+      const Id a = ids_.at(p.a), b = ids_.at(p.b);
+      pairs.push_back({std::min(a, b), std::max(a, b)});
+    }
+    std::ranges::sort(pairs);
+    expect(pairs == all_pairs(boxes_, touching), name_, "the pairs differ");
+    expect(index_.size() == boxes_.size(), name_, "the number of boxes differs");
+  }
+  template <class Ask>
+  void check_overlapping(const Aabb3& box, const Ask& ask) const {
+    std::set<Id> found, expected;
+    for (const std::uint32_t handle : ask(index_, box))
+      expect(ids_.contains(handle) && found.insert(ids_.at(handle)).second, name_, "a box is found twice");
+    for (const auto& [id, b] : boxes_) {
+      if (count_as_pair(b, box, true)) expected.insert(id);
+    }
+    expect(found == expected, name_, "what overlaps a box differs");
+  }
+
+ private:
+  const char* name_;
+  Index index_;
+  std::map<std::uint32_t, Id> ids_;
+  std::map<Id, std::uint32_t> handles_;
+  Boxes boxes_;
+};
+
+/// Those of this call and of the last differ by what is told.
+class Moving {
+ public:
+  void insert(Id id, const Aabb3& box) {
+    handles_[id] = world_.insert(box);
+    ids_[handles_[id]] = id;
+  }
+  void move(Id id, const Aabb3& box) { world_.update(handles_.at(id), box); }
+  void remove(Id id) {
+    const BoxHandle handle = handles_.at(id);
+    world_.remove(handle);
+    expect(!world_.contains(handle), "MovingBoxes", "a handle outlives its box");
+    handles_.erase(id);
+  }
+  void check(const Boxes& boxes) {
+    const BoxPairChanges& changes = world_.changes();
+    const auto named = [&](const HandlePair& p) {
+      const Id a = ids_.at(p.a), b = ids_.at(p.b);
+      return std::array{std::min(a, b), std::max(a, b)};
+    };
+    for (const HandlePair& p : changes.lost) expect(pairs_.erase(named(p)) == 1, "MovingBoxes", "lost a pair not had");
+    for (const HandlePair& p : changes.added) expect(pairs_.insert(named(p)).second, "MovingBoxes", "added one had");
+    expect(std::ranges::equal(pairs_, all_pairs(boxes)), "MovingBoxes", "the pairs differ");
+    IdPairs all;
+    for (const HandlePair& p : world_.pairs()) all.push_back(named(p));
+    std::ranges::sort(all);
+    expect(std::ranges::equal(pairs_, all) && world_.size() == boxes.size(), "MovingBoxes", "pairs() differ");
+  }
+
+ private:
+  MovingBoxes world_;
+  std::map<Id, BoxHandle> handles_;
+  std::map<BoxHandle, Id> ids_;  // of removed ones too: a handle names one box for ever
+  std::set<std::array<Id, 2>> pairs_;
+};
+
+void check_from_scratch(const Boxes& held) {
+  std::vector<Id> ids;
+  std::vector<Aabb3> boxes;
+  for (const auto& [id, box] : held) ids.push_back(id), boxes.push_back(box);
+  const auto check = [&](const char* name, const std::vector<BoxPair>& found, bool touching) {
+    IdPairs pairs;
+    for (const BoxPair& p : found) pairs.push_back({ids[p.a], ids[p.b]});
+    std::ranges::sort(pairs);
+    expect(pairs == all_pairs(held, touching), name, "the pairs differ");
+  };
+  for (const bool touching : {true, false}) {
+    for (const auto method : {BroadPhaseMethod::automatic, BroadPhaseMethod::swept_columns,
+                              BroadPhaseMethod::sort_and_sweep, BroadPhaseMethod::brute_force})
+      check("overlapping_pairs", overlapping_pairs(boxes, {touching, Execution::serial, method}), touching);
+    for (const auto rule : {CellRule::smallest_cell, CellRule::every_leaf}) {
+      const BoxOctree tree = build_octree(boxes, {.most_in_leaf = 2, .rule = rule, .execution = Execution::serial});
+      check("BoxOctree", overlapping_pairs(tree, {touching, Execution::serial}), touching);
+    }
+  }
+}
+
+void run(Entropy& e) {
+  constexpr std::size_t most_boxes = 24, most_steps = 80;
+  const auto scale = static_cast<Scale>(e.below(4));
+  const GridOptions little{.cell_size = {}, .most_memory = 1U << 20};
+  Moving moving;
+  Indexed hierarchical("HierarchicalGrid", HierarchicalGrid3());
+  Indexed rows("RowColumnGrid", RowColumnGrid3({.rows = 64}));
+  Indexed hashed("HashedGrid", HashedGrid3(1, little));
+  Indexed linked("LinkedGrid", LinkedGrid3(Aabb3{{-2, -2, -2}, {2, 2, 2}}, 0.5, little));
+  Indexed lists("SweepLists", SweepLists());
+  Indexed list("SweepLists of one axis", SweepLists({.axes = 1, .first_axis = SweepAxis::y}));
+  Indexed loose("LooseOctree", LooseOctree(Aabb3{{-4, -4, -4}, {4, 4, 4}}));
+  const auto each = [&](const auto& act) {
+    act(hierarchical), act(rows), act(hashed), act(linked), act(lists), act(list), act(loose);
+  };
+  Boxes boxes;
+  Id next = 0;
+  const auto some = [&] { return std::next(boxes.begin(), static_cast<std::ptrdiff_t>(e.below(boxes.size()))); };
+  const auto check = [&] {
+    moving.check(boxes);
+    const auto pairs = [](const auto& index) { return index.pairs(); };
+    hierarchical.check_pairs(pairs), rows.check_pairs(pairs), hashed.check_pairs(pairs), linked.check_pairs(pairs);
+    lists.check_pairs(pairs), list.check_pairs(pairs);
+    for (const bool touching : {true, false}) {
+      loose.check_pairs(
+          [&](const LooseOctree& t) {
+            return t.overlapping_pairs({touching, Execution::serial});
+          },
+          touching);
+    }
+    const Aabb3 box = some_box(e, scale);
+    const auto overlapping = [](const auto& grid, const Aabb3& b) { return grid.overlapping(b); };
+    hierarchical.check_overlapping(box, overlapping), rows.check_overlapping(box, overlapping);
+    loose.check_overlapping(box, [](const LooseOctree& t, const Aabb3& b) { return t.boxes_in(b); });
+    if (scale == Scale::any || scale == Scale::spread) return;  // which reach into too many cells
+    hashed.check_overlapping(box, overlapping), linked.check_overlapping(box, overlapping);
+  };
+  for (std::size_t step = 0; step < most_steps && !e.exhausted(); ++step) {
+    switch (e.below(8)) {
+      case 0:
+        check();
+        break;
+      case 1:
+        if (boxes.empty()) break;
+        {
+          const auto at = some();
+          moving.remove(at->first);
+          each([&](auto& index) { index.remove(at->first); });
+          boxes.erase(at);
+        }
+        break;
+      case 2:
+      case 3:
+        if (boxes.empty()) break;
+        {
+          const auto at = some();
+          at->second = some_box(e, scale);
+          moving.move(at->first, at->second);
+          each([&](auto& index) { index.move(at->first, at->second); });
+        }
+        break;
+      default:
+        if (boxes.size() == most_boxes) break;
+        const Aabb3 box = some_box(e, scale);
+        boxes[next] = box;
+        moving.insert(next, box);
+        each([&](auto& index) { index.insert(next, box); });
+        ++next;
+    }
+  }
+  check();
+  check_from_scratch(boxes);
+}
+
+}  // namespace
+}  // namespace plumb::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  plumb::Entropy entropy = plumb::Entropy::from_bytes({data, size});
+  plumb::fuzz::run(entropy);
+  return 0;
+}
