@@ -19,7 +19,9 @@ std::vector<std::size_t> groups_of(const Columns& columns) {
 
 namespace {
 
-constexpr std::size_t few_boxes = 48;  // of which each pair is compared
+// As measured: up to so many boxes each pair is compared, and up to so many they are swept along one axis, which takes
+// less than to choose columns does.
+constexpr std::size_t few_boxes = 48, some_boxes = 1000;
 
 /// Each pair, of few.
 template <class Box>
@@ -64,10 +66,12 @@ void find_pairs(const BoxSet<Box>& set, bool is_two, const PairTaker& to, const 
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
   if (options.method > BroadPhaseMethod::brute_force) return by_index(set, to, options);
-  const bool each = options.method == BroadPhaseMethod::automatic ? set.size() <= few_boxes
-                                                                  : options.method == BroadPhaseMethod::brute_force;
-  if (each) return compare_each(set, to);
-  if (options.method == BroadPhaseMethod::sort_and_sweep) {
+  const BroadPhaseMethod method = options.method != BroadPhaseMethod::automatic ? options.method
+                                  : set.size() <= few_boxes                     ? BroadPhaseMethod::brute_force
+                                  : set.size() <= some_boxes                    ? BroadPhaseMethod::sort_and_sweep
+                                                                                : BroadPhaseMethod::swept_columns;
+  if (method == BroadPhaseMethod::brute_force) return compare_each(set, to);
+  if (method == BroadPhaseMethod::sort_and_sweep) {
     return find_by_sweep(options.execution, set, bounds, widest_axis(set, bounds), to);
   }
   find_by_columns(options.execution, set, bounds, to);
