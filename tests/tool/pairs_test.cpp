@@ -154,14 +154,15 @@ TEST(Pairs, AreTheSameByEveryMethodAndNumberOfThreads) {
     const std::vector<Pair> expected = pairs_by_hand(rows, rows, true);
     ASSERT_GT(expected.size(), 200U);
     write(folder / "boxes.csv", csv_of(rows));
-    for (const NamedMethod& m : broad_phase_methods) {
-      const std::string line = at(folder, "pairs") + "boxes.csv --json --method " + std::string(m.name);
+    for (const BroadPhaseMethod m : broad_phase_methods) {
+      const std::string name = command_name(m);
+      const std::string line = at(folder, "pairs") + "boxes.csv --json --method " + name;
       const json one = json::parse(run(line + " --threads 1").out);
-      EXPECT_EQ(one.at("method"), m.name);
+      EXPECT_EQ(one.at("method"), name);
       EXPECT_EQ(one.at("sets")[0].at("dimension"), axes);
-      EXPECT_EQ(pairs_in(one), expected) << m.name;
-      if (axes == 3) {
-        EXPECT_EQ(json::parse(run(line + " --threads 2").out).at("pairs"), one.at("pairs")) << m.name;
+      EXPECT_EQ(pairs_in(one), expected) << name;
+      if (axes == 3 && m <= BroadPhaseMethod::brute_force) {
+        EXPECT_EQ(json::parse(run(line + " --threads 2").out).at("pairs"), one.at("pairs")) << name;
       }
       EXPECT_EQ(one.at("touching").get<std::size_t>() + one.at("overlapping").get<std::size_t>(), expected.size());
       EXPECT_GT(one.at("touching"), 100);

@@ -43,7 +43,19 @@ swept-columns
 sort-and-sweep
        Sorted along one axis and swept.
 brute-force
-       Each pair: quadratic.)"}},
+       Each pair: quadratic.
+static-grid, linked-grid, hashed-grid, implicit-grid
+       Cells of one size, chosen from the boxes: slices of one array,
+       lists, lists in a table, bits of rows and columns.
+hierarchical-grid, row-column-grid
+       Cells of all sizes, hashed or by rows and columns.
+octree, octree-of-leaves, loose-octree
+       Boxes in the smallest cell that holds them, in all leaves, or in
+       cells that reach over their borders.
+box-tree
+       A bounding volume hierarchy, descended with itself.
+lists-along-one, lists-along-two, lists-along-three
+       Sorted lists of starts and ends along so many axes.)"}},
           {{"EXIT STATUS", R"(
 0      Done, also where no two boxes meet.
 2      Bad input: wrong usage, a file that cannot be read or holds no

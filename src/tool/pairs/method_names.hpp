@@ -1,11 +1,11 @@
-// How are the methods of the broad phase called on a command line?
+// How are the methods of the broad phase called on a command line?  As the library names them, with hyphens.
 //
-// Law: each of BroadPhaseMethod has one name here, and the table is all that the program knows of them.
+// Law: each of broad_phase_methods has one name.
 // Source: none.
 // Cost: none.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -13,22 +13,15 @@
 
 namespace plumb::tool {
 
-struct NamedMethod {
-  BroadPhaseMethod method;
-  std::string_view name;
-};
-
-inline constexpr std::array broad_phase_methods{NamedMethod{BroadPhaseMethod::automatic, "automatic"},
-                                                NamedMethod{BroadPhaseMethod::swept_columns, "swept-columns"},
-                                                NamedMethod{BroadPhaseMethod::sort_and_sweep, "sort-and-sweep"},
-                                                NamedMethod{BroadPhaseMethod::brute_force, "brute-force"}};
+inline std::string command_name(BroadPhaseMethod method) {
+  std::string name(name_of(method));
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
 
 /// Of a name that is among them.
-constexpr BroadPhaseMethod broad_phase_method(std::string_view name) {
-  for (const NamedMethod& m : broad_phase_methods) {
-    if (m.name == name) return m.method;
-  }
-  return BroadPhaseMethod::automatic;
+inline BroadPhaseMethod broad_phase_method(std::string_view name) {
+  return *std::ranges::find(broad_phase_methods, name, command_name);
 }
 
 }  // namespace plumb::tool

@@ -9,7 +9,7 @@ Command pairs_command(CLI::App& program) {
   PairsOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("pairs", "Find all pairs of boxes that overlap, in one set or two.");
   std::vector<std::string> methods;
-  for (const NamedMethod& m : broad_phase_methods) methods.emplace_back(m.name);
+  for (const BroadPhaseMethod m : broad_phase_methods) methods.push_back(command_name(m));
   parser->add_option("FILE", o.files.words, "One file of boxes, or two; '-' is standard input.");
   add_unpacked(parser, o.files.unpacked_mib);
   parser->add_flag("--no-touching", o.no_touching, "Pass over pairs that only touch.");
