@@ -12,7 +12,7 @@
 // coordinate of a point of the figure is off by more than half an ulp of its greatest one, and three of these are less
 // than an ulp together; options may state more.  (3) Equal to gjk_bounds of two mappings with that rounding.
 // Errors: those of support_point, in its name.  A Posed figure is none of these: turn the other body instead.
-// Source: RTCD 4.2.5, 9.5.3; van den Bergen 1999 (support mappings of quadrics).
+// Source: RTCD 9.5.3; van den Bergen 1999 (support mappings of quadrics).
 // Cost: that of support_point a step beside that of gjk_bounds.
 #pragma once
 

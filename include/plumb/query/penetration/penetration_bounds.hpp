@@ -13,7 +13,7 @@
 // direction tells no new point, and after `most_steps`, for of two balls around one center no direction is nearer than
 // any other; whatever it ends by, the bounds hold.
 // Errors: those of gjk_bounds (query/gjk/support_mapping.hpp); most_steps of zero throws InvalidShape.
-// Source: van den Bergen 2001 (EPA); RTCD 9.5.3.
+// Source: van den Bergen 2001 (EPA); RTCD 9.3.8, 9.5.3.
 // Cost: a call of penetration a step, of as many points as steps.
 #pragma once
 
