@@ -68,6 +68,7 @@
 // The same of convex bodies by GJK: with a history, and with caches from frame to frame
 #include "plumb/query/gjk/batch.hpp"             // many pairs, by threads
 #include "plumb/query/gjk/contact_manifold.hpp"  // all nearest pairs: the polygon, edge or point where they touch
+#include "plumb/query/gjk/figure_support.hpp"    // gjk_bounds of cylinders, cones, ellipsoids and caps
 #include "plumb/query/gjk/gjk.hpp"               // gjk, gjk_intersects, gjk_distance
 #include "plumb/query/gjk/support_mapping.hpp"   // of bodies known by their support mapping
 #include "plumb/query/gjk/swept.hpp"             // of bodies that move straight
@@ -82,8 +83,9 @@
 #include "plumb/query/lp/verify.hpp"            // is a proof one?
 
 // How deep are two in one another, and which way is out?  penetration, penetration_along, penetration_within
-#include "plumb/query/penetration/along.hpp"        // by directions given, or within a cone
-#include "plumb/query/penetration/penetration.hpp"  // by the least translation
+#include "plumb/query/penetration/along.hpp"               // by directions given, or within a cone
+#include "plumb/query/penetration/penetration.hpp"         // by the least translation
+#include "plumb/query/penetration/penetration_bounds.hpp"  // between bounds, by farthest points alone
 
 // By which method, of convex bodies?
 #include "plumb/query/polytope_hierarchy/polytope_hierarchy.hpp"  // extreme vertex and distance in logarithmic time

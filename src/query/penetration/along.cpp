@@ -1,11 +1,8 @@
 #include "plumb/query/penetration/along.hpp"
 
-#include <string>
-
 #include "arith/big_rounding.hpp"
-#include "figure/basic/finite_parts.hpp"
-#include "plumb/arith/error.hpp"
 #include "query/penetration/aims.hpp"
+#include "query/penetration/directions.hpp"
 #include "query/penetration/flush_feature.hpp"
 #include "query/penetration/parted.hpp"
 
@@ -14,19 +11,6 @@ namespace {
 
 using parting::CoreDistance, parting::Difference, parting::Ends, parting::PlaneOf, parting::Way;
 using Exact = arith::Vec<mpq_class>;
-
-void require_directions(const std::string& function, std::span<const Vector3> all, bool is_list) {
-  if (all.empty()) {
-    throw InvalidShape(function + ": directions is empty, and nothing can move; give at least one");
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string name = is_list ? "directions[" + std::to_string(i) + "]" : "direction";
-    require_finite_parts(function, {name}, all[i]);
-    if (all[i] == Vector3{}) {
-      throw InvalidShape(function + ": " + name + " is zero, along which nothing moves; give one that has a length");
-    }
-  }
-}
 
 PlaneOf<mpq_class> exact_plane(const Difference& d, const std::array<Ends, 3>& facet) {
   return {d.at<mpq_class>(facet[0]), d.at<mpq_class>(facet[1]), d.at<mpq_class>(facet[2])};

@@ -26,9 +26,10 @@ Sign further_by_way(const CoreCorners& c, Normal<Of>& normal, Sign way, std::siz
   return way * sign_of([&]<class T>() -> T { return dot(normal.template as<T>(), c.template way<T>(k)); });
 }
 
-/// A corner that lies further than the first of those known to be level; nothing where none does.
-template <class Of>
-std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from,
+/// A corner that lies further than the first of those known to be level; nothing where none does.  Along a Normal, or
+/// whatever else these two signs are told of.
+template <class Along>
+std::optional<std::uint32_t> any_further(const CoreCorners& c, Along& normal, Sign way, std::uint32_t from,
                                          const KnownLevel& known) {
   const auto is_further = [&](std::uint32_t i) {
     return !known.has(i) && further(c, normal, way, i, from) == Sign::positive;
@@ -59,8 +60,8 @@ std::optional<std::uint32_t> any_further(const CoreCorners& c, Normal<Of>& norma
 /// All corners than which none lies further, ascending; the search begins at the first of those known to be level.
 /// `is_furthest`: none is further than that one, for certain.
 using LevelCorners = ShortList<std::uint32_t, 16>;
-template <class Of>
-LevelCorners all_furthest(const CoreCorners& c, Normal<Of>& normal, Sign way, std::uint32_t from, KnownLevel known,
+template <class Along>
+LevelCorners all_furthest(const CoreCorners& c, Along& normal, Sign way, std::uint32_t from, KnownLevel known,
                           bool is_furthest = false) {
   while (!is_furthest) {  // ends: each lies further
     const auto better = any_further(c, normal, way, from, known);

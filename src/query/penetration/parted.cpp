@@ -32,13 +32,13 @@ Way back_from(const Difference& d, const DifferenceCorners& nearest) {
   return height == Sign::negative ? Way::through({e[0], e[1], e[2]}) : Way::through({e[0], e[2], e[1]});
 }
 
-bool is_within(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii) {
+}  // namespace
+
+Sign compare_with_radii(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic, Sought::square>(d.a, d.b, nearest, ask);
-  return big_rational(n.square).value <= radii * radii * big_rational(n.square_whole).value;
+  return sign_of_number(cmp(big_rational(n.square).value, radii * radii * big_rational(n.square_whole).value));
 }
-
-}  // namespace
 
 FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
   FirstWay r{0, true};
@@ -59,7 +59,7 @@ std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class
   const CoreDistance core = core_distance(d);
   const std::span<const Ends> nearest(core.nearest.ends.data(), core.nearest.size);
   if (!core.meet) {
-    if (!radii || !is_within(d, core.nearest, *radii)) return {};
+    if (!radii || compare_with_radii(d, core.nearest, *radii) == Sign::positive) return {};
     return Parting{back_from(d, core.nearest), true, true};
   }
   const NearestPlanes planes = nearest_planes(d, core, EveryWay());

@@ -28,6 +28,9 @@ struct CoreDistance {
 };
 CoreDistance core_distance(const Difference& d);
 
+/// The sign of that distance less the radii, of cores that are apart.
+Sign compare_with_radii(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii);
+
 /// Of cores that meet; a flat difference has its origin on the boundary, and no facets.
 template <class Aim>
 NearestPlanes nearest_planes(const Difference& d, const CoreDistance& core, const Aim& aim) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "certify/sanitized.hpp"
+#include "plumb/query/gjk/figure_support.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
 #include "query/separation/told_pair.hpp"
@@ -88,6 +89,24 @@ TEST(SupportMappings, OfRoundBodiesComeNear) {
                                         {.rounding = 0x1p-46, .within = 1e-9});
   EXPECT_EQ(long_one.told, GjkTold::disjoint);
   EXPECT_NEAR(long_one.lower, 1.9, 1e-8);
+}
+
+TEST(SupportMappings, OfFiguresKnowTheirRounding) {
+  const Cylinder3 pipe{{0, 0, 0}, {0, 0, 4}, 1};
+  const GjkBounds beside = gjk_bounds(pipe, Aabb3{{4, 5, 1}, {9, 9, 2}}, {.within = 1e-12});
+  const double apart = std::sqrt(41) - 1;
+  EXPECT_EQ(beside.told, GjkTold::disjoint);
+  EXPECT_LE(beside.lower, apart);
+  EXPECT_GE(beside.upper, apart);
+  EXPECT_LE(beside.upper - beside.lower, 1e-12);
+  const GjkBounds above = gjk_bounds(Cone3{{0, 0, 9}, {0, 0, 6}, 2}, pipe, {.within = 1e-12});
+  EXPECT_NEAR(above.lower, 2, 1e-12);
+  const Ellipsoid3 egg{{8, 0, 2}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {3, 2, 1}};
+  const GjkBounds eggs = gjk_bounds(egg, pipe, {.within = 1e-12});
+  EXPECT_LE(eggs.lower, 4);
+  EXPECT_GE(eggs.upper, 4);
+  EXPECT_LE(eggs.upper - eggs.lower, 1e-12);
+  EXPECT_NE(gjk_bounds(egg, Point3{8, 0, 2}).told, GjkTold::disjoint);
 }
 
 TEST(SupportMappings, AreHeldToWhatTheyTold) {

@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
+#include <numbers>
 
 #include "certify/sanitized.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/degenerate/shape_pair.hpp"
 #include "plumb/figure/generated/generated.hpp"
 #include "plumb/query/penetration/penetration.hpp"
+#include "plumb/query/penetration/penetration_bounds.hpp"
 #include "query/penetration/told_checks.hpp"
 
 namespace plumb {
@@ -192,6 +194,90 @@ TEST(PenetrationOfBodies, WhatIsNoBodyIsNamed) {
   EXPECT_THROW(static_cast<void>(penetration(box, Polygon3{{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}})),
                InvalidShape);
 }
+
+/// A prism of 24 sides in a cylinder of this radius around an axis of space, or around it.
+std::vector<Point3> prism(const Cylinder3& c, bool is_around) {
+  constexpr int sides = 24;
+  const double radius =
+      is_around ? c.radius / std::cos(std::numbers::pi / sides) * (1 + 1e-12) : c.radius * (1 - 1e-12);
+  std::vector<Point3> corners;
+  for (int i = 0; i < sides; ++i) {
+    const double x = radius * std::cos(i * 2 * std::numbers::pi / sides),
+                 y = radius * std::sin(i * 2 * std::numbers::pi / sides);
+    corners.push_back({c.a.x + x, c.a.y + y, c.a.z}), corners.push_back({c.b.x + x, c.b.y + y, c.b.z});
+  }
+  return corners;
+}
+
+TEST(PenetrationOfBodies, ByFarthestPointsIsBetweenBounds) {
+  int meet = 0, apart = 0, undecided = 0, near = 0;
+  const auto expect_bounds = [&](const PenetrationBounds& p, const std::optional<Penetration>& exact,
+                                 const std::string& about) {
+    const double depth = exact ? exact->depth : 0;
+    EXPECT_LE(p.lower, depth) << about;
+    EXPECT_GE(p.upper, depth) << about;
+    EXPECT_NE(p.told, exact ? GjkTold::disjoint : GjkTold::meeting) << about;
+    near += exact && p.upper - p.lower <= depth * 0x1p-20;
+    (p.told == GjkTold::meeting ? meet : p.told == GjkTold::disjoint ? apart : undecided) += 1;
+  };
+  for (std::uint64_t i = 0; i < (battery::sanitized ? 6 : 80); ++i) {
+    pair_cases::Material m(77, i);
+    const auto a = pair_cases::figure<Tetrahedron3>(m);
+    const auto b = pair_cases::near_figure<Triangle3>(m);
+    expect_bounds(penetration_bounds(a, b), penetration(a, b), m.about(a, b));
+    const Capsule3 rod{a.a, a.b, std::ldexp(static_cast<double>(m.below(9)), -2)};
+    expect_bounds(penetration_bounds(rod, b, {.most_steps = 12}), penetration(rod, b), m.about(rod, b));
+  }
+  std::printf("%d meet, %d apart, %d undecided; within a millionth %d\n", meet, apart, undecided, near);
+  EXPECT_GE(std::min({meet, apart, near}), battery::sanitized ? 1 : 8);
+}
+
+TEST(PenetrationOfBodies, OfCylindersIsBetweenThatOfPrisms) {
+  int deep = 0;
+  for (int i = 0; i < (battery::sanitized ? 1 : 12); ++i) {
+    Entropy entropy(21, static_cast<std::uint64_t>(i));
+    const Cylinder3 c{{0, 0, 0}, {0, 0, 4}, 1};
+    const auto points = some_points(6, 1, entropy);
+    const VertexHull3 within{points};
+    const ConvexPolyhedron3 solid = convex_polyhedron(convex_hull(points), points);
+    const PenetrationBounds p = penetration(c, solid, {.within = 1e-6});
+    const std::vector<Point3> inner = prism(c, false), outer = prism(c, true);
+    const auto least = penetration(VertexHull3{inner}, within), most = penetration(VertexHull3{outer}, within);
+    if (!most) {
+      EXPECT_NE(p.told, GjkTold::meeting) << i;
+      continue;
+    }
+    deep += p.told == GjkTold::meeting;
+    EXPECT_LE(p.lower, most->depth) << i;
+    EXPECT_GE(p.upper, least ? least->depth : 0) << i;
+    EXPECT_LE(p.upper - p.lower, 1e-6) << i;
+  }
+  EXPECT_GE(deep, battery::sanitized ? 0 : 6);
+  const Aabb3 box{{0.5, -1, 1}, {3, 1, 2}};
+  const PenetrationBounds side = penetration(Cylinder3{{0, 0, 0}, {0, 0, 5}, 1}, box, {.within = 1e-12});
+  EXPECT_EQ(side.told, GjkTold::meeting);
+  EXPECT_LE(side.lower, 0.5);
+  EXPECT_GE(side.upper, 0.5);
+  EXPECT_LE(side.upper - side.lower, 1e-12);
+  EXPECT_EQ(side.direction, (Vector3{-1, 0, 0}));
+  const Ellipsoid3 egg{{1, 0, 1}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {3, 2, 1}};
+  EXPECT_NEAR(penetration(egg, box, {.within = 1e-9}).upper, 1, 1e-9);
+  EXPECT_EQ(penetration(egg, Aabb3{{9, 9, 9}, {10, 10, 10}}).told, GjkTold::disjoint);
+  const Sphere3 ball{{0, 0, 0}, 1};
+  const PenetrationBounds around = penetration_bounds(ball, ball, {.most_steps = 20});  // every direction is as short
+  EXPECT_LE(around.lower, 2);
+  EXPECT_GE(around.upper, 2);
+  EXPECT_EQ(around.steps, 20U);
+  EXPECT_THROW(static_cast<void>(penetration(egg, box, {.most_steps = 0})), InvalidShape);
+  EXPECT_THROW(static_cast<void>(penetration(egg, box, {.within = -1})), InvalidShape);
+  EXPECT_THAT(
+      [&] {
+        (void)penetration(Cylinder3{{0, 0, 0}, {0, 0, NAN}, 1}, box);
+      },
+      ThrowsMessage<NonFinite>(HasSubstr("cylinder.b.z")));
+}
+
+static_assert(QuadricBody3<Cone3> && !QuadricBody3<Sphere3> && !ConvexBody3<Cone3>);
 
 }  // namespace
 }  // namespace plumb

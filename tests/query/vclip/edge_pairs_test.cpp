@@ -32,5 +32,60 @@ TEST(SpanningPairs, DerivedBoundsAreAsRecordedAndProved) {
   expect_proved(bounds, judged_proofs("spanning_edges", SpanningPairs{}, a, edges_a, b, edges_b, take));
 }
 
+using Pairs = std::vector<std::array<std::size_t, 2>>;
+
+/// Of small integers, whose products are exact: both faces of neither edge lie strictly on different sides.
+Pairs spanning(const Solid& a, const std::vector<SolidEdge>& edges_a, const Solid& b,
+               const std::vector<SolidEdge>& edges_b) {
+  const auto way = [](const Solid& s, const SolidEdge& e) {
+    return s.place<double>(e.twin) - s.place<double>(e.corner);
+  };
+  const auto are_parted = [&](const Solid& s, const SolidEdge& e, const arith::Plain& along) {
+    const arith::Plain of = way(s, e);
+    return dot(cross(s.place<double>(e.off) - s.place<double>(e.corner), of), along) *
+               dot(cross(s.place<double>(e.off_twin) - s.place<double>(e.twin), of), along) <
+           0;
+  };
+  Pairs all;
+  for (std::size_t i = 0; i < edges_a.size(); ++i) {
+    for (std::size_t j = 0; j < edges_b.size(); ++j) {
+      if (!are_parted(a, edges_a[i], way(b, edges_b[j])) && !are_parted(b, edges_b[j], way(a, edges_a[i])))
+        all.push_back({i, j});
+    }
+  }
+  return all;
+}
+
+TEST(SpanningPairs, AreAllButThoseThatArePartedStrictly) {
+  const std::vector<ConvexPolyhedron3> solids{
+      solid_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}), solid_of({{1, 1, 1}, {5, 2, 1}, {1, 6, 2}, {2, 1, 5}}),
+      solid_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}}),
+      solid_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {1, 1, 3}})};
+  std::size_t level = 0;  // pairs of parallel edges, whose faces are on no side at all, are among those that stay
+  for (const ConvexPolyhedron3& t : solids) {
+    for (const ConvexPolyhedron3& u : solids) {
+      const auto of_t = CoreCorners::of(body_view(t)), of_u = CoreCorners::of(body_view(u));
+      const Solid a(t, *of_t, false), b(u, *of_u, false);
+      const std::vector<SolidEdge> edges_a = edges_of(a), edges_b = edges_of(b);
+      const Pairs wanted = spanning(a, edges_a, b, edges_b);
+      Pairs by_floats, by_errors;
+      FloatWorld<SpanningPairs> w;
+      SpanningPairs{}(w, a, edges_a, b, edges_b, [&](std::size_t i, std::size_t j) {
+        by_floats.push_back({i, j});
+        return false;
+      });
+      each_spanning_pair(a, edges_a, b, edges_b, [&](std::size_t i, std::size_t j) {
+        by_errors.push_back({i, j});
+        return false;
+      });
+      EXPECT_TRUE(w.certain());
+      EXPECT_EQ(by_floats, wanted);
+      EXPECT_EQ(by_errors, wanted);
+      if (&t == &u) level += wanted.size();
+    }
+  }
+  EXPECT_GE(level, 6U + 6U + 12U * 4U + 8U);
+}
+
 }  // namespace
 }  // namespace plumb::query::vclipping

@@ -15,15 +15,20 @@
 // weights that are not negative: one direction spans a ray, two a sector, three or more a pyramid, six along the axes
 // everything; a half-space by four.  Every direction leads out in the end.  (5) The features are as in penetration: of
 // the plane that the translation ends at, of several such planes of the one through which penetration would rather
-// leave; at depth zero those of penetration. Bodies without a radius: what is round leaves along curves whose ends are
-// no rational numbers. A direction of length zero, and none at all, throws InvalidShape, NaN and infinity NonFinite, by
-// name.
-// Source: RTCD 9.3.8, 9.5; van den Bergen 2001; Cameron 1997 for translational distances by directions.
-// Cost: that of exact_penetration, for each direction; of a cone of n directions n^3 signs a facet of the polytope.
+// leave; at depth zero those of penetration.  (6) Balls, capsules and lozenges are their cores and a radius: they leave
+// along a direction at the root of a quadratic polynomial, which `multiple` is then; a round body of radius zero leaves
+// as its core does.  A cone takes bodies without a radius: within a sector the shortest way out of what is round ends
+// at roots of degree four, each local, and of all edges and vertices of the difference one of these may be the least.
+// A direction of length zero, and none at all, throws InvalidShape, NaN and infinity NonFinite, by name.
+// Source: RTCD 9.3.8, 9.5; van den Bergen 2001, of round bodies 2004; Cameron 1997 for translational distances by
+// directions.
+// Cost: that of exact_penetration, for each direction; of a cone of n directions n^3 signs a facet of the polytope; of
+// round bodies some tens of microseconds a direction.
 #pragma once
 
 #include <span>
 
+#include "plumb/arith/root.hpp"
 #include "plumb/query/penetration/penetration.hpp"
 
 namespace plumb {
@@ -31,6 +36,15 @@ namespace plumb {
 struct PenetrationAlong {
   std::size_t index;  // of the direction
   Rational multiple;  // of the direction
+  double depth;       // the length of the translation
+  Vector3 translation;
+  Feature feature_a, feature_b;
+};
+
+/// Where a body has a radius.
+struct RoundPenetrationAlong {
+  std::size_t index;  // of the direction
+  Root multiple;      // of the direction
   double depth;       // the length of the translation
   Vector3 translation;
   Feature feature_a, feature_b;
@@ -63,6 +77,8 @@ inline constexpr bool is_straight_body<Posed<VertexHull3>> = true;
 
 std::optional<PenetrationAlong> penetration_along_of(const BodyView& a, const BodyView& b,
                                                      std::span<const Vector3> directions, bool is_list);
+std::optional<RoundPenetrationAlong> round_penetration_along_of(const BodyView& a, const BodyView& b,
+                                                                std::span<const Vector3> directions, bool is_list);
 std::optional<PenetrationWithin> penetration_within_of(const BodyView& a, const BodyView& b,
                                                        const DirectionCone3& cone);
 
@@ -80,6 +96,20 @@ std::optional<PenetrationAlong> penetration_along(const A& a, const B& b, const 
 template <StraightBody3 A, StraightBody3 B>
 std::optional<PenetrationAlong> penetration_along(const A& a, const B& b, std::span<const Vector3> directions) {
   return query::penetration_along_of(query::body_view(a), query::body_view(b), directions, true);
+}
+
+/// Of bodies one of which is of a kind that has a radius.
+template <ConvexBody3 A, ConvexBody3 B>
+requires(!StraightBody3<A> || !StraightBody3<B>)  //
+    std::optional<RoundPenetrationAlong> penetration_along(const A& a, const B& b, const Vector3& direction) {
+  return query::round_penetration_along_of(query::body_view(a), query::body_view(b), {&direction, 1}, false);
+}
+
+template <ConvexBody3 A, ConvexBody3 B>
+requires(!StraightBody3<A> || !StraightBody3<B>)  //
+    std::optional<RoundPenetrationAlong> penetration_along(const A& a, const B& b,
+                                                           std::span<const Vector3> directions) {
+  return query::round_penetration_along_of(query::body_view(a), query::body_view(b), directions, true);
 }
 
 template <StraightBody3 A, StraightBody3 B>

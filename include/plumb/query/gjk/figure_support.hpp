@@ -1,0 +1,88 @@
+// Support mapping of a figure: which farthest points tell GJK of a cylinder, a cone, an ellipsoid or a cap?
+//
+//   const GjkBounds b = gjk_bounds(cylinder, box, {.within = 1e-9});
+//
+// What GJK, certificates, V-Clip and penetration take exactly is the hull of corners, and all within a radius of it
+// (query/separation/convex_body.hpp).  A cylinder, a cone, an ellipsoid and the cap of a ball are neither: the distance
+// between two of them is a root of a polynomial of a high degree.  They are known by their support points, whose
+// coordinates are exact and rounded once, and what is told of them is an interval that certainly holds the number.
+// Where a decision suffices, relate decides by quadratic signs: ellipsoids with one another and with what has straight
+// edges (query/overlap/ellipsoid.hpp), caps, and cylinders and cones with flat figures (query/body/pairs.hpp).
+// Laws: (1) those of gjk_bounds, the other figure being any that support_point takes.  (2) The rounding is derived: no
+// coordinate of a point of the figure is off by more than half an ulp of its greatest one, and three of these are less
+// than an ulp together; options may state more.  (3) Equal to gjk_bounds of two mappings with that rounding.
+// Errors: those of support_point, in its name.  A Posed figure is none of these: turn the other body instead.
+// Source: RTCD 9.5.3; van den Bergen 1999 (support mappings of quadrics).
+// Cost: that of support_point a step beside that of gjk_bounds.
+#pragma once
+
+#include "plumb/figure/support/support.hpp"
+#include "plumb/query/gjk/support_mapping.hpp"
+#include "plumb/query/separation/convex_body.hpp"
+
+namespace plumb {
+
+/// Whose farthest points are known to the last bit.
+template <class Shape>
+concept SupportedFigure3 = std::same_as<Shape, Point3> || std::same_as<Shape, VertexHull3> ||
+    requires(const Shape& s, const Vector3& direction) {
+  { support_point(s, direction) } -> std::same_as<Support3>;
+};
+
+/// Round by a quadric that is no core with a radius: a cylinder, a cone, an ellipsoid, a cap.
+template <class Shape>
+concept QuadricBody3 = std::same_as<Shape, Cylinder3> || std::same_as<Shape, Cone3> ||
+    std::same_as<Shape, Ellipsoid3> || std::same_as<Shape, SphericalCap3>;
+
+/// The mapping of a figure, which it refers to.
+template <SupportedFigure3 Shape>
+class FigureSupport3 {
+ public:
+  explicit FigureSupport3(const Shape& s) : shape_(&s) {}
+
+  Point3 operator()(const Vector3& direction) const {
+    if constexpr (std::same_as<Shape, Point3>) {
+      return *shape_;
+    } else if constexpr (std::same_as<Shape, VertexHull3>) {
+      return support_point(shape_->vertices, direction).point;
+    } else {
+      return support_point(*shape_, direction).point;
+    }
+  }
+  /// How far off a point can be.
+  [[nodiscard]] double rounding() const {
+    double most = 0;
+    const auto see = [&](double x) {
+      const double size = __builtin_fabs(x);
+      most = size > most ? size : most;
+    };
+    for (const double to : {1.0, -1.0}) {
+      see((*this)({to, 0, 0}).x), see((*this)({0, to, 0}).y), see((*this)({0, 0, to}).z);
+    }
+    return 2 * (most - __builtin_nextafter(most, -1.0));  // an ulp, or two where the greatest is no power of two
+  }
+
+ private:
+  const Shape* shape_;
+};
+
+namespace query {
+
+template <class Options, class A, class B>
+Options with_rounding(Options options, const FigureSupport3<A>& a, const FigureSupport3<B>& b) {
+  for (const double off : {a.rounding(), b.rounding()}) {
+    options.rounding = off > options.rounding ? off : options.rounding;
+  }
+  return options;
+}
+
+}  // namespace query
+
+template <SupportedFigure3 A, SupportedFigure3 B>
+GjkBounds gjk_bounds(const A& a, const B& b, const GjkBoundsOptions& options = {}) {
+  const FigureSupport3<A> of_a(a);
+  const FigureSupport3<B> of_b(b);
+  return gjk_bounds(of_a, of_b, query::with_rounding(options, of_a, of_b));
+}
+
+}  // namespace plumb
