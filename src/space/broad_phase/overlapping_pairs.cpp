@@ -1,5 +1,6 @@
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
 
+#include "space/broad_phase/indexed_pairs.hpp"
 #include "space/broad_phase/swept_columns.hpp"
 #include "space/pairs/checked_boxes.hpp"
 
@@ -37,6 +38,20 @@ void compare_each(const BoxSet<Box>& set, const PairTaker& to) {
 }
 
 template <class Box>
+void by_index(const BoxSet<Box>& set, const PairTaker& to, const BroadPhaseOptions& options) {
+  if constexpr (std::is_same_v<Box, Aabb2> || std::is_same_v<Box, Aabb3>) {
+    find_by_index(options, set.a, set.b, to);
+  } else {
+    using Wide = decltype(widened(Box{}));
+    std::vector<Wide> all;
+    all.reserve(set.size());
+    for (std::size_t i = 0; i < set.size(); ++i) all.push_back(widened(set[i]));
+    const std::span<const Wide> wide(all);
+    find_by_index(options, wide.first(set.a.size()), wide.subspan(set.a.size()), to);
+  }
+}
+
+template <class Box>
 void find_pairs(const BoxSet<Box>& set, bool is_two, const PairTaker& to, const BroadPhaseOptions& options) {
   SetBounds bounds, of_b;
   if (!find_bounds(set.a, bounds)) check_boxes("overlapping_pairs", is_two ? "a" : "boxes", set.a);
@@ -46,6 +61,7 @@ void find_pairs(const BoxSet<Box>& set, bool is_two, const PairTaker& to, const 
     bounds.min[k] = std::min(bounds.min[k], of_b.min[k]);
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
+  if (options.method > BroadPhaseMethod::brute_force) return by_index(set, to, options);
   const bool each = options.method == BroadPhaseMethod::automatic ? set.size() <= few_boxes
                                                                   : options.method == BroadPhaseMethod::brute_force;
   if (each) return compare_each(set, to);
@@ -104,6 +120,15 @@ std::vector<BoxPair> collect(std::span<const Box> a, std::span<const Box> b, boo
 
 }  // namespace
 }  // namespace space
+
+std::string_view name_of(BroadPhaseMethod method) {
+  constexpr std::array<std::string_view, broad_phase_methods.size()> names = {
+      "automatic",    "swept_columns", "sort_and_sweep",    "brute_force",     "static_grid",      "linked_grid",
+      "hashed_grid",  "implicit_grid", "hierarchical_grid", "row_column_grid", "octree",           "octree_of_leaves",
+      "loose_octree", "box_tree",      "lists_along_one",   "lists_along_two", "lists_along_three"};
+  const auto number = static_cast<std::size_t>(method);
+  return number < names.size() ? names[number] : "of no name";
+}
 
 std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> boxes, const BroadPhaseOptions& options) {
   return space::collect(boxes, {}, false, options);

@@ -4,29 +4,16 @@
 #include <cmath>
 
 #include "space/bvh/parts.hpp"
-#include "space/grid/grid_boxes.hpp"
+#include "space/grid/fitting_cell_size.hpp"
 
 namespace plumb {
 namespace {
 
-/// More cells than this for each box are not made unasked: they would be empty.
-constexpr double most_cells_a_box = 4, few_cells = 64;
 /// From so many boxes in a cell on they are sorted along x.
 constexpr std::size_t worth_sorting = 40;
 /// The cells are shared out among so many parts, whatever the threads.
 constexpr std::size_t most_parts = 64;
 constexpr std::size_t least_entries_in_part = 4096;
-
-template <std::size_t n>
-space::CellSpan<n> span_of_all(const std::vector<space::CellSpan<n>>& spans) {
-  space::CellSpan<n> all = spans.front();
-  for (const auto& s : spans) {
-    for (std::size_t k = 0; k < n; ++k) {
-      all.first[k] = std::min(all.first[k], s.first[k]), all.last[k] = std::max(all.last[k], s.last[k]);
-    }
-  }
-  return all;
-}
 
 }  // namespace
 
@@ -39,18 +26,14 @@ StaticGrid<Box>::StaticGrid(std::span<const Box> boxes, const GridOptions& optio
   size_ = options.cell_size ? *options.cell_size : choose_cell_size(boxes).size;
   if (boxes.empty()) return;
   const auto count = static_cast<double>(boxes.size());
+  if (!options.cell_size) size_ = space::fitting_cell_size(function, boxes, size_, false);
+  per_size_ = space::per_cell_size(function, size_);
+  all_ = space::cells_of(space::box_around(boxes), per_size_);  // numbers of cells grow with coordinates
   spans_.resize(boxes.size());
   double entries = 0;
-  while (true) {
-    per_size_ = space::per_cell_size(function, size_);
-    for (std::size_t i = 0; i < boxes.size(); ++i) spans_[i] = space::cells_of(boxes[i], per_size_);
-    all_ = span_of_all(spans_);
-    entries = 0;
-    for (const Span& s : spans_) entries += space::cell_count(s);
-    if (options.cell_size) break;
-    const double cells = space::cell_count(all_);
-    if ((cells <= most_cells_a_box * count + few_cells && entries <= 8.0 * n * count) || size_ >= 0x1p1023) break;
-    size_ *= 2;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    spans_[i] = space::cells_of(boxes[i], per_size_);
+    entries += space::cell_count(spans_[i]);
   }
   const double bytes = count * (sizeof(Box) + sizeof(Span)) + 4 * (space::cell_count(all_) + entries);
   space::require_memory(function, bytes, options);

@@ -12,9 +12,7 @@
 namespace plumb::space {
 
 template <class Box>
-inline constexpr bool is_planar = std::is_same_v<Box, Aabb2> || std::is_same_v<Box, FloatBox2>;
-template <class Box>
-inline constexpr std::size_t axes_of = is_planar<Box> ? 2 : 3;
+inline constexpr bool is_planar = axes_of<Box> == 2;
 
 /// min.x, min.y, (min.z,) max.x, ...: number k + axes_of is the end of axis k.
 template <class Box>

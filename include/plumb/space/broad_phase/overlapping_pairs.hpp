@@ -7,14 +7,22 @@
 // Laws: (1) the pairs are those of brute_force_pairs, whatever the method: each once, a < b within one set.  (2) Their
 // order depends on the boxes, the options' touching and the method, not on execution, threads or instruction set.
 // (3) An empty set has no pairs.
-// A number that is NaN or infinite throws NonFinite, a box that is empty InvalidShape, before any pair is told.
-// Source: RTCD 2.4.1, 7.5.
+// A number that is NaN or infinite throws NonFinite, a box that is empty InvalidShape, before any pair is told.  A
+// structure that would take more than 2^30 bytes throws Error.
+// Of two sets, grids, octrees and trees are made of a and asked with each of b; lists hold both.  float32 boxes are
+// widened for them, which is exact.
+// Source: RTCD 2.4.1, 7.1 to 7.3, 7.5.
 // Cost: for boxes of like sizes some 60 to 100 ns a box and some ns a pair (docs/broad_phase.md); memory for some copies
-// of the boxes.  Long boxes in all directions at once are the worst case: then every box is compared with a good part of all.
+// of the boxes.  Long boxes in all directions at once are the worst case: then every box is compared with a good part of
+// all.  The other methods are slower as a rule, each for its own reason: choose_index.hpp says by how much.  Quadratic
+// whatever the boxes are brute_force, implicit_grid and row_column_grid (a 64th of an operation for each box and row)
+// and lists along two or three axes; sort_and_sweep and lists along one where many boxes overlap along it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "plumb/space/pairs/float_boxes.hpp"
@@ -23,11 +31,45 @@
 namespace plumb {
 
 enum class BroadPhaseMethod : std::uint8_t {
-  automatic,       // the fastest, as measured
-  swept_columns,   // boxes in the columns of a grid, swept along these
-  sort_and_sweep,  // along one axis
-  brute_force,     // each pair
+  automatic,          // the fastest, as measured
+  swept_columns,      // boxes in the columns of a grid, swept along these
+  sort_and_sweep,     // along the axis of greatest variance
+  brute_force,        // each pair
+  static_grid,        // cells as slices of one array
+  linked_grid,        // an array of cells, a list in each
+  hashed_grid,        // a table of cells, a list in each
+  implicit_grid,      // bits of rows, columns and layers
+  hierarchical_grid,  // levels of hashed cells, each twice as large
+  row_column_grid,    // levels of rows, columns and layers
+  octree,             // or quadtree: each box in the smallest cell that holds it
+  octree_of_leaves,   // each box in all leaves that it meets
+  loose_octree,       // cells that reach over their borders
+  box_tree,           // a bounding volume hierarchy, descended with itself
+  lists_along_one,    // sorted lists of starts and ends along one axis, each new box passing what is before it
+  lists_along_two,
+  lists_along_three,  // in the plane two
 };
+inline constexpr std::array broad_phase_methods = {
+    BroadPhaseMethod::automatic,
+    BroadPhaseMethod::swept_columns,
+    BroadPhaseMethod::sort_and_sweep,
+    BroadPhaseMethod::brute_force,
+    BroadPhaseMethod::static_grid,
+    BroadPhaseMethod::linked_grid,
+    BroadPhaseMethod::hashed_grid,
+    BroadPhaseMethod::implicit_grid,
+    BroadPhaseMethod::hierarchical_grid,
+    BroadPhaseMethod::row_column_grid,
+    BroadPhaseMethod::octree,
+    BroadPhaseMethod::octree_of_leaves,
+    BroadPhaseMethod::loose_octree,
+    BroadPhaseMethod::box_tree,
+    BroadPhaseMethod::lists_along_one,
+    BroadPhaseMethod::lists_along_two,
+    BroadPhaseMethod::lists_along_three,
+};
+
+std::string_view name_of(BroadPhaseMethod method);  // "swept_columns"
 
 struct BroadPhaseOptions {
   bool touching = true;  // false: only the pairs that overlap

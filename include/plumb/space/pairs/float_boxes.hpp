@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "plumb/space/bvh/box_frame.hpp"
 
@@ -19,5 +20,14 @@ struct FloatBox2 {
 
 constexpr Aabb2 widened(const FloatBox2& b) { return {{b.min[0], b.min[1]}, {b.max[0], b.max[1]}}; }
 constexpr Aabb3 widened(const FloatBox3& b) { return {{b.min[0], b.min[1], b.min[2]}, {b.max[0], b.max[1], b.max[2]}}; }
+
+namespace space {
+
+/// 2 in the plane, 3 in space.
+template <class Box>
+inline constexpr std::size_t axes_of =
+    std::is_same_v<Box, Aabb2> || std::is_same_v<Box, FloatBox2> ? std::size_t{2} : std::size_t{3};
+
+}  // namespace space
 
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "plumb/figure/basic/box.hpp"
+#include "plumb/space/pairs/float_boxes.hpp"
 
 namespace plumb::space {
 
@@ -39,8 +39,5 @@ inline CellSpan<3> cells_of(const Aabb3& b, double per_size) {
   return {{cell_number(b.min.x, per_size), cell_number(b.min.y, per_size), cell_number(b.min.z, per_size)},
           {cell_number(b.max.x, per_size), cell_number(b.max.y, per_size), cell_number(b.max.z, per_size)}};
 }
-
-template <class Box>
-inline constexpr std::size_t axes_of = sizeof(Box) / (2 * sizeof(double));
 
 }  // namespace plumb::space

@@ -1,0 +1,227 @@
+#include "space/broad_phase/indexed_pairs.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "plumb/arith/error.hpp"
+#include "plumb/space/bvh/build.hpp"
+#include "plumb/space/grid/hierarchical_grid.hpp"
+#include "plumb/space/grid/implicit_grid.hpp"
+#include "plumb/space/grid/list_grid.hpp"
+#include "plumb/space/grid/row_column_grid.hpp"
+#include "plumb/space/grid/static_grid.hpp"
+#include "plumb/space/octree/box_octree.hpp"
+#include "plumb/space/octree/loose_octree.hpp"
+#include "plumb/space/sort_and_sweep/sweep_lists.hpp"
+#include "space/bvh/blocks.hpp"
+#include "space/bvh/pair_parts.hpp"
+#include "space/grid/fitting_cell_size.hpp"
+#include "space/pairs/leaf_pairs.hpp"
+
+namespace plumb::space {
+namespace {
+
+/// Boxes in the plane are as high as one another, so none of them is flat and all overlap along z.
+Aabb3 in_space(const Aabb3& box) { return box; }
+Aabb3 in_space(const Aabb2& b) { return {{b.min.x, b.min.y, 0}, {b.max.x, b.max.y, 1}}; }
+
+template <class Box>
+std::vector<Aabb3> all_in_space(std::span<const Box> boxes) {
+  std::vector<Aabb3> all;
+  all.reserve(boxes.size());
+  for (const Box& b : boxes) all.push_back(in_space(b));
+  return all;
+}
+
+BoxOctree octree_of(std::span<const Aabb3> boxes, const BoxOctreeOptions& options) {
+  return build_octree(boxes, options);
+}
+BoxQuadtree octree_of(std::span<const Aabb2> boxes, const BoxOctreeOptions& options) {
+  return build_quadtree(boxes, options);
+}
+
+template <class Box>
+struct Search {
+  const BroadPhaseOptions& options;
+  std::span<const Box> a, b;
+  const PairTaker& to;
+
+  [[nodiscard]] bool is_one_set() const { return b.empty(); }
+  [[nodiscard]] BoxPairOptions pair_options() const { return {options.touching, options.execution}; }
+  void tell(const std::vector<BoxPair>& pairs, double done) const {
+    if (!pairs.empty()) to.take(to.to, pairs, done);
+  }
+
+  /// work(part, pairs) of each part of the work; what they find is told in their order.
+  template <class Work>
+  void by_parts(std::size_t parts, const Work& work) const {
+    std::vector<std::vector<BoxPair>> found(parts);
+    const auto tell_part = [&](std::size_t part) {
+      tell(found[part], static_cast<double>(part + 1) / static_cast<double>(parts));
+      found[part] = {};
+    };
+    for_blocks(options.execution, parts, 1, [&](std::size_t part, std::size_t, std::size_t) {
+      work(part, found[part]);
+      if (options.execution == Execution::serial) tell_part(part);
+    });
+    if (options.execution == Execution::serial) return;
+    for (std::size_t part = 0; part < parts; ++part) tell_part(part);
+  }
+
+  /// Of two sets: overlapping(box) tells which boxes of a overlap one of b.
+  template <class Overlapping>
+  void ask(const Overlapping& overlapping) const {
+    constexpr std::size_t in_part = 256;
+    by_parts(blocks_of(b.size(), in_part), [&](std::size_t part, std::vector<BoxPair>& pairs) {
+      for (std::size_t j = part * in_part, end = std::min(b.size(), j + in_part); j < end; ++j) {
+        const auto number = static_cast<std::uint32_t>(a.size() + j);
+        for (const std::uint32_t i : overlapping(b[j])) pairs.push_back({i, number});
+      }
+    });
+  }
+
+  /// By a grid that is made.
+  template <class Grid>
+  void by_grid(const Grid& grid) const {
+    if (is_one_set()) return tell(grid.pairs(pair_options()), 1);
+    ask([&](const Box& box) { return grid.overlapping(box, options.touching); });
+  }
+  /// By a grid that boxes are put into.
+  template <class Grid>
+  void by_filled(Grid grid) const {
+    for (const Box& box : a) grid.insert(box);
+    by_grid(grid);
+  }
+
+  [[nodiscard]] double cell_size(bool is_table) const {
+    return fitting_cell_size("overlapping_pairs", a, choose_cell_size(a).size, is_table);
+  }
+
+  /// Of numbers of boxes that meet the closed one, those that are asked for.
+  [[nodiscard]] std::vector<std::uint32_t> asked_for(std::vector<std::uint32_t> found, const Box& box) const {
+    if (!options.touching) std::erase_if(found, [&](std::uint32_t i) { return !boxes_meet(a[i], box, false); });
+    return found;
+  }
+
+  void by_octree(CellRule rule) const {
+    const auto tree = octree_of(a, {.rule = rule, .execution = options.execution});
+    if (is_one_set()) return tell(overlapping_pairs(tree, pair_options()), 1);
+    ask([&](const Box& box) { return asked_for(boxes_in(tree, box), box); });
+  }
+
+  void by_loose_octree() const {
+    LooseCells<axes_of<Box>> tree(box_around(a));
+    for (const Box& box : a) tree.insert(box);
+    if (is_one_set()) return tell(tree.overlapping_pairs(pair_options()), 1);
+    ask([&](const Box& box) { return asked_for(tree.boxes_in(box), box); });
+  }
+
+  void by_box_tree() const {
+    const BoxTree tree = build_box_tree(all_in_space(a), {.execution = options.execution});
+    const auto items = tree.items.view();
+    if (!is_one_set()) {
+      ask([&](const Box& box) {
+        const auto [min, max] = tree.frame.around(in_space(box));
+        const BoxNode asked{min, 0, max, 0};
+        std::vector<std::uint32_t> found;
+        const auto look = [&](std::uint32_t first, std::uint32_t count) {
+          for (std::uint32_t s = first; s < first + count; ++s) {
+            if (boxes_meet(a[items[s]], box, options.touching)) found.push_back(items[s]);
+          }
+        };
+        descend(
+            tree, [&](const BoxNode& node) { return nodes_meet(node, asked); }, look);
+        std::sort(found.begin(), found.end());
+        return found;
+      });
+      return;
+    }
+    constexpr std::size_t parts_wanted = 512;
+    const auto nodes = tree.nodes.view();
+    const auto replace = [&](const NodePair& pair, const auto& take) { replace_own_pair(nodes, pair, take); };
+    const auto meets = [](const BoxNode& x, const BoxNode& y) { return &x == &y || nodes_meet(x, y); };
+    const std::vector<NodePair> starts = pair_parts(nodes, nodes, parts_wanted, replace, meets);
+    by_parts(starts.size(), [&](std::size_t part, std::vector<BoxPair>& pairs) {
+      const auto look = [&](const BoxNode& x, const BoxNode& y) {
+        for (std::uint32_t s = x.link; s < x.link + x.count; ++s) {
+          for (std::uint32_t t = &x == &y ? s + 1 : y.link; t < y.link + y.count; ++t) {
+            const auto [i, j] = std::minmax(items[s], items[t]);
+            if (boxes_meet(a[i], a[j], options.touching)) pairs.push_back({i, j});
+          }
+        }
+      };
+      descend_from(nodes, nodes, starts[part], replace, meets, look);
+    });
+  }
+
+  /// Along that of greatest variance, and those after it.  Boxes are put in in its order, each behind those before.
+  void by_lists(int axes) const {
+    const BoxSet<Box> set{a, b, options.touching};
+    SetBounds bounds;
+    (void)find_bounds(a, bounds);
+    const std::size_t first = axes_of<Box> == 2 && axes > 1 ? 0 : widest_axis(BoxSet<Box>{a}, bounds);
+    SweepLists lists({options.touching, std::min(axes, static_cast<int>(axes_of<Box>)), static_cast<SweepAxis>(first)});
+    std::vector<std::uint32_t> order(set.size());
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    const auto start = [&](std::uint32_t i) { return numbers_of(set[i])[first]; };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t i, std::uint32_t j) { return start(i) < start(j) || (start(i) == start(j) && i < j); });
+    for (const std::uint32_t i : order) lists.insert(in_space(set[i]));
+    std::vector<BoxPair> pairs;
+    for (const BoxPair& p : lists.pairs()) {
+      const auto [i, j] = std::minmax(order[p.a], order[p.b]);
+      if (is_one_set() || (i < a.size() && j >= a.size())) pairs.push_back({i, j});
+    }
+    tell(pairs, 1);
+  }
+};
+
+}  // namespace
+
+template <class Box>
+void find_by_index(const BroadPhaseOptions& options, std::span<const Box> a, std::span<const Box> b,
+                   const PairTaker& to) {
+  using Method = BroadPhaseMethod;
+  const Search<Box> search{options, a, b, to};
+  switch (options.method) {
+    case Method::static_grid:
+      return search.by_grid(StaticGrid<Box>(a));
+    case Method::linked_grid:
+      return search.by_filled(LinkedGrid<Box>(box_around(a), search.cell_size(false)));
+    case Method::hashed_grid:
+      return search.by_filled(HashedGrid<Box>(search.cell_size(true)));
+    case Method::implicit_grid:
+      return search.by_filled(ImplicitGrid<Box>(search.cell_size(true)));
+    case Method::hierarchical_grid:
+      return search.by_filled(HierarchicalGrid<Box>());
+    case Method::row_column_grid:
+      return search.by_filled(RowColumnGrid<Box>());
+    case Method::octree:
+      return search.by_octree(CellRule::smallest_cell);
+    case Method::octree_of_leaves:
+      return search.by_octree(CellRule::every_leaf);
+    case Method::loose_octree:
+      return search.by_loose_octree();
+    case Method::box_tree:
+      return search.by_box_tree();
+    case Method::lists_along_one:
+      return search.by_lists(1);
+    case Method::lists_along_two:
+      return search.by_lists(2);
+    case Method::lists_along_three:
+      return search.by_lists(3);
+    case Method::automatic:
+    case Method::swept_columns:
+    case Method::sort_and_sweep:
+    case Method::brute_force:
+      break;
+  }
+  throw InvalidShape("overlapping_pairs: options.method is " + std::to_string(static_cast<int>(options.method)) +
+                     ", which names none");
+}
+
+template void find_by_index(const BroadPhaseOptions&, std::span<const Aabb2>, std::span<const Aabb2>, const PairTaker&);
+template void find_by_index(const BroadPhaseOptions&, std::span<const Aabb3>, std::span<const Aabb3>, const PairTaker&);
+
+}  // namespace plumb::space
