@@ -42,27 +42,28 @@ void Candidates::make_anew(std::span<const Aabb3> boxes, std::span<const std::ui
   map_ = map;
   bounds_ = bounds;
   map_.expect_others();
-  auto sorted = sorted_ordinals(Execution::serial, set, map_);
+  auto ordinals = ordinals_of(Execution::serial, set, map_);
   std::array<double, 3> lengths{};
   for (std::size_t i = 0; i < alive.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) lengths[k] += static_cast<double>(sorted[i].high[k] - sorted[i].low[k]);
+    for (std::size_t k = 0; k < 3; ++k) lengths[k] += static_cast<double>(ordinals[i].high[k] - ordinals[i].low[k]);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const double wide = margin * lengths[k] / static_cast<double>(alive.size());
     margin_[k] = static_cast<std::int32_t>(std::min(wide, 0x1p29));
   }
-  std::vector<OrdinalBox> here(boxes.size());       // of each slot
-  for (std::size_t i = 0; i < alive.size(); ++i) {  // starts move by the same steps, so the order stays
-    OrdinalBox& box = sorted[i];
+  std::vector<OrdinalBox> here(boxes.size());  // of each slot
+  for (std::size_t i = 0; i < alive.size(); ++i) {
+    OrdinalBox& box = ordinals[i];
     box.number = static_cast<std::int32_t>(slots[static_cast<std::size_t>(box.number)]);
     here[static_cast<std::size_t>(box.number)] = box;
     box = fattened(box);
   }
   const std::size_t n = alive.size();
   strips_ = plan.columns;
-  while (!divide_into_columns(Execution::serial, {sorted.get(), n}, strips_, 6 * n + 4096, columns_)) {
+  while (!divide_into_columns(Execution::serial, {ordinals.get(), n}, strips_, 6 * n + 4096, columns_)) {
     for (auto& strips : strips_) strips = (strips + 1) / 2;
   }
+  sort_columns(columns_);
   // Places in the order of columns.
   for (std::uint32_t i = 0; i < columns_.begin.back(); ++i) {
     OrdinalBox& copy = columns_.boxes[i];

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "space/broad_phase/column_order.hpp"
 #include "space/bvh/blocks.hpp"
 
 namespace plumb::space {
@@ -21,9 +22,9 @@ Reach reach_of(const OrdinalBox& b, const std::array<std::uint32_t, 2>& strips) 
 
 }  // namespace
 
-bool divide_into_columns(Execution execution, std::span<const OrdinalBox> sorted,
+bool divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
                          const std::array<std::uint32_t, 2>& strips, std::size_t most_copies, Columns& columns) {
-  const std::size_t n = sorted.size(), count = std::size_t{strips[0]} * strips[1];
+  const std::size_t n = boxes.size(), count = std::size_t{strips[0]} * strips[1];
   const std::size_t blocks = blocks_of(n, column_block);
   std::vector<std::uint32_t> counts(blocks * count);
   std::vector<std::size_t> copies(blocks);
@@ -31,7 +32,7 @@ bool divide_into_columns(Execution execution, std::span<const OrdinalBox> sorted
     std::uint32_t* const here = counts.data() + block * count;
     std::size_t made = 0;
     for (std::size_t i = from; i < to; ++i) {
-      const Reach r = reach_of(sorted[i], strips);
+      const Reach r = reach_of(boxes[i], strips);
       if ((made += r.copies()) > most_copies) break;
       for (std::uint32_t s = r.from1; s <= r.to1; ++s) {
         for (std::uint32_t t = r.from2; t <= r.to2; ++t) ++here[std::size_t{s} * strips[1] + t];
@@ -53,7 +54,7 @@ bool divide_into_columns(Execution execution, std::span<const OrdinalBox> sorted
   for_blocks(execution, n, column_block, [&](std::size_t block, std::size_t from, std::size_t to) {
     std::uint32_t* const next = counts.data() + block * count;
     for (std::size_t i = from; i < to; ++i) {
-      const OrdinalBox& b = sorted[i];
+      const OrdinalBox& b = boxes[i];
       const Reach r = reach_of(b, strips);
       for (std::uint32_t s = r.from1; s <= r.to1; ++s) {
         for (std::uint32_t t = r.from2; t <= r.to2; ++t) {
@@ -65,6 +66,17 @@ bool divide_into_columns(Execution execution, std::span<const OrdinalBox> sorted
     }
   });
   return true;
+}
+
+void sort_columns(Columns& columns) {
+  ColumnOrder order;
+  std::vector<OrdinalBox> unsorted;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const std::span<OrdinalBox> column(columns.boxes.get() + columns.begin[c], columns.begin[c + 1] - columns.begin[c]);
+    unsorted.assign(column.begin(), column.end());
+    std::size_t i = 0;
+    for (const std::uint64_t key : order(column)) column[i++] = unsorted[static_cast<std::uint32_t>(key)];
+  }
 }
 
 }  // namespace plumb::space

@@ -1,8 +1,8 @@
-// Boxes in columns: each stands in every column of a grid that it reaches, in the order of the axis that columns run
-// along.
+// Boxes in columns: each stands in every column of a grid that it reaches.
 //
 // Laws: (1) where two boxes overlap, they have exactly one column in common in which no mark says of both that they
-// began before it: that of the later starts.  (2) The order within a column is that of `sorted`.
+// began before it: that of the later starts.  (2) The order within a column is that of the
+// boxes that were divided.
 // Source: RTCD 7.1.6, 7.1.7.
 // Cost: three passes over the boxes.
 #pragma once
@@ -33,7 +33,10 @@ constexpr std::uint32_t strip_of(std::int32_t ordinal, std::uint32_t strips) {
 }
 
 /// False, and nothing is made, where more copies than this were needed.
-bool divide_into_columns(Execution execution, std::span<const OrdinalBox> sorted,
+bool divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
                          const std::array<std::uint32_t, 2>& strips, std::size_t most_copies, Columns& columns);
+
+/// Each column by the starts along the axis that columns run along.
+void sort_columns(Columns& columns);
 
 }  // namespace plumb::space

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "space/broad_phase/column_order.hpp"
 #include "space/broad_phase/columns.hpp"
 #include "space/broad_phase/sweep_plan.hpp"
 #include "space/bvh/blocks.hpp"
@@ -40,18 +41,31 @@ PlacedSweep place_sweep(const BoxSet<Box>& set, const SetBounds& bounds) {
     }
     return plan_sweep(sample, n);
   };
-  const auto bits = std::array{swept_bits(n), ordinal_bits, ordinal_bits};
   const SweepPlan plan = plan_by(OrdinalMap(bounds, {0, 1, 2}, all_bits));
   constexpr double many = 64, gain = 0.25;  // comparisons of a box that are worth a second look, and fewer of them
-  if (plan.windows < many * static_cast<double>(n)) return {OrdinalMap(bounds, plan.order, bits), plan};
+  if (plan.windows < many * static_cast<double>(n)) return {OrdinalMap(bounds, plan.order, all_bits), plan};
   std::array<std::vector<double>, 3> knots;
   for (std::size_t i = 0; i < m; ++i) {
     const auto x = numbers_of(set[i * n / m]);
     for (std::size_t k = 0; k < axes; ++k) knots[k].push_back(x[k]), knots[k].push_back(x[k + axes]);
   }
   const SweepPlan other = plan_by(OrdinalMap(bounds, {0, 1, 2}, all_bits, knots));
-  if (other.windows > gain * plan.windows) return {OrdinalMap(bounds, plan.order, bits), plan};
-  return {OrdinalMap(bounds, other.order, bits, knots), other};
+  if (other.windows > gain * plan.windows) return {OrdinalMap(bounds, plan.order, all_bits), plan};
+  return {OrdinalMap(bounds, other.order, all_bits, knots), other};
+}
+
+/// In the order of the set.
+template <class Box>
+std::unique_ptr<OrdinalBox[]> ordinals_of(Execution execution, const BoxSet<Box>& set, const OrdinalMap& map) {
+  constexpr std::size_t block_size = 1 << 15;
+  const std::size_t n = set.size(), of_a = set.a.size();
+  auto ordinals = std::make_unique_for_overwrite<OrdinalBox[]>(n);
+  const std::int32_t mark_of_a = set.b.empty() ? 0 : of_first_set;
+  for_blocks(execution, n, block_size, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < std::min(to, of_a); ++i) ordinals[i] = map(set.a[i], i, mark_of_a);
+    for (std::size_t i = std::max(from, of_a); i < to; ++i) ordinals[i] = map(set.b[i - of_a], i, of_second_set);
+  });
+  return ordinals;
 }
 
 /// Columns whose boxes are many enough to be one thread's next work.
@@ -62,19 +76,20 @@ template <class Box>
 void find_by_columns(Execution execution, const BoxSet<Box>& set, const SetBounds& bounds, const PairTaker& to) {
   const std::size_t n = set.size();
   auto [map, plan] = place_sweep(set, bounds);
-  const auto sorted = sorted_ordinals(execution, set, map);
+  auto ordinals = ordinals_of(execution, set, map);
   Columns columns;
-  const std::span<const OrdinalBox> in_order(sorted.get(), n);
-  while (!divide_into_columns(execution, in_order, plan.columns, 4 * n + 4096, columns)) {
+  while (!divide_into_columns(execution, {ordinals.get(), n}, plan.columns, 4 * n + 4096, columns)) {
     for (auto& strips : plan.columns) strips = (strips + 1) / 2;
   }
+  ordinals.reset();
   const DecidePair decide{&set, &decide_of_set<Box>};
   const std::vector<std::size_t> groups = groups_of(columns);
   const auto sweep_group = [&](std::size_t g, PairBlock& block, auto&& after) {
     SweptBoxes swept;
+    ColumnOrder order;
     for (std::size_t c = groups[g]; c < groups[g + 1]; ++c) {
       if (columns[c].size() < 2) continue;
-      swept.assign(columns[c]);
+      swept.assign(columns[c], order(columns[c]));
       sweep(swept, 0, swept.size() - 1, decide, block);
       after(c);
     }

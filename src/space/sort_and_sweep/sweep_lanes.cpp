@@ -92,7 +92,8 @@ HWY_EXPORT(sweep_boxes);
 
 }  // namespace
 
-void SweptBoxes::assign(std::span<const OrdinalBox> boxes) {
+template <class PlaceOf>
+void SweptBoxes::fill(std::span<const OrdinalBox> boxes, const PlaceOf& place_of) {
   size_ = boxes.size();
   if (stride_ < size_ + lanes_behind) {
     stride_ = size_ + size_ / 2 + lanes_behind;
@@ -100,7 +101,7 @@ void SweptBoxes::assign(std::span<const OrdinalBox> boxes) {
   }
   std::int32_t* const to = numbers_.get();
   for (std::size_t i = 0; i < size_; ++i) {
-    const OrdinalBox& b = boxes[i];
+    const OrdinalBox& b = boxes[place_of(i)];
     for (std::size_t k = 0; k < 3; ++k) {
       to[k * stride_ + i] = b.low[k];
       to[(3 + k) * stride_ + i] = b.high[k];
@@ -111,6 +112,13 @@ void SweptBoxes::assign(std::span<const OrdinalBox> boxes) {
   for (std::size_t k = 0; k < 8; ++k) {
     for (std::size_t i = size_; i < size_ + lanes_behind; ++i) to[k * stride_ + i] = beyond_ordinals;
   }
+}
+
+void SweptBoxes::assign(std::span<const OrdinalBox> boxes) {
+  fill(boxes, [](std::size_t i) { return i; });
+}
+void SweptBoxes::assign(std::span<const OrdinalBox> boxes, std::span<const std::uint64_t> order) {
+  fill(boxes, [&](std::size_t i) { return static_cast<std::uint32_t>(order[i]); });
 }
 
 void sweep(const SweptBoxes& boxes, std::size_t from, std::size_t to, const DecidePair& decide, PairBlock& pairs) {

@@ -24,6 +24,8 @@ class SweptBoxes {
   static constexpr std::size_t lanes_behind = 16;
 
   void assign(std::span<const OrdinalBox> boxes);  // ascending by low[0]
+  /// Whose places, the lower halves of these, are so ordered.
+  void assign(std::span<const OrdinalBox> boxes, std::span<const std::uint64_t> order);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::int32_t* low(std::size_t axis) const { return numbers_.get() + axis * stride_; }
@@ -32,6 +34,9 @@ class SweptBoxes {
   [[nodiscard]] const std::int32_t* marks() const { return numbers_.get() + 7 * stride_; }
 
  private:
+  template <class PlaceOf>
+  void fill(std::span<const OrdinalBox> boxes, const PlaceOf& place_of);
+
   std::unique_ptr<std::int32_t[]> numbers_;
   std::size_t size_ = 0, stride_ = 0;
 };
