@@ -1,11 +1,14 @@
 #include "plumb/space/broad_phase/moving_boxes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/space/broad_phase/overlapping_pairs.hpp"
 #include "space/broad_phase/candidates.hpp"
+#include "space/broad_phase/pair_rows.hpp"
 #include "space/bvh/checked_box.hpp"
 #include "space/pairs/checked_boxes.hpp"
 
@@ -15,9 +18,10 @@ namespace {
 using space::Met;
 
 // Nanoseconds, on a machine that others used as well, of which the ratios count: a box that moves; a candidate that is
-// asked after its box, or among all in their order; a box that is placed; a box and a candidate when all are made anew.
+// asked after its box, or among all in their order; a box that is placed; a box and a candidate when all are made anew;
+// a box when pairs are found from scratch, and for each that would be a candidate.
 constexpr double of_moved = 80, of_asked = 30, of_asked_in_order = 15, of_placed = 3500, of_box_anew = 400,
-                 of_candidate_anew = 40;
+                 of_candidate_anew = 40, of_box_found = 130, of_pair_found = 12;
 
 std::string text_of_handle(const BoxHandle& h) {
   return "(slot " + std::to_string(h.slot) + ", generation " + std::to_string(h.generation) + ")";
@@ -38,6 +42,14 @@ struct MovingBoxes::State {
   std::size_t size = 0;
   space::Candidates candidates;
   BoxPairChanges changes;
+  // In place of candidates, where all pairs were found from scratch when they were last told.
+  bool has_rows = true;
+  space::PairRows rows, rows_before;
+  std::vector<BoxPair> found;
+  double lost_by_scratch = 0;  // ns
+  // How many boxes would have left their fat ones since the last call, had they any; and half of a mean box.
+  double escapes_expected = 0;
+  Vector3 half_mean{};
 
   [[nodiscard]] bool contains(const BoxHandle& h) const {
     return h.slot < generation.size() && alive[h.slot] != 0 && generation[h.slot] == h.generation;
@@ -61,6 +73,22 @@ struct MovingBoxes::State {
   [[nodiscard]] HandlePair pair(const space::Candidate& c) const {
     return pair(candidates.slot_of(c.a), candidates.slot_of(c.b));
   }
+  /// work(lesser slot, greater slot) of each candidate that met.
+  template <class Work>
+  void for_each_met(const Work& work) const {
+    for (std::size_t c = 0; c < candidates.all().size(); ++c) {
+      if (candidates.met()[c] != Met::yes) continue;
+      const std::uint32_t a = candidates.slot_of(candidates.all()[c].a), b = candidates.slot_of(candidates.all()[c].b);
+      work(std::min(a, b), std::max(a, b));
+    }
+  }
+  [[nodiscard]] std::vector<std::uint32_t> slots_alive() const;
+  void take_rows_before();
+  void take_met_as(space::PairRows& to) const;
+  void expect_escape(std::uint32_t slot, const Aabb3& to);
+  void tell_changes();
+  void find_from_scratch();
+  void choose(MovingWork& work, std::size_t escaped, std::size_t outside);
   void lose_removed();
   void ask(std::uint32_t c, const space::Candidate& candidate);
   void keep(std::span<const std::uint32_t> escaped);
@@ -69,7 +97,15 @@ struct MovingBoxes::State {
 
 // Their handles are those of the boxes that were: a slot is used again only afterwards.
 void MovingBoxes::State::lose_removed() {
+  if (has_rows && !removed.empty()) {
+    rows.erase([&](std::uint32_t a, std::uint32_t b) {
+      const bool is_lost = (alive[a] & alive[b]) == 0;
+      if (is_lost) changes.lost.push_back(pair(a, b));
+      return is_lost;
+    });
+  }
   for (const std::uint32_t slot : removed) {
+    if (has_rows) break;
     candidates.for_each_of(slot, [&](std::uint32_t c, const space::Candidate& candidate) {
       if (candidates.met()[c] == Met::yes) changes.lost.push_back(pair(candidate));
     });
@@ -134,59 +170,126 @@ void MovingBoxes::State::keep(std::span<const std::uint32_t> escaped) {
   }
 }
 
-namespace {
+/// Those that are known, in rows by slots.
+void MovingBoxes::State::take_rows_before() {
+  if (has_rows) return std::swap(rows, rows_before);
+  take_met_as(rows_before);
+}
 
-/// Pairs of slots, those of one lesser slot after the other.
-struct PartnersOf {
-  std::vector<std::uint32_t> begin, partner;
+void MovingBoxes::State::take_met_as(space::PairRows& to) const {
+  to.count_anew(boxes.size());
+  for_each_met([&](std::uint32_t a, std::uint32_t) { to.count(a); });
+  to.allot();
+  for_each_met([&](std::uint32_t a, std::uint32_t b) { to.put(a, b); });
+  to.all_are_put();
+}
 
-  PartnersOf(const space::Candidates& candidates, std::size_t slots) : begin(slots + 2) {
-    const auto each = [&](auto work) {
-      for (std::size_t c = 0; c < candidates.all().size(); ++c) {
-        if (candidates.met()[c] != Met::yes) continue;
-        const std::uint32_t a = candidates.slot_of(candidates.all()[c].a),
-                            b = candidates.slot_of(candidates.all()[c].b);
-        work(std::min(a, b), std::max(a, b));
-      }
-    };
-    each([&](std::uint32_t a, std::uint32_t) { ++begin[a + 2]; });
-    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    partner.resize(begin.back());
-    each([&](std::uint32_t a, std::uint32_t b) { partner[begin[a + 1]++] = b; });
-  }
-  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t slot) const {
-    return {partner.data() + begin[slot], begin[slot + 1] - begin[slot]};
-  }
-};
+void MovingBoxes::State::tell_changes() {
+  space::compare_rows(
+      rows_before, rows, [&](std::uint32_t a, std::uint32_t b) { changes.lost.push_back(pair(a, b)); },
+      [&](std::uint32_t a, std::uint32_t b) { changes.added.push_back(pair(a, b)); });
+}
 
-}  // namespace
-
-void MovingBoxes::State::make_anew() {
-  const PartnersOf before(candidates, boxes.size());
+std::vector<std::uint32_t> MovingBoxes::State::slots_alive() const {
   std::vector<std::uint32_t> slots;
+  slots.reserve(size);
   for (std::uint32_t slot = 0; slot < boxes.size(); ++slot) {
     if (alive[slot] != 0) slots.push_back(slot);
   }
-  candidates.make_anew(boxes, slots, options.margin);
+  return slots;
+}
+
+void MovingBoxes::State::make_anew() {
+  take_rows_before();
+  candidates.make_anew(boxes, slots_alive(), options.margin);
   for (std::size_t c = 0; c < candidates.all().size(); ++c) {
     if (candidates.do_meet(candidates.all()[c], boxes, options.touching)) candidates.met()[c] = Met::yes;
   }
-  const PartnersOf now(candidates, boxes.size());
-  std::vector<std::uint32_t> seen(boxes.size(), space::Candidates::none);  // by which slot, among its partners before
-  constexpr std::uint32_t still = 1u << 31;
-  for (const std::uint32_t slot : slots) {
-    for (const std::uint32_t other : before.of(slot)) seen[other] = slot;
-    for (const std::uint32_t other : now.of(slot)) {
-      if (seen[other] == slot) {
-        seen[other] = slot | still;
-      } else {
-        changes.added.push_back(pair(slot, other));
-      }
-    }
-    for (const std::uint32_t other : before.of(slot)) {
-      if (seen[other] == slot) changes.lost.push_back(pair(slot, other));
-    }
+  take_met_as(rows);
+  tell_changes();
+  rows.clear(), rows_before.clear();
+  has_rows = false;
+}
+
+/// A guess: one that moves by part of the margin in a frame escapes in as many frames as make it whole.
+void MovingBoxes::State::expect_escape(std::uint32_t slot, const Aabb3& to) {
+  const Aabb3& from = boxes[slot];
+  const auto part_of = [&](double a_min, double b_min, double a_max, double b_max, double half) {
+    const double by = std::max(std::abs(b_min - a_min), std::abs(b_max - a_max)), whole = 2 * options.margin * half;
+    return by < whole ? by / whole : by > 0 ? 1.0 : 0.0;
+  };
+  escapes_expected += std::max({part_of(from.min.x, to.min.x, from.max.x, to.max.x, half_mean.x),
+                                part_of(from.min.y, to.min.y, from.max.y, to.max.y, half_mean.y),
+                                part_of(from.min.z, to.min.z, from.max.z, to.max.z, half_mean.z)});
+}
+
+void MovingBoxes::State::find_from_scratch() {
+  take_rows_before();
+  found.clear();
+  rows.count_anew(boxes.size());
+  std::vector<std::uint32_t> slots;
+  std::vector<Aabb3> there;
+  if (size != boxes.size()) {
+    slots = slots_alive();
+    there.reserve(slots.size());
+    for (const std::uint32_t slot : slots) there.push_back(boxes[slot]);
   }
+  const std::span<const Aabb3> all(slots.empty() ? boxes : there);
+  auto take = [&](std::span<const BoxPair> block) {
+    const std::size_t first = found.size();
+    found.insert(found.end(), block.begin(), block.end());
+    for (std::size_t i = first; i < found.size(); ++i) {
+      if (!slots.empty()) found[i] = {slots[found[i].a], slots[found[i].b]};
+      rows.count(found[i].a);
+    }
+  };
+  overlapping_pairs(all, BoxPairSink(take), {options.touching, Execution::serial});
+  rows.allot();
+  for (const BoxPair& p : found) rows.put(p.a, p.b);
+  rows.all_are_put();
+  tell_changes();
+  if (!has_rows) candidates = {};
+  has_rows = true;
+  half_mean = {};
+  const double part = 0.5 / static_cast<double>(std::max<std::size_t>(all.size(), 1));
+  for (const Aabb3& b : all) {
+    half_mean = {half_mean.x + (b.max.x * part - b.min.x * part), half_mean.y + (b.max.y * part - b.min.y * part),
+                 half_mean.z + (b.max.z * part - b.min.z * part)};
+  }
+}
+
+/// The way that is predicted to take least, where candidates that are kept pay for themselves: they are made once
+/// frames without them have taken as much longer than with them as making them does.
+void MovingBoxes::State::choose(MovingWork& work, std::size_t escaped, std::size_t outside) {
+  const auto all = static_cast<double>(size), moving = static_cast<double>(work.moved);
+  const bool is_most = 2 * moved.size() > size;
+  // Where there are no candidates, some more than pairs.
+  const double kept = has_rows ? 1.7 * static_cast<double>(rows.size()) : static_cast<double>(candidates.size());
+  const double of_each = 2 * kept / std::max(all, 1.0);
+  const auto to_keep = [&](double out_of_place) {
+    return moving * of_moved + out_of_place * (of_placed + of_each * of_asked) +
+           (is_most ? (has_rows ? kept : static_cast<double>(candidates.all().size())) * of_asked_in_order
+                    : (moving - out_of_place) * of_each * of_asked);
+  };
+  work.cost_to_make_anew = all * of_box_anew + kept * of_candidate_anew;
+  work.cost_from_scratch = all * of_box_found + kept * of_pair_found;
+  const double if_kept = to_keep(std::min(escapes_expected, moving));
+  if (has_rows) {
+    work.cost_to_keep = work.cost_to_make_anew;
+  } else {
+    const auto out = static_cast<double>(outside);
+    work.cost_to_keep =
+        to_keep(static_cast<double>(escaped)) + out * (static_cast<double>(candidates.outside()) + out) * of_asked;
+  }
+  if (moving == 0) return;
+  // So many dropped candidates are in the way of all that follows.
+  const bool is_worn = candidates.dropped() > 4096 + candidates.size();
+  const bool is_kept = !has_rows && !is_worn && work.cost_to_keep <= work.cost_from_scratch;
+  lost_by_scratch = is_kept ? 0 : std::max(lost_by_scratch + work.cost_from_scratch - if_kept, 0.0);
+  if (is_kept) return;
+  work.made_anew = lost_by_scratch > work.cost_to_make_anew;
+  work.from_scratch = !work.made_anew;
+  if (work.made_anew) lost_by_scratch = 0;
 }
 
 MovingBoxes::MovingBoxes(const MovingBoxesOptions& options) : state_(std::make_unique<State>()) {
@@ -215,6 +318,7 @@ BoxHandle MovingBoxes::insert(const Aabb3& box) {
     s.alive[slot] = 1;
   }
   ++s.size;
+  s.escapes_expected += 1;
   s.mark(slot);
   return s.handle(slot);
 }
@@ -263,6 +367,7 @@ void MovingBoxes::update(std::span<const BoxHandle> handles, std::span<const Aab
   }
   forget(handles.size());
   for (std::size_t i = 0; i < handles.size(); ++i) {
+    if (s.has_rows) s.expect_escape(handles[i].slot, boxes[i]);
     s.boxes[handles[i].slot] = boxes[i];
     s.mark(handles[i].slot);
   }
@@ -284,44 +389,43 @@ const BoxPairChanges& MovingBoxes::changes() {
   std::vector<std::uint32_t> escaped;
   std::size_t outside = 0;
   for (const std::uint32_t slot : s.moved) {
-    if (s.alive[slot] == 0 || s.candidates.move_to(slot, s.boxes[slot])) continue;
+    if (s.has_rows || s.alive[slot] == 0 || s.candidates.move_to(slot, s.boxes[slot])) continue;
     escaped.push_back(slot);
     outside += s.candidates.is_made() && s.candidates.is_outside(s.boxes[slot]) ? 1 : 0;
   }
   MovingWork& work = s.changes.work;
   for (const std::uint32_t slot : s.moved) work.moved += s.alive[slot];
   work.escaped = escaped.size();
-  const auto size = static_cast<double>(s.size), candidates = static_cast<double>(s.candidates.size());
-  const double of_each = 2 * candidates / std::max(size, 1.0), stay = static_cast<double>(work.moved - escaped.size());
-  work.cost_to_keep = static_cast<double>(work.moved) * of_moved +
-                      static_cast<double>(escaped.size()) * (of_placed + of_each * of_asked) +
-                      (2 * s.moved.size() > s.size ? static_cast<double>(s.candidates.all().size()) * of_asked_in_order
-                                                   : stay * of_each * of_asked);
-  work.cost_to_keep += static_cast<double>(outside) * static_cast<double>(s.candidates.outside() + outside) * of_asked;
-  work.cost_to_make_anew = size * of_box_anew + candidates * of_candidate_anew;
-  // So many dropped candidates are in the way of all that follows.
-  const bool is_worn = s.candidates.dropped() > 4096 + s.candidates.size();
-  const bool has_work = work.moved != 0;
-  work.made_anew = has_work && (!s.candidates.is_made() || is_worn || work.cost_to_keep > work.cost_to_make_anew);
+  s.choose(work, escaped.size(), outside);
   if (work.made_anew) {
     s.make_anew();
-  } else if (has_work) {
+  } else if (work.from_scratch) {
+    s.find_from_scratch();
+  } else if (work.moved != 0) {
     s.keep(escaped);
   }
   for (const std::uint32_t slot : s.moved) s.updated[slot] = 0;
   s.moved.clear();
+  s.escapes_expected = 0;
   work.candidates = s.candidates.size();
-  std::sort(s.changes.added.begin(), s.changes.added.end());
-  std::sort(s.changes.lost.begin(), s.changes.lost.end());
+  for (std::vector<HandlePair>* const list : {&s.changes.added, &s.changes.lost}) {
+    if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
+  }
   return s.changes;
 }
 
 std::vector<HandlePair> MovingBoxes::pairs() const {
   std::vector<HandlePair> pairs;
-  for (std::size_t c = 0; c < state_->candidates.all().size(); ++c) {
-    if (state_->candidates.met()[c] != Met::yes) continue;
-    pairs.push_back(state_->pair(state_->candidates.all()[c]));
+  if (state_->has_rows) {
+    std::vector<std::uint32_t> row;
+    for (std::uint32_t a = 0; a < state_->rows.rows(); ++a) {
+      row.assign(state_->rows[a].begin(), state_->rows[a].end());
+      std::sort(row.begin(), row.end());
+      for (const std::uint32_t b : row) pairs.push_back(state_->pair(a, b));
+    }
+    return pairs;
   }
+  state_->for_each_met([&](std::uint32_t a, std::uint32_t b) { pairs.push_back(state_->pair(a, b)); });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

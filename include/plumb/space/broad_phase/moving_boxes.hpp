@@ -7,8 +7,10 @@
 //   world.pairs()                                  // all, as of the last call of changes()
 //
 // Each box stands in a fat one, a margin larger.  Pairs of fat boxes are kept as candidates; while boxes stay within
-// theirs, only candidates are asked.  A box that has left its fat box is given another; where a model of measured costs
-// says that it is cheaper, all are made anew (MovingWork says what was done, and what either was to cost).
+// theirs, only candidates are asked.  A box that has left its fat box is given another.  Where a model of measured costs
+// says that it is cheaper, as where most boxes move, all pairs are found from scratch and compared with those before;
+// candidates are made when frames without them have cost as much more than with them as making them does.  MovingWork
+// says what was done, and what each way was to cost.
 //
 // Laws: (1) pairs() are those of brute_force_pairs of the boxes there are.  (2) changes() tells exactly what those of
 // this call and of the last differ by; pairs of a box that was removed are lost.  (3) Nothing depends on which way was
@@ -18,7 +20,8 @@
 // update; NonFinite and InvalidShape refuse bad boxes, spans of different lengths throw UnequalLengths.  Then all is as
 // it was before the call.
 // Source: RTCD 2.4.1, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
-// Cost: a few ns for each candidate of a box that moves; to make all anew about twice overlapping_pairs.
+// Cost: a few ns for each candidate of a box that moves; where most move overlapping_pairs and some 60 ns a box; to
+// make candidates anew, three to four times overlapping_pairs.  Memory for all boxes twice and 20 bytes a candidate.
 #pragma once
 
 #include <compare>
@@ -49,11 +52,13 @@ struct MovingBoxesOptions {
 
 /// What a call of changes() did.
 struct MovingWork {
-  bool made_anew = false;                          // all candidates
-  std::size_t moved = 0;                           // boxes that were updated or inserted
-  std::size_t escaped = 0;                         // of these, those that are not in their fat box
-  std::size_t candidates = 0;                      // pairs of fat boxes that are kept
-  double cost_to_keep = 0, cost_to_make_anew = 0;  // predicted, in ns on the machine of docs/measurements.md
+  bool made_anew = false;      // all candidates
+  bool from_scratch = false;   // all pairs, and no candidates are kept
+  std::size_t moved = 0;       // boxes that were updated or inserted
+  std::size_t escaped = 0;     // of these, those that are not in their fat box
+  std::size_t candidates = 0;  // pairs of fat boxes that are kept
+  // Predicted, in ns on the machine of docs/measurements.md; where no candidates are kept, the first two are equal.
+  double cost_to_keep = 0, cost_to_make_anew = 0, cost_from_scratch = 0;
 };
 
 struct BoxPairChanges {
