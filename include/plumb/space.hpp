@@ -49,9 +49,10 @@
 #include "plumb/space/moving/posed_translating.hpp"  // meshes that have been moved before, along a line
 #include "plumb/space/moving/translating_mesh.hpp"   // a mesh along a line, another
 
-// Which boxes overlap?  overlapping_pairs
+// Which boxes overlap?  overlapping_pairs, choose_index
+#include "plumb/space/broad_phase/choose_index.hpp"       // which method for these?
 #include "plumb/space/broad_phase/moving_boxes.hpp"       // while they come, go and move
-#include "plumb/space/broad_phase/overlapping_pairs.hpp"  // by the fastest method
+#include "plumb/space/broad_phase/overlapping_pairs.hpp"  // by the fastest method, or by any
 #include "plumb/space/pairs/box_pair.hpp"                 // what is told of each pair, by any method
 #include "plumb/space/pairs/brute_force_pairs.hpp"        // by asking each pair
 #include "plumb/space/pairs/float_boxes.hpp"              // of float32

@@ -62,10 +62,9 @@ void find_pairs(const BoxSet<Box>& set, bool is_two, const PairTaker& to, const 
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
   if (options.method > BroadPhaseMethod::brute_force) return by_index(set, to, options);
-  const bool each = options.method == BroadPhaseMethod::automatic ? set.size() <= few_boxes
-                                                                  : options.method == BroadPhaseMethod::brute_force;
-  if (each) return compare_each(set, to);
-  if (options.method == BroadPhaseMethod::sort_and_sweep) {
+  const BroadPhaseMethod method = method_taken(options.method, set.size());
+  if (method == BroadPhaseMethod::brute_force) return compare_each(set, to);
+  if (method == BroadPhaseMethod::sort_and_sweep) {
     return find_by_sweep(options.execution, set, bounds, widest_axis(set, bounds), to);
   }
   find_by_columns(options.execution, set, bounds, to);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "plumb/space/broad_phase/overlapping_pairs.hpp"
 #include "space/broad_phase/column_order.hpp"
 #include "space/broad_phase/columns.hpp"
 #include "space/broad_phase/sweep_plan.hpp"
@@ -15,8 +16,15 @@
 
 namespace plumb::space {
 
-/// Of so many boxes the automatic method compares each pair.
-inline constexpr std::size_t few_boxes = 48;
+/// What the automatic method takes of n boxes, as measured: to choose columns takes longer than to sweep up to a
+/// thousand along one axis.
+constexpr BroadPhaseMethod method_taken(BroadPhaseMethod asked, std::size_t n) {
+  constexpr std::size_t few_boxes = 48, some_boxes = 1000;
+  if (asked != BroadPhaseMethod::automatic) return asked;
+  return n <= few_boxes    ? BroadPhaseMethod::brute_force
+         : n <= some_boxes ? BroadPhaseMethod::sort_and_sweep
+                           : BroadPhaseMethod::swept_columns;
+}
 
 /// Where the boxes are placed, and along which columns they are swept.
 struct PlacedSweep {

@@ -1,6 +1,6 @@
 // How are the methods of the broad phase called on a command line?
 //
-// Law: each of BroadPhaseMethod has one name here, and the table is all that the program knows of them.
+// Law: each method that the program offers has one name here, and the table is all that the program knows of them.
 // Source: none.
 // Cost: none.
 #pragma once
