@@ -14,7 +14,7 @@
 // A prediction is within a half of what was measured as a rule, and one in ten is off by a factor of 2 to 7.
 // To let the automatic method choose needs none of this: it is the fastest as measured on machines like that one.
 // A moving_share that is not from 0 to 1 and empty boxes throw InvalidShape, NaN and infinity NonFinite.
-// Source: RTCD 7.1.1, 7.2, 7.3, 7.5.
+// Source: RTCD 2.4.1.
 // Cost: some passes over the boxes and some 2 ms; to measure, up to most_milliseconds and what is made before for each
 // method that is predicted to take no longer.
 #pragma once
