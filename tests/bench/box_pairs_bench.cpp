@@ -168,7 +168,7 @@ void move_world(benchmark::State& state, std::size_t every, double step) {
   world.changes();
   std::vector<BoxHandle> of_moved;
   std::vector<Aabb3> boxes;
-  std::size_t changed = 0, anew = 0;
+  std::size_t changed = 0, anew = 0, scratch = 0;
   for (auto _ : state) {
     state.PauseTiming();
     of_moved.clear(), boxes.clear();
@@ -178,9 +178,11 @@ void move_world(benchmark::State& state, std::size_t every, double step) {
     const BoxPairChanges& changes = world.changes();
     changed += changes.added.size() + changes.lost.size();
     anew += changes.work.made_anew ? 1 : 0;
+    scratch += changes.work.from_scratch ? 1 : 0;
   }
   count_each(state, frames.boxes().size(), changed / static_cast<std::size_t>(state.iterations()));
   state.counters["made_anew"] = static_cast<double>(anew) / static_cast<double>(state.iterations());
+  state.counters["from_scratch"] = static_cast<double>(scratch) / static_cast<double>(state.iterations());
 }
 BENCHMARK_CAPTURE(move_world, all_move_a_hundredth, 1, 0.02)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(move_world, all_move_a_twentieth, 1, 0.1)->Unit(benchmark::kMillisecond);
