@@ -22,7 +22,7 @@ struct CountedBoxes {
   BoxTraits traits;
   Counts counts{};
 
-  double& operator[](Counted what) { return counts[static_cast<std::size_t>(what)]; }
+  double& operator[](CountedThing what) { return counts[static_cast<std::size_t>(what)]; }
 };
 
 /// The longest edges, halved, of which 5 of 100 are below the first number and above the second.
@@ -74,12 +74,12 @@ CountedBoxes count_boxes(std::span<const Box> boxes, double moving_share) {
   of.traits.dimensions = static_cast<int>(axes);
   of.traits.moving_share = moving_share;
   const auto all = static_cast<double>(n);
-  of[Counted::once] = 1;
-  of[Counted::moved] = moving_share;
-  of[Counted::boxes] = all / 1000;
-  of[Counted::copies] = of[Counted::swept_copies] = of[Counted::levels] = 1;
+  of[CountedThing::once] = 1;
+  of[CountedThing::moved] = moving_share;
+  of[CountedThing::boxes] = all / 1000;
+  of[CountedThing::copies] = of[CountedThing::swept_copies] = of[CountedThing::levels] = 1;
   if (n < 2) return of;
-  of[Counted::doublings] = std::log2(all);
+  of[CountedThing::doublings] = std::log2(all);
 
   std::vector<Box> sample;
   for (std::size_t i = 0; i < m; ++i) sample.push_back(boxes[i * n / m]);
@@ -90,9 +90,9 @@ CountedBoxes count_boxes(std::span<const Box> boxes, double moving_share) {
 
   const BoxSet<Box> set{boxes};
   const SweepPlan plan = place_sweep(set, bounds).plan;
-  of[Counted::swept_copies] = plan.copies;
-  of[Counted::swept_windows] = plan.windows / all;
-  of[Counted::moved_windows] = moving_share * of[Counted::swept_windows];
+  of[CountedThing::swept_copies] = plan.copies;
+  of[CountedThing::swept_windows] = plan.windows / all;
+  of[CountedThing::moved_windows] = moving_share * of[CountedThing::swept_windows];
 
   const double size = fitting_cell_size("choose_index", boxes, choose_cell_size(boxes).size, false);
   const double per_size = per_cell_size("choose_index", size);
@@ -122,12 +122,12 @@ CountedBoxes count_boxes(std::span<const Box> boxes, double moving_share) {
   }
   const auto sampled = static_cast<double>(m);
   const double to_all = (all - 1) / (sampled * (sampled - 1));  // so many boxes come after one for each pair here
-  of[Counted::pairs] = pairs * to_all;
-  of[Counted::windows] = windows * to_all;
-  of[Counted::mates] = mates * to_all;
-  of[Counted::copies] = copies / sampled;
-  of[Counted::levels] = static_cast<double>(levels.size());
-  of.traits.pairs = of[Counted::pairs];
+  of[CountedThing::pairs] = pairs * to_all;
+  of[CountedThing::windows] = windows * to_all;
+  of[CountedThing::mates] = mates * to_all;
+  of[CountedThing::copies] = copies / sampled;
+  of[CountedThing::levels] = static_cast<double>(levels.size());
+  of.traits.pairs = of[CountedThing::pairs];
   return of;
 }
 

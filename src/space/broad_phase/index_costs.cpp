@@ -10,7 +10,7 @@ using M = BroadPhaseMethod;
 // sizes from 1 to 1,000, along a line, and long ones; of those kept, 1, 10 and 100 of 100 boxes move.  As a rule a
 // prediction is within a half of what was measured, for one in ten it is off by a factor from 2 to 4; of MovingBoxes
 // (whose first row was set by hand) by up to 7, where boxes are few.
-// Columns as in Counted: once, doublings, thousands of boxes, copies, mates, pairs, windows, swept copies, swept
+// Columns as in CountedThing: once, doublings, thousands of boxes, copies, mates, pairs, windows, swept copies, swept
 // windows, levels, moved, swept windows of what is moved.
 constexpr MethodCosts costs[] = {
     // clang-format off

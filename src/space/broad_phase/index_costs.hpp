@@ -14,7 +14,7 @@
 namespace plumb::space {
 
 /// What costs are sums of, each for one box.
-enum class Counted : unsigned char {
+enum class CountedThing : unsigned char {
   once,           // 1
   doublings,      // the logarithm of how many boxes there are, to base 2
   boxes,          // how many there are, in thousands

@@ -62,8 +62,7 @@ void find_pairs(const BoxSet<Box>& set, bool is_two, const PairTaker& to, const 
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
   if (options.method > BroadPhaseMethod::brute_force) return by_index(set, to, options);
-  const BroadPhaseMethod method =
-      options.method != BroadPhaseMethod::automatic ? options.method : automatic_method(set.size());
+  const BroadPhaseMethod method = method_taken(options.method, set.size());
   if (method == BroadPhaseMethod::brute_force) return compare_each(set, to);
   if (method == BroadPhaseMethod::sort_and_sweep) {
     return find_by_sweep(options.execution, set, bounds, widest_axis(set, bounds), to);

@@ -16,15 +16,14 @@
 
 namespace plumb::space {
 
-/// As measured: up to so many boxes each pair is compared, and up to so many they are swept along one axis, which takes less
-/// than to choose columns does.
-inline constexpr std::size_t few_boxes = 48, some_boxes = 1000;
-
-/// What the automatic method is, of so many.
-constexpr BroadPhaseMethod automatic_method(std::size_t count) {
-  return count <= few_boxes    ? BroadPhaseMethod::brute_force
-         : count <= some_boxes ? BroadPhaseMethod::sort_and_sweep
-                               : BroadPhaseMethod::swept_columns;
+/// What the automatic method takes of n boxes, as measured: to choose columns takes longer than to sweep up to a
+/// thousand along one axis.
+constexpr BroadPhaseMethod method_taken(BroadPhaseMethod asked, std::size_t n) {
+  constexpr std::size_t few_boxes = 48, some_boxes = 1000;
+  if (asked != BroadPhaseMethod::automatic) return asked;
+  return n <= few_boxes    ? BroadPhaseMethod::brute_force
+         : n <= some_boxes ? BroadPhaseMethod::sort_and_sweep
+                           : BroadPhaseMethod::swept_columns;
 }
 
 /// Where the boxes are placed, and along which columns they are swept.

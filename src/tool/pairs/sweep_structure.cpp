@@ -51,12 +51,10 @@ std::optional<SweepStructure> structure_of(const space::BoxSet<Box>& set, BroadP
     bounds.min[k] = std::min(bounds.min[k], of_b.min[k]);
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
-  if (set.size() < 2) return {};
-  if (method == BroadPhaseMethod::automatic) method = space::automatic_method(set.size());
-  if (method == BroadPhaseMethod::swept_columns) return columns_of(set, bounds);
-  if (method == BroadPhaseMethod::sort_and_sweep) {
+  const BroadPhaseMethod taken = space::method_taken(method, set.size());
+  if (set.size() >= 2 && taken == BroadPhaseMethod::swept_columns) return columns_of(set, bounds);
+  if (set.size() >= 2 && taken == BroadPhaseMethod::sort_and_sweep)
     return SweepStructure{space::widest_axis(set, bounds), {}, 1, set.size()};
-  }
   return {};
 }
 

@@ -141,7 +141,7 @@ TEST(OverlappingPairs, AreTheSameOnAllThreadsAndInstructionSets) {
 
 // Of two sets as of one, and whatever order these find them in.
 TEST(OverlappingPairs, AreTheSameOnAllThreadsByEveryMethod) {
-  const std::size_t n = battery::fitting(500);
+  const std::size_t n = battery::fitting(500u);
   for (const Scene scene : {Scene::uniform, Scene::sizes}) {
     Entropy e(2044, static_cast<std::uint64_t>(scene));
     const auto boxes = box_scenes::boxes_of(scene, e, n);
