@@ -1,17 +1,45 @@
-// Figures for trees: boxes, segments and triangles of the points of point_sets.hpp; nested ones and hugely different sizes.
+// Figures for trees: boxes, segments and triangles of the points of point_sets.hpp; nested ones, hugely different sizes,
+// and small ones on a lattice, which touch.
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "plumb/space/kd_tree/figure_tree.hpp"
 #include "space/kd_tree/point_sets.hpp"
 
 namespace plumb::figure_sets {
 
-inline constexpr std::size_t kinds = point_sets::kinds + 2;
+/// Behind those of points.
+enum class Kind : unsigned char { nested = point_sets::kinds, sizes, grains };
+inline constexpr std::size_t kinds = point_sets::kinds + 3;
+inline constexpr std::array<std::string_view, 3> kind_names{"nested", "sizes", "grains"};
 
 inline std::string_view name_of(std::size_t kind) {
-  return kind < point_sets::kinds ? point_sets::kind_names[kind] : kind == point_sets::kinds ? "nested" : "sizes";
+  return kind < point_sets::kinds ? point_sets::kind_names[kind] : kind_names[kind - point_sets::kinds];
+}
+
+/// One figure's points, of a kind that is none of points.
+template <class Point>
+std::array<Point, 3> own_points(Kind kind, std::size_t n, Entropy& e) {
+  using point_sets::made;
+  if (kind == Kind::grains) {
+    std::array<double, 3> base;
+    for (double& x : base) x = static_cast<double>(e.within(4));
+    const auto at = [&](std::size_t axis) { return base[axis] + static_cast<double>(e.below(2)); };
+    std::array<Point, 3> points;
+    for (Point& p : points) {
+      const double x = at(0), y = at(1), z = at(2);
+      p = made<Point>(x, y, z);
+    }
+    return points;
+  }
+  const bool nested = kind == Kind::nested;
+  const double size = nested ? static_cast<double>(1 + e.below(n)) : std::ldexp(1, static_cast<int>(e.within(60)));
+  const auto at = [&] { return nested ? 0.0 : static_cast<double>(e.within(3)); };
+  const double x = at(), y = at(), z = at();
+  return {made<Point>(x - size, y - size, z - size), made<Point>(x + size, y + size, z + size),
+          made<Point>(x + size, y - size, z)};
 }
 
 template <class Figure>
@@ -42,13 +70,8 @@ Set<Figure> figures(std::size_t kind, std::size_t n, Entropy& e) {
   using Point = typename FigureTree<Figure>::Point;
   Set<Figure> set;
   for (std::size_t i = 0; i < n && kind >= point_sets::kinds; ++i) {
-    const bool nested = kind == point_sets::kinds;
-    const double size = nested ? static_cast<double>(1 + e.below(n)) : std::ldexp(1, static_cast<int>(e.within(60)));
-    const auto at = [&] { return nested ? 0.0 : static_cast<double>(e.within(3)); };
-    const double x = at(), y = at(), z = at();
-    set.points.push_back(point_sets::made<Point>(x - size, y - size, z - size));
-    set.points.push_back(point_sets::made<Point>(x + size, y + size, z + size));
-    set.points.push_back(point_sets::made<Point>(x + size, y - size, z));
+    const auto points = own_points<Point>(static_cast<Kind>(kind), n, e);
+    set.points.insert(set.points.end(), points.begin(), points.end());
   }
   if (kind < point_sets::kinds) {
     const auto points = static_cast<point_sets::Kind>(kind);

@@ -1,8 +1,8 @@
 // Range search: which of many boxes, segments or triangles come within a radius of p, which meet a box?
 //
-// Laws: (1) those whose distance from p is at most the radius, in real arithmetic; those that have a point in the closed
-// box, as of intersects: in ascending order of their numbers.  (2) A batch answers each query as it is answered alone,
-// on every number of threads.
+// Laws: (1) those whose distance from p is at most the radius, in real arithmetic; those that have a point in the
+// closed box, as of intersects: in ascending order of their numbers.  (2) A batch answers each query as it is answered
+// alone, on every number of threads.
 // An inverted box meets nothing.  A negative radius throws InvalidShape, what is NaN or infinite NonFinite, by name.
 // Source: RTCD 6.3.1.
 // Cost: what is found, and the figures at the border, whose distances and separating axes are asked.

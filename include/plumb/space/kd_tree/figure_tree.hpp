@@ -1,11 +1,11 @@
 // Bounding volume hierarchy over figures: boxes, segments or triangles, each once, by their exact boxes.
 //
 //   const FigureTree<Segment2> streets = build_figure_tree(segments);
-//   nearest(streets, p);  within(streets, p, 0.5);  in_box(streets, window);     // nearest_figure.hpp, figure_range.hpp
+//   nearest(streets, p);  within(streets, p, 0.5);  in_box(streets, window);  // nearest_figure.hpp, figure_range.hpp
 //
-// Laws: (1) tree is a box tree (plumb/space/bvh/box_tree.hpp) of the figures' boxes, those of the plane in z = 0; figures
-// are in the order of its slots.  (2) Degenerate figures are the sets that they are.  (3) The same figures make the same
-// tree on every number of threads; any number of equal ones builds, and as fast.
+// Laws: (1) tree is a box tree (plumb/space/bvh/box_tree.hpp) of the figures' boxes, those of the plane in z = 0;
+// figures are in the order of its slots.  (2) Degenerate figures are the sets that they are.  (3) The same figures make
+// the same tree on every number of threads; any number of equal ones builds, and as fast.
 // A coordinate that is NaN or infinite throws NonFinite, which names the figure; an empty box, more than 2^31 figures,
 // leaves of no figure or of more than 255 throw InvalidShape.
 // Source: RTCD 6.2.1.
