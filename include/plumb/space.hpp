@@ -86,11 +86,18 @@
 #include "plumb/space/range/range_search.hpp"  // by a tree
 #include "plumb/space/range/volume_range.hpp"  // by a tree of other volumes, and in any figure
 
-// Which points are nearest, which in a ball or a box?  build_kd_tree, nearest, within, in_box
-#include "plumb/space/kd_tree/cells_along.hpp"    // the cells that a ray visits
-#include "plumb/space/kd_tree/kd_tree.hpp"        // a compact k-d tree of points
-#include "plumb/space/kd_tree/nearest_point.hpp"  // exactly, with ties
-#include "plumb/space/kd_tree/point_range.hpp"    // in ascending order
+// Which points are nearest, which in a ball or a box?  build_kd_tree, nearest, within, in_box; which boxes, segments or
+// triangles?  build_figure_tree; which meet, and which does a ray hit first?  build_split_tree
+#include "plumb/space/kd_tree/cells_along.hpp"     // the cells that a ray visits
+#include "plumb/space/kd_tree/figure_range.hpp"    // figures, in ascending order
+#include "plumb/space/kd_tree/figure_tree.hpp"     // a box tree of figures
+#include "plumb/space/kd_tree/kd_tree.hpp"         // a compact k-d tree of points
+#include "plumb/space/kd_tree/nearest_figure.hpp"  // figures, exactly, with ties
+#include "plumb/space/kd_tree/nearest_point.hpp"   // exactly, with ties
+#include "plumb/space/kd_tree/point_range.hpp"     // in ascending order
+#include "plumb/space/kd_tree/split_range.hpp"     // figures in a box, and pairs
+#include "plumb/space/kd_tree/split_ray.hpp"       // the first figure that a ray hits
+#include "plumb/space/kd_tree/split_tree.hpp"      // a k-d tree of figures
 
 // What is kept from frame to frame?  PairFront, LastPair, LastTriangle; what is asked
 // together?  grouped_triangles_meeting

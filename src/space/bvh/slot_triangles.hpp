@@ -15,6 +15,8 @@ namespace plumb::space {
 
 class SlotTriangles {
  public:
+  using Point = Point3;
+
   explicit SlotTriangles(const Bvh& bvh)
       : vertices_(bvh.vertices.data()),
         corners_(reinterpret_cast<const std::byte*>(bvh.triangles.data()), sizeof(std::uint32_t)),
@@ -31,6 +33,8 @@ class SlotTriangles {
   [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
     return {vertices_[corners_[3 * slot]], vertices_[corners_[3 * slot + 1]], vertices_[corners_[3 * slot + 2]]};
   }
+  /// By the name that figures in slots have, whatever they are.
+  [[nodiscard]] Triangle3 figure(std::size_t slot) const { return triangle(slot); }
 
  private:
   const Point3* vertices_;

@@ -73,9 +73,9 @@ inline double square_above_exact(const BoxFrame& frame, double d) {
 }
 inline double square_above(const BoxFrame& frame, double d) { return square_above_exact(frame, step_above(d)); }
 
-/// What may be nearer than a distance that is known: nodes by the numbers of the frame, triangles by doubles.
+/// What may be nearer than a distance that is known: nodes by the numbers of the frame, figures by doubles.
 struct SquareLimits {
-  double of_nodes = std::numeric_limits<double>::infinity(), of_triangles = of_nodes;
+  double of_nodes = std::numeric_limits<double>::infinity(), of_figures = of_nodes;
 };
 inline SquareLimits limits_above(const BoxFrame& frame, double d) { return {square_above(frame, d), square_above(d)}; }
 inline SquareLimits limits_above_exact(const BoxFrame& frame, double d) {

@@ -4,12 +4,9 @@
 #include <algorithm>
 
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/space/bvh/descend.hpp"
 #include "query/body/figure_input.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/parts.hpp"
-#include "space/bvh/slot_boxes.hpp"
-#include "space/closest/box_distance.hpp"
 #include "space/closest/nearest_search.hpp"
 
 namespace plumb {
@@ -63,22 +60,9 @@ std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double
   std::vector<NearTriangle> within;
   if (distance < 0) return within;
   const SlotTriangles triangles(mesh);
-  const BoxFrame& frame = mesh.tree.frame;
-  const Aabb3 point{p, p};
-  const FloatBox3 at = frame.around(point);
-  const SquareLimits limits = limits_above_exact(frame, distance);
-  descend(
-      mesh.tree, [&](const BoxNode& node) { return !(square_below(at, node) > limits.of_nodes); },
-      [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const Triangle3 t = triangles.triangle(slot);
-          if (square_below(point, box_around(t.a, t.b, t.c)) > limits.of_triangles) continue;
-          const double d = plumb::distance(p, t);
-          if (d < distance || (d == distance && compare(exact_distance(p, t), distance) != Sign::positive)) {
-            within.push_back({triangles.number(slot), d});
-          }
-        }
-      });
+  each_within(mesh, triangles, p, distance, [&](std::uint32_t slot, double d) {
+    within.push_back({triangles.number(slot), d});
+  });
   std::ranges::sort(within, {}, &NearTriangle::triangle);
   // An item may be in several slots.
   const auto is_same = [](const NearTriangle& x, const NearTriangle& y) { return x.triangle == y.triangle; };

@@ -99,7 +99,7 @@ class ClosestSearch {
       const Aabb3 box = a_.triangle_box(i);
       for (std::uint32_t k = b.link; k < b.link + b.count; ++k) {
         const double bound = square_below(box, b_.triangle_box(k));
-        if (!(bound > limits_.of_triangles)) offer(i, k, bound == 0);
+        if (!(bound > limits_.of_figures)) offer(i, k, bound == 0);
       }
     }
   }

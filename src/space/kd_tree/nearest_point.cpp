@@ -1,11 +1,10 @@
 #include "plumb/space/kd_tree/nearest_point.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/arith/error.hpp"
 #include "plumb/query/closest/closest.hpp"
+#include "space/kd_tree/answer_lists.hpp"
 #include "space/kd_tree/point_search.hpp"
 #include "space/kd_tree/query_order.hpp"
 
@@ -13,17 +12,6 @@ namespace plumb {
 namespace space::kd {
 namespace {
 
-void require_as_many(std::size_t k, std::uint32_t count) {
-  if (k <= count && count != 0) return;
-  const std::string points = count == 1 ? " point" : " points";
-  throw InvalidShape("nearest: " + std::to_string(k) + " of " + std::to_string(count) + points +
-                     " are asked for; there must be as many, and one at least");
-}
-void require_length(std::size_t expected, std::size_t n) {
-  if (n == expected) return;
-  throw UnequalLengths("nearest: out has " + std::to_string(n) + " items, but " + std::to_string(expected) +
-                       " are asked for");
-}
 template <class Point>
 std::size_t leaf_of(const KdTree<Point>& tree, const Point& p) {
   std::uint64_t key = 0;
@@ -36,7 +24,7 @@ std::size_t leaf_of(const KdTree<Point>& tree, const Point& p) {
 
 template <class Point>
 NearestPoint nearest(const KdTree<Point>& tree, const std::type_identity_t<Point>& p) {
-  space::kd::require_as_many(1, tree.count);
+  space::kd::require_as_many(1, tree.count, "point");
   require_finite_parts<Point>("nearest", {"p"}, p);
   return space::kd::nearest_one(tree, p);
 }
@@ -45,7 +33,7 @@ template <class Point>
 std::vector<NearestPoint> nearest(const KdTree<Point>& tree, const std::type_identity_t<Point>& p, std::size_t k,
                                   Ties ties) {
   using namespace space::kd;
-  require_as_many(k, tree.count);
+  require_as_many(k, tree.count, "point");
   require_finite_parts<Point>("nearest", {"p"}, p);
   if (k == 0) return {};
   std::vector<Candidate<Point>> room(k);
@@ -68,7 +56,7 @@ void nearest(const KdTree<Point>& tree, std::span<const std::type_identity_t<Poi
   using namespace space::kd;
   require_length(queries.size(), out.size());
   if (queries.empty()) return;
-  require_as_many(1, tree.count);
+  require_as_many(1, tree.count, "point");
   require_finite_points("nearest", "queries", queries);
   in_query_order(tree, queries, execution, [&](std::size_t from, std::span<const std::uint64_t> keys) {
     nearest_of_each(tree, queries.data() + from, keys, out.data() + from);
@@ -81,7 +69,7 @@ void nearest(const KdTree<Point>& tree, std::span<const std::type_identity_t<Poi
   using namespace space::kd;
   require_length(queries.size() * k, out.size());
   if (out.empty()) return;
-  require_as_many(k, tree.count);
+  require_as_many(k, tree.count, "point");
   require_finite_points("nearest", "queries", queries);
   in_query_order(tree, queries, execution, [&](std::size_t from, std::span<const std::uint64_t> keys) {
     std::vector<Candidate<Point>> room(k);

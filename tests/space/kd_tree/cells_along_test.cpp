@@ -10,7 +10,8 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/rational.hpp"
-#include "space/kd_tree/point_sets.hpp"
+#include "plumb/space/kd_tree/split_ray.hpp"
+#include "space/kd_tree/figure_sets.hpp"
 
 namespace plumb {
 namespace {
@@ -40,16 +41,51 @@ void narrow(Stay& stay, const Rational& t, bool open, bool is_start) {
   }
 }
 
-/// By its definition: the parameters at which origin + t way is in the cell of a leaf.
-template <class Tree, std::size_t d>
-Stay stay_in(const Tree& tree, std::size_t leaf, const std::array<Rational, d>& origin,
-             const std::array<Rational, d>& way, bool is_ray, KdCells cells) {
+/// One side of a plane, of which the upper one has the plane.
+struct Side {
+  std::size_t axis;
+  double plane;
+  bool is_upper;
+};
+using Sides = std::vector<Side>;  // of which a cell is what they have in common
+
+template <class Point>
+std::vector<Sides> cells_of(const KdTree<Point>& tree) {
+  std::vector<Sides> cells(tree.leaves());
+  for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
+    for (std::size_t node = leaf + tree.leaves() - 1; node != 0; node = (node - 1) / 2) {
+      const std::size_t parent = (node - 1) / 2;
+      cells[leaf].push_back({tree.axes[parent], tree.planes[parent], node % 2 == 0});
+    }
+  }
+  return cells;
+}
+template <class Figure>
+std::vector<Sides> cells_of(const SplitTree<Figure>& tree) {
+  std::vector<Sides> below(tree.nodes.size()), cells(tree.leaves());
+  for (std::size_t node = 0; node < tree.nodes.size(); ++node) {  // parents come before their children
+    const SplitNode& n = tree.nodes[node];
+    if (n.is_leaf()) {
+      cells[n.link] = below[node];
+      continue;
+    }
+    for (const bool is_upper : {false, true}) {
+      Sides& child = below[is_upper ? n.link : node + 1] = below[node];
+      child.push_back({n.axis, n.plane, is_upper});
+    }
+  }
+  return cells;
+}
+
+/// By its definition: the parameters at which origin + t way is in a cell.
+template <std::size_t d>
+Stay stay_in(const Sides& cell, const std::array<Rational, d>& origin, const std::array<Rational, d>& way, bool is_ray,
+             KdCells cells) {
   Stay stay;
   if (!is_ray) stay.to = Rational(1.0);
-  for (std::size_t node = leaf + tree.leaves() - 1; node != 0; node = (node - 1) / 2) {
-    const std::size_t parent = (node - 1) / 2, axis = tree.axes[parent];
-    const bool is_upper = node % 2 == 0, leaves_plane_out = cells == KdCells::half_open && !is_upper;
-    const Rational left = Rational(tree.planes[parent]) - origin[axis];
+  for (const auto& [axis, plane, is_upper] : cell) {
+    const bool leaves_plane_out = cells == KdCells::half_open && !is_upper;
+    const Rational left = Rational(plane) - origin[axis];
     if (way[axis].sign() == Sign::zero) {
       const int side = -static_cast<int>(left.sign());  // of the origin from the plane
       stay.is_some = stay.is_some && (side == 0 ? !leaves_plane_out : is_upper == (side > 0));
@@ -78,6 +114,7 @@ void expect_as_defined(const Tree& tree, const Path& path, Counts& counts) {
     const auto a = coordinates(path.a), b = coordinates(path.b);
     for (std::size_t k = 0; k < d; ++k) origin[k] = Rational(a[k]), way[k] = Rational(b[k]) - Rational(a[k]);
   }
+  const std::vector<Sides> all = cells_of(tree);
   for (const KdCells cells : {KdCells::closed, KdCells::half_open}) {
     const std::vector<std::uint32_t> found = cells_along(tree, path, cells);
     std::vector<bool> is_found(tree.leaves());
@@ -85,7 +122,7 @@ void expect_as_defined(const Tree& tree, const Path& path, Counts& counts) {
     for (const std::uint32_t leaf : found) {
       ASSERT_FALSE(is_found[leaf]) << "twice";
       is_found[leaf] = true;
-      const Stay stay = stay_in(tree, leaf, origin, way, is_ray, cells);
+      const Stay stay = stay_in(all[leaf], origin, way, is_ray, cells);
       if (before) {
         ASSERT_TRUE(before->from < stay.from ||
                     (before->from == stay.from && (cells == KdCells::closed || before->from_open <= stay.from_open)))
@@ -96,7 +133,7 @@ void expect_as_defined(const Tree& tree, const Path& path, Counts& counts) {
       before = stay;
     }
     for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
-      ASSERT_EQ(is_found[leaf], stay_in(tree, leaf, origin, way, is_ray, cells).is_some)
+      ASSERT_EQ(is_found[leaf], stay_in(all[leaf], origin, way, is_ray, cells).is_some)
           << "leaf " << leaf << (cells == KdCells::closed ? ", closed" : ", half open");
     }
     counts.cells += found.size();
@@ -106,17 +143,18 @@ void expect_as_defined(const Tree& tree, const Path& path, Counts& counts) {
 /// A coordinate on a plane of the tree, or one ulp off it, or any.
 template <class Tree>
 double aimed(const Tree& tree, std::size_t axis, double any, Entropy& e) {
-  if (tree.planes.empty()) return any;
-  const std::size_t node = e.below(tree.planes.size());
-  if (tree.axes[node] != axis) return any;
-  const double plane = tree.planes[node];
+  const std::vector<Sides> cells = cells_of(tree);
+  const Sides& cell = cells[e.below(cells.size())];
+  if (cell.empty()) return any;
+  const Side& side = cell[e.below(cell.size())];
+  if (side.axis != axis) return any;
   switch (e.below(4)) {
     case 0:
-      return std::nextafter(plane, 1e300);
+      return std::nextafter(side.plane, 1e300);
     case 1:
-      return std::nextafter(plane, -1e300);
+      return std::nextafter(side.plane, -1e300);
     default:
-      return plane;
+      return side.plane;
   }
 }
 
@@ -156,6 +194,28 @@ TYPED_TEST(CellsAlong, AreThoseOfTheDefinitionInOrder) {
   EXPECT_GT(counts.cells, battery::fitting(5000u));
   EXPECT_GT(counts.touched, battery::fitting(500u));
   EXPECT_GT(counts.at_once, battery::fitting(1000u));
+}
+
+TEST(CellsAlongFigures, AreThoseOfTheDefinitionInOrder) {
+  Counts counts;
+  for (std::uint64_t index = 0; index < battery::fitting(240u); ++index) {
+    Entropy e(7332, index);
+    const std::size_t kind = index % figure_sets::kinds;
+    SCOPED_TRACE(testing::Message() << "start 7332 index " << index << ", " << figure_sets::name_of(kind));
+    const auto set = figure_sets::figures<Segment3>(kind, 1 + e.below(30), e);
+    const auto tree = build_split_tree(set.figures, {.most_in_leaf = static_cast<std::uint32_t>(1 + e.below(3))});
+    const auto place = [&] {
+      const Point3 p = figure_sets::place(kind, set, e);
+      return Point3{aimed(tree, 0, p.x, e), aimed(tree, 1, p.y, e), aimed(tree, 2, p.z, e)};
+    };
+    const Point3 a = place(), b = place();
+    expect_as_defined(tree, Segment3{a, b}, counts);
+    expect_as_defined(tree, Ray3{a, {b.x, e.coin() ? b.y : 0.0, e.coin() ? b.z : 1.0}}, counts);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(counts.cells, battery::fitting(1500u));
+  EXPECT_GT(counts.touched, battery::fitting(100u));
+  EXPECT_GT(counts.at_once, battery::fitting(200u));
 }
 
 // Four points whose planes cross at (0, 0): the diagonal goes through the corner.

@@ -1,0 +1,105 @@
+#include "plumb/space/kd_tree/figure_range.hpp"
+
+#include "plumb/query/overlap/overlap.hpp"
+#include "query/body/figure_input.hpp"
+#include "space/bvh/blocks.hpp"
+#include "space/kd_tree/answer_lists.hpp"
+#include "space/kd_tree/kept_figures.hpp"
+#include "space/kd_tree/slot_figures.hpp"
+
+namespace plumb {
+namespace space::kd {
+namespace {
+
+constexpr std::size_t figure_block = 256;
+
+template <class Figure>
+void add_figures_within(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p, double radius,
+                        std::vector<std::uint32_t>& numbers) {
+  const SlotFigures<Figure> items(tree);
+  each_within(tree, items, p, radius, [&](std::uint32_t slot, double) { numbers.push_back(items.number(slot)); });
+}
+
+template <class Figure>
+void add_figures_in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box,
+                        std::vector<std::uint32_t>& numbers) {
+  if (is_empty(box)) return;
+  const Aabb3 asked = box_in_space(box);
+  const FloatBox3 at = tree.tree.frame.around(asked);
+  const auto meets = [&](const BoxNode& n) {
+    bool all = true;
+    for (std::size_t k = 0; k < 3; ++k) all &= at.min[k] <= n.max[k] && n.min[k] <= at.max[k];
+    return all;
+  };
+  descend(tree.tree, meets, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t slot = first; slot < first + count; ++slot) {
+      const Figure& figure = tree.figures[slot];
+      if (!boxes_meet(asked, box_in_space(figure))) continue;
+      if constexpr (!std::is_same_v<Figure, typename FigureTree<Figure>::Box>) {
+        if (!intersects(figure, box)) continue;
+      }
+      numbers.push_back(tree.tree.items[slot]);
+    }
+  });
+}
+
+/// A list of each of n.
+template <class Add>
+FigureLists listed(std::size_t n, Execution execution, const Add& add) {
+  std::vector<ListBlock> blocks(blocks_of(n, figure_block));
+  for_blocks(execution, n, figure_block, [&](std::size_t b, std::size_t from, std::size_t to) {
+    blocks[b] =
+        asked_in_turn(to - from, [&](std::uint32_t i, std::vector<std::uint32_t>& numbers) { add(from + i, numbers); });
+  });
+  return put_together(n, figure_block, blocks);
+}
+
+}  // namespace
+}  // namespace space::kd
+
+template <KeptFigure Figure>
+std::vector<std::uint32_t> within(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p,
+                                  double radius) {
+  space::kd::require_radius(radius);
+  query::require_figure("within", "p", p);
+  std::vector<std::uint32_t> numbers;
+  space::kd::add_figures_within(tree, p, radius, numbers);
+  space::kd::sort_from(numbers, 0);
+  return numbers;
+}
+template <KeptFigure Figure>
+std::vector<std::uint32_t> in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box) {
+  query::require_figure("in_box", "box", box);
+  std::vector<std::uint32_t> numbers;
+  space::kd::add_figures_in_box(tree, box, numbers);
+  space::kd::sort_from(numbers, 0);
+  return numbers;
+}
+
+template <KeptFigure Figure>
+FigureLists within(const FigureTree<Figure>& tree, std::span<const typename FigureTree<Figure>::Point> queries,
+                   double radius, Execution execution) {
+  space::kd::require_radius(radius);
+  require_finite_points("within", "queries", queries);
+  return space::kd::listed(queries.size(), execution, [&](std::size_t i, std::vector<std::uint32_t>& numbers) {
+    space::kd::add_figures_within(tree, queries[i], radius, numbers);
+  });
+}
+template <KeptFigure Figure>
+FigureLists in_box(const FigureTree<Figure>& tree, std::span<const typename FigureTree<Figure>::Box> boxes,
+                   Execution execution) {
+  space::kd::require_finite_boxes(boxes);
+  return space::kd::listed(boxes.size(), execution, [&](std::size_t i, std::vector<std::uint32_t>& numbers) {
+    space::kd::add_figures_in_box(tree, boxes[i], numbers);
+  });
+}
+
+#define PLUMB_INSTANTIATE(F)                                                                                   \
+  template std::vector<std::uint32_t> within(const FigureTree<F>&, const FigureTree<F>::Point&, double);       \
+  template std::vector<std::uint32_t> in_box(const FigureTree<F>&, const FigureTree<F>::Box&);                 \
+  template FigureLists within(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, double, Execution); \
+  template FigureLists in_box(const FigureTree<F>&, std::span<const FigureTree<F>::Box>, Execution);
+PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
+#undef PLUMB_INSTANTIATE
+
+}  // namespace plumb

@@ -1,0 +1,116 @@
+#include "plumb/space/kd_tree/split_range.hpp"
+
+#include <algorithm>
+
+#include "plumb/query/overlap/overlap.hpp"
+#include "query/body/figure_input.hpp"
+#include "space/bvh/blocks.hpp"
+#include "space/closest/figure_box.hpp"
+#include "space/kd_tree/kept_figures.hpp"
+
+namespace plumb {
+namespace space::kd {
+namespace {
+
+/// Of closed figures whose boxes meet.
+template <class A, class B>
+bool have_a_point(const A& a, const B& b) {
+  if constexpr (std::is_same_v<A, B> && (std::is_same_v<A, Aabb2> || std::is_same_v<A, Aabb3>)) {
+    return true;
+  } else {
+    return intersects(a, b);
+  }
+}
+
+/// The leaves of each figure, ascending.
+class LeavesOf {
+ public:
+  template <class Figure>
+  explicit LeavesOf(const SplitTree<Figure>& tree) : first_(tree.figures.size() + 1, 0), leaves_(tree.items.size()) {
+    for (const std::uint32_t i : tree.items) ++first_[i + 1];
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
+      for (const std::uint32_t i : tree.items_in(leaf)) leaves_[next[i]++] = static_cast<std::uint32_t>(leaf);
+    }
+  }
+
+  /// Is it the first of those that have both?
+  [[nodiscard]] bool is_first_of_both(std::uint32_t i, std::uint32_t k, std::size_t leaf) const {
+    std::uint32_t a = first_[i], b = first_[k];
+    while (leaves_[a] != leaves_[b]) leaves_[a] < leaves_[b] ? ++a : ++b;
+    return leaves_[a] == leaf;
+  }
+
+ private:
+  std::vector<std::uint32_t> first_, leaves_;
+};
+
+template <class Figure>
+void add_pairs_of_leaf(const SplitTree<Figure>& tree, const LeavesOf& leaves, std::size_t leaf, bool touching,
+                       std::vector<BoxPair>& pairs) {
+  const auto items = tree.items_in(leaf);
+  std::vector<Aabb3> boxes;
+  for (const std::uint32_t i : items) boxes.push_back(box_in_space(tree.figures[i]));
+  for (std::size_t m = 0; m < items.size(); ++m) {
+    for (std::size_t n = m + 1; n < items.size(); ++n) {
+      if (!boxes_meet(boxes[m], boxes[n]) || !leaves.is_first_of_both(items[m], items[n], leaf)) continue;
+      const Figure &a = tree.figures[items[m]], &b = tree.figures[items[n]];
+      if (touching ? have_a_point(a, b) : relate(a, b) == Relation::overlapping) pairs.push_back({items[m], items[n]});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace space::kd
+
+template <KeptFigure Figure>
+std::vector<std::uint32_t> in_box(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Box& box) {
+  using namespace space::kd;
+  query::require_figure("in_box", "box", box);
+  std::vector<std::uint32_t> found;
+  if (is_empty(box) || tree.nodes.empty()) return found;
+  const auto low = coordinates(box.min), high = coordinates(box.max);
+  const Aabb3 asked = space::box_in_space(box);
+  std::array<std::uint32_t, 64> stack;  // one a level
+  std::size_t height = 0;
+  stack[height++] = 0;
+  while (height != 0) {
+    const std::uint32_t at = stack[--height];
+    const SplitNode& n = tree.nodes[at];
+    if (!n.is_leaf()) {
+      if (high[n.axis] >= n.plane) stack[height++] = n.link;
+      if (low[n.axis] < n.plane) stack[height++] = at + 1;
+      continue;
+    }
+    for (const std::uint32_t i : tree.items_in(n.link)) {
+      if (space::boxes_meet(asked, space::box_in_space(tree.figures[i]))) found.push_back(i);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::erase_if(found, [&](std::uint32_t i) { return !have_a_point(tree.figures[i], box); });
+  return found;
+}
+
+template <KeptFigure Figure>
+std::vector<BoxPair> overlapping_pairs(const SplitTree<Figure>& tree, const BoxPairOptions& options) {
+  using namespace space::kd;
+  constexpr std::size_t block = 64;
+  const LeavesOf leaves(tree);
+  std::vector<std::vector<BoxPair>> parts(space::blocks_of(tree.leaves(), block));
+  space::for_blocks(options.execution, tree.leaves(), block, [&](std::size_t b, std::size_t from, std::size_t to) {
+    for (std::size_t leaf = from; leaf < to; ++leaf) add_pairs_of_leaf(tree, leaves, leaf, options.touching, parts[b]);
+  });
+  std::vector<BoxPair> pairs;
+  for (const auto& part : parts) pairs.insert(pairs.end(), part.begin(), part.end());
+  return pairs;
+}
+
+#define PLUMB_INSTANTIATE(F)                                                                 \
+  template std::vector<std::uint32_t> in_box(const SplitTree<F>&, const SplitTree<F>::Box&); \
+  template std::vector<BoxPair> overlapping_pairs(const SplitTree<F>&, const BoxPairOptions&);
+PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
+#undef PLUMB_INSTANTIATE
+
+}  // namespace plumb
