@@ -1,5 +1,6 @@
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
 
+#include "space/broad_phase/automatic_method.hpp"
 #include "space/broad_phase/swept_columns.hpp"
 #include "space/pairs/checked_boxes.hpp"
 
@@ -46,10 +47,10 @@ void find_pairs(const BoxSet<Box>& set, bool is_two, const PairTaker& to, const 
     bounds.min[k] = std::min(bounds.min[k], of_b.min[k]);
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
-  const bool each = options.method == BroadPhaseMethod::automatic ? set.size() <= few_boxes
-                                                                  : options.method == BroadPhaseMethod::brute_force;
-  if (each) return compare_each(set, to);
-  if (options.method == BroadPhaseMethod::sort_and_sweep) {
+  const BroadPhaseMethod method =
+      options.method == BroadPhaseMethod::automatic ? automatic_method(set.size()) : options.method;
+  if (method == BroadPhaseMethod::brute_force) return compare_each(set, to);
+  if (method == BroadPhaseMethod::sort_and_sweep) {
     return find_by_sweep(options.execution, set, bounds, widest_axis(set, bounds), to);
   }
   find_by_columns(options.execution, set, bounds, to);

@@ -14,9 +14,6 @@
 
 namespace plumb::space {
 
-/// Of so many boxes the automatic method compares each pair.
-inline constexpr std::size_t few_boxes = 48;
-
 /// Where the boxes are placed, and along which columns they are swept.
 struct PlacedSweep {
   OrdinalMap map;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "space/broad_phase/automatic_method.hpp"
 #include "space/broad_phase/swept_columns.hpp"
 #include "tool/pairs/method_names.hpp"
 
@@ -51,8 +52,7 @@ std::optional<SweepStructure> structure_of(const space::BoxSet<Box>& set, BroadP
     bounds.min[k] = std::min(bounds.min[k], of_b.min[k]);
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
-  const bool automatic = method == BroadPhaseMethod::automatic && set.size() > space::few_boxes;
-  if (set.size() >= 2 && (automatic || method == BroadPhaseMethod::swept_columns)) return columns_of(set, bounds);
+  if (set.size() >= 2 && method == BroadPhaseMethod::swept_columns) return columns_of(set, bounds);
   if (set.size() >= 2 && method == BroadPhaseMethod::sort_and_sweep)
     return SweepStructure{space::widest_axis(set, bounds), {}, 1, set.size()};
   return {};
@@ -60,9 +60,15 @@ std::optional<SweepStructure> structure_of(const space::BoxSet<Box>& set, BroadP
 
 }  // namespace
 
+BroadPhaseMethod method_taken(const PairsReport& r) {
+  const BroadPhaseMethod asked = broad_phase_method(r.method);
+  const std::size_t boxes = r.sets.front().size() + (r.of_one() ? 0 : r.sets.back().size());
+  return asked == BroadPhaseMethod::automatic ? space::automatic_method(boxes) : asked;
+}
+
 std::optional<SweepStructure> sweep_structure(const PairsReport& r) {
-  const BroadPhaseMethod method = broad_phase_method(r.method);
   const BoxInput &a = r.sets.front(), &b = r.sets.back();
+  const BroadPhaseMethod method = method_taken(r);
   using Planar = std::span<const Aabb2>;
   using Spatial = std::span<const Aabb3>;
   if (r.is_planar())
