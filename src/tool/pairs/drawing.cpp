@@ -69,8 +69,9 @@ std::string kind_of(Meets meets, std::size_t set) {
          (set == 0 ? "" : " of-b");
 }
 
-std::string structure_text(const std::optional<SweepStructure>& s, std::size_t boxes) {
-  if (!s) return "each pair is compared: nothing divides the boxes";
+std::string structure_text(const PairsReport& r, const std::optional<SweepStructure>& s, std::size_t boxes) {
+  if (!s && method_taken(r) == BroadPhaseMethod::brute_force) return "each pair is compared: nothing divides the boxes";
+  if (!s) return fmt::format("by the method {}, of which nothing is drawn", r.method);
   if (s->columns == 1) return fmt::format("swept along {}, without columns", kAxes[s->axis]);
   return fmt::format("swept along {} in {} columns (dotted), in which a box stands {:.3g} times on the average",
                      kAxes[s->axis], grouped(s->columns), static_cast<double>(s->copies) / static_cast<double>(boxes));
@@ -103,7 +104,7 @@ std::string pairs_svg(const PairsReport& r) {
   if (every > 1) counts += fmt::format("; one of {} boxes is drawn, so that the picture stays small", every);
   if (!r.is_planar()) counts += fmt::format("; seen along {}", kAxes[hidden]);
   view.say(counts);
-  view.say(structure_text(structure, boxes));
+  view.say(structure_text(r, structure, boxes));
   view.explain("alone", r.touching ? "meets no other" : "overlaps no other");
   if (r.touching) view.explain("touch", "only touches");
   view.explain("overlap", "overlaps another");

@@ -21,7 +21,10 @@ struct SweepStructure {
   std::size_t columns = 1, copies = 0;       // and how often boxes stand in them
 };
 
-/// Nothing where each pair is compared.
+/// The one that was asked for, or what the automatic one is for these boxes.
+BroadPhaseMethod method_taken(const PairsReport& report);
+
+/// Nothing where the method that was taken sweeps no boxes.
 std::optional<SweepStructure> sweep_structure(const PairsReport& report);
 
 }  // namespace plumb::tool
