@@ -77,31 +77,33 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
 }  // namespace space::kd
 
 template <KeptFigure Figure>
-std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const space::SegmentFor<Figure>& segment,
-                                       KdCells cells) {
+std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree,
+                                       const typename SplitTree<Figure>::Segment& segment, KdCells cells) {
   return space::kd::split_cells(tree, segment, cells);
 }
 template <KeptFigure Figure>
-std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const space::RayFor<Figure>& ray, KdCells cells) {
+std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray,
+                                       KdCells cells) {
   return space::kd::split_cells(tree, ray, cells);
 }
 template <ShotAtFigure Figure>
-std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const space::SegmentFor<Figure>& segment) {
+std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree,
+                                           const typename SplitTree<Figure>::Segment& segment) {
   return space::kd::first_hit_along(tree, segment);
 }
 template <ShotAtFigure Figure>
-std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const space::RayFor<Figure>& ray) {
+std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray) {
   return space::kd::first_hit_along(tree, ray);
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                                  \
-  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const space::SegmentFor<F>&, KdCells); \
-  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const space::RayFor<F>&, KdCells);
+#define PLUMB_INSTANTIATE(F)                                                                                   \
+  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Segment&, KdCells); \
+  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Ray&, KdCells);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE
-#define PLUMB_INSTANTIATE(F)                                                                        \
-  template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const space::SegmentFor<F>&); \
-  template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const space::RayFor<F>&);
+#define PLUMB_INSTANTIATE(F)                                                                         \
+  template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const SplitTree<F>::Segment&); \
+  template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const SplitTree<F>::Ray&);
 PLUMB_INSTANTIATE(Aabb2)
 PLUMB_INSTANTIATE(Segment2) PLUMB_INSTANTIATE(Triangle2) PLUMB_INSTANTIATE(Aabb3) PLUMB_INSTANTIATE(Triangle3)
 #undef PLUMB_INSTANTIATE

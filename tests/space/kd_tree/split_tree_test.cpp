@@ -174,14 +174,14 @@ TYPED_TEST(SplitTreeTest, AnswersAsEachFigureDoes) {
     in_boxes += meeting.size();
     const auto c = coordinates(q);
     const auto component = [&](std::size_t k) { return e.below(3) == 0 ? static_cast<double>(e.within(2)) : c[k]; };
-    ASSERT_NO_FATAL_FAILURE(expect_first_hit(tree, space::SegmentFor<TypeParam>{p, q}, counts));
+    ASSERT_NO_FATAL_FAILURE(expect_first_hit(tree, typename SplitTree<TypeParam>::Segment{p, q}, counts));
     if constexpr (SplitTree<TypeParam>::dimension == 2) {
       ASSERT_NO_FATAL_FAILURE(expect_first_hit(tree, Ray2{p, {component(0), component(1)}}, counts));
     } else {
       ASSERT_NO_FATAL_FAILURE(expect_first_hit(tree, Ray3{p, {component(0), component(1), component(2)}}, counts));
     }
     // The leaf of a place is on every way that begins there.
-    const auto on_the_way = cells_along(tree, space::SegmentFor<TypeParam>{p, q}, KdCells::half_open);
+    const auto on_the_way = cells_along(tree, typename SplitTree<TypeParam>::Segment{p, q}, KdCells::half_open);
     ASSERT_EQ(on_the_way.front(), locate(tree, p));
     ASSERT_EQ(on_the_way.back(), locate(tree, q));
   }
@@ -219,7 +219,7 @@ TEST(ASplitTree, IsTheSameOnEveryNumberOfThreads) {
   const auto pairs = overlapping_pairs(serial, {.execution = Execution::serial});
   EXPECT_GT(serial.leaves(), all.size() / 8);
   EXPECT_LE(serial.items.size(), 8 * all.size());
-  EXPECT_GT(pairs.size(), battery::fitting(1000u));
+  EXPECT_GT(pairs.size(), battery::reaches_rare ? 1000u : 10u);
   for (const std::size_t threads : {1u, 2u}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     const auto tree = build_split_tree(all);

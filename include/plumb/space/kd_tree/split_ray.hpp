@@ -18,21 +18,13 @@
 
 namespace plumb {
 
-namespace space {
-
-template <class Figure>
-using SegmentFor = std::conditional_t<SplitTree<Figure>::dimension == 2, Segment2, Segment3>;
-template <class Figure>
-using RayFor = std::conditional_t<SplitTree<Figure>::dimension == 2, Ray2, Ray3>;
-
-}  // namespace space
-
 /// The numbers of the leaves.
 template <KeptFigure Figure>
-std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const space::SegmentFor<Figure>& segment,
+std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree,
+                                       const typename SplitTree<Figure>::Segment& segment,
                                        KdCells cells = KdCells::closed);
 template <KeptFigure Figure>
-std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const space::RayFor<Figure>& ray,
+std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray,
                                        KdCells cells = KdCells::closed);
 
 template <KeptFigure Figure>
@@ -47,8 +39,9 @@ template <class Figure>
 concept ShotAtFigure = KeptFigure<Figure> && !std::is_same_v<Figure, Segment3>;
 
 template <ShotAtFigure Figure>
-std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const space::SegmentFor<Figure>& segment);
+std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree,
+                                           const typename SplitTree<Figure>::Segment& segment);
 template <ShotAtFigure Figure>
-std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const space::RayFor<Figure>& ray);
+std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray);
 
 }  // namespace plumb

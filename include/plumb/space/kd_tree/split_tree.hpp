@@ -47,6 +47,8 @@ struct SplitTree {
   static constexpr std::size_t dimension = FigureTree<Figure>::dimension;
   using Point = typename FigureTree<Figure>::Point;
   using Box = typename FigureTree<Figure>::Box;
+  using Segment = std::conditional_t<dimension == 2, Segment2, Segment3>;
+  using Ray = std::conditional_t<dimension == 2, Ray2, Ray3>;
 
   std::vector<SplitNode> nodes;
   std::vector<std::uint32_t> first = {0};  // in items, of each leaf, and the end
