@@ -10,17 +10,6 @@
 
 namespace plumb {
 namespace space::kd {
-namespace {
-
-/// Of closed figures whose boxes meet.
-template <class A, class B>
-bool have_a_point(const A& a, const B& b) {
-  if constexpr (std::is_same_v<A, B> && (std::is_same_v<A, Aabb2> || std::is_same_v<A, Aabb3>)) {
-    return true;
-  } else {
-    return intersects(a, b);
-  }
-}
 
 /// The leaves of each figure, ascending.
 class LeavesOf {
@@ -45,6 +34,18 @@ class LeavesOf {
  private:
   std::vector<std::uint32_t> first_, leaves_;
 };
+
+namespace {
+
+/// Of closed figures whose boxes meet.
+template <class A, class B>
+bool have_a_point(const A& a, const B& b) {
+  if constexpr (std::is_same_v<A, B> && (std::is_same_v<A, Aabb2> || std::is_same_v<A, Aabb3>)) {
+    return true;
+  } else {
+    return intersects(a, b);
+  }
+}
 
 template <class Figure>
 void add_pairs_of_leaf(const SplitTree<Figure>& tree, const LeavesOf& leaves, std::size_t leaf, bool touching,
