@@ -15,8 +15,8 @@ namespace plumb::pair_cases {
 /// Cases in an ordinary run, of which the long run takes shape_cases::more as many, and the sanitized one a quarter or
 /// less: of each pair of shapes, of one whose brute force is costly, and of each pair for the laws.
 inline const std::uint64_t cases_of_pair = battery::sanitized ? 12 : 64,
-                               cases_of_costly_pair = battery::sanitized ? 1 : 16,
-                               cases_of_law = battery::sanitized ? 8 : 32;
+                           cases_of_costly_pair = battery::sanitized ? 1 : 16,
+                           cases_of_law = battery::sanitized ? 8 : 32;
 
 /// How often each answer came, of all pairs together.
 class Answers {
