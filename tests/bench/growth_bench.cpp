@@ -7,12 +7,11 @@
 // tests/bench/growth.py draws it.  --benchmark_filter='growth/.{1,6}/' leaves a million and more out.
 #include <benchmark/benchmark.h>
 
-#include <cstdio>
-#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "bench/growth_counters.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/space.hpp"
 #include "space/bvh/meshes.hpp"
@@ -43,29 +42,6 @@ const Bvh& tree_of(std::uint32_t side) {
   Grown& g = grown(side);
   if (g.bvh.triangles.size() == 0) g.bvh = build_bvh(g.mesh, {.execution = Execution::serial});
   return g.bvh;
-}
-
-/// The most memory that was resident since forget_peak, in bytes; 0 where Linux does not tell.
-void forget_peak() {
-  if (std::FILE* const f = std::fopen("/proc/self/clear_refs", "w")) {
-    std::fputs("5", f);
-    std::fclose(f);
-  }
-}
-double peak_bytes() {
-  double kib = 0;
-  if (std::FILE* const f = std::fopen("/proc/self/status", "r")) {
-    for (char line[256]; std::fgets(line, sizeof line, f) != nullptr;) {
-      if (std::strncmp(line, "VmHWM:", 6) == 0) kib = std::strtod(line + 6, nullptr);
-    }
-    std::fclose(f);
-  }
-  return kib * 1024;
-}
-
-benchmark::Counter ns_for_each(std::size_t n) {
-  return benchmark::Counter(static_cast<double>(n) * 1e-9,
-                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void build(benchmark::State& state, std::uint32_t side, BvhMethod method) {

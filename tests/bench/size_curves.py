@@ -2,7 +2,7 @@
 import html
 import math
 
-COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"]
+COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
 STYLE = """text{font:13px system-ui,sans-serif;fill:#222}.title{font-size:16px;font-weight:600}.small{font-size:12px;fill:#555}
 .grid{stroke:#ddd}.page{fill:#fff}path{fill:none;stroke-width:2}
 @media (prefers-color-scheme: dark){text{fill:#e8e8e8}.small{fill:#aaa}.grid{stroke:#3a3a3a}.page{fill:#181818}}"""
@@ -42,14 +42,16 @@ def panel(box, title, curves, sizes):
                    f'<tspan dy="-5" font-size="9">{power}</tspan></text>')
     out.append(f'<text class="small" x="{(left + right) / 2}" y="{bottom + 38}" text-anchor="middle">{sizes}</text>')
     for i, (label, curve) in enumerate(curves.items()):
-        color, label = COLORS[i], html.escape(label)
+        color, label = COLORS[i % len(COLORS)], html.escape(label)
+        dashes = ' stroke-dasharray="6 4"' if i >= len(COLORS) else ""
         places = [at(*p) for p in curve]
-        out.append(f'<path stroke="{color}" d="M' + " L".join(f"{x:.1f} {y:.1f}" for x, y in places) + '"/>')
+        out.append(f'<path stroke="{color}"{dashes} d="M' + " L".join(f"{x:.1f} {y:.1f}" for x, y in places) + '"/>')
         for (x, y), (n, v) in zip(places, curve):
             out.append(f'<circle data-curve="{label}" cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{color}">'
                        f"<title>{label}: {short(v)} at {n:,}</title></circle>")
         y = bottom + 62 + 20 * i
-        out.append(f'<circle cx="{left + 5}" cy="{y - 4}" r="5" fill="{color}"/><text x="{left + 18}" y="{y}">{label}</text>')
+        out.append(f'<path stroke="{color}"{dashes} d="M{left - 10} {y - 4} L{left + 12} {y - 4}"/>'
+                   f'<text x="{left + 18}" y="{y}">{label}</text>')
     return out
 
 

@@ -80,6 +80,22 @@ TEST(GrowthPicture, IsATableAsWell) {
             "| most while it is built (binned): bytes a triangle | 200 | 200 | 200 |\n");
 }
 
+TEST(GrowthPicture, HasAFamilyOfCrowds) {
+  json run{{"benchmarks", json::array()}};
+  for (const int n : {1000, 10000}) {
+    const std::string name = "pairs_growth/" + std::to_string(n) + "/box_tree";
+    run["benchmarks"].push_back({{"name", name}, {"ns", 50}, {"peak", 30 * n}});
+  }
+  EXPECT_EQ(drawn(run.dump(), "pairs_growth --table").out,
+            "| boxes | 1,000 | 10,000 |\n| --- | ---: | ---: |\n| box tree: ns a box | 50 | 50 |\n"
+            "| box tree: bytes a box | 30 | 30 |\n");
+  const Outcome picture = drawn(run.dump(), "pairs_growth");
+  EXPECT_THAT(picture.out, testing::HasSubstr("box tree: 50 at 10,000"));
+  EXPECT_EQ(tool::run("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.stdin)'", picture.out).code, 0);
+  EXPECT_NE(drawn(run.dump(), "points_growth").code, 0);  // of which there is none
+  EXPECT_NE(drawn(run.dump(), "no_growth").code, 0);
+}
+
 json sizes() {
   json run{{"benchmarks", json::array()}};
   for (const double n : {10.0, 100.0, 1000.0}) {
