@@ -51,17 +51,21 @@ std::optional<SweepStructure> structure_of(const space::BoxSet<Box>& set, BroadP
     bounds.min[k] = std::min(bounds.min[k], of_b.min[k]);
     bounds.max[k] = std::max(bounds.max[k], of_b.max[k]);
   }
-  const BroadPhaseMethod taken = space::method_taken(method, set.size());
-  if (set.size() >= 2 && taken == BroadPhaseMethod::swept_columns) return columns_of(set, bounds);
-  if (set.size() >= 2 && taken == BroadPhaseMethod::sort_and_sweep)
+  if (set.size() >= 2 && method == BroadPhaseMethod::swept_columns) return columns_of(set, bounds);
+  if (set.size() >= 2 && method == BroadPhaseMethod::sort_and_sweep)
     return SweepStructure{space::widest_axis(set, bounds), {}, 1, set.size()};
   return {};
 }
 
 }  // namespace
 
+BroadPhaseMethod method_taken(const PairsReport& r) {
+  const std::size_t boxes = r.sets.front().size() + (r.of_one() ? 0 : r.sets.back().size());
+  return space::method_taken(broad_phase_method(r.method), boxes);
+}
+
 std::optional<SweepStructure> sweep_structure(const PairsReport& r) {
-  const BroadPhaseMethod method = broad_phase_method(r.method);
+  const BroadPhaseMethod method = method_taken(r);
   const BoxInput &a = r.sets.front(), &b = r.sets.back();
   using Planar = std::span<const Aabb2>;
   using Spatial = std::span<const Aabb3>;
