@@ -108,7 +108,7 @@ template <class A, class... B>
 void check_with(std::uint64_t start, List<B...>) {
   Counts counts;
   (check_pair<A, B>(start++, cases, counts), ...);
-  constexpr int few = 9 * cases / 100;
+  const int few = 9 * cases / 100;
   EXPECT_GT(counts.never, few) << start;
   EXPECT_GT(counts.later, few) << start;
   EXPECT_GT(counts.at_start, few / 4) << start;
