@@ -145,7 +145,7 @@ TEST(Pairs, AreCountedExactlyWhereBoxesTouch) {
   write(folder / "cubes.csv", "x0,y0,z0,x1,y1,z1\n" + csv_of(cubes));
   const std::string pairs = at(folder, "pairs");
   expect_text(run(pairs + "cubes.csv").out, {"cubes.csv: 27 boxes in space\n",
-                                             "158 pairs meet: 157 touch, 1 overlaps\n", "by the method automatic\n"});
+                                             "158 pairs meet: 157 touch, 1 overlaps\n", "by the method brute-force\n"});
   expect_text(run(pairs + "--no-touching --all cubes.csv").out,
               {"1 pair overlaps\n", "        13         14 overlap\n"});
   cubes[13][3] = 2;
@@ -168,6 +168,8 @@ TEST(Pairs, AreTheSameByEveryMethodAndNumberOfThreads) {
       const std::string line = at(folder, "pairs") + "boxes.csv --json --method " + name;
       const json one = json::parse(run(line + " --threads 1").out);
       EXPECT_EQ(one.at("method"), name);
+      const bool by_itself = m == BroadPhaseMethod::automatic;
+      EXPECT_EQ(one.at("method_taken"), by_itself ? "sort-and-sweep" : name);
       EXPECT_EQ(one.at("sets")[0].at("dimension"), axes);
       EXPECT_EQ(pairs_in(one), expected) << name;
       if (axes == 3 && m <= BroadPhaseMethod::brute_force) {
@@ -234,9 +236,12 @@ TEST(Pairs, AreDrawnWithTheColumnsOfTheSweep) {
   EXPECT_EQ(times(boxes, "<rect class=\"alone\""), alone);
   expect_text(run(line + "- --method brute-force").out, {"nothing divides the boxes"});
   for (const std::string extreme : {"-1e308 -1e308 -1e308 1e308 1e308 1e308\n0 0 0 5e-324 5e-324 5e-324\n",
+                                    "-1.7e308 -1.7e308 1.7e308 1.7e308\n0 0 1.7e308 1.7e308\n",
                                     "0 0 0 0\n0 0 0 0\n", "1 1 1 1\n0 0 5e-324 1\n"}) {
     const std::string drawn = run(at(folder, "pairs") + "--svg - --method swept-columns -", extreme).out;
     expect_text(drawn, {"<svg"}, {"nan", "inf", "=\"-"}, extreme);
+    if (extreme.starts_with("-1.7"))
+      expect_text(drawn, {"width=\"720.0\" height=\"720.0\"", "width=\"360.0\" height=\"360.0\""});
   }
   write(folder / "kept.svg", "precious");
   expect_text(run(line + "kept.svg").err, {"--svg: kept.svg is there already and is kept"});
@@ -255,6 +260,10 @@ TEST(Pairs, AreRefusedOfWhatHoldsNoBoxes) {
   write(folder / "mixed.csv", "0,0,1,1\n0,0,0,1,1,1\n");
   write(folder / "word.csv", "0,0,1,1\n0,0,\033[31mone,1\n");
   write(folder / "nan.csv", "nan,0,1,1\n");
+  write(folder / "quoted.csv", "\"0\",\"0\",\"1\",\"1\"\n0,0,1,1\n");
+  write(folder / "gap.csv", "0,0,1,1\n0,,1,1\n");
+  write(folder / "more.csv", "0,0,1,1,\n");
+  write(folder / "boxes.npz", "PK");
   write(folder / "turned.csv", "x0,y0,x1,y1\n0,0,1,1\n0,3,1,1\n");
   write(folder / "empty.csv", "");
   write(folder / "header.csv", "x0,y0,x1,y1\n");
@@ -270,6 +279,10 @@ TEST(Pairs, AreRefusedOfWhatHoldsNoBoxes) {
       {"mixed.csv", "mixed.csv, line 2: this has 6 numbers, and line 1 has 4"},
       {"word.csv", "word.csv, line 2: '?[31mone' is not a decimal number"},
       {"nan.csv", "nan.csv, line 1: 'nan' is not a decimal number"},
+      {"quoted.csv", "quoted.csv, line 1: '\"0\"' is not a decimal number"},
+      {"gap.csv", "gap.csv, line 2: number 2 is missing"},
+      {"more.csv", "more.csv, line 1: number 5 is missing"},
+      {"boxes.npz", "boxes.npz: this is an archive of NumPy's arrays (.npz)"},
       {"turned.csv", "turned.csv, line 3: min y 3 is above max y 1"},
       {"empty.csv", "empty.csv: the file is empty"},
       {"header.csv", "header.csv: there is no row of numbers in it"},
@@ -404,7 +417,7 @@ TEST(Nearest, RefusesWhatCannotBe) {
       {"-k 0 plane.csv plane.csv", "-k"},
       {"-k 1 --within 1 plane.csv plane.csv", "-k and --within exclude each other"},
       {"--ties --within 1 plane.csv plane.csv", "--ties and --within exclude each other"},
-      {"--within -1 plane.csv plane.csv", "must not be negative"},
+      {"--within -1e-9 plane.csv plane.csv", "--within: -1e-9 is negative"},
       {"--within far plane.csv plane.csv", "'far' is not a decimal number"},
       {"plane.csv plane.csv --out a.npy --distances a.npy", "name the same output"}};
   for (const auto& [line, words] : refusals) {

@@ -25,7 +25,7 @@ struct ListBlock {
 inline void require_radius(double radius) {
   if (!(radius - radius == 0))
     throw NonFinite("within: radius is " + std::to_string(radius) + ", not a real number; give a finite double");
-  if (radius < 0) throw InvalidShape("within: radius is " + std::to_string(radius) + ", but it must not be negative");
+  if (radius < 0) throw InvalidShape("within: radius is negative; give zero or more");
 }
 template <class Box>
 void require_finite_boxes(std::span<const Box> boxes) {

@@ -307,7 +307,8 @@ void ties(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers 
   const double outside = Square<Point>{Query<Point>::sum_of(square)}.beyond();
   add_within_values(
       query, find_leaf(tree, query.at), -1, outside,
-      [&](const Candidate<Point>& c) { return compare_distance(p, c.at, limit) == Sign::zero; }, numbers);
+      [&](const Candidate<Point>& c) { return c.at == limit || compare_distance(p, c.at, limit) == Sign::zero; },
+      numbers);
 }
 
 template <class Point>

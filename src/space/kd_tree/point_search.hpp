@@ -60,6 +60,7 @@ bool comes_first(const Point& p, const Candidate<Point>& a, const Candidate<Poin
   const auto c = squares::compare(Square<Point>{a.value}, Square<Point>{b.value});
   if (c.sure) [[likely]]
     return c.value < 0;
+  if (a.at == b.at) return a.number < b.number;  // many points may be equal, and nothing is to be decided of them
   const Sign order = compare_distance(p, a.at, b.at);
   return order == Sign::zero ? a.number < b.number : order == Sign::negative;
 }

@@ -29,18 +29,19 @@ void put(std::string& text, fmt::format_string<A...> form, A&&... values) {
 DataView::DataView(const std::string& title, std::string_view style, DataAxis right, DataAxis up)
     : right_(std::move(right)), up_(std::move(up)), title_(escaped(title)), style_(style) {
   const double wide = right_.max / 2 - right_.min / 2, high = up_.max / 2 - up_.min / 2;
-  span_ = std::max(wide, high * (plan_width / tallest));
-  height_ = std::clamp(plan_width * (span_ > 0 ? high / span_ : 0), flattest, tallest);
+  // In the less of both lengths: scaled up, the largest doubles would not fit.
+  span_ = std::max(wide * (tallest / plan_width), high);
+  height_ = std::clamp(tallest * (span_ > 0 ? high / span_ : 0), flattest, tallest);
 }
 
 // What is narrower than the paper stands in its middle, and so does what is flatter.
 double DataView::right_of(double x) const {
-  const double used = part_of(right_.max, right_.min, span_);
-  return edge + plan_width * (part_of(x, right_.min, span_) + (1 - used) / 2);
+  const double used = tallest * part_of(right_.max, right_.min, span_);
+  return edge + tallest * part_of(x, right_.min, span_) + (plan_width - used) / 2;
 }
 double DataView::down_of(double y) const {
-  const double used = plan_width * part_of(up_.max, up_.min, span_);
-  return plan_top + height_ - plan_width * part_of(y, up_.min, span_) - (height_ - used) / 2;
+  const double used = tallest * part_of(up_.max, up_.min, span_);
+  return plan_top + height_ - tallest * part_of(y, up_.min, span_) - (height_ - used) / 2;
 }
 
 void DataView::say(std::string_view text) {
@@ -81,7 +82,7 @@ void DataView::dot(std::string_view kind, std::array<double, 2> at, double pixel
 
 void DataView::circle(std::string_view kind, std::array<double, 2> center, double radius) {
   put(body_, "<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n", kind, right_of(center[0]),
-      down_of(center[1]), plan_width * part_of(radius, 0, span_));
+      down_of(center[1]), tallest * part_of(radius, 0, span_));
 }
 
 std::string DataView::text() const {

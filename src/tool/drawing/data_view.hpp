@@ -46,7 +46,7 @@ class DataView {
 
   DataAxis right_, up_;
   std::string title_, style_, said_, legend_, body_;
-  double span_ = 0;    // half of what fills the paper's width
+  double span_ = 0;    // half of what fills the paper's height
   double height_ = 0;  // of the plan, in pixels
   double next_line_ = 58, next_legend_ = 24;
 };

@@ -34,6 +34,7 @@ void require_one_space(const NearestReport& r) {
 
 void require_as_many(const NearestReport& r) {
   if (!r.k || *r.k <= r.points.size() || r.queries.size() == 0) return;
+  if (r.points.size() == 0) throw Error(fmt::format("nearest: there is no point in {}", r.points.name));
   throw Error(fmt::format("nearest: {} nearest of {} are asked for; take a -k of at most so many", *r.k,
                           plural(r.points.size(), "point", "points")));
 }
@@ -73,6 +74,8 @@ int run_nearest(const NearestOptions& options) {
   report.ties = options.ties;
   if (options.within) {
     report.radius = read_decimal(*options.within, "--within").value;
+    if (*report.radius < 0)
+      throw Error(fmt::format("--within: {} is negative; give a radius of zero or more", printable(*options.within)));
   } else {
     report.k = options.k.value_or(1);
   }

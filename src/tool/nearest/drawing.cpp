@@ -59,7 +59,8 @@ class TreeView {
     view.say(counts);
     view.say(what_is_left_out(levels, every, asked));
     view.explain("plane", "a plane of the tree");
-    view.explain("query", "a query");
+    view.explain("point", "a point");
+    view.explain("query", report_.radius ? "a query, and its ball" : "a query, and the way to what is nearest");
     if (tree_.count != 0) add_planes(view, levels);
     view.begin_group("points", 0);
     for (std::size_t i = 0; i < points_.size(); i += every) view.dot("point", seen(points_[i]), 1.3);
@@ -84,8 +85,8 @@ class TreeView {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
     if (levels < tree_.levels) add(fmt::format("the planes of the first {} levels are drawn", levels));
     if (every > 1) add(fmt::format("one of {} points is drawn", every));
-    if (asked < queries_.size()) add(fmt::format("the first {} of {} queries are drawn", asked, queries_.size()));
-    if (report_.first[asked] > most_.lines) add(fmt::format("so are lines to the first {} points", most_.lines));
+    if (asked < queries_.size()) add(fmt::format("the first {} of {} queries are drawn", asked, grouped(queries_.size())));
+    if (report_.first[asked] > most_.lines) add(fmt::format("so are lines to the first {} points", grouped(most_.lines)));
     return text.empty() ? "all planes, points and queries are drawn" : text;
   }
 

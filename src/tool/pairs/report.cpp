@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tool/pairs/command.hpp"
+#include "tool/pairs/method_names.hpp"
+#include "tool/pairs/sweep_structure.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/number_text.hpp"
 #include "tool/terminal/origin.hpp"
@@ -37,7 +39,7 @@ std::string pairs_text(const PairsReport& r, bool all, const Style& style) {
   std::string text;
   for (const BoxInput& set : r.sets) text += set_line(set, style);
   text += found_line(r, style);
-  text += style.dim(fmt::format("{} ms, by the method {}\n", three_digits(r.search_ms), r.method));
+  text += style.dim(fmt::format("{} ms, by the method {}\n", three_digits(r.search_ms), command_name(method_taken(r))));
   if (!all || !r.pairs || r.pairs->empty()) return text;
   text += style.dim(fmt::format("{:>10} {:>10}\n", r.of_one() ? "box" : "box of a", r.of_one() ? "box" : "box of b"));
   for (const BoxPair& p : *r.pairs) {
@@ -56,7 +58,10 @@ nlohmann::json pairs_json(const PairsReport& r, bool with_pairs) {
     sets.push_back(std::move(said));
   }
   json said = origin_json("plumb pairs");
-  said.update({{"sets", std::move(sets)}, {"method", r.method}, {"search_ms", r.search_ms}});
+  said.update({{"sets", std::move(sets)},
+               {"method", r.method},
+               {"method_taken", command_name(method_taken(r))},
+               {"search_ms", r.search_ms}});
   said["overlapping"] = r.overlap;
   if (r.touching) said["touching"] = r.touch;
   if (!with_pairs || !r.pairs) return said;

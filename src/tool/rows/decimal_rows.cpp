@@ -1,8 +1,11 @@
 #include "tool/rows/decimal_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "plumb/arith/error.hpp"
 #include "surface/text_lines.hpp"
 #include "tool/terminal/decimal_range.hpp"
 
@@ -34,7 +37,9 @@ bool begins_like_a_name(std::string_view word) {
   const char c = word[0];
   const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
   const std::string lower = surface::lower_case(word.substr(0, 8));
-  return (letter || c == '"' || c == '\'' || c == '_') && lower != "nan" && lower != "inf" && lower != "infinity";
+  const bool quote = c == '"' || c == '\'';
+  if (quote && word.find_first_of("0123456789+-.") == 1) return false;  // a number in quotes: told, not passed over
+  return (letter || quote || c == '_') && lower != "nan" && lower != "inf" && lower != "infinity";
 }
 
 }  // namespace
@@ -57,8 +62,12 @@ bool DecimalRows::next() {
     if (std::exchange(is_first_, false) && is_header()) continue;
     const std::uint64_t inexact = reader_.inexact();
     row_.values.clear();
-    for (const std::string_view word : row_.words)
+    for (const std::string_view word : row_.words) {
+      if (word.empty())
+        throw Error(fmt::format("{}: number {} is missing: nothing stands between two commas or after the last",
+                                place(), row_.values.size() + 1));
       row_.values.push_back(read_decimal(reader_, word, [this] { return place(); }));
+    }
     row_.exact = reader_.inexact() == inexact;
     return true;
   }

@@ -4,7 +4,7 @@
 //   0.5,0.5,1,1                  blanks, tabs and semicolons may stand for the commas
 //
 // Laws: (1) passed over are empty lines, what follows '#', a byte order mark and a header: a first line whose words all
-// begin with a letter, a quote or '_', and are no "nan" or "inf".  (2) A decimal stands for its nearest double, and it
+// begin with a letter, a quote or '_', and are no number in quotes, "nan" or "inf".  (2) A decimal stands for its nearest double, and it
 // is told whether that is it.  (3) Other words throw Error, which quotes them and names the line.
 // Source: RFC 4180; numbers are never quoted.
 // Cost: some 100 ns a number.

@@ -110,6 +110,9 @@ TableOrMesh read_table_or_mesh(const std::string& file, const RowMeaning& meanin
                                const OutputFiles& outputs) {
   const std::string name = name_of_input(file);
   const std::optional<FileKind> named = kind_by_name(file);
+  if (surface::lower_case(std::filesystem::path(file).extension().string()) == ".npz")
+    throw Error(fmt::format("{}: this is an archive of NumPy's arrays (.npz); write the one of {} by numpy.save",
+                            printable(name), meaning.many));
   TableOrMesh read;
   std::string bytes;
   if (named != FileKind::mesh) bytes = bytes_of_input(file);
