@@ -87,10 +87,12 @@
 #include "plumb/space/range/volume_range.hpp"  // by a tree of other volumes, and in any figure
 
 // Which points are nearest, which in a ball or a box?  build_kd_tree, nearest, within, in_box; which boxes, segments or
-// triangles?  build_figure_tree; which meet, and which does a ray hit first?  build_split_tree
+// triangles?  build_figure_tree; which meet, and which does a ray hit first?  build_split_tree; by grids as well:
+// build_grid_of_trees, build_tree_of_grids
 #include "plumb/space/kd_tree/cells_along.hpp"     // the cells that a ray visits
 #include "plumb/space/kd_tree/figure_range.hpp"    // figures, in ascending order
 #include "plumb/space/kd_tree/figure_tree.hpp"     // a box tree of figures
+#include "plumb/space/kd_tree/hybrid_index.hpp"    // boxes, by grids of trees and trees of grids
 #include "plumb/space/kd_tree/kd_tree.hpp"         // a compact k-d tree of points
 #include "plumb/space/kd_tree/nearest_figure.hpp"  // figures, exactly, with ties
 #include "plumb/space/kd_tree/nearest_point.hpp"   // exactly, with ties

@@ -11,6 +11,7 @@
 #include "plumb/space/grid/list_grid.hpp"
 #include "plumb/space/grid/row_column_grid.hpp"
 #include "plumb/space/grid/static_grid.hpp"
+#include "plumb/space/kd_tree/split_range.hpp"
 #include "plumb/space/octree/box_octree.hpp"
 #include "plumb/space/octree/loose_octree.hpp"
 #include "plumb/space/sort_and_sweep/sweep_lists.hpp"
@@ -117,6 +118,12 @@ struct Search {
     ask([&](const Box& box) { return asked_for(tree.boxes_in(box), box); });
   }
 
+  void by_kd_tree() const {
+    const auto tree = build_split_tree(a, {.execution = options.execution});
+    if (is_one_set()) return tell(overlapping_pairs(tree, pair_options()), 1);
+    ask([&](const Box& box) { return asked_for(in_box(tree, box), box); });
+  }
+
   void by_box_tree() const {
     const BoxTree tree = build_box_tree(all_in_space(a), {.execution = options.execution});
     const auto items = tree.items.view();
@@ -211,6 +218,8 @@ void find_by_index(const BroadPhaseOptions& options, std::span<const Box> a, std
       return search.by_lists(2);
     case Method::lists_along_three:
       return search.by_lists(3);
+    case Method::kd_tree:
+      return search.by_kd_tree();
     case Method::automatic:
     case Method::swept_columns:
     case Method::sort_and_sweep:

@@ -122,9 +122,10 @@ std::vector<BoxPair> collect(std::span<const Box> a, std::span<const Box> b, boo
 
 std::string_view name_of(BroadPhaseMethod method) {
   constexpr std::array<std::string_view, broad_phase_methods.size()> names = {
-      "automatic",    "swept_columns", "sort_and_sweep",    "brute_force",     "static_grid",      "linked_grid",
-      "hashed_grid",  "implicit_grid", "hierarchical_grid", "row_column_grid", "octree",           "octree_of_leaves",
-      "loose_octree", "box_tree",      "lists_along_one",   "lists_along_two", "lists_along_three"};
+      "automatic",       "swept_columns",     "sort_and_sweep", "brute_force",       "static_grid",
+      "linked_grid",     "hashed_grid",       "implicit_grid",  "hierarchical_grid", "row_column_grid",
+      "octree",          "octree_of_leaves",  "loose_octree",   "box_tree",          "lists_along_one",
+      "lists_along_two", "lists_along_three", "kd_tree"};
   const auto number = static_cast<std::size_t>(method);
   return number < names.size() ? names[number] : "of no name";
 }

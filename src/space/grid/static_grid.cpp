@@ -71,7 +71,7 @@ void StaticGrid<Box>::fill() {
 template <class Box>
 void StaticGrid<Box>::pairs_in(std::size_t cell, bool touching, std::vector<Member>& members,
                                std::vector<BoxPair>& out) const {
-  const std::span<const std::uint32_t> slice(numbers_.data() + starts_[cell], starts_[cell + 1] - starts_[cell]);
+  const std::span<const std::uint32_t> slice = items_in(cell);
   if (slice.size() < 2) return;
   space::CellNumber<n> number{};
   std::size_t rest = cell;
@@ -124,6 +124,35 @@ std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options) const
   return all;
 }
 
+/// To the cells that there are; is one left?
+template <class Box>
+bool StaticGrid<Box>::clip(Span& span) const {
+  bool is = true;
+  for (std::size_t k = 0; k < n; ++k) {
+    span.first[k] = std::max(span.first[k], all_.first[k]), span.last[k] = std::min(span.last[k], all_.last[k]);
+    is &= span.first[k] <= span.last[k];
+  }
+  return is;
+}
+
+template <class Box>
+std::vector<std::size_t> StaticGrid<Box>::cells_meeting(const Box& box) const {
+  space::require_grid_box("StaticGrid.cells_meeting", "box", box);
+  std::vector<std::size_t> cells;
+  Span span = space::cells_of(box, per_size_);
+  if (boxes_.empty() || !clip(span)) return cells;
+  space::for_cells(span, [&](const auto& cell) { cells.push_back(slice_of(cell)); });
+  return cells;
+}
+
+template <class Box>
+std::size_t StaticGrid<Box>::cell_of_pair(const Box& a, const Box& b) const {
+  space::CellNumber<n> cell = space::cells_of(a, per_size_).first;
+  const space::CellNumber<n> other = space::cells_of(b, per_size_).first;
+  for (std::size_t k = 0; k < n; ++k) cell[k] = std::max(cell[k], other[k]);
+  return slice_of(cell);
+}
+
 template <class Box>
 std::vector<std::uint32_t> StaticGrid<Box>::overlapping(const Box& box, bool touching) const {
   space::require_grid_box("StaticGrid.overlapping", "box", box);
@@ -131,10 +160,7 @@ std::vector<std::uint32_t> StaticGrid<Box>::overlapping(const Box& box, bool tou
   if (boxes_.empty()) return found;
   Span span = space::cells_of(box, per_size_);
   const space::CellNumber<n> first = span.first;
-  for (std::size_t k = 0; k < n; ++k) {
-    span.first[k] = std::max(span.first[k], all_.first[k]), span.last[k] = std::min(span.last[k], all_.last[k]);
-    if (span.first[k] > span.last[k]) return found;
-  }
+  if (!clip(span)) return found;
   space::for_cells(span, [&](const auto& cell) {
     const std::size_t slice = slice_of(cell);
     for (std::size_t i = starts_[slice]; i < starts_[slice + 1]; ++i) {

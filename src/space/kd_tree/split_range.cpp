@@ -7,6 +7,7 @@
 #include "space/bvh/blocks.hpp"
 #include "space/closest/figure_box.hpp"
 #include "space/kd_tree/kept_figures.hpp"
+#include "space/kd_tree/leaves_meeting.hpp"
 
 namespace plumb {
 namespace space::kd {
@@ -70,24 +71,13 @@ std::vector<std::uint32_t> in_box(const SplitTree<Figure>& tree, const typename 
   using namespace space::kd;
   query::require_figure("in_box", "box", box);
   std::vector<std::uint32_t> found;
-  if (is_empty(box) || tree.nodes.empty()) return found;
-  const auto low = coordinates(box.min), high = coordinates(box.max);
+  if (is_empty(box)) return found;
   const Aabb3 asked = space::box_in_space(box);
-  std::array<std::uint32_t, 64> stack;  // one a level
-  std::size_t height = 0;
-  stack[height++] = 0;
-  while (height != 0) {
-    const std::uint32_t at = stack[--height];
-    const SplitNode& n = tree.nodes[at];
-    if (!n.is_leaf()) {
-      if (high[n.axis] >= n.plane) stack[height++] = n.link;
-      if (low[n.axis] < n.plane) stack[height++] = at + 1;
-      continue;
-    }
-    for (const std::uint32_t i : tree.items_in(n.link)) {
+  for_leaves_meeting(tree, box, [&](std::uint32_t leaf) {
+    for (const std::uint32_t i : tree.items_in(leaf)) {
       if (space::boxes_meet(asked, space::box_in_space(tree.figures[i]))) found.push_back(i);
     }
-  }
+  });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::erase_if(found, [&](std::uint32_t i) { return !have_a_point(tree.figures[i], box); });

@@ -55,7 +55,9 @@ octree, octree-of-leaves, loose-octree
 box-tree
        A bounding volume hierarchy, descended with itself.
 lists-along-one, lists-along-two, lists-along-three
-       Sorted lists of starts and ends along so many axes.)"}},
+       Sorted lists of starts and ends along so many axes.
+kd-tree
+       Space divided by planes, boxes in all leaves that they meet.)"}},
           {{"EXIT STATUS", R"(
 0      Done, also where no two boxes meet.
 2      Bad input: wrong usage, a file that cannot be read or holds no

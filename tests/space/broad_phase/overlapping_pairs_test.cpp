@@ -170,7 +170,7 @@ TEST(OverlappingPairs, AreFoundByMethodsWithNamesOfTheirOwn) {
   const std::vector<Aabb3> boxes(3, Aabb3{{0, 0, 0}, {1, 1, 1}});
   const auto unnamed = static_cast<BroadPhaseMethod>(broad_phase_methods.size());
   EXPECT_THAT(text_of<InvalidShape>([&] { overlapping_pairs(boxes, BroadPhaseOptions{.method = unnamed}); }),
-              HasSubstr("options.method is 17, which names none"));
+              HasSubstr("options.method is 18, which names none"));
 }
 
 TEST(OverlappingPairs, GoToEverySink) {

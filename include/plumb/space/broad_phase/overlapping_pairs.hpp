@@ -49,6 +49,7 @@ enum class BroadPhaseMethod : std::uint8_t {
   lists_along_one,    // sorted lists of starts and ends along one axis, each new box passing what is before it
   lists_along_two,
   lists_along_three,  // in the plane two
+  kd_tree,            // space divided by planes; each box in all leaves that it meets
 };
 inline constexpr std::array broad_phase_methods = {
     BroadPhaseMethod::automatic,
@@ -68,6 +69,7 @@ inline constexpr std::array broad_phase_methods = {
     BroadPhaseMethod::lists_along_one,
     BroadPhaseMethod::lists_along_two,
     BroadPhaseMethod::lists_along_three,
+    BroadPhaseMethod::kd_tree,
 };
 
 std::string_view name_of(BroadPhaseMethod method);  // "swept_columns"

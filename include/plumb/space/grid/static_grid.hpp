@@ -41,6 +41,15 @@ class StaticGrid {
   [[nodiscard]] std::size_t entries() const { return numbers_.size(); }
   [[nodiscard]] std::size_t memory() const;
 
+  [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
+  /// Of cells, numbered with the first axis fastest: the boxes that reach into one, ascending; the cells that a box
+  /// reaches into, ascending; the one that tells of two boxes that meet, of which one at least is in the grid.
+  [[nodiscard]] std::span<const std::uint32_t> items_in(std::size_t cell) const {
+    return std::span(numbers_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+  }
+  [[nodiscard]] std::vector<std::size_t> cells_meeting(const Box& box) const;
+  [[nodiscard]] std::size_t cell_of_pair(const Box& a, const Box& b) const;
+
  private:
   static constexpr std::size_t n = space::axes_of<Box>;
   using Span = space::CellSpan<n>;
@@ -51,6 +60,7 @@ class StaticGrid {
   };
 
   void fill();
+  [[nodiscard]] bool clip(Span& span) const;
   [[nodiscard]] std::size_t slice_of(const space::CellNumber<n>& cell) const;
   void pairs_in(std::size_t cell, bool touching, std::vector<Member>& members, std::vector<BoxPair>& out) const;
 
