@@ -13,7 +13,7 @@ namespace {
 
 using samples::rational;
 
-const std::uint64_t cases = battery::fitting(4000);
+const std::uint64_t cases = battery::fitting<std::uint64_t>(4000);
 
 mpq_class square(double a, double b, double power) {
   const mpq_class d = (rational(a) - rational(b)) * rational(power);

@@ -63,8 +63,8 @@ Seen check_kind() {
       if (testing::Test::HasFatalFailure()) return;
     }
   };
-  run({}, battery::fitting(2'000));
-  for (const FamilyInfo& info : families) run({false, info.family}, battery::fitting(500));
+  run({}, battery::fitting<std::uint64_t>(2'000));
+  for (const FamilyInfo& info : families) run({false, info.family}, battery::fitting<std::uint64_t>(500));
   return seen;
 }
 

@@ -12,7 +12,7 @@ namespace {
 #if defined(PLUMB_LONG_TESTS)
 constexpr std::uint64_t cases_each = 50'000;
 #else
-const std::uint64_t cases_each = fitting(300);
+const std::uint64_t cases_each = fitting<std::uint64_t>(300);
 #endif
 
 std::span<const CatalogEntry> formulas() { return catalog().subspan(classics().size()); }

@@ -36,7 +36,7 @@ TYPED_TEST(EveryFormula, TellsTheSameSignsOnManyThreads) {
 #if defined(PLUMB_LONG_TESTS)
   constexpr std::size_t count = 3'000'000;
 #else
-  const std::size_t count = battery::fitting(30'000);
+  const std::size_t count = battery::fitting<std::uint64_t>(30'000);
 #endif
   for (const Family family : {Family::uniform, Family::off_by_ulps, Family::mixture}) {
     const std::vector<Coordinates<F>> cases = cases_of<F>(family, count);

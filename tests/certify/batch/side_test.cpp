@@ -38,7 +38,7 @@ TYPED_TEST(EveryFormula, TellsTheSignOfEachPoint) {
 #if defined(PLUMB_LONG_TESTS)
   constexpr std::uint64_t sets = 20'000;
 #else
-  const std::uint64_t sets = battery::fitting(200);
+  const std::uint64_t sets = battery::fitting<std::uint64_t>(200);
 #endif
   for (const FamilyInfo& f : families) {
     SCOPED_TRACE(f.name);
@@ -79,7 +79,7 @@ TYPED_TEST(EveryFormula, TellsTheSignsOfManyPointsAtEveryLength) {
 
 TYPED_TEST(EveryFormula, TellsTheSameSidesOnManyThreads) {
   using F = TypeParam;
-  const std::vector<Coordinates<F>> cases = one_against<F>(Family::off_by_ulps, 5, battery::fitting(30'000));
+  const std::vector<Coordinates<F>> cases = one_against<F>(Family::off_by_ulps, 5, battery::fitting<std::uint64_t>(30'000));
   const std::vector<Sign> truth = signs_of<F>(cases);
   const Arrays<F> arrays(cases);
   const Side<F> side = side_of<F>(cases[0]);

@@ -191,8 +191,8 @@ TEST(SignsOf, FiltersComputeWhatTheFilterOfOneCaseDoes) {
 TEST(SignsOf, TellsThoseOfAnyLambda) {
   for (const FamilyInfo& family : families) {
     SCOPED_TRACE(family.name);
-    const auto six = cases_of_size<6>(family.family, battery::fitting(5'000));
-    const auto two = cases_of_size<2>(family.family, battery::fitting(5'000));
+    const auto six = cases_of_size<6>(family.family, battery::fitting<std::uint64_t>(5'000));
+    const auto two = cases_of_size<2>(family.family, battery::fitting<std::uint64_t>(5'000));
     const std::vector<Sign> truth = one_by_one(everything, six), sums = one_by_one(plain_sum, two);
     const std::vector<Sign> differences = one_by_one(doubled, two);
     std::vector<Point2> ab, ef;
@@ -223,7 +223,7 @@ TEST(SignsOf, TellsThoseOfAnyLambda) {
 }
 
 TEST(SignsOf, TellsTheSameOnManyThreads) {
-  const auto cases = cases_of_size<6>(Family::mixture, battery::fitting(40'000));
+  const auto cases = cases_of_size<6>(Family::mixture, battery::fitting<std::uint64_t>(40'000));
   const std::vector<Sign> truth = one_by_one(everything, cases);
   std::vector<Sign> out(cases.size());
   plumb::signs_of(everything, cases, out, Execution::parallel);

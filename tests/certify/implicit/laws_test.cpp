@@ -61,7 +61,7 @@ TEST(ImplicitFilters, DecideGeneralPosition) {
   EXPECT_GE((sure_in_a_thousand<Mixed<HomogeneousInSphere, T, T, T, T, T>>()), 700);  // of degree 65
 }
 
-const std::uint64_t cases = battery::fitting(3'000);
+const std::uint64_t cases = battery::fitting<std::uint64_t>(3'000);
 
 /// Calls check(pool, entropy) for small numbers and for every family.
 template <class Check>

@@ -13,7 +13,7 @@ constexpr auto ask_circle = [](const auto& a, const auto& b, const auto& c, cons
 #if defined(PLUMB_LONG_TESTS)
 constexpr std::uint64_t cases = 200'000;
 #else
-const std::uint64_t cases = battery::fitting(2'000);
+const std::uint64_t cases = battery::fitting<std::uint64_t>(2'000);
 #endif
 
 template <class First, class Second>

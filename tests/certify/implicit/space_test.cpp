@@ -14,7 +14,7 @@ using P = Posed<Point3>;
 #if defined(PLUMB_LONG_TESTS)
 constexpr std::uint64_t cases = 200'000;
 #else
-const std::uint64_t cases = battery::fitting(2'000);
+const std::uint64_t cases = battery::fitting<std::uint64_t>(2'000);
 #endif
 
 template <class A, class B, class C, class D>
