@@ -85,8 +85,10 @@ class TreeView {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
     if (levels < tree_.levels) add(fmt::format("the planes of the first {} levels are drawn", levels));
     if (every > 1) add(fmt::format("one of {} points is drawn", every));
-    if (asked < queries_.size()) add(fmt::format("the first {} of {} queries are drawn", asked, grouped(queries_.size())));
-    if (report_.first[asked] > most_.lines) add(fmt::format("so are lines to the first {} points", grouped(most_.lines)));
+    if (asked < queries_.size())
+      add(fmt::format("the first {} of {} queries are drawn", asked, grouped(queries_.size())));
+    if (report_.first[asked] > most_.lines)
+      add(fmt::format("so are lines to the first {} points", grouped(most_.lines)));
     return text.empty() ? "all planes, points and queries are drawn" : text;
   }
 

@@ -79,7 +79,8 @@ TYPED_TEST(EveryFormula, TellsTheSignsOfManyPointsAtEveryLength) {
 
 TYPED_TEST(EveryFormula, TellsTheSameSidesOnManyThreads) {
   using F = TypeParam;
-  const std::vector<Coordinates<F>> cases = one_against<F>(Family::off_by_ulps, 5, battery::fitting<std::uint64_t>(30'000));
+  const std::vector<Coordinates<F>> cases =
+      one_against<F>(Family::off_by_ulps, 5, battery::fitting<std::uint64_t>(30'000));
   const std::vector<Sign> truth = signs_of<F>(cases);
   const Arrays<F> arrays(cases);
   const Side<F> side = side_of<F>(cases[0]);
