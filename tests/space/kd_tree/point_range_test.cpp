@@ -118,7 +118,10 @@ TEST(PointRangeOfATree, NamesWhatIsRefused) {
   EXPECT_EQ(in_box(none, {{0, 0, 0}, {1, 1, 1}}), Numbers{});
   EXPECT_EQ(in_box(one, {{1, 1, 1}, {-1, -1, -1}}), Numbers{});
   EXPECT_EQ(within(one, {0, 0, 0}, 0), Numbers{0});
-  EXPECT_THAT(text_of<InvalidShape>([&] { (void)within(one, {0, 0, 0}, -1); }), HasSubstr("within: radius is negative"));
+  EXPECT_THAT(text_of<InvalidShape>([&] {
+                (void)within(one, {0, 0, 0}, -1);
+              }),
+              HasSubstr("within: radius is negative"));
   EXPECT_THAT(text_of<NonFinite>([&] { (void)within(one, {0, 0, 0}, HUGE_VAL); }), HasSubstr("within: radius is inf"));
   EXPECT_THAT(text_of<NonFinite>([&] { (void)within(one, {0, 0, HUGE_VAL}, 1); }), HasSubstr("p.z is inf"));
   EXPECT_THAT(text_of<NonFinite>([&] {
