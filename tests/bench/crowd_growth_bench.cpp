@@ -93,6 +93,7 @@ std::size_t most_boxes(BroadPhaseMethod method) {
   switch (method) {
     case BroadPhaseMethod::swept_columns:
     case BroadPhaseMethod::static_grid:
+    case BroadPhaseMethod::hashed_grid:
     case BroadPhaseMethod::box_tree:
       return 10'000'000;
     case BroadPhaseMethod::implicit_grid:

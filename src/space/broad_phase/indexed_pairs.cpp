@@ -12,12 +12,12 @@
 #include "plumb/space/grid/row_column_grid.hpp"
 #include "plumb/space/grid/static_grid.hpp"
 #include "plumb/space/kd_tree/split_range.hpp"
-#include "plumb/space/octree/box_octree.hpp"
 #include "plumb/space/octree/loose_octree.hpp"
 #include "plumb/space/sort_and_sweep/sweep_lists.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/bvh/pair_parts.hpp"
 #include "space/grid/fitting_cell_size.hpp"
+#include "space/octree/octree_of.hpp"
 #include "space/pairs/leaf_pairs.hpp"
 
 namespace plumb::space {
@@ -33,13 +33,6 @@ std::vector<Aabb3> all_in_space(std::span<const Box> boxes) {
   all.reserve(boxes.size());
   for (const Box& b : boxes) all.push_back(in_space(b));
   return all;
-}
-
-BoxOctree octree_of(std::span<const Aabb3> boxes, const BoxOctreeOptions& options) {
-  return build_octree(boxes, options);
-}
-BoxQuadtree octree_of(std::span<const Aabb2> boxes, const BoxOctreeOptions& options) {
-  return build_quadtree(boxes, options);
 }
 
 template <class Box>

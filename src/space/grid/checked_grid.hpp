@@ -16,8 +16,7 @@ void require_grid(std::string_view function, const Grid& grid) {
                                                                            grid.origin, grid.size);
   for (std::size_t a = 0; a < size.size(); ++a) {
     if (size[a] > 0) continue;
-    throw InvalidShape(std::string(function) + ": grid.size." + "xyz"[a] + " is " + std::to_string(size[a]) +
-                       ", but cells need a size above zero");
+    throw InvalidShape(std::string(function) + ": grid.size." + "xyz"[a] + " is not above zero, but cells need a size");
   }
 }
 

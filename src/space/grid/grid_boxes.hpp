@@ -93,8 +93,7 @@ bool holds_cell(const CellSpan<n>& span, const CellNumber<n>& cell) {
 inline double per_cell_size(const std::string& function, double size) {
   if (!(size - size == 0)) throw NonFinite(function + ": options.cell_size is " + std::to_string(size));
   if (!(size > 0)) {
-    throw InvalidShape(function + ": options.cell_size is " + std::to_string(size) +
-                       ", but cells need a size above zero");
+    throw InvalidShape(function + ": options.cell_size is not above zero, but cells need a size");
   }
   const double per_size = 1 / size;
   return per_size < std::numeric_limits<double>::max() ? per_size : std::numeric_limits<double>::max();

@@ -11,6 +11,8 @@
 #include "space/bvh/blocks.hpp"
 #include "space/grid/fitting_cell_size.hpp"
 #include "space/kd_tree/leaves_meeting.hpp"
+#include "space/octree/box_sides.hpp"
+#include "space/octree/octree_of.hpp"
 #include "space/pairs/boxes_meet.hpp"
 
 namespace plumb {
@@ -24,15 +26,6 @@ auto lowest_corner(const Box& a, const Box& b) {
   const auto other = coordinates(b.min);
   for (std::size_t k = 0; k < corner.size(); ++k) corner[k] = std::max(corner[k], other[k]);
   return corner;
-}
-
-template <std::size_t d>
-auto box_between(const std::array<double, d>& low, const std::array<double, d>& high) {
-  if constexpr (d == 2) {
-    return Aabb2{{low[0], low[1]}, {high[0], high[1]}};
-  } else {
-    return Aabb3{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
-  }
 }
 
 /// What of it is in the closed cell.
@@ -56,13 +49,6 @@ bool tells_of(const TreeOfGrids<Box>& index, std::size_t leaf, const Box& a, con
   bool is_here = true;
   for (std::size_t k = 0; k < corner.size(); ++k) is_here &= low[k] <= corner[k] && corner[k] < high[k];
   return is_here;
-}
-
-BoxOctree octree_of(std::span<const Aabb3> boxes, const BoxOctreeOptions& options) {
-  return build_octree(boxes, options);
-}
-BoxQuadtree octree_of(std::span<const Aabb2> boxes, const BoxOctreeOptions& options) {
-  return build_quadtree(boxes, options);
 }
 
 /// What an index of a part answers: places of boxes that may meet, all that do among them.
@@ -191,7 +177,7 @@ GridOfTrees<Box> build_grid_of_trees(std::span<const Box> boxes, const HybridOpt
   kd::index_crowded(index, options, [&](std::size_t cell) {
     std::vector<Box> inside;
     for (const std::uint32_t i : index.items_in(cell)) inside.push_back(boxes[i]);
-    return kd::octree_of(inside, {.most_in_leaf = 16, .rule = CellRule::every_leaf, .execution = Execution::serial});
+    return octree_of(inside, {.most_in_leaf = 16, .rule = CellRule::every_leaf, .execution = Execution::serial});
   });
   return index;
 }
@@ -206,7 +192,7 @@ TreeOfGrids<Box> build_tree_of_grids(std::span<const Box> boxes, const HybridOpt
   index.cells.resize(index.parts());
   std::array<double, axes_of<Box>> low, high;
   low.fill(-infinite), high.fill(infinite);
-  if (!boxes.empty()) kd::add_leaf_cells(index.tree, 0, kd::box_between(low, high), index.cells);
+  if (!boxes.empty()) kd::add_leaf_cells(index.tree, 0, box_between(low, high), index.cells);
   kd::index_crowded(index, options, [&](std::size_t leaf) {
     std::vector<Box> inside;
     for (const std::uint32_t i : index.items_in(leaf)) inside.push_back(kd::part_in(index.cells[leaf], boxes[i]));

@@ -73,7 +73,7 @@ class PlaneChooser {
   [[nodiscard]] double length_of(double low, double high) const { return high * unit_ - low * unit_; }
   /// Flat cells have one as well.
   static double area(const std::array<double, d>& length) {
-    constexpr double least = 0x1p-10;
+    constexpr double least = 0x1p-10;  // a guess like the rest: of the longest side
     const auto at = [&](std::size_t a) { return std::max(length[a], least); };
     if constexpr (d == 2) {
       return at(0) + at(1);

@@ -10,21 +10,13 @@
 #include "query/body/figure_input.hpp"
 #include "space/kd_tree/kept_figures.hpp"
 #include "space/kd_tree/split_plane.hpp"
+#include "space/octree/box_sides.hpp"
 
 namespace plumb {
 namespace space::kd {
 namespace {
 
 constexpr std::uint32_t most_split_depth = 60;
-
-template <std::size_t d>
-auto box_of_cell(const SplitCell<d>& cell) {
-  if constexpr (d == 2) {
-    return Aabb2{{cell.low[0], cell.low[1]}, {cell.high[0], cell.high[1]}};
-  } else {
-    return Aabb3{{cell.low[0], cell.low[1], cell.low[2]}, {cell.high[0], cell.high[1], cell.high[2]}};
-  }
-}
 
 /// A subtree, whose links count from its own first node, leaf and place.
 struct SplitPiece {
@@ -98,7 +90,7 @@ class SplitBuilder {
   /// A box that lies across the plane has points in both halves; another figure is asked.
   void divide(const std::vector<std::uint32_t>& items, const SplitPlane& plane, const Cell& below, const Cell& above,
               std::vector<std::uint32_t>& lower, std::vector<std::uint32_t>& upper) const {
-    const auto lower_box = box_of_cell(below), upper_box = box_of_cell(above);
+    const auto lower_box = box_between(below.low, below.high), upper_box = box_between(above.low, above.high);
     for (const std::uint32_t i : items) {
       bool in_lower = ends_[i].low[plane.axis] < plane.plane, in_upper = ends_[i].high[plane.axis] >= plane.plane;
       if constexpr (!std::is_same_v<Figure, typename SplitTree<Figure>::Box>) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,16 @@ void check_cell_boxes(std::string_view function, std::span<const Box> boxes) {
   if (is_sound) return;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     check_cell_box(function, "boxes[" + std::to_string(i) + "]", boxes[i]);
+  }
+}
+
+/// By its numbers along each axis.
+template <std::size_t d>
+auto box_between(const std::array<double, d>& low, const std::array<double, d>& high) {
+  if constexpr (d == 2) {
+    return Aabb2{{low[0], low[1]}, {high[0], high[1]}};
+  } else {
+    return Aabb3{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
   }
 }
 

@@ -308,7 +308,8 @@ TEST(BoxGrids, OfNothing) {
 /// What throws names the mistake, and changes nothing.
 TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   const std::vector<Aabb2> boxes{{{0, 0}, {1, 1}}, {{0, 0}, {1e6, 1e6}}};
-  EXPECT_THAT(text_of<InvalidShape>([&] { StaticGrid2(boxes, {.cell_size = 0}); }), HasSubstr("cell_size is 0"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { StaticGrid2(boxes, {.cell_size = 0}); }),
+              HasSubstr("cell_size is not above zero"));
   EXPECT_THAT(text_of<NonFinite>([&] { StaticGrid2(boxes, {.cell_size = NAN}); }), HasSubstr("cell_size is nan"));
   EXPECT_THAT(text_of<Error>([&] { StaticGrid2(boxes, {.cell_size = 1e-3}); }), HasSubstr("choose larger cells"));
   const std::vector<Aabb2> inverted{{{0, 0}, {1, 1}}, {{0, 2}, {1, 1}}}, infinite{{{0, 0}, {INFINITY, 1}}};
@@ -325,7 +326,7 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   EXPECT_EQ(grid.size(), 1u);
   EXPECT_EQ(grid[first], boxes[0]);
   EXPECT_EQ(grid.overlapping(boxes[1]), std::vector<std::uint32_t>{first});
-  EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("cell_size is 0"));
+  EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("cell_size is not above zero"));
   EXPECT_THAT(text_of<Error>([] {
                 LinkedGrid2({{0, 0}, {1e9, 1e9}}, 1);
               }),

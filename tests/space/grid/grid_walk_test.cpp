@@ -292,7 +292,10 @@ TEST(GridWalk, OfAPoint) {
 
 TEST(GridWalk, NamesWhatIsWrong) {
   const Ray2 ray{{0, 0}, {1, 1}};
-  EXPECT_THAT(text_of<InvalidShape>([&] { GridWalk2({{0, 0}, {1, 0}}, ray); }), HasSubstr("grid.size.y is 0"));
+  EXPECT_THAT(text_of<InvalidShape>([&] {
+                GridWalk2({{0, 0}, {1, 0}}, ray);
+              }),
+              HasSubstr("grid.size.y is not above zero"));
   EXPECT_THAT(text_of<NonFinite>([&] { GridWalk2({{0, NAN}, {1, 1}}, ray); }), HasSubstr("grid.origin.y is nan"));
   EXPECT_THAT(text_of<NonFinite>([&] {
                 GridWalk2({{0, 0}, {1, 1}}, Ray2{{0, 0}, {INFINITY, 1}});

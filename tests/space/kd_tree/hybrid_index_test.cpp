@@ -133,7 +133,7 @@ TEST(HybridIndexes, RefuseByName) {
   EXPECT_THAT(text_of<InvalidShape>([&] { (void)build_tree_of_grids(one, {.in_part = 0}); }),
               HasSubstr("build_tree_of_grids: options.in_part is 0, but it must be at least 1"));
   EXPECT_THAT(text_of<InvalidShape>([&] { (void)build_grid_of_trees(one, {.grid = {.cell_size = 0}}); }),
-              HasSubstr("build_grid_of_trees: options.cell_size is 0.0"));
+              HasSubstr("build_grid_of_trees: options.cell_size is not above zero"));
   EXPECT_THAT(text_of<Error>([&] { (void)build_grid_of_trees(one, {.grid = {.cell_size = 1e-9}}); }),
               HasSubstr("options.most_memory is"));
 }
