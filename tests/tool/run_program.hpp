@@ -28,6 +28,12 @@ inline std::string content(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// That of this build, or of the one whose libraries this test is linked with.
+inline std::string tested_program() {
+  const char* const other = std::getenv("PLUMB_TESTED_PROGRAM");
+  return other != nullptr ? other : PLUMB_PROGRAM;
+}
+
 /// A folder of this test's own, removed at the end.
 class Folder {
  public:
@@ -47,7 +53,7 @@ class Folder {
 inline Outcome run(const std::string& line, const std::string& input = "") {
   const Folder folder;
   std::ofstream(folder / "in") << input;
-  ::setenv("PLUMB", PLUMB_PROGRAM, 1);
+  ::setenv("PLUMB", tested_program().c_str(), 1);
   const int status = std::system(
       ("{ " + line + "\n} <" + (folder / "in") + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
@@ -80,7 +86,7 @@ inline bool has_terminals() {
 
 /// With the three standard streams on a terminal; `out` has all that it showed.
 inline Outcome run_on_terminal(const std::string& line) {
-  ::setenv("PLUMB", PLUMB_PROGRAM, 1);
+  ::setenv("PLUMB", tested_program().c_str(), 1);
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
   if (child == 0) {
