@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "certify/battery.hpp"
+#include "certify/sanitized.hpp"
 #include "certify/tally.hpp"
 
 namespace plumb::battery {
@@ -79,17 +80,21 @@ inline std::string name_of_test(const testing::TestParamInfo<PredicateAndFamily>
   return std::string(classics()[std::get<0>(info.param)].name) + "_" + std::string(name_of(std::get<1>(info.param)));
 }
 
+/// Watched, the last stages take milliseconds a case: so many as reach each branch of each stage, too few to tell shares.
+inline const std::uint64_t cases_here = sanitized ? 200 : cases;
+
 TEST_P(Agreement, EveryStageTellsTheTrueSign) {
   const CatalogEntry& e = classics()[std::get<0>(GetParam())];
   const Family family = std::get<1>(GetParam());
   Tally tally;
-  for (std::uint64_t i = 0; i < cases; ++i) {
+  for (std::uint64_t i = 0; i < cases_here; ++i) {
     const std::vector<double> p = coordinates_of(e, family, i);
     if (!disagreement(e, p, {i % rationals_every == 0, i % cgal_every == 0}).empty())
       FAIL() << "case " << i << ": " << report(e, p);
     tally.add(e.decide(p));
   }
   std::cout << e.name << ' ' << name_of(family) << " decided by" << tally << '\n';
+  if (!reaches_rare) return;
   const Promise promise = promise_of(family);
   EXPECT_LE(1 - tally.decided(Stage::filter), promise.most_unsure);
   EXPECT_GE(tally.share(Sign::zero), promise.least_zero);
