@@ -51,6 +51,8 @@ struct Approximate {
     const double most = reach();
     return static_cast<int>(value > most) - static_cast<int>(value < -most);
   }
+  [[nodiscard]] constexpr bool certainly_positive() const { return value > reach(); }
+  [[nodiscard]] constexpr bool certainly_negative() const { return value < -reach(); }
   [[nodiscard]] constexpr Unsure<Sign> sign() const {
     const int s = certain_sign();
     return s == 0 ? Unsure<Sign>{} : Unsure{static_cast<Sign>(s)};

@@ -85,12 +85,10 @@ struct Columns {
   Three x, y, z;
 };
 HWY_INLINE Columns transposed(const Three& a, const Three& b, const Three& c) {
-  const __m256d zero = _mm256_setzero_pd();
   const __m256d ab_xz = _mm256_unpacklo_pd(a.v, b.v), ab_y = _mm256_unpackhi_pd(a.v, b.v);
-  const __m256d c_xz = _mm256_unpacklo_pd(c.v, zero), c_y = _mm256_unpackhi_pd(c.v, zero);
-  return {{_mm256_permute2f128_pd(ab_xz, c_xz, 0x20)},
-          {_mm256_permute2f128_pd(ab_y, c_y, 0x20)},
-          {_mm256_permute2f128_pd(ab_xz, c_xz, 0x31)}};
+  return {{_mm256_permute2f128_pd(ab_xz, c.v, 0x20)},
+          {_mm256_permute2f128_pd(ab_y, _mm256_permute_pd(c.v, 0b0101), 0x20)},
+          {_mm256_permute2f128_pd(ab_xz, c.v, 0x31)}};
 }
 
 HWY_INLINE Truth above(const Three& a, const Three& b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)}; }
@@ -172,6 +170,7 @@ HWY_INLINE unsigned bits(const Truth& t) { return (t.x ? 1U : 0U) | (t.y ? 2U : 
 #endif
 
 HWY_INLINE Truth both(const Truth& a, const Truth& b) { return a & b; }
+HWY_INLINE Three loaded(const Three& a) { return a; }
 HWY_INLINE Three loaded(const Point3& p) { return loaded(&p.x); }
 HWY_INLINE Three loaded(const Vector3& v) { return loaded(&v.x); }
 HWY_INLINE Three loaded(double x, double y, double z) { return three(x, y, z); }

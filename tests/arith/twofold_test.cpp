@@ -92,6 +92,39 @@ void run_chains(std::uint64_t start) {
 TEST(TwofoldTest, HoldsTheExactResultOfChains) { run_chains<false>(1); }
 TEST(TwofoldTest, HoldsItWithTheProductsErrorInOneInstruction) { run_chains<true>(2); }
 
+template <bool Fma>
+void run_roots_of_squares(std::uint64_t start) {
+  using One = Twofold<Fma>;
+  int roots = 0;
+  for (std::uint64_t index = 0; index < 4'000; ++index) {
+    SCOPED_TRACE(testing::Message() << "Entropy(" << start << ", " << index << ")");
+    Entropy entropy(start, index);
+    const bool extreme = entropy.below(3) == 0;
+    One sum(0.0);
+    mpq_class exact = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = draw(entropy, extreme), b = entropy.below(4) == 0 ? a : draw(entropy, extreme);
+      const One x = One::difference(a, b);
+      const mpq_class way = rational(a) - rational(b);
+      sum = axis == 0 ? x * x : sum + x * x, exact += way * way;
+    }
+    const One r = root_of_squares(sum.below(sum.high + 4 * One::guard));
+    const double reach = r.reach();
+    if (!(reach < Ball::infinity) || !std::isfinite(r.low)) {
+      EXPECT_FALSE(r.nearest());
+      continue;
+    }
+    ++roots;
+    const mpq_class middle = rational(r.high) + rational(r.low), low = middle - rational(reach),
+                    high = middle + rational(reach);
+    ASSERT_TRUE(low > 0 && low * low <= exact && high * high >= exact);
+    ASSERT_LT(reach, r.high * 0x1p-98);  // it tells something
+  }
+  EXPECT_GT(roots, 2'000);
+}
+
+TEST(TwofoldTest, HoldsRootsOfSumsOfSquares) { run_roots_of_squares<false>(4), run_roots_of_squares<true>(5); }
+
 TEST(TwofoldTest, TellsNothingOfWhatIsNone) {
   const double infinity = Ball::infinity;
   EXPECT_FALSE((Twofold<false>(infinity) + Twofold<false>(1)).nearest());

@@ -83,14 +83,17 @@ bool told_quickly(const Shape& shape, const PointOf<Shape>& p, To& to) {
 }
 
 template <class Shape, class Result>
+[[gnu::noinline, gnu::cold]] void answer_slowly(const Shape& shape, const PointOf<Shape>& p, Result& to) {
+  const auto [feature, n] = answer("closest_points", Wanted::both, shape, p);
+  to.on_b = within<PointOf<Shape>>(n.point), to.distance = n.distance, to.feature_b = feature;
+}
+
+template <class Shape, class Result>
 Result closest_points_of(const PointOf<Shape>& p, const Shape& shape) {
   Result to;
   to.on_a = p;
   to.feature_a = {FeatureKind::vertex, 0};
-  if (!told_quickly(shape, p, to)) {
-    const auto [feature, n] = answer("closest_points", Wanted::both, shape, p);
-    to.on_b = within<PointOf<Shape>>(n.point), to.distance = n.distance, to.feature_b = feature;
-  }
+  if (!told_quickly(shape, p, to)) answer_slowly(shape, p, to);
   return to;
 }
 

@@ -58,44 +58,49 @@ HWY_INLINE bool put(const Three& point, double, Point3& to) {
 }
 HWY_INLINE bool put(const Three&, double distance, double& to) { return to = distance, true; }
 
-/// At a point that is certain, with the square of its distance.
-template <class To>
-HWY_INLINE bool conclude(const Three& q, const One& square, To& to) {
-  double distance = 0;
-  if constexpr (wants_distance<To>) {
-    if (!root_at_once(square).told(distance)) return false;
-  }
-  return put(q, distance, to);
-}
 /// At a corner as given.
 template <class To>
-HWY_NOINLINE bool at_corner(const Point3& corner, const Point3& p, To& to) {
-  const Three at = loaded(corner);
-  const Twofolds w = Twofolds::difference(loaded(p), at);
-  return conclude(at, square(w), to);
+HWY_INLINE bool at_corner(const Three& corner, const Three& p, To& to) {
+  double distance = 0;
+  if constexpr (wants_distance<To>) {
+    if (!root_of_squares(square(Twofolds::difference(p, corner))).told(distance)) return false;
+  }
+  return put(corner, distance, to);
 }
 
 /// |w - along|, where p may be near to the line: fewer digits are lost by the way to it.
-HWY_NOINLINE bool length(const Twofolds w, const Twofolds along, double& distance) {
+HWY_INLINE bool length(const Twofolds& w, const Twofolds& along, double& distance) {
   return root(total((w - along).squared())).told(distance);
+}
+/// The distance of p from the line through a and b.  Out of line it is told by what is given, so that the quick way
+/// keeps nothing in memory for it.
+[[gnu::cold]] HWY_NOINLINE bool length_to(const Point3& a, const Point3& b, const Point3& p, double& distance) {
+  const Three from = loaded(a);
+  const Twofolds w = Twofolds::difference(loaded(p), from), d = Twofolds::difference(loaded(b), from);
+  const Dots s = squares(w, d);
+  return length(w, scaled(d, quotient_at_once(s.y, s.z)), distance);
 }
 
 /// The foot strictly between the ends of a line through `start`, or through that and `offset`, and how far it is: by
-/// w, d, and w.w, w.d and d.d.
+/// w, d, and w.w, w.d and d.d; near to the line by `closer(w, along, distance)`.
 template <class To>
 HWY_INLINE bool foot(const Three& start, const Twofolds& w, const Twofolds& d, const Dots& s, Three& q,
-                     double& distance, const auto&... offset) {
+                     double& distance, const auto& closer, const auto&... offset) {
   const One t = quotient_at_once(s.y, s.z);
   const Twofolds along = scaled(d, t);
   if (wants_point<To> && !(start + (offset + ... + along)).told(q)) return false;
-  return !wants_distance<To> || root_at_once(s.x - t * s.y).told(distance) || length(w, along, distance);
+  return !wants_distance<To> || root_at_once(s.x - t * s.y).told(distance) || closer(w, along, distance);
 }
+constexpr auto by_the_way = [](const Twofolds& w, const Twofolds& along, double& distance)
+                                HWY_ATTR { return length(w, along, distance); };
+/// Between a and b.
 template <class To>
-HWY_INLINE bool on_line(const Three& start, const Twofolds& w, const Twofolds& d, const Dots& s, To& to,
-                        const auto&... offset) {
-  Three q = start;
+HWY_INLINE bool on_edge(const Point3& a, const Point3& b, const Point3& p, const Twofolds& w, const Twofolds& d,
+                        const Dots& s, To& to) {
+  const auto closer = [&](const Twofolds&, const Twofolds&, double& distance) { return length_to(a, b, p, distance); };
+  Three q = loaded(a);
   double distance = 0;
-  return foot<To>(start, w, d, s, q, distance, offset...) && put(q, distance, to);
+  return foot<To>(q, w, d, s, q, distance, closer) && put(q, distance, to);
 }
 
 /// Above a plane: p less t n, for the normal n = ab x ac and t = n.ap / n.n.

@@ -67,7 +67,7 @@ struct OfBox {
 
   template <class W>
   HWY_INLINE bool operator()(W& w, const Point3& p, const Point3& center, const std::array<const Vector3*, 3>& axes,
-                             const Vector3& ends, unsigned upper) const {
+                             const auto& ends, unsigned upper) const {
     const auto way = w.difference(w.given(p), w.given(center));
     const auto u = w.template number<1>(w.given(*axes[0])), v = w.template number<1>(w.given(*axes[1])),
                n = w.template number<1>(w.given(*axes[2]));

@@ -59,7 +59,7 @@ HWY_INLINE bool on_one_line(const Three& from, const Twofolds& d, const Three& p
   const Twofolds w = Twofolds::difference(point, from);
   Three q = from;
   double distance = 0;
-  if (!foot<To>(from, w, d, squares(w, d), q, distance)) return false;
+  if (!foot<To>(from, w, d, squares(w, d), q, distance, by_the_way)) return false;
   return swap ? put(q, point, distance, to) : put(point, q, distance, to);
 }
 
@@ -78,7 +78,7 @@ HWY_INLINE bool numbers(const LineAt& p, const LineAt& q, SpotsOnLines places, T
   }
   const Twofolds w = Twofolds::difference(b, a);
   double distance = 0;
-  return root_at_once(square(w)).told(distance) && put(a, b, distance, to);
+  return root_of_squares(square(w)).told(distance) && put(a, b, distance, to);
 }
 
 HWY_INLINE void name_features(Closest& to, SpotsOnLines places) {
