@@ -36,7 +36,7 @@ Sign side(const ThreePointPlane3& plane, const Point3& p) { return -orient3d(pla
 struct TwoSides {
   int first, second;
 };
-TwoSides quick_sides(const Plane3& plane, TwoDoubles x, TwoDoubles y, TwoDoubles z) {
+[[gnu::always_inline]] inline TwoSides quick_sides(const Plane3& plane, TwoDoubles x, TwoDoubles y, TwoDoubles z) {
   using predicates::SideOfPlane;
   using Input = FilteredTwo::Input;
   const auto both = [](double a) { return Input{TwoDoubles{a, a}}; };
@@ -163,6 +163,12 @@ Relation relate_to_plane(const A& a, const B& b, Question question) {
   }
 }
 
+/// What doubles do not tell, out of line.
+template <class B>
+[[gnu::noinline, gnu::cold]] Relation relate_slowly(const Plane3& a, const B& b, Question question) {
+  return relate_to_plane(a, b, question);
+}
+
 }  // namespace
 PLUMB_PAIR_ANSWER(Point3, Plane3, relate_to_plane)
 PLUMB_PAIR_ANSWER(Segment3, Plane3, relate_to_plane)
@@ -170,7 +176,7 @@ Relation relate_pair(PairFunction<Plane3, Triangle3>, const Plane3& a, const Tri
   assert_sound_thread();
   const auto [p, q] = quick_sides(a, TwoDoubles{b.a.x, b.b.x}, TwoDoubles{b.a.y, b.b.y}, TwoDoubles{b.a.z, b.b.z});
   const int r = quick_sides(a, TwoDoubles{b.c.x, b.c.x}, TwoDoubles{b.c.y, b.c.y}, TwoDoubles{b.c.z, b.c.z}).first;
-  if (p * q * r == 0) return relate_to_plane(a, b, question);
+  if (p * q * r == 0) return relate_slowly(a, b, question);
   return static_cast<Relation>(1 - 2 * static_cast<int>(p == q) * static_cast<int>(q == r));
 }
 PLUMB_PAIR_ANSWER(Plane3, Tetrahedron3, relate_to_plane)
@@ -183,7 +189,7 @@ Relation relate_pair(PairFunction<Plane3, Aabb3>, const Plane3& a, const Aabb3& 
   const auto [low, high] = quick_sides(a, ends(a.normal.x, b.min.x, b.max.x), ends(a.normal.y, b.min.y, b.max.y),
                                        ends(a.normal.z, b.min.z, b.max.z));
   const int are_alike = low * high;
-  if (are_alike == 0 || is_empty(b)) return relate_to_plane(a, b, question);
+  if (are_alike == 0 || is_empty(b)) return relate_slowly(a, b, question);
   return static_cast<Relation>(-are_alike);
 }
 PLUMB_PAIR_ANSWER(Plane3, Obb3, relate_to_plane)
