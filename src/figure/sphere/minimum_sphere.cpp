@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 #include "figure/sphere/point_scan.hpp"
@@ -69,12 +70,20 @@ class SphereSearch {
  public:
   using Point = PointOf<Ball>;
 
+  /// From the point that is farthest from the middle.
   SphereSearch(std::span<const Point> points, PointScan<Point>& scan, RestScan<Ball>& rests, const Point& middle,
                std::vector<Ball>* history)
       : points_(points), scan_(scan), rests_(rests), history_(history), center_(middle) {
     scan_.pass(center_);
     gather(-1);
     become({{points[candidates_[0]]}, 1});
+    climb();
+  }
+  /// From the smallest ball of some of the points, and whether that was crowded.
+  SphereSearch(std::span<const Point> points, PointScan<Point>& scan, RestScan<Ball>& rests, const Ball& of_some,
+               bool crowded, std::vector<Ball>* history)
+      : points_(points), scan_(scan), rests_(rests), history_(history), crowded_(crowded) {
+    settle(of_some);
   }
 
   /// Indices of the points on the boundary of the smallest ball, which is then ball().
@@ -82,47 +91,51 @@ class SphereSearch {
     std::vector<std::uint32_t> boundary;
     // Ends, for each turn but the last finds a point outside, and the exact ball that takes it in is larger: of the
     // finitely many that rest on some of the points none comes twice.
-    for (;;) {
-      climb();
-      scan_.pass(center_);
-      gather(limit_);
-      if (!candidates_.empty() && outside(candidates_[0])) continue;
-      // The farthest one is not outside; nearly always no other is.
-      if (holds_all(boundary)) return boundary;
-    }
+    while (pass_finds_some_outside() || !holds_all(boundary)) climb();
+    return boundary;
   }
 
   [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] bool is_crowded() const { return crowded_; }
 
  private:
   static constexpr std::size_t most_candidates = 64;
 
-  /// Is no point outside?  Then `boundary` has those on the boundary; otherwise candidates_ has the farthest, about, of
-  /// those first found outside.
+  /// Then they are in candidates_.  Where many points are off the boundary by ulps, a pass over all tells nothing.
+  bool pass_finds_some_outside() {
+    if (crowded_) return false;
+    scan_.pass(center_);
+    gather(limit_);
+    return !candidates_.empty() && outside(candidates_[0]);
+  }
+
+  /// Is no point outside?  Then `boundary` has those on the boundary; otherwise candidates_ has those first found outside.
   bool holds_all(std::vector<std::uint32_t>& boundary) {
-    constexpr std::size_t enough = 32;  // for the next ball, which takes in most of the others as well
     const FineBall<Ball> fine = fine_ball(ball_);
     rests_.aim(fine);
     boundary.clear();
     candidates_.clear();
-    double least = 0;
-    std::size_t outside = 0;
     std::vector<std::size_t> open;
-    scan_.blocks_from(limit_, [&](std::size_t first, std::span<const Point>) {
+    std::size_t blocks = 0;
+    scan_.blocks_from(crowded_ ? -1 : limit_, [&](std::size_t first, std::span<const Point>) {
+      ++blocks;
       open.clear();
       rests_.not_certainly_inside(first, open);
       for (const std::size_t i : open) {
-        const plumb::Ball rest = fine.rest(points_[i]);
-        const Sign s = rest.sign().certain() ? rest.sign().value() : side(ball_, points_[i]);
+        const Sign s = exact_side(fine, i);
         if (s == Sign::zero) boundary.push_back(static_cast<std::uint32_t>(i));
-        if (s != Sign::negative) continue;
-        if (++outside == 1 || rest.high < least) candidates_.assign(1, i), least = rest.high;
+        if (s == Sign::negative) candidates_.push_back(i);
       }
-      return outside < enough;
+      return candidates_.size() < most_candidates;
     });
-    return outside == 0;
+    crowded_ = crowded_ || blocks > scan_.blocks() / 2;
+    return candidates_.empty();
   }
 
+  [[nodiscard]] Sign exact_side(const FineBall<Ball>& fine, std::size_t i) const {
+    const Unsure<Sign> s = fine.rest(points_[i]).sign();
+    return s.certain() ? s.value() : side(ball_, points_[i]);
+  }
   [[nodiscard]] bool outside(std::size_t i) const { return side(ball_, points_[i]) == Sign::negative; }
 
   void gather(double limit) {
@@ -130,29 +143,46 @@ class SphereSearch {
     scan_.farthest(center_, limit, most_candidates, candidates_);
   }
 
-  /// Takes the farthest candidate in, as long as it is outside; ends as run() does.
+  /// Takes a candidate in, about the farthest, as long as one is outside; ends as run() does.
   void climb() {
-    for (;;) {
-      std::size_t farthest = 0;
-      double most = limit_;
-      for (const std::size_t i : candidates_) {
-        const double s = scan_.distance(center_, i);
-        if (s > most) most = s, farthest = i;
-      }
-      if (!(most > limit_) || !outside(farthest)) {
-        // Doubles may place another one behind it that is outside by less than they see.
-        const auto other = std::ranges::find_if(
-            candidates_, [&](std::size_t i) { return scan_.distance(center_, i) > limit_ && outside(i); });
-        if (other == candidates_.end()) return;
-        farthest = *other;
-      }
-      become(with(ball_, points_[farthest]));
+    while (const auto farthest = crowded_ ? farthest_outside() : farthest_of_pass())
+      become(with(ball_, points_[*farthest]));
+  }
+
+  std::optional<std::size_t> farthest_of_pass() {
+    std::size_t farthest = 0;
+    double most = limit_;
+    for (const std::size_t i : candidates_) {
+      const double s = scan_.distance(center_, i);
+      if (s > most) most = s, farthest = i;
     }
+    if (most > limit_ && outside(farthest)) return farthest;
+    // Doubles may place another one behind it that is outside by less than they see.
+    const auto other = std::ranges::find_if(
+        candidates_, [&](std::size_t i) { return scan_.distance(center_, i) > limit_ && outside(i); });
+    return other == candidates_.end() ? std::nullopt : std::optional(*other);
+  }
+
+  /// Of candidates that doubles cannot tell apart.
+  std::optional<std::size_t> farthest_outside() {
+    const FineBall<Ball> fine = fine_ball(ball_);
+    std::optional<std::size_t> farthest;
+    double least = 0;
+    for (const std::size_t i : candidates_) {
+      if (exact_side(fine, i) != Sign::negative) continue;
+      const double rest = fine.rest(points_[i]).high;
+      if (!farthest || rest < least) least = rest, farthest = i;
+    }
+    return farthest;
   }
 
   void become(const Ball& ball) {
-    ball_ = ball;
     if (history_ != nullptr) history_->push_back(ball);
+    settle(ball);
+  }
+
+  void settle(const Ball& ball) {
+    ball_ = ball;
     center_ = center_of(ball_);
     // The rounded center off the exact one: a point of the boundary is nearer to it by no more, and whoever is nearer by
     // twice that is in the exact ball.
@@ -168,9 +198,36 @@ class SphereSearch {
   std::vector<Ball>* history_;
   Ball ball_{};
   Point center_;
-  double limit_ = -1;  // whoever is at this computed distance or nearer is in the ball
+  double limit_ = -1;     // whoever is at this computed distance or nearer is in the ball
+  bool crowded_ = false;  // most points lie off the boundary by less than doubles see
   std::vector<std::size_t> candidates_;
 };
+
+template <class Ball>
+struct Found {
+  Ball ball;
+  bool crowded;
+  std::vector<std::uint32_t> boundary;
+};
+
+/// The smallest ball of many points, and which of them lie on its boundary.
+template <class Ball>
+Found<Ball> found(std::span<const PointOf<Ball>> points, const Extent<PointOf<Ball>>& extent,
+                  PointScan<PointOf<Ball>>& scan, RestScan<Ball>& rests, std::vector<Ball>* history) {
+  constexpr std::size_t share = 32, least = 1024;  // outside the ball of one point in so many are some hundred of all
+  const auto run = [](SphereSearch<Ball>&& search) {
+    std::vector<std::uint32_t> boundary = search.run();
+    return Found<Ball>{search.ball(), search.is_crowded(), std::move(boundary)};
+  };
+  if (points.size() < share * least) return run({points, scan, rests, middle_of(extent), history});
+  std::vector<PointOf<Ball>> some;
+  some.reserve(points.size() / share + 1);
+  for (std::size_t i = 0; i < points.size(); i += share) some.push_back(points[i]);
+  PointScan<PointOf<Ball>> scan_of_some(some, scan.scale());
+  RestScan<Ball> rests_of_some(some, extent);
+  const auto of_some = found<Ball>(some, extent, scan_of_some, rests_of_some, history);
+  return run({points, scan, rests, of_some.ball, of_some.crowded, history});
+}
 
 /// The smallest ball of few points: one after the other is taken in, around and around until none is outside.
 template <class Ball, class At>
@@ -246,10 +303,9 @@ Result minimum(std::string_view function, std::span<const PointOf<Ball>> points,
   } else {
     PointScan<PointOf<Ball>> scan(points, scale_for(half_width(all)));
     RestScan<Ball> rests(points, all);
-    SphereSearch<Ball> search(points, scan, rests, middle_of(all), history);
-    std::vector<std::uint32_t> boundary = search.run();
-    result.exact = search.ball();
-    result.support = support_of(points, std::move(boundary), result.exact);
+    auto exact = found<Ball>(points, all, scan, rests, history);
+    result.exact = exact.ball;
+    result.support = support_of(points, std::move(exact.boundary), result.exact);
     result.*round = {center_of(result.exact), 0};
     radius = enclosing_radius(scan, rests, points, (result.*round).center);
   }

@@ -63,18 +63,21 @@ class PointScan {
   PointScan(std::span<const Point> points, double scale)
       : points_(points), scale_(scale), most_((points.size() + block - 1) / block) {}
 
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] std::size_t blocks() const { return most_.size(); }
   [[nodiscard]] double distance(const Point& c, std::size_t i) const {
     return square_of_distance(c, points_[i], scale_).value;
   }
 
-  /// The largest distance from the center; remembers the largest of each block.
+  /// The largest distance from the center; remembers the largest of each block, and the center.
   double pass(const Point& c) {
-    double all = 0;
+    if (center_ == c) return all_;
+    center_ = c, all_ = 0;
     for (std::size_t b = 0; b < most_.size(); ++b) {
       most_[b] = farthest_square(c, points_.subspan(b * block, end_of(b) - b * block), scale_);
-      all = std::max(all, most_[b]);
+      all_ = std::max(all_, most_[b]);
     }
-    return all;
+    return all_;
   }
 
   /// Whoever is at this computed distance or nearer is certainly within `reach` of the center.
@@ -124,6 +127,8 @@ class PointScan {
 
   std::span<const Point> points_;
   double scale_;
+  std::optional<Point> center_;
+  double all_ = 0;
   std::vector<double> most_;
 };
 

@@ -10,8 +10,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "arith/four_balls.hpp"
 #include "certify/many_lanes.hpp"
+#include "certify/many_twofolds.hpp"
 #include "figure/sphere/stays_inside.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,6 +21,9 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = certify::many_lanes::HWY_NAMESPACE;
 using lanes::Many, lanes::Lanes;
+#if HWY_TARGET == HWY_AVX2
+using lanes::Twofolds;
+#endif
 using stays_inside::HWY_NAMESPACE::StaysInside;
 
 HWY_INLINE std::array<Many, 2> load(const Point2* p) {
@@ -62,20 +65,25 @@ HWY_INLINE std::size_t name_open(const std::array<double, axes>& base, const std
 template <class Point, std::size_t axes>
 HWY_INLINE std::size_t fill(const std::array<double, axes>& base, double square, std::span<const Point> points,
                             double* rest, double& off) {
-  using arith::HWY_NAMESPACE::Four, arith::HWY_NAMESPACE::FourBalls;
-  std::array<FourBalls, axes> center;
-  for (std::size_t a = 0; a < axes; ++a) center[a] = FourBalls::all(Ball(base[a]));
-  const FourBalls all = FourBalls::all(Ball(square));
-  Many most = lanes::of_all(off);
+  constexpr std::size_t step = hn::MaxLanes(Lanes());
+  std::array<Many, axes> center;
+  for (std::size_t a = 0; a < axes; ++a) center[a] = lanes::of_all(base[a]);
+  Many most = lanes::of_all(off), unknown = lanes::of_all(0);
   std::size_t i = 0;
-  for (; i + 4 <= points.size(); i += 4) {
+  for (; i + step <= points.size(); i += step) {
     const auto p = load(points.data() + i);
-    FourBalls left = all;
-    for (std::size_t a = 0; a < axes; ++a) left = left - squared(difference(Four{p[a].v.raw}, center[a]));
-    _mm256_storeu_pd(rest + i, left.high.v);
-    most = larger(most, Many{hn::Vec<Lanes>{(FourBalls::size(left.low) + left.radius).v}});
+    const auto square_along = [&](std::size_t a) HWY_ATTR {
+      const Twofolds d = Twofolds::difference(p[a], center[a]);
+      return d * d;
+    };
+    Twofolds left = Twofolds::exact(lanes::of_all(square)) - square_along(0) - square_along(1);
+    if constexpr (axes == 3) left = left - square_along(2);
+    const auto told = Twofolds::two_sum(left.high, left.low);
+    const Many reach = size(told.error) + left.reach();
+    hn::StoreU(told.value.v, Lanes(), rest + i);
+    most = larger(most, reach), unknown = unknown + (reach - reach);
   }
-  off = hn::GetLane(hn::MaxOfLanes(Lanes(), most.v));
+  off = hn::GetLane(hn::MaxOfLanes(Lanes(), most.v)) + hn::GetLane(hn::SumOfLanes(Lanes(), unknown.v));
   return i;
 }
 

@@ -217,6 +217,45 @@ TEST(MinimumSphere, HoldsPointsOffASphereByUlps) {
   EXPECT_EQ(compare_radius(history.back(), m.exact), Sign::zero);
 }
 
+/// Proved by rationals of the support and exact signs of all.
+MinimumSphere proved_by_signs(std::span<const Point3> points) {
+  std::vector<SpannedSphere3> history;
+  const MinimumSphere m = minimum_sphere(points, {&history});
+  std::vector<Rationals> support;
+  for (const std::uint32_t i : m.support) support.push_back(rationals(points[i]));
+  const auto ball = ball_through(support);
+  EXPECT_TRUE(ball && ball->is_optimal());
+  EXPECT_TRUE(std::ranges::none_of(points, [&](const Point3& p) { return locate(m.exact, p) == Location::outside; }));
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    EXPECT_EQ(compare_radius(history[i], history[i - 1]), Sign::positive);
+  }
+  return m;
+}
+
+// Of so many points the ball of every 32nd is found first.
+TEST(MinimumSphere, HoldsManyPointsWhoeverIsLookedAtFirst) {
+  Entropy entropy(65);
+  const auto unit = [&] { return signed_unit_coordinate(entropy); };
+  constexpr std::size_t many = 32 * 1024 + 5;
+  std::vector<Point3> sphere, cloud, lattice;
+  while (sphere.size() < many) {
+    const double x = unit(), y = unit(), z = unit(), d = std::sqrt(x * x + y * y + z * z);
+    if (d > 0.1) sphere.push_back({x / d, y / d, z / d});
+  }
+  for (std::size_t i = 0; i < many; ++i) {
+    const bool first = i % 32 == 0;
+    cloud.push_back(first ? Point3{1, 2, 3} : Point3{unit(), unit() * 3, unit()});
+    lattice.push_back(first ? Point3{9, 0, 0} : Point3{i % 3 == 0 ? -7.0 : 7.0, i % 5 == 0 ? -4.0 : 4.0, 4});
+  }
+  for (std::vector<Point3>* const points : {&sphere, &cloud, &lattice}) {
+    const MinimumSphere m = proved_by_signs(*points);
+    std::ranges::reverse(*points);
+    const MinimumSphere again = minimum_sphere(*points);
+    EXPECT_EQ(again.sphere, m.sphere);
+    EXPECT_EQ(again.exact.points, m.exact.points);
+  }
+}
+
 TEST(MinimumSphere, NamesTheFirstOfEqualPoints) {
   const std::vector<Point3> points{{1, 0, 0}, {0.0, 0, 0}, {-0.0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}};
   EXPECT_THAT(minimum_sphere(points).support, ElementsAre(1, 0));
