@@ -147,12 +147,14 @@ struct Twofold {
     return static_cast<int>(sum > most) - static_cast<int>(sum < -most);
   }
 
-  [[nodiscard]] std::optional<double> nearest() const {
+  /// Of infinite radius where nothing is known.
+  [[nodiscard]] Ball ball() const {
     const Rounded s = two_sum(high, low);
     const double off = reach();
-    if (!(off < Ball::infinity) || !(magnitude_of(s.value) < 0x1p1000)) return {};
-    return Ball{s.value, s.error, error == 0 ? 0 : off}.nearest();
+    const bool known = off < Ball::infinity && magnitude_of(s.value) < 0x1p1000;
+    return {s.value, s.error, !known ? Ball::infinity : error == 0 ? 0 : off};
   }
+  [[nodiscard]] std::optional<double> nearest() const { return ball().nearest(); }
 };
 
 }  // namespace plumb

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "arith/twofold.hpp"
 #include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/block_reach.hpp"
@@ -143,12 +144,12 @@ class FarthestPoints {
   void reserve(std::size_t count) { farthest_.reserve(count); }
   /// Is it certainly farther than all before?
   bool take(const Point& p) {
-    const Ball square = most_.square_of_distance(p);
-    const Unsure<Sign> s = (most_.square - square).sign();
-    if (s == Unsure{Sign::positive}) return false;
+    const Two square = square_to(p);
+    const int s = (square_ - square).certain_sign();
+    if (s > 0) return false;
     farthest_.push_back({p, square});
-    if (s != Unsure{Sign::negative}) return false;
-    most_.square = square;
+    if (s == 0 && farthest_.size() > 1) return false;
+    square_ = square, most_.square = square.ball();
     return true;
   }
   /// Around the center, to the farthest as far as that is certain.
@@ -158,18 +159,32 @@ class FarthestPoints {
   [[nodiscard]] double distance() const {
     double most = 0;
     for (const auto& [p, square] : farthest_) {
-      if ((most_.square - square).sign() == Unsure{Sign::positive}) continue;
-      const std::optional<double> quick = root(square).rounded(Rounding::up);
+      if ((square_ - square).certain_sign() > 0) continue;
+      std::optional<double> quick = root(square).ball().rounded(Rounding::up);
+      if (!quick) quick = root(most_.square_of_distance(p)).rounded(Rounding::up);  // exact where digits are few
       most = std::max(most, quick ? *quick : rounded_root(Rounding::up, SquaredDistance<Point>{}, center_, p));
     }
     return most;
   }
 
  private:
+  using Two = Twofold<false>;
   struct Far {
     Point point;
-    Ball square;
+    Two square;
   };
+  [[nodiscard]] Two square_to(const Point& p) const {
+    const auto to = coordinates(p), from = coordinates(center_);
+    const auto along = [&](std::size_t a) {
+      const Two d = Two::difference(to[a], from[a]);
+      return d * d;
+    };
+    if constexpr (dimension<Spanned> == 3) {
+      return along(0) + along(1) + along(2);
+    } else {
+      return along(0) + along(1);
+    }
+  }
   static FineBall<Spanned> around(const Point& center) {
     const auto exactly = [](auto... x) { return FineBall<Spanned>{{Ball{x}...}, Ball{-1}}; };
     return std::apply(exactly, std::tuple_cat(coordinates(center)));
@@ -177,6 +192,7 @@ class FarthestPoints {
 
   Point center_;
   FineBall<Spanned> most_;
+  Two square_{0};  // that of most_
   std::vector<Far> farthest_;
 };
 

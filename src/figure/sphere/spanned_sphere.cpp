@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "arith/big_rounding.hpp"
+#include "arith/twofold.hpp"
 #include "arith/vec.hpp"
+#include "certify/fused.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/spanned_ball.hpp"
 #include "plumb/arith/error.hpp"
@@ -27,10 +29,28 @@ struct CenterParts {
   T weight;
 };
 
+/// Exact, and with less to carry along where a difference of two doubles is stated of its own.
+template <class T>
+T step(double to, double from) {
+  if constexpr (requires { T::difference(to, from); }) {
+    return T::difference(to, from);
+  } else {
+    return T(to) - T(from);
+  }
+}
+template <class T>
+arith::Vec<T> step(const Point2& to, const Point2& from) {
+  return {step<T>(to.x, from.x), step<T>(to.y, from.y), T(0.0)};
+}
+template <class T>
+arith::Vec<T> step(const Point3& to, const Point3& from) {
+  return {step<T>(to.x, from.x), step<T>(to.y, from.y), step<T>(to.z, from.z)};
+}
+
 template <class T>
 CenterParts<T, 2> center_parts(const SpannedCircle2& circle) {
   const auto& [a, p, q] = circle.points;
-  const auto b = arith::vec<T>(p) - arith::vec<T>(a), c = arith::vec<T>(q) - arith::vec<T>(a);
+  const auto b = step<T>(p, a), c = step<T>(q, a);
   const T b2 = b.x * b.x + b.y * b.y, c2 = c.x * c.x + c.y * c.y, w = b.x * c.y - b.y * c.x;
   return {{b2 * c.y - c2 * b.y, c2 * b.x - b2 * c.x}, w + w};
 }
@@ -38,9 +58,7 @@ CenterParts<T, 2> center_parts(const SpannedCircle2& circle) {
 template <class T>
 CenterParts<T, 3> center_parts(const SpannedSphere3& sphere) {
   using arith::cross, arith::dot;
-  const auto from_first = [&](std::size_t i) {
-    return arith::vec<T>(sphere.points[i]) - arith::vec<T>(sphere.points[0]);
-  };
+  const auto from_first = [&](std::size_t i) { return step<T>(sphere.points[i], sphere.points[0]); };
   const auto b = from_first(1), c = from_first(2), n = cross(b, c);
   const T b2 = dot(b, b), c2 = dot(c, c);
   const auto parts = [](const arith::Vec<T>& offset, const T& w) {
@@ -62,14 +80,38 @@ auto near_center(const Spanned& ball) {
   (std::make_index_sequence<first.size()>());
 }
 
+template <std::size_t axes>
+using Quick = std::array<std::optional<double>, axes>;
+
+/// The center's coordinates, where twice the digits of a double tell the nearest one.
+template <class Two, class Spanned>
+[[gnu::always_inline]] inline auto quick_center_in(const Spanned& ball) {
+  const auto parts = center_parts<Two>(ball);
+  const auto first = coordinates(ball.points[0]);
+  Quick<first.size()> center;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    center[k] = (first[k] + quotient(parts.offset[k], parts.weight)).nearest();
+  return center;
+}
+PLUMB_WITH_FMA Quick<2> quick_center_fused(const SpannedCircle2& ball) { return quick_center_in<Twofold<true>>(ball); }
+PLUMB_WITH_FMA Quick<3> quick_center_fused(const SpannedSphere3& ball) { return quick_center_in<Twofold<true>>(ball); }
+PLUMB_WITHOUT Quick<2> quick_center(const SpannedCircle2& ball) { return quick_center_in<Twofold<false>>(ball); }
+PLUMB_WITHOUT Quick<3> quick_center(const SpannedSphere3& ball) { return quick_center_in<Twofold<false>>(ball); }
+
 template <class Spanned>
 auto rounded_center(const Spanned& ball) {
-  const auto near = near_center(ball);
+  const auto quick = has_fma ? quick_center_fused(ball) : quick_center(ball);
   auto center = coordinates(ball.points[0]);
+  std::optional<decltype(near_center(ball))> near;
   std::optional<decltype(center_parts<BigDyadic>(ball))> exact;
   for (std::size_t k = 0; k < center.size(); ++k) {
-    if (const std::optional<double> quick = near[k].nearest()) {
-      center[k] = *quick;
+    if (quick[k]) {
+      center[k] = *quick[k];
+      continue;
+    }
+    if (!near) near = near_center(ball);
+    if (const std::optional<double> nearest = (*near)[k].nearest()) {
+      center[k] = *nearest;
       continue;
     }
     if (!exact) exact = center_parts<BigDyadic>(ball);
