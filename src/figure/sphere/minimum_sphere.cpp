@@ -109,7 +109,7 @@ class SphereSearch {
     return !candidates_.empty() && outside(candidates_[0]);
   }
 
-  /// Is no point outside?  Then `boundary` has those on the boundary; otherwise candidates_ has those first found outside.
+  /// Is no point outside?  Then `boundary` has those on the boundary; else candidates_ has those first found outside.
   bool holds_all(std::vector<std::uint32_t>& boundary) {
     const FineBall<Ball> fine = fine_ball(ball_);
     rests_.aim(fine);
