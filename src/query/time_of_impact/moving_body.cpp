@@ -70,7 +70,8 @@ class Maker {
     for (std::uint32_t i = 0; i < 4; ++i) face({(i + 1) % 4, (i + 2) % 4, (i + 3) % 4}, i);
   }
   void operator()(const Rectangle3* r) {
-    const Vec3<T> u = vector_of<T>(r->axes[0]) * T(r->half.x), v = vector_of<T>(r->axes[1]) * T(r->half.y);
+    const double x = std::fabs(r->half.x), y = std::fabs(r->half.y);  // upper ends are those of the magnitudes
+    const Vec3<T> u = vector_of<T>(r->axes[0]) * T(x), v = vector_of<T>(r->axes[1]) * T(y);
     parallelogram(vector_of<T>(r->center) - u - v, u + u, v + v);
   }
   void operator()(const Lozenge3* l) {
