@@ -244,7 +244,7 @@ TEST(PolygonContact, BodiesAsTheTriangles) {
 
 TEST(PolygonContact, PolygonsAsTheTriangles) {
   PolygonsSeen seen;
-  shape_cases::on_shapes(6003, battery::sanitized ? 20 : 80, [&](Material& m) {
+  shape_cases::on_shapes(6003, battery::sanitized ? 40 : 80, [&](Material& m) {
     MovingPolygon a(m);
     const MovingPolygon b(m);
     a.by = {whole(m, 12), whole(m, 12), whole(m, 12)};
