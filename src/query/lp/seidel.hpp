@@ -189,7 +189,9 @@ class Seidel {
       move(with(line, p));
       last = k;
     }
-    // What bounds the other way may be violated by now.
+    // What bounds the other way may be violated by now: of those that are kept the constraints that ended the plane,
+    // which may come after `count`.  They would be asked in their turn, but the corner would not be the best of those
+    // before until then, and constraints be named that do not contradict one another.
     for (const Plane& p : kept) {
       if (is_violated(p)) return contradict_on(line, p);
     }

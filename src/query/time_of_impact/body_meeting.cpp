@@ -202,6 +202,13 @@ std::optional<Contact> body_contact(std::string_view function, const BodyMotion&
   return Contact{m.time->rounded(Rounding::down), m.a, m.b};
 }
 
+std::optional<FirstMeeting> first_meeting(std::string_view function, const BodyMotion& a, const BodyMotion& b,
+                                          StartRelation at_start) {
+  BodyMeeting m = meeting(outlook(function, a, b, at_start), a, b);
+  if (!m.time) return {};
+  return FirstMeeting{std::move(*m.time), m.a, m.b};
+}
+
 bool bodies_meet(std::string_view function, const BodyMotion& a, const BodyMotion& b, StartRelation at_start) {
   const Outlook out = outlook(function, a, b, at_start);
   const auto surely = [](const Candidate& c) { return c.time.certain() && c.time.latest() <= 1; };

@@ -31,6 +31,13 @@ std::optional<Root> body_contact_time(std::string_view function, const BodyMotio
                                       StartRelation at_start);
 std::optional<Contact> body_contact(std::string_view function, const BodyMotion& a, const BodyMotion& b,
                                     StartRelation at_start);
+/// Both of them.
+struct FirstMeeting {
+  Root time;
+  Feature of_a, of_b;
+};
+std::optional<FirstMeeting> first_meeting(std::string_view function, const BodyMotion& a, const BodyMotion& b,
+                                          StartRelation at_start);
 bool bodies_meet(std::string_view function, const BodyMotion& a, const BodyMotion& b, StartRelation at_start);
 
 }  // namespace plumb::query

@@ -61,6 +61,24 @@ class Maker {
     }
     box_features();
   }
+  void operator()(const Tetrahedron3* t) {
+    vertices({t->a, t->b, t->c, t->d});
+    std::uint32_t number = 0;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      for (std::uint32_t j = i + 1; j < 4; ++j) edge(i, j, number++);
+    }
+    for (std::uint32_t i = 0; i < 4; ++i) face({(i + 1) % 4, (i + 2) % 4, (i + 3) % 4}, i);
+  }
+  void operator()(const Rectangle3* r) {
+    const double x = std::fabs(r->half.x), y = std::fabs(r->half.y);  // upper ends are those of the magnitudes
+    const Vec3<T> u = vector_of<T>(r->axes[0]) * T(x), v = vector_of<T>(r->axes[1]) * T(y);
+    parallelogram(vector_of<T>(r->center) - u - v, u + u, v + v);
+  }
+  void operator()(const Lozenge3* l) {
+    parallelogram(vector_of<T>(l->corner), vector_of<T>(l->edges[0]), vector_of<T>(l->edges[1]));
+    made.reach = T(l->radius);
+    made.swept = l->radius > 0;
+  }
   void operator()(const ConvexPolyhedron3* polyhedron) {
     const PolygonMesh& mesh = polyhedron->mesh;
     for (const Point3& p : mesh.vertices) vertex(vector_of<T>(p));
@@ -116,6 +134,12 @@ class Maker {
       normal = normal + cross(v[corners[i - 1]] - first, v[corners[i]] - first);
     const T offset = dot(normal, first);
     made.faces.push_back({std::move(corners), normal, offset, {FeatureKind::face, number}});
+  }
+  /// Bit k of a vertex's number: at the end of way k.
+  void parallelogram(const Vec3<T>& at, const Vec3<T>& u, const Vec3<T>& v) {
+    for (const Vec3<T>& p : {at, at + u, at + v, at + u + v}) vertex(p);
+    edge(0, 1, 0), edge(2, 3, 1), edge(0, 2, 2), edge(1, 3, 3);
+    face({0, 1, 3, 2}, 0);
   }
   const Pose* pose_ = nullptr;
   /// Bit k of a vertex's number: at the upper end of axis k.

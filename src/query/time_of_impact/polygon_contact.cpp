@@ -1,17 +1,19 @@
-// The earliest of what meets the edges and of the ends' balls where they first touch the plane inside of the polygon.
-#include "plumb/query/time_of_impact/polygon_contact.hpp"
+// The earliest of what meets the edges and of the body's vertices, each a ball of its reach, where they first touch the
+// plane inside of the polygon.  What comes to the inside with more than a vertex reaches over an edge or has a vertex
+// there; what is on both sides of the plane from the start meets edges first.
+#include "query/time_of_impact/polygon_contact.hpp"
 
 #include <tuple>
 
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/big.hpp"
-#include "plumb/query/overlap/overlap.hpp"
-#include "query/body/figure_input.hpp"
+#include "plumb/query/overlap/posed.hpp"
+#include "query/body/figure_view.hpp"
 #include "query/convex/chains.hpp"
+#include "query/convex/exact_map.hpp"
 #include "query/overlap/polygon_relation.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 /// at + t slope.
@@ -47,152 +49,162 @@ bool is_inside_at(const Root& t, const SpannedChains& chains, const Exact3& norm
   return odd;
 }
 
-Exact3 exactly(const Point3& p) { return {p.x, p.y, p.z}; }
-Exact3 exactly(const Vector3& v) { return {v.x, v.y, v.z}; }
-
-struct BallEnd {
-  Point3 center;
-  Feature feature;
-};
-std::vector<BallEnd> ends_of(const Sphere3& s) { return {{s.center, {FeatureKind::face, 0}}}; }
-std::vector<BallEnd> ends_of(const Capsule3& s) {
-  return {{s.a, {FeatureKind::vertex, 0}}, {s.b, {FeatureKind::vertex, 1}}};
-}
-
 /// Lower ones are told.
-auto rank(const PolygonContact& c) {
-  return std::tuple(static_cast<int>(c.on_round.kind) + static_cast<int>(c.on_polygon.kind), c.on_round.kind,
-                    c.on_round.index, c.on_polygon.kind, c.on_polygon.index);
+auto rank(const FirstMeeting& m) {
+  return std::tuple(static_cast<int>(m.of_a.kind) + static_cast<int>(m.of_b.kind), m.of_a.kind, m.of_a.index,
+                    m.of_b.kind, m.of_b.index);
 }
 
 /// The earliest; of equally early ones that of the lowest features.
-class EarliestContact {
+class EarliestMeeting {
  public:
-  void see(PolygonContact c) {
+  void see(FirstMeeting m) {
     if (best_) {
-      const auto order = c.time <=> best_->time;
-      if (order > 0 || (order == 0 && !(rank(c) < rank(*best_)))) return;
+      const auto order = m.time <=> best_->time;
+      if (order > 0 || (order == 0 && !(rank(m) < rank(*best_)))) return;
     }
-    best_ = std::move(c);
+    best_ = std::move(m);
   }
-  [[nodiscard]] std::optional<PolygonContact> best() && { return std::move(best_); }
+  [[nodiscard]] std::optional<FirstMeeting> best() && { return std::move(best_); }
 
  private:
-  std::optional<PolygonContact> best_;
+  std::optional<FirstMeeting> best_;
 };
 
-/// Where the ball about an end first touches the plane, if that is inside.
-void see_face(EarliestContact& earliest, const BallEnd& end, double radius, const Exact3& by,
-              const SpannedChains& chains) {
+/// One end of an edge, by the number that the polygon has for it.
+struct ChainEdge {
+  Segment3 edge;
+  std::uint32_t from, to;
+
+  [[nodiscard]] Feature feature(const Feature& of_edge) const {
+    if (of_edge.kind != FeatureKind::vertex) return {FeatureKind::edge, from};
+    return {FeatureKind::vertex, of_edge.index == 0 ? from : to};
+  }
+};
+
+/// A polygon under its pose, which moves.
+struct MovingPolygon {
+  MovingPolygon(std::string_view function, const PosedMotion& m) : pose(m.figure.in_space), by(m.by) {
+    static_cast<void>(exact_chains(function, m.figure.figure));  // throws where it is not planar
+    chains = chains_of(m.figure.figure);
+    with_figure(m.figure.figure, [this](const auto& s) {
+      if constexpr (requires { s.outer; }) {
+        add_edges(s.outer.vertices);
+        for (const auto& hole : s.holes) add_edges(hole.vertices);
+      } else if constexpr (requires { s.vertices[0].z; }) {
+        add_edges(s.vertices);
+      } else if constexpr (requires { s.a.z, s.b, s.c, s.d; }) {
+        add_edges(std::array{s.a, s.b, s.c, s.d});
+      }
+    });
+    if (pose == nullptr) return;
+    const ExactMap map = exact_map(*pose);
+    for (Exact3& v : chains.vertices) v = image(map, v);
+    chains.span = spanning(chains.vertices);
+  }
+  [[nodiscard]] PosedMotion motion_of(const ChainEdge& e) const { return {{view_of(e.edge), pose}, by}; }
+
+  const Pose* pose;
+  const Vector3* by;
+  SpannedChains chains;
+  std::vector<ChainEdge> edges;
+
+ private:
+  template <class Points>
+  void add_edges(const Points& points) {
+    if constexpr (std::is_same_v<typename Points::value_type, Point3>) {
+      const auto first = static_cast<std::uint32_t>(edges.size()), n = static_cast<std::uint32_t>(points.size());
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t j = i + 1 == n ? 0 : i + 1;
+        edges.push_back({{points[i], points[j]}, first + i, first + j});
+      }
+    }
+  }
+};
+
+Exact3 exactly(const Vector3& v) { return {v.x, v.y, v.z}; }
+mpq_class exactly(const BigDyadic& x) { return big_rational(x).value; }
+
+/// Where the ball about a vertex first touches the plane, if that is inside.
+void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& feature, const mpq_class& reach,
+              const Exact3& by, const SpannedChains& chains) {
   const Exact3& from = chains.vertices[chains.span[0]];
   const Exact3 normal = cross(chains.vertices[chains.span[1]] - from, chains.vertices[chains.span[2]] - from);
-  const Exact3 c = exactly(end.center);
-  const mpq_class square = dot(normal, normal), height = dot(normal, c - from), rise = dot(normal, by);
-  const mpq_class rest = height * height - mpq_class(radius) * mpq_class(radius) * square;
+  const mpq_class square = dot(normal, normal), height = dot(normal, center - from), rise = dot(normal, by);
+  const mpq_class rest = height * height - reach * reach * square;
   if (sgn(rest) < 0) return;  // across the plane from the start: it meets edges first
   std::array<LinearInTime, 3> foot;
   for (std::size_t k = 0; k < 3; ++k) {
-    foot[k] = {c[k] - normal[k] * height / square, by[k] - normal[k] * rise / square};
+    foot[k] = {center[k] - normal[k] * height / square, by[k] - normal[k] * rise / square};
   }
   const auto look = [&](const Root& t) {
-    if (is_inside_at(t, chains, normal, foot)) earliest.see({t, end.feature, {FeatureKind::face, 0}});
+    if (is_inside_at(t, chains, normal, foot)) earliest.see({t, feature, {FeatureKind::face, 0}});
   };
   if (sgn(rest) == 0) return look(Root(0));
   if (sgn(rise) == 0 || sgn(rise) == sgn(height)) return;
+  if (sgn(reach) == 0) {
+    const mpq_class time = -height / rise;
+    if (time <= 1) look(Root(rational_of(time)));
+    return;
+  }
   const std::array quadratic{rational_of(rest), rational_of(2 * height * rise), rational_of(rise * rise)};
   const auto times = real_roots(quadratic, Rational(0.0), Rational(1.0));
   if (!times.empty()) look(times.front());
 }
 
-template <class Shape>
-std::vector<std::vector<Point3>> chains_in_doubles(const Shape& s) {
-  if constexpr (std::is_same_v<Shape, Quadrilateral3>) {
-    return {{s.a, s.b, s.c, s.d}};
-  } else if constexpr (std::is_same_v<Shape, Polygon3>) {
-    return {s.vertices};
-  } else {
-    std::vector<std::vector<Point3>> all{s.outer.vertices};
-    for (const Polygon3& hole : s.holes) all.push_back(hole.vertices);
-    return all;
+/// Edges and bodies that overlap meet by their features as well: the polygon does not overlap them.
+Relation never_inside(const BodyShape&, const BodyShape&) { return Relation::touching; }
+
+/// Of a polygon that does not overlap the body at the start.
+std::optional<FirstMeeting> body_with_polygon(std::string_view function, const PosedMotion& body,
+                                              const MovingPolygon& polygon) {
+  EarliestMeeting earliest;
+  for (const ChainEdge& e : polygon.edges) {
+    const PosedMotion edge = polygon.motion_of(e);
+    auto m = first_meeting(function, {&body.figure, body.by}, {&edge.figure, edge.by}, never_inside);
+    if (m) earliest.see({std::move(m->time), m->of_a, e.feature(m->of_b)});
   }
-}
-
-/// A rectangle is a flat box, whose features have other numbers.
-Feature of_rectangle(const Feature& f) {
-  if (f.kind == FeatureKind::vertex) return {f.kind, f.index & 3};
-  if (f.kind == FeatureKind::edge) return {f.kind, 2 * (f.index / 4) + (f.index & 1)};
-  return f.kind == FeatureKind::face ? Feature{f.kind, 0} : f;
-}
-
-template <class Round>
-std::optional<PolygonContact> contact_with_rectangle(const Translating<Round>& round,
-                                                     const Translating<Rectangle3>& r) {
-  const auto& [center, axes, half] = r.shape;
-  const Translating<Obb3> box{{center, {axes[0], axes[1], {0, 0, 0}}, {half.x, half.y, 0}}, r.by};
-  const auto time = first_contact_time(round, box);
-  if (!time) return {};
-  const Contact c = *first_contact(round, box);
-  return PolygonContact{*time, c.feature_a, of_rectangle(c.feature_b)};
-}
-
-template <class Round, class Shape>
-std::optional<PolygonContact> contact_with_chains(std::string_view function, const Translating<Round>& round,
-                                                  const Translating<Shape>& polygon) {
-  static_cast<void>(exact_chains(function, view_of(polygon.shape)));  // throws where it is not planar
-  const SpannedChains chains = chains_of(view_of(polygon.shape));
-  const Feature interior{FeatureKind::interior, 0};
-  const Relation start = relate(round.shape, polygon.shape);
-  if (start == Relation::overlapping) return PolygonContact{Root(0), interior, interior};
-  EarliestContact earliest;
-  std::uint32_t first = 0;
-  for (const auto& chain : chains_in_doubles(polygon.shape)) {
-    const auto size = static_cast<std::uint32_t>(chain.size());
-    for (std::uint32_t i = 0; i < size; ++i) {
-      const std::uint32_t next = i + 1 == size ? 0 : i + 1;
-      const Translating<Segment3> edge{{chain[i], chain[next]}, polygon.by};
-      auto time = first_contact_time(round, edge);
-      if (!time) continue;
-      const Contact c = *first_contact(round, edge);
-      Feature on{FeatureKind::edge, first + i};
-      if (c.feature_b.kind == FeatureKind::vertex)
-        on = {FeatureKind::vertex, first + (c.feature_b.index == 0 ? i : next)};
-      earliest.see({std::move(*time), c.feature_a, on});
+  if (polygon.chains.span.size() == 3) {
+    const auto exact = moving_body<BigDyadic>(&body.figure);
+    const Exact3 by = exactly(*body.by) - exactly(*polygon.by);
+    for (std::size_t i = 0; i < exact.vertices.size(); ++i) {
+      const auto& [x, y, z] = exact.vertices[i];
+      see_face(earliest, {exactly(x), exactly(y), exactly(z)}, exact.vertex_features[i], exactly(exact.reach), by,
+               polygon.chains);
     }
-    first += size;
-  }
-  if (chains.span.size() == 3) {
-    const Exact3 by = exactly(round.by) - exactly(polygon.by);
-    for (const BallEnd& end : ends_of(round.shape)) see_face(earliest, end, round.shape.radius, by, chains);
   }
   return std::move(earliest).best();
 }
 
-}  // namespace
-
-template <MovesRound Round, MovesAsPolygon Shape>
-std::optional<PolygonContact> polygon_contact(std::string_view function, const Translating<Round>& round,
-                                              const Translating<Shape>& polygon) {
-  require_figures(function, view_of(round.shape), view_of(polygon.shape));
-  require_finite_parts(function, {"the motion of the round figure", "the motion of the polygon"}, round.by, polygon.by);
-  if constexpr (std::is_same_v<Shape, Rectangle3>) {
-    return contact_with_rectangle(round, polygon);
-  } else {
-    return contact_with_chains(function, round, polygon);
-  }
+std::optional<FirstMeeting> swapped(std::optional<FirstMeeting> m) {
+  if (m) std::swap(m->of_a, m->of_b);
+  return m;
 }
 
-#define PLUMB_POLYGON_CONTACT(Round, Shape)                                                           \
-  template std::optional<PolygonContact> polygon_contact(std::string_view, const Translating<Round>&, \
-                                                         const Translating<Shape>&);
-PLUMB_POLYGON_CONTACT(Sphere3, Quadrilateral3)
-PLUMB_POLYGON_CONTACT(Sphere3, Polygon3)
-PLUMB_POLYGON_CONTACT(Sphere3, HoledPolygon3)
-PLUMB_POLYGON_CONTACT(Sphere3, Rectangle3)
-PLUMB_POLYGON_CONTACT(Capsule3, Quadrilateral3)
-PLUMB_POLYGON_CONTACT(Capsule3, Polygon3)
-PLUMB_POLYGON_CONTACT(Capsule3, HoledPolygon3)
-PLUMB_POLYGON_CONTACT(Capsule3, Rectangle3)
-#undef PLUMB_POLYGON_CONTACT
+}  // namespace
 
-}  // namespace query
-}  // namespace plumb
+std::optional<FirstMeeting> polygon_meeting(std::string_view function, const PosedMotion& a, const PosedMotion& b) {
+  require_finite_parts(function, {"a.by", "b.by"}, *a.by, *b.by);
+  if (!is_polygon(b.figure.figure)) return swapped(polygon_meeting(function, b, a));
+  const MovingPolygon second(function, b);
+  const bool both = is_polygon(a.figure.figure);
+  std::optional<MovingPolygon> first;
+  if (both) first.emplace(function, a);
+  if (relate_posed(function, a.figure, b.figure) == Relation::overlapping) {
+    const Feature inside{FeatureKind::interior, 0};
+    return FirstMeeting{Root(0), inside, inside};
+  }
+  if (!both) return body_with_polygon(function, a, second);
+  EarliestMeeting earliest;
+  for (const ChainEdge& e : first->edges) {
+    auto m = body_with_polygon(function, first->motion_of(e), second);
+    if (m) earliest.see({std::move(m->time), e.feature(m->of_a), m->of_b});
+  }
+  for (const ChainEdge& e : second.edges) {
+    auto m = body_with_polygon(function, second.motion_of(e), *first);
+    if (m) earliest.see({std::move(m->time), m->of_b, e.feature(m->of_a)});
+  }
+  return std::move(earliest).best();
+}
+
+}  // namespace plumb::query

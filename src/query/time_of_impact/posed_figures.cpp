@@ -7,7 +7,9 @@
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/exact_map.hpp"
+#include "query/convex/flat_view.hpp"
 #include "query/time_of_impact/body_meeting.hpp"
+#include "query/time_of_impact/polygon_contact.hpp"
 
 namespace plumb::query {
 namespace {
@@ -24,7 +26,7 @@ void require_even(std::string_view function, const PosedView& v) {
   };
   if (v.figure.kind == FigureKind::plane && is_singular(exact_map(*v.in_space)))
     refuse("its pose flattens it; give one whose matrix is not singular");
-  const bool is_round = is_one_of(v.figure.kind, {FigureKind::ball, FigureKind::capsule});
+  const bool is_round = is_one_of(v.figure.kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
   if (is_round && !scale_of(*v.in_space))
     refuse("its pose makes an ellipsoid of it; give one of columns at right angles and of one length that is a double");
 }
@@ -32,27 +34,36 @@ void require_even(std::string_view function, const PosedView& v) {
 /// In the terms of bodies, looked at.
 struct PosedBodies {
   PosedBodies(std::string_view function, const PosedMotion& of_a, const PosedMotion& of_b)
-      : a{&of_a.figure, of_a.by}, b{&of_b.figure, of_b.by} {
+      : a{&of_a.figure, of_a.by},
+        b{&of_b.figure, of_b.by},
+        some_polygon(is_polygon(of_a.figure.figure) || is_polygon(of_b.figure.figure)) {
     require_posed(function, of_a.figure, of_b.figure);
     require_even(function, of_a.figure);
     require_even(function, of_b.figure);
   }
   BodyMotion a, b;
+  bool some_polygon;
 };
 
 }  // namespace
 
 std::optional<Contact> posed_contact(const PosedMotion& a, const PosedMotion& b) {
   const PosedBodies bodies("first_contact", a, b);
-  return body_contact("first_contact", bodies.a, bodies.b, posed_figures_at_start);
+  if (!bodies.some_polygon) return body_contact("first_contact", bodies.a, bodies.b, posed_figures_at_start);
+  const auto m = polygon_meeting("first_contact", a, b);
+  if (!m) return {};
+  return Contact{m->time.rounded(Rounding::down) + 0.0, m->of_a, m->of_b};
 }
 std::optional<Root> posed_contact_time(const PosedMotion& a, const PosedMotion& b) {
   const PosedBodies bodies("first_contact_time", a, b);
-  return body_contact_time("first_contact_time", bodies.a, bodies.b, posed_figures_at_start);
+  if (!bodies.some_polygon) return body_contact_time("first_contact_time", bodies.a, bodies.b, posed_figures_at_start);
+  const auto m = polygon_meeting("first_contact_time", a, b);
+  return m ? std::optional(m->time) : std::nullopt;
 }
 bool posed_bodies_meet(const PosedMotion& a, const PosedMotion& b) {
   const PosedBodies bodies("intersects", a, b);
-  return bodies_meet("intersects", bodies.a, bodies.b, posed_figures_at_start);
+  if (!bodies.some_polygon) return bodies_meet("intersects", bodies.a, bodies.b, posed_figures_at_start);
+  return polygon_meeting("intersects", a, b).has_value();
 }
 
 }  // namespace plumb::query

@@ -11,6 +11,7 @@
 #include "certify/sanitized.hpp"
 #include "plumb/query/lp/verify.hpp"
 #include "query/lp/linear_oracle.hpp"
+#include "query/lp/seidel.hpp"
 
 namespace plumb::linear_cases {
 namespace {
@@ -206,6 +207,42 @@ TEST(LinearProgram, InABoxIsTheFirstOfTheBestCorners) {
     ++solved;
   }
   EXPECT_GT(solved, static_cast<int>(cases) / 20);
+}
+
+/// Searched in the order given, without a guess: a later constraint, which ended a plane, bounds a line of it below.
+TEST(LinearProgram, WhatSeidelNamesContradictsItself) {
+  struct Case {
+    query::Numbers<3> direction;
+    std::vector<Halfspace3> halfspaces;
+  };
+  const std::vector<Case> all{{{0, -2, -1},
+                               {{{1, 1, 1}, 3},
+                                {{-1, 3, 2}, 1},
+                                {{3, 2, 3}, -2},
+                                {{3, 1, 1}, -1},
+                                {{-3, 1, 0}, 1},
+                                {{3, 0, -2}, -3},
+                                {{-2, -3, -3}, -1}}},
+                              {{1, -2, -2},
+                               {{{-2, 0, 1}, 1},
+                                {{1, 2, -1}, -2},
+                                {{2, -1, 2}, 3},
+                                {{2, -1, 1}, 1},
+                                {{1, 2, 1}, -1},
+                                {{0, -1, 0}, 0},
+                                {{-2, 1, -2}, 1},
+                                {{1, 1, 2}, 3}}}};
+  for (const auto& [direction, halfspaces] : all) {
+    std::vector<NamedHalfspace3> named;
+    for (const Halfspace3& h : halfspaces) named.push_back({h, static_cast<std::uint32_t>(named.size())});
+    query::Seidel<3> search({direction}, named);
+    ASSERT_FALSE(search.solve());
+    std::vector<Halfspace3> contradiction;
+    for (const auto& p : search.contradiction()) {
+      if (p.number < halfspaces.size()) contradiction.push_back(halfspaces[p.number]);
+    }
+    EXPECT_EQ(maximize(Vector3{0, 0, 0}, contradiction).kind, LinearKind::infeasible);
+  }
 }
 
 TEST(LinearProgram, OfAPyramid) {

@@ -77,6 +77,9 @@ class Draw {
   }
   void fill(Sphere3& s) { s = {start(), std::fabs(number())}; }
   void fill(Capsule3& s) { s = {start(), point(), std::fabs(number())}; }
+  void fill(Tetrahedron3& s) { s = {start(), point(), point(), point()}; }
+  void fill(Rectangle3& s) { s = {start(), {vector(), vector()}, {1, std::fabs(number())}}; }
+  void fill(Lozenge3& s) { s = {start(), {vector(), vector()}, std::fabs(number())}; }
   void fill(Plane3& s) { s = {vector(), 4 * number()}; }
 
  private:

@@ -7,17 +7,15 @@
 
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "certify/case_line.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
-#include "plumb/arith/big.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/figure.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/time_of_impact/translating_cases.hpp"
-#include "query/time_of_impact/translating_oracle.hpp"
+#include "query/time_of_impact/translating_truth.hpp"
 
 namespace plumb {
 namespace {
@@ -126,78 +124,13 @@ TEST(TranslatingContact, Spheres) { check_with<Sphere3>(700, All{}); }
 TEST(TranslatingContact, Capsules) { check_with<Capsule3>(800, All{}); }
 
 namespace oracle = translating_oracle;
-
-/// Is the root this number?
-bool is(const Root& root, const oracle::Surd& t) {
-  oracle::Surd value{0, 0, t.c};  // of the root's polynomial at the number
-  const std::vector<Rational> coefficients = root.polynomial();
-  for (std::size_t i = coefficients.size(); i-- > 0;) {
-    const oracle::Number a = value.a * t.a + value.b * t.b * t.c + coefficients[i].value().value;
-    value.b = value.a * t.b + value.b * t.a;
-    value.a = a;
-  }
-  const auto beyond = [&](const Rational& x) { return sign(oracle::Surd{t.a - x.value().value, t.b, t.c}); };
-  const auto [lower, upper] = root.interval();
-  return sign(value) == 0 && beyond(lower) >= 0 && beyond(upper) <= 0;
-}
-
-struct Told {
-  int never = 0, at_start = 0, later = 0, irrational = 0;
-};
-
-/// The pairs of features that meet no later than the bodies do, of those no higher than the ones told.
-void check_features(const std::string& about, const oracle::Body& a, const oracle::Body& b,
-                    const oracle::Vector& velocity, const oracle::Surd& time, const Contact& contact) {
-  const auto rank = [](const Feature& p, const Feature& q) {
-    return std::tuple(static_cast<int>(p.kind) + static_cast<int>(q.kind), p.kind, p.index, q.kind, q.index);
-  };
-  const auto told = rank(contact.feature_a, contact.feature_b);
-  constexpr std::size_t most = 90;  // pairs to ask; of more the one that is told
-  const bool all = a.parts.size() * b.parts.size() <= most;
-  bool found = false;
-  for (const oracle::Part& p : a.parts) {
-    for (const oracle::Part& q : b.parts) {
-      const auto of_pair = rank(p.feature, q.feature);
-      if (of_pair > told || (!all && of_pair != told)) continue;
-      const auto when = oracle::first_time(a.part(p), b.part(q), velocity);
-      const bool meets = when && compare(*when, time) == 0;
-      found |= meets && of_pair == told;
-      ASSERT_EQ(meets, of_pair == told) << about << " feature " << p.feature.index << " of a, " << q.feature.index
-                                        << " of b";
-    }
-  }
-  ASSERT_TRUE(found) << about;
-}
+using oracle::Told;
 
 template <class A, class B>
 void check_truth(const std::string& about, const Translating<A>& a, const Translating<B>& b, Told& told) {
-  const oracle::Body of_a = oracle::body(a.shape), of_b = oracle::body(b.shape);
-  const oracle::Vector velocity = oracle::operator-(oracle::vector(a.by), oracle::vector(b.by));
-  const std::optional<oracle::Surd> truth = oracle::first_time(of_a, of_b, velocity);
-  const std::optional<Root> time = first_contact_time(a, b);
-  const std::optional<Contact> contact = first_contact(a, b);
-  ASSERT_EQ(intersects(a, b), truth.has_value()) << about;
-  ASSERT_EQ(intersects(b, a), truth.has_value()) << about;
-  ASSERT_EQ(time.has_value(), truth.has_value()) << about;
-  ASSERT_EQ(contact.has_value(), truth.has_value()) << about;
-  if (!truth) {
-    ++told.never;
-    return;
-  }
-  ASSERT_TRUE(is(*time, *truth)) << about;
-  // Rounded down: not late, and the double after it is.
-  ASSERT_GE(compare(*truth, contact->time), 0) << about;
-  ASSERT_LT(compare(*truth, std::nextafter(contact->time, 2.0)), 0) << about;
-  const std::optional<Contact> other = first_contact(b, a);
-  ASSERT_TRUE(other && other->time == contact->time) << about;
-  const bool at_start = compare(*truth, 0.0) == 0;
-  ++(at_start ? told.at_start : told.later);
-  told.irrational += sgn(truth->b) != 0 ? 1 : 0;
-  if (contact->feature_a.kind == FeatureKind::interior) {
-    ASSERT_TRUE(at_start && contact->feature_b.kind == FeatureKind::interior) << about;
-    return;
-  }
-  check_features(about, of_a, of_b, velocity, *truth, *contact);
+  oracle::check_truth(
+      about, {oracle::body(a.shape), oracle::vector(a.by)}, {oracle::body(b.shape), oracle::vector(b.by)},
+      {first_contact_time(a, b), first_contact(a, b), first_contact(b, a), intersects(a, b), intersects(b, a)}, told);
 }
 
 #if defined(PLUMB_LONG_TESTS)

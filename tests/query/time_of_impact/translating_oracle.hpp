@@ -179,6 +179,32 @@ inline Body body(const Capsule3& c) {
   b.reach = c.radius;
   return b;
 }
+inline Body body(const Tetrahedron3& t) {
+  Body b;
+  b.add_points({vector(t.a), vector(t.b), vector(t.c), vector(t.d)});
+  const std::array<std::array<std::size_t, 2>, 6> edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+  for (std::size_t i = 0; i < 6; ++i) b.add(FeatureKind::edge, i, {edges[i][0], edges[i][1]});
+  const std::array<std::array<std::size_t, 3>, 4> faces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+  for (std::size_t i = 0; i < 4; ++i) b.add(FeatureKind::face, i, {faces[i].begin(), faces[i].end()});
+  return b;
+}
+inline Body parallelogram(const Vector& at, const Vector& u, const Vector& v) {
+  Body b;
+  b.add_points({at, at + u, at + v, at + u + v});
+  b.add(FeatureKind::edge, 0, {0, 1}), b.add(FeatureKind::edge, 1, {2, 3});
+  b.add(FeatureKind::edge, 2, {0, 2}), b.add(FeatureKind::edge, 3, {1, 3});
+  b.add(FeatureKind::face, 0, {0, 1, 3, 2});
+  return b;
+}
+inline Body body(const Rectangle3& r) {
+  const Vector u = times(vector(r.axes[0]), Number(r.half.x)), v = times(vector(r.axes[1]), Number(r.half.y));
+  return parallelogram(vector(r.center) - u - v, u + u, v + v);
+}
+inline Body body(const Lozenge3& l) {
+  Body b = parallelogram(vector(l.corner), vector(l.edges[0]), vector(l.edges[1]));
+  b.reach = l.radius;
+  return b;
+}
 inline Body body(const Plane3& p) {
   Body b;
   b.is_plane = true;

@@ -17,7 +17,7 @@ namespace plumb {
 namespace query {
 
 template <class A, class B>
-concept MovesRestated = RestatedPair<A, B> && MovingPair<UnposedType<SaidType<A>>, UnposedType<SaidType<B>>>;
+concept MovesRestated = RestatedPair<A, B> && AnyMovingPair<UnposedType<SaidType<A>>, UnposedType<SaidType<B>>>;
 
 /// `ask` of both moving figures.
 template <class A, class B, class Ask>
