@@ -133,7 +133,7 @@ class Indexed {
     expect(index_.size() == boxes_.size(), name_, "the number of boxes differs");
   }
   template <class Ask>
-  void check_overlapping(const Aabb3& box, const Ask& ask) const {
+  void check_in_box(const Aabb3& box, const Ask& ask) const {
     std::set<Id> found, expected;
     for (const std::uint32_t handle : ask(index_, box))
       expect(ids_.contains(handle) && found.insert(ids_.at(handle)).second, name_, "a box is found twice");
@@ -232,18 +232,14 @@ void run(Entropy& e) {
     hierarchical.check_pairs(pairs), rows.check_pairs(pairs), hashed.check_pairs(pairs), linked.check_pairs(pairs);
     lists.check_pairs(pairs), list.check_pairs(pairs);
     for (const bool touching : {true, false}) {
-      loose.check_pairs(
-          [&](const LooseOctree& t) {
-            return t.overlapping_pairs({touching, Execution::serial});
-          },
-          touching);
+      loose.check_pairs([&](const LooseOctree& t) { return t.pairs({touching, Execution::serial}); }, touching);
     }
     const Aabb3 box = some_box(e, scale);
-    const auto overlapping = [](const auto& grid, const Aabb3& b) { return grid.overlapping(b); };
-    hierarchical.check_overlapping(box, overlapping), rows.check_overlapping(box, overlapping);
-    loose.check_overlapping(box, [](const LooseOctree& t, const Aabb3& b) { return t.boxes_in(b); });
+    const auto in_box = [](const auto& index, const Aabb3& b) { return index.in_box(b); };
+    hierarchical.check_in_box(box, in_box), rows.check_in_box(box, in_box);
+    loose.check_in_box(box, in_box);
     if (scale == Scale::any || scale == Scale::spread) return;  // which reach into too many cells
-    hashed.check_overlapping(box, overlapping), linked.check_overlapping(box, overlapping);
+    hashed.check_in_box(box, in_box), linked.check_in_box(box, in_box);
   };
   for (std::size_t step = 0; step < most_steps && !e.exhausted(); ++step) {
     switch (e.below(8)) {

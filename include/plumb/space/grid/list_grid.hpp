@@ -5,7 +5,7 @@
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
 //   grid.pairs()                                         // all at a time
-//   grid.overlapping(box, seen)                          // one at a time; seen: VisitStamps, VisitBits, or nothing
+//   grid.in_box(box, seen)                               // one at a time; seen: VisitStamps, VisitBits, or nothing
 //
 // A box is in the list of each cell that it reaches into.  The lists of LinkedGrid are those of an array of cells, of
 // HashedGrid those of a table, in which cells that share a place are told apart by their numbers.
@@ -51,13 +51,15 @@ class ListGrid {
 
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
   /// Ascending.  Stamps and bits are made to fit.
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, bool touching = true) const;
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, VisitStamps& seen, bool touching = true) const;
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, VisitBits& seen, bool touching = true) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitStamps& seen,
+                                                  const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitBits& seen,
+                                                  const InBoxOptions& options = {}) const;
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
-  [[nodiscard]] bool holds(std::uint32_t handle) const { return boxes_.holds(handle); }
-  [[nodiscard]] const Box& operator[](std::uint32_t handle) const { return boxes_[handle]; }
+  [[nodiscard]] bool contains(std::uint32_t handle) const { return boxes_.contains(handle); }
+  [[nodiscard]] const Box& box(std::uint32_t handle) const { return boxes_[handle]; }
   [[nodiscard]] double cell_size() const { return size_; }
   [[nodiscard]] std::size_t memory() const;
 
