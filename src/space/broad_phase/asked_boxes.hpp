@@ -1,8 +1,8 @@
 // Dynamic bounding-volume tree: which of boxes that come, go and move are in a box, and which does a ray hit first?
 //
 // A tree of fat boxes, made when it is asked and not before: boxes that have left their fat ones, or came since, are
-// asked one by one.  When that has cost as much as a tree of all costs, one is made, so both together cost at most about
-// twice the cheaper.  While boxes move within their fat ones the tree is that of before.
+// asked one by one.  When that has cost as much as a tree of all costs, one is made, so that both together cost about
+// twice the cheaper at most.  While boxes move within their fat ones the tree is that of before.
 // Laws: (1) the answers are those of asking each box as it is now, whatever has been noted of it in between.  (2) Any
 // number of threads may ask, none while boxes are changed.
 // Source: RTCD 6.3.1, 6.3.2, 6.6; the dynamic trees of physics engines enlarge boxes likewise.

@@ -10,8 +10,9 @@
 // it, among those that have its lowest corner: of the level where it lies in no more than two cells along each axis.
 // So no box is kept in a large cell because it lies across a border.
 // Laws: (1) in_box tells, ascending, exactly the handles of the boxes that intersect the closed box; pairs those of
-// box_pair.hpp by handles: a ascends, then b, whatever was inserted, moved and removed before.  (2) There are cells only where a box is, and on the way from the root to these.  (3) A handle is that of its
-// box until it is removed, and given again then.  (4) What throws leaves the tree as it was.
+// box_pair.hpp by handles: a ascends, then b, whatever was inserted, moved and removed before.  (2) There are
+// cells only where a box is, and on the way from the root to these.  (3) A handle is that of its box until it is
+// removed, and given again then.  (4) What throws leaves the tree as it was.
 // NaN and infinity throw NonFinite, empty boxes InvalidShape; a handle that holds no box Error, which names it.
 // Source: RTCD 7.3.6; Ulrich, "Loose octrees", Game Programming Gems, 2000.
 // Cost: insertion, removal and moving are constant: a code and a look into a table of cells, and where a cell is made
