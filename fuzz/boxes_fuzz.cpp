@@ -11,6 +11,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -165,7 +166,23 @@ class Moving {
     expect(!world_.contains(handle), "MovingBoxes", "a handle outlives its box");
     handles_.erase(id);
   }
-  void check(const Boxes& boxes) {
+  void check(const Boxes& boxes, const Aabb3& region) {
+    std::set<Id> inside, expected;
+    for (const BoxHandle& h : world_.in_box(region)) inside.insert(ids_.at(h));
+    std::optional<BoxHandle> first;
+    std::optional<RayParameter> least;
+    const Segment3 segment{region.min, region.max};
+    for (const auto& [id, box] : boxes) {
+      if (count_as_pair(box, region, true)) expected.insert(id);
+      auto t = first_hit_parameter(segment, box);
+      if (!t || (least && (*least < *t || (*least == *t && *first < handles_.at(id))))) continue;
+      first = handles_.at(id);
+      least = std::move(t);
+    }
+    expect(inside == expected, "MovingBoxes", "what is in a box differs");
+    const auto hit = world_.first_hit(segment);
+    expect(hit.has_value() == first.has_value() && (!hit || hit->box == *first), "MovingBoxes",
+           "the first hit differs");
     const BoxPairChanges& changes = world_.changes();
     const auto named = [&](const HandlePair& p) {
       const Id a = ids_.at(p.a), b = ids_.at(p.b);
@@ -227,14 +244,14 @@ void run(Entropy& e) {
   Id next = 0;
   const auto some = [&] { return std::next(boxes.begin(), static_cast<std::ptrdiff_t>(e.below(boxes.size()))); };
   const auto check = [&] {
-    moving.check(boxes);
+    const Aabb3 box = some_box(e, scale);
+    moving.check(boxes, box);
     const auto pairs = [](const auto& index) { return index.pairs(); };
     hierarchical.check_pairs(pairs), rows.check_pairs(pairs), hashed.check_pairs(pairs), linked.check_pairs(pairs);
     lists.check_pairs(pairs), list.check_pairs(pairs);
     for (const bool touching : {true, false}) {
       loose.check_pairs([&](const LooseOctree& t) { return t.pairs({touching, Execution::serial}); }, touching);
     }
-    const Aabb3 box = some_box(e, scale);
     const auto in_box = [](const auto& index, const Aabb3& b) { return index.in_box(b); };
     hierarchical.check_in_box(box, in_box), rows.check_in_box(box, in_box);
     loose.check_in_box(box, in_box);

@@ -166,7 +166,7 @@ std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options)
 
 template <class Box>
 std::vector<std::uint32_t> HierarchicalGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  space::require_grid_box("HierarchicalGrid::in_box", "box", box);
+  if (!space::may_hold("HierarchicalGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   const auto test = [&](std::uint32_t b) {
     if (space::is_pair(box, boxes_[b], options.touching)) out.push_back(b);

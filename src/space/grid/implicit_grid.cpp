@@ -79,7 +79,7 @@ std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options) con
 
 template <class Box>
 std::vector<std::uint32_t> ImplicitGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  space::require_grid_box("ImplicitGrid::in_box", "box", box);
+  if (!space::may_hold("ImplicitGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   std::vector<std::uint64_t> both, one;
   rows_.for_common(space::cells_of(box, per_size_), 0, boxes_.numbers(), both, one, [&](std::size_t j) {

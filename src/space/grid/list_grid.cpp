@@ -175,7 +175,7 @@ std::vector<BoxPair> ListGrid<Box, table>::pairs(const BoxPairOptions& options) 
 template <class Box, CellTable table>
 template <class Seen>
 std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touching, Seen& seen) const {
-  space::require_grid_box("ListGrid::in_box", "box", box);
+  if (!space::may_hold("ListGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   fit(seen, boxes_.numbers());
   const Span span = span_of(box);

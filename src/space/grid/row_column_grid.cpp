@@ -128,7 +128,7 @@ std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options) co
 
 template <class Box>
 std::vector<std::uint32_t> RowColumnGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  space::require_grid_box("RowColumnGrid::in_box", "box", box);
+  if (!space::may_hold("RowColumnGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   Scratch scratch;
   for_overlapping(box, options.touching, scratch, [&](std::uint32_t b) { out.push_back(b); });

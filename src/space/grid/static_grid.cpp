@@ -155,7 +155,7 @@ std::size_t StaticGrid<Box>::cell_of_pair(const Box& a, const Box& b) const {
 
 template <class Box>
 std::vector<std::uint32_t> StaticGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  space::require_grid_box("StaticGrid::in_box", "box", box);
+  if (!space::may_hold("StaticGrid::in_box", box)) return {};
   std::vector<std::uint32_t> found;
   if (boxes_.empty()) return found;
   Span span = space::cells_of(box, per_size_);

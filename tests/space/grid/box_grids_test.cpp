@@ -326,6 +326,9 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   EXPECT_EQ(grid.size(), 1u);
   EXPECT_EQ(grid.box(first), boxes[0]);
   EXPECT_EQ(grid.in_box(boxes[1]), std::vector<std::uint32_t>{first});
+  EXPECT_TRUE(grid.in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
+  EXPECT_TRUE(StaticGrid2(std::span(boxes).first(1)).in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
+  EXPECT_THAT(text_of<NonFinite>([&] { (void)grid.in_box(infinite[0]); }), HasSubstr("in_box: box.max.x is inf"));
   EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("cell_size is not above zero"));
   EXPECT_THAT(text_of<Error>([] {
                 LinkedGrid2({{0, 0}, {1e9, 1e9}}, 1);

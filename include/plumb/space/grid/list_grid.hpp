@@ -15,8 +15,9 @@
 // What overlaps a box comes up in each cell that both reach into.  It is told once: by the lowest of these cells, as of
 // pairs, which needs no memory; or by stamps or bits that remember it, which spares the test of boxes.  The
 // lowest cell is as fast, and any number of threads may ask (docs/measurements.md).
-// A cell size that is not above zero, an empty box and a handle that is not in the grid throw InvalidShape; NaN and
-// infinity NonFinite; a grid that would take more than options.most_memory throws Error.
+// A cell size that is not above zero, an empty box that is put in and a handle that is not in the grid throw
+// InvalidShape, an empty box that is asked holds nothing; NaN and infinity throw NonFinite, a grid that would take more
+// than options.most_memory throws Error.
 // Source: RTCD 7.1.2, 7.1.3, 7.1.6, 7.7.1, 7.7.2, 7.7.3.
 // Cost: insert, move and remove in proportion to the cells of the box, and to the boxes in them; a move within the same
 // cells is a copy.
