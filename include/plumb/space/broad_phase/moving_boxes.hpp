@@ -24,7 +24,7 @@
 // A handle that names no box, or one that was removed, throws InvalidShape; so do two boxes for one handle in a call of
 // update; NonFinite and InvalidShape refuse bad boxes, NonFinite regions and rays; spans of different lengths throw
 // UnequalLengths.  Then all is as it was before the call.
-// Source: RTCD 2.4.1, 6.3, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
+// Source: RTCD 2.4.1, 6.3.1, 6.3.2, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
 // Cost: a few ns for each candidate of a box that moves; where most move overlapping_pairs and some 60 ns a box; to
 // make candidates anew, three to four times overlapping_pairs.  Memory for all boxes twice and 20 bytes a candidate.
 #pragma once
