@@ -11,6 +11,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -133,7 +134,7 @@ class Indexed {
     expect(index_.size() == boxes_.size(), name_, "the number of boxes differs");
   }
   template <class Ask>
-  void check_overlapping(const Aabb3& box, const Ask& ask) const {
+  void check_in_box(const Aabb3& box, const Ask& ask) const {
     std::set<Id> found, expected;
     for (const std::uint32_t handle : ask(index_, box))
       expect(ids_.contains(handle) && found.insert(ids_.at(handle)).second, name_, "a box is found twice");
@@ -165,7 +166,23 @@ class Moving {
     expect(!world_.contains(handle), "MovingBoxes", "a handle outlives its box");
     handles_.erase(id);
   }
-  void check(const Boxes& boxes) {
+  void check(const Boxes& boxes, const Aabb3& region) {
+    std::set<Id> inside, expected;
+    for (const BoxHandle& h : world_.in_box(region)) inside.insert(ids_.at(h));
+    std::optional<BoxHandle> first;
+    std::optional<RayParameter> least;
+    const Segment3 segment{region.min, region.max};
+    for (const auto& [id, box] : boxes) {
+      if (count_as_pair(box, region, true)) expected.insert(id);
+      auto t = first_hit_parameter(segment, box);
+      if (!t || (least && (*least < *t || (*least == *t && *first < handles_.at(id))))) continue;
+      first = handles_.at(id);
+      least = std::move(t);
+    }
+    expect(inside == expected, "MovingBoxes", "what is in a box differs");
+    const auto hit = world_.first_hit(segment);
+    expect(hit.has_value() == first.has_value() && (!hit || hit->box == *first), "MovingBoxes",
+           "the first hit differs");
     const BoxPairChanges& changes = world_.changes();
     const auto named = [&](const HandlePair& p) {
       const Id a = ids_.at(p.a), b = ids_.at(p.b);
@@ -227,23 +244,19 @@ void run(Entropy& e) {
   Id next = 0;
   const auto some = [&] { return std::next(boxes.begin(), static_cast<std::ptrdiff_t>(e.below(boxes.size()))); };
   const auto check = [&] {
-    moving.check(boxes);
+    const Aabb3 box = some_box(e, scale);
+    moving.check(boxes, box);
     const auto pairs = [](const auto& index) { return index.pairs(); };
     hierarchical.check_pairs(pairs), rows.check_pairs(pairs), hashed.check_pairs(pairs), linked.check_pairs(pairs);
     lists.check_pairs(pairs), list.check_pairs(pairs);
     for (const bool touching : {true, false}) {
-      loose.check_pairs(
-          [&](const LooseOctree& t) {
-            return t.overlapping_pairs({touching, Execution::serial});
-          },
-          touching);
+      loose.check_pairs([&](const LooseOctree& t) { return t.pairs({touching, Execution::serial}); }, touching);
     }
-    const Aabb3 box = some_box(e, scale);
-    const auto overlapping = [](const auto& grid, const Aabb3& b) { return grid.overlapping(b); };
-    hierarchical.check_overlapping(box, overlapping), rows.check_overlapping(box, overlapping);
-    loose.check_overlapping(box, [](const LooseOctree& t, const Aabb3& b) { return t.boxes_in(b); });
+    const auto in_box = [](const auto& index, const Aabb3& b) { return index.in_box(b); };
+    hierarchical.check_in_box(box, in_box), rows.check_in_box(box, in_box);
+    loose.check_in_box(box, in_box);
     if (scale == Scale::any || scale == Scale::spread) return;  // which reach into too many cells
-    hashed.check_overlapping(box, overlapping), linked.check_overlapping(box, overlapping);
+    hashed.check_in_box(box, in_box), linked.check_in_box(box, in_box);
   };
   for (std::size_t step = 0; step < most_steps && !e.exhausted(); ++step) {
     switch (e.below(8)) {

@@ -222,13 +222,13 @@ void register_all() {
     add("linked", 100'000, [](const Boxes& b) { return filled(LinkedGrid3(around(b), chosen(b)), b); });
   }
   benchmark::RegisterBenchmark("retests/lowest_cell", [](benchmark::State& s) {
-    retests(s, [](const HashedGrid3& g, const Aabb3& b) { return g.overlapping(b); });
+    retests(s, [](const HashedGrid3& g, const Aabb3& b) { return g.in_box(b); });
   });
   benchmark::RegisterBenchmark("retests/stamps", [](benchmark::State& s) {
-    retests(s, [seen = VisitStamps()](const HashedGrid3& g, const Aabb3& b) mutable { return g.overlapping(b, seen); });
+    retests(s, [seen = VisitStamps()](const HashedGrid3& g, const Aabb3& b) mutable { return g.in_box(b, seen); });
   });
   benchmark::RegisterBenchmark("retests/bits", [](benchmark::State& s) {
-    retests(s, [seen = VisitBits()](const HashedGrid3& g, const Aabb3& b) mutable { return g.overlapping(b, seen); });
+    retests(s, [seen = VisitBits()](const HashedGrid3& g, const Aabb3& b) mutable { return g.in_box(b, seen); });
   });
 }
 

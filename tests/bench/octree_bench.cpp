@@ -106,7 +106,7 @@ void loose_pairs(benchmark::State& state) {
   for (auto _ : state) {
     LooseOctree tree(Aabb3{{0, 0, 0}, {2, 2, 2}});
     for (const Aabb3& box : boxes) tree.insert(box);
-    benchmark::DoNotOptimize(tree.overlapping_pairs({.execution = Execution::serial}).data());
+    benchmark::DoNotOptimize(tree.pairs({.execution = Execution::serial}).data());
   }
   count(state, boxes.size());
 }

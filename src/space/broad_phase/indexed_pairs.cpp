@@ -63,14 +63,14 @@ struct Search {
     for (std::size_t part = 0; part < parts; ++part) tell_part(part);
   }
 
-  /// Of two sets: overlapping(box) tells which boxes of a overlap one of b.
-  template <class Overlapping>
-  void ask(const Overlapping& overlapping) const {
+  /// Of two sets: found(box) tells which boxes of a make a pair with one of b.
+  template <class Found>
+  void ask(const Found& found) const {
     constexpr std::size_t in_part = 256;
     by_parts(blocks_of(b.size(), in_part), [&](std::size_t part, std::vector<BoxPair>& pairs) {
       for (std::size_t j = part * in_part, end = std::min(b.size(), j + in_part); j < end; ++j) {
         const auto number = static_cast<std::uint32_t>(a.size() + j);
-        for (const std::uint32_t i : overlapping(b[j])) pairs.push_back({i, number});
+        for (const std::uint32_t i : found(b[j])) pairs.push_back({i, number});
       }
     });
   }
@@ -79,7 +79,7 @@ struct Search {
   template <class Grid>
   void by_grid(const Grid& grid) const {
     if (is_one_set()) return tell(grid.pairs(pair_options()), 1);
-    ask([&](const Box& box) { return grid.overlapping(box, options.touching); });
+    ask([&](const Box& box) { return grid.in_box(box, {.touching = options.touching}); });
   }
   /// By a grid that boxes are put into.
   template <class Grid>
@@ -101,14 +101,14 @@ struct Search {
   void by_octree(CellRule rule) const {
     const auto tree = octree_of(a, {.rule = rule, .execution = options.execution});
     if (is_one_set()) return tell(overlapping_pairs(tree, pair_options()), 1);
-    ask([&](const Box& box) { return asked_for(boxes_in(tree, box), box); });
+    ask([&](const Box& box) { return asked_for(in_box(tree, box), box); });
   }
 
   void by_loose_octree() const {
     LooseCells<axes_of<Box>> tree(box_around(a));
     for (const Box& box : a) tree.insert(box);
-    if (is_one_set()) return tell(tree.overlapping_pairs(pair_options()), 1);
-    ask([&](const Box& box) { return asked_for(tree.boxes_in(box), box); });
+    if (is_one_set()) return tell(tree.pairs(pair_options()), 1);
+    ask([&](const Box& box) { return asked_for(tree.in_box(box), box); });
   }
 
   void by_kd_tree() const {

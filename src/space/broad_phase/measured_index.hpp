@@ -135,7 +135,7 @@ double measured_nanoseconds(BroadPhaseMethod method, bool is_kept, std::span<con
   if (method == Method::hierarchical_grid) return by_grid(HierarchicalGrid<Box>());
   if (method == Method::row_column_grid) return by_grid(RowColumnGrid<Box>());
   return nanoseconds_of_moving(LooseCells<axes_of<Box>>(box_around(boxes)), scene,
-                               [&](const auto& tree) { (void)tree.overlapping_pairs(serial); });
+                               [&](const auto& tree) { (void)tree.pairs(serial); });
 }
 
 }  // namespace plumb::space

@@ -5,8 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/aabb/relation.hpp"
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
+#include "query/ray/numbers.hpp"
+#include "space/broad_phase/asked_boxes.hpp"
 #include "space/broad_phase/candidates.hpp"
 #include "space/broad_phase/pair_rows.hpp"
 #include "space/bvh/checked_box.hpp"
@@ -34,12 +38,15 @@ void require_box(std::string_view function, std::string_view name, const Aabb3& 
 }  // namespace
 
 struct MovingBoxes::State {
+  explicit State(const MovingBoxesOptions& o) : options(o), asked(o.margin) {}
+
   MovingBoxesOptions options;
   std::vector<Aabb3> boxes;  // of each slot
   std::vector<std::uint32_t> generation;
   std::vector<std::uint8_t> alive, updated;  // updated: since the last call of changes()
   std::vector<std::uint32_t> free, removed, moved;
   std::size_t size = 0;
+  space::AskedBoxes asked;
   space::Candidates candidates;
   BoxPairChanges changes;
   // In place of candidates, where all pairs were found from scratch when they were last told.
@@ -292,12 +299,12 @@ void MovingBoxes::State::choose(MovingWork& work, std::size_t escaped, std::size
   if (work.made_anew) lost_by_scratch = 0;
 }
 
-MovingBoxes::MovingBoxes(const MovingBoxesOptions& options) : state_(std::make_unique<State>()) {
+MovingBoxes::MovingBoxes(const MovingBoxesOptions& options) {
   if (!(options.margin >= 0 && options.margin <= 100)) {
     throw InvalidShape("MovingBoxes: options.margin is " + std::to_string(options.margin) +
                        ", but it must lie from 0 to 100");
   }
-  state_->options = options;
+  state_ = std::make_unique<State>(options);
 }
 MovingBoxes::MovingBoxes(MovingBoxes&&) noexcept = default;
 MovingBoxes& MovingBoxes::operator=(MovingBoxes&&) noexcept = default;
@@ -320,6 +327,7 @@ BoxHandle MovingBoxes::insert(const Aabb3& box) {
   ++s.size;
   s.escapes_expected += 1;
   s.mark(slot);
+  s.asked.note_inserted(slot);
   return s.handle(slot);
 }
 
@@ -337,6 +345,7 @@ void MovingBoxes::remove(const BoxHandle& handle) {
   s.alive[handle.slot] = 0;
   s.removed.push_back(handle.slot);
   --s.size;
+  s.asked.note_removed(handle.slot);
 }
 
 void MovingBoxes::update(const BoxHandle& handle, const Aabb3& box) {
@@ -370,6 +379,7 @@ void MovingBoxes::update(std::span<const BoxHandle> handles, std::span<const Aab
     if (s.has_rows) s.expect_escape(handles[i].slot, boxes[i]);
     s.boxes[handles[i].slot] = boxes[i];
     s.mark(handles[i].slot);
+    s.asked.note_moved(handles[i].slot, boxes[i]);
   }
 }
 
@@ -428,6 +438,25 @@ std::vector<HandlePair> MovingBoxes::pairs() const {
   state_->for_each_met([&](std::uint32_t a, std::uint32_t b) { pairs.push_back(state_->pair(a, b)); });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+std::vector<BoxHandle> MovingBoxes::in_box(const Aabb3& box, const InBoxOptions& options) const {
+  const State& s = *state_;
+  figure::require_finite_parts<Point3, Point3>("MovingBoxes::in_box", {"box.min", "box.max"}, box.min, box.max);
+  if (is_empty(box)) return {};
+  std::vector<BoxHandle> handles;
+  for (const std::uint32_t slot : s.asked.in_box({s.boxes, s.alive}, box, options.touching)) {
+    handles.push_back(s.handle(slot));
+  }
+  return handles;
+}
+
+std::optional<HandleHit> MovingBoxes::first_hit(const AnyRay& ray) const {
+  const State& s = *state_;
+  if (!query::is_sound(ray)) query::require_ray("MovingBoxes::first_hit", ray);
+  const auto hit = s.asked.first_hit({s.boxes, s.alive}, ray);
+  if (!hit) return {};
+  return HandleHit{s.handle(hit->slot), hit->hit};
 }
 
 }  // namespace plumb

@@ -124,7 +124,7 @@ std::array<Point3, 3> PortalCells::plane_before(std::uint32_t portal, std::uint3
 std::vector<std::uint32_t> PortalCells::cells_holding(const Point3& point) const {
   std::vector<std::uint32_t> found;
   figure::require_finite_parts<Point3>("PortalCells::cells_holding", {"point"}, point);
-  for (const std::uint32_t cell : boxes_in(boxes_, {point, point})) {
+  for (const std::uint32_t cell : in_box(boxes_, {point, point})) {
     if (contains(cells_[cell], point)) found.push_back(cell);
   }
   return found;

@@ -15,27 +15,33 @@ namespace plumb::space {
 /// What one task looks through.
 inline constexpr std::size_t boxes_in_part = 1024;
 
-/// Throws NonFinite and InvalidShape, naming the function and the box.
+/// Finite and not empty?
 template <class Box>
-void require_grid_box(const std::string& function, const std::string& name, const Box& box) {
+bool is_sound_box(const Box& box) {
   const auto min = coordinates(box.min), max = coordinates(box.max);
   constexpr double most = std::numeric_limits<double>::max();
   bool sound = true;  // a NaN fails every comparison
   for (std::size_t a = 0; a < min.size(); ++a) sound &= -most <= min[a] && min[a] <= max[a] && max[a] <= most;
-  if (sound) [[likely]]
-    return;
+  return sound;
+}
+/// Of a box that is asked: is it not empty?  Throws NonFinite, naming the function.
+template <class Box>
+bool may_hold(const std::string& function, const Box& box, const std::string& name = "box") {
+  if (is_sound_box(box)) [[likely]]
+    return true;
   const std::string low = name + ".min", high = name + ".max";
   figure::require_finite_parts<decltype(box.min), decltype(box.max)>(function, {low, high}, box.min, box.max);
-  throw InvalidShape(function + ": " + name + " is empty; leave it out");
+  return false;
+}
+/// Throws NonFinite and InvalidShape, naming the function and the box.
+template <class Box>
+void require_grid_box(const std::string& function, const std::string& name, const Box& box) {
+  if (!may_hold(function, box, name)) throw InvalidShape(function + ": " + name + " is empty; leave it out");
 }
 template <class Box>
 void require_grid_boxes(const std::string& function, std::span<const Box> boxes) {
-  constexpr double most = std::numeric_limits<double>::max();
   bool sound = boxes.size() < std::numeric_limits<std::uint32_t>::max();
-  for (const Box& box : boxes) {
-    const auto min = coordinates(box.min), max = coordinates(box.max);
-    for (std::size_t a = 0; a < min.size(); ++a) sound &= -most <= min[a] && min[a] <= max[a] && max[a] <= most;
-  }
+  for (const Box& box : boxes) sound &= is_sound_box(box);
   if (sound) return;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     require_grid_box(function, "boxes[" + std::to_string(i) + "]", boxes[i]);

@@ -60,7 +60,7 @@ void HierarchicalGrid<Box>::grow() {
   if (boxes_.size() < heads_.size() / 2) return;
   heads_.assign(heads_.size() * 4, none);
   for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-    if (holds(i)) link(i);
+    if (contains(i)) link(i);
   }
 }
 
@@ -79,7 +79,7 @@ void HierarchicalGrid<Box>::count(int level, bool more) {
 
 template <class Box>
 std::uint32_t HierarchicalGrid<Box>::insert(const Box& box) {
-  space::require_grid_box("HierarchicalGrid.insert", "box", box);
+  space::require_grid_box("HierarchicalGrid::insert", "box", box);
   const auto [level, span] = space::place_in_levels(box, options_.least_level);
   grow();
   if (boxes_.next() == entries_.size()) entries_.push_back({});
@@ -92,7 +92,7 @@ std::uint32_t HierarchicalGrid<Box>::insert(const Box& box) {
 
 template <class Box>
 void HierarchicalGrid<Box>::remove(std::uint32_t handle) {
-  if (!holds(handle)) throw space::not_in_grid("HierarchicalGrid.remove", handle);
+  if (!contains(handle)) throw space::not_in_grid("HierarchicalGrid::remove", handle);
   unlink(handle);
   count(entries_[handle].level, false);
   boxes_.release(handle);
@@ -100,8 +100,8 @@ void HierarchicalGrid<Box>::remove(std::uint32_t handle) {
 
 template <class Box>
 void HierarchicalGrid<Box>::move(std::uint32_t handle, const Box& box) {
-  if (!holds(handle)) throw space::not_in_grid("HierarchicalGrid.move", handle);
-  space::require_grid_box("HierarchicalGrid.move", "box", box);
+  if (!contains(handle)) throw space::not_in_grid("HierarchicalGrid::move", handle);
+  space::require_grid_box("HierarchicalGrid::move", "box", box);
   const auto [level, span] = space::place_in_levels(box, options_.least_level);
   Entry& entry = entries_[handle];
   if (level != entry.level || span.first != entry.span.first) {
@@ -152,11 +152,11 @@ template <class Box>
 std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options) const {
   const std::size_t parts = (entries_.size() + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);
-  space::for_parts("HierarchicalGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
+  space::for_parts("HierarchicalGrid::pairs", options.execution, {}, parts, [&](std::size_t part) {
     const std::size_t end = std::min(entries_.size(), (part + 1) * space::boxes_in_part);
     for (std::size_t i = part * space::boxes_in_part; i < end; ++i) {
       const auto a = static_cast<std::uint32_t>(i);
-      if (holds(a)) pairs_of(a, options.touching, found[part]);
+      if (contains(a)) pairs_of(a, options.touching, found[part]);
     }
   });
   std::vector<BoxPair> out;
@@ -165,11 +165,11 @@ std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options)
 }
 
 template <class Box>
-std::vector<std::uint32_t> HierarchicalGrid<Box>::overlapping(const Box& box, bool touching) const {
-  space::require_grid_box("HierarchicalGrid.overlapping", "box", box);
+std::vector<std::uint32_t> HierarchicalGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
+  if (!space::may_hold("HierarchicalGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   const auto test = [&](std::uint32_t b) {
-    if (space::is_pair(box, boxes_[b], touching)) out.push_back(b);
+    if (space::is_pair(box, boxes_[b], options.touching)) out.push_back(b);
   };
   double cells = 0;
   for (const Level& l : levels_) {
@@ -177,7 +177,7 @@ std::vector<std::uint32_t> HierarchicalGrid<Box>::overlapping(const Box& box, bo
   }
   if (cells > static_cast<double>(entries_.size())) {  // more cells than boxes
     for (std::uint32_t b = 0; b < entries_.size(); ++b) {
-      if (holds(b)) test(b);
+      if (contains(b)) test(b);
     }
     return out;
   }

@@ -25,10 +25,10 @@ ImplicitGrid<Box>::ImplicitGrid(double cell_size, const ImplicitGridOptions& opt
 
 template <class Box>
 std::uint32_t ImplicitGrid<Box>::insert(const Box& box) {
-  space::require_grid_box("ImplicitGrid.insert", "box", box);
+  space::require_grid_box("ImplicitGrid::insert", "box", box);
   if (boxes_.next() >= rows_.slots()) {
     const std::size_t slots = std::bit_ceil(std::size_t{boxes_.next()} + 1);
-    space::require_memory("ImplicitGrid.insert", space::BitRows<n>::memory_of(options_.rows, slots),
+    space::require_memory("ImplicitGrid::insert", space::BitRows<n>::memory_of(options_.rows, slots),
                           {.most_memory = options_.most_memory});
     rows_.reserve(slots);
   }
@@ -39,15 +39,15 @@ std::uint32_t ImplicitGrid<Box>::insert(const Box& box) {
 
 template <class Box>
 void ImplicitGrid<Box>::remove(std::uint32_t handle) {
-  if (!holds(handle)) throw space::not_in_grid("ImplicitGrid.remove", handle);
+  if (!contains(handle)) throw space::not_in_grid("ImplicitGrid::remove", handle);
   rows_.set(handle, space::cells_of(boxes_[handle], per_size_), false);
   boxes_.release(handle);
 }
 
 template <class Box>
 void ImplicitGrid<Box>::move(std::uint32_t handle, const Box& box) {
-  if (!holds(handle)) throw space::not_in_grid("ImplicitGrid.move", handle);
-  space::require_grid_box("ImplicitGrid.move", "box", box);
+  if (!contains(handle)) throw space::not_in_grid("ImplicitGrid::move", handle);
+  space::require_grid_box("ImplicitGrid::move", "box", box);
   const auto from = space::cells_of(boxes_[handle], per_size_), to = space::cells_of(box, per_size_);
   if (from != to) {
     rows_.set(handle, from, false);
@@ -60,12 +60,12 @@ template <class Box>
 std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options) const {
   const std::size_t all = boxes_.numbers(), parts = (all + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);
-  space::for_parts("ImplicitGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
+  space::for_parts("ImplicitGrid::pairs", options.execution, {}, parts, [&](std::size_t part) {
     std::vector<std::uint64_t> both, one;
     const std::size_t end = part + 1 == parts ? all : (part + 1) * space::boxes_in_part;
     for (std::size_t i = part * space::boxes_in_part; i < end; ++i) {
       const auto a = static_cast<std::uint32_t>(i);
-      if (!holds(a)) continue;
+      if (!contains(a)) continue;
       rows_.for_common(space::cells_of(boxes_[a], per_size_), i + 1, all, both, one, [&](std::size_t j) {
         const auto b = static_cast<std::uint32_t>(j);
         if (space::is_pair(boxes_[a], boxes_[b], options.touching)) found[part].push_back({a, b});
@@ -78,13 +78,13 @@ std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options) con
 }
 
 template <class Box>
-std::vector<std::uint32_t> ImplicitGrid<Box>::overlapping(const Box& box, bool touching) const {
-  space::require_grid_box("ImplicitGrid.overlapping", "box", box);
+std::vector<std::uint32_t> ImplicitGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
+  if (!space::may_hold("ImplicitGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   std::vector<std::uint64_t> both, one;
   rows_.for_common(space::cells_of(box, per_size_), 0, boxes_.numbers(), both, one, [&](std::size_t j) {
     const auto b = static_cast<std::uint32_t>(j);
-    if (space::is_pair(box, boxes_[b], touching)) out.push_back(b);
+    if (space::is_pair(box, boxes_[b], options.touching)) out.push_back(b);
   });
   return out;
 }

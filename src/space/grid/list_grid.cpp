@@ -121,9 +121,9 @@ void ListGrid<Box, table>::unlink(std::uint32_t handle) {
 
 template <class Box, CellTable table>
 std::uint32_t ListGrid<Box, table>::insert(const Box& box) {
-  space::require_grid_box("ListGrid.insert", "box", box);
+  space::require_grid_box("ListGrid::insert", "box", box);
   const Span span = span_of(box);
-  require_room("ListGrid.insert", span);
+  require_room("ListGrid::insert", span);
   grow(static_cast<std::size_t>(space::cell_count(span)));
   if (boxes_.next() == spans_.size()) spans_.push_back(span);
   const std::uint32_t handle = boxes_.add(box);
@@ -134,18 +134,18 @@ std::uint32_t ListGrid<Box, table>::insert(const Box& box) {
 
 template <class Box, CellTable table>
 void ListGrid<Box, table>::remove(std::uint32_t handle) {
-  if (!holds(handle)) throw space::not_in_grid("ListGrid.remove", handle);
+  if (!contains(handle)) throw space::not_in_grid("ListGrid::remove", handle);
   unlink(handle);
   boxes_.release(handle);
 }
 
 template <class Box, CellTable table>
 void ListGrid<Box, table>::move(std::uint32_t handle, const Box& box) {
-  if (!holds(handle)) throw space::not_in_grid("ListGrid.move", handle);
-  space::require_grid_box("ListGrid.move", "box", box);
+  if (!contains(handle)) throw space::not_in_grid("ListGrid::move", handle);
+  space::require_grid_box("ListGrid::move", "box", box);
   const Span span = span_of(box);
   if (span != spans_[handle]) {
-    require_room("ListGrid.move", span);
+    require_room("ListGrid::move", span);
     grow(static_cast<std::size_t>(space::cell_count(span)));
     unlink(handle);
     spans_[handle] = span;
@@ -175,7 +175,7 @@ std::vector<BoxPair> ListGrid<Box, table>::pairs(const BoxPairOptions& options) 
 template <class Box, CellTable table>
 template <class Seen>
 std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touching, Seen& seen) const {
-  space::require_grid_box("ListGrid.overlapping", "box", box);
+  if (!space::may_hold("ListGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   fit(seen, boxes_.numbers());
   const Span span = span_of(box);
@@ -206,17 +206,19 @@ std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touc
 }
 
 template <class Box, CellTable table>
-std::vector<std::uint32_t> ListGrid<Box, table>::overlapping(const Box& box, bool touching) const {
+std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, const InBoxOptions& options) const {
   LowestCell nothing;
-  return found(box, touching, nothing);
+  return found(box, options.touching, nothing);
 }
 template <class Box, CellTable table>
-std::vector<std::uint32_t> ListGrid<Box, table>::overlapping(const Box& box, VisitStamps& seen, bool touching) const {
-  return found(box, touching, seen);
+std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, VisitStamps& seen,
+                                                        const InBoxOptions& options) const {
+  return found(box, options.touching, seen);
 }
 template <class Box, CellTable table>
-std::vector<std::uint32_t> ListGrid<Box, table>::overlapping(const Box& box, VisitBits& seen, bool touching) const {
-  return found(box, touching, seen);
+std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, VisitBits& seen,
+                                                        const InBoxOptions& options) const {
+  return found(box, options.touching, seen);
 }
 
 template <class Box, CellTable table>

@@ -62,9 +62,9 @@ void RowColumnGrid<Box>::take(std::uint32_t handle) {
 
 template <class Box>
 std::uint32_t RowColumnGrid<Box>::insert(const Box& box) {
-  space::require_grid_box("RowColumnGrid.insert", "box", box);
+  space::require_grid_box("RowColumnGrid::insert", "box", box);
   const auto [level, span] = space::place_in_levels(box, options_.least_level);
-  Level& at = level_with_room("RowColumnGrid.insert", level);
+  Level& at = level_with_room("RowColumnGrid::insert", level);
   if (boxes_.next() == places_.size()) places_.push_back({});
   const std::uint32_t handle = boxes_.add(box);
   put(handle, at, span);
@@ -73,20 +73,20 @@ std::uint32_t RowColumnGrid<Box>::insert(const Box& box) {
 
 template <class Box>
 void RowColumnGrid<Box>::remove(std::uint32_t handle) {
-  if (!holds(handle)) throw space::not_in_grid("RowColumnGrid.remove", handle);
+  if (!contains(handle)) throw space::not_in_grid("RowColumnGrid::remove", handle);
   take(handle);
   boxes_.release(handle);
 }
 
 template <class Box>
 void RowColumnGrid<Box>::move(std::uint32_t handle, const Box& box) {
-  if (!holds(handle)) throw space::not_in_grid("RowColumnGrid.move", handle);
-  space::require_grid_box("RowColumnGrid.move", "box", box);
+  if (!contains(handle)) throw space::not_in_grid("RowColumnGrid::move", handle);
+  space::require_grid_box("RowColumnGrid::move", "box", box);
   const auto [level, span] = space::place_in_levels(box, options_.least_level);
   if (level != places_[handle].level || span != space::cells_of(boxes_[handle], space::per_level_size(level))) {
-    level_with_room("RowColumnGrid.move", level);  // may throw, and move the levels
+    level_with_room("RowColumnGrid::move", level);  // may throw, and move the levels
     take(handle);
-    put(handle, level_with_room("RowColumnGrid.move", level), span);
+    put(handle, level_with_room("RowColumnGrid::move", level), span);
   }
   boxes_[handle] = box;
 }
@@ -107,12 +107,12 @@ template <class Box>
 std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options) const {
   const std::size_t all = places_.size(), parts = (all + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);
-  space::for_parts("RowColumnGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
+  space::for_parts("RowColumnGrid::pairs", options.execution, {}, parts, [&](std::size_t part) {
     Scratch scratch;
     std::vector<std::uint32_t> others;
     for (std::size_t i = part * space::boxes_in_part, end = std::min(all, i + space::boxes_in_part); i < end; ++i) {
       const auto a = static_cast<std::uint32_t>(i);
-      if (!holds(a)) continue;
+      if (!contains(a)) continue;
       others.clear();
       for_overlapping(boxes_[a], options.touching, scratch, [&](std::uint32_t b) {
         if (a < b) others.push_back(b);
@@ -127,11 +127,11 @@ std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options) co
 }
 
 template <class Box>
-std::vector<std::uint32_t> RowColumnGrid<Box>::overlapping(const Box& box, bool touching) const {
-  space::require_grid_box("RowColumnGrid.overlapping", "box", box);
+std::vector<std::uint32_t> RowColumnGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
+  if (!space::may_hold("RowColumnGrid::in_box", box)) return {};
   std::vector<std::uint32_t> out;
   Scratch scratch;
-  for_overlapping(box, touching, scratch, [&](std::uint32_t b) { out.push_back(b); });
+  for_overlapping(box, options.touching, scratch, [&](std::uint32_t b) { out.push_back(b); });
   std::sort(out.begin(), out.end());
   return out;
 }

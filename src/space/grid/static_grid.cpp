@@ -109,7 +109,7 @@ std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options) const
                ? cells()
                : static_cast<std::size_t>(std::lower_bound(starts_.begin(), starts_.end(), entry) - starts_.begin());
   };
-  space::for_parts("StaticGrid.pairs", options.execution, {}, parts, [&](std::size_t part) {
+  space::for_parts("StaticGrid::pairs", options.execution, {}, parts, [&](std::size_t part) {
     std::vector<Member> members;
     for (std::size_t c = first_cell(part), end = first_cell(part + 1); c < end; ++c) {
       pairs_in(c, options.touching, members, found[part]);
@@ -137,7 +137,7 @@ bool StaticGrid<Box>::clip(Span& span) const {
 
 template <class Box>
 std::vector<std::size_t> StaticGrid<Box>::cells_meeting(const Box& box) const {
-  space::require_grid_box("StaticGrid.cells_meeting", "box", box);
+  space::require_grid_box("StaticGrid::cells_meeting", "box", box);
   std::vector<std::size_t> cells;
   Span span = space::cells_of(box, per_size_);
   if (boxes_.empty() || !clip(span)) return cells;
@@ -154,8 +154,8 @@ std::size_t StaticGrid<Box>::cell_of_pair(const Box& a, const Box& b) const {
 }
 
 template <class Box>
-std::vector<std::uint32_t> StaticGrid<Box>::overlapping(const Box& box, bool touching) const {
-  space::require_grid_box("StaticGrid.overlapping", "box", box);
+std::vector<std::uint32_t> StaticGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
+  if (!space::may_hold("StaticGrid::in_box", box)) return {};
   std::vector<std::uint32_t> found;
   if (boxes_.empty()) return found;
   Span span = space::cells_of(box, per_size_);
@@ -165,7 +165,8 @@ std::vector<std::uint32_t> StaticGrid<Box>::overlapping(const Box& box, bool tou
     const std::size_t slice = slice_of(cell);
     for (std::size_t i = starts_[slice]; i < starts_[slice + 1]; ++i) {
       const std::uint32_t number = numbers_[i];
-      if (space::is_pair(box, boxes_[number], touching) && space::is_lowest_cell(cell, first, spans_[number].first)) {
+      if (space::is_pair(box, boxes_[number], options.touching) &&
+          space::is_lowest_cell(cell, first, spans_[number].first)) {
         found.push_back(number);
       }
     }

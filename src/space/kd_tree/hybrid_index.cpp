@@ -54,11 +54,11 @@ bool tells_of(const TreeOfGrids<Box>& index, std::size_t leaf, const Box& a, con
 /// What an index of a part answers: places of boxes that may meet, all that do among them.
 template <std::size_t d, class Box>
 std::vector<std::uint32_t> places_of(const BoxCells<d>& tree, const Box& box) {
-  return boxes_in(tree, box);
+  return in_box(tree, box);
 }
 template <class Box>
 std::vector<std::uint32_t> places_of(const StaticGrid<Box>& grid, const Box& box) {
-  return grid.overlapping(box);
+  return grid.in_box(box);
 }
 template <std::size_t d>
 std::vector<BoxPair> pairs_of(const BoxCells<d>& tree) {

@@ -82,7 +82,7 @@ bool begins_in(const BoxOf<D>& cell, const BoxOf<D>& a, const BoxOf<D>& b) {
 template <std::size_t D>
 std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& box) {
   std::vector<std::uint32_t> found;
-  figure::require_finite_parts<decltype(box.min), decltype(box.max)>("boxes_in", {"box.min", "box.max"}, box.min,
+  figure::require_finite_parts<decltype(box.min), decltype(box.max)>("in_box", {"box.min", "box.max"}, box.min,
                                                                      box.max);
   if (is_empty(box)) return found;
   space::visit_seen_cells(tree.cells, box, [&](std::uint32_t node) {
@@ -177,8 +177,8 @@ BoxOctree build_octree(std::span<const Aabb3> boxes, const BoxOctreeOptions& opt
 BoxQuadtree build_quadtree(std::span<const Aabb2> boxes, const BoxOctreeOptions& options) {
   return cells_of_boxes<2>("build_quadtree", boxes, options);
 }
-std::vector<std::uint32_t> boxes_in(const BoxOctree& tree, const Aabb3& box) { return found_boxes<3>(tree, box); }
-std::vector<std::uint32_t> boxes_in(const BoxQuadtree& tree, const Aabb2& box) { return found_boxes<2>(tree, box); }
+std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box) { return found_boxes<3>(tree, box); }
+std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box) { return found_boxes<2>(tree, box); }
 std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options) {
   return found_pairs<3>(tree, options);
 }

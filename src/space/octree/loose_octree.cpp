@@ -148,7 +148,7 @@ void LooseCells<D>::unlink(std::uint32_t handle) {
 
 template <std::size_t D>
 void LooseCells<D>::require_held(std::string_view function, std::uint32_t handle) const {
-  if (holds(handle)) return;
+  if (contains(handle)) return;
   throw Error("LooseOctree::" + std::string(function) + ": handle " + std::to_string(handle) +
               " holds no box; it was removed, or never given");
 }
@@ -237,9 +237,9 @@ void LooseCells<D>::visit_cells(const Box& box, unsigned deepest, const Visit& v
 }
 
 template <std::size_t D>
-std::vector<std::uint32_t> LooseCells<D>::boxes_in(const Box& box) const {
+std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box) const {
   std::vector<std::uint32_t> found;
-  figure::require_finite_parts<decltype(box.min), decltype(box.max)>("LooseOctree::boxes_in", {"box.min", "box.max"},
+  figure::require_finite_parts<decltype(box.min), decltype(box.max)>("LooseOctree::in_box", {"box.min", "box.max"},
                                                                      box.min, box.max);
   if (is_empty(box)) return found;
   visit_cells(box, CellFrame<D>::levels, [&](const Cell& cell, unsigned) {
@@ -252,7 +252,7 @@ std::vector<std::uint32_t> LooseCells<D>::boxes_in(const Box& box) const {
 }
 
 template <std::size_t D>
-std::vector<BoxPair> LooseCells<D>::overlapping_pairs(const BoxPairOptions& options) const {
+std::vector<BoxPair> LooseCells<D>::pairs(const BoxPairOptions& options) const {
   constexpr std::size_t item_block = 256;
   std::vector<std::vector<BoxPair>> parts(space::blocks_of(items_.size(), item_block));
   const auto of_item = [&](std::uint32_t i, std::vector<BoxPair>& pairs) {

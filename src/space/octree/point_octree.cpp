@@ -49,7 +49,7 @@ PointCells<D> cells_of_points(std::string_view function, std::span<const typenam
 template <std::size_t D>
 std::vector<std::uint32_t> found_points(const PointCells<D>& tree, const typename CellKinds<D>::Box& box) {
   std::vector<std::uint32_t> found;
-  figure::require_finite_parts<decltype(box.min), decltype(box.max)>("points_in", {"box.min", "box.max"}, box.min,
+  figure::require_finite_parts<decltype(box.min), decltype(box.max)>("in_box", {"box.min", "box.max"}, box.min,
                                                                      box.max);
   if (is_empty(box)) return found;
   space::visit_seen_cells(tree.cells, box, [&](std::uint32_t node) {
@@ -71,7 +71,7 @@ PointOctree build_octree(std::span<const Point3> points, const OctreeOptions& op
 PointQuadtree build_quadtree(std::span<const Point2> points, const OctreeOptions& options) {
   return cells_of_points<2>("build_quadtree", points, options);
 }
-std::vector<std::uint32_t> points_in(const PointOctree& tree, const Aabb3& box) { return found_points<3>(tree, box); }
-std::vector<std::uint32_t> points_in(const PointQuadtree& tree, const Aabb2& box) { return found_points<2>(tree, box); }
+std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box) { return found_points<3>(tree, box); }
+std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box) { return found_points<2>(tree, box); }
 
 }  // namespace plumb

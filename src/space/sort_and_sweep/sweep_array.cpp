@@ -31,7 +31,9 @@ struct SweepArray::State {
   }
 };
 
-SweepArray::SweepArray(bool touching) : state_(std::make_unique<State>()) { state_->touching = touching; }
+SweepArray::SweepArray(const SweepArrayOptions& options) : state_(std::make_unique<State>()) {
+  state_->touching = options.touching;
+}
 SweepArray::SweepArray(SweepArray&&) noexcept = default;
 SweepArray& SweepArray::operator=(SweepArray&&) noexcept = default;
 SweepArray::~SweepArray() = default;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <set>
@@ -10,6 +11,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/aabb/relation.hpp"
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
 #include "plumb/space/pairs/brute_force_pairs.hpp"
 #include "space/pairs/box_scenes.hpp"
@@ -177,6 +179,61 @@ TEST(MovingBoxes, RefuseWhatIsNotThereAndStayAsTheyWere) {
   world.update(std::span<const BoxHandle>(twice).first(2), std::span<const Aabb3>(far_ones).first(2));
   EXPECT_TRUE(world.changes().lost.empty());
   EXPECT_THAT(text_of<InvalidShape>([] { MovingBoxes({.margin = -1}); }), HasSubstr("options.margin is -1"));
+}
+
+TEST(MovingBoxes, AreAskedByRegionsAndRaysAsTheyAreNow) {
+  constexpr Aabb3 unit{{0, 0, 0}, {1, 1, 1}}, next{{1, 0, 0}, {2, 1, 1}};
+  const Ray3 along{{-1, 0.5, 1}, {1, 0, 0}};
+  MovingBoxes world;
+  EXPECT_TRUE(world.in_box(unit).empty());
+  EXPECT_FALSE(world.first_hit(along));
+  const BoxHandle a = world.insert(next), b = world.insert(unit), c = world.insert(unit);
+  EXPECT_EQ(world.in_box(unit), (std::vector<BoxHandle>{a, b, c}));
+  EXPECT_EQ(world.in_box(unit, {.touching = false}), (std::vector<BoxHandle>{b, c}));
+  EXPECT_EQ(world.first_hit(along)->box, b);
+  EXPECT_EQ(world.first_hit(along)->hit, *first_hit(along, unit));
+  world.remove(b);
+  EXPECT_EQ(world.first_hit(along)->box, c);
+  world.update(c, next);
+  EXPECT_EQ(world.first_hit(along)->box, a);
+  EXPECT_FALSE(world.first_hit(Segment3{{-1, 0.5, 1}, {std::nextafter(1, 0), 0.5, 1}}));
+  EXPECT_TRUE(world.in_box({{1, 0, 0}, {0, 1, 1}}).empty());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(text_of<NonFinite>([&] {
+                (void)world.in_box({{0, 0, 0}, {1, nan, 1}});
+              }),
+              HasSubstr("MovingBoxes::in_box: box.max.y is nan"));
+  EXPECT_THAT(text_of<NonFinite>([&] {
+                (void)MovingBoxes().first_hit(Ray3{{nan, 0, 0}, {1, 0, 0}});
+              }),
+              HasSubstr("MovingBoxes::first_hit: ray.origin.x is nan"));
+}
+
+// Threads that ask together, one of which makes the tree.
+TEST(MovingBoxes, AnswerManyThreadsAlike) {
+  Entropy e(2053);
+  MovingBoxes world;
+  const auto boxes = box_scenes::boxes_of(Scene::uniform, e, 300);
+  const std::vector<BoxHandle> handles = world.insert(boxes);
+  std::vector<std::vector<BoxHandle>> found(400);
+  std::vector<std::optional<HandleHit>> hits(found.size());
+  const auto region = [&](std::size_t i) { return moved(boxes[i % boxes.size()], 0.5, 0, -0.5); };
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    found[i] = world.in_box(region(i));
+    hits[i] = world.first_hit(Segment3{boxes[i % 300].min, boxes[i * 7 % 300].max});
+  });
+  std::size_t hit = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_EQ(found[i], found[i % 300]) << i;
+    std::vector<BoxHandle> expected;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      if (relate(boxes[k], region(i)) != Relation::disjoint) expected.push_back(handles[k]);
+    }
+    ASSERT_EQ(found[i], expected) << i;
+    ASSERT_EQ(hits[i], world.first_hit(Segment3{boxes[i % 300].min, boxes[i * 7 % 300].max})) << i;
+    hit += hits[i] ? 1 : 0;
+  }
+  EXPECT_GT(hit, 100u);
 }
 
 }  // namespace

@@ -133,20 +133,20 @@ void expect_pairs(const Grid& grid, const std::vector<Box>& boxes, const std::ve
 }
 
 template <class Grid, class Box>
-void expect_overlapping(const Grid& grid, const std::vector<Box>& boxes, const std::vector<char>& there, const Box& box,
-                        const std::string& what) {
+void expect_in_box(const Grid& grid, const std::vector<Box>& boxes, const std::vector<char>& there, const Box& box,
+                   const std::string& what) {
   for (const bool touching : {true, false}) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t b = 0; b < boxes.size(); ++b) {
       const Relation r = relate(box, boxes[b]);
       if (there[b] != 0 && (touching ? r != Relation::disjoint : r == Relation::overlapping)) expected.push_back(b);
     }
-    ASSERT_EQ(grid.overlapping(box, touching), expected) << what;
-    if constexpr (requires(VisitBits bits) { grid.overlapping(box, bits, touching); }) {
+    ASSERT_EQ(grid.in_box(box, {.touching = touching}), expected) << what;
+    if constexpr (requires(VisitBits bits) { grid.in_box(box, bits, {.touching = touching}); }) {
       static VisitStamps stamps;
       static VisitBits bits;
-      ASSERT_EQ(grid.overlapping(box, stamps, touching), expected) << what;
-      ASSERT_EQ(grid.overlapping(box, bits, touching), expected) << what;
+      ASSERT_EQ(grid.in_box(box, stamps, {.touching = touching}), expected) << what;
+      ASSERT_EQ(grid.in_box(box, bits, {.touching = touching}), expected) << what;
     }
   }
 }
@@ -169,7 +169,7 @@ Count expect_static(Set set) {
     }
     const StaticGrid<Box> grid(boxes, options);
     expect_pairs(grid, boxes, there, name(set, i));
-    expect_overlapping(grid, boxes, there, box_of<Box>(set, 0, entropy), name(set, i));
+    expect_in_box(grid, boxes, there, box_of<Box>(set, 0, entropy), name(set, i));
     if (::testing::Test::HasFatalFailure()) break;
     const std::size_t all = by_brute_force(boxes, there, true).size();
     count.pairs += all;
@@ -225,7 +225,7 @@ void expect_changes(Grid grid, Set set, std::size_t seed) {
     }
     if (step % 20 == 19) {
       expect_pairs(grid, boxes, there, name(set, seed));
-      expect_overlapping(grid, boxes, there, box, name(set, seed));
+      expect_in_box(grid, boxes, there, box, name(set, seed));
       if (::testing::Test::HasFatalFailure()) return;
     }
   }
@@ -297,11 +297,11 @@ TEST(BoxGrids, TellTheSamePairsOnAnyNumberOfThreads) {
 TEST(BoxGrids, OfNothing) {
   const StaticGrid3 none{std::span<const Aabb3>()};
   EXPECT_TRUE(none.pairs().empty());
-  EXPECT_TRUE(none.overlapping({{0, 0, 0}, {1, 1, 1}}).empty());
+  EXPECT_TRUE(none.in_box({{0, 0, 0}, {1, 1, 1}}).empty());
   EXPECT_TRUE(HashedGrid2(1).pairs().empty());
-  EXPECT_TRUE(HierarchicalGrid2().overlapping({{0, 0}, {1, 1}}).empty());
+  EXPECT_TRUE(HierarchicalGrid2().in_box({{0, 0}, {1, 1}}).empty());
   EXPECT_TRUE(RowColumnGrid2().pairs().empty());
-  EXPECT_TRUE(ImplicitGrid2(1).overlapping({{0, 0}, {1, 1}}).empty());
+  EXPECT_TRUE(ImplicitGrid2(1).in_box({{0, 0}, {1, 1}}).empty());
   EXPECT_EQ(choose_cell_size(std::span<const Aabb2>()).size, 1);
 }
 
@@ -324,8 +324,11 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   EXPECT_THAT(text_of<InvalidShape>([&] { grid.insert(inverted[1]); }), HasSubstr("box is empty"));
   EXPECT_THAT(text_of<NonFinite>([&] { grid.move(first, infinite[0]); }), HasSubstr("box.max.x is inf"));
   EXPECT_EQ(grid.size(), 1u);
-  EXPECT_EQ(grid[first], boxes[0]);
-  EXPECT_EQ(grid.overlapping(boxes[1]), std::vector<std::uint32_t>{first});
+  EXPECT_EQ(grid.box(first), boxes[0]);
+  EXPECT_EQ(grid.in_box(boxes[1]), std::vector<std::uint32_t>{first});
+  EXPECT_TRUE(grid.in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
+  EXPECT_TRUE(StaticGrid2(std::span(boxes).first(1)).in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
+  EXPECT_THAT(text_of<NonFinite>([&] { (void)grid.in_box(infinite[0]); }), HasSubstr("in_box: box.max.x is inf"));
   EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("cell_size is not above zero"));
   EXPECT_THAT(text_of<Error>([] {
                 LinkedGrid2({{0, 0}, {1e9, 1e9}}, 1);
@@ -334,7 +337,7 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
 
   ImplicitGrid2 bits(1, {.most_memory = 5000});
   for (int i = 0; i < 64; ++i) bits.insert(boxes[0]);
-  EXPECT_THAT(text_of<Error>([&] { bits.insert(boxes[0]); }), HasSubstr("ImplicitGrid.insert"));
+  EXPECT_THAT(text_of<Error>([&] { bits.insert(boxes[0]); }), HasSubstr("ImplicitGrid::insert"));
   EXPECT_EQ(bits.pairs().size(), 64u * 63 / 2);
   EXPECT_THAT(text_of<InvalidShape>([] { ImplicitGrid2(1, {.rows = 3}); }), HasSubstr("options.rows is 3"));
   EXPECT_THAT(text_of<InvalidShape>([] { RowColumnGrid2({.rows = 0}); }), HasSubstr("options.rows is 0"));

@@ -95,7 +95,7 @@ TYPED_TEST(BoxTrees, PairsAreThoseOfBruteForce) {
             for (std::uint32_t i = 0; i < boxes.size(); ++i) {
               if (relate(box, boxes[i]) != Relation::disjoint) expected.push_back(i);
             }
-            EXPECT_EQ(boxes_in(tree, box), expected) << text;
+            EXPECT_EQ(in_box(tree, box), expected) << text;
           }
         }
       });
@@ -132,7 +132,7 @@ TYPED_TEST(BoxTrees, EqualBoxesAreListedOnce) {
   const auto tree = built<D>(boxes, {.rule = CellRule::every_leaf});
   EXPECT_EQ(tree.cells.items.size(), boxes.size());
   EXPECT_EQ(built<D>(boxes, {}).cells.nodes.size(), 1u);
-  EXPECT_EQ(boxes_in(tree, unit).size(), boxes.size());
+  EXPECT_EQ(in_box(tree, unit).size(), boxes.size());
 }
 
 TEST(BoxOctree, RefusesWhatIsNoBox) {
@@ -149,7 +149,7 @@ TEST(BoxOctree, RefusesWhatIsNoBox) {
   EXPECT_THAT(text_of<InvalidShape>([&] { (void)build_octree(with({}), {.most_references = 0.5}); }),
               ::testing::HasSubstr("options.most_references is 0.5"));
   EXPECT_TRUE(overlapping_pairs(build_octree(std::vector<Aabb3>{})).empty());
-  EXPECT_TRUE(boxes_in(build_octree(with({})), Aabb3{{1, 0, 0}, {0, 0, 0}}).empty());
+  EXPECT_TRUE(in_box(build_octree(with({})), Aabb3{{1, 0, 0}, {0, 0, 0}}).empty());
 }
 
 }  // namespace

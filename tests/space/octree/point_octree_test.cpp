@@ -72,7 +72,7 @@ TYPED_TEST(Octrees, EachPointIsInItsLeafAndFoundInBoxes) {
           for (std::uint32_t i = 0; i < points.size(); ++i) {
             if (holds(box, points[i])) expected.push_back(i);
           }
-          EXPECT_EQ(points_in(tree, box), expected) << text;
+          EXPECT_EQ(in_box(tree, box), expected) << text;
           found += expected.size();
           const auto place = scenes::point_of<D>(family, e);
           const std::uint32_t leaf = locate(tree.cells, place);
@@ -110,7 +110,7 @@ TYPED_TEST(Octrees, ManyEqualPointsAreOneLeaf) {
   const auto tree = built<D>(points, {});
   EXPECT_EQ(tree.cells.nodes.size(), 1 + (std::size_t{1} << D) * CellFrame<D>::levels);
   EXPECT_EQ(tree.cells.nodes[locate(tree.cells, p)].count(), n);
-  EXPECT_EQ(points_in(tree, {p, p}).size(), n);
+  EXPECT_EQ(in_box(tree, {p, p}).size(), n);
 }
 
 TYPED_TEST(Octrees, NothingHasNoCells) {
@@ -118,7 +118,7 @@ TYPED_TEST(Octrees, NothingHasNoCells) {
   const auto tree = built<D>({}, {});
   EXPECT_EQ(octree_laws::broken(tree.cells, 31), "");
   EXPECT_EQ(locate(tree.cells, typename CellKinds<D>::Point{}), no_cell);
-  EXPECT_TRUE(points_in(tree, typename CellKinds<D>::Box{}).empty());
+  EXPECT_TRUE(in_box(tree, typename CellKinds<D>::Box{}).empty());
 }
 
 TEST(Octree, RefusesWhatIsNoNumber) {
@@ -129,12 +129,12 @@ TEST(Octree, RefusesWhatIsNoNumber) {
   EXPECT_THAT(text_of<InvalidShape>([&] { (void)build_quadtree(std::vector<Point2>{}, {.most_in_leaf = 0}); }),
               ::testing::HasSubstr("options.most_in_leaf is 0"));
   EXPECT_THAT(text_of<NonFinite>([&] {
-                (void)points_in(PointOctree{}, Aabb3{{0, 0, 0}, {1, 1, nan}});
+                (void)in_box(PointOctree{}, Aabb3{{0, 0, 0}, {1, 1, nan}});
               }),
-              ::testing::HasSubstr("points_in: box.max.z is nan"));
+              ::testing::HasSubstr("in_box: box.max.z is nan"));
   const PointOctree tree = build_octree(std::vector<Point3>{{0, 0, 0}, {1, 1, 1}});
   EXPECT_EQ(locate(tree.cells, {nan, 0, 0}), no_cell);
-  EXPECT_TRUE(points_in(tree, Aabb3{{1, 0, 0}, {0, 1, 1}}).empty());
+  EXPECT_TRUE(in_box(tree, Aabb3{{1, 0, 0}, {0, 1, 1}}).empty());
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(SweepArray, AnswersAsFromScratchInEveryFrame) {
   for (int s = 0; s < scenes; ++s) {
     Entropy e(2062, static_cast<std::uint64_t>(s));
     auto boxes = box_scenes::boxes_of(static_cast<Scene>(s), e, 60 + e.below(60));
-    SweepArray sweep(s % 2 == 0);
+    SweepArray sweep({.touching = s % 2 == 0});
     for (std::size_t frame = 0; frame < battery::fitting(200u); ++frame) {
       for (Aabb3& b : boxes) {
         if (e.below(4) != 0 || std::abs(b.max.x) > 1e6) continue;

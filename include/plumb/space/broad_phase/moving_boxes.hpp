@@ -5,21 +5,26 @@
 //   world.update(handles, moved);
 //   const BoxPairChanges& now = world.changes();   // now.added and now.lost, since the last call
 //   world.pairs()                                  // all, as of the last call of changes()
+//   world.in_box(region);   world.first_hit(ray);  // of the boxes as they are now
 //
 // Each box stands in a fat one, a margin larger.  Pairs of fat boxes are kept as candidates; while boxes stay within
 // theirs, only candidates are asked.  A box that has left its fat box is given another.  Where a model of measured costs
 // says that it is cheaper, as where most boxes move, all pairs are found from scratch and compared with those before;
 // candidates are made when frames without them have cost as much more than with them as making them does.  MovingWork
 // says what was done, and what each way was to cost.
+// Regions and rays are asked of a tree of fat boxes, which is made when enough has been asked to pay for it; boxes that
+// have left theirs since are asked one by one, until that has cost as much as another tree.
 //
 // Laws: (1) pairs() are those of brute_force_pairs of the boxes there are.  (2) changes() tells exactly what those of
 // this call and of the last differ by; pairs of a box that was removed are lost.  (3) Nothing depends on which way was
 // taken, nor on threads or instruction set; lists ascend.  (4) A handle names one box for ever: its slot is used again
-// with another generation.
+// with another generation.  (5) in_box tells the boxes that have a point in the closed one, first_hit the hit of the
+// least parameter, exactly, and of equal ones that of the lowest handle: as asking each box says.  An inverted box holds
+// nothing.  Any number of threads may ask.
 // A handle that names no box, or one that was removed, throws InvalidShape; so do two boxes for one handle in a call of
-// update; NonFinite and InvalidShape refuse bad boxes, spans of different lengths throw UnequalLengths.  Then all is as
-// it was before the call.
-// Source: RTCD 2.4.1, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
+// update; NonFinite and InvalidShape refuse bad boxes, NonFinite regions and rays; spans of different lengths throw
+// UnequalLengths.  Then all is as it was before the call.
+// Source: RTCD 2.4.1, 6.3.1, 6.3.2, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
 // Cost: a few ns for each candidate of a box that moves; where most move overlapping_pairs and some 60 ns a box; to
 // make candidates anew, three to four times overlapping_pairs.  Memory for all boxes twice and 20 bytes a candidate.
 #pragma once
@@ -27,10 +32,12 @@
 #include <compare>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "plumb/figure/basic/box.hpp"
+#include "plumb/query/ray/ray.hpp"
+#include "plumb/space/pairs/box_pair.hpp"
 
 namespace plumb {
 
@@ -66,6 +73,12 @@ struct BoxPairChanges {
   MovingWork work;
 };
 
+struct HandleHit {
+  BoxHandle box;
+  Hit hit;
+  friend bool operator==(const HandleHit&, const HandleHit&) = default;
+};
+
 class MovingBoxes {
  public:
   explicit MovingBoxes(const MovingBoxesOptions& options = {});
@@ -87,6 +100,11 @@ class MovingBoxes {
   const BoxPairChanges& changes();
 
   [[nodiscard]] std::vector<HandlePair> pairs() const;
+
+  /// Ascending.
+  [[nodiscard]] std::vector<BoxHandle> in_box(const Aabb3& box, const InBoxOptions& options = {}) const;
+  /// Of a ray, a segment or a line.
+  [[nodiscard]] std::optional<HandleHit> first_hit(const AnyRay& ray) const;
 
  private:
   struct State;

@@ -4,7 +4,7 @@
 //   HierarchicalGrid3 grid;
 //   const std::uint32_t handle = grid.insert(box);       // at the level whose cells are about as large as it is
 //   grid.move(handle, other);   grid.remove(handle);
-//   grid.pairs();   grid.overlapping(box);
+//   grid.pairs();   grid.in_box(box);
 //
 // Cells of level e are of size 2^e.  A box is at the lowest level at which it reaches into no more than two cells along
 // each axis, in the list of the cell that holds its min.  So what overlaps it at its own and higher levels is in the
@@ -41,11 +41,11 @@ class HierarchicalGrid {
 
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
   /// Ascending.
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, bool touching = true) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
-  [[nodiscard]] bool holds(std::uint32_t handle) const { return boxes_.holds(handle); }
-  [[nodiscard]] const Box& operator[](std::uint32_t handle) const { return boxes_[handle]; }
+  [[nodiscard]] bool contains(std::uint32_t handle) const { return boxes_.contains(handle); }
+  [[nodiscard]] const Box& box(std::uint32_t handle) const { return boxes_[handle]; }
   /// That have a box.
   [[nodiscard]] std::size_t levels() const { return levels_.size(); }
   [[nodiscard]] std::size_t memory() const;

@@ -3,7 +3,7 @@
 //   ImplicitGrid3 grid(2.0);                             // cells of size 2
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
-//   grid.pairs();   grid.overlapping(box);
+//   grid.pairs();   grid.in_box(box);
 //
 // Laws: those of list_grid.hpp; pairs ascend by a, then b.
 // Errors are those of list_grid.hpp; a number of rows that is no power of two throws InvalidShape.
@@ -39,11 +39,11 @@ class ImplicitGrid {
 
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
   /// Ascending.
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, bool touching = true) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
-  [[nodiscard]] bool holds(std::uint32_t handle) const { return boxes_.holds(handle); }
-  [[nodiscard]] const Box& operator[](std::uint32_t handle) const { return boxes_[handle]; }
+  [[nodiscard]] bool contains(std::uint32_t handle) const { return boxes_.contains(handle); }
+  [[nodiscard]] const Box& box(std::uint32_t handle) const { return boxes_[handle]; }
   [[nodiscard]] double cell_size() const { return size_; }
   [[nodiscard]] std::size_t memory() const { return boxes_.memory() + rows_.memory(); }
 

@@ -5,7 +5,7 @@
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
 //   grid.pairs()                                         // all at a time
-//   grid.overlapping(box, seen)                          // one at a time; seen: VisitStamps, VisitBits, or nothing
+//   grid.in_box(box, seen)                               // one at a time; seen: VisitStamps, VisitBits, or nothing
 //
 // A box is in the list of each cell that it reaches into.  The lists of LinkedGrid are those of an array of cells, of
 // HashedGrid those of a table, in which cells that share a place are told apart by their numbers.
@@ -15,8 +15,9 @@
 // What overlaps a box comes up in each cell that both reach into.  It is told once: by the lowest of these cells, as of
 // pairs, which needs no memory; or by stamps or bits that remember it, which spares the test of boxes.  The
 // lowest cell is as fast, and any number of threads may ask (docs/measurements.md).
-// A cell size that is not above zero, an empty box and a handle that is not in the grid throw InvalidShape; NaN and
-// infinity NonFinite; a grid that would take more than options.most_memory throws Error.
+// A cell size that is not above zero, an empty box that is put in and a handle that is not in the grid throw
+// InvalidShape, an empty box that is asked holds nothing; NaN and infinity throw NonFinite, a grid that would take more
+// than options.most_memory throws Error.
 // Source: RTCD 7.1.2, 7.1.3, 7.1.6, 7.7.1, 7.7.2, 7.7.3.
 // Cost: insert, move and remove in proportion to the cells of the box, and to the boxes in them; a move within the same
 // cells is a copy.
@@ -51,13 +52,15 @@ class ListGrid {
 
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
   /// Ascending.  Stamps and bits are made to fit.
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, bool touching = true) const;
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, VisitStamps& seen, bool touching = true) const;
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, VisitBits& seen, bool touching = true) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitStamps& seen,
+                                                  const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitBits& seen,
+                                                  const InBoxOptions& options = {}) const;
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
-  [[nodiscard]] bool holds(std::uint32_t handle) const { return boxes_.holds(handle); }
-  [[nodiscard]] const Box& operator[](std::uint32_t handle) const { return boxes_[handle]; }
+  [[nodiscard]] bool contains(std::uint32_t handle) const { return boxes_.contains(handle); }
+  [[nodiscard]] const Box& box(std::uint32_t handle) const { return boxes_[handle]; }
   [[nodiscard]] double cell_size() const { return size_; }
   [[nodiscard]] std::size_t memory() const;
 

@@ -4,7 +4,7 @@
 //   RowColumnGrid3 grid;
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
-//   grid.pairs();   grid.overlapping(box);
+//   grid.pairs();   grid.in_box(box);
 //
 // Levels are those of hierarchical_grid.hpp; at each there is an implicit grid (implicit_grid.hpp) of the boxes that
 // are at it.  A box sets two bits along each axis at most.  Nothing is hashed, and what a large box overlaps of a
@@ -41,11 +41,11 @@ class RowColumnGrid {
 
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
   /// Ascending.
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, bool touching = true) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
-  [[nodiscard]] bool holds(std::uint32_t handle) const { return boxes_.holds(handle); }
-  [[nodiscard]] const Box& operator[](std::uint32_t handle) const { return boxes_[handle]; }
+  [[nodiscard]] bool contains(std::uint32_t handle) const { return boxes_.contains(handle); }
+  [[nodiscard]] const Box& box(std::uint32_t handle) const { return boxes_[handle]; }
   /// That have a box.
   [[nodiscard]] std::size_t levels() const;
   [[nodiscard]] std::size_t memory() const;

@@ -2,7 +2,7 @@
 //
 //   const StaticGrid3 grid(boxes);                       // options.cell_size, or what choose_cell_size says
 //   for (const BoxPair& p : grid.pairs()) use(p.a, p.b);
-//   grid.overlapping(box)                                // the numbers of those that overlap one, ascending
+//   grid.in_box(box)                                    // the numbers of those that overlap one, ascending
 //
 // A counting sort: how many boxes reach into each cell, where each slice begins, and then the numbers themselves.
 // Laws: (1) pairs are those of box_pair.hpp, in the order of the cells that tell of them: of all cells that two boxes
@@ -33,7 +33,7 @@ class StaticGrid {
   /// All at a time.
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
   /// One at a time.
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box, bool touching = true) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
 
   [[nodiscard]] double cell_size() const { return size_; }
   [[nodiscard]] std::size_t cells() const { return starts_.empty() ? 0 : starts_.size() - 1; }

@@ -2,7 +2,7 @@
 // it, or in every leaf that it meets.
 //
 //   const BoxOctree tree = build_octree(boxes, {.rule = CellRule::every_leaf});
-//   boxes_in(tree, Aabb3{{0, 0, 0}, {1, 1, 1}})               // their numbers, ascending
+//   in_box(tree, Aabb3{{0, 0, 0}, {1, 1, 1}})               // their numbers, ascending
 //   overlapping_pairs(tree)                                   // and, in the same order, those of any number of threads
 //
 // Laws: (1) by CellRule::smallest_cell a box is in one cell, the smallest of the tree that holds it: so two boxes that
@@ -10,7 +10,7 @@
 // smaller one.  (2) By CellRule::every_leaf it is in each leaf that has a point of it.  A leaf is cut where it has more
 // than most_in_leaf boxes and its children would not have more than twice as many together; while the boxes' places in
 // all leaves are at most most_references times as many as boxes, leaves of one level by their codes.  (3) Half-open
-// cells: a box that ends at a border is in the cell that begins there, too.  (4) boxes_in tells exactly the boxes that
+// cells: a box that ends at a border is in the cell that begins there, too.  (4) in_box tells exactly the boxes that
 // intersect the closed box, and overlapping_pairs the pairs of box_pair.hpp, by either rule the same pairs.  (5) Tree
 // and order depend on the boxes and the options alone: not on execution or the number of threads.
 // No recursion.  NaN and infinity throw NonFinite, empty boxes ("build_octree: boxes[17] is empty; leave it out") and
@@ -59,8 +59,8 @@ OwnItems own_items(const CellTree<D>& tree, std::uint32_t node) {
 BoxOctree build_octree(std::span<const Aabb3> boxes, const BoxOctreeOptions& options = {});
 BoxQuadtree build_quadtree(std::span<const Aabb2> boxes, const BoxOctreeOptions& options = {});
 
-std::vector<std::uint32_t> boxes_in(const BoxOctree& tree, const Aabb3& box);
-std::vector<std::uint32_t> boxes_in(const BoxQuadtree& tree, const Aabb2& box);
+std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box);
+std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box);
 
 std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options = {});
 std::vector<BoxPair> overlapping_pairs(const BoxQuadtree& tree, const BoxPairOptions& options = {});

@@ -3,16 +3,16 @@
 //   LooseOctree tree(Aabb3{{0, 0, 0}, {100, 100, 100}});    // the world; what lies outside is found as well
 //   const std::uint32_t handle = tree.insert(box);
 //   tree.move(handle, elsewhere);
-//   tree.boxes_in(region);  tree.overlapping_pairs();       // by their handles
+//   tree.in_box(region);  tree.pairs();                     // by their handles
 //   tree.remove(handle);
 //
 // A loose cell begins where the cell does and has twice its side.  A box is in the smallest cell whose loose one holds
 // it, among those that have its lowest corner: of the level where it lies in no more than two cells along each axis.
 // So no box is kept in a large cell because it lies across a border.
-// Laws: (1) boxes_in tells, ascending, exactly the handles of the boxes that intersect the closed box;
-// overlapping_pairs the pairs of box_pair.hpp by handles: a ascends, then b, whatever was inserted, moved and removed
-// before.  (2) There are cells only where a box is, and on the way from the root to these.  (3) A handle is that of its
-// box until it is removed, and given again then.  (4) What throws leaves the tree as it was.
+// Laws: (1) in_box tells, ascending, exactly the handles of the boxes that intersect the closed box; pairs those of
+// box_pair.hpp by handles: a ascends, then b, whatever was inserted, moved and removed before.  (2) There are
+// cells only where a box is, and on the way from the root to these.  (3) A handle is that of its box until it is
+// removed, and given again then.  (4) What throws leaves the tree as it was.
 // NaN and infinity throw NonFinite, empty boxes InvalidShape; a handle that holds no box Error, which names it.
 // Source: RTCD 7.3.6; Ulrich, "Loose octrees", Game Programming Gems, 2000.
 // Cost: insertion, removal and moving are constant: a code and a look into a table of cells, and where a cell is made
@@ -39,7 +39,7 @@ class LooseCells {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t cell_count() const { return cells_.size() - free_cells_.size(); }
-  [[nodiscard]] bool holds(std::uint32_t handle) const {
+  [[nodiscard]] bool contains(std::uint32_t handle) const {
     return handle < items_.size() && items_[handle].cell != no_cell;
   }
   [[nodiscard]] const Box& box(std::uint32_t handle) const;
@@ -47,8 +47,8 @@ class LooseCells {
   [[nodiscard]] std::uint64_t code(std::uint32_t handle) const;
   [[nodiscard]] const CellFrame<D>& frame() const { return frame_; }
 
-  [[nodiscard]] std::vector<std::uint32_t> boxes_in(const Box& box) const;
-  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(const BoxPairOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box) const;
+  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
 
  private:
   struct Cell {

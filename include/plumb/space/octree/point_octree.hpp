@@ -2,11 +2,11 @@
 //
 //   const PointOctree tree = build_octree(points);            // build_quadtree in the plane
 //   const std::uint32_t leaf = locate(tree.cells, place);
-//   points_in(tree, Aabb3{{0, 0, 0}, {1, 1, 1}})              // their numbers, ascending
+//   in_box(tree, Aabb3{{0, 0, 0}, {1, 1, 1}})              // their numbers, ascending
 //
 // Laws: (1) a cell is cut where it holds more than most_in_leaf points and is not of the deepest level: equal points,
 // and those that share a cell of that level, stay together in a leaf of any size.  (2) Each point is in the one leaf
-// that locate names, points of a leaf ascend by code, then by number.  (3) points_in tells exactly those that lie in
+// that locate names, points of a leaf ascend by code, then by number.  (3) in_box tells exactly those that lie in
 // the closed box, by comparisons; in an empty box lies none.  (4) The tree depends on the points and on most_in_leaf
 // and most_depth alone: not on execution or the number of threads.
 // No recursion.  NaN and infinity throw NonFinite ("build_octree: points[17].y is nan, ..."), options out of range and
@@ -36,7 +36,7 @@ using PointQuadtree = PointCells<2>;
 PointOctree build_octree(std::span<const Point3> points, const OctreeOptions& options = {});
 PointQuadtree build_quadtree(std::span<const Point2> points, const OctreeOptions& options = {});
 
-std::vector<std::uint32_t> points_in(const PointOctree& tree, const Aabb3& box);
-std::vector<std::uint32_t> points_in(const PointQuadtree& tree, const Aabb2& box);
+std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box);
+std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box);
 
 }  // namespace plumb

@@ -25,4 +25,9 @@ struct BoxPairOptions {
   Execution execution = Execution::parallel;
 };
 
+/// Of in_box, where indexes of boxes are asked for those that have a point in a box.
+struct InBoxOptions {
+  bool touching = true;  // false: only those that overlap the box
+};
+
 }  // namespace plumb

@@ -21,9 +21,13 @@
 
 namespace plumb {
 
+struct SweepArrayOptions {
+  bool touching = true;  // false: only the pairs that overlap
+};
+
 class SweepArray {
  public:
-  explicit SweepArray(bool touching = true);
+  explicit SweepArray(const SweepArrayOptions& options = {});
   SweepArray(SweepArray&&) noexcept;
   SweepArray& operator=(SweepArray&&) noexcept;
   ~SweepArray();

@@ -30,7 +30,7 @@ class BoxSlots {
   [[nodiscard]] std::uint32_t next() const {
     return free_.empty() ? static_cast<std::uint32_t>(boxes_.size()) : free_.back();
   }
-  [[nodiscard]] bool holds(std::uint32_t number) const { return number < used_.size() && used_[number] != 0; }
+  [[nodiscard]] bool contains(std::uint32_t number) const { return number < used_.size() && used_[number] != 0; }
   [[nodiscard]] std::size_t size() const { return boxes_.size() - free_.size(); }
   [[nodiscard]] std::size_t numbers() const { return boxes_.size(); }
   [[nodiscard]] const Box& operator[](std::uint32_t number) const { return boxes_[number]; }
