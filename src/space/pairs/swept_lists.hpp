@@ -62,7 +62,9 @@ std::vector<std::uint32_t> order_of_starts(Execution execution, std::span<const 
 /// On one axis, without a branch.
 template <std::size_t axis, class Box>
 [[gnu::always_inline]] inline bool meet_along(const Box& a, const Box& b) {
-  return (along<axis>(a.min) <= along<axis>(b.max)) & (along<axis>(b.min) <= along<axis>(a.max));
+  const double a_min = along<axis>(a.min), a_max = along<axis>(a.max), b_min = along<axis>(b.min),
+               b_max = along<axis>(b.max);
+  return (a_min <= b_max) & (b_min <= a_max);
 }
 
 /// One box against those of a list from here on, none of which starts before it.
