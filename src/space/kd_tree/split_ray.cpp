@@ -8,6 +8,7 @@
 
 #include "plumb/arith/interval.hpp"
 #include "space/kd_tree/kept_figures.hpp"
+#include "space/kd_tree/passed_by.hpp"
 #include "space/kd_tree/plane_walk.hpp"
 
 namespace plumb {
@@ -67,7 +68,7 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
     if (best && is_surely_before(path, best->hit.t, entry)) return Descent::stop;
     for (const std::uint32_t i : tree.items_in(leaf)) {
       std::uint32_t& before = asked[i % asked.size()];  // what lies in several leaves is asked once, as a rule
-      if (std::exchange(before, i) == i) continue;
+      if (std::exchange(before, i) == i || is_passed_by(path, tree.figures[i])) continue;
       const auto hit = first_hit(way, tree.figures[i]);
       if (!hit) continue;
       const FigureHit<Figure> found{i, *hit};

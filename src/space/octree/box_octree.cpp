@@ -103,7 +103,7 @@ std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& 
 
 /// By CellRule::every_leaf.
 template <std::size_t D>
-struct LeafPairs {
+struct PairFinder {
   const BoxCells<D>& tree;
   bool touching;
 
@@ -131,7 +131,7 @@ struct LeafPairs {
 template <std::size_t D>
 std::vector<std::vector<BoxPair>> pairs_in_leaves(const BoxCells<D>& tree, const BoxPairOptions& options) {
   constexpr std::size_t pair_block = 64;
-  const LeafPairs<D> finder{tree, options.touching};
+  const PairFinder<D> finder{tree, options.touching};
   const std::size_t n = tree.cells.nodes.size();
   std::vector<std::vector<BoxPair>> parts(space::blocks_of(n, pair_block));
   space::for_blocks(options.execution, n, pair_block, [&](std::size_t b, std::size_t from, std::size_t to) {
