@@ -56,7 +56,7 @@ class CellJoin {
   }
 
  private:
-  static constexpr std::size_t children = std::size_t{1} << D;
+  static constexpr std::size_t children = std::size_t{1} << D, few = 96;
   using Swept = SweptBox<Box>;
   /// A cell, and the boxes of larger ones that reach into it.
   struct Task {
@@ -92,6 +92,16 @@ class CellJoin {
       while (across + 1 < D && !(low[across] < middle[across] && middle[across] <= high[across])) ++across;
       across_[i] = static_cast<std::uint8_t>(across);
       lists.own[across].push_back({box, i});
+    }
+    // Of few boxes one sweep for all is soonest done.
+    if (own.end - own.begin + reaching.size() <= few) {
+      for (std::size_t a = 1; a < D; ++a) {
+        lists.own[0].insert(lists.own[0].end(), lists.own[a].begin(), lists.own[a].end());
+        lists.own[a].clear();
+      }
+      for (const std::uint32_t i : reaching) lists.reaching[0].push_back({tree_.boxes[i], i});
+      sweep_along<sweep_axis(0, 0)>(lists);
+      return;
     }
     for (const std::uint32_t i : reaching) lists.reaching[across_[i]].push_back({tree_.boxes[i], i});
     sweep_along<0>(lists);
