@@ -27,9 +27,9 @@ class ByteReader {
   /// Fails when fewer than count * size bytes are left.
   void require(std::uint64_t count, std::uint64_t size, const char* what) const {
     if (size != 0 && count > left() / size)
-      fail(MeshFileProblem::truncated, std::string("expected ") + what + ", " + std::to_string(count) + " times " +
-                                           std::to_string(size) + " bytes, but only " + std::to_string(left()) +
-                                           " bytes are left; the file is cut short: fetch or export it again");
+      fail(MeshFileProblem::truncated, std::string("expected ") + what + ", " + length_text(count, size) +
+                                           ", but only " + bytes_text(left()) + (left() == 1 ? " is" : " are") +
+                                           " left; the file is cut short: fetch or export it again");
   }
 
   void skip(std::uint64_t count, std::uint64_t size, const char* what) {
@@ -53,6 +53,13 @@ class ByteReader {
   }
 
  private:
+  static std::string bytes_text(std::uint64_t n) { return std::to_string(n) + (n == 1 ? " byte" : " bytes"); }
+  /// "3 times 12 bytes", "118 bytes"
+  static std::string length_text(std::uint64_t count, std::uint64_t size) {
+    if (count == 1 || size == 1) return bytes_text(count == 1 ? size : count);
+    return std::to_string(count) + " times " + bytes_text(size);
+  }
+
   std::string_view bytes_, file_;
   std::size_t at_;
   bool swap_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
@@ -79,7 +80,12 @@ std::unique_ptr<OrdinalBox[]> ordinals_of(Execution execution, const BoxSet<Box>
 /// Columns whose boxes are many enough to be one thread's next work.
 std::vector<std::size_t> groups_of(const Columns& columns);
 
-/// Of boxes that are checked and have these bounds.
+/// How far a sweep is: a column, and a box in its order.
+struct SweptPlace {
+  std::size_t column = 0, box = 0;
+};
+
+/// Of boxes that are checked and have these bounds.  However many pairs there are, few are kept at a time.
 template <class Box>
 void find_by_columns(Execution execution, const BoxSet<Box>& set, const SetBounds& bounds, const PairTaker& to) {
   const std::size_t n = set.size();
@@ -92,43 +98,57 @@ void find_by_columns(Execution execution, const BoxSet<Box>& set, const SetBound
   ordinals.reset();
   const DecidePair decide{&set, &decide_of_set<Box>};
   const std::vector<std::size_t> groups = groups_of(columns);
-  const auto sweep_group = [&](std::size_t g, PairBlock& block, auto&& after) {
+  const auto all = static_cast<double>(columns.begin.back());
+  // From a box of a column on, as long as goes_on(column, boxes of it that are swept).
+  const auto sweep_group = [&](std::size_t g, SweptPlace from, PairBlock& block, auto&& goes_on) {
     SweptBoxes swept;
     ColumnOrder order;
-    for (std::size_t c = groups[g]; c < groups[g + 1]; ++c) {
+    for (std::size_t c = std::max(from.column, groups[g]); c < groups[g + 1]; ++c) {
       if (columns[c].size() < 2) continue;
       swept.assign(columns[c], order(columns[c]));
-      sweep(swept, 0, swept.size() - 1, decide, block);
-      after(c);
+      for (std::size_t i = c == from.column ? from.box : 0; i + 1 < swept.size();) {
+        const std::size_t end = std::min(i + boxes_at_once, swept.size() - 1);
+        sweep(swept, i, end, decide, block);
+        i = end;
+        if (!goes_on(SweptPlace{c, i})) return;
+      }
     }
   };
-  struct Told {
-    const PairTaker* to;
-    double done;
+  const auto done_at = [&](const SweptPlace& at) {
+    return (columns.begin[at.column] + static_cast<double>(at.box)) / all;
   };
-  const auto all = static_cast<double>(columns.begin.back());
-  Told told{&to, 0};
-  PairBlock block(&told, [](void* context, std::span<const BoxPair> pairs) {
-    const auto& [taker, done] = *static_cast<const Told*>(context);
-    taker->take(taker->to, pairs, done);
-  });
-  if (execution == Execution::serial || groups.size() <= 2) {
-    for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
-      sweep_group(g, block, [&](std::size_t c) { told.done = columns.begin[c + 1] / all; });
-    }
-    block.flush();
+  StreamedPairs streamed(to);
+  const auto tell_rest = [&](std::size_t g, const SweptPlace& from) {
+    streamed.done = std::max(streamed.done, done_at(from));
+    sweep_group(g, from, streamed.block(), [&](const SweptPlace& at) {
+      streamed.done = done_at(at);
+      return true;
+    });
+    streamed.block().flush();
+  };
+  const std::size_t count = groups.size() - 1;
+  if (execution == Execution::serial || count <= 1) {
+    for (std::size_t g = 0; g < count; ++g) tell_rest(g, {});
     return;
   }
-  std::vector<std::vector<BoxPair>> found(groups.size() - 1);
-  for_blocks(execution, found.size(), 1, [&](std::size_t g, std::size_t, std::size_t) {
-    PairBlock own(&found[g], [](void* context, std::span<const BoxPair> pairs) {
-      auto& kept = *static_cast<std::vector<BoxPair>*>(context);
-      kept.insert(kept.end(), pairs.begin(), pairs.end());
+  for (std::size_t first = 0; first < count; first += parts_at_once) {
+    std::vector<std::vector<BoxPair>> found(std::min(parts_at_once, count - first));
+    std::vector<std::optional<SweptPlace>> stopped(found.size());
+    for_blocks(execution, found.size(), 1, [&](std::size_t g, std::size_t, std::size_t) {
+      PairBlock own = kept_in(found[g]);
+      sweep_group(first + g, {}, own, [&](const SweptPlace& at) {
+        if (found[g].size() <= most_kept) return true;
+        stopped[g] = at;
+        return false;
+      });
+      own.flush();
     });
-    sweep_group(g, own, [](std::size_t) {});
-    own.flush();
-  });
-  for (std::size_t g = 0; g < found.size(); ++g) to.take(to.to, found[g], columns.begin[groups[g + 1]] / all);
+    for (std::size_t g = 0; g < found.size(); ++g) {
+      to.take(to.to, found[g], stopped[g] ? done_at(*stopped[g]) : columns.begin[groups[first + g + 1]] / all);
+      found[g] = {};
+      if (stopped[g]) tell_rest(first + g, *stopped[g]);
+    }
+  }
 }
 
 }  // namespace plumb::space

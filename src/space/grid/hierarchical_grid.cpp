@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "plumb/space/grid/detail/size_level.hpp"
-#include "space/bvh/parts.hpp"
 #include "space/grid/cell_hash.hpp"
 #include "space/grid/grid_boxes.hpp"
+#include "space/grid/pairs_of_levels.hpp"
 
 namespace plumb {
 namespace {
@@ -124,44 +124,13 @@ void HierarchicalGrid<Box>::for_list(int level, const space::CellNumber<n>& cell
 }
 
 template <class Box>
-void HierarchicalGrid<Box>::pairs_of(std::uint32_t a, bool touching, std::vector<BoxPair>& out) const {
-  const Box& box = boxes_[a];
-  const Entry& entry = entries_[a];
-  const auto test = [&](std::uint32_t b) {
-    if (space::is_pair(box, boxes_[b], touching)) out.push_back({std::min(a, b), std::max(a, b)});
-  };
-  // At its own level: the cells before its own, in the order of the last axis, then the others; in its own what is
-  // behind it in the list.  So each pair comes up once.
-  const space::CellNumber<n>& own = entry.span.first;
-  space::for_cells(with_those_before(entry.span), [&](const auto& cell) {
-    for (std::size_t k = n; k-- > 0;) {
-      if (cell[k] < own[k]) return for_list(entry.level, cell, test);
-      if (cell[k] > own[k]) return;
-    }
-  });
-  for (std::uint32_t i = entry.next; i != none; i = entries_[i].next) {
-    if (entries_[i].level == entry.level && entries_[i].span.first == own) test(i);
-  }
-  for (auto higher = levels_.rbegin(); higher != levels_.rend() && higher->level > entry.level; ++higher) {
-    space::for_cells(with_those_before(space::cells_of(box, space::per_level_size(higher->level))),
-                     [&](const auto& cell) { for_list(higher->level, cell, test); });
-  }
-}
-
-template <class Box>
 std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options) const {
-  const std::size_t parts = (entries_.size() + space::boxes_in_part - 1) / space::boxes_in_part;
-  std::vector<std::vector<BoxPair>> found(parts);
-  space::for_parts("HierarchicalGrid::pairs", options.execution, {}, parts, [&](std::size_t part) {
-    const std::size_t end = std::min(entries_.size(), (part + 1) * space::boxes_in_part);
-    for (std::size_t i = part * space::boxes_in_part; i < end; ++i) {
-      const auto a = static_cast<std::uint32_t>(i);
-      if (contains(a)) pairs_of(a, options.touching, found[part]);
-    }
-  });
-  std::vector<BoxPair> out;
-  for (const auto& f : found) out.insert(out.end(), f.begin(), f.end());
-  return out;
+  std::vector<space::SweptBox<Box>> boxes;
+  std::vector<int> levels;
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    if (contains(i)) boxes.push_back({boxes_[i], i}), levels.push_back(entries_[i].level);
+  }
+  return space::pairs_of_levels(options, boxes, levels);
 }
 
 template <class Box>

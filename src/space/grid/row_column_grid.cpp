@@ -4,8 +4,8 @@
 #include <bit>
 
 #include "plumb/space/grid/detail/size_level.hpp"
-#include "space/bvh/parts.hpp"
 #include "space/grid/grid_boxes.hpp"
+#include "space/grid/pairs_of_levels.hpp"
 
 namespace plumb {
 
@@ -105,25 +105,12 @@ void RowColumnGrid<Box>::for_overlapping(const Box& box, bool touching, Scratch&
 
 template <class Box>
 std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options) const {
-  const std::size_t all = places_.size(), parts = (all + space::boxes_in_part - 1) / space::boxes_in_part;
-  std::vector<std::vector<BoxPair>> found(parts);
-  space::for_parts("RowColumnGrid::pairs", options.execution, {}, parts, [&](std::size_t part) {
-    Scratch scratch;
-    std::vector<std::uint32_t> others;
-    for (std::size_t i = part * space::boxes_in_part, end = std::min(all, i + space::boxes_in_part); i < end; ++i) {
-      const auto a = static_cast<std::uint32_t>(i);
-      if (!contains(a)) continue;
-      others.clear();
-      for_overlapping(boxes_[a], options.touching, scratch, [&](std::uint32_t b) {
-        if (a < b) others.push_back(b);
-      });
-      std::sort(others.begin(), others.end());
-      for (const std::uint32_t b : others) found[part].push_back({a, b});
-    }
-  });
-  std::vector<BoxPair> out;
-  for (const auto& f : found) out.insert(out.end(), f.begin(), f.end());
-  return out;
+  std::vector<space::SweptBox<Box>> boxes;
+  std::vector<int> levels;
+  for (std::uint32_t i = 0; i < places_.size(); ++i) {
+    if (contains(i)) boxes.push_back({boxes_[i], i}), levels.push_back(places_[i].level);
+  }
+  return space::pairs_of_levels(options, boxes, levels);
 }
 
 template <class Box>

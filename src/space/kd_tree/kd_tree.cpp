@@ -21,9 +21,12 @@ struct NumberedPoint {
   std::uint32_t number;
 };
 
-/// The axis in which the points spread widest: a guess, of halves that do not overflow.
+struct Spread {
+  std::uint8_t axis;  // in which the points spread widest: a guess, of halves that do not overflow
+  bool is_none;       // all are equal
+};
 template <std::size_t d>
-std::uint8_t widest_axis(const NumberedPoint<d>* first, const NumberedPoint<d>* last) {
+Spread spread_of(const NumberedPoint<d>* first, const NumberedPoint<d>* last) {
   std::array<double, d> least = first->at, most = first->at;
   for (const NumberedPoint<d>* i = first; i != last; ++i) {
     for (std::size_t a = 0; a < d; ++a) {
@@ -34,7 +37,7 @@ std::uint8_t widest_axis(const NumberedPoint<d>* first, const NumberedPoint<d>* 
   std::size_t best = 0;
   const auto width = [&](std::size_t a) { return most[a] / 2 - least[a] / 2; };
   for (std::size_t a = 1; a < d; ++a) best = width(a) > width(best) ? a : best;
-  return static_cast<std::uint8_t>(best);
+  return {static_cast<std::uint8_t>(best), least == most};
 }
 
 template <class Point>
@@ -54,7 +57,7 @@ class Builder {
       fill(leaf, first, last);
       return;
     }
-    const std::uint8_t axis = first == last ? std::uint8_t{0} : widest_axis(first, last);
+    const auto [axis, is_one_place] = first == last ? Spread{0, false} : spread_of(first, last);
     NumberedPoint<d>* const middle = items_ + tree_.first(leaf + leaves / 2);
     if (axis == 0) halve<0>(first, middle, last);
     if (axis == 1) halve<1>(first, middle, last);
@@ -64,6 +67,7 @@ class Builder {
     // Where there is one point, or none, a half is empty.
     tree_.planes[node] = first == last ? 0 : (middle == last ? last[-1] : *middle).at[axis];
     tree_.axes[node] = axis;
+    tree_.equal[node] = is_one_place ? 1 : 0;
     constexpr std::ptrdiff_t worth_a_task = 4096;
     const auto lower = [&] { build(2 * node + 1, level + 1, leaf); };
     const auto upper = [&] { build(2 * node + 2, level + 1, leaf + leaves / 2); };
@@ -123,6 +127,7 @@ KdTree<Point> build_kd_tree(std::span<const Point> points, const KdTreeOptions& 
   }
   tree.planes.resize(tree.leaves() - 1);
   tree.axes.resize(tree.leaves() - 1);
+  tree.equal.resize(tree.leaves() - 1);
   tree.numbers.resize(points.size());
   tree.coordinates.resize(d * points.size() + KdTree<Point>::padding);
   if (tree.count != 0) Builder<Point>(tree, items.data(), options.execution).build(0, 0, 0);
@@ -132,7 +137,7 @@ KdTree<Point> build_kd_tree(std::span<const Point> points, const KdTreeOptions& 
 template <class Point>
 std::size_t memory_of(const KdTree<Point>& tree) {
   return sizeof(double) * (tree.planes.capacity() + tree.coordinates.capacity()) + tree.axes.capacity() +
-         sizeof(std::uint32_t) * tree.numbers.capacity();
+         tree.equal.capacity() + sizeof(std::uint32_t) * tree.numbers.capacity();
 }
 
 template KdTree2 build_kd_tree(std::span<const Point2>, const KdTreeOptions&);

@@ -3,13 +3,12 @@
 // The descent keeps what of the path is in a node's cell, between two of: its start, its end, and crossings of planes.
 // Laws: those of plumb/space/kd_tree/cells_along.hpp.  Trees have at most 64 levels.
 // Source: RTCD 7.4.1.
-// Cost: a comparison of parameters for each plane that is met: of doubles as given for planes of one axis, of certified
+// Cost: one or two comparisons of parameters for each plane that is met: of doubles as given for planes of one axis, of certified
 // signs for others; no parameter is computed.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -132,25 +131,6 @@ class PlaneWalk {
 
   void push(std::size_t node, const Part& part) { stack_[height_++] = {node, part}; }
 
-  /// The part of both that is not empty; of two equal places the open one is the narrower.
-  [[nodiscard]] std::optional<Part> after(const Part& part, const Place& from) const {
-    const int later = compare(path_, from, part.first);
-    Place first = later > 0 ? from : part.first;
-    if (later == 0) first.open = first.open || from.open;
-    return checked({first, part.last});
-  }
-  [[nodiscard]] std::optional<Part> before(const Part& part, const Place& to) const {
-    const int earlier = compare(path_, part.last, to);
-    Place last = earlier > 0 ? to : part.last;
-    if (earlier == 0) last.open = last.open || to.open;
-    return checked({part.first, last});
-  }
-  [[nodiscard]] std::optional<Part> checked(const Part& part) const {
-    const int length = compare(path_, part.last, part.first);
-    const bool is_some = length > 0 || (length == 0 && !part.first.open && !part.last.open);
-    return is_some ? std::optional(part) : std::nullopt;
-  }
-
   void descend(const Entry& e) {
     const std::uint8_t axis = planes_.axis(e.node);
     const double plane = planes_.plane(e.node), from = path_.from[axis];
@@ -163,11 +143,23 @@ class PlaneWalk {
       lies_in_plane_ = lies_in_plane_ || in_plane;
       return;
     }
-    // Where cells are half open the crossing itself belongs to the upper one.
-    const Place crossing{Kind::crossing, axis, plane, false}, without{Kind::crossing, axis, plane, !closed_};
-    const auto near = before(e.part, way > 0 ? without : crossing), far = after(e.part, way > 0 ? crossing : without);
-    if (far) push(way > 0 ? upper : lower, *far);
-    if (near) push(way > 0 ? lower : upper, *near);
+    const std::size_t near = way > 0 ? lower : upper, far = way > 0 ? upper : lower;
+    Place crossing{Kind::crossing, axis, plane, false};
+    const Place &first = e.part.first, &last = e.part.last;
+    const int behind_first = compare(path_, crossing, first);
+    if (behind_first < 0) return push(far, e.part);
+    const int before_last = compare(path_, last, crossing);
+    if (before_last < 0) return push(near, e.part);
+    // The crossing is on the part, or an end of it.  Where cells are half open it belongs to the upper one; of two equal
+    // places the open one is the narrower.
+    crossing.open = !closed_ && way < 0;
+    Place entry = behind_first > 0 ? crossing : first;
+    entry.open = entry.open || crossing.open;
+    if (before_last > 0 || (before_last == 0 && !entry.open && !last.open)) push(far, {entry, last});
+    crossing.open = !closed_ && way > 0;
+    Place end = before_last > 0 ? crossing : last;
+    end.open = end.open || crossing.open;
+    if (behind_first > 0 || (behind_first == 0 && !first.open && !end.open)) push(near, {first, end});
   }
 
   const Planes planes_;

@@ -15,137 +15,11 @@
 #include <hwy/highway.h>
 
 #include "arith/twofold.hpp"
-#include "certify/many_lanes.hpp"
+#include "space/kd_tree/point_lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::space::kd::HWY_NAMESPACE {
 namespace {
-
-namespace lanes = certify::many_lanes::HWY_NAMESPACE;
-namespace hn = hwy::HWY_NAMESPACE;
-using lanes::Many, lanes::Truth, lanes::Lanes, lanes::of_all, lanes::at_most;
-
-constexpr std::size_t count_of_lanes = hn::MaxLanes(Lanes());
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-HWY_INLINE Many load(const double* at) { return {hn::LoadU(Lanes(), at)}; }
-
-/// The first n lanes.
-HWY_INLINE unsigned first_lanes(std::size_t n) {
-  return n < count_of_lanes ? (1u << n) - 1 : (1u << count_of_lanes) - 1;
-}
-
-/// The query, and the tree that it is asked of.
-template <class Point>
-struct Query {
-  static constexpr std::size_t d = KdTree<Point>::dimension;
-  const KdTree<Point>& tree;
-  const Point& p;
-  std::array<double, d> at;
-  std::array<double, d> scaled;  // times powers.before
-  Powers powers;
-
-  HWY_INLINE Query(const KdTree<Point>& t, const Point& q, Powers times)
-      : tree(t), p(q), at(coordinates(q)), scaled(at), powers(times) {
-    for (double& x : scaled) x *= powers.before;
-  }
-
-  /// The points of a leaf in turn, lane by lane: their values.
-  template <class Visit>
-  HWY_INLINE void each_value(std::size_t leaf, const Visit& visit) const {
-    const std::size_t first = tree.first(leaf), count = tree.first(leaf + 1) - first;
-    const double* const from = tree.coordinates.data() + d * first;
-    for (std::size_t i = 0; i < count; i += count_of_lanes) {
-      const auto square = [&](std::size_t a) HWY_ATTR {
-        const Many x = (load(from + a * count + i) * of_all(powers.before) - of_all(scaled[a])) * of_all(powers.after);
-        return x * x;
-      };
-      Many sum = square(0) + square(1);
-      if constexpr (d == 3) sum = sum + square(2);
-      visit(sum, first, i, count);
-    }
-  }
-  HWY_INLINE Candidate<Point> candidate(std::size_t first, std::size_t i, std::size_t count, double value) const {
-    const double* const from = tree.coordinates.data() + d * first + i;
-    if constexpr (d == 2) {
-      return {{from[0], from[count]}, tree.numbers[first + i], value};
-    } else {
-      return {{from[0], from[count], from[2 * count]}, tree.numbers[first + i], value};
-    }
-  }
-  /// The square of the way to a plane; of those to planes of all axes.
-  HWY_INLINE double square_to(std::size_t node) const {
-    const double x = (scaled[tree.axes[node]] - tree.planes[node] * powers.before) * powers.after;
-    return x * x;
-  }
-  static HWY_INLINE double sum_of(const std::array<double, d>& square) {
-    if constexpr (d == 2) {
-      return square[0] + square[1];
-    } else {
-      return square[0] + square[1] + square[2];
-    }
-  }
-};
-
-/// The child of a node on the query's side.
-template <class Point>
-HWY_INLINE std::size_t near_child(const KdTree<Point>& tree, std::size_t node,
-                                  const std::array<double, KdTree<Point>::dimension>& at) {
-  return 2 * node + 1 + static_cast<std::size_t>(at[tree.axes[node]] >= tree.planes[node]);
-}
-
-template <class Point>
-HWY_INLINE std::size_t find_leaf(const KdTree<Point>& tree, const std::array<double, KdTree<Point>::dimension>& at) {
-  std::size_t node = 0;
-  for (unsigned level = 0; level < tree.levels; ++level) node = near_child(tree, node, at);
-  return node - (tree.leaves() - 1);
-}
-
-/// The cells below a node, of which `square` is known, nearer ones first; `limit()` may fall with every leaf.
-template <class Point, class Limit, class Visit>
-void search_below(const Query<Point>& query, std::size_t start, const std::array<double, Query<Point>::d>& square,
-                  const Limit& limit, const Visit& visit) {
-  struct Entry {
-    std::size_t node;
-    double sum;
-    std::array<double, Query<Point>::d> square;
-  };
-  const KdTree<Point>& tree = query.tree;
-  const std::size_t first_leaf = tree.leaves() - 1;
-  std::array<Entry, 34> stack;  // one a level at the most
-  std::size_t height = 0;
-  stack[height++] = {start, 0, square};
-  while (height != 0) {
-    const Entry top = stack[--height];
-    if (top.sum > limit()) continue;
-    std::size_t node = top.node;
-    while (node < first_leaf) {
-      const std::size_t near = near_child(tree, node, query.at);
-      Entry& far = stack[height];
-      far.node = 4 * node + 3 - near;
-      far.square = top.square;
-      far.square[tree.axes[node]] = query.square_to(node);
-      far.sum = Query<Point>::sum_of(far.square);
-      height += far.sum > limit() ? 0 : 1;
-      node = near;
-    }
-    visit(node - first_leaf);
-  }
-}
-
-/// The leaf that holds the query, and what may be as near as the limit of the others, from there upward.
-template <class Point, class Limit, class Visit>
-HWY_INLINE void search_from(const Query<Point>& query, std::size_t leaf, const Limit& limit, const Visit& visit) {
-  visit(leaf);
-  for (std::size_t node = leaf + (query.tree.leaves() - 1); node != 0; node = (node - 1) / 2) {
-    const std::size_t parent = (node - 1) / 2;
-    const double value = query.square_to(parent);
-    if (value > limit()) continue;
-    std::array<double, Query<Point>::d> square{};
-    square[query.tree.axes[parent]] = value;
-    search_below(query, 4 * parent + 3 - node, square, limit, visit);
-  }
-}
 
 /// Of a value at which products overflow, or are lost: a guess of when to scale, which decides no neighbor.
 HWY_INLINE bool is_extreme(double value) { return !(value > 0x1p-900 && value < infinity); }
@@ -161,8 +35,17 @@ class NearestSoFar {
   [[nodiscard]] HWY_INLINE const Candidate<Point>& last() const { return best_[k_ - 1]; }
   HWY_INLINE void clear() { size_ = 0, limit_ = infinity; }
 
-  HWY_INLINE void scan(const Query<Point>& query, std::size_t leaf) {
-    query.each_value(leaf, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
+  HWY_INLINE void scan(const Query<Point>& query, LeafRun run) {
+    if (run.leaves > 1) {
+      Candidate<Point> c = query.one_of(run);
+      if (c.value > limit_) return;
+      for (const std::uint32_t number : query.numbers_of(run)) {
+        c.number = number;
+        if (!offer(c)) return;  // nor any behind it
+      }
+      return;
+    }
+    query.each_value(run.leaf, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
       unsigned may_be = bits_of(at_most(value, of_all(limit_))) & first_lanes(count - i);
       if (may_be == 0) return;
       HWY_ALIGN double values[count_of_lanes];
@@ -181,12 +64,14 @@ class NearestSoFar {
   }
 
  private:
-  HWY_INLINE void offer(const Candidate<Point>& c) {
-    if (size_ == k_ && !comes_first(p_, c, best_[k_ - 1])) return;
+  /// Is it among them?
+  HWY_INLINE bool offer(const Candidate<Point>& c) {
+    if (size_ == k_ && !comes_first(p_, c, best_[k_ - 1])) return false;
     std::size_t place = size_ < k_ ? size_++ : k_ - 1;
     for (; place != 0 && comes_first(p_, c, best_[place - 1]); --place) best_[place] = best_[place - 1];
     best_[place] = c;
     if (size_ == k_) limit_ = Square<Point>{best_[k_ - 1].value}.beyond();
+    return true;
   }
 
   const Point& p_;
@@ -206,7 +91,7 @@ HWY_INLINE void find_nearest(const KdTree<Point>& tree, const Point& p, std::siz
     const Query<Point> query(tree, p, powers);
     search_from(
         query, leaf, [&]() HWY_ATTR { return again ? -1 : found.limit(); },
-        [&](std::size_t at) HWY_ATTR {
+        [&](LeafRun at) HWY_ATTR {
           found.scan(query, at);
           if (!found.is_full() || !is_extreme(found.last().value)) [[likely]]
             return;
@@ -267,20 +152,42 @@ void several(const KdTree<Point>& tree, const Point& p, std::size_t leaf, Candid
   for (std::size_t i = 0; i < k; ++i) out[i] = {room[i].number, distance_between(p, room[i].at)};
 }
 
+/// What is told of points that are found: their numbers, or how many have a greater one than this.
+struct Collected {
+  std::vector<std::uint32_t>& numbers;
+  HWY_INLINE void add(std::uint32_t number) { numbers.push_back(number); }
+  HWY_INLINE void add(std::span<const std::uint32_t> ascending) {
+    numbers.insert(numbers.end(), ascending.begin(), ascending.end());
+  }
+};
+struct CountedAbove {
+  std::uint32_t number;
+  std::size_t count = 0;
+  HWY_INLINE void add(std::uint32_t other) { count += other > number ? 1 : 0; }
+  HWY_INLINE void add(std::span<const std::uint32_t> ascending) {
+    count += static_cast<std::size_t>(ascending.end() - std::upper_bound(ascending.begin(), ascending.end(), number));
+  }
+};
+
 /// Those of whose values it is certain, or is_in says so.
-template <class Point, class IsIn>
+template <class Point, class IsIn, class Told>
 HWY_INLINE void add_within_values(const Query<Point>& query, std::size_t leaf, double inside, double outside,
-                                  const IsIn& is_in, std::vector<std::uint32_t>& numbers) {
+                                  const IsIn& is_in, Told& told) {
   search_from(
       query, leaf, [&]() HWY_ATTR { return outside; },
-      [&](std::size_t at) HWY_ATTR {
-        query.each_value(at, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
+      [&](LeafRun at) HWY_ATTR {
+        if (at.leaves > 1) {
+          const Candidate<Point> c = query.one_of(at);
+          if (c.value <= inside || (c.value <= outside && is_in(c))) told.add(query.numbers_of(at));
+          return;
+        }
+        query.each_value(at.leaf, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
           unsigned in = bits_of(at_most(value, of_all(outside))) & first_lanes(count - i);
           const unsigned sure = bits_of(at_most(value, of_all(inside)));
           for (; in != 0; in &= in - 1) {
             const auto k = static_cast<std::size_t>(__builtin_ctz(in));
             if ((sure >> k & 1) != 0 || is_in(query.candidate(first, i + k, count, 0)))
-              numbers.push_back(query.tree.numbers[first + i + k]);
+              told.add(query.tree.numbers[first + i + k]);
           }
         });
       });
@@ -290,13 +197,13 @@ template <class Point>
 void ball(const KdTree<Point>& tree, const Point& p, double radius, Powers powers, double inside, double outside,
           std::vector<std::uint32_t>& numbers) {
   const Query<Point> query(tree, p, powers);
+  Collected told{numbers};
   add_within_values(
       query, find_leaf(tree, query.at), inside, outside,
-      [&](const Candidate<Point>& c) { return compare_distance(p, c.at, radius) != Sign::positive; }, numbers);
+      [&](const Candidate<Point>& c) { return compare_distance(p, c.at, radius) != Sign::positive; }, told);
 }
-template <class Point>
-void ties(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers powers,
-          std::vector<std::uint32_t>& numbers) {
+template <class Point, class Told>
+HWY_INLINE void find_tied(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers powers, Told& told) {
   const Query<Point> query(tree, p, powers);
   std::array<double, Query<Point>::d> square;
   const auto b = coordinates(limit);
@@ -307,8 +214,20 @@ void ties(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers 
   const double outside = Square<Point>{Query<Point>::sum_of(square)}.beyond();
   add_within_values(
       query, find_leaf(tree, query.at), -1, outside,
-      [&](const Candidate<Point>& c) { return c.at == limit || compare_distance(p, c.at, limit) == Sign::zero; },
-      numbers);
+      [&](const Candidate<Point>& c) { return c.at == limit || compare_distance(p, c.at, limit) == Sign::zero; }, told);
+}
+template <class Point>
+void ties(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers powers,
+          std::vector<std::uint32_t>& numbers) {
+  Collected told{numbers};
+  find_tied(tree, p, limit, powers, told);
+}
+template <class Point>
+std::size_t ties_above(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers powers,
+                       std::uint32_t number) {
+  CountedAbove told{number};
+  find_tied(tree, p, limit, powers, told);
+  return told.count;
 }
 
 template <class Point>
@@ -367,6 +286,10 @@ void box(const KdTree<Point>& tree, const Point& least, const Point& most, std::
                std::vector<std::uint32_t>& to) {                                                                       \
     ties(t, p, limit, powers, to);                                                                                     \
   }                                                                                                                    \
+  std::size_t ties_above##d(const KdTree##d& t, const Point##d& p, const Point##d& limit, Powers powers,               \
+                            std::uint32_t number) {                                                                    \
+    return ties_above(t, p, limit, powers, number);                                                                    \
+  }                                                                                                                    \
   void box##d(const KdTree##d& t, const Point##d& low, const Point##d& high, std::vector<std::uint32_t>& to) {         \
     box(t, low, high, to);                                                                                             \
   }
@@ -393,6 +316,7 @@ PLUMB_EXPORT_BOTH(leaves);
 PLUMB_EXPORT_BOTH(several);
 PLUMB_EXPORT_BOTH(ball);
 PLUMB_EXPORT_BOTH(ties);
+PLUMB_EXPORT_BOTH(ties_above);
 PLUMB_EXPORT_BOTH(box);
 #undef PLUMB_EXPORT_BOTH
 
@@ -440,6 +364,11 @@ void add_ties(const KdTree<Point>& tree, const Point& p, const Point& limit, std
   PLUMB_BY_DIMENSION(ties, tree, p, limit, powers, numbers)
 }
 template <class Point>
+std::size_t count_ties_above(const KdTree<Point>& tree, const Point& p, const Point& limit, std::uint32_t number) {
+  const Powers powers = powers_for(tree, p, p == limit ? 0 : half_of_widest(p, limit));
+  PLUMB_BY_DIMENSION(ties_above, tree, p, limit, powers, number)
+}
+template <class Point>
 void add_within(const KdTree<Point>& tree, const Point& p, double radius, std::vector<std::uint32_t>& numbers) {
   const Powers powers = powers_for(tree, p, radius);
   const Interval scaled(radius * powers.before * powers.after), square = scaled * scaled;
@@ -459,6 +388,7 @@ void add_in_box(const KdTree<Point>& tree, const BoxOf<Point>& box,
   template void nearest_of_each(const KdTree<P>&, const P*, std::span<const std::uint64_t>, NearestPoint*); \
   template void k_nearest(const KdTree<P>&, const P&, std::size_t, std::span<Candidate<P>>, NearestPoint*); \
   template void add_ties(const KdTree<P>&, const P&, const P&, std::vector<std::uint32_t>&);                \
+  template std::size_t count_ties_above(const KdTree<P>&, const P&, const P&, std::uint32_t);               \
   template void add_within(const KdTree<P>&, const P&, double, std::vector<std::uint32_t>&);                \
   template void add_in_box<P>(const KdTree<P>&, const BoxOf<P>&, std::vector<std::uint32_t>&);
 PLUMB_INSTANTIATE(Point2) PLUMB_INSTANTIATE(Point3)

@@ -101,6 +101,9 @@ void k_nearest(const KdTree<Point>& tree, const Point& p, std::size_t leaf, std:
 /// Those that are exactly as near as the limit, in the order of the leaves.
 template <class Point>
 void add_ties(const KdTree<Point>& tree, const Point& p, const Point& limit, std::vector<std::uint32_t>& numbers);
+/// How many of them have a number above this one.  Of equal points, of which a node has all, one is looked at.
+template <class Point>
+std::size_t count_ties_above(const KdTree<Point>& tree, const Point& p, const Point& limit, std::uint32_t number);
 
 /// In the order of the leaves.
 template <class Point>

@@ -1,11 +1,14 @@
 #include "plumb/space/kd_tree/split_ray.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "plumb/arith/interval.hpp"
 #include "space/kd_tree/kept_figures.hpp"
+#include "space/kd_tree/passed_by.hpp"
 #include "space/kd_tree/plane_walk.hpp"
 
 namespace plumb {
@@ -51,6 +54,8 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
   std::optional<FigureHit<Figure>> best;
   if (tree.nodes.empty()) return best;
   std::optional<RayParameter> exactly;  // of the best, once it is asked for
+  std::array<std::uint32_t, 32> asked;
+  asked.fill(0xffffffff);
   const auto is_before = [&](const FigureHit<Figure>& h) {
     if (!best || h.hit.t != best->hit.t) return !best || h.hit.t < best->hit.t;
     const Figure &figure = tree.figures[h.index], &other = tree.figures[best->index];
@@ -62,7 +67,8 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
   SplitWalk<Figure>({tree.nodes}, path, KdCells::half_open).each_leaf([&](std::size_t leaf, const Place& entry) {
     if (best && is_surely_before(path, best->hit.t, entry)) return Descent::stop;
     for (const std::uint32_t i : tree.items_in(leaf)) {
-      if (best && best->index == i) continue;
+      std::uint32_t& before = asked[i % asked.size()];  // what lies in several leaves is asked once, as a rule
+      if (std::exchange(before, i) == i || is_passed_by(path, tree.figures[i])) continue;
       const auto hit = first_hit(way, tree.figures[i]);
       if (!hit) continue;
       const FigureHit<Figure> found{i, *hit};

@@ -7,6 +7,7 @@
 #include "plumb/figure/aabb/relation.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/octree/box_sides.hpp"
+#include "space/octree/cell_join.hpp"
 #include "space/octree/cell_keys.hpp"
 #include "space/octree/cut_cells.hpp"
 #include "space/octree/leaf_lists.hpp"
@@ -100,6 +101,7 @@ std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& 
   return found;
 }
 
+/// By CellRule::every_leaf.
 template <std::size_t D>
 struct PairFinder {
   const BoxCells<D>& tree;
@@ -112,26 +114,6 @@ struct PairFinder {
   void tell(std::uint32_t i, std::uint32_t j, std::vector<BoxPair>& pairs) const {
     const auto [a, b] = std::minmax(tree.cells.items[i], tree.cells.items[j]);
     pairs.push_back({a, b});
-  }
-
-  /// Of a cell's own boxes with one another, and with those of all cells in it.
-  void in_smallest(std::uint32_t node, std::vector<BoxPair>& pairs) const {
-    const OwnItems own = own_items(tree.cells, node);
-    const bool is_leaf = tree.cells.nodes[node].is_leaf();
-    for (std::uint32_t i = own.begin; i < own.end; ++i) {
-      for (std::uint32_t j = i + 1; j < own.end; ++j) {
-        if (counts(i, j)) tell(i, j, pairs);
-      }
-      if (is_leaf) continue;
-      const PlaceRange<D> range = space::range_of(tree.cells.frame, tree.boxes[i]);
-      space::visit_seen_cells(tree.cells, range, node, [&](std::uint32_t below) {
-        if (below == node) return;
-        const OwnItems others = own_items(tree.cells, below);
-        for (std::uint32_t j = others.begin; j < others.end; ++j) {
-          if (counts(i, j)) tell(i, j, pairs);
-        }
-      });
-    }
   }
 
   void in_leaf(std::uint32_t node, std::vector<BoxPair>& pairs) const {
@@ -147,20 +129,23 @@ struct PairFinder {
 };
 
 template <std::size_t D>
-std::vector<BoxPair> found_pairs(const BoxCells<D>& tree, const BoxPairOptions& options) {
+std::vector<std::vector<BoxPair>> pairs_in_leaves(const BoxCells<D>& tree, const BoxPairOptions& options) {
   constexpr std::size_t pair_block = 64;
   const PairFinder<D> finder{tree, options.touching};
   const std::size_t n = tree.cells.nodes.size();
   std::vector<std::vector<BoxPair>> parts(space::blocks_of(n, pair_block));
   space::for_blocks(options.execution, n, pair_block, [&](std::size_t b, std::size_t from, std::size_t to) {
-    for (std::size_t node = from; node < to; ++node) {
-      if (tree.rule == CellRule::every_leaf) {
-        finder.in_leaf(static_cast<std::uint32_t>(node), parts[b]);
-      } else {
-        finder.in_smallest(static_cast<std::uint32_t>(node), parts[b]);
-      }
-    }
+    for (std::size_t node = from; node < to; ++node) finder.in_leaf(static_cast<std::uint32_t>(node), parts[b]);
   });
+  return parts;
+}
+
+template <std::size_t D>
+std::vector<BoxPair> found_pairs(const BoxCells<D>& tree, const BoxPairOptions& options) {
+  const std::vector<std::vector<BoxPair>> parts = tree.rule == CellRule::every_leaf ? pairs_in_leaves(tree, options)
+                                                  : options.touching
+                                                      ? space::CellJoin<D, true>(tree).pairs(options.execution)
+                                                      : space::CellJoin<D, false>(tree).pairs(options.execution);
   std::vector<BoxPair> pairs;
   std::size_t count = 0;
   for (const auto& part : parts) count += part.size();

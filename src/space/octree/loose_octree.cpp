@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "plumb/figure/aabb/relation.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/grid/level_join.hpp"
 #include "space/octree/box_sides.hpp"
 #include "space/octree/cell_keys.hpp"
 #include "space/octree/seen_cells.hpp"
@@ -208,30 +207,28 @@ std::uint64_t LooseCells<D>::code(std::uint32_t handle) const {
   return cells_[items_[handle].cell].code;
 }
 
-/// Calls visit(cell, level) for each cell down to a level whose loose cell may hold something of the box.
+/// Calls visit(cell) for each cell whose loose cell may hold something of the box.
 template <std::size_t D>
 template <class Visit>
-void LooseCells<D>::visit_cells(const Box& box, unsigned deepest, const Visit& visit) const {
+void LooseCells<D>::visit_cells(const Box& box, const Visit& visit) const {
   constexpr std::size_t children = std::size_t{1} << D;
   const space::PlaceRange<D> range = space::range_of(frame_, box);
   struct Waiting {
     std::uint32_t cell;
-    unsigned level;
     CellSpan<D> span;
   };
   std::array<Waiting, (children - 1) * CellFrame<D>::levels + 1> later;
   std::size_t waiting = 0;
-  later[waiting++] = {0, 0, span_of<D>(root_code)};
+  later[waiting++] = {0, span_of<D>(root_code)};
   while (waiting > 0) {
     const Waiting now = later[--waiting];
-    visit(cells_[now.cell], now.level);
-    if (now.level == deepest) continue;
+    visit(cells_[now.cell]);
     for (std::size_t c = 0; c < children; ++c) {
       const std::uint32_t child = cells_[now.cell].children[c];
       if (child == none) continue;
       CellSpan<D> span = space::child_of(now.span, c), loose = span;
       loose.count *= 2;
-      if (range.meets(loose)) later[waiting++] = {child, now.level + 1, span};
+      if (range.meets(loose)) later[waiting++] = {child, span};
     }
   }
 }
@@ -242,7 +239,7 @@ std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box) const {
   figure::require_finite_parts<decltype(box.min), decltype(box.max)>("LooseOctree::in_box", {"box.min", "box.max"},
                                                                      box.min, box.max);
   if (is_empty(box)) return found;
-  visit_cells(box, CellFrame<D>::levels, [&](const Cell& cell, unsigned) {
+  visit_cells(box, [&](const Cell& cell) {
     for (std::uint32_t i = cell.first_item; i != none; i = items_[i].behind) {
       if (space::meet(box, items_[i].box)) found.push_back(i);
     }
@@ -253,29 +250,21 @@ std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box) const {
 
 template <std::size_t D>
 std::vector<BoxPair> LooseCells<D>::pairs(const BoxPairOptions& options) const {
-  constexpr std::size_t item_block = 256;
-  std::vector<std::vector<BoxPair>> parts(space::blocks_of(items_.size(), item_block));
-  const auto of_item = [&](std::uint32_t i, std::vector<BoxPair>& pairs) {
-    const Item& item = items_[i];
-    const unsigned own_level = level_of<D>(cells_[item.cell].code);
-    // Each pair from the box in the smaller cell, in cells of one level from the one of the higher handle.
-    visit_cells(item.box, own_level, [&](const Cell& cell, unsigned level) {
-      for (std::uint32_t j = cell.first_item; j != none; j = items_[j].behind) {
-        if ((level == own_level && j >= i) || !space::meet(item.box, items_[j].box)) continue;
-        if (!options.touching && relate(item.box, items_[j].box) != Relation::overlapping) continue;
-        pairs.push_back({std::min(i, j), std::max(i, j)});
-      }
-    });
-  };
-  space::for_blocks(options.execution, items_.size(), item_block, [&](std::size_t b, std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
-      if (items_[i].cell != none) of_item(static_cast<std::uint32_t>(i), parts[b]);
-    }
+  std::vector<space::SweptBox<Box>> boxes;
+  std::vector<int> shifts;
+  std::vector<typename CellFrame<D>::Place> places(items_.size());  // of their lowest corners
+  for (std::uint32_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].cell == none) continue;
+    boxes.push_back({items_[i].box, i});
+    shifts.push_back(static_cast<int>(CellFrame<D>::levels - level_of<D>(cells_[items_[i].cell].code)));
+    places[i] = frame_.place(items_[i].box.min);
+  }
+  space::LevelJoin<Box> join(options.execution, boxes, shifts);
+  return join.pairs(options.touching, [&](const space::SweptBox<Box>& b, int shift) {
+    space::RowNumber<D> row;
+    for (std::size_t axis = 1; axis < D; ++axis) row[axis - 1] = places[b.number][axis] >> shift;
+    return row;
   });
-  std::vector<BoxPair> pairs;
-  for (const auto& part : parts) pairs.insert(pairs.end(), part.begin(), part.end());
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }
 
 template class LooseCells<2>;

@@ -29,7 +29,8 @@ std::string trial_chart(const trial::Trial& t) {
     points.push_back({label, s.ns, number ? s.mean_ulps : s.share(s.wrong), s.unsure == 0, s.method, hint_of(s, t)});
   }
   const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
-  return scatter_chart({fmt::format("{}, {}", t.task, t.input), fmt::format("{}: {} cases, one thread", t.about, cases),
+  return scatter_chart({fmt::format("{}, {}", t.task, t.input),
+                        fmt::format("{}: {} {}, one thread", t.about, cases, cases == 1 ? "case" : "cases"),
                         "nanoseconds per question", number ? "mean error in ulps" : "share of wrong answers", true},
                        points);
 }

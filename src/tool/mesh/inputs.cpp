@@ -113,18 +113,29 @@ MeshInputs mesh_inputs(const MeshArguments& arguments) {
   return inputs;
 }
 
-std::string bytes_of_input(const std::string& file) {
+std::string bytes_of_input(const std::string& file, std::uint64_t most_bytes) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (file != "-" && (fs::is_block_file(status) || (fs::is_character_file(status) && file != "/dev/stdin")))
+    throw Error(fmt::format("cannot read {}: it is a device, expected a file or a pipe; name a file", printable(file)));
   std::string bytes;
   std::array<char, 1 << 16> chunk;
   errno = 0;
   std::FILE* const stream = file == "-" ? stdin : std::fopen(file.c_str(), "rb");
   if (stream != nullptr) {
-    while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), stream)) bytes.append(chunk.data(), got);
+    std::size_t got = 0;
+    while (bytes.size() <= most_bytes && (got = std::fread(chunk.data(), 1, chunk.size(), stream)) != 0)
+      bytes.append(chunk.data(), got);
   }
   const bool failed = stream == nullptr || std::ferror(stream) != 0;
   const std::string why = failed ? std::strerror(errno) : "";
   if (stream != nullptr && stream != stdin) static_cast<void>(std::fclose(stream));
   if (failed) throw Error(fmt::format("cannot read {}: {}", printable(name_of_input(file)), why));
+  if (bytes.size() > most_bytes)
+    throw Error(
+        fmt::format("cannot read {}: it is longer than {} MiB, which is the most that is read; divide it, or "
+                    "write it as an array of NumPy (.npy), which is shorter",
+                    printable(name_of_input(file)), most_bytes >> 20));
   return bytes;
 }
 

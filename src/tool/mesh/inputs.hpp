@@ -41,8 +41,9 @@ void require_input_once(const std::vector<std::string>& words);
 /// Throws Error where standard input is named twice.
 MeshInputs mesh_inputs(const MeshArguments& arguments);
 
-/// All of a file, or of standard input for "-"; throws Error where it cannot be read.
-std::string bytes_of_input(const std::string& file);
+/// All of a file, or of standard input for "-"; throws Error where it cannot be read, is a device, which may never end,
+/// or is longer than that.
+std::string bytes_of_input(const std::string& file, std::uint64_t most_bytes = std::uint64_t{4} << 30);
 
 /// The mesh that these bytes are, of a file of this name; throws as read_input does.
 PolygonMesh parse_input(std::string_view bytes, const std::string& name, LoadReport* report,

@@ -72,6 +72,9 @@ int run_nearest(const NearestOptions& options) {
   const ThreadLimit limit(options.threads);
   NearestReport report;
   report.ties = options.ties;
+  report.keeps_distances = options.all || options.json || options.distances;
+  report.keeps_all = report.keeps_distances || options.out || options.svg;
+  report.most = options.most;
   if (options.within) {
     report.radius = read_decimal(*options.within, "--within").value;
     if (*report.radius < 0)

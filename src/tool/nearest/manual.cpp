@@ -36,7 +36,10 @@ A mesh, as `plumb check` reads it
 distances as one of float64, both of the shape (queries, N). With --ties
 and --within queries have different numbers of answers: then --out has
 the shape (m, 2), a query and a point in each row, and --distances the
-shape (m,). --json has both, as a list for each query.
+shape (m,). --json has both, as a list for each query. More than
+100,000,000 answers are refused for these, for --svg and for --all,
+which --most changes; without them the first ten are kept and the
+others are counted, and so there may be any number.
 
 --svg draws the planes of the k-d tree that is searched, the points and
 the queries, with lines to what is nearest; points in space are seen

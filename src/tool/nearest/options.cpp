@@ -1,4 +1,5 @@
 #include "tool/manual/command.hpp"
+#include "tool/manual/whole_number.hpp"
 #include "tool/nearest/command.hpp"
 
 namespace plumb::tool {
@@ -10,13 +11,17 @@ Command nearest_command(CLI::App& program) {
   parser->add_option("POINTS QUERIES", o.files.words, "The two files; '-' is standard input.");
   add_unpacked(parser, o.files.unpacked_mib);
   parser->add_option("-k", o.k, "How many points to find for each query, nearest first; 1 when not given.")
-      ->check(CLI::Range(1U, 4294967295U))
+      ->check(whole_number_from(1, 4294967295U))
       ->type_name("N");
   parser->add_option("--within", o.within, "Find all points that are no farther than that, instead.")
       ->type_name("RADIUS");
   parser->add_flag("--ties", o.ties, "Tell all points that are exactly as near as the last one asked for, too.");
   add_threads(parser, o.threads);
   parser->add_flag("--all", o.all, "List every answer; without this option, the first ten.");
+  parser->add_option("--most", o.most, "Keep so many answers for the outputs at the most; count any number.")
+      ->check(whole_number_from(1, std::uint64_t{1} << 40))
+      ->capture_default_str()
+      ->type_name("N");
   add_output(parser, "--json", o.json, "Write the answers as JSON");
   add_output(parser, "--out", o.out, "Write the points' numbers as an array of NumPy (.npy)");
   add_output(parser, "--distances", o.distances, "Write the distances as an array of NumPy (.npy)");

@@ -12,8 +12,6 @@
 namespace plumb::tool {
 namespace {
 
-constexpr std::size_t listed = 10;
-
 std::string set_line(const PointInput& set, std::string_view one, std::string_view many, const Style& style) {
   return style.bold(printable(set.name)) +
          fmt::format(": {} {}{}\n{}", plural(set.size(), one, many), set.is_planar ? "in the plane" : "in space",
@@ -30,7 +28,7 @@ nlohmann::json set_json(const PointInput& set) {
 
 std::string nearest_text(const NearestReport& r, bool all, const Style& style) {
   std::string text = set_line(r.points, "point", "points", style) + set_line(r.queries, "query", "queries", style);
-  if (r.radius) text += plural(r.found.size(), "point", "points") + fmt::format(" within {} of a query\n", *r.radius);
+  if (r.radius) text += plural(r.answers, "point", "points") + fmt::format(" within {} of a query\n", *r.radius);
   if (r.ties)
     text += fmt::format("{} more points that are exactly as near as the last one asked for\n",
                         r.tied == 1 ? "1 query has" : grouped(r.tied) + " queries have");
@@ -39,13 +37,14 @@ std::string nearest_text(const NearestReport& r, bool all, const Style& style) {
   if (r.found.empty()) return text;
   text += style.dim(fmt::format("{:>10} {:>10}  {}\n", "query", "point", "distance"));
   std::size_t shown = 0;
-  for (std::size_t q = 0; q < r.queries.size(); ++q) {
+  for (std::size_t q = 0; q < r.queries.size() && (all || shown < NearestReport::listed); ++q) {
     for (const NearestPoint& n : r.of(q)) {
-      if (!all && shown++ == listed)
-        return text + fmt::format("and {} more; --all lists them\n", grouped(r.found.size() - listed));
+      if (!all && shown++ == NearestReport::listed) break;
       fmt::format_to(std::back_inserter(text), "{:>10} {:>10}  {}\n", q, n.index, n.distance);
     }
   }
+  if (!all && r.answers > NearestReport::listed)
+    text += fmt::format("and {} more; --all lists them\n", grouped(r.answers - NearestReport::listed));
   return text;
 }
 

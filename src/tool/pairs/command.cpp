@@ -24,6 +24,18 @@ void require_sound(const PairsOptions& o) {
   if (o.files.words.empty() || o.files.words.size() > 2)
     throw Error("pairs: one file of boxes is needed, or two; 'plumb pairs --help' explains");
   require_input_once(o.files.words);
+  if (o.count && (o.all || o.out))
+    throw Error(fmt::format("pairs: --count and {} exclude each other: one only counts, the other needs the pairs",
+                            o.all ? "--all" : "--out"));
+}
+
+/// Told when there is one too many: how many there are after all is known only at the end.
+[[noreturn]] void refuse_more(std::uint64_t most, std::uint64_t at_least) {
+  throw Error(
+      fmt::format("pairs: there are more than {} pairs, {} at least, and so many are kept at the most; leave out "
+                  "--all and --out, and give --count for --json, to count them all, or give a greater --most, for "
+                  "each of which 8 bytes are kept",
+                  grouped(most), grouped(at_least)));
 }
 
 void require_one_space(const std::vector<BoxInput>& sets) {
@@ -80,6 +92,8 @@ PairsReport pairs_report(const PairsOptions& options, std::vector<BoxInput> sets
     }
     report.overlap += overlap;
     report.touch += block.size() - overlap;
+    if (report.pairs && report.pairs->size() + block.size() > options.most)
+      refuse_more(options.most, report.touch + report.overlap);
     if (report.pairs) report.pairs->insert(report.pairs->end(), block.begin(), block.end());
     if (bar.shown()) bar.note(plural(report.touch + report.overlap, "pair", "pairs"));
   };

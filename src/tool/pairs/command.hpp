@@ -3,7 +3,8 @@
 // Laws: (1) text, JSON and array hold the same pairs, in the order of the library's answer.  (2) Everything but the
 // time depends on the boxes, --no-touching and the method alone, not on threads.  (3) Array and picture replace no
 // file, unless that is asked for.  Exit code 0 when done, also where no two meet; files that cannot be read, boxes that
-// are none and outputs that cannot be written throw Error.
+// are none, more pairs to keep than --most and outputs that cannot be written throw Error.  (4) Where no output has the
+// pairs, they are counted as they come, and none is kept.
 // Source: RTCD 2.4.1, 7; plumb/space/broad_phase/overlapping_pairs.hpp.
 // Cost: that of reading, which is most, and of the search; pairs are kept where an output has them.
 #pragma once
@@ -28,7 +29,8 @@ struct PairsOptions {
   std::string method = "automatic";  // of method_names.hpp
   unsigned threads = 0;
   bool all = false;                           // list every pair
-  bool count = false;                         // none in the JSON
+  bool count = false;                         // only count: no pair is kept, none is in the JSON
+  std::uint64_t most = 100'000'000;           // pairs to keep
   std::optional<std::string> json, out, svg;  // "-" is standard output
   bool overwrite = false;                     // what --out and --svg name
 };

@@ -1,4 +1,5 @@
 #include "tool/manual/command.hpp"
+#include "tool/manual/whole_number.hpp"
 #include "tool/pairs/command.hpp"
 #include "tool/pairs/method_names.hpp"
 
@@ -19,7 +20,11 @@ Command pairs_command(CLI::App& program) {
       ->type_name("NAME");
   add_threads(parser, o.threads);
   parser->add_flag("--all", o.all, "List every pair, too.");
-  parser->add_flag("--count", o.count, "Leave the pairs out of the JSON.");
+  parser->add_flag("--count", o.count, "Only count: keep no pair, and leave them out of the JSON.");
+  parser->add_option("--most", o.most, "Keep so many pairs for the outputs at the most; count any number.")
+      ->check(whole_number_from(1, std::uint64_t{1} << 40))
+      ->capture_default_str()
+      ->type_name("N");
   add_output(parser, "--json", o.json, "Write counts and pairs as JSON");
   add_output(parser, "--out", o.out, "Write the pairs as an array of NumPy (.npy), a row each");
   add_output(parser, "--svg", o.svg, "Draw the boxes, and what the search divides them into, as SVG");

@@ -83,6 +83,8 @@ void OutputFiles::promise_unless_there(std::string_view option, const std::optio
 }
 
 void OutputFiles::add(Output output, std::string_view mend) {
+  if (output.path.empty())
+    throw Error(fmt::format("{}: the file's name is empty; name one, or '-' for standard output", output.option));
   output.standard_output = output.path == "-" || is_stream(output.path, STDOUT_FILENO);
   require_distinct(output);
   if (!output.standard_output) {

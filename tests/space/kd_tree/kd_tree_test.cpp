@@ -80,11 +80,11 @@ TEST(KdTreeSize, IsAsStated) {
     Entropy e(7313, n);
     const auto space = point_sets::points<Point3>(Kind::sphere, n, e);
     const KdTree3 tree = build_kd_tree(space);
-    EXPECT_EQ(memory_of(tree), 28 * n + 9 * (tree.leaves() - 1) + 8 * KdTree3::padding);
+    EXPECT_EQ(memory_of(tree), 28 * n + 10 * (tree.leaves() - 1) + 8 * KdTree3::padding);
     EXPECT_LE(tree.leaves(), n / 4);
     const auto plane = point_sets::points<Point2>(Kind::sphere, n, e);
     const KdTree2 flat = build_kd_tree(plane);
-    EXPECT_EQ(memory_of(flat), 20 * n + 9 * (flat.leaves() - 1) + 8 * KdTree2::padding);
+    EXPECT_EQ(memory_of(flat), 20 * n + 10 * (flat.leaves() - 1) + 8 * KdTree2::padding);
   }
 }
 

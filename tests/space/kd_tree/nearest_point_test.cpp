@@ -12,6 +12,7 @@
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/instruction_set.hpp"
 #include "plumb/query/closest/closest.hpp"
+#include "space/kd_tree/point_search.hpp"
 #include "space/kd_tree/point_sets.hpp"
 
 namespace plumb {
@@ -26,14 +27,17 @@ TYPED_TEST_SUITE(NearestPointTest, PointTypes);
 
 TYPED_TEST(NearestPointTest, IsTheFirstOfAllSorted) {
   std::array<std::size_t, point_sets::kinds> ties{};
-  std::size_t told_more = 0;
+  std::size_t told_more = 0, equal_nodes = 0;
   for (std::uint64_t index = 0; index < battery::fitting(900u); ++index) {
     Entropy e(7301, index);
     const auto kind = static_cast<Kind>(index % point_sets::kinds);
     SCOPED_TRACE(testing::Message() << "start 7301 index " << index << ", "
                                     << point_sets::kind_names[index % point_sets::kinds]);
     const std::size_t n = 1 + e.below(index % 5 == 0 ? 120 : 30);
-    const auto all = point_sets::points<TypeParam>(kind, n, e);
+    auto all = point_sets::points<TypeParam>(kind, n, e);
+    if (index / point_sets::kinds % 2 == 1) {  // most in three places, so that all below some nodes are equal
+      for (TypeParam& q : all) q = e.below(8) == 0 ? q : all[e.below(std::min<std::size_t>(n, 3))];
+    }
     const auto tree = build_kd_tree(all, {.most_in_leaf = static_cast<std::uint32_t>(1 + e.below(12)),
                                           .execution = e.coin() ? Execution::serial : Execution::parallel});
     const TypeParam p = point_sets::query(kind, all, e);
@@ -56,7 +60,9 @@ TYPED_TEST(NearestPointTest, IsTheFirstOfAllSorted) {
       ASSERT_EQ(tied[i].index, order[i]) << i << " of " << more;
       ASSERT_EQ(tied[i].distance, distance(p, all[order[i]]));
     }
+    ASSERT_EQ(space::kd::count_ties_above(tree, p, all[order[k - 1]], order[k - 1]), more - k);
     ties[index % point_sets::kinds] += more > k ? 1 : 0, told_more += more - k;
+    equal_nodes += static_cast<std::size_t>(std::ranges::count(tree.equal, 1));
   }
   for (const Kind kind : {Kind::lattice, Kind::equal, Kind::ulps, Kind::tiny}) {
     const std::size_t tied = ties[static_cast<std::size_t>(kind)];
@@ -65,6 +71,7 @@ TYPED_TEST(NearestPointTest, IsTheFirstOfAllSorted) {
     }
   }
   EXPECT_GT(told_more, battery::fitting(500u));
+  EXPECT_GT(equal_nodes, battery::fitting(1000u));
 }
 
 TYPED_TEST(NearestPointTest, OfManyIsThatOfEach) {

@@ -8,12 +8,13 @@
 //
 // Cells of level e are of size 2^e.  A box is at the lowest level at which it reaches into no more than two cells along
 // each axis, in the list of the cell that holds its min.  So what overlaps it at its own and higher levels is in the
-// lists of at most three cells along each axis; each pair is looked for from the box of the lower level.
-// Laws: those of list_grid.hpp.  Levels without a box cost nothing.
+// lists of at most three cells along each axis.  All pairs are found level by level, by the rows of cells along x: each
+// level's boxes with one another and with those of all lower levels.
+// Laws: those of list_grid.hpp; pairs ascend by a, then b.  Levels without a box cost nothing.
 // Errors are those of list_grid.hpp, but for memory: a box takes as much as any other.
 // Source: RTCD 7.2.1.
-// Cost: insert, move and remove take constant time (a table that grows moves what is in it); pairs some 14 lists a
-// box and 27 for each higher level that is occupied.
+// Cost: insert, move and remove take constant time (a table that grows moves what is in it); overlapping 27 lists for
+// each level that is occupied; pairs a sort by x, and for each level that is occupied one of all that are no higher.
 #pragma once
 
 #include <cstdint>
@@ -69,7 +70,6 @@ class HierarchicalGrid {
   void unlink(std::uint32_t handle);
   void grow();
   void count(int level, bool more);
-  void pairs_of(std::uint32_t a, bool touching, std::vector<BoxPair>& out) const;
   template <class Visit>
   void for_list(int level, const space::CellNumber<n>& cell, const Visit& visit) const;
 

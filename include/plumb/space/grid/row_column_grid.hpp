@@ -12,7 +12,8 @@
 // Laws: those of list_grid.hpp; pairs ascend by a, then b.
 // Errors are those of implicit_grid.hpp.
 // Source: RTCD 7.2.2.
-// Cost: insert, move and remove take constant time; a query a 64th of an operation for each box and row of each level.
+// Cost: insert, move and remove take constant time; a query a 64th of an operation for each box and row of each level;
+// pairs as of hierarchical_grid.hpp, which asks no bits.
 #pragma once
 
 #include <cstdint>

@@ -5,11 +5,12 @@
 // coordinates stand together, axis by axis, as lanes read them.
 // Laws: (1) each point is in one leaf.  (2) Below child 2 i + 1 no coordinate of the axis exceeds planes[i], below the
 // other none is less.  (3) Leaves differ by at most one in the number of their points.  (4) The same points make the
-// same tree on every number of threads: points in one plane are divided by their numbers.
+// same tree on every number of threads: points in one plane are divided by their numbers.  (5) So below a node of equal
+// points the numbers ascend, and a search looks at the first of them for all.
 // A coordinate that is NaN or infinite throws NonFinite, which names the point; more than 2^32 - 1 points and leaves of
 // no point throw InvalidShape.
 // Source: RTCD 7.3.7, 13.4.1; Bentley 1975.
-// Cost: 28 bytes a point in space and 20 in the plane, 9 bytes a leaf; n log n to build, by recursion as deep as the
+// Cost: 28 bytes a point in space and 20 in the plane, 10 bytes a leaf; n log n to build, by recursion as deep as the
 // levels.
 #pragma once
 
@@ -35,6 +36,7 @@ struct KdTree {
   bool halves = true;                  // is half of each coordinate a double?  Then no difference need overflow
   std::vector<double> planes;          // one a node: coordinate ...
   std::vector<std::uint8_t> axes;      // ... and axis, 0 for x
+  std::vector<std::uint8_t> equal;     // 1 where all points below a node are one and the same
   std::vector<double> coordinates;     // leaf by leaf: all x, all y, all z
   std::vector<std::uint32_t> numbers;  // of the points, leaf by leaf, ascending in each
 

@@ -17,7 +17,8 @@
 // options out of range InvalidShape; to ask with an empty box gives nothing.
 // Source: RTCD 7.3.2, 7.3.5.
 // Cost: as of points; every_leaf a step for each cell on the way to a box's leaves.  smallest_cell keeps each box once,
-// but boxes across the middle stay in large cells, where all of them are compared.
+// but boxes across the middle stay in large cells: there they are swept along x, and so are those of smaller cells with
+// what reaches into these.
 #pragma once
 
 #include "plumb/space/octree/point_octree.hpp"

@@ -16,7 +16,8 @@
 // NaN and infinity throw NonFinite, empty boxes InvalidShape; a handle that holds no box Error, which names it.
 // Source: RTCD 7.3.6; Ulrich, "Loose octrees", Game Programming Gems, 2000.
 // Cost: insertion, removal and moving are constant: a code and a look into a table of cells, and where a cell is made
-// or given up a step for each level at most.  Moving within a cell is a comparison of codes.
+// or given up a step for each level at most.  Moving within a cell is a comparison of codes.  All pairs: a sort by x and
+// for each level that has a box one of all that are no higher, then some ns for each box near along x in rows of cells.
 #pragma once
 
 #include <string_view>
@@ -71,7 +72,7 @@ class LooseCells {
   void make_room_in_table();
   void erase_from_table(std::uint64_t code);
   template <class Visit>
-  void visit_cells(const Box& box, unsigned deepest, const Visit& visit) const;
+  void visit_cells(const Box& box, const Visit& visit) const;
 
   CellFrame<D> frame_;
   std::vector<Cell> cells_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "plumb/space/grid/detail/cell_span.hpp"
@@ -9,7 +10,10 @@
 namespace plumb::space {
 
 /// Cells of level e are of size 2^e.
-inline double per_level_size(int level) { return std::ldexp(1, -level); }
+inline double per_level_size(int level) {
+  // 2^-level; its exponent as doubles keep it, which subnormal ones do not.
+  return level < 1023 ? std::bit_cast<double>(static_cast<std::uint64_t>(1023 - level) << 52) : std::ldexp(1, -level);
+}
 
 inline constexpr int least_level = -1000, most_level = 1023;
 

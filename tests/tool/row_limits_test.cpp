@@ -1,0 +1,101 @@
+// Do `plumb pairs` and `plumb nearest` count what they do not keep, and say where an input or an answer is too long?
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "plumb/arith/error.hpp"
+#include "tool/mesh/inputs.hpp"
+#include "tool/run_program.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+std::string at(const Folder& folder, const std::string& command) {
+  return "cd " + (folder / "") + " && $PLUMB " + command + " ";
+}
+
+/// So many lines, which say all the same.
+std::string times_over(int many, const std::string& line) {
+  std::string text;
+  for (int i = 0; i < many; ++i) text += line + "\n";
+  return text;
+}
+
+void expect_refusals(const Folder& folder, std::initializer_list<std::pair<const char*, const char*>> refusals) {
+  for (const auto& [line, words] : refusals) {
+    const Outcome o = run(at(folder, line));
+    EXPECT_EQ(o.code, 2) << line;
+    EXPECT_EQ(o.out, "") << line;
+    EXPECT_THAT(o.err, HasSubstr(words)) << line;
+  }
+}
+
+TEST(PairsLimits, CountedOrKeptAndNoMore) {
+  const Folder folder;
+  std::ofstream(folder / "equal.csv") << times_over(300, "0,0,1,1");  // 44,850 pairs
+  const Outcome counted = run(at(folder, "pairs") + "equal.csv --most 10");
+  EXPECT_EQ(counted.code, 0);
+  EXPECT_THAT(counted.out, HasSubstr("44,850 pairs meet: 0 touch, 44,850 overlap\n"));
+  for (const char* options : {"--count", "--count --threads 1", "--count --method sort-and-sweep"}) {
+    EXPECT_THAT(run(at(folder, "pairs") + "equal.csv " + options).out, HasSubstr("44,850 pairs meet")) << options;
+  }
+  EXPECT_EQ(json::parse(run(at(folder, "pairs") + "equal.csv --count --most 1 --json").out).at("overlapping"), 44'850);
+  EXPECT_EQ(run(at(folder, "pairs") + "equal.csv --out kept.npy --most 44850").code, 0);
+  expect_refusals(folder, {{"pairs equal.csv --out other.npy --most 44849", "more than 44,849 pairs, 44,850 at least"},
+                           {"pairs equal.csv --json --most 10", "so many are kept at the most; leave out --all and"},
+                           {"pairs equal.csv --all --count", "--count and --all exclude each other"},
+                           {"pairs equal.csv --out other.npy --count", "--count and --out exclude each other"},
+                           {"pairs equal.csv --most 1.5", "'1.5' is no whole number from 1 to "},
+                           {"pairs equal.csv --json ''", "--json: the file's name is empty; name one, or '-' for"},
+                           {"pairs /dev/zero", "cannot read /dev/zero: it is a device, expected a file or a pipe"}});
+  EXPECT_FALSE(std::ifstream(folder / "other.npy").good());
+}
+
+TEST(NearestLimits, CountedOrKeptAndNoMore) {
+  const Folder folder;
+  std::ofstream(folder / "equal.csv") << times_over(300, "0.5,0.25");
+  std::ofstream(folder / "queries.csv") << times_over(70, "1,1") + "0.5,0.25\n";
+  const std::string nearest = at(folder, "nearest") + "equal.csv queries.csv ";
+  // 71 queries, each with 300 answers.
+  for (const char* options : {"--within 2 ", "--ties ", "--ties -k 5 "}) {
+    const Outcome counted = run(nearest + options + "--most 10");
+    EXPECT_EQ(counted.code, 0) << counted.err;
+    EXPECT_THAT(counted.out, HasSubstr("         0          9  0.9013878188659973\nand 21,290 more;")) << options;
+    EXPECT_EQ(run(nearest + options + "--threads 1 | grep -v ms").out, run(nearest + options + "| grep -v ms").out);
+    const json all = json::parse(run(nearest + options + "--json").out);
+    for (const json& list : all.at("indices")) EXPECT_EQ(list.size(), 300U);
+    EXPECT_EQ(all.at("distances")[69][299], 0.9013878188659973);
+    EXPECT_EQ(all.at("distances")[70][299], 0.0);
+    const Outcome refused = run(nearest + options + "--most 21299 --out near.npy --overwrite");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("more than 21,299 answers, 21")) << options;
+    EXPECT_EQ(run(nearest + options + "--most 21300 --out near.npy --overwrite").code, 0);
+  }
+  EXPECT_THAT(run(nearest + "--ties").out, HasSubstr("71 queries have more points that are exactly as near"));
+  expect_refusals(folder, {{"nearest -k 1.5 equal.csv queries.csv", "'1.5' is no whole number from 1 to 4294967295"},
+                           {"nearest -k 0 equal.csv queries.csv", "'0' is no whole number from 1 to 4294967295"},
+                           {"nearest /dev/zero queries.csv", "cannot read /dev/zero: it is a device"}});
+}
+
+// A pipe may never end: what is longer than the limit is refused when so much has been read.
+TEST(InputLimits, EndWhatIsTooLong) {
+  const Folder folder;
+  std::ofstream(folder / "some.csv") << times_over(1000, "0,0");
+  EXPECT_EQ(bytes_of_input(folder / "some.csv", 4000).size(), 4000U);
+  try {
+    (void)bytes_of_input(folder / "some.csv", 3999);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("some.csv: it is longer than 0 MiB, which is the most that is read"));
+  }
+}
+
+}  // namespace
+}  // namespace plumb::tool
