@@ -50,7 +50,8 @@ class Maker {
     box_features();
   }
   void operator()(const Obb3* box) {
-    const std::array<double, 3> half{box->half.x, box->half.y, box->half.z};
+    // Upper ends are those of the magnitudes, here and in rectangles.
+    const std::array<double, 3> half{std::fabs(box->half.x), std::fabs(box->half.y), std::fabs(box->half.z)};
     for (std::uint32_t i = 0; i < 8; ++i) {
       Vec3<T> v = vector_of<T>(box->center);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -70,7 +71,7 @@ class Maker {
     for (std::uint32_t i = 0; i < 4; ++i) face({(i + 1) % 4, (i + 2) % 4, (i + 3) % 4}, i);
   }
   void operator()(const Rectangle3* r) {
-    const double x = std::fabs(r->half.x), y = std::fabs(r->half.y);  // upper ends are those of the magnitudes
+    const double x = std::fabs(r->half.x), y = std::fabs(r->half.y);
     const Vec3<T> u = vector_of<T>(r->axes[0]) * T(x), v = vector_of<T>(r->axes[1]) * T(y);
     parallelogram(vector_of<T>(r->center) - u - v, u + u, v + v);
   }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "arith/approximate.hpp"
 #include "arith/certain.hpp"
@@ -266,8 +267,8 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline Woven<T, 3, true> hull_of(const Obb3& b) {
   return {b.center,
-          {vector_of<T>(b.axes[0]) * T(b.half.x), vector_of<T>(b.axes[1]) * T(b.half.y),
-           vector_of<T>(b.axes[2]) * T(b.half.z)}};
+          {vector_of<T>(b.axes[0]) * T(std::fabs(b.half.x)), vector_of<T>(b.axes[1]) * T(std::fabs(b.half.y)),
+           vector_of<T>(b.axes[2]) * T(std::fabs(b.half.z))}};
 }
 template <class T>
 [[gnu::always_inline]] inline ThreeCorners<T> hull_of(const Triangle3& t) {

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/linear.hpp"
@@ -33,9 +34,9 @@ struct Heights {
     return {a + z0, d + z0, e + z0, f + z0, a + z1, d + z1, e + z1, f + z1};
   }
   [[gnu::always_inline]] std::array<T, 8> of(const Obb3& b) const {
-    const T middle = (*this)(b.center), u = dot(normal, vector_of<T>(b.axes[0])) * T(b.half.x),
-            v = dot(normal, vector_of<T>(b.axes[1])) * T(b.half.y),
-            w = dot(normal, vector_of<T>(b.axes[2])) * T(b.half.z);
+    const T middle = (*this)(b.center), u = dot(normal, vector_of<T>(b.axes[0])) * T(std::fabs(b.half.x)),
+            v = dot(normal, vector_of<T>(b.axes[1])) * T(std::fabs(b.half.y)),
+            w = dot(normal, vector_of<T>(b.axes[2])) * T(std::fabs(b.half.z));
     const T low = middle - w, high = middle + w, a = low - v, c = low + v, d = high - v, e = high + v;
     return {a - u, a + u, c - u, c + u, d - u, d + u, e - u, e + u};
   }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -139,7 +140,7 @@ inline Body body(const Aabb3& box) {
 }
 inline Body body(const Obb3& box) {
   Body b;
-  const Vector half = vector(box.half);
+  const Vector half = vector(Vector3{std::fabs(box.half.x), std::fabs(box.half.y), std::fabs(box.half.z)});
   std::vector<Vector> all(8, vector(box.center));
   for (std::size_t i = 0; i < 8; ++i) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -197,7 +198,8 @@ inline Body parallelogram(const Vector& at, const Vector& u, const Vector& v) {
   return b;
 }
 inline Body body(const Rectangle3& r) {
-  const Vector u = times(vector(r.axes[0]), Number(r.half.x)), v = times(vector(r.axes[1]), Number(r.half.y));
+  const Vector u = times(vector(r.axes[0]), Number(std::fabs(r.half.x))),
+               v = times(vector(r.axes[1]), Number(std::fabs(r.half.y)));
   return parallelogram(vector(r.center) - u - v, u + u, v + v);
 }
 inline Body body(const Lozenge3& l) {
