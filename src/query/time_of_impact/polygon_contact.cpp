@@ -7,11 +7,13 @@
 
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/figure_view.hpp"
 #include "query/convex/chains.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/overlap/polygon_relation.hpp"
+#include "query/time_of_impact/moving_axes.hpp"
 
 namespace plumb::query {
 namespace {
@@ -97,6 +99,7 @@ struct MovingPolygon {
         add_edges(std::array{s.a, s.b, s.c, s.d});
       }
     });
+    add_hull();
     if (pose == nullptr) return;
     const ExactMap map = exact_map(*pose);
     for (Exact3& v : chains.vertices) v = image(map, v);
@@ -108,8 +111,20 @@ struct MovingPolygon {
   const Vector3* by;
   SpannedChains chains;
   std::vector<ChainEdge> edges;
+  MovingBody<Running> hull;  // what has no holes and is convex, by its vertices and one normal
 
  private:
+  void add_hull() {
+    for (const ChainEdge& e : edges) {
+      const PosedMotion edge = motion_of(e);
+      hull.vertices.push_back(moving_body<Running>(&edge.figure).vertices[0]);
+    }
+    if (chains.span.size() < 3 || hull.vertices.size() != chains.vertices.size()) return;
+    const auto& v = hull.vertices;
+    const Vec3<Running>& from = v[chains.span[0]];
+    const Vec3<Running> normal = cross(v[chains.span[1]] - from, v[chains.span[2]] - from);
+    hull.faces.push_back({{}, normal, dot(normal, from), {FeatureKind::face, 0}});
+  }
   template <class Points>
   void add_edges(const Points& points) {
     if constexpr (std::is_same_v<typename Points::value_type, Point3>) {
@@ -155,9 +170,37 @@ void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& fe
 /// Edges and bodies that overlap meet by their features as well: the polygon does not overlap them.
 Relation never_inside(const BodyShape&, const BodyShape&) { return Relation::touching; }
 
+/// While what is around the polygon may meet the body.
+TimeWindow window_of(const MovingBody<Running>& body, const Vector3& by, const MovingPolygon& polygon) {
+  return time_window(body, polygon.hull, vector_of<Running>(by) - vector_of<Running>(*polygon.by));
+}
+
+template <class Shape>
+concept IsRound = std::same_as<Shape, Sphere3> || std::same_as<Shape, Capsule3> || std::same_as<Shape, Lozenge3>;
+template <class Shape>
+concept IsPolygon =
+    std::same_as<Shape, Quadrilateral3> || std::same_as<Shape, Polygon3> || std::same_as<Shape, HoledPolygon3>;
+
+/// At the start; where there is no pose, in doubles as long as they tell.
+Relation start_relation(std::string_view function, const PosedView& a, const PosedView& b) {
+  if (a.in_space != nullptr || b.in_space != nullptr) return relate_posed(function, a, b);
+  if (!is_one_of(a.figure.kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge}))
+    return relate_polygon(function, a.figure, b.figure);
+  return with_figure(a.figure, [&]<class Round>(const Round& round) {
+    return with_figure(b.figure, [&]<class Polygon>(const Polygon& polygon) {
+      if constexpr (IsRound<Round> && IsPolygon<Polygon>) {
+        return relate(round, polygon);
+      } else {
+        return relate_posed(function, a, b);
+      }
+    });
+  });
+}
+
 /// Of a polygon that does not overlap the body at the start.
 std::optional<FirstMeeting> body_with_polygon(std::string_view function, const PosedMotion& body,
                                               const MovingPolygon& polygon) {
+  if (window_of(moving_body<Running>(&body.figure), *body.by, polygon).empty()) return {};
   EarliestMeeting earliest;
   for (const ChainEdge& e : polygon.edges) {
     const PosedMotion edge = polygon.motion_of(e);
@@ -190,7 +233,10 @@ std::optional<FirstMeeting> polygon_meeting(std::string_view function, const Pos
   const bool both = is_polygon(a.figure.figure);
   std::optional<MovingPolygon> first;
   if (both) first.emplace(function, a);
-  if (relate_posed(function, a.figure, b.figure) == Relation::overlapping) {
+  if (!both && !check_body(function, "the body", &a.figure)) return {};
+  const TimeWindow window = window_of(both ? first->hull : moving_body<Running>(&a.figure), *a.by, second);
+  if (window.empty()) return {};
+  if (!(window.from > 0) && start_relation(function, a.figure, b.figure) == Relation::overlapping) {
     const Feature inside{FeatureKind::interior, 0};
     return FirstMeeting{Root(0), inside, inside};
   }

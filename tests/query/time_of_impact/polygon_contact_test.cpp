@@ -280,6 +280,7 @@ TEST(PolytopeContact, SaysWhichFeatures) {
   EXPECT_FALSE(intersects(Translating{Rectangle3{{0, 0, 0x1p-60}, sheet.axes, sheet.half}, {8, 0, 0}}, table));
   const Quadrilateral3 notched{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
   EXPECT_FALSE(first_contact(Translating{Point3{2, 2, 1}, {0, 0, -2}}, notched));
+  EXPECT_FALSE(first_contact(Translating{Aabb3{{1, 1, 2}, {0.25, 0.25, 1}}, {0, 0, -4}}, notched));  // an empty box
   EXPECT_EQ(first_contact(Translating{tip, {0.5, 0.5, -8}}, notched),
             (Contact{0.5, {FeatureKind::vertex, 0}, {FeatureKind::face, 0}}));
 }
