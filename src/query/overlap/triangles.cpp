@@ -124,6 +124,10 @@ class PointSigns {
   static constexpr bool doubles_first = true;
   static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
   static std::optional<Relation> straight() { return {}; }
+  /// Are two corners of the triangle from corner i on the same?
+  [[nodiscard]] bool repeats_a_corner(std::size_t i) const {
+    return are_equal(i, i + 1) || are_equal(i, i + 2) || are_equal(i + 1, i + 2);
+  }
   [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return area(axis, 3, 4, 5); }
   [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
     return areas_by([&](std::size_t i, std::size_t j, std::size_t k) { return area(axis, i, j, k); });
@@ -227,7 +231,10 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
   if (const WideSigns wide(corners); wide.is_lattice()) return relate_by(a, b, wide);
-  return relate_by(a, b, PointSigns(corners));
+  const PointSigns signs(corners);
+  if (signs.repeats_a_corner(3)) return relate(flattened(b), a);
+  if (signs.repeats_a_corner(0)) return relate(flattened(a), b);
+  return relate_by(a, b, signs);
 }
 
 [[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Question question) {
