@@ -112,7 +112,8 @@ TriangleAreas<double> areas_by(const Area& area) {
           {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
 }
 
-/// Of corners whose coordinates take many bits.  What two equal corners span is zero, however far apart the others are.
+/// Of corners whose coordinates take many bits.  What two equal corners span is zero, however far apart the others are;
+/// and where figures have corners in common, the same four are asked for again.
 class PointSigns {
  public:
   explicit PointSigns(const std::array<Point3, 6>& p) : p_(p) {
@@ -133,9 +134,16 @@ class PointSigns {
     return areas_by([&](std::size_t i, std::size_t j, std::size_t k) { return area(axis, i, j, k); });
   }
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    if (are_equal(i, j) || are_equal(i, k) || are_equal(j, k) || are_equal(l, i) || are_equal(l, j) || are_equal(l, k))
-      return Sign::zero;
-    return spread_volume(p_[i], p_[j], p_[k], p_[l]);
+    std::array of{first_[i], first_[j], first_[k], first_[l]};
+    bool odd = false;  // the order in which they are asked for
+    for (std::size_t last = 1; last < of.size(); ++last) {
+      for (std::size_t n = last; n > 0 && of[n - 1] > of[n]; --n) std::swap(of[n - 1], of[n]), odd = !odd;
+    }
+    if (of[0] == of[1] || of[1] == of[2] || of[2] == of[3]) return Sign::zero;
+    std::optional<Sign>& told = told_[1u << of[0] | 1u << of[1] | 1u << of[2] | 1u << of[3]];
+    const auto turned = [odd](Sign s) { return odd ? -s : s; };
+    if (!told) told = turned(spread_volume(p_[i], p_[j], p_[k], p_[l]));
+    return turned(*told);
   }
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
     return {-volume(i, i + 1, i + 2, j), -volume(i, i + 1, i + 2, j + 1), -volume(i, i + 1, i + 2, j + 2)};
@@ -150,6 +158,8 @@ class PointSigns {
   static constexpr std::array<std::size_t, 6> each_its_own{0, 1, 2, 3, 4, 5};
   const std::array<Point3, 6>& p_;
   std::array<std::size_t, 6> first_ = each_its_own;  // of those that are equal
+  mutable std::array<std::optional<Sign>, 64>
+      told_{};  // the volumes of four corners in their order, by the set of these
 };
 
 using CornerNumbers = std::array<double, 18>;
