@@ -13,6 +13,10 @@
 namespace plumb::query {
 namespace {
 
+std::optional<Relation> of_one_line(const Segment3& s, const Triangle3& t, std::size_t axis) {
+  return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), axis);
+}
+
 /// The corners of the triangle are 0, 1, 2, the ends of the segment 3, 4.
 template <class Step>
 class SegmentSigns : public LatticeVolumes<Step, 5> {
@@ -26,18 +30,28 @@ class SegmentSigns : public LatticeVolumes<Step, 5> {
   }
   [[nodiscard]] std::optional<Relation> straight(const Segment3& s, const Triangle3& t) const {
     const auto axis = running_axis(this->points_);
-    if (!axis) return {};
-    return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), *axis);
+    return axis ? of_one_line(s, t, *axis) : std::nullopt;
   }
 };
 
-/// Of which doubles alone tell what lies in a plane.
+/// Areas are told one by one.
 struct WideSigns : WideVolumes<5> {
   using WideVolumes<5>::WideVolumes;
   static constexpr bool doubles_first = true;
-  static constexpr std::array<std::size_t, 0> axes() { return {}; }
-  static SegmentAreas<double> areas(std::size_t) { return {}; }
-  static std::optional<Relation> straight(const Segment3&, const Triangle3&) { return {}; }
+  static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
+  [[nodiscard]] SegmentAreas<double> areas(std::size_t axis) const {
+    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return static_cast<double>(area(axis, i, j, k));
+    };
+    const double all = at(0, 1, 2);
+    if (all == 0) return {};
+    const auto with = [&](std::size_t i) { return Three<double>{at(0, 1, i), at(1, 2, i), at(2, 0, i)}; };
+    return {all, with(3), with(4), {at(3, 4, 0), at(3, 4, 1), at(3, 4, 2)}};
+  }
+  [[nodiscard]] std::optional<Relation> straight(const Segment3& s, const Triangle3& t) const {
+    const auto axis = running_axis();
+    return axis ? of_one_line(s, t, *axis) : std::nullopt;
+  }
 };
 
 template <class Signs>
