@@ -1,10 +1,10 @@
-// Signed volumes: on which side of a plane does a corner lie, how do three turn, and do all lie
+// Signed volumes: on which side of a plane does a corner lie, how do three turn as seen along an axis, and do all lie
 // on one line, on a lattice of up to 125 bits?
 //
 // Laws: exact, where is_lattice.
 // Source: arith/lattice_digits.hpp.
-// Cost: some 30 ns for the lattice, 60 for the sides of three corners, which share a normal, and as much for a
-// line.
+// Cost: some 30 ns for the lattice, 60 for the sides of three corners, which share a normal, as much for a line, and 15
+// for a turn.
 #pragma once
 
 #include <optional>
