@@ -13,6 +13,10 @@
 namespace plumb::query {
 namespace {
 
+std::optional<Relation> of_one_line(const Segment3& s, const Triangle3& t, std::size_t axis) {
+  return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), axis);
+}
+
 /// The corners of the triangle are 0, 1, 2, the ends of the segment 3, 4.
 template <class Step>
 class SegmentSigns : public LatticeVolumes<Step, 5> {
@@ -26,18 +30,28 @@ class SegmentSigns : public LatticeVolumes<Step, 5> {
   }
   [[nodiscard]] std::optional<Relation> straight(const Segment3& s, const Triangle3& t) const {
     const auto axis = running_axis(this->points_);
-    if (!axis) return {};
-    return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), *axis);
+    return axis ? of_one_line(s, t, *axis) : std::nullopt;
   }
 };
 
-/// Of which doubles alone tell what lies in a plane.
+/// Areas are told one by one.
 struct WideSigns : WideVolumes<5> {
   using WideVolumes<5>::WideVolumes;
   static constexpr bool doubles_first = true;
-  static constexpr std::array<std::size_t, 0> axes() { return {}; }
-  static SegmentAreas<double> areas(std::size_t) { return {}; }
-  static std::optional<Relation> straight(const Segment3&, const Triangle3&) { return {}; }
+  static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
+  [[nodiscard]] SegmentAreas<double> areas(std::size_t axis) const {
+    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return static_cast<double>(area(axis, i, j, k));
+    };
+    const double all = at(0, 1, 2);
+    if (all == 0) return {};
+    const auto with = [&](std::size_t i) { return Three<double>{at(0, 1, i), at(1, 2, i), at(2, 0, i)}; };
+    return {all, with(3), with(4), {at(3, 4, 0), at(3, 4, 1), at(3, 4, 2)}};
+  }
+  [[nodiscard]] std::optional<Relation> straight(const Segment3& s, const Triangle3& t) const {
+    const auto axis = running_axis();
+    return axis ? of_one_line(s, t, *axis) : std::nullopt;
+  }
 };
 
 template <class Signs>
@@ -79,6 +93,8 @@ struct WordPlace {
   }
   friend std::uint64_t dot(const WordPlace& a, const WordPlace& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
   [[nodiscard]] bool is_zero() const { return (x | y | z) == 0; }
+  /// Along which a plane of this normal is not seen edge on.
+  [[nodiscard]] std::size_t axis() const { return x != 0 ? 0 : y != 0 ? 1 : 2; }
 };
 
 class ShortCorners {
@@ -111,9 +127,10 @@ class ShortCorners {
     const double times = power_of_two(-unit_);
     return x * times * times * times;
   }
-  [[nodiscard]] WordPlace from_first(std::size_t i) const {
-    return {raw_[3 * i] - raw_[0], raw_[3 * i + 1] - raw_[1], raw_[3 * i + 2] - raw_[2]};
+  [[nodiscard]] WordPlace from_to(std::size_t i, std::size_t j) const {
+    return {raw_[3 * j] - raw_[3 * i], raw_[3 * j + 1] - raw_[3 * i + 1], raw_[3 * j + 2] - raw_[3 * i + 2]};
   }
+  [[nodiscard]] WordPlace from_first(std::size_t i) const { return from_to(0, i); }
 
  private:
   std::array<std::uint64_t, 18> raw_;
@@ -130,8 +147,32 @@ class ShortCorners {
     if (along.is_zero()) along = at;
     if (!cross(along, at).is_zero()) return {};  // exact: areas are below 2^51
   }
-  const std::size_t axis = along.x != 0 ? 0 : along.y != 0 ? 1 : 2;
-  return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a), std::bit_cast<std::array<double, 9>>(b), axis);
+  return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a), std::bit_cast<std::array<double, 9>>(b),
+                            along.axis());
+}
+
+/// Of a triangle with an area and one of its plane that has none, seen along an axis.
+std::optional<Relation> with_straight(const Triangle3& t, const Linear3& s, std::size_t axis) {
+  if (s.is_point()) return {};
+  const Point2 from = seen(t.a, axis);
+  const auto at = [&](const Point3& p) { return from_to(from, seen(p, axis)); };
+  return relation(sign_of_number(depth(segment_areas(at(t.b), at(t.c), at(s.p), at(s.q)))));
+}
+
+/// Where a has no area, and may be off the plane of b: its volumes are any.
+[[gnu::noinline]] std::optional<Relation> by_straight_a(const Triangle3& a, const Triangle3& b,
+                                                        const ShortCorners& corners) {
+  const WordPlace normal = cross(corners.from_to(3, 4), corners.from_to(3, 5));  // exact: areas are below 2^51
+  if (normal.is_zero()) return {};
+  const auto is_off = [&](std::size_t i) {
+    const WordPlace to = corners.from_to(3, i);
+    const auto product = [](std::uint64_t p, std::uint64_t q) {
+      return static_cast<Int128>(static_cast<std::int64_t>(p)) * static_cast<std::int64_t>(q);
+    };
+    return product(to.x, normal.x) + product(to.y, normal.y) + product(to.z, normal.z) != 0;
+  };
+  if (is_off(0) || is_off(1) || is_off(2)) return {};
+  return with_straight(b, flattened(a), normal.axis());
 }
 
 }  // namespace
@@ -156,16 +197,15 @@ std::optional<Relation> by_short_plane(const Triangle3& a, const Triangle3& b, d
   if ((dot(corners.from_first(3), normal) | dot(corners.from_first(4), normal) | dot(corners.from_first(5), normal)) !=
       0)
     return {};
-  if (normal.is_zero()) return by_one_line(a, b, corners);
-  const std::size_t axis = normal.x != 0 ? 0 : normal.y != 0 ? 1 : 2;  // along which a is seen to have an area
+  if (normal.is_zero()) {
+    if (const auto answer = by_one_line(a, b, corners)) return answer;
+    return by_straight_a(a, b, corners);
+  }
+  const std::size_t axis = normal.axis();
   const Point2 from = seen(a.a, axis);
   const auto at = [&](const Point3& p) { return from_to(from, seen(p, axis)); };
   const auto areas = triangle_areas(at(a.b), at(a.c), {at(b.a), at(b.b), at(b.c)});
-  if (areas.of_b == 0) {
-    const Linear3 straight = flattened(b);
-    if (straight.is_point()) return {};
-    return relation(sign_of_number(depth(segment_areas(at(a.b), at(a.c), at(straight.p), at(straight.q)))));
-  }
+  if (areas.of_b == 0) return with_straight(a, flattened(b), axis);
   return relation(sign_of_number(depth(areas)));
 }
 

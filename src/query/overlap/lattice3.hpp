@@ -6,7 +6,7 @@
 // plain doubles.
 // Laws: exact; nothing for coordinates of more than 125 bits, what is not finite, and figures without length or area
 // that do not lie on one line.  Of triangles nothing where corners take more than 24 bits, where they are not in one
-// plane, where a alone has no area or b is a point, and beyond 2^400 or below 2^-400.
+// plane, where one alone is a point, and beyond 2^400 or below 2^-400.
 // Source: RTCD 5.2.10, 5.3.6, 11.5; arith/lattice_integers.hpp.
 // Cost: some 30 to 60 ns, twice that beyond 61 bits; of triangles 30, or 3 where corners take more bits.
 #pragma once

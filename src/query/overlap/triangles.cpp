@@ -99,10 +99,24 @@ Sign spread_volume(const Point3& a, const Point3& b, const Point3& c, const Poin
   return decide_exactly<Orient3d>(at).sign;
 }
 
-/// Of corners whose coordinates take many bits.  What two equal corners span is zero, however far apart the others are.
+/// All of one plane, of the areas of three corners each.
+template <class Area>
+TriangleAreas<double> areas_by(const Area& area) {
+  const auto at = [&](std::size_t i, std::size_t j, std::size_t k) { return static_cast<double>(area(i, j, k)); };
+  const auto edge = [&](std::size_t i, std::size_t j, std::size_t from) {
+    return Three<double>{at(i, j, from), at(i, j, from + 1), at(i, j, from + 2)};
+  };
+  return {at(0, 1, 2),
+          at(3, 4, 5),
+          {edge(0, 1, 3), edge(1, 2, 3), edge(2, 0, 3)},
+          {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
+}
+
+/// Of corners whose coordinates take many bits.  What two equal corners span is zero, however far apart the others are;
+/// and where figures have corners in common, the same four are asked for again.
 class PointSigns {
  public:
-  explicit PointSigns(const std::array<Point3, 6>& p) : PointSigns(p, Equal::not_sought) {
+  explicit PointSigns(const std::array<Point3, 6>& p) : p_(p) {
     for (std::size_t i = 1; i < p.size(); ++i) {
       for (std::size_t k = i; k-- > 0;) first_[i] = p[k] == p[i] ? k : first_[i];
     }
@@ -111,31 +125,29 @@ class PointSigns {
   static constexpr bool doubles_first = true;
   static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
   static std::optional<Relation> straight() { return {}; }
+  /// Are two corners of the triangle from corner i on the same?
+  [[nodiscard]] bool repeats_a_corner(std::size_t i) const {
+    return are_equal(i, i + 1) || are_equal(i, i + 2) || are_equal(i + 1, i + 2);
+  }
   [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return area(axis, 3, 4, 5); }
   [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
-    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
-      return static_cast<double>(area(axis, i, j, k));
-    };
-    const auto edge = [&](std::size_t i, std::size_t j, std::size_t from) {
-      return Three<double>{at(i, j, from), at(i, j, from + 1), at(i, j, from + 2)};
-    };
-    return {at(0, 1, 2),
-            at(3, 4, 5),
-            {edge(0, 1, 3), edge(1, 2, 3), edge(2, 0, 3)},
-            {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
+    return areas_by([&](std::size_t i, std::size_t j, std::size_t k) { return area(axis, i, j, k); });
   }
   [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    if (are_equal(i, j) || are_equal(i, k) || are_equal(j, k) || are_equal(l, i) || are_equal(l, j) || are_equal(l, k))
-      return Sign::zero;
-    return spread_volume(p_[i], p_[j], p_[k], p_[l]);
+    std::array of{first_[i], first_[j], first_[k], first_[l]};
+    bool odd = false;  // the order in which they are asked for
+    for (std::size_t last = 1; last < of.size(); ++last) {
+      for (std::size_t n = last; n > 0 && of[n - 1] > of[n]; --n) std::swap(of[n - 1], of[n]), odd = !odd;
+    }
+    if (of[0] == of[1] || of[1] == of[2] || of[2] == of[3]) return Sign::zero;
+    std::optional<Sign>& told = told_[1u << of[0] | 1u << of[1] | 1u << of[2] | 1u << of[3]];
+    const auto turned = [odd](Sign s) { return odd ? -s : s; };
+    if (!told) told = turned(spread_volume(p_[i], p_[j], p_[k], p_[l]));
+    return turned(*told);
   }
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
     return {-volume(i, i + 1, i + 2, j), -volume(i, i + 1, i + 2, j + 1), -volume(i, i + 1, i + 2, j + 2)};
   }
-
- protected:
-  enum class Equal { not_sought };
-  PointSigns(const std::array<Point3, 6>& p, Equal) : p_(p) {}
 
  private:
   [[nodiscard]] bool are_equal(std::size_t i, std::size_t j) const { return first_[i] == first_[j]; }
@@ -146,23 +158,43 @@ class PointSigns {
   static constexpr std::array<std::size_t, 6> each_its_own{0, 1, 2, 3, 4, 5};
   const std::array<Point3, 6>& p_;
   std::array<std::size_t, 6> first_ = each_its_own;  // of those that are equal
+  mutable std::array<std::optional<Sign>, 64>
+      told_{};  // the volumes of four corners in their order, by the set of these
 };
 
 using CornerNumbers = std::array<double, 18>;
 
-/// Of corners on one lattice of many bits.
-class WideSigns : public PointSigns {
- public:
-  WideSigns(const std::array<Point3, 6>& p, const WideVolumes<6>& volumes)
-      : PointSigns(p, Equal::not_sought), volumes_(volumes) {}
+Relation of_one_line(const Triangle3& a, const Triangle3& b, std::size_t axis) {
+  return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a), std::bit_cast<std::array<double, 9>>(b), axis);
+}
 
-  [[nodiscard]] Sign volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
-    return volumes_.volume(i, j, k, l);
+/// Of corners on one lattice of many bits.
+class WideSigns : public WideVolumes<6> {
+ public:
+  explicit WideSigns(const std::array<Point3, 6>& p) : WideVolumes<6>(std::bit_cast<CornerNumbers>(p)), p_(p) {}
+
+  static constexpr bool doubles_first = true;
+  static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
+  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return over<3>(i, j); }
+  [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return turn(axis, 3, 4, 5); }
+  [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
+    return areas_by([&](std::size_t i, std::size_t j, std::size_t k) { return turn(axis, i, j, k); });
   }
-  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return volumes_.over<3>(i, j); }
+  [[nodiscard]] std::optional<Relation> straight() const {
+    const auto axis = running_axis();
+    if (!axis) return {};
+    return of_one_line({p_[0], p_[1], p_[2]}, {p_[3], p_[4], p_[5]}, *axis);
+  }
 
  private:
-  const WideVolumes<6>& volumes_;
+  /// Doubles tell most of them.
+  [[nodiscard]] Sign turn(std::size_t axis, std::size_t i, std::size_t j, std::size_t k) const {
+    using predicates::Orient2d;
+    const auto at = coordinates_of<Orient2d>(seen(p_[i], axis), seen(p_[j], axis), seen(p_[k], axis));
+    const int told = filter<Orient2d>(at);
+    return told != 0 ? static_cast<Sign>(told) : area(axis, i, j, k);
+  }
+  const std::array<Point3, 6>& p_;
 };
 
 template <class Step>
@@ -186,8 +218,7 @@ class LatticeSigns : public LatticeVolumes<Step, 6> {
   [[nodiscard]] std::optional<Relation> straight() const {
     const auto axis = running_axis(this->points_);
     if (!axis) return {};
-    return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a_), std::bit_cast<std::array<double, 9>>(b_),
-                              *axis);
+    return of_one_line(a_, b_, *axis);
   }
 
  private:
@@ -209,9 +240,11 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   require_figures(question, a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
-  const WideVolumes<6> wide(std::bit_cast<CornerNumbers>(corners));
-  if (wide.is_lattice()) return relate_by(a, b, WideSigns(corners, wide));
-  return relate_by(a, b, PointSigns(corners));
+  if (const WideSigns wide(corners); wide.is_lattice()) return relate_by(a, b, wide);
+  const PointSigns signs(corners);
+  if (signs.repeats_a_corner(3)) return relate(flattened(b), a);
+  if (signs.repeats_a_corner(0)) return relate(flattened(a), b);
+  return relate_by(a, b, signs);
 }
 
 [[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Question question) {

@@ -87,6 +87,41 @@ TEST(ShortPlane, WhatIsToldIsSo) {
   expect_all_answers(counts, 1000 * shape_cases::more);
 }
 
+TEST(ShortPlane, TheFirstMayBeASegment) {
+  Counts counts;
+  int told = 0, off = 0;
+  for (std::uint64_t i = 0; i < 1500 * shape_cases::more; ++i) {
+    Entropy entropy(82, i);
+    Both t = lattice_pair(entropy, 3 + static_cast<int>(entropy.below(22)));
+    // A corner twice, or three of a line.
+    if (entropy.coin())
+      t.a.c = t.a.a;
+    else
+      t.a.c = {2 * t.a.b.x - t.a.a.x, 2 * t.a.b.y - t.a.a.y, 2 * t.a.b.z - t.a.a.z};
+    const auto answer = by_short_plane(t.a, t.b, 0);
+    off += answer ? 0 : 1, told += answer ? 1 : 0;
+    if (!answer) continue;
+    const Relation expected = oracle::rational_relation(t.a, t.b);
+    counts.add(expected);
+    ASSERT_EQ(*answer, expected) << "Entropy(82, " << i << ")";
+  }
+  std::printf("told of %d, not of %d\n", told, off);
+  EXPECT_GE(off, 100);
+  expect_all_answers(counts, 700 * shape_cases::more);
+  // Off the plane by a volume of 2^64, and of 2^65: not zero, though the words of them are.
+  constexpr double leg = 0x1p23;
+  const Triangle3 b{{0, 0, 0}, {leg, 0, 0}, {0, leg, 0}};
+  for (const double height : {0x1p18, -0x1p18, 0x1p19}) {
+    const Triangle3 above{{1, 1, height}, {5, 1, height}, {9, 1, height}};
+    EXPECT_FALSE(by_short_plane(above, b, 0).has_value()) << height;
+    EXPECT_EQ(relate(above, b), Relation::disjoint) << height;
+    const Triangle3 through{{1, 1, 0}, {1, 1, height}, {1, 1, 2 * height}};
+    EXPECT_FALSE(by_short_plane(through, b, 0).has_value()) << height;
+    EXPECT_EQ(relate(through, b), Relation::touching) << height;
+  }
+  EXPECT_EQ(by_short_plane({{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}, b, 0), Relation::overlapping);
+}
+
 TEST(ShortPlane, WhatIsLongIsLeftToOthers) {
   const Triangle3 a{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, b{{1, 1, 0}, {9, 1, 0}, {1, 9, 0}};
   EXPECT_EQ(by_short_plane(a, b, 1), Relation::overlapping);

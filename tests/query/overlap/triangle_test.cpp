@@ -3,6 +3,8 @@
 
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/flat_lattices.hpp"
+#include "query/overlap/lattice_points.hpp"
+#include "query/overlap/wide_volumes.hpp"
 
 namespace plumb {
 namespace {
@@ -27,6 +29,71 @@ TYPED_TEST(OverlapTriangle, AgreesWithTheOracle) {
 TEST(OverlapTriangleCases, LatticesOfEveryWidth) {
   expect_as_oracle_on_lattices<Triangle3, Triangle3, 3>(61, 2000);
   expect_as_oracle_on_lattices<Segment3, Triangle3, 3>(62, 2000);
+}
+
+/// Points of a line or plane through the origin, or one unit from it, whose exponents lie up to so much apart; from the
+/// fourth on they may be of one line alone.
+template <std::size_t N>
+std::array<double, 3 * N> far_exponents(Entropy& entropy, bool is_line, int apart, int scale) {
+  std::array<std::array<std::int64_t, 3>, 2> along{};
+  for (auto& vector : along) {
+    for (auto& x : vector) x = entropy.within((std::int64_t{1} << 40) - 1);
+  }
+  if (const std::size_t axis = entropy.below(6); axis < 3) along[0][axis] = along[1][axis] = 0;  // of a plane across it
+  const std::size_t straight_from = is_line ? 0 : entropy.below(3) == 0 ? 3 : N;
+  std::array<double, 3 * N> all{};
+  const std::size_t moved = entropy.below(3) == 0 ? entropy.below(3 * N) : 3 * N;
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::int64_t u = entropy.within(7), v = i >= straight_from ? 0 : entropy.within(7);
+    const int exponent = scale + static_cast<int>(entropy.below(static_cast<std::uint64_t>(apart) + 1));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t x = u * along[0][k] + v * along[1][k] + (3 * i + k == moved ? 1 : 0);
+      all[3 * i + k] = std::ldexp(static_cast<double>(x), exponent);
+    }
+  }
+  return all;
+}
+
+// Around the 61 bits of words and the 125 of wide lattices, with subnormal numbers and with large ones.
+TEST(OverlapTriangleCases, ExponentsFarApart) {
+  struct Triangles {
+    Triangle3 a, b;
+  };
+  struct SegmentAndTriangle {
+    Triangle3 t;
+    Segment3 s;
+  };
+  Counts counts;
+  int wide = 0, straight = 0, beyond = 0;
+  constexpr std::array apart{17, 19, 60, 79, 81, 83, 85, 120};
+  constexpr std::array scales{0, -1074, 850};
+  const std::uint64_t cases = 1500 * shape_cases::more;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    Entropy entropy(67, i);
+    const bool is_line = entropy.below(3) == 0;
+    const int far = apart[entropy.below(apart.size())], scale = scales[entropy.below(scales.size())];
+    const auto numbers = far_exponents<6>(entropy, is_line, far, scale);
+    if (!query::LatticePoints<6, 3>(numbers).is_lattice()) {
+      const query::WideVolumes<6> volumes(numbers);
+      wide += volumes.is_lattice() ? 1 : 0, beyond += volumes.is_lattice() ? 0 : 1;
+      straight += volumes.is_lattice() && volumes.running_axis() ? 1 : 0;
+    }
+    const auto [a, b] = std::bit_cast<Triangles>(numbers);
+    const Relation expected = oracle::rational_relation(a, b);
+    counts.add(expected);
+    ASSERT_EQ(relate(a, b), expected) << "Entropy(67, " << i << ")";
+    ASSERT_EQ(relate(b, a), expected) << "Entropy(67, " << i << ")";
+    const auto [t, s] = std::bit_cast<SegmentAndTriangle>(far_exponents<5>(entropy, is_line, far, scale));
+    const Relation of_segment = oracle::rational_relation(s, t);
+    counts.add(of_segment);
+    ASSERT_EQ(relate(s, t), of_segment) << "Entropy(67, " << i << ")";
+  }
+  std::printf("wide %d, straight %d, beyond %d; %d, %d, %d\n", wide, straight, beyond, counts.of[0], counts.of[1],
+              counts.of[2]);
+  EXPECT_GE(static_cast<std::uint64_t>(wide) * 4, cases);
+  EXPECT_GE(static_cast<std::uint64_t>(straight) * 20, cases);
+  EXPECT_GE(static_cast<std::uint64_t>(beyond) * 20, cases);
+  expect_all_answers(counts, 2 * cases);
 }
 
 Triangle3 turned(const Triangle3& t) { return {t.c, t.a, t.b}; }
