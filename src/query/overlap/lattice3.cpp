@@ -35,7 +35,7 @@ class SegmentSigns : public LatticeVolumes<Step, 5> {
 };
 
 /// Areas are told one by one.
-struct WideSigns : WideVolumes<5> {
+struct WideSegmentSigns : WideVolumes<5> {
   using WideVolumes<5>::WideVolumes;
   static constexpr bool doubles_first = true;
   static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
@@ -185,7 +185,7 @@ std::optional<Relation> by_lattice(const Segment3& s, const Triangle3& t) {
   const auto coordinates = std::bit_cast<std::array<double, 15>>(Both{t, s});
   const auto ask = [&](const auto& signs) { return relate_by(s, t, signs); };
   if (const LatticePoints<5, 3> points(coordinates); points.is_lattice()) return by_lattice<SegmentSigns>(points, ask);
-  if (const WideSigns wide(coordinates); wide.is_lattice()) return ask(wide);
+  if (const WideSegmentSigns wide(coordinates); wide.is_lattice()) return ask(wide);
   return {};
 }
 
