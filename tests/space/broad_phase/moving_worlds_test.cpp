@@ -34,7 +34,7 @@ using Boxes = std::vector<std::optional<Aabb3>>;  // of each id
 #if defined(PLUMB_LONG_TESTS)
 constexpr std::size_t frames_of_scene = 20'000, most_boxes = 200;
 #else
-constexpr std::size_t frames_of_scene = battery::sanitized ? 30 : 260, most_boxes = 20;
+const std::size_t frames_of_scene = battery::sanitized ? 30 : 260, most_boxes = 20;
 #endif
 
 /// A structure without its type.  Boxes have ids of the scene, whatever the structure names them by.
