@@ -8,10 +8,17 @@ extern "C" void __asan_init() __attribute__((weak));
 
 namespace plumb::battery {
 
-inline const bool sanitized = &__asan_init != nullptr;
+/// As a bool: asked anew each time, so that no order of what is made before main matters.
+struct IsSanitized {
+  operator bool() const { return &__asan_init != nullptr; }
+};
+inline constexpr IsSanitized sanitized;
 
 /// May a test demand what only many random cases reach?
-inline const bool reaches_rare = !sanitized;
+struct ReachesRare {
+  operator bool() const { return !sanitized; }
+};
+inline constexpr ReachesRare reaches_rare;
 
 /// So many of a long test's cases as fit the sanitized build, where each takes ten times as long: a tenth of them.
 template <class Number>

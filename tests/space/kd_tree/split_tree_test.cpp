@@ -4,13 +4,17 @@
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
+#include "certify/golden_statements.hpp"
+#include "certify/proved_statements.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/kd_tree/split_range.hpp"
 #include "plumb/space/kd_tree/split_ray.hpp"
 #include "space/kd_tree/figure_sets.hpp"
+#include "space/kd_tree/passed_by.hpp"
 
 namespace plumb {
 namespace {
@@ -253,6 +257,19 @@ TEST(ASplitTree, StopsAtTheFirstHitAndNotBefore) {
   EXPECT_EQ(first_hit(tree, Ray3{{1.5, 0, 0}, {-3, 0, 0}})->index, 1u);
   EXPECT_EQ(first_hit(tree, Segment3{{-5, 0.5, 0.5}, {-1e-300, 0.5, 0.5}}), std::nullopt);
   EXPECT_EQ(first_hit(tree, Segment3{{-5, 0.5, 0.5}, {0, 0.5, 0.5}})->index, 0u);
+}
+
+/// Of corners that are all looked at.
+template <bool is_segment>
+void expect_bounds_of_side(const char* name) {
+  const space::kd::SideOfCorners<is_segment> side;
+  const std::vector<std::string> bounds = judged_bounds(side, 0.0, 0.0, 4.0, 1.0, 1.0, 3.0, 2.0, 5.0, 3.0, 4.0);
+  expect_golden(name, bounds);
+  expect_proved(bounds, judged_proofs(name, side, 0.0, 0.0, 4.0, 1.0, 1.0, 3.0, 2.0, 5.0, 3.0, 4.0));
+}
+TEST(ASplitTree, SidesOfCornersAreAsRecordedAndProved) {
+  expect_bounds_of_side<false>("corners_beside_ray");
+  expect_bounds_of_side<true>("corners_beside_segment");
 }
 
 TEST(ASplitTree, NamesWhatIsRefused) {
