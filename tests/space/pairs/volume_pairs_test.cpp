@@ -89,7 +89,7 @@ TYPED_TEST(VolumePairs, OfMovedMeshesAreThoseWithoutVolumes) {
       ++beyond;
     }
   });
-  EXPECT_GT(found, battery::fitting(1000u));
+  EXPECT_GT(found, battery::fitting(700u));
   EXPECT_LT(beyond, battery::fitting(25u));
 }
 
