@@ -80,14 +80,13 @@ inline std::string name_of_test(const testing::TestParamInfo<PredicateAndFamily>
   return std::string(classics()[std::get<0>(info.param)].name) + "_" + std::string(name_of(std::get<1>(info.param)));
 }
 
-/// Watched, the last stages take milliseconds a case: so many as reach each branch of each stage, too few to tell shares.
-inline const std::uint64_t cases_here = sanitized ? 200 : cases;
-
 TEST_P(Agreement, EveryStageTellsTheTrueSign) {
   const CatalogEntry& e = classics()[std::get<0>(GetParam())];
   const Family family = std::get<1>(GetParam());
   Tally tally;
-  for (std::uint64_t i = 0; i < cases_here; ++i) {
+  // Watched, the last stages take milliseconds a case: so many as reach each branch of each stage, too few to tell shares.
+  const std::uint64_t count = sanitized ? 200 : cases;
+  for (std::uint64_t i = 0; i < count; ++i) {
     const std::vector<double> p = coordinates_of(e, family, i);
     if (!disagreement(e, p, {i % rationals_every == 0, i % cgal_every == 0}).empty())
       FAIL() << "case " << i << ": " << report(e, p);
