@@ -89,7 +89,7 @@ void check(const std::vector<Point3>& points, const KdTree3& tree, const PointOc
   expect_first(std::span(batch).last(k), k, "the nearest k of a batch's last");
   expect(within(tree, p, radius) == in_ball, "within");
   expect(in_box(tree, box) == inside, "in_box");
-  expect(in_box(octree, box) == inside, "in_box");
+  expect(in_box(octree, box) == inside, "in_box of an octree");
 }
 
 void run(Entropy& e) {

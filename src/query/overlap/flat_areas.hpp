@@ -70,6 +70,18 @@ struct TriangleAreas {
   N of_a, of_b;
   std::array<Three<N>, 3> over_a, over_b;
 };
+/// By area(i, j, k) of three corners each: those of the first triangle are 0, 1, 2, of the second 3, 4, 5.
+template <class Area>
+TriangleAreas<double> areas_by(const Area& area) {
+  const auto at = [&](std::size_t i, std::size_t j, std::size_t k) { return static_cast<double>(area(i, j, k)); };
+  const auto edge = [&](std::size_t i, std::size_t j, std::size_t from) {
+    return Three<double>{at(i, j, from), at(i, j, from + 1), at(i, j, from + 2)};
+  };
+  return {at(0, 1, 2),
+          at(3, 4, 5),
+          {edge(0, 1, 3), edge(1, 2, 3), edge(2, 0, 3)},
+          {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
+}
 
 /// From the first corner of a: its others, and those of b.
 template <class N>

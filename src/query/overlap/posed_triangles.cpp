@@ -32,16 +32,7 @@ class PosedSigns {
   }
   [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return area(axis, 3, 4, 5); }
   [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
-    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
-      return static_cast<double>(area(axis, i, j, k));
-    };
-    const auto edge = [&](std::size_t i, std::size_t j, std::size_t from) {
-      return Three<double>{at(i, j, from), at(i, j, from + 1), at(i, j, from + 2)};
-    };
-    return {at(0, 1, 2),
-            at(3, 4, 5),
-            {edge(0, 1, 3), edge(1, 2, 3), edge(2, 0, 3)},
-            {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
+    return areas_by([&](std::size_t i, std::size_t j, std::size_t k) { return area(axis, i, j, k); });
   }
 
  private:

@@ -99,19 +99,6 @@ Sign spread_volume(const Point3& a, const Point3& b, const Point3& c, const Poin
   return decide_exactly<Orient3d>(at).sign;
 }
 
-/// All of one plane, of the areas of three corners each.
-template <class Area>
-TriangleAreas<double> areas_by(const Area& area) {
-  const auto at = [&](std::size_t i, std::size_t j, std::size_t k) { return static_cast<double>(area(i, j, k)); };
-  const auto edge = [&](std::size_t i, std::size_t j, std::size_t from) {
-    return Three<double>{at(i, j, from), at(i, j, from + 1), at(i, j, from + 2)};
-  };
-  return {at(0, 1, 2),
-          at(3, 4, 5),
-          {edge(0, 1, 3), edge(1, 2, 3), edge(2, 0, 3)},
-          {edge(3, 4, 0), edge(4, 5, 0), edge(5, 3, 0)}};
-}
-
 /// Of corners whose coordinates take many bits.  What two equal corners span is zero, however far apart the others are;
 /// and where figures have corners in common, the same four are asked for again.
 class PointSigns {

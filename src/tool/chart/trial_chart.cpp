@@ -30,7 +30,7 @@ std::string trial_chart(const trial::Trial& t) {
   }
   const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
   return scatter_chart({fmt::format("{}, {}", t.task, t.input),
-                        fmt::format("{}: {} {}, one thread", t.about, cases, cases == 1 ? "case" : "cases"),
+                        fmt::format("{}: {}, one thread", t.about, plural(cases, "case", "cases")),
                         "nanoseconds per question", number ? "mean error in ulps" : "share of wrong answers", true},
                        points);
 }

@@ -21,7 +21,7 @@ std::string row(const trial::Score& s, const trial::Trial& t, const Style& style
 std::string trial_text(const trial::Trial& t, const Style& style) {
   const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
   std::string text = style.bold(fmt::format("{}, {}", t.task, t.input)) +
-                     fmt::format(": {} ({} {}: {})\n", t.question, cases, cases == 1 ? "case" : "cases", t.about);
+                     fmt::format(": {} ({}: {})\n", t.question, plural(cases, "case", "cases"), t.about);
   if (t.kind == trial::AnswerKind::decision) {
     text += fmt::format("  true answers: {} negative, {} zero or no, {} positive or yes\n", t.truths[0], t.truths[1],
                         t.truths[2]);

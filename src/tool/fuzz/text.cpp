@@ -4,6 +4,7 @@
 
 #include "plumb/degenerate/paste.hpp"
 #include "tool/fuzz/report.hpp"
+#include "tool/terminal/number_text.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -73,8 +74,8 @@ std::string summary(const FuzzReport& r, const Style& style) {
   std::uint64_t bad = 0, unsure = 0;
   for (const Tally& t : r.run.findings.tallies) bad += t.wrong + t.failed, unsure += t.unsure;
   const std::uint64_t asked = r.run.findings.asked();
-  std::string text = bad == 0 ? style.green(fmt::format("nothing found in {} {}", asked, asked == 1 ? "case" : "cases"))
-                              : style.red(fmt::format("{} of {} {} failed", bad, asked, asked == 1 ? "case" : "cases"));
+  std::string text = bad == 0 ? style.green("nothing found in " + plural(asked, "case", "cases"))
+                              : style.red(fmt::format("{} of {} failed", bad, plural(asked, "case", "cases")));
   if (unsure > 0) text += fmt::format(", {} answered NaN, which is no finding", unsure);
   std::uint64_t passed_over = 0;
   for (const Tally& t : r.run.findings.tallies) passed_over += t.passed_over;

@@ -2,7 +2,7 @@
 //
 //   const PointOctree tree = build_octree(points);            // build_quadtree in the plane
 //   const std::uint32_t leaf = locate(tree.cells, place);
-//   in_box(tree, Aabb3{{0, 0, 0}, {1, 1, 1}})              // their numbers, ascending
+//   in_box(tree, Aabb3{{0, 0, 0}, {1, 1, 1}})                 // their numbers, ascending
 //
 // Laws: (1) a cell is cut where it holds more than most_in_leaf points and is not of the deepest level: equal points,
 // and those that share a cell of that level, stay together in a leaf of any size.  (2) Each point is in the one leaf
