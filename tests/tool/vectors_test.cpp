@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "certify/sanitized.hpp"
 #include "plumb/query/kinds/kinds.hpp"
 #include "tool/run_program.hpp"
 #include "tool/trial/location_tests.hpp"
@@ -146,6 +147,13 @@ TEST(Vectors, OfAnySizeCoverEveryGenerator) {
 }
 
 TEST(Vectors, AreWhatTheProgramWrites) {
+  if (battery::sanitized) {  // one way of each kind of answer; all of them take a minute there
+    for (const char* task : {"orient3d", "segment-segment-distance"}) {
+      for (const NamedText& file : vector_files(2026, task))
+        EXPECT_TRUE(content(folder / file.name) == file.text) << file.name;
+    }
+    return;
+  }
   const std::vector<NamedText> files = vector_files(2026);
   EXPECT_GE(files.size(), 16);
   std::set<std::string> names;

@@ -61,7 +61,7 @@ int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals)
     require_report_folder(*options.out, "chart", {"chart.txt", "chart.json", "chart.html"});
   trial::Settings settings;
   settings.seed = options.seed;
-  if (options.quick) settings.cases = 128;
+  if (options.quick) settings.cases = 128, settings.long_ns = 100'000;
   std::uint64_t steps = 0;
   for (const Task& task : tasks) steps += task.methods.size() * task.classes.size();
 

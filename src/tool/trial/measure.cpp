@@ -11,8 +11,7 @@
 namespace plumb::tool::trial {
 namespace {
 
-constexpr double least_ns = 20'000;     // shorter measurements are repeated for the clock's sake
-constexpr double long_ns = 50'000'000;  // longer ones are not repeated: a disturbance is a small part of them
+constexpr double least_ns = 20'000;  // shorter measurements are repeated for the clock's sake
 constexpr int least_repeats = 3, most_repeats = 16;
 
 double elapsed_ns(Round& round) {
@@ -23,7 +22,7 @@ double elapsed_ns(Round& round) {
 }
 
 /// The least of some repetitions: what disturbs a measurement makes it longer.
-double time_of(Round& round) {
+double time_of(Round& round, double long_ns) {
   double least = elapsed_ns(round), sum = least;
   for (int i = 1; i < most_repeats && least < long_ns && (i < least_repeats || sum < least_ns); ++i) {
     const double ns = elapsed_ns(round);
@@ -85,7 +84,8 @@ void judge(const Round& round, const Task& task, const Inputs& inputs, Score& sc
 }
 
 /// Nothing where the method is not asked.
-std::optional<Score> score_of(const Method& method, const Task& task, const Inputs& inputs, const Scene& scene) {
+std::optional<Score> score_of(const Method& method, const Task& task, const Inputs& inputs, const Scene& scene,
+                              double long_ns) {
   const auto round = method.prepare(inputs.questions, scene);
   if (!round) return {};
   Score score{};
@@ -93,7 +93,7 @@ std::optional<Score> score_of(const Method& method, const Task& task, const Inpu
   const std::uint64_t before = allocations();
   round->answer();  // also brings code and questions into the caches
   const std::uint64_t taken = allocations() - before;
-  score.ns = time_of(*round) / static_cast<double>(inputs.truths.size());
+  score.ns = time_of(*round, long_ns) / static_cast<double>(inputs.truths.size());
   judge(*round, task, inputs, score);
   score.allocations = score.share(taken);
   score.mean_ulps = score.asked == score.unsure ? 0 : score.mean_ulps / static_cast<double>(score.asked - score.unsure);
@@ -137,7 +137,7 @@ Trial measure(const Task& task, const InputClass& input, const Settings& setting
     for (const double truth : inputs.truths) ++trial.truths[truth < 0 ? 0 : truth == 0 ? 1 : 2];
   }
   for (const Method& method : task.methods) {
-    if (auto score = score_of(method, task, inputs, scene)) trial.scores.push_back(std::move(*score));
+    if (auto score = score_of(method, task, inputs, scene, settings.long_ns)) trial.scores.push_back(std::move(*score));
     tried();
   }
   return trial;

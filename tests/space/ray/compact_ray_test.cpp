@@ -150,7 +150,7 @@ void expect_as_in(const Bvh& bvh, const std::vector<AnyRay>& rays) {
 TEST(CompactRay, OfManyIsThatOfEachByAnyInstructionSetAndNumberOfThreads) {
   const TriangleMesh mesh = meshes::ring(24);
   const Bvh bvh = build_bvh(mesh);
-  const std::vector<AnyRay> rays = rays_about(mesh, 1200);
+  const std::vector<AnyRay> rays = rays_about(mesh, battery::fitting(1200u));
   for (const std::string_view set : batch_instruction_sets()) {
     SCOPED_TRACE(set);
     certify::batch::take_instruction_set(set);
@@ -166,7 +166,7 @@ TEST(CompactRay, OfManyIsThatOfEachByAnyInstructionSetAndNumberOfThreads) {
   EXPECT_THROW(first_triangles(rays, compact(bvh), out, {.progress = stopped}), Cancelled);
   out.resize(1);
   EXPECT_EQ(text_of<UnequalLengths>([&] { first_triangles(rays, compact(bvh), out); }),
-            "first_triangles: out has 1 items, rays has 1200");
+            "first_triangles: out has 1 items, rays has " + std::to_string(rays.size()));
 }
 
 TEST(CompactRay, FindsInModelsWhatTheTreeFinds) {
