@@ -1,7 +1,8 @@
 // Do all indexes of boxes that come, go and move tell the same pairs as asking each pair, whatever is done to them?
 //
 // The bytes are a scale and a sequence of insertions, moves, removals and questions.  Every index does the same; what an
-// index refuses (a grid that would take too much memory) must leave it as it was.
+// index refuses (a grid that would take too much memory) must leave it as it was.  Those that do not change are made of
+// what is there at the end.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -14,6 +15,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "plumb/arith/error.hpp"
@@ -28,11 +30,11 @@ using Id = std::uint32_t;  // of a box, given once
 using Boxes = std::map<Id, Aabb3>;
 using IdPairs = std::vector<std::array<Id, 2>>;  // ascending
 
-[[noreturn]] void fail(const char* index, const char* what) {
+[[noreturn]] void fail(std::string_view index, const char* what) {
   std::cerr << index << ": " << what << std::endl;
   std::abort();
 }
-void expect(bool holds, const char* index, const char* what) {
+void expect(bool holds, std::string_view index, const char* what) {
   if (!holds) fail(index, what);
 }
 
@@ -133,15 +135,16 @@ class Indexed {
     expect(pairs == all_pairs(boxes_, touching), name_, "the pairs differ");
     expect(index_.size() == boxes_.size(), name_, "the number of boxes differs");
   }
-  template <class Ask>
-  void check_in_box(const Aabb3& box, const Ask& ask) const {
-    std::set<Id> found, expected;
-    for (const std::uint32_t handle : ask(index_, box))
-      expect(ids_.contains(handle) && found.insert(ids_.at(handle)).second, name_, "a box is found twice");
-    for (const auto& [id, b] : boxes_) {
-      if (count_as_pair(b, box, true)) expected.insert(id);
+  void check_in_box(const Aabb3& box) const {
+    for (const bool touching : {true, false}) {
+      std::set<Id> found, expected;
+      for (const std::uint32_t handle : index_.in_box(box, {.touching = touching}))
+        expect(ids_.contains(handle) && found.insert(ids_.at(handle)).second, name_, "a box is found twice");
+      for (const auto& [id, b] : boxes_) {
+        if (count_as_pair(b, box, touching)) expected.insert(id);
+      }
+      expect(found == expected, name_, "what overlaps a box differs");
     }
-    expect(found == expected, name_, "what overlaps a box differs");
   }
 
  private:
@@ -204,25 +207,51 @@ class Moving {
   std::set<std::array<Id, 2>> pairs_;
 };
 
-void check_from_scratch(const Boxes& held) {
+/// Of those that do not change: the numbers of the boxes that have a point in one, or overlap it.
+template <class Ask>
+void check_numbers(const char* name, const std::vector<Aabb3>& boxes, const Aabb3& box, const Ask& ask) {
+  for (const bool touching : {true, false}) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      if (count_as_pair(boxes[i], box, touching)) expected.push_back(i);
+    }
+    expect(ask(InBoxOptions{touching}) == expected, name, "what overlaps a box differs");
+  }
+}
+
+void check_from_scratch(const Boxes& held, const Aabb3& box, BroadPhaseMethod method) {
   std::vector<Id> ids;
   std::vector<Aabb3> boxes;
-  for (const auto& [id, box] : held) ids.push_back(id), boxes.push_back(box);
-  const auto check = [&](const char* name, const std::vector<BoxPair>& found, bool touching) {
+  for (const auto& [id, b] : held) ids.push_back(id), boxes.push_back(b);
+  const auto check = [&](std::string_view name, const std::vector<BoxPair>& found, bool touching) {
     IdPairs pairs;
     for (const BoxPair& p : found) pairs.push_back({ids[p.a], ids[p.b]});
     std::ranges::sort(pairs);
     expect(pairs == all_pairs(held, touching), name, "the pairs differ");
   };
   for (const bool touching : {true, false}) {
-    for (const auto method : {BroadPhaseMethod::automatic, BroadPhaseMethod::swept_columns,
-                              BroadPhaseMethod::sort_and_sweep, BroadPhaseMethod::brute_force})
-      check("overlapping_pairs", overlapping_pairs(boxes, {touching, Execution::serial, method}), touching);
-    for (const auto rule : {CellRule::smallest_cell, CellRule::every_leaf}) {
-      const BoxOctree tree = build_octree(boxes, {.most_in_leaf = 2, .rule = rule, .execution = Execution::serial});
-      check("BoxOctree", overlapping_pairs(tree, {touching, Execution::serial}), touching);
-    }
+    for (const auto by : {BroadPhaseMethod::swept_columns, BroadPhaseMethod::sort_and_sweep, method})
+      check(name_of(by), overlapping_pairs(boxes, {touching, Execution::serial, by}), touching);
   }
+  const BoxPairOptions serial{.execution = Execution::serial};
+  for (const auto rule : {CellRule::smallest_cell, CellRule::every_leaf}) {
+    const BoxOctree tree = build_octree(boxes, {.most_in_leaf = 2, .rule = rule, .execution = Execution::serial});
+    check("BoxOctree", overlapping_pairs(tree, serial), true);
+    check_numbers("BoxOctree", boxes, box, [&](const InBoxOptions& o) { return in_box(tree, box, o); });
+  }
+  const StaticGrid3 grid(boxes);
+  check_numbers("StaticGrid", boxes, box, [&](const InBoxOptions& o) { return grid.in_box(box, o); });
+  const auto figures = build_figure_tree(boxes, {.most_in_leaf = 2, .execution = Execution::serial});
+  check_numbers("FigureTree", boxes, box, [&](const InBoxOptions& o) { return in_box(figures, box, o); });
+  const auto split = build_split_tree(boxes, {.most_in_leaf = 2, .execution = Execution::serial});
+  check_numbers("SplitTree", boxes, box, [&](const InBoxOptions& o) { return in_box(split, box, o); });
+  const HybridOptions small{.in_part = 4, .most_in_list = 2, .grid = {}, .execution = Execution::serial};
+  const auto of_trees = build_grid_of_trees(boxes, small);
+  check("GridOfTrees", overlapping_pairs(of_trees, serial), true);
+  check_numbers("GridOfTrees", boxes, box, [&](const InBoxOptions& o) { return in_box(of_trees, box, o); });
+  const auto of_grids = build_tree_of_grids(boxes, small);
+  check("TreeOfGrids", overlapping_pairs(of_grids, serial), true);
+  check_numbers("TreeOfGrids", boxes, box, [&](const InBoxOptions& o) { return in_box(of_grids, box, o); });
 }
 
 void run(Entropy& e) {
@@ -234,12 +263,14 @@ void run(Entropy& e) {
   Indexed rows("RowColumnGrid", RowColumnGrid3({.rows = 64}));
   Indexed hashed("HashedGrid", HashedGrid3(1, little));
   Indexed linked("LinkedGrid", LinkedGrid3(Aabb3{{-2, -2, -2}, {2, 2, 2}}, 0.5, little));
+  Indexed implicit("ImplicitGrid", ImplicitGrid3(1, {.rows = 64}));
   Indexed lists("SweepLists", SweepLists());
   Indexed list("SweepLists of one axis", SweepLists({.axes = 1, .first_axis = SweepAxis::y}));
   Indexed loose("LooseOctree", LooseOctree(Aabb3{{-4, -4, -4}, {4, 4, 4}}));
   const auto each = [&](const auto& act) {
-    act(hierarchical), act(rows), act(hashed), act(linked), act(lists), act(list), act(loose);
+    act(hierarchical), act(rows), act(hashed), act(linked), act(implicit), act(lists), act(list), act(loose);
   };
+  SweepArray array;
   Boxes boxes;
   Id next = 0;
   const auto some = [&] { return std::next(boxes.begin(), static_cast<std::ptrdiff_t>(e.below(boxes.size()))); };
@@ -248,15 +279,16 @@ void run(Entropy& e) {
     moving.check(boxes, box);
     const auto pairs = [](const auto& index) { return index.pairs(); };
     hierarchical.check_pairs(pairs), rows.check_pairs(pairs), hashed.check_pairs(pairs), linked.check_pairs(pairs);
-    lists.check_pairs(pairs), list.check_pairs(pairs);
+    implicit.check_pairs(pairs), lists.check_pairs(pairs), list.check_pairs(pairs);
+    std::vector<Aabb3> now;
+    for (const auto& [id, b] : boxes) now.push_back(b);
+    expect(array.pairs(now) == sort_and_sweep_pairs(now), "SweepArray", "the pairs differ from those from scratch");
     for (const bool touching : {true, false}) {
       loose.check_pairs([&](const LooseOctree& t) { return t.pairs({touching, Execution::serial}); }, touching);
     }
-    const auto in_box = [](const auto& index, const Aabb3& b) { return index.in_box(b); };
-    hierarchical.check_in_box(box, in_box), rows.check_in_box(box, in_box);
-    loose.check_in_box(box, in_box);
+    hierarchical.check_in_box(box), rows.check_in_box(box), implicit.check_in_box(box), loose.check_in_box(box);
     if (scale == Scale::any || scale == Scale::spread) return;  // which reach into too many cells
-    hashed.check_in_box(box, in_box), linked.check_in_box(box, in_box);
+    hashed.check_in_box(box), linked.check_in_box(box);
   };
   for (std::size_t step = 0; step < most_steps && !e.exhausted(); ++step) {
     switch (e.below(8)) {
@@ -292,7 +324,8 @@ void run(Entropy& e) {
     }
   }
   check();
-  check_from_scratch(boxes);
+  const Aabb3 box = some_box(e, scale);
+  check_from_scratch(boxes, box, broad_phase_methods[e.below(broad_phase_methods.size())]);
 }
 
 }  // namespace

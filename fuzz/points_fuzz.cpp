@@ -1,4 +1,5 @@
-// Are the nearest of some points, those in a ball and those in a box the ones that asking each point tells?
+// Are the nearest of some points, those in a ball and those in a box the ones that asking each point tells?  And of
+// segments between them?
 //
 // The bytes are points, how many a leaf holds, and places: of small integers, an ulp off, spread, or as they stand.
 #include <algorithm>
@@ -14,7 +15,10 @@
 
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/degenerate/entropy.hpp"
+#include "plumb/figure/aabb/relation.hpp"
 #include "plumb/figure/containment/contains.hpp"
+#include "plumb/query/closest/closest.hpp"
+#include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space.hpp"
 
 namespace plumb::fuzz {
@@ -90,6 +94,43 @@ void check(const std::vector<Point3>& points, const KdTree3& tree, const PointOc
   expect(within(tree, p, radius) == in_ball, "within");
   expect(in_box(tree, box) == inside, "in_box");
   expect(in_box(octree, box) == inside, "in_box of an octree");
+  std::erase_if(inside, [&](std::uint32_t i) { return relate(box, {points[i], points[i]}) != Relation::overlapping; });
+  expect(in_box(tree, box, {.touching = false}) == inside, "in_box without touching");
+  expect(in_box(octree, box, {.touching = false}) == inside, "in_box of an octree without touching");
+}
+
+/// Each between a point and the next.
+void check_segments(const std::vector<Point3>& points, std::uint32_t in_leaf, const Point3& p, std::size_t k,
+                    double radius, const Aabb3& box) {
+  constexpr std::size_t most_segments = 16;
+  std::vector<Segment3> all;
+  for (std::size_t i = 0; i < std::min(points.size(), most_segments); ++i)
+    all.push_back({points[i], points[(i + 1) % points.size()]});
+  k = std::min(k, all.size());
+  const auto tree = build_figure_tree(all, {.most_in_leaf = in_leaf, .execution = Execution::serial});
+  std::vector<Rational> square;
+  std::vector<std::uint32_t> order(all.size()), in_ball, meeting, over;
+  std::iota(order.begin(), order.end(), 0U);
+  for (const std::uint32_t i : order) {
+    square.push_back(squared_distance_exact(p, all[i]));
+    if (square.back() <= Rational(radius) * Rational(radius)) in_ball.push_back(i);
+    const Relation r = relate(all[i], box);
+    if (r != Relation::disjoint) meeting.push_back(i);
+    if (r == Relation::overlapping) over.push_back(i);
+  }
+  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return square[a] < square[b]; });
+  const auto found = nearest(tree, p, k, Ties::all);
+  expect(found.size() >= k, "too few nearest segments");
+  for (std::size_t i = 0; i < found.size(); ++i) expect(found[i].index == order[i], "the nearest segments");
+  expect(found.size() == all.size() || square[order[found.size()]] != square[order[k - 1]],
+         "a tie of segments is lost");
+  expect(square[order[found.size() - 1]] == square[order[k - 1]], "segments that are no ties");
+  expect(within(tree, p, radius) == in_ball, "segments within");
+  expect(in_box(tree, box) == meeting, "segments in a box");
+  expect(in_box(tree, box, {.touching = false}) == over, "segments that overlap a box");
+  const auto split = build_split_tree(all, {.most_in_leaf = in_leaf, .execution = Execution::serial});
+  expect(in_box(split, box) == meeting, "segments of a split tree in a box");
+  expect(in_box(split, box, {.touching = false}) == over, "segments of a split tree that overlap a box");
 }
 
 void run(Entropy& e) {
@@ -108,7 +149,10 @@ void run(Entropy& e) {
                  b = some_point(e, form);
     const Aabb3 box{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
                     {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
-    check(points, tree, octree, p, 1 + e.below(count), std::fabs(coordinate(e, form)), box);
+    const std::size_t k = 1 + e.below(count);
+    const double radius = std::fabs(coordinate(e, form));
+    check(points, tree, octree, p, k, radius, box);
+    if (i == 0) check_segments(points, in_leaf, p, k, radius, box);
   }
 }
 

@@ -104,6 +104,7 @@
 // What is kept from frame to frame?  PairFront, LastPair, LastTriangle; what is asked
 // together?  grouped_triangles_meeting
 #include "plumb/space/coherence/grouped_range.hpp"  // shapes that lie near each other
+#include "plumb/space/coherence/kept_range.hpp"     // the triangles around what moves little
 #include "plumb/space/coherence/last_answer.hpp"    // the triangles that answered last
 #include "plumb/space/coherence/pair_front.hpp"     // where the descent of two trees ended
 #include "plumb/space/coherence/visit_bits.hpp"     // what a query has seen, in bits

@@ -48,13 +48,19 @@ TEST(PairsLimits, CountedOrKeptAndNoMore) {
   }
   EXPECT_EQ(json::parse(run(at(folder, "pairs") + "equal.csv --count --most 1 --json").out).at("overlapping"), 44'850);
   EXPECT_EQ(run(at(folder, "pairs") + "equal.csv --out kept.npy --most 44850").code, 0);
-  expect_refusals(folder, {{"pairs equal.csv --out other.npy --most 44849", "more than 44,849 pairs, 44,850 at least"},
-                           {"pairs equal.csv --json --most 10", "so many are kept at the most; leave out --all and"},
-                           {"pairs equal.csv --all --count", "--count and --all exclude each other"},
-                           {"pairs equal.csv --out other.npy --count", "--count and --out exclude each other"},
-                           {"pairs equal.csv --most 1.5", "'1.5' is no whole number from 1 to "},
-                           {"pairs equal.csv --json ''", "--json: the file's name is empty; name one, or '-' for"},
-                           {"pairs /dev/zero", "cannot read /dev/zero: it is a device, expected a file or a pipe"}});
+  EXPECT_THAT(run(at(folder, "pairs") + "equal.csv --count --most 44850 --method octree").out,
+              HasSubstr("44,850 pairs"));
+  expect_refusals(folder,
+                  {{"pairs equal.csv --out other.npy --most 44849", "more than 44,849 pairs, 44,850 at least"},
+                   {"pairs equal.csv --json --most 10", "so many are kept at the most; leave out --all and"},
+                   {"pairs equal.csv --out other.npy --most 44849 --method octree", "and so many are kept at the most"},
+                   {"pairs equal.csv equal.csv --count --most 89999 --method box-tree",
+                    "the method box-tree keeps all that it finds, so many at the most; leave out --method"},
+                   {"pairs equal.csv --all --count", "--count and --all exclude each other"},
+                   {"pairs equal.csv --out other.npy --count", "--count and --out exclude each other"},
+                   {"pairs equal.csv --most 1.5", "'1.5' is no whole number from 1 to "},
+                   {"pairs equal.csv --json ''", "--json: the file's name is empty; name one, or '-' for"},
+                   {"pairs /dev/zero", "cannot read /dev/zero: it is a device, expected a file or a pipe"}});
   EXPECT_FALSE(std::ifstream(folder / "other.npy").good());
 }
 

@@ -43,6 +43,7 @@ struct Search {
 
   [[nodiscard]] bool is_one_set() const { return b.empty(); }
   [[nodiscard]] BoxPairOptions pair_options() const { return {options.touching, options.execution}; }
+  [[nodiscard]] InBoxOptions in_box_options() const { return {options.touching}; }
   void tell(const std::vector<BoxPair>& pairs, double done) const {
     if (!pairs.empty()) to.take(to.to, pairs, done);
   }
@@ -79,7 +80,7 @@ struct Search {
   template <class Grid>
   void by_grid(const Grid& grid) const {
     if (is_one_set()) return tell(grid.pairs(pair_options()), 1);
-    ask([&](const Box& box) { return grid.in_box(box, {.touching = options.touching}); });
+    ask([&](const Box& box) { return grid.in_box(box, in_box_options()); });
   }
   /// By a grid that boxes are put into.
   template <class Grid>
@@ -92,29 +93,23 @@ struct Search {
     return fitting_cell_size("overlapping_pairs", a, choose_cell_size(a).size, is_table);
   }
 
-  /// Of numbers of boxes that meet the closed one, those that are asked for.
-  [[nodiscard]] std::vector<std::uint32_t> asked_for(std::vector<std::uint32_t> found, const Box& box) const {
-    if (!options.touching) std::erase_if(found, [&](std::uint32_t i) { return !boxes_meet(a[i], box, false); });
-    return found;
-  }
-
   void by_octree(CellRule rule) const {
     const auto tree = octree_of(a, {.rule = rule, .execution = options.execution});
     if (is_one_set()) return tell(overlapping_pairs(tree, pair_options()), 1);
-    ask([&](const Box& box) { return asked_for(in_box(tree, box), box); });
+    ask([&](const Box& box) { return in_box(tree, box, in_box_options()); });
   }
 
   void by_loose_octree() const {
     LooseCells<axes_of<Box>> tree(box_around(a));
     for (const Box& box : a) tree.insert(box);
     if (is_one_set()) return tell(tree.pairs(pair_options()), 1);
-    ask([&](const Box& box) { return asked_for(tree.in_box(box), box); });
+    ask([&](const Box& box) { return tree.in_box(box, in_box_options()); });
   }
 
   void by_kd_tree() const {
     const auto tree = build_split_tree(a, {.execution = options.execution});
     if (is_one_set()) return tell(overlapping_pairs(tree, pair_options()), 1);
-    ask([&](const Box& box) { return asked_for(in_box(tree, box), box); });
+    ask([&](const Box& box) { return in_box(tree, box, in_box_options()); });
   }
 
   void by_box_tree() const {

@@ -1,9 +1,12 @@
 // What the grids ask of boxes: are they sound, do two overlap, and which cell tells of a pair?
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/figure/aabb/relation.hpp"
@@ -26,17 +29,18 @@ bool is_sound_box(const Box& box) {
 }
 /// Of a box that is asked: is it not empty?  Throws NonFinite, naming the function.
 template <class Box>
-bool may_hold(const std::string& function, const Box& box, const std::string& name = "box") {
+bool may_hold(std::string_view function, const Box& box, std::string_view name = "box") {
   if (is_sound_box(box)) [[likely]]
     return true;
-  const std::string low = name + ".min", high = name + ".max";
+  const std::string low = std::string(name) + ".min", high = std::string(name) + ".max";
   figure::require_finite_parts<decltype(box.min), decltype(box.max)>(function, {low, high}, box.min, box.max);
   return false;
 }
 /// Throws NonFinite and InvalidShape, naming the function and the box.
 template <class Box>
-void require_grid_box(const std::string& function, const std::string& name, const Box& box) {
-  if (!may_hold(function, box, name)) throw InvalidShape(function + ": " + name + " is empty; leave it out");
+void require_grid_box(std::string_view function, std::string_view name, const Box& box) {
+  if (may_hold(function, box, name)) return;
+  throw InvalidShape(std::string(function) + ": " + std::string(name) + " is empty; leave it out");
 }
 template <class Box>
 void require_grid_boxes(const std::string& function, std::span<const Box> boxes) {
@@ -96,23 +100,25 @@ bool holds_cell(const CellSpan<n>& span, const CellNumber<n>& cell) {
 }
 
 /// The reciprocal of a cell size, which must be above zero.
-inline double per_cell_size(const std::string& function, double size) {
-  if (!(size - size == 0)) throw NonFinite(function + ": options.cell_size is " + std::to_string(size));
-  if (!(size > 0)) {
-    throw InvalidShape(function + ": options.cell_size is not above zero, but cells need a size");
-  }
+inline double per_cell_size(std::string_view function, double size, const char* name = "options.cell_size") {
+  if (!(size - size == 0)) throw NonFinite(std::string(function) + ": " + name + " is " + std::to_string(size));
+  if (!(size > 0))
+    throw InvalidShape(std::string(function) + ": " + name + " is not above zero, but cells need a size");
   const double per_size = 1 / size;
   return per_size < std::numeric_limits<double>::max() ? per_size : std::numeric_limits<double>::max();
 }
 
-inline void require_memory(const std::string& function, double bytes, const GridOptions& options) {
-  if (bytes <= static_cast<double>(options.most_memory)) return;
-  throw Error(function + ": the grid would take " + std::to_string(bytes) + " bytes, but options.most_memory is " +
-              std::to_string(options.most_memory) + "; choose larger cells");
+inline void require_memory(std::string_view function, double bytes, std::size_t most,
+                           const char* mend = "choose larger cells") {
+  if (bytes <= static_cast<double>(most)) return;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), bytes, std::chars_format::general, 15).ptr;
+  throw Error(std::string(function) + ": the grid would take " + std::string(text.data(), end) +
+              " bytes, but options.most_memory is " + std::to_string(most) + "; " + mend);
 }
 
-inline InvalidShape not_in_grid(const std::string& function, std::uint32_t handle) {
-  return InvalidShape(function + ": handle " + std::to_string(handle) +
+inline InvalidShape not_in_grid(std::string_view function, std::uint32_t handle) {
+  return InvalidShape(std::string(function) + ": handle " + std::to_string(handle) +
                       " is not in the grid; it was removed, or never given");
 }
 

@@ -20,7 +20,7 @@ template <class Box>
 ImplicitGrid<Box>::ImplicitGrid(double cell_size, const ImplicitGridOptions& options)
     : options_(options),
       size_(cell_size),
-      per_size_(space::per_cell_size("ImplicitGrid", cell_size)),
+      per_size_(space::per_cell_size("ImplicitGrid", cell_size, "cell_size")),
       rows_(checked_rows(options)) {}
 
 template <class Box>
@@ -29,7 +29,7 @@ std::uint32_t ImplicitGrid<Box>::insert(const Box& box) {
   if (boxes_.next() >= rows_.slots()) {
     const std::size_t slots = std::bit_ceil(std::size_t{boxes_.next()} + 1);
     space::require_memory("ImplicitGrid::insert", space::BitRows<n>::memory_of(options_.rows, slots),
-                          {.most_memory = options_.most_memory});
+                          options_.most_memory, "choose fewer rows");
     rows_.reserve(slots);
   }
   const std::uint32_t handle = boxes_.add(box);

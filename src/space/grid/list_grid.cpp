@@ -21,20 +21,32 @@ void fit(Seen& seen, std::size_t size) {
   }
 }
 
+/// Of the functions, as users name the grid.
+template <CellTable>
+struct Names {
+  static constexpr std::string_view make = "HashedGrid", insert = "HashedGrid::insert", remove = "HashedGrid::remove",
+                                    move = "HashedGrid::move", in_box = "HashedGrid::in_box";
+};
+template <>
+struct Names<CellTable::array> {
+  static constexpr std::string_view make = "LinkedGrid", insert = "LinkedGrid::insert", remove = "LinkedGrid::remove",
+                                    move = "LinkedGrid::move", in_box = "LinkedGrid::in_box";
+};
+
 }  // namespace
 
 template <class Box, CellTable table>
 ListGrid<Box, table>::ListGrid(const Box* world, double cell_size, const GridOptions& options)
     : options_(options), size_(cell_size) {
-  const std::string function = world == nullptr ? "HashedGrid" : "LinkedGrid";
-  per_size_ = space::per_cell_size(function, cell_size);
+  const std::string_view function = Names<table>::make;
+  per_size_ = space::per_cell_size(function, cell_size, "cell_size");
   if (world == nullptr) {
     heads_.assign(space::least_places, none);
     return;
   }
   space::require_grid_box(function, "world", *world);
   all_ = space::cells_of(*world, per_size_);
-  space::require_memory(function, space::cell_count(all_) * sizeof(std::uint32_t), options);
+  space::require_memory(function, space::cell_count(all_) * sizeof(std::uint32_t), options.most_memory);
   heads_.assign(static_cast<std::size_t>(space::cell_count(all_)), none);
 }
 
@@ -63,10 +75,10 @@ std::size_t ListGrid<Box, table>::place_of(const space::CellNumber<n>& cell) con
 }
 
 template <class Box, CellTable table>
-void ListGrid<Box, table>::require_room(const char* function, const Span& span) const {
+void ListGrid<Box, table>::require_room(std::string_view function, const Span& span) const {
   const double more = space::cell_count(span), nodes = static_cast<double>(used_) + more;
   const double places = table == CellTable::hashed ? 2 * nodes : static_cast<double>(heads_.size());
-  space::require_memory(function, nodes * sizeof(Node) + places * sizeof(std::uint32_t), options_);
+  space::require_memory(function, nodes * sizeof(Node) + places * sizeof(std::uint32_t), options_.most_memory);
 }
 
 /// Room for so many nodes more; and no more nodes than places in a table.
@@ -121,9 +133,9 @@ void ListGrid<Box, table>::unlink(std::uint32_t handle) {
 
 template <class Box, CellTable table>
 std::uint32_t ListGrid<Box, table>::insert(const Box& box) {
-  space::require_grid_box("ListGrid::insert", "box", box);
+  space::require_grid_box(Names<table>::insert, "box", box);
   const Span span = span_of(box);
-  require_room("ListGrid::insert", span);
+  require_room(Names<table>::insert, span);
   grow(static_cast<std::size_t>(space::cell_count(span)));
   if (boxes_.next() == spans_.size()) spans_.push_back(span);
   const std::uint32_t handle = boxes_.add(box);
@@ -134,18 +146,18 @@ std::uint32_t ListGrid<Box, table>::insert(const Box& box) {
 
 template <class Box, CellTable table>
 void ListGrid<Box, table>::remove(std::uint32_t handle) {
-  if (!contains(handle)) throw space::not_in_grid("ListGrid::remove", handle);
+  if (!contains(handle)) throw space::not_in_grid(Names<table>::remove, handle);
   unlink(handle);
   boxes_.release(handle);
 }
 
 template <class Box, CellTable table>
 void ListGrid<Box, table>::move(std::uint32_t handle, const Box& box) {
-  if (!contains(handle)) throw space::not_in_grid("ListGrid::move", handle);
-  space::require_grid_box("ListGrid::move", "box", box);
+  if (!contains(handle)) throw space::not_in_grid(Names<table>::move, handle);
+  space::require_grid_box(Names<table>::move, "box", box);
   const Span span = span_of(box);
   if (span != spans_[handle]) {
-    require_room("ListGrid::move", span);
+    require_room(Names<table>::move, span);
     grow(static_cast<std::size_t>(space::cell_count(span)));
     unlink(handle);
     spans_[handle] = span;
@@ -175,7 +187,7 @@ std::vector<BoxPair> ListGrid<Box, table>::pairs(const BoxPairOptions& options) 
 template <class Box, CellTable table>
 template <class Seen>
 std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touching, Seen& seen) const {
-  if (!space::may_hold("ListGrid::in_box", box)) return {};
+  if (!space::may_hold(Names<table>::in_box, box)) return {};
   std::vector<std::uint32_t> out;
   fit(seen, boxes_.numbers());
   const Span span = span_of(box);

@@ -31,7 +31,7 @@ auto RowColumnGrid<Box>::level_with_room(const char* function, int level) -> Lev
   const std::size_t slots = is_new ? 64 : 2 * at->rows.slots();
   double bytes = space::BitRows<n>::memory_of(options_.rows, slots);
   for (const Level& l : levels_) bytes += static_cast<double>(l.rows.memory());
-  space::require_memory(function, bytes, {.most_memory = options_.most_memory});
+  space::require_memory(function, bytes, options_.most_memory, "choose fewer rows");
   if (is_new) at = levels_.insert(at, Level{level, space::BitRows<n>(options_.rows), {}, {}});
   at->rows.reserve(slots);
   return *at;

@@ -36,7 +36,7 @@ StaticGrid<Box>::StaticGrid(std::span<const Box> boxes, const GridOptions& optio
     entries += space::cell_count(spans_[i]);
   }
   const double bytes = count * (sizeof(Box) + sizeof(Span)) + 4 * (space::cell_count(all_) + entries);
-  space::require_memory(function, bytes, options);
+  space::require_memory(function, bytes, options.most_memory);
   if (entries > 4e9) throw Error(function + ": more than 32 bits number reach into cells; choose larger cells");
   fill();
 }

@@ -1,9 +1,9 @@
 #include "plumb/space/kd_tree/figure_range.hpp"
 
-#include "plumb/query/overlap/overlap.hpp"
 #include "query/body/figure_input.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/kd_tree/answer_lists.hpp"
+#include "space/kd_tree/figures_meet.hpp"
 #include "space/kd_tree/kept_figures.hpp"
 #include "space/kd_tree/slot_figures.hpp"
 
@@ -21,7 +21,7 @@ void add_figures_within(const FigureTree<Figure>& tree, const typename FigureTre
 }
 
 template <class Figure>
-void add_figures_in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box,
+void add_figures_in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box, bool touching,
                         std::vector<std::uint32_t>& numbers) {
   if (is_empty(box)) return;
   const Aabb3 asked = box_in_space(box);
@@ -34,11 +34,9 @@ void add_figures_in_box(const FigureTree<Figure>& tree, const typename FigureTre
   descend(tree.tree, meets, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
       const Figure& figure = tree.figures[slot];
-      if (!boxes_meet(asked, box_in_space(figure))) continue;
-      if constexpr (!std::is_same_v<Figure, typename FigureTree<Figure>::Box>) {
-        if (!intersects(figure, box)) continue;
+      if (boxes_meet(asked, box_in_space(figure)) && figures_meet(figure, box, touching)) {
+        numbers.push_back(tree.tree.items[slot]);
       }
-      numbers.push_back(tree.tree.items[slot]);
     }
   });
 }
@@ -68,10 +66,11 @@ std::vector<std::uint32_t> within(const FigureTree<Figure>& tree, const typename
   return numbers;
 }
 template <KeptFigure Figure>
-std::vector<std::uint32_t> in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box) {
+std::vector<std::uint32_t> in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box,
+                                  const InBoxOptions& options) {
   query::require_figure("in_box", "box", box);
   std::vector<std::uint32_t> numbers;
-  space::kd::add_figures_in_box(tree, box, numbers);
+  space::kd::add_figures_in_box(tree, box, options.touching, numbers);
   space::kd::sort_from(numbers, 0);
   return numbers;
 }
@@ -87,18 +86,19 @@ FigureLists within(const FigureTree<Figure>& tree, std::span<const typename Figu
 }
 template <KeptFigure Figure>
 FigureLists in_box(const FigureTree<Figure>& tree, std::span<const typename FigureTree<Figure>::Box> boxes,
-                   Execution execution) {
+                   Execution execution, const InBoxOptions& options) {
   space::kd::require_finite_boxes(boxes);
   return space::kd::listed(boxes.size(), execution, [&](std::size_t i, std::vector<std::uint32_t>& numbers) {
-    space::kd::add_figures_in_box(tree, boxes[i], numbers);
+    space::kd::add_figures_in_box(tree, boxes[i], options.touching, numbers);
   });
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                                   \
-  template std::vector<std::uint32_t> within(const FigureTree<F>&, const FigureTree<F>::Point&, double);       \
-  template std::vector<std::uint32_t> in_box(const FigureTree<F>&, const FigureTree<F>::Box&);                 \
-  template FigureLists within(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, double, Execution); \
-  template FigureLists in_box(const FigureTree<F>&, std::span<const FigureTree<F>::Box>, Execution);
+#define PLUMB_INSTANTIATE(F)                                                                                        \
+  template std::vector<std::uint32_t> within(const FigureTree<F>&, const FigureTree<F>::Point&, double);            \
+  template std::vector<std::uint32_t> in_box(const FigureTree<F>&, const FigureTree<F>::Box&, const InBoxOptions&); \
+  template FigureLists within(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, double, Execution);      \
+  template FigureLists in_box(const FigureTree<F>&, std::span<const FigureTree<F>::Box>, Execution,                 \
+                              const InBoxOptions&);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE
 

@@ -70,7 +70,8 @@ std::vector<BoxPair> pairs_of(const StaticGrid<Box>& grid) {
 }
 
 template <class Index, class Box>
-void add_in_part(const Index& index, std::size_t part, const Box& box, std::vector<std::uint32_t>& found) {
+void add_in_part(const Index& index, std::size_t part, const Box& box, const InBoxOptions& options,
+                 std::vector<std::uint32_t>& found) {
   const auto items = index.items_in(part);
   const auto& boxes = index.boxes();
   const auto take = [&](std::uint32_t i) {
@@ -79,10 +80,13 @@ void add_in_part(const Index& index, std::size_t part, const Box& box, std::vect
   const std::uint32_t own = index.crowded.index_of[part];
   if (own == index.crowded.none) {
     for (const std::uint32_t i : items) {
-      if (boxes_meet(box, boxes[i], true)) take(i);
+      if (boxes_meet(box, boxes[i], options.touching)) take(i);
     }
   } else {
-    for (const std::uint32_t place : places_of(index.crowded.indexes[own], box)) take(items[place]);
+    for (const std::uint32_t place : places_of(index.crowded.indexes[own], box)) {
+      // A part that only touches may be of a box that overlaps.
+      if (options.touching || boxes_meet(box, boxes[items[place]], false)) take(items[place]);
+    }
   }
 }
 
@@ -202,22 +206,24 @@ TreeOfGrids<Box> build_tree_of_grids(std::span<const Box> boxes, const HybridOpt
 }
 
 template <class Box>
-std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box) {
+std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box,
+                                  const InBoxOptions& options) {
   query::require_figure("in_box", "box", box);
   std::vector<std::uint32_t> found;
   if (is_empty(box)) return found;
-  for (const std::size_t cell : index.grid.cells_meeting(box)) space::kd::add_in_part(index, cell, box, found);
+  for (const std::size_t cell : index.grid.cells_meeting(box)) space::kd::add_in_part(index, cell, box, options, found);
   std::sort(found.begin(), found.end());
   return found;
 }
 
 template <class Box>
-std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box) {
+std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box,
+                                  const InBoxOptions& options) {
   query::require_figure("in_box", "box", box);
   std::vector<std::uint32_t> found;
   if (is_empty(box)) return found;
   space::kd::for_leaves_meeting(index.tree, box,
-                                [&](std::size_t leaf) { space::kd::add_in_part(index, leaf, box, found); });
+                                [&](std::size_t leaf) { space::kd::add_in_part(index, leaf, box, options, found); });
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -248,14 +254,16 @@ std::size_t memory_of(const TreeOfGrids<Box>& index) {
   return bytes;
 }
 
-#define PLUMB_INSTANTIATE(Box)                                                                          \
-  template GridOfTrees<Box> build_grid_of_trees(std::span<const Box>, const HybridOptions&);            \
-  template TreeOfGrids<Box> build_tree_of_grids(std::span<const Box>, const HybridOptions&);            \
-  template std::vector<std::uint32_t> in_box(const GridOfTrees<Box>&, const GridOfTrees<Box>::Figure&); \
-  template std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>&, const TreeOfGrids<Box>::Figure&); \
-  template std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>&, const BoxPairOptions&);      \
-  template std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>&, const BoxPairOptions&);      \
-  template std::size_t memory_of(const GridOfTrees<Box>&);                                              \
+#define PLUMB_INSTANTIATE(Box)                                                                         \
+  template GridOfTrees<Box> build_grid_of_trees(std::span<const Box>, const HybridOptions&);           \
+  template TreeOfGrids<Box> build_tree_of_grids(std::span<const Box>, const HybridOptions&);           \
+  template std::vector<std::uint32_t> in_box(const GridOfTrees<Box>&, const GridOfTrees<Box>::Figure&, \
+                                             const InBoxOptions&);                                     \
+  template std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>&, const TreeOfGrids<Box>::Figure&, \
+                                             const InBoxOptions&);                                     \
+  template std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>&, const BoxPairOptions&);     \
+  template std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>&, const BoxPairOptions&);     \
+  template std::size_t memory_of(const GridOfTrees<Box>&);                                             \
   template std::size_t memory_of(const TreeOfGrids<Box>&);
 PLUMB_INSTANTIATE(Aabb2)
 PLUMB_INSTANTIATE(Aabb3)

@@ -5,6 +5,7 @@
 #include "space/kd_tree/answer_lists.hpp"
 #include "space/kd_tree/point_search.hpp"
 #include "space/kd_tree/query_order.hpp"
+#include "space/pairs/opened_box.hpp"
 
 namespace plumb {
 namespace space::kd {
@@ -27,10 +28,11 @@ std::vector<std::uint32_t> within(const KdTree<Point>& tree, const std::type_ide
 }
 
 template <class Point>
-std::vector<std::uint32_t> in_box(const KdTree<Point>& tree, const space::BoxOf<Point>& box) {
+std::vector<std::uint32_t> in_box(const KdTree<Point>& tree, const space::BoxOf<Point>& box,
+                                  const InBoxOptions& options) {
   require_finite_parts<Point, Point>("in_box", {"box.min", "box.max"}, box.min, box.max);
   std::vector<std::uint32_t> numbers;
-  if (tree.count != 0) space::kd::add_in_box(tree, box, numbers);
+  if (tree.count != 0) space::kd::add_in_box(tree, options.touching ? box : space::opened(box), numbers);
   space::kd::sort_from(numbers, 0);
   return numbers;
 }
@@ -54,23 +56,26 @@ PointLists within(const KdTree<Point>& tree, std::span<const std::type_identity_
 }
 
 template <class Point>
-PointLists in_box(const KdTree<Point>& tree, std::span<const space::BoxOf<Point>> boxes, Execution execution) {
+PointLists in_box(const KdTree<Point>& tree, std::span<const space::BoxOf<Point>> boxes, Execution execution,
+                  const InBoxOptions& options) {
   using namespace space::kd;
   require_finite_boxes(boxes);
   std::vector<ListBlock> blocks(space::blocks_of(boxes.size(), block_size));
   space::for_blocks(execution, boxes.size(), block_size, [&](std::size_t b, std::size_t from, std::size_t to) {
     blocks[b] = asked_in_turn(to - from, [&](std::uint32_t i, std::vector<std::uint32_t>& numbers) {
-      if (tree.count != 0) add_in_box<Point>(tree, boxes[from + i], numbers);
+      if (tree.count == 0) return;
+      const auto& box = boxes[from + i];
+      add_in_box<Point>(tree, options.touching ? box : space::opened(box), numbers);
     });
   });
   return put_together(boxes.size(), block_size, blocks);
 }
 
-#define PLUMB_INSTANTIATE(P)                                                            \
-  template std::vector<std::uint32_t> within(const KdTree<P>&, const P&, double);       \
-  template std::vector<std::uint32_t> in_box(const KdTree<P>&, const space::BoxOf<P>&); \
-  template PointLists within(const KdTree<P>&, std::span<const P>, double, Execution);  \
-  template PointLists in_box(const KdTree<P>&, std::span<const space::BoxOf<P>>, Execution);
+#define PLUMB_INSTANTIATE(P)                                                                                 \
+  template std::vector<std::uint32_t> within(const KdTree<P>&, const P&, double);                            \
+  template std::vector<std::uint32_t> in_box(const KdTree<P>&, const space::BoxOf<P>&, const InBoxOptions&); \
+  template PointLists within(const KdTree<P>&, std::span<const P>, double, Execution);                       \
+  template PointLists in_box(const KdTree<P>&, std::span<const space::BoxOf<P>>, Execution, const InBoxOptions&);
 PLUMB_INSTANTIATE(Point2)
 PLUMB_INSTANTIATE(Point3)
 #undef PLUMB_INSTANTIATE

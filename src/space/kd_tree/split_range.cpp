@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "plumb/query/overlap/overlap.hpp"
 #include "query/body/figure_input.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/closest/figure_box.hpp"
+#include "space/kd_tree/figures_meet.hpp"
 #include "space/kd_tree/kept_figures.hpp"
 #include "space/kd_tree/leaves_meeting.hpp"
 
@@ -38,16 +38,6 @@ class LeavesOf {
 
 namespace {
 
-/// Of closed figures whose boxes meet.
-template <class A, class B>
-bool have_a_point(const A& a, const B& b) {
-  if constexpr (std::is_same_v<A, B> && (std::is_same_v<A, Aabb2> || std::is_same_v<A, Aabb3>)) {
-    return true;
-  } else {
-    return intersects(a, b);
-  }
-}
-
 template <class Figure>
 void add_pairs_of_leaf(const SplitTree<Figure>& tree, const LeavesOf& leaves, std::size_t leaf, bool touching,
                        std::vector<BoxPair>& pairs) {
@@ -58,7 +48,7 @@ void add_pairs_of_leaf(const SplitTree<Figure>& tree, const LeavesOf& leaves, st
     for (std::size_t n = m + 1; n < items.size(); ++n) {
       if (!boxes_meet(boxes[m], boxes[n]) || !leaves.is_first_of_both(items[m], items[n], leaf)) continue;
       const Figure &a = tree.figures[items[m]], &b = tree.figures[items[n]];
-      if (touching ? have_a_point(a, b) : relate(a, b) == Relation::overlapping) pairs.push_back({items[m], items[n]});
+      if (figures_meet(a, b, touching)) pairs.push_back({items[m], items[n]});
     }
   }
 }
@@ -67,7 +57,8 @@ void add_pairs_of_leaf(const SplitTree<Figure>& tree, const LeavesOf& leaves, st
 }  // namespace space::kd
 
 template <KeptFigure Figure>
-std::vector<std::uint32_t> in_box(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Box& box) {
+std::vector<std::uint32_t> in_box(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Box& box,
+                                  const InBoxOptions& options) {
   using namespace space::kd;
   query::require_figure("in_box", "box", box);
   std::vector<std::uint32_t> found;
@@ -80,7 +71,7 @@ std::vector<std::uint32_t> in_box(const SplitTree<Figure>& tree, const typename 
   });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::erase_if(found, [&](std::uint32_t i) { return !have_a_point(tree.figures[i], box); });
+  std::erase_if(found, [&](std::uint32_t i) { return !figures_meet(tree.figures[i], box, options.touching); });
   return found;
 }
 
@@ -98,8 +89,8 @@ std::vector<BoxPair> overlapping_pairs(const SplitTree<Figure>& tree, const BoxP
   return pairs;
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                 \
-  template std::vector<std::uint32_t> in_box(const SplitTree<F>&, const SplitTree<F>::Box&); \
+#define PLUMB_INSTANTIATE(F)                                                                                      \
+  template std::vector<std::uint32_t> in_box(const SplitTree<F>&, const SplitTree<F>::Box&, const InBoxOptions&); \
   template std::vector<BoxPair> overlapping_pairs(const SplitTree<F>&, const BoxPairOptions&);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE

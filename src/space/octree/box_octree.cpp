@@ -4,13 +4,13 @@
 #include <bit>
 #include <string>
 
-#include "plumb/figure/aabb/relation.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/octree/box_sides.hpp"
 #include "space/octree/cell_join.hpp"
 #include "space/octree/cell_keys.hpp"
 #include "space/octree/cut_cells.hpp"
 #include "space/octree/leaf_lists.hpp"
+#include "space/pairs/boxes_meet.hpp"
 
 namespace plumb {
 namespace {
@@ -81,7 +81,7 @@ bool begins_in(const BoxOf<D>& cell, const BoxOf<D>& a, const BoxOf<D>& b) {
 }
 
 template <std::size_t D>
-std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& box) {
+std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& box, const InBoxOptions& options) {
   std::vector<std::uint32_t> found;
   figure::require_finite_parts<decltype(box.min), decltype(box.max)>("in_box", {"box.min", "box.max"}, box.min,
                                                                      box.max);
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& 
     const OwnItems own = own_items(tree.cells, node);
     const BoxOf<D> cell = box_of(tree.cells, node);
     for (std::uint32_t i = own.begin; i < own.end; ++i) {
-      if (!space::meet(box, tree.boxes[i])) continue;
+      if (!space::boxes_meet(box, tree.boxes[i], options.touching)) continue;
       if (tree.rule == CellRule::smallest_cell || begins_in<D>(cell, box, tree.boxes[i])) {
         found.push_back(tree.cells.items[i]);
       }
@@ -108,8 +108,7 @@ struct PairFinder {
   bool touching;
 
   [[nodiscard]] bool counts(std::uint32_t i, std::uint32_t j) const {
-    return space::meet(tree.boxes[i], tree.boxes[j]) &&
-           (touching || relate(tree.boxes[i], tree.boxes[j]) == Relation::overlapping);
+    return space::boxes_meet(tree.boxes[i], tree.boxes[j], touching);
   }
   void tell(std::uint32_t i, std::uint32_t j, std::vector<BoxPair>& pairs) const {
     const auto [a, b] = std::minmax(tree.cells.items[i], tree.cells.items[j]);
@@ -162,8 +161,12 @@ BoxOctree build_octree(std::span<const Aabb3> boxes, const BoxOctreeOptions& opt
 BoxQuadtree build_quadtree(std::span<const Aabb2> boxes, const BoxOctreeOptions& options) {
   return cells_of_boxes<2>("build_quadtree", boxes, options);
 }
-std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box) { return found_boxes<3>(tree, box); }
-std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box) { return found_boxes<2>(tree, box); }
+std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box, const InBoxOptions& options) {
+  return found_boxes<3>(tree, box, options);
+}
+std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box, const InBoxOptions& options) {
+  return found_boxes<2>(tree, box, options);
+}
 std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options) {
   return found_pairs<3>(tree, options);
 }

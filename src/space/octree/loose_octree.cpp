@@ -7,6 +7,7 @@
 #include "space/octree/box_sides.hpp"
 #include "space/octree/cell_keys.hpp"
 #include "space/octree/seen_cells.hpp"
+#include "space/pairs/boxes_meet.hpp"
 
 namespace plumb {
 namespace {
@@ -234,14 +235,14 @@ void LooseCells<D>::visit_cells(const Box& box, const Visit& visit) const {
 }
 
 template <std::size_t D>
-std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box) const {
+std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box, const InBoxOptions& options) const {
   std::vector<std::uint32_t> found;
   figure::require_finite_parts<decltype(box.min), decltype(box.max)>("LooseOctree::in_box", {"box.min", "box.max"},
                                                                      box.min, box.max);
   if (is_empty(box)) return found;
   visit_cells(box, [&](const Cell& cell) {
     for (std::uint32_t i = cell.first_item; i != none; i = items_[i].behind) {
-      if (space::meet(box, items_[i].box)) found.push_back(i);
+      if (space::boxes_meet(box, items_[i].box, options.touching)) found.push_back(i);
     }
   });
   std::sort(found.begin(), found.end());

@@ -8,6 +8,7 @@
 #include "space/octree/cell_keys.hpp"
 #include "space/octree/cut_cells.hpp"
 #include "space/octree/seen_cells.hpp"
+#include "space/pairs/opened_box.hpp"
 
 namespace plumb {
 namespace {
@@ -47,10 +48,12 @@ PointCells<D> cells_of_points(std::string_view function, std::span<const typenam
 }
 
 template <std::size_t D>
-std::vector<std::uint32_t> found_points(const PointCells<D>& tree, const typename CellKinds<D>::Box& box) {
+std::vector<std::uint32_t> found_points(const PointCells<D>& tree, const typename CellKinds<D>::Box& asked,
+                                        const InBoxOptions& options) {
   std::vector<std::uint32_t> found;
-  figure::require_finite_parts<decltype(box.min), decltype(box.max)>("in_box", {"box.min", "box.max"}, box.min,
-                                                                     box.max);
+  figure::require_finite_parts<decltype(asked.min), decltype(asked.max)>("in_box", {"box.min", "box.max"}, asked.min,
+                                                                         asked.max);
+  const typename CellKinds<D>::Box box = options.touching ? asked : space::opened(asked);
   if (is_empty(box)) return found;
   space::visit_seen_cells(tree.cells, box, [&](std::uint32_t node) {
     const CellNode& n = tree.cells.nodes[node];
@@ -71,7 +74,11 @@ PointOctree build_octree(std::span<const Point3> points, const OctreeOptions& op
 PointQuadtree build_quadtree(std::span<const Point2> points, const OctreeOptions& options) {
   return cells_of_points<2>("build_quadtree", points, options);
 }
-std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box) { return found_points<3>(tree, box); }
-std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box) { return found_points<2>(tree, box); }
+std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box, const InBoxOptions& options) {
+  return found_points<3>(tree, box, options);
+}
+std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box, const InBoxOptions& options) {
+  return found_points<2>(tree, box, options);
+}
 
 }  // namespace plumb

@@ -30,13 +30,22 @@ void require_sound(const PairsOptions& o) {
 }
 
 /// Told when there is one too many: how many there are after all is known only at the end.
-[[noreturn]] void refuse_more(std::uint64_t most, std::uint64_t at_least) {
+[[noreturn]] void refuse_more(const PairsOptions& o, std::uint64_t at_least, bool for_outputs) {
+  if (!for_outputs)
+    throw Error(fmt::format(
+        "pairs: there are more than {} pairs, {} at least, and the method {} keeps all that it finds, so many "
+        "at the most; leave out --method to count any number, or give a greater --most, for each of which "
+        "8 bytes are kept",
+        grouped(o.most), grouped(at_least), o.method));
   throw Error(
       fmt::format("pairs: there are more than {} pairs, {} at least, and so many are kept at the most; leave out "
                   "--all and --out, and give --count for --json, to count them all, or give a greater --most, for "
                   "each of which 8 bytes are kept",
-                  grouped(most), grouped(at_least)));
+                  grouped(o.most), grouped(at_least)));
 }
+
+/// Does the search itself keep every pair, before it tells any?
+bool keeps_all(BroadPhaseMethod method) { return method > BroadPhaseMethod::brute_force; }
 
 void require_one_space(const std::vector<BoxInput>& sets) {
   if (sets.front().is_planar == sets.back().is_planar) return;
@@ -55,6 +64,18 @@ void search(const PairsReport& report, const BroadPhaseOptions& asked, Take& tak
   const std::vector<Box>& a = boxes_of(report.sets.front(), kind);
   if (report.of_one()) return overlapping_pairs(a, BoxPairSink(take), asked);
   overlapping_pairs(a, boxes_of(report.sets.back(), kind), BoxPairSink(take), asked);
+}
+
+/// By the quickest search, which keeps none and is left as soon as there are too many.
+void require_no_more(const PairsOptions& options, const PairsReport& report, Progress& bar) {
+  bar.note("counting the pairs");
+  std::uint64_t pairs = 0;
+  auto count = [&](std::span<const BoxPair> block) {
+    pairs += block.size();
+    if (pairs > options.most) refuse_more(options, pairs, report.pairs.has_value());
+  };
+  const BroadPhaseOptions asked{.touching = report.touching};
+  report.is_planar() ? search<Aabb2>(report, asked, count) : search<Aabb3>(report, asked, count);
 }
 
 std::string array_of(const std::vector<BoxPair>& pairs) {
@@ -93,11 +114,12 @@ PairsReport pairs_report(const PairsOptions& options, std::vector<BoxInput> sets
     report.overlap += overlap;
     report.touch += block.size() - overlap;
     if (report.pairs && report.pairs->size() + block.size() > options.most)
-      refuse_more(options.most, report.touch + report.overlap);
+      refuse_more(options, report.touch + report.overlap, true);
     if (report.pairs) report.pairs->insert(report.pairs->end(), block.begin(), block.end());
     if (bar.shown()) bar.note(plural(report.touch + report.overlap, "pair", "pairs"));
   };
   const BroadPhaseOptions asked{.touching = report.touching, .method = broad_phase_method(options.method)};
+  if (keeps_all(asked.method)) require_no_more(options, report, bar);
   const auto start = std::chrono::steady_clock::now();
   if (report.is_planar()) {
     search<Aabb2>(report, asked, take);

@@ -4,7 +4,7 @@
 // time depends on the boxes, --no-touching and the method alone, not on threads.  (3) Array and picture replace no
 // file, unless that is asked for.  Exit code 0 when done, also where no two meet; files that cannot be read, boxes that
 // are none, more pairs to keep than --most and outputs that cannot be written throw Error.  (4) Where no output has the
-// pairs, they are counted as they come, and none is kept.
+// pairs, they are counted as they come, and none is kept; methods that keep them all are not asked for more than --most.
 // Source: RTCD 2.4.1, 7; plumb/space/broad_phase/overlapping_pairs.hpp.
 // Cost: that of reading, which is most, and of the search; pairs are kept where an output has them.
 #pragma once
@@ -30,7 +30,7 @@ struct PairsOptions {
   unsigned threads = 0;
   bool all = false;                           // list every pair
   bool count = false;                         // only count: no pair is kept, none is in the JSON
-  std::uint64_t most = 100'000'000;           // pairs to keep
+  std::uint64_t most = 100'000'000;           // pairs that are kept, for outputs or by the method
   std::optional<std::string> json, out, svg;  // "-" is standard output
   bool overwrite = false;                     // what --out and --svg name
 };

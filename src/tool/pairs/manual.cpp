@@ -35,7 +35,8 @@ none of these is asked for, or --count is given, pairs are counted as
 they are found and none is kept, so there may be any number; for these
 outputs more than 100,000,000 are refused, which --most changes. (The
 methods automatic, swept-columns, sort-and-sweep and brute-force find
-them so; others keep all until they are found.) --svg
+them so; others keep all until they are found, so for them pairs are
+counted first, and more than --most are refused in any case.) --svg
 draws the boxes, in colors that say which of them meet others, with the
 columns in which they are swept; boxes in space are seen along the axis
 of the sweep. Of more than 20,000 boxes some are drawn, and the picture

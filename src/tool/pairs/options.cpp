@@ -21,7 +21,9 @@ Command pairs_command(CLI::App& program) {
   add_threads(parser, o.threads);
   parser->add_flag("--all", o.all, "List every pair, too.");
   parser->add_flag("--count", o.count, "Only count: keep no pair, and leave them out of the JSON.");
-  parser->add_option("--most", o.most, "Keep so many pairs for the outputs at the most; count any number.")
+  parser
+      ->add_option("--most", o.most,
+                   "Keep so many pairs at the most, for outputs or by a method that keeps all; count any number.")
       ->check(whole_number_from(1, std::uint64_t{1} << 40))
       ->capture_default_str()
       ->type_name("N");

@@ -1,15 +1,17 @@
-// Do shapes that descend together find what each finds alone?
+// Do shapes that descend together, and one that asks again and again, find what each finds alone?
 #include "plumb/space/coherence/grouped_range.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "plumb/space/coherence/kept_range.hpp"
 #include "space/coherence/frames.hpp"
 
 namespace plumb {
@@ -88,6 +90,90 @@ TEST(GroupedRange, OfSwarmsFrameByFrame) {
     found += any.size();
   }
   EXPECT_GT(found, 5000u);
+}
+
+/// Shapes of hard numbers, each asked where it is and a few steps on.
+TEST(KeptRange, FindsWhatTheTreeFinds) {
+  std::size_t by_row = 0, by_tree = 0, found = 0;
+  shape_cases::on_shapes(1783, battery::fitting(80), [&](Material& m) {
+    const TriangleMesh mesh = meshes::soup(m, 1 + m.below(20), m.below(30));
+    const Bvh bvh = build_bvh(mesh, {.most_in_leaf = 1 + static_cast<std::uint32_t>(m.below(4)),
+                                     .split_share = m.below(3) == 0 ? 1.0F : 0.0F});
+    const double margins[] = {0, 0.5, 8, 1e308};
+    KeptRange near(bvh, margins[m.below(4)]);
+    const auto ask = [&](const auto& shape) {
+      const Numbers numbers = near.triangles_meeting(shape);
+      ASSERT_EQ(numbers, triangles_meeting(bvh, shape)) << m.about();
+      ++(near.by_row() ? by_row : by_tree);
+      found += numbers.size();
+    };
+    for (int place = 0; place < 4; ++place) {
+      Point3 a = m.probe3(), b = m.probe3();
+      const double radius = std::fabs(m.number());
+      const int steps = static_cast<int>(m.below(5));
+      for (int step = 0; step <= steps; ++step) {
+        switch (m.below(4)) {
+          case 0:
+            ask(Segment3{a, b});
+            break;
+          case 1:
+            ask(Aabb3{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                      {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}});
+            break;
+          case 2:
+            ask(Sphere3{a, radius});
+            break;
+          default:
+            ask(Capsule3{a, b, radius});
+        }
+        (m.below(2) == 0 ? a.x : b.y) += m.below(2) == 0 ? 0 : m.number() / 16;
+        if (!is_finite(a) || !is_finite(b)) break;
+      }
+    }
+  });
+  if (!battery::reaches_rare) return;
+  EXPECT_GT(by_row, 100u);
+  EXPECT_GT(by_tree, 150u);
+  EXPECT_GT(found, 800u);
+}
+
+TEST(KeptRange, OfABallThatRollsThroughARing) {
+  TriangleMesh mesh = meshes::ring(10);
+  Bvh bvh = build_bvh(mesh);
+  KeptRange near(bvh);
+  std::size_t rows = 0, found = 0;
+  for (int frame = 0; frame < 400; ++frame) {
+    const Sphere3 ball{{-1.5 + frame * 0.0078125, 0.25, 0}, 0.25};
+    const Numbers numbers = near.triangles_meeting(ball);
+    ASSERT_EQ(numbers, triangles_meeting(bvh, ball)) << frame;
+    rows += near.by_row() ? 1 : 0, found += numbers.size();
+  }
+  EXPECT_GT(rows, 380u);
+  EXPECT_GT(found, 100u);
+  EXPECT_LT(near.row_size(), mesh.triangles.size());
+  // What leaps is never kept.
+  for (int leap = 0; leap < 9; ++leap) {
+    (void)near.triangles_meeting(Sphere3{{leap % 2 == 0 ? 1.0 : -1.0, 0, 0}, 0.125});
+    EXPECT_FALSE(near.by_row());
+  }
+  const Aabb3 all{{-9, -9, -9}, {9, 9, 9}};
+  EXPECT_EQ(near.triangles_meeting(all).size(), mesh.triangles.size());
+  for (Point3& p : mesh.vertices) p.z += 100;
+  refit(bvh, mesh.vertices);
+  near.forget();
+  EXPECT_TRUE(near.triangles_meeting(all).empty());
+  EXPECT_TRUE(near.triangles_meeting(all).empty());
+  EXPECT_TRUE(near.by_row());
+  EXPECT_TRUE(near.triangles_meeting(Aabb3{{1, 0, 0}, {0, 1, 1}}).empty());
+  const double most = std::numeric_limits<double>::max();
+  const Sphere3 world{{most, 0, 100}, most};  // which no box of doubles holds
+  EXPECT_EQ(near.triangles_meeting(world), triangles_meeting(bvh, world));
+  EXPECT_FALSE(near.triangles_meeting(world).empty());
+  const Sphere3 negative{{0, 0, 0}, -1};
+  EXPECT_EQ(text_of<InvalidShape>([&] { (void)near.triangles_meeting(negative); }),
+            text_of<InvalidShape>([&] { (void)triangles_meeting(bvh, negative); }));
+  EXPECT_EQ(text_of<InvalidShape>([&] { KeptRange(bvh, -1); }),
+            "KeptRange: margin is -1.000000, but it must be finite and not negative");
 }
 
 TEST(GroupedRange, OfNothingAndOfNoShape) {

@@ -312,6 +312,9 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
               HasSubstr("cell_size is not above zero"));
   EXPECT_THAT(text_of<NonFinite>([&] { StaticGrid2(boxes, {.cell_size = NAN}); }), HasSubstr("cell_size is nan"));
   EXPECT_THAT(text_of<Error>([&] { StaticGrid2(boxes, {.cell_size = 1e-3}); }), HasSubstr("choose larger cells"));
+  EXPECT_THAT(text_of<Error>([&] { StaticGrid2(boxes, {.cell_size = 1e6, .most_memory = 9}); }),
+              AllOf(HasSubstr("the grid would take "), HasSubstr(" bytes, but options.most_memory is 9;"),
+                    Not(HasSubstr(".0"))));
   const std::vector<Aabb2> inverted{{{0, 0}, {1, 1}}, {{0, 2}, {1, 1}}}, infinite{{{0, 0}, {INFINITY, 1}}};
   EXPECT_THAT(text_of<InvalidShape>([&] { StaticGrid2{inverted}; }), HasSubstr("boxes[1] is empty"));
   EXPECT_THAT(text_of<NonFinite>([&] { StaticGrid2{infinite}; }), HasSubstr("boxes[0].max.x is inf"));
@@ -320,6 +323,8 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   HashedGrid2 grid(1, {.most_memory = 1 << 20});
   const std::uint32_t first = grid.insert(boxes[0]);
   EXPECT_THAT(text_of<Error>([&] { grid.insert(boxes[1]); }), HasSubstr("options.most_memory is 1048576"));
+  EXPECT_THAT(text_of<Error>([&] { grid.insert(boxes[1]); }),
+              HasSubstr("HashedGrid::insert: the grid would take 24000048000120 bytes"));
   EXPECT_THAT(text_of<Error>([&] { grid.move(first, boxes[1]); }), HasSubstr("choose larger cells"));
   EXPECT_THAT(text_of<InvalidShape>([&] { grid.insert(inverted[1]); }), HasSubstr("box is empty"));
   EXPECT_THAT(text_of<NonFinite>([&] { grid.move(first, infinite[0]); }), HasSubstr("box.max.x is inf"));
@@ -329,7 +334,7 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   EXPECT_TRUE(grid.in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
   EXPECT_TRUE(StaticGrid2(std::span(boxes).first(1)).in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
   EXPECT_THAT(text_of<NonFinite>([&] { (void)grid.in_box(infinite[0]); }), HasSubstr("in_box: box.max.x is inf"));
-  EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("cell_size is not above zero"));
+  EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("HashedGrid: cell_size is not above zero"));
   EXPECT_THAT(text_of<Error>([] {
                 LinkedGrid2({{0, 0}, {1e9, 1e9}}, 1);
               }),
@@ -337,7 +342,7 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
 
   ImplicitGrid2 bits(1, {.most_memory = 5000});
   for (int i = 0; i < 64; ++i) bits.insert(boxes[0]);
-  EXPECT_THAT(text_of<Error>([&] { bits.insert(boxes[0]); }), HasSubstr("ImplicitGrid::insert"));
+  EXPECT_THAT(text_of<Error>([&] { bits.insert(boxes[0]); }), HasSubstr("choose fewer rows"));
   EXPECT_EQ(bits.pairs().size(), 64u * 63 / 2);
   EXPECT_THAT(text_of<InvalidShape>([] { ImplicitGrid2(1, {.rows = 3}); }), HasSubstr("options.rows is 3"));
   EXPECT_THAT(text_of<InvalidShape>([] { RowColumnGrid2({.rows = 0}); }), HasSubstr("options.rows is 0"));

@@ -42,7 +42,7 @@ TYPED_TEST_SUITE(FigureTreeTest, Figures);
 
 TYPED_TEST(FigureTreeTest, AnswersAsASearchThroughAllDoes) {
   std::array<std::size_t, figure_sets::kinds> ties{};
-  std::size_t found = 0, left_out = 0, at_border = 0, in_boxes = 0, not_in_boxes = 0;
+  std::size_t found = 0, left_out = 0, at_border = 0, in_boxes = 0, not_in_boxes = 0, touching = 0;
   for (std::uint64_t index = 0; index < battery::fitting(192u); ++index) {
     Entropy e(7351, index);
     const std::size_t kind = index % figure_sets::kinds;
@@ -83,17 +83,21 @@ TYPED_TEST(FigureTreeTest, AnswersAsASearchThroughAllDoes) {
     found += in_ball.size(), left_out += n - in_ball.size();
 
     const auto box = figure_sets::spanned<typename FigureTree<TypeParam>::Box>({p, points[e.below(points.size())], p});
-    Numbers meeting;
+    Numbers meeting, over;
     for (std::uint32_t i = 0; i < n; ++i) {
       if (intersects(all[i], box)) meeting.push_back(i);
+      if (relate(all[i], box) == Relation::overlapping) over.push_back(i);
     }
     ASSERT_EQ(in_box(tree, box), meeting);
+    ASSERT_EQ(in_box(tree, box, {.touching = false}), over);
+    touching += meeting.size() - over.size();
     in_boxes += meeting.size(), not_in_boxes += n - meeting.size();
   }
   EXPECT_GT(found, battery::fitting(400u));
   EXPECT_GT(left_out, battery::fitting(200u));
   EXPECT_GT(in_boxes, battery::fitting(400u));
   EXPECT_GT(not_in_boxes, battery::fitting(150u));
+  EXPECT_GT(touching, battery::fitting(100u));
   if (battery::reaches_rare) {
     EXPECT_GT(at_border, 20u);
     EXPECT_GT(std::accumulate(ties.begin(), ties.end(), std::size_t{0}), 20u);
@@ -118,7 +122,8 @@ TEST(AFigureTree, AnswersOfManyThoseOfEach) {
       std::vector<NearestFigure> one(queries.size()), three(3 * queries.size());
       nearest(tree, queries, one, execution);
       nearest(tree, queries, 3, three, execution);
-      const FigureLists balls = within(tree, queries, 0.5, execution), windows = in_box(tree, boxes, execution);
+      const FigureLists balls = within(tree, queries, 0.5, execution), windows = in_box(tree, boxes, execution),
+                        over = in_box(tree, boxes, execution, {.touching = false});
       ASSERT_EQ(balls.size(), queries.size());
       ASSERT_EQ(windows.size(), queries.size());
       const auto list = [](std::span<const std::uint32_t> numbers) { return Numbers(numbers.begin(), numbers.end()); };
@@ -131,6 +136,7 @@ TEST(AFigureTree, AnswersOfManyThoseOfEach) {
         for (std::size_t m = 0; m < 3; ++m) ASSERT_EQ(three[3 * i + m], several[m]) << i;
         ASSERT_EQ(list(balls[i]), within(tree, queries[i], 0.5)) << i;
         ASSERT_EQ(list(windows[i]), in_box(tree, boxes[i])) << i;
+        ASSERT_EQ(list(over[i]), in_box(tree, boxes[i], {.touching = false})) << i;
       }
     }
   }

@@ -41,11 +41,14 @@ void expect_as_brute_force(const Index& index, const std::vector<Box>& boxes, co
   counts.pairs += all.size(), counts.touching += all.size() - over.size();
   const auto tree = build_figure_tree(boxes);
   for (const Box& box : asked) {
-    Numbers meeting;
+    Numbers meeting, over_box;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      if (relate(boxes[i], box) != Relation::disjoint) meeting.push_back(i);
+      const Relation r = relate(boxes[i], box);
+      if (r != Relation::disjoint) meeting.push_back(i);
+      if (r == Relation::overlapping) over_box.push_back(i);
     }
     ASSERT_EQ(in_box(index, box), meeting);
+    ASSERT_EQ(in_box(index, box, {.touching = false}), over_box);
     counts.in_boxes += meeting.size();
     for (const auto& p : {box.min, box.max}) {
       const std::size_t k = 1 + counts.in_boxes % std::min<std::size_t>(boxes.size(), 9);

@@ -10,6 +10,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/instruction_set.hpp"
+#include "plumb/figure/aabb/relation.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "space/kd_tree/point_sets.hpp"
 
@@ -42,6 +43,15 @@ Numbers those_in_box(const std::vector<Point>& all, const space::BoxOf<Point>& b
 }
 
 template <class Point>
+Numbers those_inside(const std::vector<Point>& all, const space::BoxOf<Point>& box) {
+  Numbers numbers;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    if (relate(box, {all[i], all[i]}) == Relation::overlapping) numbers.push_back(i);
+  }
+  return numbers;
+}
+
+template <class Point>
 space::BoxOf<Point> box_around(const Point& p, const Point& q) {
   space::BoxOf<Point> box{p, p};
   box.min.x = std::min(p.x, q.x), box.max.x = std::max(p.x, q.x);
@@ -56,7 +66,7 @@ using PointTypes = ::testing::Types<Point2, Point3>;
 TYPED_TEST_SUITE(PointRange, PointTypes);
 
 TYPED_TEST(PointRange, FindsWhatIsAskedPointByPoint) {
-  std::size_t found = 0, left_out = 0, at_border = 0, in_boxes = 0;
+  std::size_t found = 0, left_out = 0, at_border = 0, in_boxes = 0, inside_boxes = 0;
   for (std::uint64_t index = 0; index < battery::fitting(900u); ++index) {
     Entropy e(7321, index);
     const auto kind = static_cast<Kind>(index % point_sets::kinds);
@@ -75,12 +85,15 @@ TYPED_TEST(PointRange, FindsWhatIsAskedPointByPoint) {
     const auto box = box_around(q, all[e.below(all.size())]);
     const Numbers in = those_in_box(all, box);
     ASSERT_EQ(in_box(tree, box), in);
-    in_boxes += in.size();
+    const Numbers inside = those_inside(all, box);
+    ASSERT_EQ(in_box(tree, box, {.touching = false}), inside);
+    in_boxes += in.size(), inside_boxes += inside.size();
   }
   EXPECT_GT(found, battery::fitting(3000u));
   EXPECT_GT(left_out, battery::fitting(3000u));
   EXPECT_GT(at_border, battery::fitting(500u));
-  EXPECT_GT(in_boxes, battery::fitting(3000u));
+  EXPECT_GT(inside_boxes, battery::fitting(1000u));
+  EXPECT_GT(in_boxes, inside_boxes + battery::fitting(1000u));
 }
 
 TYPED_TEST(PointRange, OfManyIsThatOfEach) {
@@ -99,12 +112,15 @@ TYPED_TEST(PointRange, OfManyIsThatOfEach) {
     for (const Execution execution : {Execution::serial, Execution::parallel}) {
       const PointLists lists = within(tree, queries, radius, execution);
       const PointLists in_boxes = in_box(tree, std::span<const space::BoxOf<TypeParam>>(boxes), execution);
+      const PointLists inside =
+          in_box(tree, std::span<const space::BoxOf<TypeParam>>(boxes), execution, {.touching = false});
       ASSERT_EQ(lists.size(), queries.size());
       ASSERT_EQ(in_boxes.size(), boxes.size());
       for (std::size_t i = 0; i < queries.size(); i += i < 200 ? 1 : 97) {
-        const auto list = lists[i], in = in_boxes[i];
+        const auto list = lists[i], in = in_boxes[i], within_sides = inside[i];
         ASSERT_EQ(Numbers(list.begin(), list.end()), those_within(all, queries[i], radius)) << i << " by " << set;
         ASSERT_EQ(Numbers(in.begin(), in.end()), those_in_box(all, boxes[i])) << i << " by " << set;
+        ASSERT_EQ(Numbers(within_sides.begin(), within_sides.end()), those_inside(all, boxes[i])) << i << " by " << set;
       }
     }
   }

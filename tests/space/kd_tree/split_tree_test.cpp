@@ -170,11 +170,13 @@ TYPED_TEST(SplitTreeTest, AnswersAsEachFigureDoes) {
     const auto place = [&] { return figure_sets::place(kind, set, e); };
     const auto p = place(), q = place();
     const auto box = figure_sets::spanned<typename SplitTree<TypeParam>::Box>({p, q, p});
-    Numbers meeting;
+    Numbers meeting, over;
     for (std::uint32_t i = 0; i < tree.figures.size(); ++i) {
       if (intersects(tree.figures[i], box)) meeting.push_back(i);
+      if (relate(tree.figures[i], box) == Relation::overlapping) over.push_back(i);
     }
     ASSERT_EQ(in_box(tree, box), meeting);
+    ASSERT_EQ(in_box(tree, box, {.touching = false}), over);
     in_boxes += meeting.size();
     const auto c = coordinates(q);
     const auto component = [&](std::size_t k) { return e.below(3) == 0 ? static_cast<double>(e.within(2)) : c[k]; };

@@ -45,7 +45,7 @@ TYPED_TEST_SUITE(BoxTrees, Dimensions);
 
 TYPED_TEST(BoxTrees, PairsAreThoseOfBruteForce) {
   constexpr std::size_t D = TypeParam::value;
-  std::size_t touching = 0, overlapping = 0, inner = 0, cut = 0;
+  std::size_t touching = 0, overlapping = 0, inner = 0, cut = 0, at_border = 0;
   scenes::on_scenes(
       741 + D, battery::sanitized ? 3 : 14, [&](scenes::Family family, Entropy& e, const std::string& text) {
         const auto boxes = scenes::boxes_of<D>(family, 1 + e.below(70), e);
@@ -91,17 +91,22 @@ TYPED_TEST(BoxTrees, PairsAreThoseOfBruteForce) {
           }
           for (int k = 0; k < 3; ++k) {
             const auto box = scenes::box_of<D>(family, e);
-            std::vector<std::uint32_t> expected;
+            std::vector<std::uint32_t> expected, over;
             for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-              if (relate(box, boxes[i]) != Relation::disjoint) expected.push_back(i);
+              const Relation r = relate(box, boxes[i]);
+              if (r != Relation::disjoint) expected.push_back(i);
+              if (r == Relation::overlapping) over.push_back(i);
             }
             EXPECT_EQ(in_box(tree, box), expected) << text;
+            EXPECT_EQ(in_box(tree, box, {.touching = false}), over) << text;
+            at_border += expected.size() - over.size();
           }
         }
       });
   EXPECT_GT(touching, 200u);
   EXPECT_GT(overlapping, 200u);
   EXPECT_GT(inner, 200u);
+  EXPECT_GT(at_border, 50u);
   EXPECT_GT(cut, battery::sanitized ? 20u : 50u);
 }
 

@@ -25,7 +25,7 @@ TYPED_TEST_SUITE(LooseTrees, Dimensions);
 TYPED_TEST(LooseTrees, AnswerAsBruteForceDoesAfterEveryFrame) {
   constexpr std::size_t D = TypeParam::value;
   using Box = typename CellKinds<D>::Box;
-  std::size_t touching = 0, overlapping = 0, moved = 0, stayed = 0, removed = 0;
+  std::size_t touching = 0, overlapping = 0, moved = 0, stayed = 0, removed = 0, at_border = 0;
   scenes::on_scenes(761 + D, battery::sanitized ? 2 : 8,
                     [&](scenes::Family family, Entropy& e, const std::string& text) {
                       LooseCells<D> tree(scenes::box_of<D>(family, e));
@@ -69,11 +69,15 @@ TYPED_TEST(LooseTrees, AnswerAsBruteForceDoesAfterEveryFrame) {
                         EXPECT_EQ(tree.pairs({.touching = false, .execution = Execution::serial}), beyond) << text;
                         overlapping += beyond.size(), touching += all.size() - beyond.size();
                         const Box region = scenes::box_of<D>(family, e);
-                        std::vector<std::uint32_t> expected;
+                        std::vector<std::uint32_t> expected, over;
                         for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-                          if (boxes[a] && relate(*boxes[a], region) != Relation::disjoint) expected.push_back(a);
+                          const Relation r = boxes[a] ? relate(*boxes[a], region) : Relation::disjoint;
+                          if (r != Relation::disjoint) expected.push_back(a);
+                          if (r == Relation::overlapping) over.push_back(a);
                         }
                         EXPECT_EQ(tree.in_box(region), expected) << text;
+                        EXPECT_EQ(tree.in_box(region, {.touching = false}), over) << text;
+                        at_border += expected.size() - over.size();
                       }
                       for (std::uint32_t a = 0; a < boxes.size(); ++a) {
                         if (boxes[a]) tree.remove(a);
@@ -84,6 +88,7 @@ TYPED_TEST(LooseTrees, AnswerAsBruteForceDoesAfterEveryFrame) {
   EXPECT_GT(touching, 200u);
   EXPECT_GT(overlapping, 200u);
   EXPECT_GT(moved, 50u);
+  EXPECT_GT(at_border, 50u);
   EXPECT_GT(stayed, 10u);
   EXPECT_GT(removed, 50u);
 }

@@ -24,6 +24,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "plumb/space/coherence/visit_bits.hpp"
@@ -77,7 +78,7 @@ class ListGrid {
 
   [[nodiscard]] Span span_of(const Box& box) const;
   [[nodiscard]] std::size_t place_of(const space::CellNumber<n>& cell) const;
-  void require_room(const char* function, const Span& span) const;
+  void require_room(std::string_view function, const Span& span) const;
   void grow(std::size_t nodes);
   void link(std::uint32_t handle);
   void unlink(std::uint32_t handle);

@@ -6,17 +6,17 @@
 //   in_box(world, {{0, 0, 0}, {1, 1, 1}});  overlapping_pairs(detail, {.touching = false});
 //   nearest(world, p);  nearest(detail, p, 5, Ties::all);
 //
-// A grid finds a place without a search, and is slow where boxes crowd in a cell; a tree goes down to them level by level.
-// In the first scheme a grid of large cells stands for the upper levels of trees, in the second grids stand for the lower
-// levels of one.
-// Laws: (1) in_box tells the boxes that meet the closed one, ascending, and overlapping_pairs the pairs of
-// box_pair.hpp, each once, a < b: both schemes the same, whatever the options.  (2) A box is in each cell that it
-// reaches into, and so are two boxes in the cell that holds the lowest corner of what they have in common: that one
-// cell tells of them.  (3) Cells, trees and the order of pairs depend on the boxes and the options alone, not on the
-// number of threads.  (4) nearest answers as in nearest_figure.hpp.
-// A number that is NaN or infinite throws NonFinite, an empty box, options out of range and more boxes than are numbered
-// InvalidShape, as do more neighbors than there are boxes, and a grid that would take more than options.grid.most_memory Error.  To ask with an empty box tells
-// nothing.
+// A grid finds a place without a search, and is slow where boxes crowd in a cell; a tree goes down to them level by
+// level.  In the first scheme a grid of large cells stands for the upper levels of trees, in the second grids stand for
+// the lower levels of one.
+// Laws: (1) in_box tells the boxes that meet the closed one, or without touching overlap it, ascending, and
+// overlapping_pairs the pairs of box_pair.hpp, each once, a < b: both schemes the same, whatever the options.  (2) A
+// box is in each cell that it reaches into, and so are two boxes in the cell that holds the lowest corner of what they
+// have in common: that one cell tells of them.  (3) Cells, trees and the order of pairs depend on the boxes and the
+// options alone, not on the number of threads.  (4) nearest answers as in nearest_figure.hpp.
+// A number that is NaN or infinite throws NonFinite, an empty box, options out of range and more boxes than are
+// numbered InvalidShape, as do more neighbors than there are boxes, and a grid that would take more than
+// options.grid.most_memory Error.  To ask with an empty box tells nothing.
 // Source: RTCD 7.3.8; the lowest corner as in Dittrich and Seeger 2000.
 // Cost: that of its parts (docs/nearest.md); a box that reaches into many cells is kept in each.  nearest asks for
 // boxes in regions, each twice as large, until there are as many, and then for all that may be as near.
@@ -92,9 +92,11 @@ TreeOfGrids<Box> build_tree_of_grids(const std::vector<Box>& boxes, const Hybrid
 }
 
 template <class Box>
-std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box);
+std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box,
+                                  const InBoxOptions& options = {});
 template <class Box>
-std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box);
+std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box,
+                                  const InBoxOptions& options = {});
 
 template <class Box>
 std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>& index, const BoxPairOptions& options = {});

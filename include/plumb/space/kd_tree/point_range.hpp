@@ -1,7 +1,8 @@
 // Range search: which of many points are in a ball, which in a box?
 //
-// Laws: (1) the points that contains() of a closed ball or box names, in ascending order of their numbers.  (2) A batch
-// answers each query as it is answered alone, on every number of threads.
+// Laws: (1) the points that contains() of a closed ball or box names, or without touching those that overlap it, in
+// ascending order of their numbers.  (2) A batch answers each query as it is answered alone, on every number of
+// threads.
 // An inverted box holds nothing.  A negative radius throws InvalidShape, what is NaN or infinite NonFinite, by name.
 // Source: RTCD 7.3.7.
 // Cost: what is found, and the leaves at the border.
@@ -14,6 +15,7 @@
 
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/space/kd_tree/kd_tree.hpp"
+#include "plumb/space/pairs/box_pair.hpp"
 
 namespace plumb {
 
@@ -48,13 +50,14 @@ struct PointLists {
 template <class Point>
 std::vector<std::uint32_t> within(const KdTree<Point>& tree, const std::type_identity_t<Point>& p, double radius);
 template <class Point>
-std::vector<std::uint32_t> in_box(const KdTree<Point>& tree, const space::BoxOf<Point>& box);
+std::vector<std::uint32_t> in_box(const KdTree<Point>& tree, const space::BoxOf<Point>& box,
+                                  const InBoxOptions& options = {});
 
 template <class Point>
 PointLists within(const KdTree<Point>& tree, std::span<const std::type_identity_t<Point>> queries, double radius,
                   Execution execution = Execution::parallel);
 template <class Point>
 PointLists in_box(const KdTree<Point>& tree, std::span<const space::BoxOf<Point>> boxes,
-                  Execution execution = Execution::parallel);
+                  Execution execution = Execution::parallel, const InBoxOptions& options = {});
 
 }  // namespace plumb

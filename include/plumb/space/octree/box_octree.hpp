@@ -11,8 +11,9 @@
 // than most_in_leaf boxes and its children would not have more than twice as many together; while the boxes' places in
 // all leaves are at most most_references times as many as boxes, leaves of one level by their codes.  (3) Half-open
 // cells: a box that ends at a border is in the cell that begins there, too.  (4) in_box tells exactly the boxes that
-// intersect the closed box, and overlapping_pairs the pairs of box_pair.hpp, by either rule the same pairs.  (5) Tree
-// and order depend on the boxes and the options alone: not on execution or the number of threads.
+// intersect the closed box, or without touching those that overlap it, and overlapping_pairs the pairs of box_pair.hpp,
+// by either rule the same pairs.  (5) Tree and order depend on the boxes and the options alone: not on execution or the
+// number of threads.
 // No recursion.  NaN and infinity throw NonFinite, empty boxes ("build_octree: boxes[17] is empty; leave it out") and
 // options out of range InvalidShape; to ask with an empty box gives nothing.
 // Source: RTCD 7.3.2, 7.3.5.
@@ -60,8 +61,8 @@ OwnItems own_items(const CellTree<D>& tree, std::uint32_t node) {
 BoxOctree build_octree(std::span<const Aabb3> boxes, const BoxOctreeOptions& options = {});
 BoxQuadtree build_quadtree(std::span<const Aabb2> boxes, const BoxOctreeOptions& options = {});
 
-std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box);
-std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box);
+std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box, const InBoxOptions& options = {});
+std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box, const InBoxOptions& options = {});
 
 std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options = {});
 std::vector<BoxPair> overlapping_pairs(const BoxQuadtree& tree, const BoxPairOptions& options = {});

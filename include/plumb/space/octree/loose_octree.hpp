@@ -9,15 +9,16 @@
 // A loose cell begins where the cell does and has twice its side.  A box is in the smallest cell whose loose one holds
 // it, among those that have its lowest corner: of the level where it lies in no more than two cells along each axis.
 // So no box is kept in a large cell because it lies across a border.
-// Laws: (1) in_box tells, ascending, exactly the handles of the boxes that intersect the closed box; pairs those of
-// box_pair.hpp by handles: a ascends, then b, whatever was inserted, moved and removed before.  (2) There are
-// cells only where a box is, and on the way from the root to these.  (3) A handle is that of its box until it is
-// removed, and given again then.  (4) What throws leaves the tree as it was.
+// Laws: (1) in_box tells, ascending, exactly the handles of the boxes that intersect the closed box, or without
+// touching overlap it; pairs those of box_pair.hpp by handles: a ascends, then b, whatever was inserted, moved and removed
+// before.  (2) There are cells only where a box is, and on the way from the root to these.  (3) A handle is that of its
+// box until it is removed, and given again then.  (4) What throws leaves the tree as it was.
 // NaN and infinity throw NonFinite, empty boxes InvalidShape; a handle that holds no box Error, which names it.
 // Source: RTCD 7.3.6; Ulrich, "Loose octrees", Game Programming Gems, 2000.
 // Cost: insertion, removal and moving are constant: a code and a look into a table of cells, and where a cell is made
-// or given up a step for each level at most.  Moving within a cell is a comparison of codes.  All pairs: a sort by x and
-// for each level that has a box one of all that are no higher, then some ns for each box near along x in rows of cells.
+// or given up a step for each level at most.  Moving within a cell is a comparison of codes.  All pairs: a sort by x
+// and for each level that has a box one of all that are no higher, then some ns for each box near along x in rows of
+// cells.
 #pragma once
 
 #include <string_view>
@@ -48,7 +49,7 @@ class LooseCells {
   [[nodiscard]] std::uint64_t code(std::uint32_t handle) const;
   [[nodiscard]] const CellFrame<D>& frame() const { return frame_; }
 
-  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
 
  private:

@@ -7,8 +7,8 @@
 // Laws: (1) a cell is cut where it holds more than most_in_leaf points and is not of the deepest level: equal points,
 // and those that share a cell of that level, stay together in a leaf of any size.  (2) Each point is in the one leaf
 // that locate names, points of a leaf ascend by code, then by number.  (3) in_box tells exactly those that lie in
-// the closed box, by comparisons; in an empty box lies none.  (4) The tree depends on the points and on most_in_leaf
-// and most_depth alone: not on execution or the number of threads.
+// the closed box, or without touching those that overlap it, by comparisons; in an empty box lies none.  (4) The tree
+// depends on the points and on most_in_leaf and most_depth alone: not on execution or the number of threads.
 // No recursion.  NaN and infinity throw NonFinite ("build_octree: points[17].y is nan, ..."), options out of range and
 // more than 2^32 - 2 points InvalidShape.
 // Source: RTCD 7.3.1, 7.3.4, 7.3.5; Karras 2012 for building in parallel from sorted codes.
@@ -16,6 +16,7 @@
 #pragma once
 
 #include "plumb/space/octree/cell_tree.hpp"
+#include "plumb/space/pairs/box_pair.hpp"
 
 namespace plumb {
 
@@ -36,7 +37,7 @@ using PointQuadtree = PointCells<2>;
 PointOctree build_octree(std::span<const Point3> points, const OctreeOptions& options = {});
 PointQuadtree build_quadtree(std::span<const Point2> points, const OctreeOptions& options = {});
 
-std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box);
-std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box);
+std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box, const InBoxOptions& options = {});
+std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box, const InBoxOptions& options = {});
 
 }  // namespace plumb

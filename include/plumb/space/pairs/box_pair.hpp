@@ -25,9 +25,9 @@ struct BoxPairOptions {
   Execution execution = Execution::parallel;
 };
 
-/// Of in_box, where indexes of boxes are asked for those that have a point in a box.
+/// Of in_box, where indexes are asked for what has a point in a box.
 struct InBoxOptions {
-  bool touching = true;  // false: only those that overlap the box
+  bool touching = true;  // false: only what overlaps the box, a point taken as the box from it to itself
 };
 
 }  // namespace plumb
