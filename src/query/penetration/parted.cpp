@@ -3,12 +3,11 @@
 namespace plumb::query::parting {
 namespace {
 
-using Triangle = std::array<Ends, 3>;
-
 /// Of a difference without an inside.
 Parting beside(const Difference& d, const Basis& basis) {
   if (basis.size() == 3) {
-    const std::array both{Triangle{basis[0], basis[1], basis[2]}, Triangle{basis[0], basis[2], basis[1]}};
+    NearestPlanes both;
+    both.facets.push_back({basis[0], basis[1], basis[2]}), both.facets.push_back({basis[0], basis[2], basis[1]});
     return first_of(d, both);
   }
   if (basis.size() == 1) return {Way::against_axis(0), false, false};
@@ -50,12 +49,13 @@ FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> fac
   return r;
 }
 
-Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
-  const FirstWay first = first_way(d, facets);
-  return {Way::through(facets[first.index]), false, first.is_unique};
+Parting first_of(const Difference& d, const NearestPlanes& planes) {
+  const FirstWay first = first_way(d, {planes.facets.begin(), planes.facets.size()});
+  return {Way::through(planes.facets[first.index]), false, first.is_unique, planes.level};
 }
 
 std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class>& radii) {
+  if (const auto proved = proved_planes(d)) return first_of(d, *proved);
   const CoreDistance core = core_distance(d);
   const std::span<const Ends> nearest(core.nearest.ends.data(), core.nearest.size);
   if (!core.meet) {
@@ -64,7 +64,7 @@ std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class
   }
   const NearestPlanes planes = nearest_planes(d, core, EveryWay());
   if (planes.facets.empty()) return beside(d, affine_basis(d, nearest));
-  return first_of(d, planes.facets);
+  return first_of(d, planes);
 }
 
 }  // namespace plumb::query::parting

@@ -16,6 +16,7 @@ namespace plumb::query::parting {
 struct Parting {
   Way way;
   bool cores_are_apart, is_unique;
+  std::optional<std::array<LevelCorners, 2>> level{};  // of each body what lies in the plane, where it is known
 };
 
 /// `radii`: both together, where a body has one.
@@ -50,6 +51,6 @@ struct FirstWay {
   bool is_unique;
 };
 FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets);
-Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets);
+Parting first_of(const Difference& d, const NearestPlanes& planes);
 
 }  // namespace plumb::query::parting

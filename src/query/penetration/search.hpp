@@ -46,6 +46,7 @@ enum class Origin : unsigned char { outside, on_boundary, inside };
 struct NearestPlanes {
   Origin origin = Origin::outside;
   ShortList<std::array<Ends, 3>, 8> facets;
+  std::optional<std::array<LevelCorners, 2>> level{};  // of each body what lies in the plane, where it is one and known
 };
 
 /// Is a facet in the plane of one of these, as far as that is known without arithmetic?
