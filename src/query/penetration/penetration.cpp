@@ -92,13 +92,17 @@ std::optional<Penetration> quick_numbers(const Told& t) {
     p.translation = {way.x * p.depth + 0.0, way.y * p.depth + 0.0, way.z * p.depth + 0.0};
   } else {
     const Lengths<Ball> n = quick_lengths(t);
-    const Ball length = root(n.square), share = quotient(Ball(1), length), depth = Ball(radius) + n.overlap * share;
+    const Ball overlap = t.parting.cores_touch ? Ball(0) : n.overlap;
+    const Ball length = root(n.square), share = quotient(Ball(1), length);
     const Vec<Ball> unit = n.way * share;
-    tell(p.depth, depth);
     tell(p.direction.x, unit.x), tell(p.direction.y, unit.y), tell(p.direction.z, unit.z);
-    // Without a radius no root is in it, and what is near to a number halfway is seen to be there.
-    const Ball by = radius == 0 ? quotient(n.overlap, n.square) : depth * share;
-    tell(p.translation.x, n.way.x * by), tell(p.translation.y, n.way.y * by), tell(p.translation.z, n.way.z * by);
+    if (!t.parting.cores_touch || radius != 0) {  // else they are parted as they stand
+      const Ball depth = Ball(radius) + overlap * share;
+      tell(p.depth, depth);
+      // Without a radius no root is in it, and what is near to a number halfway is seen to be there.
+      const Ball by = radius == 0 ? quotient(overlap, n.square) : depth * share;
+      tell(p.translation.x, n.way.x * by), tell(p.translation.y, n.way.y * by), tell(p.translation.z, n.way.z * by);
+    }
   }
   if (!is_told) return {};
   return p;

@@ -1,5 +1,6 @@
 #include "query/penetration/proved_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "query/penetration/guessed_surface.hpp"
@@ -46,9 +47,8 @@ std::optional<std::array<LevelCorners, 2>> level_in(const Difference& d, Guessed
   auto& w = s.world();
   const auto is_below = [&](std::size_t body, std::uint32_t i) {
     if (!s.is_given()) return false;
-    const Point3 &p = s.hull(body).given(i), &from = s.hull(body).given(e[0][body]);
-    const auto far =
-        c.facet->plane.along(w.difference(p.x, from.x), w.difference(p.y, from.y), w.difference(p.z, from.z));
+    const QuickHull& hull = s.hull(body);
+    const auto far = c.facet->plane.along(way_in(w, hull.given(e[0][body]), hull.given(i)));
     return (body == 0 ? w.negative(far) : w.positive(far)) && w.in_range();
   };
   auto of_a = level_corners(d.a, normal, Sign::positive, e[0][0], known.a, [&](auto i) { return is_below(0, i); });
@@ -97,51 +97,119 @@ class Nearest {
   bool touches_ = false;
 };
 
-/// Those of the surface; triangles that are farther than a length for certain are not looked at again, where another one
-/// is no farther than that.
-bool find_nearest(GuessedSurface& s, Nearest& nearest) {
-  constexpr double beyond = 1 + 0x1p-30;  // a guess: what is nearer than that may be a tie
-  const double length = s.least_square() > 0 ? std::sqrt(s.least_square()) * beyond : 0;
-  auto& w = s.world();
-  const auto limit = w.difference(length, 0.0);
-  const bool may_skip = s.is_given() && w.in_range();
-  const auto is_farther = [&](const GuessedSurface::Facet& f) {
-    return w.positive(f.plane.height) && w.positive(f.plane.farther_than(limit));
-  };
-  for (const GuessedSurface::Facet& f : s.facets()) {
-    if (!f.is_there || (may_skip && is_farther(f))) continue;
-    if (!nearest.add(s.ends_of(f), f)) return false;
+/// Which triangles are farther than a length for certain?  It is a little more than the least distance is guessed to be.
+class FartherThan {
+ public:
+  explicit FartherThan(GuessedSurface& s)
+      : world_(s.world()),
+        length_(s.least_square() > 0 ? std::sqrt(s.least_square()) * beyond : 0),
+        limit_(world_.difference(length_, 0.0)),
+        may_tell_(s.is_given() && world_.in_range()) {}
+
+  [[nodiscard]] bool is_inside(const GuessedSurface::Facet& f) const { return world_.positive(f.plane.height); }
+  [[nodiscard]] bool is_farther(const GuessedSurface::Facet& f) const {
+    return may_tell_ && is_inside(f) && world_.positive(f.plane.farther_than(limit_));
   }
-  const Running square = Running(length) * Running(length);
-  if (!may_skip || nearest.touches() || nearest.most() < square.lower()) return true;
+  [[nodiscard]] bool is_nearer(const GuessedSurface::Facet& f) const {
+    return may_tell_ && is_inside(f) && world_.negative(f.plane.farther_than(limit_));
+  }
+  /// No more than the square of the length.
+  [[nodiscard]] double square() const { return (Running(length_) * Running(length_)).lower(); }
+
+ private:
+  static constexpr double beyond = 1 + 0x1p-12;  // a guess: few are nearer than that
+
+  GuessedSurface::World& world_;
+  double length_;
+  GuessedSurface::Number limit_;
+  bool may_tell_;
+};
+
+/// Where all others are farther than a length for certain, and one is nearer: that one, which is inside as they are.
+const GuessedSurface::Facet* only_nearest(const Difference& d, const GuessedSurface& s, const FartherThan& far) {
+  const GuessedSurface::Facet* only = nullptr;
   for (const GuessedSurface::Facet& f : s.facets()) {
-    if (f.is_there && is_farther(f) && !nearest.add(s.ends_of(f), f)) return false;
+    if (!f.is_there || far.is_farther(f)) continue;
+    if (only == nullptr) {
+      if (!far.is_nearer(f)) return nullptr;
+      only = &f;
+    } else {  // another part of it
+      const std::array<Ends, 3> first = s.ends_of(*only);
+      if (!far.is_inside(f) || !is_known_in(d, {&first, 1}, s.ends_of(f))) return nullptr;
+    }
+  }
+  return only;
+}
+
+/// All that are nearest, or through the origin; false where one has the origin before it.
+bool find_nearest(const GuessedSurface& s, const FartherThan& far, Nearest& nearest) {
+  for (const GuessedSurface::Facet& f : s.facets()) {
+    if (f.is_there && !far.is_farther(f) && !nearest.add(s.ends_of(f), f)) return false;
+  }
+  if (nearest.touches() || nearest.most() < far.square()) return true;
+  for (const GuessedSurface::Facet& f : s.facets()) {
+    if (f.is_there && far.is_farther(f) && !nearest.add(s.ends_of(f), f)) return false;
   }
   return true;
 }
 
+/// Planes that are told, and of each what of both bodies lies in it.
+class Told {
+ public:
+  Told(const Difference& d, GuessedSurface& s) : d_(d), surface_(s) {}
+
+  /// Is it in a plane that is told?
+  [[nodiscard]] bool has(const Candidate& c) const {
+    const auto lies_in = [&](const std::array<LevelCorners, 2>& level) {
+      return std::ranges::all_of(c.ends, [&](const Ends& e) {
+        return std::ranges::binary_search(level[0], e[0]) && std::ranges::binary_search(level[1], e[1]);
+      });
+    };
+    return std::ranges::any_of(levels_, lies_in);
+  }
+  /// False where something of the difference lies before it.
+  bool add(const Candidate& c) {
+    const auto level = level_in(d_, surface_, c);
+    if (!level) return false;
+    levels_.push_back(*level), planes_.push_back(c.ends);
+    return true;
+  }
+  void clear() { levels_.clear(), planes_.clear(); }
+  [[nodiscard]] std::optional<NearestPlanes> as(Origin origin) const {
+    if (planes_.empty()) return {};
+    NearestPlanes p{origin, planes_, {}};
+    if (planes_.size() == 1) p.level = levels_[0];
+    return p;
+  }
+
+ private:
+  const Difference& d_;
+  GuessedSurface& surface_;
+  ShortList<std::array<LevelCorners, 2>, 2> levels_;
+  ShortList<std::array<Ends, 3>, 8> planes_;
+};
+
 std::optional<NearestPlanes> proved(const Difference& d, GuessedSurface& s) {
   if (!s.is_sound() || !s.is_closed()) return {};
+  const FartherThan far(s);
+  Told told(d, s);
+  if (const GuessedSurface::Facet* only = only_nearest(d, s, far)) {
+    if (!told.add({s.ends_of(*only), only, Running()})) return {};
+    return told.as(Origin::inside);
+  }
   Nearest nearest(d);
-  if (!find_nearest(s, nearest)) return {};
-  NearestPlanes told{nearest.touches() ? Origin::on_boundary : Origin::inside, {}, {}};
-  ShortList<Candidate, 4> best;
+  if (!find_nearest(s, far, nearest) || nearest.all().empty()) return {};
+  const bool touches = nearest.touches();
+  const Candidate* best = std::ranges::min_element(nearest.all(), {}, [](const auto& c) { return c.square.value; });
+  if (!told.add(*best)) return {};
   for (const Candidate& c : nearest.all()) {
-    if (!nearest.touches() && c.square.lower() > nearest.most()) continue;
-    if (is_known_in(d, {told.facets.begin(), told.facets.size()}, c.ends)) continue;
-    const Sign order = nearest.touches() || best.empty() ? Sign::zero : compare(d, c, best[0]);
+    if ((!touches && c.square.lower() > nearest.most()) || told.has(c)) continue;
+    const Sign order = touches ? Sign::zero : compare(d, c, *best);
     if (order == Sign::positive) continue;
-    if (order == Sign::negative) told.facets.clear(), best.clear();
-    best.push_back(c);
-    told.facets.push_back(c.ends);
+    if (order == Sign::negative) told.clear(), best = &c;
+    if (!told.add(c)) return {};
   }
-  for (const Candidate& c : best) {
-    const auto level = level_in(d, s, c);
-    if (!level) return {};
-    if (best.size() == 1) told.level = level;
-  }
-  if (best.empty()) return {};
-  return told;
+  return told.as(touches ? Origin::on_boundary : Origin::inside);
 }
 
 }  // namespace
