@@ -18,6 +18,21 @@ bool QuickHull::set(const BodyView& body) {
   return !solid_->mesh.corners.empty();
 }
 
+bool QuickHull::set(const CoreCorners& core) {
+  if (const auto points = core.points(); !points.empty()) {
+    at_ = points.data(), size_ = static_cast<std::uint32_t>(points.size());
+    solid_ = core.polyhedron(), pose_ = core.pose(), is_given_ = pose_ == nullptr;
+    return true;
+  }
+  if (core.size() > few_.size()) return false;
+  for (std::size_t i = 0; i < core.size(); ++i) {
+    const arith::Plain p = core.at<double>(i);
+    few_[size_++] = {p.x, p.y, p.z};
+  }
+  at_ = few_.data(), is_given_ = false;
+  return true;
+}
+
 bool QuickHull::set_few(const FigureView& figure) {
   if (radius_of(figure) != 0) return false;
   const auto corners = CoreCorners::of(figure);  // of polygons none

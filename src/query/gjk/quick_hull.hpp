@@ -26,6 +26,8 @@ class QuickHull {
 
   /// Not of what is round, of polygons whose convexity is to be proved, and of what is empty: false.
   bool set(const BodyView& body);
+  /// Of any core but of what is swept, with the numbers of its corners.
+  bool set(const CoreCorners& core);
 
   [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] bool is_given() const { return is_given_; }

@@ -31,7 +31,7 @@ class Pair {
   }
   [[nodiscard]] Way way_as_it_stands() const { return parting::parted(difference(), {})->way; }
   [[nodiscard]] Way first_way(std::span<const std::array<Ends, 3>> facets) const {
-    return parting::first_of(difference(), facets).way;
+    return Way::through(facets[parting::first_way(difference(), facets).index]);
   }
   [[nodiscard]] Difference difference() const { return {bodies_[0].corners, bodies_[1].corners}; }
   [[nodiscard]] parting::FlushPair flush(const Way& way) const {

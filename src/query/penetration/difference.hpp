@@ -96,12 +96,13 @@ class Kept {
 template <class Of>
 class Normal {
  public:
-  explicit Normal(Of of) : of_(std::move(of)), rough_(of_.template operator()<Running>()) {}
+  explicit Normal(Of of) : of_(std::move(of)) {}
 
   template <class T>
   [[nodiscard]] const Vec<T>& as() {
     if constexpr (std::is_same_v<T, Running>) {
-      return rough_;
+      if (!rough_) rough_ = of_.template operator()<Running>();
+      return *rough_;
     } else if constexpr (std::is_same_v<T, StackDyadic>) {
       if (!short_) short_.emplace(of_.template operator()<StackDyadic>());
       return short_->get();
@@ -113,7 +114,7 @@ class Normal {
 
  private:
   Of of_;
-  Vec<Running> rough_;
+  std::optional<Vec<Running>> rough_;
   std::optional<Kept> short_;
   std::optional<Vec<BigDyadic>> big_;
 };

@@ -22,8 +22,11 @@ class Level {
   [[nodiscard]] Index first() const { return all_[0]; }
   [[nodiscard]] bool is(std::initializer_list<Index> of) const { return is(std::span(of.begin(), of.size())); }
   [[nodiscard]] bool is(std::span<const Index> of) const {
-    const auto has = [&](Index i) { return std::ranges::binary_search(all_, i); };
-    return std::ranges::all_of(of, has) && rank(of) == dimension_;
+    return std::ranges::all_of(of, [&](Index i) { return has(i); }) && rank(of) == dimension_;
+  }
+  [[nodiscard]] bool has(Index i) const {
+    if (all_.size() <= 3) return (i == all_[0]) | (i == all_[all_.size() / 2]) | (i == all_[all_.size() - 1]);
+    return std::ranges::binary_search(all_, i);
   }
 
  private:
@@ -91,13 +94,22 @@ std::optional<Feature> of_polygon(const Level& level, std::size_t corners) {
   return {};
 }
 
+std::optional<Feature> edge_of_mesh(const Level& level, const PolygonMesh& m) {
+  const auto size = static_cast<Index>(m.corners.size());
+  for (Index c = 0; c < size; ++c) {
+    if (!level.has(m.corners[c])) continue;
+    const auto end = std::ranges::upper_bound(m.first, c);  // of the face
+    const Index next = c + 1 == *end ? *std::prev(end) : c + 1;
+    if (level.is({m.corners[c], m.corners[next]})) return edge_number(c);
+  }
+  return {};
+}
+
 std::optional<Feature> of_mesh(const Level& level, const PolygonMesh& m) {
-  for (Index f = 0; f + 1 < m.first.size(); ++f) {
+  if (level.dimension() == 1) return edge_of_mesh(level, m);
+  for (Index f = 0; f + 1 < m.first.size() && level.dimension() == 2; ++f) {
     const auto face = std::span(m.corners).subspan(m.first[f], m.first[f + 1] - m.first[f]);
-    if (level.dimension() == 2 && level.is(face)) return face_number(f);
-    for (Index c = 0; level.dimension() == 1 && c < face.size(); ++c) {
-      if (level.is({face[c], face[c + 1 == face.size() ? 0 : c + 1]})) return edge_number(m.first[f] + c);
-    }
+    if (level.has(face[0]) && level.is(face)) return face_number(f);
   }
   return {};
 }
@@ -153,7 +165,12 @@ FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d, 
   const bool is_plane = along.is_through_plane();
   const auto on_a = all_furthest(d.a, way, Sign::negative, along.from()[0], known.a, is_plane),
              on_b = all_furthest(d.b, way, Sign::positive, along.from()[1], known.b, is_plane);
-  return {flush_feature(a, d.a, on_a), flush_feature(b, d.b, on_b), {on_a[0], on_b[0]}};
+  return flush_pair(a, b, d, std::array{std::span<const Index>(on_a), std::span<const Index>(on_b)});
+}
+
+FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d,
+                     const std::array<std::span<const Index>, 2>& level) {
+  return {flush_feature(a, d.a, level[0]), flush_feature(b, d.b, level[1]), {level[0][0], level[1][0]}};
 }
 
 }  // namespace plumb::query::parting

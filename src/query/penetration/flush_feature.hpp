@@ -27,5 +27,8 @@ struct FlushPair {
   Ends in_plane;
 };
 FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d, const Way& way);
+/// Of all that is level of both, ascending.
+FlushPair flush_pair(const BodyView& a, const BodyView& b, const Difference& d,
+                     const std::array<std::span<const std::uint32_t>, 2>& level);
 
 }  // namespace plumb::query::parting

@@ -99,4 +99,37 @@ LevelCorners all_furthest(const CoreCorners& c, Along& normal, Sign way, std::ui
   return level;
 }
 
+/// The same where none lies further than the first of those known to be level; else nothing.  `is_below(i)`: whether a
+/// corner is known to lie less far; what is not is asked.
+template <class Along, class IsBelow>
+std::optional<LevelCorners> level_corners(const CoreCorners& c, Along& normal, Sign way, std::uint32_t from,
+                                          const KnownLevel& known, const IsBelow& is_below) {
+  if (c.ways() > 0) {
+    if (any_further(c, normal, way, from, known)) return {};
+    return all_furthest(c, normal, way, from, known, true);
+  }
+  LevelCorners level;
+  const auto is_passed = [&](std::uint32_t i) {  // false where it lies further
+    if (is_below(i) || std::ranges::find(level, i) != level.end()) return true;
+    const Sign s = known.has(i) ? Sign::zero : further(c, normal, way, i, from);
+    if (s == Sign::zero) level.push_back(i);
+    return s != Sign::positive;
+  };
+  constexpr std::size_t few = 12;  // all of so few are asked as soon as those beside the level ones
+  if (c.polyhedron() == nullptr || c.size() <= few) {
+    for (std::uint32_t i = 0; i < c.size(); ++i) {
+      if (!is_passed(i)) return {};
+    }
+    return level;
+  }
+  level.push_back(from);  // what is level on a convex surface hangs together
+  for (std::size_t k = 0; k < level.size(); ++k) {
+    for (const std::uint32_t i : c.polyhedron()->neighbors_of(level[k])) {
+      if (!is_passed(i)) return {};
+    }
+  }
+  if (level.size() > 1) std::ranges::sort(level);
+  return level;
+}
+
 }  // namespace plumb::query::parting

@@ -3,15 +3,20 @@
 namespace plumb::query::parting {
 namespace {
 
-using Triangle = std::array<Ends, 3>;
-
-/// Of a difference without an inside.
-Parting beside(const Difference& d, const Basis& basis) {
+/// Of a difference without an inside: of two directions the one that comes first.
+Way beside(const Difference& d, const Basis& basis) {
+  const auto is_below_zero = [&](const Way& way) {  // the first of its numbers that is not zero
+    Sign s = Sign::zero;
+    for (int axis = 0; axis < 3 && s == Sign::zero; ++axis) {
+      s = sign_of([&]<class T>() -> T { return along_axis(way.along<T>(d), axis); });
+    }
+    return s == Sign::negative;
+  };
   if (basis.size() == 3) {
-    const std::array both{Triangle{basis[0], basis[1], basis[2]}, Triangle{basis[0], basis[2], basis[1]}};
-    return first_of(d, both);
+    const Way way = Way::through({basis[0], basis[1], basis[2]});
+    return is_below_zero(way) ? way : Way::through({basis[0], basis[2], basis[1]});
   }
-  if (basis.size() == 1) return {Way::against_axis(0), false, false};
+  if (basis.size() == 1) return Way::against_axis(0);
   const auto along = [&](int axis) {
     return sign_of([&]<class T>() -> T {
       const Vec<T> u = d.between<T>(basis[0], basis[1]);
@@ -19,7 +24,7 @@ Parting beside(const Difference& d, const Basis& basis) {
     });
   };
   const bool is_along_x = along(1) == Sign::zero && along(2) == Sign::zero;
-  return {Way::beside_line(basis[0], basis[1], is_along_x ? 1 : 0), false, false};
+  return Way::beside_line(basis[0], basis[1], is_along_x ? 1 : 0);
 }
 
 /// From the nearest point of cores that are apart.
@@ -50,21 +55,22 @@ FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> fac
   return r;
 }
 
-Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
-  const FirstWay first = first_way(d, facets);
-  return {Way::through(facets[first.index]), false, first.is_unique};
+Parting first_of(const Difference& d, const NearestPlanes& planes) {
+  const FirstWay first = first_way(d, {planes.facets.begin(), planes.facets.size()});
+  return {Way::through(planes.facets[first.index]), false, first.is_unique, planes.origin == Origin::on_boundary,
+          planes.level};
 }
 
 std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class>& radii) {
+  if (const auto proved = proved_planes(d)) return first_of(d, *proved);
   const CoreDistance core = core_distance(d);
-  const std::span<const Ends> nearest(core.nearest.ends.data(), core.nearest.size);
   if (!core.meet) {
     if (!radii || compare_with_radii(d, core.nearest, *radii) == Sign::positive) return {};
     return Parting{back_from(d, core.nearest), true, true};
   }
   const NearestPlanes planes = nearest_planes(d, core, EveryWay());
-  if (planes.facets.empty()) return beside(d, affine_basis(d, nearest));
-  return first_of(d, planes.facets);
+  if (planes.facets.empty()) return Parting{beside(d, planes.flat), false, false, true};
+  return first_of(d, planes);
 }
 
 }  // namespace plumb::query::parting

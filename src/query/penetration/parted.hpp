@@ -16,6 +16,8 @@ namespace plumb::query::parting {
 struct Parting {
   Way way;
   bool cores_are_apart, is_unique;
+  bool cores_touch = false;                            // as they stand, known for certain; else it may be so
+  std::optional<std::array<LevelCorners, 2>> level{};  // of each body what lies in the plane, where it is known
 };
 
 /// `radii`: both together, where a body has one.
@@ -36,7 +38,7 @@ template <class Aim>
 NearestPlanes nearest_planes(const Difference& d, const CoreDistance& core, const Aim& aim) {
   const bool around = core.nearest.size == 4;
   const Basis basis = around ? Basis() : affine_basis(d, {core.nearest.ends.data(), core.nearest.size});
-  if (!around && basis.size() < 4) return {Origin::on_boundary, {}};
+  if (!around && basis.size() < 4) return {Origin::on_boundary, {}, {}, basis};
   const std::array<Ends, 4>& start = around ? core.nearest.ends : basis.all();
   if constexpr (std::is_same_v<Aim, EveryWay>) {
     if (auto proved = proved_planes(d, start)) return *proved;
@@ -50,6 +52,6 @@ struct FirstWay {
   bool is_unique;
 };
 FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets);
-Parting first_of(const Difference& d, std::span<const std::array<Ends, 3>> facets);
+Parting first_of(const Difference& d, const NearestPlanes& planes);
 
 }  // namespace plumb::query::parting

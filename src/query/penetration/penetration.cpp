@@ -2,6 +2,7 @@
 
 #include "arith/rounded_radical.hpp"
 #include "plumb/arith/ball.hpp"
+#include "query/penetration/facet_lengths.hpp"
 #include "query/penetration/flush_feature.hpp"
 #include "query/penetration/parted.hpp"
 #include "query/penetration/separating_axes.hpp"
@@ -18,6 +19,7 @@ struct Lengths {
   Vec<T> way;
   T square, overlap;
 
+  Lengths(const Vec<T>& v, const T& w, const T& h) : way(v), square(w), overlap(h) {}
   Lengths(const Difference& d, const Way& along, const Ends& in_plane)
       : way(along.along<T>(d)), square(dot(way, way)), overlap(T(0.0) - dot(way, d.at<T>(in_plane))) {}
 };
@@ -52,7 +54,19 @@ std::optional<Told> told_of(std::string_view function, const BodyView& a, const 
   }
   const auto parting = parted(d, radii);
   if (!parting) return {};
-  return Told{corners, radii, *parting, flush_pair(a, b, d, parting->way), {}};
+  const auto& level = parting->level;
+  using Level = std::span<const std::uint32_t>;
+  const FlushPair flush = level ? flush_pair(a, b, d, std::array{Level((*level)[0]), Level((*level)[1])})
+                                : flush_pair(a, b, d, parting->way);
+  return Told{corners, radii, *parting, flush, {}};
+}
+
+Lengths<Ball> quick_lengths(const Told& t) {
+  const Difference d = t.difference();
+  if (t.parting.way.is_through_plane()) {
+    if (const auto f = facet_lengths(d, t.parting.way.facet())) return {f->way, f->square, f->overlap};
+  }
+  return {d, t.parting.way, t.flush.in_plane};
 }
 
 Penetration without_numbers(const Told& t) { return {0, {}, {}, t.flush.a, t.flush.b, t.parting.is_unique}; }
@@ -77,14 +91,18 @@ std::optional<Penetration> quick_numbers(const Told& t) {
     p.direction = {way.x, way.y, way.z};
     p.translation = {way.x * p.depth + 0.0, way.y * p.depth + 0.0, way.z * p.depth + 0.0};
   } else {
-    const Lengths<Ball> n(t.difference(), t.parting.way, t.flush.in_plane);
-    const Ball length = root(n.square), share = quotient(Ball(1), length), depth = Ball(radius) + n.overlap * share;
+    const Lengths<Ball> n = quick_lengths(t);
+    const Ball overlap = t.parting.cores_touch ? Ball(0) : n.overlap;
+    const Ball length = root(n.square), share = quotient(Ball(1), length);
     const Vec<Ball> unit = n.way * share;
-    tell(p.depth, depth);
     tell(p.direction.x, unit.x), tell(p.direction.y, unit.y), tell(p.direction.z, unit.z);
-    // Without a radius no root is in it, and what is near to a number halfway is seen to be there.
-    const Ball by = radius == 0 ? quotient(n.overlap, n.square) : depth * share;
-    tell(p.translation.x, n.way.x * by), tell(p.translation.y, n.way.y * by), tell(p.translation.z, n.way.z * by);
+    if (!t.parting.cores_touch || radius != 0) {  // else they are parted as they stand
+      const Ball depth = Ball(radius) + overlap * share;
+      tell(p.depth, depth);
+      // Without a radius no root is in it, and what is near to a number halfway is seen to be there.
+      const Ball by = radius == 0 ? quotient(overlap, n.square) : depth * share;
+      tell(p.translation.x, n.way.x * by), tell(p.translation.y, n.way.y * by), tell(p.translation.z, n.way.z * by);
+    }
   }
   if (!is_told) return {};
   return p;

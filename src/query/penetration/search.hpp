@@ -14,6 +14,7 @@
 // query/penetration/proved_surface.hpp proves nothing.
 #pragma once
 
+#include "query/penetration/basis.hpp"
 #include "query/penetration/furthest.hpp"
 #include "query/penetration/short_list.hpp"
 #include "query/penetration/surface.hpp"
@@ -46,6 +47,8 @@ enum class Origin : unsigned char { outside, on_boundary, inside };
 struct NearestPlanes {
   Origin origin = Origin::outside;
   ShortList<std::array<Ends, 3>, 8> facets;
+  std::optional<std::array<LevelCorners, 2>> level{};  // of each body what lies in the plane, where it is one and known
+  Basis flat{};                                        // where the difference has no inside
 };
 
 /// Is a facet in the plane of one of these, as far as that is known without arithmetic?

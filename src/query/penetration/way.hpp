@@ -51,6 +51,7 @@ class Way {
   }
   /// Out through a plane before which nothing lies?
   [[nodiscard]] bool is_through_plane() const { return kind_ == Kind::plane; }
+  [[nodiscard]] const std::array<Ends, 3>& facet() const { return of_; }
   /// One of the points.
   [[nodiscard]] const Ends& from() const { return of_[0]; }
 

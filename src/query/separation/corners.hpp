@@ -40,6 +40,12 @@ class CoreCorners {
   /// How many ways there are; no corner but by them.
   [[nodiscard]] std::size_t ways() const { return is_swept_ ? 0 : ways_; }
   [[nodiscard]] const ConvexPolyhedron3* polyhedron() const { return is_swept_ ? nullptr : polyhedron_; }
+  /// The corners before its pose, where they are points as given; none of a sum, and of what moves.
+  [[nodiscard]] std::span<const Point3> points() const {
+    if (is_swept_ || time_ != 0 || ways_ > 0) return {};
+    if (polyhedron_ != nullptr) return polyhedron_->mesh.vertices;
+    return list_.empty() ? std::span<const Point3>(points_).first(size_) : list_;
+  }
 
   /// Is it a sum of a point and edges, and no list of corners: a box of any kind, a rectangle, a segment, a point?
   [[nodiscard]] bool is_sum() const {

@@ -46,7 +46,7 @@ bool is_right(const Case& c, const Aim& aim) {
   const Difference d{c.bodies[0].corners, c.bodies[1].corners};
   const auto planes = query::parting::nearest_planes(d, query::parting::core_distance(d), aim);
   if (planes.facets.empty()) return false;
-  const auto way = query::parting::first_of(d, planes.facets).way.template along<mpq_class>(d);
+  const auto way = query::parting::first_of(d, planes).way.template along<mpq_class>(d);
   return told_checks::same_direction({way.x, way.y, way.z}, c.wanted.direction);
 }
 
