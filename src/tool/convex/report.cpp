@@ -66,7 +66,7 @@ std::string convex_text(const ConvexReport& r, const Style& style) {
     }
   } else if (r.proof.claim == Claim::overlapping) {
     const auto& [x, y, z] = r.penetration->translation;
-    if (r.penetration->depth == 0) {  // of what is flat, in one plane
+    if (r.is_parted) {
       text += "a plane has one on each side as they are, for all of both lies in it\n";
       return text + proof_line(r) + "\n";
     }
