@@ -127,7 +127,7 @@ PolygonMesh parse_as(std::string_view bytes, MeshFormat format, std::string_view
     fail_at_file(
         MeshFileProblem::empty_mesh, name,
         "the mesh is empty: no vertex was found, expected " + kind + " with vertices and faces; export it again");
-  if (said.faces == 0)
+  if (said.faces == 0 && !options.points_too)
     fail_at_file(MeshFileProblem::empty_mesh, name,
                  "the mesh is empty: " + std::to_string(said.vertices) +
                      " vertices but no face of three corners or more" +

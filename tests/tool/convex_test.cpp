@@ -62,6 +62,27 @@ TEST(Convex, TakesHullsOfWhateverThereIs) {
   EXPECT_EQ(said.at("nearest")[1].at("point"), (json{5.0, 2.0, 2.0}));
 }
 
+TEST(Convex, TakesPointsWithoutFaces) {
+  const Folder folder;
+  const std::string at = in(folder);
+  std::ofstream(folder / "cloud.obj") << "v 5 2 2\nv 7 1 2\nv 7 3 2\nv 7 2 4\nv 6.5 2 2.5\n";
+  std::ofstream(folder / "wire.obj") << "v 5 2 2\nv 6 2 2\nl 1 2\n";
+  std::ofstream(folder / "point.ply") << "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                                         "property float y\nproperty float z\nend_header\n4 4 4\n";
+  const Outcome cloud = run(at + "cube.obj cloud.obj");
+  EXPECT_EQ(cloud.code, 0) << cloud.err;
+  EXPECT_THAT(cloud.out,
+              AllOf(HasSubstr("cloud.obj: 5 vertices, 0 triangles, not closed; hull of 4 vertices, not convex "
+                              "itself: it has no faces\n"),
+                    HasSubstr("disjoint, 1 apart\n")));
+  EXPECT_THAT(run(at + "wire.obj cloud.obj").out, HasSubstr("touching\n"));
+  EXPECT_THAT(run(at + "point.ply cube.obj --history steps").out, HasSubstr("touching\n"));
+  EXPECT_THAT(content(folder / "steps/bodies.obj"), HasSubstr("o a\nv 4 4 4\np 1\no b\n"));
+  EXPECT_THAT(run(at + "wire.obj wire.obj").out,
+              AllOf(HasSubstr("overlapping, 0 deep\na plane has one on each side"), Not(HasSubstr("moved by"))));
+  EXPECT_EQ(run("cd " + (folder / "") + " && $PLUMB distance wire.obj cube.obj").code, 2);
+}
+
 TEST(Convex, ProofsArePythonsToo) {
   const Folder folder;
   const std::string at = in(folder), check = "python3 " PLUMB_SOURCE_DIR "/docs/verify_certificate.py ";

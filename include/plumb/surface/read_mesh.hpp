@@ -57,10 +57,12 @@ struct LoadReport {
 };
 
 /// How much a small file may become.  What is packed unpacks to no more than `most_bytes`, nor to more than
-/// `most_ratio` times its own size, of which the first 16 MiB are free.
+/// `most_ratio` times its own size, of which the first 16 MiB are free.  `points_too`: a file of vertices without a face,
+/// a cloud of points, is no error.
 struct ReadOptions {
   std::uint64_t most_bytes = std::uint64_t{4} << 30;
   std::uint64_t most_ratio = 250;
+  bool points_too = false;
 };
 
 /// The mesh of a file, its polygons triangulated.  Throws MeshFileError.

@@ -13,13 +13,17 @@ std::optional<Feature> feature_of(const SeenBody& s, std::span<const std::uint32
   if (is_polygon && of.size() > 1) return {};
   if (!s.view.is_hull() && !is_polygon) return feature_of_corners(s.view.figure, s.corners, of, support);
   if (support.level != support.known) return {};
-  constexpr std::array kinds{FeatureKind::vertex, FeatureKind::edge, FeatureKind::face};
-  return Feature{kinds[of.size() - 1], *std::ranges::min_element(of)};
+  return least_feature(of);
 }
 
 bool is_double(const mpq_class& x) { return mpq_class(x.get_d()) == x; }
 
 }  // namespace
+
+Feature least_feature(std::span<const std::uint32_t> of) {
+  constexpr std::array kinds{FeatureKind::vertex, FeatureKind::edge, FeatureKind::face};
+  return {kinds[of.size() - 1], *std::ranges::min_element(of)};
+}
 
 std::vector<Exact3> exact_corners(const CoreCorners& c) {
   std::vector<Exact3> all;
@@ -30,20 +34,13 @@ std::vector<Exact3> exact_corners(const CoreCorners& c) {
   return all;
 }
 
-std::optional<std::array<Feature, 2>> features_at_once(const SeenBody& a, const SeenBody& b,
-                                                       const ProvedCorners& proved) {
-  const auto feature_a = feature_of(a, named(proved.corners, 0).all(), proved.a);
-  const auto feature_b = feature_of(b, named(proved.corners, 1).all(), proved.b);
-  if (!feature_a || !feature_b) return {};
-  return std::array{*feature_a, *feature_b};
-}
-
 std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
                                        const ProvedCorners& proved) {
   if (proved.meets || !proved.is_alone) return {};
-  const auto features = features_at_once(a, b, proved);
-  if (!features) return {};
-  return pair.closest((*features)[0], (*features)[1]);
+  const auto feature_a = feature_of(a, named(proved.corners, 0).all(), proved.a);
+  const auto feature_b = feature_of(b, named(proved.corners, 1).all(), proved.b);
+  if (!feature_a || !feature_b) return {};
+  return pair.closest(*feature_a, *feature_b);
 }
 
 mpq_class BodyPair::square(const ProvedCorners& proved) const { return QuickPair(a(), b(), 0, 0, proved).square(); }

@@ -19,9 +19,8 @@ struct SeenBody {
   const CoreCorners& corners;
 };
 
-/// Of corners that are proved, of bodies that do not meet, where the corners tell them.
-std::optional<std::array<Feature, 2>> features_at_once(const SeenBody& a, const SeenBody& b,
-                                                       const ProvedCorners& proved);
+/// Of a hull's points that span the least face.
+Feature least_feature(std::span<const std::uint32_t> of);
 
 /// In pairs of doubles, where they and the corners tell all of it.
 std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,

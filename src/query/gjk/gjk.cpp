@@ -200,6 +200,11 @@ std::optional<double> apart_at_once(const BodyView& a, const BodyView& b, const 
   return d;
 }
 
+/// Of a polyhedron or a hull of points, of which no other corner lies in the plane.
+std::optional<Feature> feature_of(const QuickHull& h, const NamedCorners& of) {
+  return h.solid() != nullptr ? feature_of_mesh(*h.solid(), of.all()) : least_feature(of.all());
+}
+
 std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   const auto is_known_kind = [](const BodyView& v) {
     return v.is_hull() || v.figure.kind == FigureKind::convex_polyhedron;
@@ -211,9 +216,9 @@ std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, 
   if (!found || found->proved.meets || !found->proved.is_alone) return {};
   auto c = quick_points(p, q, found->proved.corners);
   if (!c) return {};
-  const auto features = features_at_once({a, *CoreCorners::of(a)}, {b, *CoreCorners::of(b)}, found->proved);
-  if (!features) return {};
-  c->feature_a = (*features)[0], c->feature_b = (*features)[1];
+  const auto feature_a = feature_of(p, found->of_a), feature_b = feature_of(q, found->of_b);
+  if (!feature_a || !feature_b) return {};
+  c->feature_a = *feature_a, c->feature_b = *feature_b;
   remember(options, *found);
   return GjkAnswer{false, *c, found->steps, simplex_of(found->proved.corners)};
 }

@@ -35,16 +35,17 @@ bool are_nearest(const Pairs& pairs, const Asked& a, const Asked& b) {
 }
 
 /// Are these corners nearest, for certain, and no others in their planes?
-std::optional<ProvedCorners> proved(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
-  const NamedCorners of_a = linked(corners, 0), of_b = linked(corners, 1);
+std::optional<QuickNearest> proved(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
+  const DifferenceCorners known = linked(corners);
+  QuickNearest r{{corners, false, false, {}, {}}, named(known, 0), named(known, 1), {0, 0, 0}, 1};
   const Pairs pairs = pairs_of(a, b, corners);
-  const Asked p = asked_of(a, of_a.all()), q = asked_of(b, of_b.all());
+  const Asked p = asked_of(a, r.of_a.all()), q = asked_of(b, r.of_b.all());
   const bool is_so = corners.size == 1   ? are_nearest<1>(pairs, p, q)
                      : corners.size == 2 ? are_nearest<2>(pairs, p, q)
                                          : are_nearest<3>(pairs, p, q);
   if (!is_so) return {};
-  ProvedCorners r{corners, false, false, {}, {}};
-  r.is_alone = is_one_pair(r);
+  if (known.size != corners.size) r.of_a = named(corners, 0), r.of_b = named(corners, 1);
+  r.proved.is_alone = is_one_pair(r.proved, r.of_a.size, r.of_b.size);
   return r;
 }
 
@@ -69,9 +70,9 @@ class Search {
     }
     DifferenceCorners corners;
     for (std::uint32_t i = 0; i < simplex.size(); ++i) corners.add(simplex[i].ends);
-    const auto p = proved(a_, b_, corners);
-    if (!p) return {};
-    return QuickNearest{*p, n, static_cast<std::uint32_t>(rounds)};
+    std::optional<QuickNearest> found = proved(a_, b_, corners);
+    if (found) found->way = n, found->steps = static_cast<std::uint32_t>(rounds);
+    return found;
   }
 
  private:
@@ -84,7 +85,7 @@ class Search {
     DifferenceCorners all;
     for (std::uint32_t i = 0; i < 4; ++i) all.add(corners[i] = simplex[i].ends);
     if (!are_around_origin(a_, b_, corners)) return {};
-    return QuickNearest{{all, true, false, {}, {}}, {0, 0, 0}, static_cast<std::uint32_t>(rounds)};
+    return QuickNearest{{all, true, false, {}, {}}, {}, {}, {0, 0, 0}, static_cast<std::uint32_t>(rounds)};
   }
 
   const QuickHull &a_, &b_;
@@ -190,21 +191,26 @@ PLUMB_WITHOUT std::optional<Closest> points_plain(const Pairs& p, std::size_t si
 }  // namespace
 
 std::optional<QuickNearest> quickly_nearest(const QuickHull& a, const QuickHull& b, const GjkCache* cache) {
-  GjkCorner from{0, 0};
-  const auto way = [&] { return a.middle() - b.middle(); };
-  if (cache == nullptr || cache->simplex.size == 0 || cache->simplex.size > 3) return Search(a, b).run(way(), from);
   DifferenceCorners known;
-  for (std::uint32_t i = 0; i < cache->simplex.size; ++i) {
-    const GjkCorner& c = cache->simplex.corners[i];
-    if (c[0] < a.size() && c[1] < b.size()) known.add(c);
+  Plain way{0, 0, 0};
+  if (cache != nullptr && cache->simplex.size <= 3) {
+    for (std::uint32_t i = 0; i < cache->simplex.size; ++i) {
+      const GjkCorner& c = cache->simplex.corners[i];
+      if (c[0] < a.size() && c[1] < b.size()) known.add(c);
+    }
+    way = arith::vec<double>(cache->direction);
   }
-  if (known.size == 0) return Search(a, b).run(way(), from);
-  const Vector3& d = cache->direction;
-  if (const auto p = proved(a, b, known)) return QuickNearest{*p, {d.x, d.y, d.z}, 1};
-  from = known.ends[0];
-  const bool has_way = d.x != 0 || d.y != 0 || d.z != 0;
-  auto found = Search(a, b).run(has_way ? Plain{d.x, d.y, d.z} : a.at(from[0]) - b.at(from[1]), from);
-  if (found) ++found->steps;
+  if (known.size != 0) {
+    if (auto found = proved(a, b, known)) {
+      found->way = way;
+      return found;
+    }
+    if (way.x == 0 && way.y == 0 && way.z == 0) way = a.at(known.ends[0][0]) - b.at(known.ends[0][1]);
+  } else {
+    way = a.middle() - b.middle(), known.ends[0] = {0, 0};
+  }
+  auto found = Search(a, b).run(way, known.ends[0]);
+  if (found && known.size != 0) ++found->steps;
   return found;
 }
 

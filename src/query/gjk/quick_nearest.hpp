@@ -17,7 +17,8 @@ namespace plumb::query {
 
 struct QuickNearest {
   ProvedCorners proved;
-  arith::Plain way;  // from b to a, about
+  NamedCorners of_a, of_b;  // where they do not meet
+  arith::Plain way;         // from b to a, about
   std::uint32_t steps;
 };
 

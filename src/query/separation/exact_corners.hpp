@@ -19,21 +19,24 @@ namespace plumb::query {
 
 /// Those that are in one plane with the first by being in pairs: two differences that share a corner of one figure, and are
 /// as near along the way, have corners of the other that are so too.
-inline NamedCorners linked(const DifferenceCorners& corners, std::size_t which) {
-  std::array<bool, 4> known{true, false, false, false};
-  for (std::size_t round = 1; round < corners.size; ++round) {
-    for (std::size_t i = 0; i < corners.size; ++i) {
-      for (std::size_t j = 0; j < corners.size; ++j) {
-        const bool share = corners.ends[i][0] == corners.ends[j][0] || corners.ends[i][1] == corners.ends[j][1];
-        if (known[i] && share) known[j] = true;
-      }
+inline DifferenceCorners linked(const DifferenceCorners& corners) {
+  DifferenceCorners known;
+  std::array<bool, 4> is_known{};
+  const auto take = [&](std::size_t i) { known.add(corners.ends[i]), is_known[i] = true; };
+  const auto shares = [&](const std::array<std::uint32_t, 2>& ends) {
+    for (std::size_t i = 0; i < known.size; ++i) {
+      if (known.ends[i][0] == ends[0] || known.ends[i][1] == ends[1]) return true;
+    }
+    return false;
+  };
+  take(0);
+  for (std::size_t before = 0; before != known.size && known.size < corners.size;) {
+    before = known.size;
+    for (std::size_t i = 1; i < corners.size; ++i) {
+      if (!is_known[i] && shares(corners.ends[i])) take(i);
     }
   }
-  DifferenceCorners of_those;
-  for (std::size_t i = 0; i < corners.size; ++i) {
-    if (known[i]) of_those.add(corners.ends[i]);
-  }
-  return named(of_those, which);
+  return known;
 }
 
 template <class T>
@@ -42,9 +45,8 @@ Vec<T> turned_round(const Vec<T>& v) {
   return Vec<T>{zero, zero, zero} - v;
 }
 
-/// Is it one pair?  One corner by itself has but one partner; two edges that are not parallel cross once.
-inline bool is_one_pair(const ProvedCorners& p) {
-  const std::size_t m = named(p.corners, 0).size, n = named(p.corners, 1).size;
+/// Is it one pair, of m corners of a and n of b?  One corner by itself has but one partner; two edges that are not parallel cross once.
+inline bool is_one_pair(const ProvedCorners& p, std::size_t m, std::size_t n) {
   const bool a_ends = p.a.level == p.a.known, b_ends = p.b.level == p.b.known;
   return (m == 1 && a_ends) || (n == 1 && b_ends) || (m == 2 && n == 2 && p.corners.size == 3 && a_ends && b_ends);
 }
@@ -78,12 +80,13 @@ std::optional<Judged> judged(const CoreCorners& a, const CoreCorners& b, const D
   if constexpr (!std::is_same_v<T, Running>) j.proved.meets = j.proved.meets || certainly_zero(n.square);
   if (j.proved.meets) return j;
   if (!leads_somewhere(n.way)) return {};  // of points and segments nothing else would ask
-  j.proved.a = support_of(a, linked(corners, 0).all(), n.way, ask);
+  const DifferenceCorners known = linked(corners);
+  j.proved.a = support_of(a, named(known, 0).all(), n.way, ask);
   if (!ask.certain()) return {};
-  j.proved.b = support_of(b, linked(corners, 1).all(), turned_round(n.way), ask);
+  j.proved.b = support_of(b, named(known, 1).all(), turned_round(n.way), ask);
   if (!ask.certain()) return {};
   j.holds = j.proved.a.holds && j.proved.b.holds;
-  j.proved.is_alone = is_one_pair(j.proved);
+  j.proved.is_alone = is_one_pair(j.proved, named(corners, 0).size, named(corners, 1).size);
   return j;
 }
 

@@ -39,5 +39,7 @@ class QuickPair {
 /// Of a point strictly within the hull of these corners of the figure, which a plane touches there.
 std::optional<Feature> feature_of_corners(const FigureView& figure, const CoreCorners& c,
                                           std::span<const std::uint32_t> of, const Support& support);
+/// The same of up to three vertices of a polyhedron; nothing where they are none of its features.
+std::optional<Feature> feature_of_mesh(const ConvexPolyhedron3& solid, std::span<const std::uint32_t> of);
 
 }  // namespace plumb::query

@@ -27,31 +27,35 @@ std::optional<Feature> feature_along(std::size_t ways, std::uint32_t corner, std
   return numbered(FeatureKind::face, 2 * w + (corner >> w & 1));
 }
 
-/// The first place from this one on where a vertex is a corner.
-std::size_t corner_at(const PolygonMesh& m, std::uint32_t vertex, std::size_t from) {
-  return static_cast<std::size_t>(
-      std::find(m.corners.begin() + static_cast<std::ptrdiff_t>(from), m.corners.end(), vertex) - m.corners.begin());
+/// A corner of a face.
+struct FaceCorner {
+  std::size_t face, corner;
+};
+
+/// Of triangles alone the number tells.
+std::size_t face_of(const PolygonMesh& m, std::size_t corner) {
+  const std::size_t f = corner / 3;
+  if (f + 1 < m.first.size() && m.first[f] <= corner && corner < m.first[f + 1]) return f;
+  return static_cast<std::size_t>(std::ranges::upper_bound(m.first, corner) - m.first.begin() - 1);
 }
 
-/// An edge is the lower of the two corners that it leaves, a face that of three vertices.
-std::optional<Feature> feature_of_mesh(const PolygonMesh& m, std::span<const std::uint32_t> of) {
-  if (of.size() == 1) return numbered(FeatureKind::vertex, of[0]);
-  std::size_t edge = m.corners.size();
-  for (std::size_t c = corner_at(m, of[0], 0); c < m.corners.size(); c = corner_at(m, of[0], c + 1)) {
-    const auto f = static_cast<std::size_t>(std::ranges::upper_bound(m.first, c) - m.first.begin() - 1);
-    const std::size_t first = m.first[f], last = m.first[f + 1] - 1;
-    if (of.size() == 3) {
-      const auto face = std::span(m.corners).subspan(first, last + 1 - first);
-      const auto has = [&](std::uint32_t v) { return std::ranges::find(face, v) != face.end(); };
-      if (has(of[1]) && has(of[2])) return numbered(FeatureKind::face, f);
-      continue;
-    }
-    const std::size_t before = c == first ? last : c - 1, after = c == last ? first : c + 1;
-    if (m.corners[after] == of[1]) edge = std::min(edge, c);
-    if (m.corners[before] == of[1]) edge = std::min(edge, before);
+/// Takes every corner that a vertex is, from face to face around it; false where the faces do not close around it.
+template <class Take>
+bool around_vertex(const ConvexPolyhedron3& s, std::uint32_t vertex, const Take& take) {
+  const PolygonMesh& m = s.mesh;
+  const auto start = static_cast<std::size_t>(std::ranges::find(m.corners, vertex) - m.corners.begin());
+  if (start == m.corners.size()) return false;
+  FaceCorner at{face_of(m, start), start};
+  for (std::size_t turns = 0; turns < m.corners.size(); ++turns) {
+    take(at);
+    const std::size_t beyond = s.across[at.corner];
+    std::size_t c = m.first[beyond];
+    while (c < m.first[beyond + 1] && m.corners[c] != vertex) ++c;
+    if (c == m.first[beyond + 1]) return false;
+    if (c == start) return true;
+    at = {beyond, c};
   }
-  if (edge == m.corners.size()) return {};
-  return numbered(FeatureKind::edge, edge);
+  return false;
 }
 
 /// Of two corners of a triangle or tetrahedron.
@@ -63,7 +67,7 @@ std::size_t edge_of(std::size_t corners, std::uint32_t i, std::uint32_t j) {
 
 std::optional<Feature> core_feature(const CoreCorners& c, std::span<const std::uint32_t> of, const Support& s) {
   if (c.polyhedron() != nullptr) {
-    if (of.size() == 3 || s.level == s.known) return feature_of_mesh(c.polyhedron()->mesh, of);
+    if (of.size() == 3 || s.level == s.known) return feature_of_mesh(*c.polyhedron(), of);
     return {};
   }
   if (s.level != s.known) return {};
@@ -74,6 +78,27 @@ std::optional<Feature> core_feature(const CoreCorners& c, std::span<const std::u
 }
 
 }  // namespace
+
+/// An edge is the lower of the two corners that it leaves, a face that of three vertices.
+std::optional<Feature> feature_of_mesh(const ConvexPolyhedron3& solid, std::span<const std::uint32_t> of) {
+  if (of.size() == 1) return numbered(FeatureKind::vertex, of[0]);
+  const PolygonMesh& m = solid.mesh;
+  std::size_t found = m.corners.size();  // beyond all
+  const auto see = [&](const FaceCorner& at) {
+    const std::size_t first = m.first[at.face], last = m.first[at.face + 1] - 1;
+    if (of.size() == 3) {
+      const auto face = std::span(m.corners).subspan(first, last + 1 - first);
+      const auto has = [&](std::uint32_t v) { return std::ranges::find(face, v) != face.end(); };
+      if (has(of[1]) && has(of[2])) found = std::min(found, at.face);
+      return;
+    }
+    const std::size_t c = at.corner, before = c == first ? last : c - 1, after = c == last ? first : c + 1;
+    if (m.corners[after] == of[1]) found = std::min(found, c);
+    if (m.corners[before] == of[1]) found = std::min(found, before);
+  };
+  if (!around_vertex(solid, of[0], see) || found == m.corners.size()) return {};
+  return numbered(of.size() == 3 ? FeatureKind::face : FeatureKind::edge, found);
+}
 
 std::optional<Feature> feature_of_corners(const FigureView& figure, const CoreCorners& c,
                                           std::span<const std::uint32_t> of, const Support& support) {

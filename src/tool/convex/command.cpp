@@ -42,7 +42,9 @@ ConvexReport convex_report(std::vector<AskedMesh> meshes) {
     if (const ProofVerdict verdict = verify(report.proof, a, b); !verdict)
       throw Error("convex: the proof does not hold, which is a fault of this program: " + verdict.flaw);
     report.nearest = gjk(a, b, {.history = &report.steps});
-    if (report.proof.claim != Claim::disjoint) report.penetration = penetration(a, b);
+    if (report.proof.claim == Claim::disjoint) return;
+    report.penetration = penetration(a, b);
+    report.is_parted = report.penetration->depth == 0 && exact_penetration(a, b)->core_square.sign() == Sign::zero;
   });
   return report;
 }

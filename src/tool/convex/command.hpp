@@ -50,6 +50,7 @@ struct ConvexReport {
   GjkAnswer nearest;
   std::vector<GjkStep> steps;
   std::optional<Penetration> penetration;  // where they overlap or touch
+  bool is_parted = false;                  // exactly, though they overlap: what is flat, in one plane
 };
 
 ConvexReport convex_report(std::vector<AskedMesh> meshes);

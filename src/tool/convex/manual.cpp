@@ -15,6 +15,7 @@ how deep they are in one another: the least way that one must be moved
 until they no more than touch. Of each mesh it says whether it is convex
 itself, and if not, where.
 
+Faces are not needed: clouds of points will do, in any of the formats.
 Hulls may be flat, a segment or a point. Vertices have the numbers of
 the file, from 0. Distance, depth and coordinates are the exact ones
 rounded once, written with all of their digits.

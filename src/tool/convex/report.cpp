@@ -66,6 +66,10 @@ std::string convex_text(const ConvexReport& r, const Style& style) {
     }
   } else if (r.proof.claim == Claim::overlapping) {
     const auto& [x, y, z] = r.penetration->translation;
+    if (r.is_parted) {
+      text += "a plane has one on each side as they are, for all of both lies in it\n";
+      return text + proof_line(r) + "\n";
+    }
     text += fmt::format("they no more than touch once a is moved by {} {} {}{}\n", x, y, z,
                         r.penetration->is_unique ? "" : ", which is one of several ways");
   }

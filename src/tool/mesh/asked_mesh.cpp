@@ -14,7 +14,7 @@ AskedMesh asked_mesh(const std::string& name, const PolygonMesh& polygons, LoadR
                      const OutputFiles& outputs) {
   AskedMesh asked{name, std::move(load), {}, false};
   asked.mesh = triangulate(polygons, &asked.load.fans);
-  asked.closed = is_closed(asked.mesh);
+  asked.closed = !asked.mesh.triangles.empty() && is_closed(asked.mesh);
   outputs.require_not_read(asked.load.files_beside);
   return asked;
 }

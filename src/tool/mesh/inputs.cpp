@@ -90,8 +90,8 @@ PolygonMesh with_mend(const Read& read) try {
 }  // namespace
 
 ReadOptions MeshArguments::reading() const {
-  if (!unpacked_mib) return {};
-  return {std::uint64_t{*unpacked_mib} << 20, std::numeric_limits<std::uint64_t>::max()};
+  if (!unpacked_mib) return {.points_too = points_too};
+  return {std::uint64_t{*unpacked_mib} << 20, std::numeric_limits<std::uint64_t>::max(), points_too};
 }
 
 void require_input_once(const std::vector<std::string>& words) {

@@ -23,6 +23,7 @@ namespace plumb::tool {
 struct MeshArguments {
   std::vector<std::string> words;             // files, folders, "-"
   std::optional<std::uint32_t> unpacked_mib;  // what a packed mesh may unpack to, and parts may make
+  bool points_too = false;                    // vertices without faces will do
 
   [[nodiscard]] ReadOptions reading() const;
 };

@@ -3,10 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "certify/sanitized.hpp"
 #include "plumb/query/gjk/figure_support.hpp"
+#include "plumb/query/gjk/gjk.hpp"
+#include "query/body/posed_cases.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
 #include "query/separation/told_pair.hpp"
@@ -107,6 +110,91 @@ TEST(SupportMappings, OfFiguresKnowTheirRounding) {
   EXPECT_GE(eggs.upper, 4);
   EXPECT_LE(eggs.upper - eggs.lower, 1e-12);
   EXPECT_NE(gjk_bounds(egg, Point3{8, 0, 2}).told, GjkTold::disjoint);
+}
+
+/// Both hold the distance, and are near to one another.
+void expect_of_one(const GjkBounds& a, const GjkBounds& b, double within) {
+  EXPECT_LE(a.lower, b.upper);
+  EXPECT_LE(b.lower, a.upper);
+  EXPECT_EQ(a.told, b.told);
+  EXPECT_LE(std::max(a.upper, b.upper) - std::min(a.lower, b.lower), within);
+}
+
+TEST(SupportMappings, OfPosedFiguresAreThoseOfTheirImages) {
+  // A turn by integers, and lengths times five: the image of a cylinder and of a cone is one in doubles.
+  const Pose turn{{{{0, 3, 4}, {5, 0, 0}, {0, 4, -3}}}, {1, -2, 7}};
+  const auto image = [&](const Point3& p) { return query::rounded_image(turn, p); };
+  const Cylinder3 pipe{{0, 0, 0}, {1, 2, 4}, 1}, turned_pipe{image(pipe.a), image(pipe.b), 5};
+  const Cone3 cone{{0, 0, 9}, {0, 1, 6}, 2}, turned_cone{image(cone.apex), image(cone.base), 10};
+  const Aabb3 box{{40, 50, 10}, {90, 90, 20}};
+  const double within = 1e-11;
+  expect_of_one(gjk_bounds(Posed{pipe, turn}, box, {.within = 1e-12}), gjk_bounds(turned_pipe, box, {.within = 1e-12}),
+                within);
+  expect_of_one(gjk_bounds(box, Posed{cone, turn}, {.within = 1e-12}), gjk_bounds(box, turned_cone, {.within = 1e-12}),
+                within);
+  // Both under one pose: five times as far, whatever the two are.
+  const GjkBounds apart = gjk_bounds(pipe, cone, {.within = 1e-12}),
+                  both = gjk_bounds(Posed{pipe, turn}, Posed{cone, turn}, {.within = 1e-11});
+  EXPECT_EQ(both.told, GjkTold::disjoint);
+  EXPECT_LE(both.lower, 5 * apart.upper);
+  EXPECT_GE(both.upper, 5 * apart.lower);
+  EXPECT_LT(both.upper - both.lower, within);
+  // A ball that is sheared and mirrored is an ellipsoid; one that is flattened a disk.
+  const Pose stretch{{{{-3, 0, 0}, {0, 2, 0}, {0, 0, 1}}}, {8, 0, 2}},
+      flat{{{{3, 0, 0}, {0, 2, 0}, {0, 0, 0}}}, {8, 0, 2}};
+  const Sphere3 ball{{0, 0, 0}, 1};
+  const Ellipsoid3 egg{{8, 0, 2}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {3, 2, 1}};
+  expect_of_one(gjk_bounds(Posed{ball, stretch}, pipe, {.within = 1e-12}), gjk_bounds(egg, pipe, {.within = 1e-12}),
+                within);
+  const GjkBounds disk = gjk_bounds(Posed{ball, flat}, Point3{8, 0, 5}, {.within = 1e-12});
+  EXPECT_LE(disk.lower, 3);
+  EXPECT_GE(disk.upper, 3);
+  EXPECT_LT(disk.upper - disk.lower, within);
+}
+
+TEST(SupportMappings, OfPosedPolytopesBoundTheirExactDistance) {
+  int disjoint = 0, close = 0, undecided = 0;
+  shape_cases::on_shapes(35'002, battery::sanitized ? 20 : 80, [&](Material& m) {
+    std::vector<Point3> p, q;
+    for (std::size_t n = 1 + m.below(6); n-- > 0;) p.push_back(m.point3()), q.push_back(m.probe3());
+    const Pose pose = m.below(3) == 0 ? pair_cases::regular_pose(m) : pair_cases::whole_pose(m);
+    if (m.below(3) == 0) q.push_back(query::rounded_image(pose, p[0]));  // about touching
+    const Posed a{VertexHull3{p}, pose};
+    const VertexHull3 b{q};
+    GjkBounds bounds;
+    try {
+      bounds = gjk_bounds(a, b);
+    } catch (const BeyondDoubles&) {
+      return;
+    }
+    const double d = gjk_distance(a, b);
+    EXPECT_LE(bounds.lower, d) << m.about();
+    EXPECT_GE(bounds.upper, d) << m.about();
+    EXPECT_NE(bounds.told, d > 0 ? GjkTold::meeting : GjkTold::disjoint) << m.about();
+    (bounds.told == GjkTold::disjoint ? disjoint : undecided) += 1;
+    close += bounds.upper - bounds.lower <= 1e-9 * d;
+  });
+  std::printf("%d disjoint, %d close, %d undecided\n", disjoint, close, undecided);
+  EXPECT_GT(disjoint, battery::sanitized ? 2 : 15);
+  EXPECT_GT(close, battery::sanitized ? 2 : 15);
+  EXPECT_GT(undecided, battery::sanitized ? 1 : 5);
+}
+
+TEST(SupportMappings, RefusePosesThatAreNone) {
+  const Cylinder3 pipe{{0, 0, 0}, {1, 2, 4}, 1};
+  Pose pose = identity_pose;
+  pose.columns[1].x = NAN;
+  EXPECT_THAT(
+      [&] {
+        (void)gjk_bounds(Posed{pipe, pose}, Point3{9, 9, 9});
+      },
+      ThrowsMessage<NonFinite>(HasSubstr("support_point: pose.columns[1].x is nan")));
+  pose.columns[1].x = 0x1p1023;
+  EXPECT_THAT(
+      [&] {
+        (void)gjk_bounds(Posed{pipe, pose}, Point3{9, 9, 9});
+      },
+      ThrowsMessage<BeyondDoubles>(HasSubstr("beyond all doubles")));
 }
 
 TEST(SupportMappings, AreHeldToWhatTheyTold) {
