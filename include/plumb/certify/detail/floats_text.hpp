@@ -324,6 +324,11 @@ class Floats {
       return in_all<s>();
     }
   }
+  /// Its square, where it is the root of a sum of squares.
+  template <std::size_t s>
+  [[gnu::always_inline]] constexpr V square_of_scale() const requires(!on_lattice && (of.squares >> s & 1) != 0) {
+    return of_all(total(scales_[s])) + of_all(floor * floor);
+  }
   /// A power of two of which all leaves of this scale are multiples; infinity, where all are zero.
   template <std::size_t s>
   [[gnu::always_inline]] constexpr V unit() const {
@@ -479,11 +484,7 @@ class Floats {
       return in_sum<s>() + sum_of_scales<s + 1>();
     }
   }
-  /// The square of a scale, and of what is in the sum of all.
-  template <std::size_t s>
-  [[gnu::always_inline]] constexpr V square_of_scale() const {
-    return of_all(total(scales_[s])) + of_all(floor * floor);
-  }
+  /// What is in the sum of all scales.
   template <std::size_t s>
   [[gnu::always_inline]] constexpr V in_sum() const {
     if constexpr (!is_square(s)) {
