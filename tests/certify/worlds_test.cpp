@@ -277,6 +277,55 @@ TEST(Worlds, PairsKeepTwiceAsManyDigits) {
   EXPECT_GT(t.nearest, 0.05) << "no error comes near to its bound: it would not be noticed if it were wrong";
 }
 
+/// Of two scales that are roots of sums of squares: numbers of odd and of even powers, told to be above or below zero.
+TEST(Worlds, OddPowersOfARootAreJudgedBySquares) {
+  using World = certify::one_lane::Floats<double, 4, Scales{.count = 2, .squares = 0b11}>;
+  int odd = 0, even = 0, unsure = 0, zeros = 0, out_of_range = 0;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    Entropy e(29, i);
+    const Numbers x = drawn(e);
+    World w;
+    const auto a = w.difference(x[0], x[1]);
+    const auto b = w.number(x[2]);
+    const auto c = w.difference<1>(x[3], x[4]);
+    const auto d = w.number<1>(x[5]);
+    const auto across = a * c + b * d;
+    const auto squares = a * a - b * b;
+    const auto all = across * across - squares * (c * c);
+    if (!w.certain()) {
+      ++out_of_range;
+      continue;
+    }
+    const mpq_class p = mpq_class(x[0]) - mpq_class(x[1]), q(x[2]), r = mpq_class(x[3]) - mpq_class(x[4]), s(x[5]);
+    const mpq_class exact = p * r + q * s, exact_squares = p * p - q * q;
+    const auto expect = [&](const auto& n, const mpq_class& truth, int& told) {
+      if (w.positive(n)) {
+        ASSERT_GT(sgn(truth), 0) << "replay: " << i;
+      }
+      if (w.negative(n)) {
+        ASSERT_LT(sgn(truth), 0) << "replay: " << i;
+      }
+      (w.positive(n) || w.negative(n) ? told : unsure) += 1;
+      zeros += sgn(truth) == 0;
+    };
+    expect(across, exact, odd);
+    expect(squares, exact_squares, even);
+    expect(all, mpq_class(exact * exact - exact_squares * r * r), even);
+    // What is told of an odd power is told by its bound, and not by much less.
+    if (std::abs(across.value) > 0x1p-40 * std::hypot(a.value, b.value) * std::hypot(c.value, d.value) + 0x1p-400) {
+      ASSERT_TRUE(w.positive(across) || w.negative(across)) << "replay: " << i;
+    }
+  }
+  EXPECT_GT(odd, 1500);
+  EXPECT_GT(even, 3000);
+  EXPECT_GT(unsure, 300);
+  EXPECT_GT(zeros, 100);
+  EXPECT_GT(out_of_range, 50);
+  World w;
+  static_cast<void>(w.number(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(w.certain());
+}
+
 mpq_class exact_product(const mpq_class& a, const mpq_class& b) { return a * b; }
 TEST(Worlds, IntegersOnTheStackAreExactUpToTheirRange) {
   int zeros = 0, left = 0;

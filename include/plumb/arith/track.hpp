@@ -27,10 +27,13 @@ namespace plumb {
 /// How many scales a statement has; bit by bit of which there is a number for each axis, which have weights, and which
 /// are the largest of their leaves' magnitudes instead of the sum.  The largest is sharper in high powers, but a NaN is
 /// not seen in it: the statement requires that a number is real in which all leaves are.
+/// Of `squares` doubles add up the squares of the leaves instead, which costs nothing where a statement does so itself:
+/// the scale is the root, of which odd powers are judged by the square of the number.
 /// And has scale 0 numbers that are multiplied crosswise, each by two of the scales 1, 2 and 3?
 struct Scales {
   unsigned count = 1, each_axis = 0, weights = 0, maxima = 0;
   bool crosswise = false;
+  unsigned squares = 0;
 };
 
 struct Track {

@@ -104,6 +104,7 @@ class ExactNumbers {
   [[nodiscard]] N portion(double t) const { return N(portion_of(t)); }
   [[nodiscard]] Sign sign(const N& x) const { return x.sign(); }
   [[nodiscard]] Sign compare(const N& x, const N& y) const { return (x - y).sign(); }
+  [[nodiscard]] bool negative(const N& x) const { return x.sign() == Sign::negative; }
   static constexpr bool certain() { return true; }
 };
 

@@ -13,6 +13,7 @@
 #include "query/body/vectors.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/pair_answer.hpp"
+#include "query/overlap/past_cylinder.hpp"
 
 namespace plumb {
 namespace query {
@@ -189,10 +190,10 @@ Relation relate_point(const Point3& p, const Round& round, Question question) {
 }
 
 template <class Line, class Round>
-Relation relate_line(const Line& line, const Round& round, Question question) {
+[[gnu::noinline]] Relation relate_round(const Line& line, const Round& round, Question question) {
   const auto [from, to, radius, is_cone] = axis_of(round);
   if (is_sound(line) && is_sound(round) && radius > 0 && from != to && !is_point(line)) [[likely]] {
-    if (passes_by(line, axis_of(round))) return Relation::disjoint;
+    if (is_cone && passes_by(line, axis_of(round))) return Relation::disjoint;
     if (const auto r = crossing<Approximate>(line, round)) [[likely]]
       return *r;
     if (const auto r = crossing<Running>(line, round)) return *r;
@@ -202,6 +203,34 @@ Relation relate_line(const Line& line, const Round& round, Question question) {
   if (radius == 0) return relate(flat_set(line), flat_set(Segment3{from, to}));
   if (is_point(line)) return relation_of_point(start_of(line), round);
   return *crossing<BigDyadic>(line, round);
+}
+
+// As far as doubles tell at once.
+template <LinearKind reach>
+[[gnu::always_inline]] inline std::optional<Relation> quickly(const Point3& start, const auto& to, const Cylinder3& c) {
+  if (!(c.radius >= 0)) return {};
+  using Statement = PastCylinder<reach>;
+  return certify::one_lane::told_by_worlds<FloatWorld<Statement>>(NoWorldRecorder{}, Statement{}, start, to, c);
+}
+[[gnu::always_inline]] inline std::optional<Relation> quickly(const Segment3& s, const Cylinder3& c) {
+  return quickly<LinearKind::segment>(s.a, s.b, c);
+}
+[[gnu::always_inline]] inline std::optional<Relation> quickly(const Ray3& r, const Cylinder3& c) {
+  return quickly<LinearKind::ray>(r.origin, r.direction, c);
+}
+[[gnu::always_inline]] inline std::optional<Relation> quickly(const Line3& l, const Cylinder3& c) {
+  return quickly<LinearKind::line>(l.point, l.direction, c);
+}
+
+template <class Line>
+Relation relate_line(const Line& line, const Cylinder3& round, Question question) {
+  if (const auto r = quickly(line, round)) [[likely]]
+    return *r;
+  return relate_round(line, round, question);
+}
+template <class Line>
+Relation relate_line(const Line& line, const Cone3& round, Question question) {
+  return relate_round(line, round, question);
 }
 
 template <class Round>

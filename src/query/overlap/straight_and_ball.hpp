@@ -3,7 +3,7 @@
 // Over any world (certify/world.hpp).  A direction that is zero makes a line the point that it starts from.
 // Laws: exact where the world is; for a radius of zero what is touched is the center.
 // Source: RTCD 5.3.2, 5.2.7.
-// Cost: that of the plain operations, and a magnitude and a sum for each number given.
+// Cost: that of the plain operations, and a product or two for each sign.
 #pragma once
 
 #include "plumb/certify/certainly.hpp"
@@ -17,7 +17,7 @@ namespace plumb::query {
 /// 1 where they end, and d is end - o there.
 template <bool begins, bool ends>
 struct StraightAndBall {
-  static constexpr Scales scales{.count = 2};
+  static constexpr Scales scales{.count = 2, .squares = 0b11};
   static constexpr int highest = 4;
 
   template <class W>
@@ -26,6 +26,7 @@ struct StraightAndBall {
       return predicates::Triple{w.difference(p.x, ball.center.x), w.difference(p.y, ball.center.y),
                                 w.difference(p.z, ball.center.z)};
     };
+    const auto start = from_center(o);
     const auto d = [&] {
       if constexpr (ends) {
         return predicates::Triple{w.template difference<1>(to.x, o.x), w.template difference<1>(to.y, o.y),
@@ -36,12 +37,11 @@ struct StraightAndBall {
     }();
     const auto radius = w.number(ball.radius);
     const auto reach = radius * radius;
-    const auto start = from_center(o);
     const auto beyond = predicates::dot(start, start) - reach;
     const auto along = predicates::dot(start, d);
     const auto length = predicates::dot(d, d);
-    const Sign passes = w.compare(along * along, length * beyond);
-    if (passes == Sign::negative) return Relation::disjoint;
+    const auto crossed = along * along - length * beyond;
+    if (w.negative(crossed)) return Relation::disjoint;
     const auto as_point = [](Sign s) { return static_cast<Relation>(-s); };
     if constexpr (begins) {
       const Sign from = w.sign(beyond);
@@ -53,8 +53,10 @@ struct StraightAndBall {
         if (at_end == Sign::negative) return Relation::overlapping;
         if (w.sign(predicates::dot(stop, d)) != Sign::positive) return as_point(at_end);
       }
-    } else if (passes == Sign::zero && w.sign(length) == Sign::zero) {
-      return as_point(w.sign(beyond));
+    }
+    const Sign passes = w.sign(crossed);
+    if constexpr (!begins) {
+      if (passes == Sign::zero && w.sign(length) == Sign::zero) return as_point(w.sign(beyond));
     }
     return relation(passes);
   }

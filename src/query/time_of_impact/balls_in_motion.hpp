@@ -13,7 +13,7 @@
 namespace plumb::query::quick {
 
 template <class Listener = NoBoundListener>
-using BallsWorld = certify::one_lane::Floats<double, 4, Scales{.count = 3}, Listener>;
+using BallsWorld = certify::one_lane::Floats<double, 4, Scales{.count = 3, .squares = 0b111}, Listener>;
 
 template <class W>
 class BallsInMotion {
@@ -30,7 +30,10 @@ class BallsInMotion {
             w.template difference<1>(by_a.z, by_b.z)},
         of_a_(w.template number<0>(of_a)),
         of_b_(w.template number<0>(of_b)) {
-    if constexpr (has_scales) w.template number<2>(w.template scale<0>()), w.template number<2>(w.template scale<1>());
+    if constexpr (has_scales) {  // in this order, so that the sum of squares of scale 0 is the beginning of this one
+      const auto add = [&](const auto&... x) { (w.template number<2>(x.value), ...); };
+      add(apart_.x, apart_.y, apart_.z, of_a_, of_b_, by_.x, by_.y, by_.z);
+    }
   }
 
   [[nodiscard]] auto c() const { return excess(apart_, of_a_ + of_b_); }
@@ -46,7 +49,7 @@ class BallsInMotion {
   }
 
  private:
-  static constexpr bool has_scales = requires(const W& w) { w.template scale<0>(); };
+  static constexpr bool has_scales = requires(const W& w) { w.template square_of_scale<0>(); };
 
   static auto excess(const auto& d, const auto& reach) { return inner(d, d) - reach * reach; }
   /// The same number; of floats of the scale that no other exceeds.

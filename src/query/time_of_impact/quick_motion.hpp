@@ -3,8 +3,8 @@
 //
 // Laws: (1) yes and no are those of real arithmetic; unsure says nothing.  (2) Asked when, the contact is that of
 // query/time_of_impact/translating_contact.hpp: its time is rounded down, and its features are the only ones that meet then, or the
-// first of those of boxes.  (3) Nothing is allocated.  Numbers are to be finite, radii not
-// negative, and boxes not empty.
+// first of those of boxes.  (3) Nothing is allocated.  Numbers are to be finite, but where it looks at them itself; radii
+// not negative, and boxes not empty.
 // Source: RTCD 5.5.2, 5.5.3, 5.5.4, 5.5.5, 5.5.6, 5.5.8; magnitudes bound the errors (arith/approximate.hpp).
 // Cost: about that of the plain test; some 0.1 to 0.5 us where there is a time to round.
 #pragma once
@@ -87,6 +87,9 @@ template <class Shape>
 inline constexpr bool is_ball = std::same_as<Shape, Sphere3>;
 template <class Shape>
 concept Round = is_ball<Shape> || std::same_as<Shape, Capsule3>;
+/// Of which nothing is told where a number is none.
+template <class A, class B>
+inline constexpr bool looks_at_numbers = is_ball<A> && (is_ball<B> || std::same_as<B, Point3>);
 /// One quadratic, or in the other order.
 template <class A, class B>
 concept IsBalls = (is_ball<A> && (is_ball<B> || std::same_as<B, Point3>)) || (std::same_as<A, Capsule3> && is_ball<B>);

@@ -16,15 +16,14 @@ template <ContactWanted asked>
   if (!w.certain()) return unsure;
   if (w.negative(c)) return overlap;
   if (!w.positive(c)) return unsure;
-  if (w.positive(h)) return no;
+  const auto rest = balls.discriminant();
+  const bool leads_away = w.positive(h), passes = w.negative(rest);  // as one: nobody foresees which
+  if (leads_away | passes) return no;
   const auto at_end = balls.value_at_end();
-  if (w.positive(at_end) && w.negative(balls.slope_at_end())) return no;
-  bool meets = w.negative(at_end);
-  if (!meets || asked == ContactWanted::when) {
-    const auto rest = balls.discriminant();
-    if (w.negative(rest)) return no;
-    meets = meets || (w.positive(rest) && w.negative(h) && w.positive(balls.slope_at_end()));
-  }
+  const auto slope = balls.slope_at_end();
+  const bool is_apart = w.positive(at_end), falls = w.negative(slope);
+  if (is_apart & falls) return no;
+  const bool meets = w.negative(at_end) || (w.positive(rest) && w.negative(h) && w.positive(slope));
   if (!meets) return by_a == by_b ? no : unsure;
   if constexpr (asked == ContactWanted::whether) return {MotionVerdict::yes};
   const Vec3<Pairs> from = between<Pairs>(b, a), way = velocity<Pairs>(by_a, by_b);

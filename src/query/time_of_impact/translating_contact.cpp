@@ -25,10 +25,16 @@ concept IsQuick = requires(const Translating<A>& a, const Translating<B>& b) {
   quick::contact<asked>(a, b);
 };
 
+/// Has it no radius below zero, nor one that is no number?
+bool has_size(const Point3&) { return true; }
+bool has_size(const Sphere3& s) { return s.radius >= 0; }
+
 /// Where doubles and pairs of them tell; invalid shapes are left to those who name what is wrong.
 template <ContactWanted asked, class A, class B>
 quick::Answer quick_answer(const Translating<A>& a, const Translating<B>& b) {
-  if constexpr (IsQuick<asked, A, B>) {
+  if constexpr (quick::looks_at_numbers<A, B>) {
+    return has_size(a.shape) && has_size(b.shape) ? quick::contact<asked>(a, b) : quick::unsure;
+  } else if constexpr (IsQuick<asked, A, B>) {
     if (!(is_sound(a.shape) && is_sound(b.shape) && is_real(sum_of(a.by) + sum_of(b.by)))) return quick::unsure;
     return is_nothing(a.shape) || is_nothing(b.shape) ? quick::no : quick::contact<asked>(a, b);
   } else if constexpr (IsQuick<asked, B, A>) {

@@ -27,14 +27,22 @@ struct Tally {
   template <class W, class N>
   void take(const W& w, const N& x, const Rational& exact) {
     Rational m = Rational(static_cast<double>(N::track.error)) * Rational(0x1p-85);
+    Rational off = magnitude(Rational(x.value) - exact);
     const auto raise = [&](const Rational& scale, int power) {
       for (int i = 0; i < power; ++i) m = m * scale;
     };
-    raise(Rational(w.template scale<0>()), N::track.power(0, 0));
-    raise(Rational(w.template scale<1>()), N::track.power(1, 0));
-    if constexpr (N::track.power(2, 0) != 0) raise(Rational(w.template scale<2>()), N::track.power(2, 0));
+    if constexpr (requires { w.template square_of_scale<0>(); }) {  // of roots both squared; the squares are rounded
+      m = m * m * Rational(1 + 0x1p-40), off = off * off;
+      raise(Rational(w.template square_of_scale<0>()), N::track.power(0, 0));
+      raise(Rational(w.template square_of_scale<1>()), N::track.power(1, 0));
+      raise(Rational(w.template square_of_scale<2>()), N::track.power(2, 0));
+    } else {
+      raise(Rational(w.template scale<0>()), N::track.power(0, 0));
+      raise(Rational(w.template scale<1>()), N::track.power(1, 0));
+      if constexpr (N::track.power(2, 0) != 0) raise(Rational(w.template scale<2>()), N::track.power(2, 0));
+    }
     ++numbers;
-    beyond += m < magnitude(Rational(x.value) - exact) ? 1 : 0;
+    beyond += m < off ? 1 : 0;
     const bool positive = w.positive(x), negative = w.negative(x);
     signs += positive || negative ? 1 : 0;
     false_signs += (positive && exact.sign() != Sign::positive) || (negative && exact.sign() != Sign::negative) ? 1 : 0;

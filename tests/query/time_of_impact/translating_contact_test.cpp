@@ -340,6 +340,13 @@ TEST(TranslatingContact, WhatIsNoShape) {
                 intersects(Translating<Point3>{{0, 0, 0}, {nan, 0, 0}}, Point3{0, 0, 0});
               }),
               testing::HasSubstr("intersects: a.by.x is nan"));
+  for (const double none : {nan, HUGE_VAL, -HUGE_VAL}) {  // balls are looked at by what tells whether they meet
+    EXPECT_THROW(intersects(Translating<Sphere3>{{{0, none, 0}, 1}, {1, 0, 0}}, Sphere3{{3, 0, 0}, 1}), NonFinite);
+    EXPECT_THROW(intersects(Translating<Sphere3>{{{0, 0, 0}, 1}, {1, 0, none}}, Sphere3{{3, 0, 0}, 1}), NonFinite);
+    EXPECT_THROW(first_contact(Translating<Sphere3>{{{0, 0, 0}, 1}, {none, 0, 0}}, Point3{0, 0, 0}), NonFinite);
+  }
+  EXPECT_THROW(intersects(Translating<Sphere3>{{{0, 0, 0}, HUGE_VAL}, {1, 0, 0}}, Sphere3{{3, 0, 0}, 1}), NonFinite);
+  EXPECT_THROW(intersects(Sphere3{{3, 0, 0}, nan}, Translating<Sphere3>{{{0, 0, 0}, 1}, {1, 0, 0}}), NonFinite);
 }
 
 TEST(TranslatingContact, ProductsThatOverflowTellNothing) {

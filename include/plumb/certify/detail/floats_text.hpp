@@ -5,7 +5,7 @@
 // larger, smaller, plus_product, minus_product (fused or not), above, of_all, any, all, both, Truth, turned, total; of pairs
 // what certify/detail/pairs_text.hpp asks for, and lowest_bit, least.
 // Laws: those of arith/track.hpp.  A scale is the sum of its leaves' magnitudes, and so NaN where one of them is; or the
-// largest, where arith/track.hpp says so.
+// largest, or the root of the sum of their squares, where arith/track.hpp says so.
 // Source: docs/proof.md, "Tracked errors".
 // Cost: that of the plain operations, and a magnitude and a sum for each leaf.
 #ifdef PLUMB_FLOATS_TEXT  // alone it is nothing
@@ -140,7 +140,7 @@ class Floats {
   using Number = std::conditional_t<of_pairs, Pair<V>, V>;
 
   [[gnu::always_inline]] constexpr Floats()
-      : scales_{of_all(floor), of_all(floor), of_all(floor), of_all(floor)},
+      : scales_{of_all(first_of(0)), of_all(first_of(1)), of_all(first_of(2)), of_all(first_of(3))},
         weights_{of_all(0), of_all(0), of_all(0), of_all(0)} {
     if constexpr (on_lattice) {
       const V none = of_all(__builtin_huge_val());
@@ -240,24 +240,32 @@ class Floats {
   /// As much as a number of this track may be off.
   template <Track T>
   [[gnu::always_inline]] constexpr V reach() const {
-    return of_all(derive::reach(T)) * all_scales<T>();
+    return of_all(derive::reach(T) * slack) * all_scales<T>();
   }
   /// Doubles that are no more, and no less, than the exact number.
   template <Track T>
   [[gnu::always_inline]] constexpr V lower(const Tracked<Number, T>& x) const requires(!of_pairs) {
-    return minus_product(x.value, of_all(derive::margin(T)), all_scales<T>());
+    return minus_product(x.value, of_all(derive::margin(T) * slack), all_scales<T>());
   }
   template <Track T>
   [[gnu::always_inline]] constexpr V upper(const Tracked<Number, T>& x) const requires(!of_pairs) {
-    return plus_product(x.value, of_all(derive::margin(T)), all_scales<T>());
+    return plus_product(x.value, of_all(derive::margin(T) * slack), all_scales<T>());
   }
   template <Track T>
   [[gnu::always_inline]] constexpr Truth positive(const Tracked<Number, T>& x) const {
-    return above(rounded(x.value), doubt<T>());
+    if constexpr (by_square<T>()) {
+      return both(above(x.value, of_all(0)), is_large(x));
+    } else {
+      return above(rounded(x.value), doubt<T>());
+    }
   }
   template <Track T>
   [[gnu::always_inline]] constexpr Truth negative(const Tracked<Number, T>& x) const {
-    return above(of_all(0) - doubt<T>(), rounded(x.value));
+    if constexpr (by_square<T>()) {
+      return both(above(of_all(0), x.value), is_large(x));
+    } else {
+      return above(of_all(0) - doubt<T>(), rounded(x.value));
+    }
   }
   /// What is exactly zero; nothing of what is not known exactly.
   template <Track T>
@@ -303,6 +311,7 @@ class Floats {
   /// The scale, with what weighs in it; no leaf of it so far is larger.
   template <std::size_t s>
   [[gnu::always_inline]] constexpr V scale() const {
+    static_assert(!is_square(s), "its square is known");
     if constexpr (start.is_of_axes(s)) {
       return scales_[s];
     } else if constexpr (s == 0 && of.weights != 0) {
@@ -314,6 +323,11 @@ class Floats {
     } else {
       return in_all<s>();
     }
+  }
+  /// Its square, where it is the root of a sum of squares.
+  template <std::size_t s>
+  [[gnu::always_inline]] constexpr V square_of_scale() const requires(!on_lattice && (of.squares >> s & 1) != 0) {
+    return of_all(total(scales_[s])) + of_all(floor * floor);
   }
   /// A power of two of which all leaves of this scale are multiples; infinity, where all are zero.
   template <std::size_t s>
@@ -328,11 +342,11 @@ class Floats {
     }
   }
   /// Lane by lane: is no number none, and no scale too large?
-  [[gnu::always_inline]] constexpr Truth in_range() const { return above(of_all(1 / floor), sum_of_scales<0>()); }
+  [[gnu::always_inline]] constexpr Truth in_range() const { return above(of_all(limit), sum_of_scales<0>()); }
   /// May the answer be believed?  Not where a sign was unsure, a number none, or a scale too large.
   [[gnu::always_inline]] constexpr bool certain() const {
     if constexpr (of.each_axis == 0) {
-      return !unsure_ && x_of(sum_of_scales<0>()) < 1 / floor && (!required_.is_some() || all(required_.truth()));
+      return !unsure_ && x_of(sum_of_scales<0>()) < limit && (!required_.is_some() || all(required_.truth()));
     } else {
       return !unsure_ && all(required_.is_some() ? required_.truth() & in_range() : in_range());
     }
@@ -341,6 +355,34 @@ class Floats {
  private:
   static constexpr plumb::Track start{0, 0, 0, 0, 0, highest, of.each_axis, 0, of_pairs};
   static constexpr double floor = derive::floor_of(highest, of_pairs);
+
+  /// Of which scales are squares summed up?  Where they are, odd powers are judged by squares, and what their sums are
+  /// rounded is paid for: of some thousand leaves.
+  static constexpr unsigned squares = on_lattice ? 0 : of.squares;
+  static_assert(squares == 0 || (highest > 1 && of.weights == 0 && of.each_axis == 0 && !of.crosswise &&
+                                 (of.squares & of.maxima) == 0));
+  static constexpr bool all_squares = squares + 1 == 1U << of.count;
+  static constexpr double slack = squares == 0 ? 1 : 1 + 0x1p-39;
+  static constexpr double limit = all_squares ? 1 / floor / floor : 1 / floor;
+  static constexpr bool is_square(std::size_t s) { return (squares >> s & 1) != 0; }
+  static constexpr double first_of(std::size_t s) { return is_square(s) ? 0 : floor; }
+  template <Track T>
+  static constexpr bool by_square() {
+    if constexpr (squares != 0 && T.root != 0) {
+      for (std::size_t s = 0; s < of.count; ++s) {
+        if (is_square(s) && T.power(s, 0) % 2 != 0) return true;
+      }
+    }
+    return false;
+  }
+  /// Beyond its bound on either side: its square beyond the bound's.
+  template <Track T>
+  [[gnu::always_inline]] constexpr Truth is_large(const Tracked<Number, T>& x) const {
+    Listener::judged(T);
+    static_assert(T.others == 0 && 2 * T.total_power() <= highest);
+    const V in_bounds = x.value * of_all((1 - 0x1p-39) / (derive::threshold(T) * slack));
+    return above(in_bounds * in_bounds, all_powers<false, T.powers, 0, 2>());
+  }
 
   [[gnu::always_inline]] static constexpr Number as_number(const V& x) {
     if constexpr (of_pairs) {
@@ -372,6 +414,9 @@ class Floats {
     static_assert(scale < of.count);
     if constexpr ((of.maxima >> scale & 1) != 0) {
       scales_[scale] = larger(size(main_part(x)), scales_[scale]);
+    } else if constexpr (is_square(scale)) {  // as the statement sums them up, which need not be done twice
+      scales_[scale] = has_leaf_[scale] ? scales_[scale] + x * x : x * x;
+      has_leaf_[scale] = true;
     } else {
       scales_[scale] = scales_[scale] + size(main_part(x));
     }
@@ -379,7 +424,7 @@ class Floats {
   }
   template <Track T>
   [[gnu::always_inline]] constexpr V error() const {
-    return of_all(derive::threshold(T)) * all_scales<T>();
+    return of_all(derive::threshold(T) * slack) * all_scales<T>();
   }
   /// M.
   template <Track T>
@@ -434,9 +479,20 @@ class Floats {
   template <std::size_t s>
   [[gnu::always_inline]] constexpr V sum_of_scales() const {
     if constexpr (s + 1 == of.count) {
-      return scale<s>();
+      return in_sum<s>();
     } else {
-      return scale<s>() + sum_of_scales<s + 1>();
+      return in_sum<s>() + sum_of_scales<s + 1>();
+    }
+  }
+  /// What is in the sum of all scales.
+  template <std::size_t s>
+  [[gnu::always_inline]] constexpr V in_sum() const {
+    if constexpr (!is_square(s)) {
+      return scale<s>();
+    } else if constexpr (all_squares) {
+      return square_of_scale<s>();
+    } else {
+      return square_of_scale<s>() * of_all(floor);
     }
   }
 
@@ -469,27 +525,34 @@ class Floats {
       return turned_back(scale_or_unit<of_units, s>());
     }
   }
-  /// The product of the scales in these powers, or of their units, from that of number `at` on, 3 s + k.
-  template <bool of_units, std::uint64_t powers, std::size_t at = 0>
+  /// The product of the scales in these powers, or of their units, from that of number `at` on, 3 s + k; raised to
+  /// another power.
+  template <bool of_units, std::uint64_t powers, std::size_t at = 0, int more = 1>
   [[gnu::always_inline]] constexpr V all_powers() const {
     constexpr std::size_t next = derive::next_part(powers, at), end = 3 * plumb::Track::scales;
     static_assert(next < end, "a number without a scale");
     if constexpr (derive::next_part(powers, next + 1) == end) {
-      return part<of_units, powers, next>();
+      return part<of_units, powers, next, more>();
     } else {
-      return part<of_units, powers, next>() * all_powers<of_units, powers, next + 1>();
+      return part<of_units, powers, next, more>() * all_powers<of_units, powers, next + 1, more>();
     }
   }
-  template <bool of_units, std::uint64_t powers, std::size_t at>
+  template <bool of_units, std::uint64_t powers, std::size_t at, int more = 1>
   [[gnu::always_inline]] constexpr V part() const {
-    return raised<Track::power_in(powers, at / 3, at % 3)>(of_axis<of_units, at / 3, at % 3>());
+    constexpr int power = more * Track::power_in(powers, at / 3, at % 3);
+    if constexpr (is_square(at / 3)) {
+      static_assert(power % 2 == 0, "an odd power of a scale whose square is known");
+      return raised<power / 2>(square_of_scale<at / 3>());
+    } else {
+      return raised<power>(of_axis<of_units, at / 3, at % 3>());
+    }
   }
 
   struct Nothing {};
   std::array<V, plumb::Track::scales> scales_, weights_;
   [[no_unique_address]] std::conditional_t<on_lattice, std::array<V, plumb::Track::scales>, Nothing> units_,
       weight_units_;
-  std::array<bool, plumb::Track::scales> has_weight_{};
+  std::array<bool, plumb::Track::scales> has_weight_{}, has_leaf_{};
   Merged required_;
   bool unsure_ = false;
 };
