@@ -25,7 +25,7 @@ class Level {
     return std::ranges::all_of(of, [&](Index i) { return has(i); }) && rank(of) == dimension_;
   }
   [[nodiscard]] bool has(Index i) const {
-    if (all_.size() <= 3) return (i == all_[0]) | (i == all_[all_.size() / 2]) | (i == all_[all_.size() - 1]);
+    if (all_.size() <= 3) return i == all_[0] || i == all_[all_.size() / 2] || i == all_[all_.size() - 1];
     return std::ranges::binary_search(all_, i);
   }
 

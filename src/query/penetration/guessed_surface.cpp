@@ -10,9 +10,9 @@ namespace {
 using arith::Plain, arith::cross, arith::dot;
 
 constexpr std::uint32_t nowhere = ~0U;
-constexpr double nearly = 0x1p-40;       // a guess: what is no further beyond a plane lies in it
-constexpr double as_near = 1 + 0x1p-19;  // a guess: what is as near may be a tie; of squares
-constexpr double flat = 0x1p-30;         // a guess: what has no more volume than that has none
+constexpr double level_within = 0x1p-40;  // a guess: what is no further beyond a plane lies in it
+constexpr double as_near = 1 + 0x1p-19;   // a guess: what is as near may be a tie; of squares
+constexpr double least_volume = 0x1p-30;  // a guess: what has no more volume than that has none
 
 Plain plain_of(const std::array<GuessedSurface::Number, 3>& p) { return {p[0].value, p[1].value, p[2].value}; }
 Plain normal_of(const GuessedSurface::Facet& f) {
@@ -45,7 +45,7 @@ void GuessedSurface::grow_from_far() {
   const Plain p = plain_of(points_[0].at);
   const auto way = [&](std::size_t i) { return plain_of(points_[i].at) - p; };
   const double volume = dot(cross(way(1), way(2)), way(3));
-  is_sound_ = is_sound_ && std::fabs(volume) > size_ * size_ * size_ * flat;
+  is_sound_ = is_sound_ && std::fabs(volume) > size_ * size_ * size_ * least_volume;
   if (is_sound_) begin();
 }
 
@@ -100,7 +100,7 @@ std::uint32_t GuessedSurface::make(std::uint32_t p, std::uint32_t q, std::uint32
   facet.corner = {p, q, r}, facet.is_there = true;
   facet.plane = TrianglePlane<Number>(points_[p].at, points_[q].at, points_[r].at);
   const Plain n = normal_of(facet);
-  facet.doubt = (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z)) * size_ * nearly;
+  facet.doubt = (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z)) * size_ * level_within;
   const double h = facet.plane.height.value, rank = h * std::fabs(h) / facet.plane.square.value;
   rank_[f] = std::fabs(rank) < HUGE_VAL ? rank : HUGE_VAL;
   return f;
@@ -131,7 +131,7 @@ void GuessedSurface::run() {
   best_ = HUGE_VAL;
   while (is_sound_) {
     const std::uint32_t least = nearest();
-    const double rank = rank_[least], none = size_ * nearly * (size_ * nearly);
+    const double rank = rank_[least], none = size_ * level_within * (size_ * level_within);
     if (rank == HUGE_VAL || rank > std::max(best_ * as_near, none)) return;
     const Facet& f = facets_[least];
     const Ends e = farthest(normal_of(f), points_[f.corner[0]].ends);

@@ -59,9 +59,9 @@ std::optional<std::array<LevelCorners, 2>> level_in(const Difference& d, Guessed
 }
 
 /// The triangles that are nearest, or through the origin, as far as running errors tell.
-class Nearest {
+class NearestTriangles {
  public:
-  explicit Nearest(const Difference& d) : d_(d) {}
+  explicit NearestTriangles(const Difference& d) : d_(d) {}
 
   [[nodiscard]] bool touches() const { return touches_; }
   [[nodiscard]] const ShortList<Candidate, 8>& all() const { return all_; }
@@ -142,7 +142,7 @@ const GuessedSurface::Facet* only_nearest(const Difference& d, const GuessedSurf
 }
 
 /// All that are nearest, or through the origin; false where one has the origin before it.
-bool find_nearest(const GuessedSurface& s, const FartherThan& far, Nearest& nearest) {
+bool find_nearest(const GuessedSurface& s, const FartherThan& far, NearestTriangles& nearest) {
   for (const GuessedSurface::Facet& f : s.facets()) {
     if (f.is_there && !far.is_farther(f) && !nearest.add(s.ends_of(f), f)) return false;
   }
@@ -154,9 +154,9 @@ bool find_nearest(const GuessedSurface& s, const FartherThan& far, Nearest& near
 }
 
 /// Planes that are told, and of each what of both bodies lies in it.
-class Told {
+class ToldPlanes {
  public:
-  Told(const Difference& d, GuessedSurface& s) : d_(d), surface_(s) {}
+  ToldPlanes(const Difference& d, GuessedSurface& s) : d_(d), surface_(s) {}
 
   /// Is it in a plane that is told?
   [[nodiscard]] bool has(const Candidate& c) const {
@@ -192,12 +192,12 @@ class Told {
 std::optional<NearestPlanes> proved(const Difference& d, GuessedSurface& s) {
   if (!s.is_sound() || !s.is_closed()) return {};
   const FartherThan far(s);
-  Told told(d, s);
+  ToldPlanes told(d, s);
   if (const GuessedSurface::Facet* only = only_nearest(d, s, far)) {
     if (!told.add({s.ends_of(*only), only, Running()})) return {};
     return told.as(Origin::inside);
   }
-  Nearest nearest(d);
+  NearestTriangles nearest(d);
   if (!find_nearest(s, far, nearest) || nearest.all().empty()) return {};
   const bool touches = nearest.touches();
   const Candidate* best = std::ranges::min_element(nearest.all(), {}, [](const auto& c) { return c.square.value; });
