@@ -64,10 +64,11 @@ double rounding_of_image(const Pose& pose, double largest, double off) {
   // Three coordinates, each of which is the nearest double: together off by less than two of the largest one's steps.
   const double size = (stretch * reach + magnitudes(pose.translation)).upper;
   const Interval step = Interval(std::nextafter(size, HUGE_VAL)) - Interval(size);
-  // A direction whose largest coordinate is between a half and one is off by less than 2^-52 of it in all, and so less
-  // than 2^-51 of the longest column: no point of the figure, which is less than four times its reach across, can be
-  // farther along than the one that is told by more.
-  const Interval turned = stretch * reach * Interval(0x1p-49);
+  // A direction whose largest coordinate is between a half and one has three that are off by a quarter of the step at
+  // one at most: less than that step together, twice as much of the direction, and so of the longest column.  No point of
+  // the figure, which is less than four times its reach across, can be farther along than the one that is told by more.
+  const Interval grain = Interval(std::nextafter(1.0, 2.0)) - Interval(1.0);
+  const Interval turned = stretch * reach * grain * Interval(8.0);
   const double most = (stretch * Interval(off) + step + step + turned).upper;
   if (!is_real(most) || !is_real(size))
     throw BeyondDoubles("support_point: the image of a figure under its pose is beyond all doubles");
