@@ -56,9 +56,11 @@ void KeptRange::fill() {
       if (space::boxes_meet(box, region_, true)) row_.push_back({box, t, triangles.number(slot)});
     }
   });
-  std::ranges::sort(row_, {}, &Kept::number);
-  const auto rest = std::ranges::unique(row_, {}, &Kept::number);  // one may be in several slots
-  row_.erase(rest.begin(), rest.end());
+  std::sort(row_.begin(), row_.end(), [](const Kept& a, const Kept& b) { return a.number < b.number; });
+  const auto is_same = [](const Kept& a, const Kept& b) {
+    return a.number == b.number;
+  };  // one may be in several slots
+  row_.erase(std::unique(row_.begin(), row_.end(), is_same), row_.end());
   is_filled_ = true;
 }
 

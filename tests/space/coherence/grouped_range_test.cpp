@@ -43,7 +43,7 @@ void expect_groups(const TriangleMesh& mesh, const Bvh& bvh, const std::vector<S
 TEST(GroupedRange, FindsWhatEachShapeMeets) {
   std::size_t boxes_found = 0, segments_found = 0;
   VisitStamps seen;
-  shape_cases::on_shapes(1781, battery::fitting(200), [&](Material& m) {
+  shape_cases::on_shapes(1781, battery::fitting(200u), [&](Material& m) {
     const TriangleMesh mesh = meshes::soup(m, 1 + m.below(20), m.below(30));
     const Bvh bvh = build_bvh(mesh, {.most_in_leaf = 1 + static_cast<std::uint32_t>(m.below(4))});
     std::vector<Aabb3> boxes;
@@ -95,7 +95,7 @@ TEST(GroupedRange, OfSwarmsFrameByFrame) {
 /// Shapes of hard numbers, each asked where it is and a few steps on.
 TEST(KeptRange, FindsWhatTheTreeFinds) {
   std::size_t by_row = 0, by_tree = 0, found = 0;
-  shape_cases::on_shapes(1783, battery::fitting(80), [&](Material& m) {
+  shape_cases::on_shapes(1783, battery::fitting(80u), [&](Material& m) {
     const TriangleMesh mesh = meshes::soup(m, 1 + m.below(20), m.below(30));
     const Bvh bvh = build_bvh(mesh, {.most_in_leaf = 1 + static_cast<std::uint32_t>(m.below(4)),
                                      .split_share = m.below(3) == 0 ? 1.0F : 0.0F});
