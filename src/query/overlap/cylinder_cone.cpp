@@ -1,4 +1,5 @@
-// Lines, rays and segments against cylinders and cones.
+// Cylinders and cones against lines, rays and segments by a quadratic; against what has faces and against balls by
+// query/convex/axis_relation.hpp.
 #include <optional>
 
 #include "arith/approximate.hpp"
@@ -11,9 +12,11 @@
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
+#include "query/convex/axis_relation.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/pair_answer.hpp"
 #include "query/overlap/past_cylinder.hpp"
+#include "query/overlap/polygon_relation.hpp"
 
 namespace plumb {
 namespace query {
@@ -239,6 +242,56 @@ Relation relate_spanned(const ThreePointPlane3& line, const Round& round) {
   return *crossing<BigDyadic>(line, round);
 }
 
+AxisRound as_shape(const Cylinder3& c) { return &c; }
+AxisRound as_shape(const Cone3& c) { return &c; }
+Segment3 axis_segment(const Cylinder3& c) { return {c.a, c.b}; }
+Segment3 axis_segment(const Cone3& c) { return {c.apex, c.base}; }
+
+/// The capsule around a shape parts it from most; where the inside of the axis is met, so is that of the shape.
+template <class Shape, class Round>
+std::optional<Relation> quick_relation(const Shape& s, const Round& round, Question question) {
+  const auto [from, to] = axis_segment(round);
+  const auto ask = [&](const auto& other) {
+    if constexpr (PairOfTable<Shape, std::remove_cvref_t<decltype(other)>>) {
+      return relate_as(question, s, other);
+    } else {
+      return relate(s, other);
+    }
+  };
+  if (from == to) return ask(Sphere3{from, round.radius});
+  if (round.radius == 0) return ask(Segment3{from, to});
+  if (ask(Capsule3{from, to, round.radius}) == Relation::disjoint) return Relation::disjoint;
+  if (relate(s, Segment3{from, to}) == Relation::overlapping) return Relation::overlapping;
+  return {};
+}
+
+template <class Flat, class Round>
+Relation relate_axis_round(const Flat& s, const Round& round, Question question) {
+  require_figures(question, s, round);
+  if (const auto quick = quick_relation(s, round, question)) return *quick;
+  if constexpr (is_one_of(figure_kind<Flat>,
+                          {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon})) {
+    return relate_axis_shape(exact_chains(name_of(question), view_of(s)), as_shape(round));
+  } else {
+    return relate_axis_shape(flat_set(s), as_shape(round));
+  }
+}
+
+template <class Round, class Flat>
+Relation relate_axis_round_last(const Round& round, const Flat& s, Question question) {
+  return relate_axis_round(s, round, question);
+}
+
+template <class Round>
+Relation relate_ball_and_axis_round(const Sphere3& ball, const Round& round, Question question) {
+  require_figures(question, ball, round);
+  if (ball.radius == 0) return relate_as(question, ball.center, round);
+  if (const auto quick = quick_relation(ball, round, question)) return *quick;
+  const auto& [center, r] = ball;
+  const mpq_class radius(r);
+  return relate_axis_shape(Exact3{center.x, center.y, center.z}, mpq_class(radius * radius), as_shape(round));
+}
+
 }  // namespace
 
 Relation relate_spanned_line(const ThreePointPlane3& line, const Cylinder3& shape) {
@@ -261,6 +314,30 @@ PLUMB_PAIR_ANSWER(Segment3, Cylinder3, relate_line)
 PLUMB_PAIR_ANSWER(Line3, Cone3, relate_line)
 PLUMB_PAIR_ANSWER(Ray3, Cone3, relate_line)
 PLUMB_PAIR_ANSWER(Segment3, Cone3, relate_line)
+PLUMB_PAIR_ANSWER(Triangle3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Triangle3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Quadrilateral3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Quadrilateral3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Polygon3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Polygon3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(HoledPolygon3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(HoledPolygon3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Rectangle3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Rectangle3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Tetrahedron3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Tetrahedron3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Sphere3, Cylinder3, relate_ball_and_axis_round)
+PLUMB_PAIR_ANSWER(Sphere3, Cone3, relate_ball_and_axis_round)
+PLUMB_PAIR_ANSWER(Aabb3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Aabb3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Obb3, Cylinder3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Obb3, Cone3, relate_axis_round)
+PLUMB_PAIR_ANSWER(Cylinder3, KDop3, relate_axis_round_last)
+PLUMB_PAIR_ANSWER(Cylinder3, HalfspaceIntersection3, relate_axis_round_last)
+PLUMB_PAIR_ANSWER(Cylinder3, ConvexPolyhedron3, relate_axis_round_last)
+PLUMB_PAIR_ANSWER(Cone3, KDop3, relate_axis_round_last)
+PLUMB_PAIR_ANSWER(Cone3, HalfspaceIntersection3, relate_axis_round_last)
+PLUMB_PAIR_ANSWER(Cone3, ConvexPolyhedron3, relate_axis_round_last)
 
 }  // namespace query
 }  // namespace plumb

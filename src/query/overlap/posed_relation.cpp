@@ -12,6 +12,7 @@
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
+#include "query/convex/axis_relation.hpp"
 #include "query/convex/ellipsoid_pair.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/posed_set.hpp"
@@ -144,13 +145,23 @@ class PosedRelation {
     return map;
   }
 
-  /// Of a line, a plane or a part of one, as the shape sees it before its pose.
+  /// As the shape sees the other before its pose.
   Relation axis_with(const PosedSet& round, const PosedSet& other) const {
+    if (other.is_polygon() || other.is_round()) return axis_with_uneven(round, other);
     const Preimage part = preimage(round.map, image(other));
-    return of_part(straight_with(part.set, round.axis), part.of_inside);
+    return of_part(flat_with(part.set, round.axis), part.of_inside);
+  }
+  Relation axis_with_uneven(const PosedSet& round, const PosedSet& other) const {
+    if (is_singular(round.map)) refuse("a pose flattens the shape; give one whose matrix is not singular");
+    const ExactMap seen = composed(inverse(round.map), other.map);
+    if (other.is_polygon()) return relate_axis_shape(image(seen, other.chains), round.axis);
+    const auto scale = squared_scale(seen, 3);
+    if (!scale)
+      refuse("the ball is none as the shape sees it; give poses of columns at right angles and of one length");
+    return relate_axis_shape(image(seen, other.core.points[0]), other.radius * other.radius * *scale, round.axis);
   }
 
-  Relation straight_with(const FlatSet& s, const AxisRound& shape) const {
+  Relation flat_with(const FlatSet& s, const AxisRound& shape) const {
     std::vector<Exact3> points = s.points, lines;
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -175,7 +186,7 @@ class PosedRelation {
       if (ways == 1 && sgn(dot(normal, s.directions[0])) > 0) normal = mpq_class(-1) * normal;
       return relate_axis_plane({vector(normal), number(dot(normal, points[0])), ways == 1}, shape);
     }
-    refuse("a pose flattens the shape; give one whose matrix is not singular");
+    return relate_axis_shape(s, shape);
   }
 
   std::string_view function_;

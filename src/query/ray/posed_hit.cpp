@@ -2,6 +2,7 @@
 // pose.
 #include <string>
 
+#include "arith/big_rounding.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/ray/posed.hpp"
@@ -10,6 +11,7 @@
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_set.hpp"
 #include "query/overlap/polygon_relation.hpp"
+#include "query/ray/posed_faces.hpp"
 #include "query/ray/posed_round.hpp"
 #include "query/ray/posed_triangle.hpp"
 #include "query/ray/shot.hpp"
@@ -56,32 +58,9 @@ std::optional<mpq_class> first_in(ExactShot s, const FlatSet& set) {
   return first_of_span(s);
 }
 
-Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
-
-}  // namespace
-
-std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& triangle, HitRule rule) {
-  const PosedView view = posed_view(triangle);
-  as_given(ray, [&](const auto& given) { require_posed("first_hit", posed_view(given), view); });
-  return first_hit(ray, triangle, rule);
-}
-
-std::optional<RayParameter> posed_first_hit_parameter(std::string_view function, const PosedView& ray,
-                                                      const PosedView& figure) {
-  require_posed(function, ray, figure);
-  ExactShot shot = exact_shot(ray);
-  const PosedSet s = posed_set(figure);
-  if (s.is_round()) {
-    if (is_singular(s.map)) {
-      throw UnevenPose(std::string(function)
-                           .append(": ")
-                           .append(spoken(figure.figure))
-                           .append(": its pose flattens it; give one whose matrix is not singular"));
-    }
-    const ExactMap back = inverse(s.map);
-    shot.from = image(back, shot.from), shot.along = turned(back, shot.along);
-    return first_in_fat(shot, s.core, s.radius);
-  }
+/// Of a figure with straight edges and flat faces.
+std::optional<mpq_class> first_in_flat(std::string_view function, const ExactShot& shot, const PosedSet& s,
+                                       const PosedView& figure) {
   std::vector<FlatSet> pieces;
   if (figure.figure.kind != FigureKind::ball && is_polygon(figure.figure)) {
     const ExactChains chains = image(s.map, exact_chains(function, figure.figure));
@@ -95,6 +74,86 @@ std::optional<RayParameter> posed_first_hit_parameter(std::string_view function,
     const auto t = first_in(shot, piece);
     if (t && (!first || *t < *first)) first = t;
   }
+  return first;
+}
+
+/// The line before the figure's pose.
+ExactShot as_seen(std::string_view function, const ExactShot& shot, const PosedSet& s, const FigureView& figure) {
+  if (is_singular(s.map)) {
+    throw UnevenPose(std::string(function)
+                         .append(": ")
+                         .append(spoken(figure))
+                         .append(": its pose flattens it; give one whose matrix is not singular"));
+  }
+  const ExactMap back = inverse(s.map);
+  return {image(back, shot.from), turned(back, shot.along), shot.least, shot.most};
+}
+
+bool is_inside(const FigureView& figure, const Feature& feature) {
+  return feature.kind == FeatureKind::interior || (figure.dimension == 2 && feature.kind == FeatureKind::face);
+}
+
+/// Of a ball or a capsule.
+std::optional<Hit> hit_posed_round(const ExactShot& shot, const PosedSet& s, const FigureView& figure) {
+  const ExactShot seen = as_seen("first_hit", shot, s, figure);
+  const auto t = first_in_fat(seen, s.core, s.radius);
+  if (!t) return {};
+  const RoundMeeting met = round_meeting(seen, s.core, s.radius, *t);
+  const mpq_class& base = t->base.value().value;
+  const auto at = [&](const Exact3& still, const Exact3& moving) {
+    const Exact3 x = still + base * moving;
+    return std::array{rounded_at(x[0], moving[0], *t), rounded_at(x[1], moving[1], *t),
+                      rounded_at(x[2], moving[2], *t)};
+  };
+  const bool in_plane = figure.dimension == 2;
+  const auto [x, y, z] = at(shot.from, shot.along);
+  Hit hit{t->rounded(), {x, y, z}, {in_plane ? FeatureKind::face : FeatureKind::interior, 0}, {0, 0, 0}};
+  if (!met.part) return hit;
+  hit.feature = {in_plane ? FeatureKind::edge : FeatureKind::face, *met.part};
+  const auto [u, v, w] = at(outward(s.map, met.still), outward(s.map, met.moving));
+  hit.normal = {u, v, w};
+  return hit;
+}
+
+double nearest(const mpq_class& x) { return rounded(Rounding::nearest, x) + 0.0; }
+Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
+
+}  // namespace
+
+std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& triangle, HitRule rule) {
+  const PosedView view = posed_view(triangle);
+  as_given(ray, [&](const auto& given) { require_posed("first_hit", posed_view(given), view); });
+  return first_hit(ray, triangle, rule);
+}
+
+std::optional<Hit> posed_first_hit(const PosedView& ray, const PosedView& figure) {
+  require_posed("first_hit", ray, figure);
+  const ExactShot shot = exact_shot(ray);
+  const PosedSet s = posed_set(figure);
+  if (s.is_round()) return hit_posed_round(shot, s, figure.figure);
+  const auto t = first_in_flat("first_hit", shot, s, figure);
+  if (!t) return {};
+  const Exact3 point = shot.from + *t * shot.along;
+  // What is near by a radius of zero is a point or a segment, which is all of its surface.
+  const bool is_thin = is_one_of(figure.figure.kind, {FigureKind::ball, FigureKind::capsule});
+  const FeatureKind surface = figure.figure.dimension == 2 ? FeatureKind::edge : FeatureKind::face;
+  const Feature feature = is_thin ? Feature{surface, 0} : hit_feature(figure.figure, s.map, point);
+  Hit hit{nearest(*t), {nearest(point[0]), nearest(point[1]), nearest(point[2])}, feature, {0, 0, 0}};
+  if (is_thin || is_inside(figure.figure, feature)) return hit;
+  const Exact3 normal = normal_at(figure.figure, s.map, point, shot.along);
+  hit.normal = {nearest(normal[0]), nearest(normal[1]), nearest(normal[2])};
+  return hit;
+}
+
+std::optional<RayParameter> posed_first_hit_parameter(std::string_view function, const PosedView& ray,
+                                                      const PosedView& figure) {
+  require_posed(function, ray, figure);
+  const ExactShot shot = exact_shot(ray);
+  const PosedSet s = posed_set(figure);
+  if (s.is_round()) {
+    return first_in_fat(as_seen(function, shot, s, figure.figure), s.core, s.radius);
+  }
+  const auto first = first_in_flat(function, shot, s, figure);
   if (!first) return {};
   return RayParameter{exact_number(*first)};
 }

@@ -1,5 +1,6 @@
 #include "query/ray/posed_round.hpp"
 
+#include "arith/rounded_radical.hpp"
 #include "plumb/arith/big.hpp"
 #include "query/convex/exact_gap.hpp"
 
@@ -75,6 +76,39 @@ class FirstEntry {
 };
 
 }  // namespace
+
+RoundMeeting round_meeting(const ExactShot& shot, const FlatSet& core, const mpq_class& radius, const RayParameter& t) {
+  RoundMeeting met{0, shot.from - core.points[0], shot.along};
+  if (t.square.sign() == Sign::zero) {
+    const FlatSet place{{shot.from + t.base.value().value * shot.along}, {}, {}};
+    if (*squared_distance(core, place) < radius * radius) met.part.reset();
+  }
+  if (core.points.size() < 2 || core.points[0] == core.points[1]) return met;
+  const Exact3 axis = core.points[1] - core.points[0];
+  const mpq_class length = dot(axis, axis), height = dot(met.still, axis), rise = dot(shot.along, axis);
+  if (sign_of_line(height, rise, t) < 0) {
+    if (met.part) met.part = 1;
+  } else if (sign_of_line(height - length, rise, t) > 0) {
+    if (met.part) met.part = 2;
+    met.still = shot.from - core.points[1];
+  } else {
+    met.still = met.still - mpq_class(height / length) * axis;
+    met.moving = met.moving - mpq_class(rise / length) * axis;
+  }
+  return met;
+}
+
+double rounded_at(const mpq_class& base, const mpq_class& share, const RayParameter& t) {
+  const mpq_class& square = t.square.value().value;
+  const auto number = [](const mpz_class& x) { return BigDyadic(x); };
+  const mpz_class root = square.get_num() * square.get_den();  // of (share / den) sqrt(num den)
+  mpq_class over = share / square.get_den();
+  if (!t.greater) over = -over;
+  const mpz_class scale = base.get_den() * over.get_den();
+  return rounded_radical(Rounding::nearest, number(base.get_num() * over.get_den()),
+                         number(over.get_num() * base.get_den()), number(root), number(scale)) +
+         0.0;
+}
 
 std::optional<RayParameter> first_in_fat(const ExactShot& shot, const FlatSet& core, const mpq_class& radius) {
   if (shot.least) {

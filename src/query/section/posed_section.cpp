@@ -7,6 +7,7 @@
 #include "query/convex/posed_set.hpp"
 #include "query/convex/set.hpp"
 #include "query/section/exact_section.hpp"
+#include "query/section/meet_halfspaces.hpp"
 
 namespace plumb::query {
 namespace {
@@ -61,10 +62,16 @@ CommonPart common_part(const FlatSet& a, const FlatSet& b) {
 
 FlatSet convex_image(const PosedView& v) {
   PosedSet s = posed_set(v);
-  if (v.figure.kind == FigureKind::polygon && v.figure.dimension == 2) {
-    const auto& polygon = *static_cast<const Polygon2*>(v.figure.shape);
-    (void)meeting::convex_set(polygon);  // throws where it is not convex
-    for (const Point2& p : polygon.vertices) s.core.points.push_back({mpq_class(p.x), mpq_class(p.y), mpq_class(0)});
+  if (v.figure.kind == FigureKind::polygon) {
+    const auto take = [&](const auto& polygon, const auto& exact) {
+      (void)meeting::convex_set(polygon);  // throws where it is not convex
+      for (const auto& p : polygon.vertices) s.core.points.push_back(exact(p));
+    };
+    if (v.figure.dimension == 2) {
+      take(*static_cast<const Polygon2*>(v.figure.shape), [](const Point2& p) { return Exact3{p.x, p.y, 0}; });
+    } else {
+      take(*static_cast<const Polygon3*>(v.figure.shape), [](const Point3& p) { return Exact3{p.x, p.y, p.z}; });
+    }
   }
   return image(s);
 }
@@ -106,5 +113,16 @@ Intersection2 posed_intersection2(const PosedView& a, const PosedView& b) {
   return r;
 }
 Intersection3 posed_intersection3(const PosedView& a, const PosedView& b) { return told3(common_part(a, b)); }
+
+SolidIntersection3 posed_solid(const PosedView& a, const PosedView& b) {
+  require_posed("intersection", a, b);
+  std::vector<ExactHalfspace> all;
+  for (const PosedView* v : {&a, &b}) {
+    const FlatSet s = convex_image(*v);
+    if (s.points.empty()) return {};
+    for (ExactHalfspace& h : halfspaces_of(s)) all.push_back(std::move(h));
+  }
+  return meeting::meet_halfspaces(all);
+}
 
 }  // namespace plumb::query

@@ -9,6 +9,7 @@
 #include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
 #include "query/time_of_impact/body_meeting.hpp"
+#include "query/time_of_impact/lifted_motion.hpp"
 #include "query/time_of_impact/polygon_contact.hpp"
 
 namespace plumb::query {
@@ -45,9 +46,25 @@ struct PosedBodies {
   bool some_polygon;
 };
 
+bool is_in_plane(const PosedMotion& m) { return m.figure.figure.dimension == 2; }
+
+/// Two of the plane, looked at, in the plane z = 0.
+struct LiftedPair {
+  LiftedPair(std::string_view function, const PosedMotion& of_a, const PosedMotion& of_b) : a(of_a), b(of_b) {
+    require_posed(function, of_a.figure, of_b.figure);
+  }
+  LiftedMotion a, b;
+};
+
 }  // namespace
 
 std::optional<Contact> posed_contact(const PosedMotion& a, const PosedMotion& b) {
+  if (is_in_plane(a)) {
+    const LiftedPair lifted("first_contact", a, b);
+    const auto c = posed_contact(lifted.a.motion(), lifted.b.motion());
+    if (!c) return {};
+    return Contact{c->time, lifted.a.in_plane(c->feature_a), lifted.b.in_plane(c->feature_b)};
+  }
   const PosedBodies bodies("first_contact", a, b);
   if (!bodies.some_polygon) return body_contact("first_contact", bodies.a, bodies.b, posed_figures_at_start);
   const auto m = polygon_meeting("first_contact", a, b);
@@ -55,12 +72,20 @@ std::optional<Contact> posed_contact(const PosedMotion& a, const PosedMotion& b)
   return Contact{m->time.rounded(Rounding::down) + 0.0, m->of_a, m->of_b};
 }
 std::optional<Root> posed_contact_time(const PosedMotion& a, const PosedMotion& b) {
+  if (is_in_plane(a)) {
+    const LiftedPair lifted("first_contact_time", a, b);
+    return posed_contact_time(lifted.a.motion(), lifted.b.motion());
+  }
   const PosedBodies bodies("first_contact_time", a, b);
   if (!bodies.some_polygon) return body_contact_time("first_contact_time", bodies.a, bodies.b, posed_figures_at_start);
   const auto m = polygon_meeting("first_contact_time", a, b);
   return m ? std::optional(m->time) : std::nullopt;
 }
 bool posed_bodies_meet(const PosedMotion& a, const PosedMotion& b) {
+  if (is_in_plane(a)) {
+    const LiftedPair lifted("intersects", a, b);
+    return posed_bodies_meet(lifted.a.motion(), lifted.b.motion());
+  }
   const PosedBodies bodies("intersects", a, b);
   if (!bodies.some_polygon) return bodies_meet("intersects", bodies.a, bodies.b, posed_figures_at_start);
   return polygon_meeting("intersects", a, b).has_value();

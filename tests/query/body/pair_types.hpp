@@ -27,16 +27,18 @@ using Space = Types<Point3, Line3, Ray3, Segment3, Plane3, ThreePointPlane3, Hal
 
 enum class PairOracle : unsigned char {
   none,
-  cells,   // linear programs between convex cells: pair_oracle.hpp, by overlap_pairs_test and overlap_pairs2_test
-  core,    // the distance of a core, against the radius: round_oracle.hpp, by overlap_round_test
-  parts,   // of a cap: flat convex sets within a ball, by overlap_cap_test
-  surface  // a quadratic along a line, or what a disk reaches: axis_oracle.hpp, by overlap_round_shapes_test
+  cells,    // linear programs between convex cells: pair_oracle.hpp, by overlap_pairs_test and overlap_pairs2_test
+  core,     // the distance of a core, against the radius: round_oracle.hpp, by overlap_round_test
+  parts,    // of a cap: flat convex sets within a ball, by overlap_cap_test
+  surface,  // a quadratic along a line, or what a disk reaches: axis_oracle.hpp, by overlap_round_shapes_test
+  seen      // what of a set is between the ends of an axis, seen along it, or a ball's section: overlap_axis_solid_test
 };
 
 constexpr bool has_core(FigureKind k) {
   return query::is_one_of(k, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
 }
 constexpr bool has_axis(FigureKind k) { return query::is_one_of(k, {FigureKind::cylinder, FigureKind::cone}); }
+constexpr bool is_swept(FigureKind k) { return query::is_one_of(k, {FigureKind::capsule, FigureKind::lozenge}); }
 constexpr bool is_straight_or_plane(FigureKind k) {
   return query::is_one_of(k, {FigureKind::point, FigureKind::line, FigureKind::ray, FigureKind::segment,
                               FigureKind::plane, FigureKind::three_point_plane, FigureKind::halfspace});
@@ -44,7 +46,11 @@ constexpr bool is_straight_or_plane(FigureKind k) {
 constexpr PairOracle oracle_of(FigureKind a, FigureKind b) {
   if (b == FigureKind::spherical_cap || a == FigureKind::spherical_cap) return PairOracle::parts;
   const bool axis_a = has_axis(a), axis_b = has_axis(b);
-  if (axis_a || axis_b) return is_straight_or_plane(axis_a ? b : a) ? PairOracle::surface : PairOracle::none;
+  if (axis_a || axis_b) {
+    const FigureKind other = axis_a ? b : a;
+    if (is_straight_or_plane(other)) return PairOracle::surface;
+    return axis_a == axis_b || is_swept(other) ? PairOracle::none : PairOracle::seen;
+  }
   return has_core(a) || has_core(b) ? PairOracle::core : PairOracle::cells;
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "plumb/figure.hpp"
-#include "query/overlap/round_oracle.hpp"
+#include "query/overlap/cut_set.hpp"
 
 namespace plumb {
 namespace {
@@ -11,42 +11,6 @@ namespace {
 using oracle::RationalPoint, oracle::Spanned;
 using pair_cases::Answers;
 using shape_cases::Material, shape_cases::on_shapes;
-
-/// What of a set lies in a halfspace, by its generators and what is between two of them.
-struct CutSet {
-  CutSet(const Spanned& set, const Halfspace3& h) {
-    struct Generator {
-      RationalPoint at;
-      mpq_class weight, height;
-    };
-    std::vector<Generator> all;
-    const auto add = [&](const RationalPoint& at, int weight) {
-      all.push_back({at, weight, oracle::dot(oracle::rational(h.normal), at) - weight * mpq_class(h.offset)});
-    };
-    for (const RationalPoint& p : set.points) add(p, 1);
-    for (const RationalPoint& d : set.directions) add(d, 0);
-    const auto keep = [this](const RationalPoint& at, const mpq_class& weight) {
-      if (sgn(weight) == 0) {
-        within.directions.push_back(at);
-      } else {
-        within.points.push_back(oracle::times_rational(at, 1 / weight));
-      }
-    };
-    for (const Generator& g : all) {
-      if (sgn(g.height) <= 0) keep(g.at, g.weight);
-      reaches_inside = reaches_inside || sgn(g.height) < 0;
-      for (const Generator& f : all) {
-        if (sgn(g.height) <= 0 || sgn(f.height) >= 0) continue;
-        keep(oracle::sum(oracle::times_rational(f.at, g.height), -f.height, g.at),
-             g.height * f.weight - f.height * g.weight);
-      }
-    }
-    if (within.points.empty()) within = {};
-    if (h.normal == Vector3{0, 0, 0}) reaches_inside = h.offset >= 0;  // all of space
-  }
-  Spanned within;
-  bool reaches_inside = false;  // the halfspace without its plane
-};
 
 enum class CapForm { nothing, point, solid };
 struct FormOfCap {
@@ -73,7 +37,7 @@ Relation expected_relation(const Flat& flat, const SphericalCap3& cap) {
   if (which.form == CapForm::point) return oracle::RoundOracle(middle, pieces).relation(0);
   Relation most = Relation::disjoint;
   for (const Spanned& piece : pieces.inner) {  // one, of a convex set
-    const CutSet cut(piece, cap.halfspace);
+    const oracle::CutSet cut(piece, oracle::rational(cap.halfspace.normal), cap.halfspace.offset);
     if (cut.within.points.empty()) continue;
     const Relation near = oracle::RoundOracle(middle, {{cut.within}, {}}).relation(cap.sphere.radius);
     most = near == Relation::overlapping && !cut.reaches_inside ? Relation::touching : near;

@@ -185,7 +185,10 @@ TEST(PosedOverlap, WhatIsNotAnsweredSaysSo) {
   EXPECT_EQ(relate(Posed{ball, sheared}, Sphere3{{1, 0, 0}, 0}), Relation::touching);  // a point
   EXPECT_EQ(relate(Posed{ball, Pose{{}, {3, 0, 0}}}, Sphere3{{1, 0, 0}, 2}), Relation::touching);
   EXPECT_THROW(relate(Posed{ball, flat}, Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), UnevenPose);
-  EXPECT_THROW(relate(Posed{Cylinder3{{0, 0, 0}, {1, 0, 0}, 1}, flat}, Segment3{{0, 0, 0}, {1, 0, 0}}), UnevenPose);
+  const Posed can{Cylinder3{{0, 0, 0}, {1, 0, 0}, 1}, flat};  // a rectangle
+  EXPECT_EQ(relate(can, Segment3{{0, 0, 0}, {1, 0, 0}}), Relation::overlapping);
+  EXPECT_EQ(relate(can, Segment3{{0, 1, -1}, {1, 1, 1}}), Relation::touching);
+  EXPECT_THROW(relate(can, ball), UnevenPose);
 }
 
 TEST(PosedOverlap, NumbersThatAreNoneAreNamed) {

@@ -21,6 +21,34 @@ Parameter asked(const query::PosedView& a, const query::PosedView& b) {
 }
 bool same(const Parameter& a, const Parameter& b) { return a.has_value() == b.has_value() && (!a || (*a <=> *b) == 0); }
 
+using OneHit = std::optional<Hit>;
+OneHit in_space(const OneHit& h) { return h; }
+OneHit in_space(const std::optional<Hit2>& h) {
+  if (!h) return {};
+  return Hit{h->t, {h->point.x, h->point.y, 0}, h->feature, {h->normal.x, h->normal.y, 0}};
+}
+/// Which laws of whole hits fail, a bit each.
+int broken_hits(const query::FigureView& a, const query::FigureView& b, const Pose& pose, const OneHit& plain) {
+  const Pose2 flat = in_plane(pose), stays{{{{1, 0}, {0, 1}}}, {0, 0}};
+  const OneHit still = query::posed_first_hit({a}, posed_by(b, identity_pose, stays)),
+               moved = query::posed_first_hit(posed_by(a, pose, flat), posed_by(b, pose, flat));
+  const bool moves_alike =
+      plain.has_value() == moved.has_value() && (!plain || (plain->t == moved->t && plain->feature == moved->feature));
+  return (still == plain ? 0 : 1) | (moves_alike ? 0 : 2);
+}
+
+/// Whose normals are cross products of their edges.
+constexpr bool has_corners(FigureKind k) {
+  return query::is_one_of(
+      k, {FigureKind::segment, FigureKind::three_point_plane, FigureKind::triangle, FigureKind::quadrilateral,
+          FigureKind::polygon, FigureKind::holed_polygon, FigureKind::tetrahedron});
+}
+bool is_that_of_image(const OneHit& hit, const OneHit& image, bool with_normal) {
+  if (!hit || !image) return !hit && !image;
+  return hit->t == image->t && hit->point == image->point && hit->feature.kind == image->feature.kind &&
+         (!with_normal || hit->normal == image->normal);
+}
+
 /// Which laws fail, a bit each.
 int broken(const query::FigureView& a, const query::FigureView& b, const Pose& pose, const Parameter& plain) {
   const Pose2 flat = in_plane(pose), stays{{{{1, 0}, {0, 1}}}, {0, 0}};
@@ -41,6 +69,11 @@ void expect_shots(ShotSeen& seen, std::uint64_t start) {
       ++seen.cases, seen.hit += plain.has_value();
       EXPECT_EQ(broken(query::view_of(a), query::view_of(b), regular_pose(m), plain), 0)
           << pair_name<A, B>() << m.about(a, b);
+      if constexpr (query::PosedHit<Posed<A, By>, B>) {
+        const OneHit plain_hit = in_space(first_hit(a, b));
+        EXPECT_EQ(broken_hits(query::view_of(a), query::view_of(b), regular_pose(m), plain_hit), 0)
+            << pair_name<A, B>() << m.about(a, b);
+      }
       Map map(m, figure_dimension<A>, map_kind<A, B>(m), m.below(2) == 0);
       const Pose pose = pose_of(map);
       const B d = mapped(b, map);
@@ -50,6 +83,11 @@ void expect_shots(ShotSeen& seen, std::uint64_t start) {
       const Pose2 flat = in_plane(pose);
       EXPECT_TRUE(same(asked({query::view_of(c)}, posed_by(query::view_of(b), pose, flat)), first_hit_parameter(c, d)))
           << pair_name<A, B>() << m.about(a, b);
+      if constexpr (query::PosedHit<Posed<A, By>, B>) {
+        const OneHit hit = query::posed_first_hit({query::view_of(c)}, posed_by(query::view_of(b), pose, flat));
+        EXPECT_TRUE(is_that_of_image(hit, in_space(first_hit(c, d)), has_corners(figure_kind<B>)))
+            << pair_name<A, B>() << m.about(a, b);
+      }
     });
   }
 }
@@ -93,6 +131,18 @@ TEST(PosedRay, WhatPosesMakeIsHit) {
   EXPECT_FALSE(hits(Ray3{{1.5, 0.5, 0}, {0, 0, 2}}, Posed{Aabb3{{0, 0, 0}, {1, 1, 9}}, flat}));
   EXPECT_EQ(first_hit_parameter(Line3{{0, 0, 0}, {0, 0, 1}}, Posed{Sphere3{{0, 0, 0}, 1}, long_z})->rounded(), -3);
   EXPECT_THROW(hits(up, Posed{Sphere3{{0, 0, 0}, 1}, flat}), UnevenPose);
+  EXPECT_THROW(first_hit(up, Posed{Sphere3{{0, 0, 0}, 1}, flat}), UnevenPose);
+  EXPECT_EQ(first_hit(up, Posed{Aabb3{{0, 0, 0}, {1, 1, 9}}, flat}),
+            (Hit{0.5, {0.5, 0.5, 1}, {FeatureKind::face, 4}, {0, 0, 1}}));
+  // An ellipsoid's normal is that of its tangent plane.
+  EXPECT_EQ(first_hit(Ray3{{0, 0, -9}, {0, 0, 2}}, Posed{Sphere3{{0, 0, 0}, 1}, long_z}),
+            (Hit{3, {0, 0, -3}, {FeatureKind::face, 0}, {0, 0, -1}}));
+  const Pose mirrors{{{{-2, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}};
+  EXPECT_EQ(first_hit(Line3{{0, 0.5, 0.5}, {1, 0, 0}}, Posed{Aabb3{{0, 0, 0}, {1, 1, 1}}, mirrors}),
+            (Hit{-2, {-2, 0.5, 0.5}, {FeatureKind::face, 1}, {-1, 0, 0}}));
+  const Pose2 turned{{{{0, 2}, {-2, 0}}}, {1, 0}};
+  EXPECT_EQ(first_hit(Ray2{{-5, 1}, {1, 0}}, Posed{Capsule2{{0, 0}, {2, 0}, 1}, turned}),
+            (Hit2{4, {-1, 1}, {FeatureKind::edge, 0}, {-2, 0}}));
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ template <class Answer>
 Answer ask(const query::PosedView& a, const query::PosedView& b) {
   if constexpr (std::is_same_v<Answer, Intersection2>) {
     return query::posed_intersection2(a, b);
+  } else if constexpr (std::is_same_v<Answer, SolidIntersection3>) {
+    return query::posed_solid(a, b);
   } else {
     return query::posed_intersection3(a, b);
   }
@@ -41,8 +43,10 @@ struct SectionSeen {
 
 template <class A, class B>
 void expect_sections(SectionSeen& seen, std::uint64_t start) {
-  if constexpr (query::PosedSection<Posed<A, std::conditional_t<figure_dimension<A> == 2, Pose2, Pose>>, B>) {
-    shape_cases::on_shapes(start, battery::sanitized ? 3 : 10, [&](Material& m) {
+  using PosedA = Posed<A, std::conditional_t<figure_dimension<A> == 2, Pose2, Pose>>;
+  if constexpr (query::PosedSection<PosedA, B> || query::PosedSolids<PosedA, B>) {
+    const bool is_costly = pair_cases::is_costly(figure_kind<A>) || pair_cases::is_costly(figure_kind<B>);
+    shape_cases::on_shapes(start, battery::sanitized || is_costly ? 3 : 10, [&](Material& m) {
       const auto pair = pair_of<A, B>(m);
       const A& a = pair.first;
       const B& b = pair.second;
@@ -86,6 +90,21 @@ void expect_all_sections(std::uint64_t start) {
 
 TEST(PosedSection, AllPairsOfThePlane) { expect_all_sections<Plane>(2101); }
 TEST(PosedSection, AllPairsOfSpace) { expect_all_sections<Space>(2301); }
+
+TEST(PosedSection, SolidsUnderPosesHaveTheVolumeOfTheirImages) {
+  const Pose sheared{{{{2, 0, 0}, {1, 1, 0}, {0.5, 0.25, 3}}}, {1, 2, 3}},
+      flat{{{{1, 0, 0}, {0, 1, 0}, {}}}, {0, 0, 1}};
+  const Aabb3 box{{0, 0, 0}, {4, 4, 4}}, other{{1, 1, 1}, {5, 3, 9}};
+  const SolidIntersection3 plain = intersection(box, other),
+                           moved = intersection(Posed{box, sheared}, Posed{other, sheared});
+  EXPECT_EQ(volume(plain), 3 * 2 * 3);
+  EXPECT_EQ(volume(moved), 3 * 2 * 3 * 6);  // times the determinant
+  EXPECT_EQ(moved.faces(), plain.faces());
+  EXPECT_EQ(intersection(Posed{box, flat}, other), intersection(Aabb3{{0, 0, 1}, {4, 4, 1}}, other));
+  EXPECT_TRUE(intersection(Posed{box, flat}, Tetrahedron3{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}, {0, 0, 3}}).empty());
+  const Polygon3 square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+  EXPECT_EQ(intersection(Posed{square, sheared}, Posed{Plane3{{1, 0, 0}, 1}, sheared}).kind, IntersectionKind::segment);
+}
 
 TEST(PosedSection, WhatIsFlattenedIsCutAsAFlatFigure) {
   const Pose flatten{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 2}};

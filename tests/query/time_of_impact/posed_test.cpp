@@ -2,6 +2,9 @@
 // pose that moves the way as well.
 #include "plumb/query/time_of_impact/posed.hpp"
 
+#include <cmath>
+
+#include "plumb/query/time_of_impact/flat_contact.hpp"
 #include "query/body/pair_laws.hpp"
 #include "query/body/posed_cases.hpp"
 
@@ -75,6 +78,52 @@ TEST(PosedMotion, AllPairs) {
                      3101);
 }
 
+/// Of a polygon's features that meet at once, query/time_of_impact/posed.hpp may name others.
+template <class A, class B>
+bool same_in_plane(const std::optional<Contact>& a, const std::optional<Contact>& b) {
+  constexpr bool some_polygon = figure_kind<A> == FigureKind::polygon || figure_kind<B> == FigureKind::holed_polygon;
+  if constexpr (some_polygon) return a.has_value() == b.has_value() && (!a || a->time == b->time);
+  return same(a, b);
+}
+
+/// Figures of the plane: their times are those of before under poses that stay, and alike under a common one.
+template <class A, class B>
+void expect_flat_motions(MotionSeen& seen, std::uint64_t start) {
+  constexpr Pose2 stays{{{{1, 0}, {0, 1}}}, {0, 0}}, turned{{{{6, 8}, {-8, 6}}}, {1, -3}};
+  shape_cases::on_shapes(start, battery::sanitized ? 2 : 6, [&](Material& m) {
+    const auto pair = pair_of<A, B>(m);
+    const A& a = pair.first;
+    const B& b = pair.second;
+    const Vector2 by = m.vector2();
+    const auto plain = first_contact(Translating<A>{a, by}, b);
+    ++seen.cases, seen.meet += plain.has_value();
+    const Translating<Posed<A, Pose2>> moving{{a, stays}, by};
+    EXPECT_TRUE((same_in_plane<A, B>(first_contact(moving, b), plain))) << pair_name<A, B>() << m.about(a, b);
+    EXPECT_EQ(intersects(moving, Posed{b, stays}), plain.has_value()) << pair_name<A, B>() << m.about(a, b);
+    const Vector2 way{6 * by.x - 8 * by.y, 8 * by.x + 6 * by.y};
+    if (std::fabs(by.x) > 1e6 || std::fabs(by.y) > 1e6 || by.x != std::rint(by.x) || by.y != std::rint(by.y)) return;
+    ++seen.mapped;
+    const Translating<Posed<A, Pose2>> both{{a, turned}, way};
+    EXPECT_TRUE((same_in_plane<A, B>(first_contact(both, Posed{b, turned}), plain)))
+        << pair_name<A, B>() << m.about(a, b);
+  });
+}
+template <class A, class... Bs>
+void expect_flat_row(Types<Bs...>, MotionSeen& seen, std::uint64_t start) {
+  (expect_flat_motions<A, Bs>(seen, start++), ...);
+}
+
+TEST(PosedMotion, PairsOfThePlane) {
+  MotionSeen seen;
+  expect_flat_row<Triangle2>(Types<Point2, Segment2, Triangle2, Aabb2, Obb2, Circle2, Capsule2>{}, seen, 3301);
+  expect_flat_row<Circle2>(Types<Point2, Segment2, Aabb2, Obb2, Circle2, Capsule2>{}, seen, 3321);
+  expect_flat_row<Polygon2>(Types<Segment2, Triangle2, Circle2, Polygon2>{}, seen, 3341);
+  expect_flat_row<Obb2>(Types<Obb2, HoledPolygon2>{}, seen, 3361);
+  std::printf("%d cases, %d meet, %d mapped\n", seen.cases, seen.meet, seen.mapped);
+  EXPECT_GT(seen.meet * 4, seen.cases);
+  EXPECT_GT(seen.mapped * 8, seen.cases);
+}
+
 TEST(PosedMotion, WhatIsFlattenedMeetsAsAFlatFigure) {
   const Pose flatten{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 2}};
   const Posed square{Aabb3{{0, 0, -5}, {2, 3, 5}}, flatten};
@@ -91,6 +140,11 @@ TEST(PosedMotion, WhatIsNotAnsweredSaysSo) {
   EXPECT_THROW(first_contact(Translating{Posed{ball, sheared}, {1, 0, 0}}, Point3{9, 0, 0}), UnevenPose);
   EXPECT_THROW(first_contact(Translating{Posed{Plane3{{1, 0, 0}, 1}, Pose{}}, {1, 0, 0}}, Point3{9, 0, 0}), UnevenPose);
   EXPECT_EQ(first_contact(Translating{Posed{ball, twice}, {14, 0, 0}}, Point3{9, 0, 0})->time, 0.5);
+  const Pose2 slanted{{{{1, 0}, {1, 1}}}, {0, 0}};
+  EXPECT_THROW(first_contact(Posed{Circle2{{0, 0}, 1}, slanted}, Translating<Point2>{{9, 0}, {-9, 0}}), UnevenPose);
+  const Posed<Aabb2, Pose2> bad{{{0, 0}, {1, std::nan("")}}, slanted};
+  EXPECT_THROW(first_contact(bad, Translating<Point2>{{9, 0}, {-9, 0}}), NonFinite);
+  EXPECT_THROW(first_contact(Posed{Point2{}, slanted}, Translating<Point2>{{9, 0}, {std::nan(""), 0}}), NonFinite);
 }
 
 }  // namespace

@@ -10,15 +10,15 @@
 // singular matrix makes the flat figure that it makes: its interior is that of its own affine hull.
 // Two balls are answered under any poses that are not singular, two other round figures (capsules, lozenges) where one
 // pose is a similarity as seen from the other (its columns at right angles and of one length, exactly), or where one maps
-// all to a point; round figures flattened by
-// their pose are not asked of polygons, cylinders and cones flattened so not of rays and segments: UnevenPose.
+// all to a point; a ball and a cylinder or cone likewise.  What is round and flattened by its pose is not asked of
+// polygons, a cylinder or cone flattened so not of balls: UnevenPose.
 // contains takes a point, and every pair of figures that it takes without poses, but for outer polygons, cylinders and
 // cones.  A round figure in a round one is answered as above, in a flat one under any pose.
 // NaN and infinities throw NonFinite, naming the part ("relate: triangle.shape.b.y is nan"), what is no shape throws
 // InvalidShape.
 // Source: RTCD 3.2, 5.2.
 // Cost: some 2 us for points, lines, triangles, tetrahedra and boxes where running errors tell, some 20 us where these
-// touch; others in rationals: some 30 us for balls and quadrilaterals, 500 us for halfspaces.
+// touch; others in rationals: some 30 us for balls and quadrilaterals, 200 us for cylinders, 500 us for halfspaces.
 #pragma once
 
 #include "plumb/figure/aabb/relation.hpp"

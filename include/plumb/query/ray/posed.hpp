@@ -6,10 +6,14 @@
 //
 // Laws: (1) the t of query/ray/ray.hpp and ray2.hpp, of the exact image: of every figure with straight edges and flat faces
 // that is asked there, under any matrix, and of balls, disks, capsules and lozenges under those that are not singular,
-// whatever they make of them.  The ray may be posed as well: t counts multiples of the posed direction.  (2) So a common pose that is not
-// singular changes no t.  (3) What a singular matrix flattens is the flat figure that it becomes.
-// Cylinders and cones are refused by the compiler, a round figure that is flattened throws UnevenPose; NaN and
-// infinity throw NonFinite, what is no shape InvalidShape, by name.
+// whatever they make of them.  The ray may be posed as well: t counts multiples of the posed direction.  (2) So a common
+// pose that is not singular changes no t and no feature.  (3) What a singular matrix flattens is the flat figure that it
+// becomes.  (4) first_hit tells the feature by its number without the pose, and rounds the exact point and normal once.
+// The normal is what the cofactors of the matrix make of that of the figure as it stands, out of a solid also where the
+// pose mirrors: of flat faces the cross product of the posed edges, of an ellipsoid perpendicular to it.  In the plane it
+// is perpendicular to the posed edge.  Of what is flattened it is that of the first face that is hit, or not zero.
+// Cylinders and cones are refused by the compiler, and lozenges by first_hit; a round figure that is flattened throws
+// UnevenPose; NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 3.2, 5.3.
 // Cost: rationals: some 40 us for a ball, 120 us for a box.
 #pragma once
@@ -26,6 +30,8 @@ namespace plumb {
 namespace query {
 
 std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& triangle, HitRule rule);
+/// Of figures of the plane in the plane z = 0.
+std::optional<Hit> posed_first_hit(const PosedView& ray, const PosedView& figure);
 
 /// The first is a line, a ray or a segment.
 std::optional<RayParameter> posed_first_hit_parameter(std::string_view function, const PosedView& ray,
@@ -39,6 +45,11 @@ concept PosedShot = PosedFigures<Ray, Shape> && is_one_of(figure_kind<UnposedTyp
   first_hit_parameter(ray, shape);
 };
 
+/// With the point, the feature and the normal: not of lozenges.
+template <class Ray, class Shape>
+concept PosedHit = PosedShot<Ray, Shape> && figure_kind<UnposedType<Shape>>
+!= FigureKind::lozenge;
+
 }  // namespace query
 
 template <class Ray, class Shape>
@@ -51,6 +62,19 @@ template <class Ray, class Shape>
 requires query::PosedShot<Ray, Shape>
 bool hits(const Ray& ray, const Shape& shape) {
   return query::posed_first_hit_parameter("hits", query::posed_view(ray), query::posed_view(shape)).has_value();
+}
+
+/// A Hit, or in the plane a Hit2.
+template <class Ray, class Shape>
+requires query::PosedHit<Ray, Shape>
+auto first_hit(const Ray& ray, const Shape& shape) {
+  const auto hit = query::posed_first_hit(query::posed_view(ray), query::posed_view(shape));
+  if constexpr (figure_dimension<query::UnposedType<Shape>> == 3) {
+    return hit;
+  } else {
+    if (!hit) return std::optional<Hit2>();
+    return std::optional(Hit2{hit->t, {hit->point.x, hit->point.y}, hit->feature, {hit->normal.x, hit->normal.y}});
+  }
 }
 
 /// By either rule; the normal is the cross product of the posed edges.

@@ -2,8 +2,8 @@
 //
 //   intersection(Posed{triangle, pose}, Posed{other, pose})   the image of what they have in common
 //
-// Laws: those of query/section/intersection.hpp and intersection2.hpp, of the exact images, in every pair of theirs, one
-// or both posed, in either order.  What a singular matrix flattens is the flat figure that it becomes.  Corners that
+// Laws: those of query/section/intersection.hpp, intersection2.hpp, flat.hpp and solid.hpp, of the exact images, in every
+// pair of theirs but of planes alone, one or both posed, in either order.  What a singular matrix flattens is the flat figure that it becomes.  Corners that
 // are no doubles are held as rational points.
 // A polygon that is not convex throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.3.
@@ -13,6 +13,7 @@
 #include "plumb/query/body/posed.hpp"
 #include "plumb/query/section/intersection.hpp"
 #include "plumb/query/section/intersection2.hpp"
+#include "plumb/query/section/solid.hpp"
 
 namespace plumb {
 
@@ -24,17 +25,23 @@ Intersection3 posed_intersection3(const PosedView& a, const PosedView& b);
 template <class Answer>
 concept SectionAnswer = std::same_as<Answer, Intersection2> || std::same_as<Answer, Intersection3>;
 
-/// A polygon of space is asked as it stands: under a pose, of its convex pieces in the plane.
-template <class Shape>
-inline constexpr bool is_cut_under_poses = figure_kind<Shape> != FigureKind::polygon || figure_dimension<Shape> == 2;
-
 template <class A, class B>
-concept PosedSection = PosedFigures<A, B> && is_cut_under_poses<UnposedType<A>> && is_cut_under_poses<UnposedType<B>> &&
-    requires(const UnposedType<A>& a, const UnposedType<B>& b) {
+concept PosedSection = PosedFigures<A, B> && requires(const UnposedType<A>& a, const UnposedType<B>& b) {
   { intersection(a, b) } -> SectionAnswer;
 };
 
+SolidIntersection3 posed_solid(const PosedView& a, const PosedView& b);
+
+template <class A, class B>
+concept PosedSolids = PosedFigures<A, B> && SolidFigure<UnposedType<A>> && SolidFigure<UnposedType<B>>;
+
 }  // namespace query
+
+/// Of two solids; their volumes are multiplied by the pose's determinant.
+template <class A, class B>
+requires query::PosedSolids<A, B> SolidIntersection3 intersection(const A& a, const B& b) {
+  return query::posed_solid(query::posed_view(a), query::posed_view(b));
+}
 
 template <class A, class B>
 requires query::PosedSection<A, B>

@@ -9,6 +9,7 @@
 #include <concepts>
 
 #include "plumb/arith/point.hpp"
+#include "plumb/arith/pose.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 
 namespace plumb {
@@ -41,8 +42,17 @@ struct Translating<Shape> {
   Vector2 by;
   friend bool operator==(const Translating&, const Translating&) = default;
 };
+/// A figure of the plane under a pose.
+template <class Shape>
+struct Translating<Posed<Shape, Pose2>> {
+  Posed<Shape, Pose2> shape;
+  Vector2 by;
+  friend bool operator==(const Translating&, const Translating&) = default;
+};
 template <class Shape>
 Translating(Shape, Vector3) -> Translating<Shape>;
+template <class Shape>
+Translating(Posed<Shape, Pose2>, Vector2) -> Translating<Posed<Shape, Pose2>>;
 template <MovesInPlane Shape>
 Translating(Shape, Vector2) -> Translating<Shape>;
 

@@ -7,6 +7,7 @@
 // Takes what query/time_of_impact/translating_contact.hpp takes, and Tetrahedron3, Rectangle3, Lozenge3,
 // Quadrilateral3, Polygon3, HoledPolygon3, convex or not: each against each in either order, but planes against planes.
 // The pose is where the figure stands; it moves by the vector as given.
+// Figures of the plane under a Pose2, all that query/time_of_impact/flat_contact.hpp takes, move by a Vector2 in it.
 // Laws: those of query/time_of_impact/translating_contact.hpp, of the exact images.  What a singular matrix flattens is
 // the flat figure that it becomes; features keep the numbers that they have without the pose.  A polygon's vertices and
 // edges count through its chains, an edge by the vertex that it leaves; a rectangle's are a box's of two axes, a
@@ -28,6 +29,7 @@ namespace query {
 struct PosedMotion {
   PosedView figure;
   const Vector3* by;
+  const Vector2* by_in_plane = nullptr;  // of a figure of the plane; none where it stands still
 };
 std::optional<Contact> posed_contact(const PosedMotion& a, const PosedMotion& b);
 std::optional<Root> posed_contact_time(const PosedMotion& a, const PosedMotion& b);
@@ -41,10 +43,14 @@ concept MovesInSpace = Figure<Shape> && figure_dimension<Shape>
 template <class A, class B>
 concept AnyMovingPair = MovesInSpace<A> && MovesInSpace<B> && !(std::same_as<A, Plane3> && std::same_as<B, Plane3>);
 
-/// What translating_contact.hpp does not take.
 template <class A, class B>
-concept PosedMovingPair = has_its_pose<A> && has_its_pose<B> && AnyMovingPair<UnposedType<A>, UnposedType<B>> &&
-    (is_posed<A> || is_posed<B> || !MovingPair<A, B>);
+concept PosedPairInPlane = PosedFigures<A, B> && MovesInPlane<UnposedType<A>> && MovesInPlane<UnposedType<B>>;
+
+/// What translating_contact.hpp and flat_contact.hpp do not take.
+template <class A, class B>
+concept PosedMovingPair = PosedPairInPlane<A, B> ||
+    (has_its_pose<A>&& has_its_pose<B>&& AnyMovingPair<UnposedType<A>, UnposedType<B>> &&
+     (is_posed<A> || is_posed<B> || !MovingPair<A, B>));
 
 inline constexpr Vector3 no_motion{0, 0, 0};
 template <class Shape>
@@ -53,7 +59,11 @@ PosedMotion posed_motion(const Shape& s) {
 }
 template <class Shape>
 PosedMotion posed_motion(const Translating<Shape>& s) {
-  return {posed_view(s.shape), &s.by};
+  if constexpr (MovesInPlane<UnposedType<Shape>>) {
+    return {posed_view(s.shape), nullptr, &s.by};
+  } else {
+    return {posed_view(s.shape), &s.by};
+  }
 }
 
 }  // namespace query
