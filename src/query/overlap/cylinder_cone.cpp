@@ -11,11 +11,11 @@
 #include "plumb/figure/containment/contains.hpp"
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/body/past_cylinder.hpp"
 #include "query/body/vectors.hpp"
 #include "query/convex/axis_relation.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/pair_answer.hpp"
-#include "query/overlap/past_cylinder.hpp"
 #include "query/overlap/polygon_relation.hpp"
 
 namespace plumb {
@@ -209,20 +209,20 @@ template <class Line, class Round>
 }
 
 // As far as doubles tell at once.
-template <LinearKind reach>
+template <bool begins, bool ends>
 [[gnu::always_inline]] inline std::optional<Relation> quickly(const Point3& start, const auto& to, const Cylinder3& c) {
   if (!(c.radius >= 0)) return {};
-  using Statement = PastCylinder<reach>;
+  using Statement = PastCylinder<begins, ends>;
   return certify::one_lane::told_by_worlds<FloatWorld<Statement>>(NoWorldRecorder{}, Statement{}, start, to, c);
 }
 [[gnu::always_inline]] inline std::optional<Relation> quickly(const Segment3& s, const Cylinder3& c) {
-  return quickly<LinearKind::segment>(s.a, s.b, c);
+  return quickly<true, true>(s.a, s.b, c);
 }
 [[gnu::always_inline]] inline std::optional<Relation> quickly(const Ray3& r, const Cylinder3& c) {
-  return quickly<LinearKind::ray>(r.origin, r.direction, c);
+  return quickly<true, false>(r.origin, r.direction, c);
 }
 [[gnu::always_inline]] inline std::optional<Relation> quickly(const Line3& l, const Cylinder3& c) {
-  return quickly<LinearKind::line>(l.point, l.direction, c);
+  return quickly<false, false>(l.point, l.direction, c);
 }
 
 template <class Line>

@@ -13,9 +13,9 @@
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/body/axis_shape.hpp"
+#include "query/body/past_cylinder.hpp"
 #include "query/overlap/beside_box.hpp"
 #include "query/overlap/filters.hpp"
-#include "query/overlap/past_cylinder.hpp"
 #include "query/overlap/straight_and_ball.hpp"
 
 namespace plumb::query {
@@ -67,11 +67,11 @@ struct TellGaps {
 TEST(OverlapStatements, BoundsOfWhatPassesACylinderAreAsRecordedAndProved) {
   const Cylinder3 cylinder{{0, 0, -1}, {0, 0, 1}, 1};
   const Point3 p{-3, 0.25, 0.25};
-  expect_bounds_of("segment_past_cylinder", PastCylinder<LinearKind::segment>{}, p, Point3{3, 0.5, 0.25}, cylinder);
+  expect_bounds_of("segment_past_cylinder", PastCylinder<true, true>{}, p, Point3{3, 0.5, 0.25}, cylinder);
   // Of rays and lines the text is the same, and Gappa takes as long again.
   const Vector3 d{1, 0, 0.25};
-  expect_golden("ray_past_cylinder", judged_bounds(PastCylinder<LinearKind::ray>{}, p, d, cylinder));
-  expect_golden("line_past_cylinder", judged_bounds(PastCylinder<LinearKind::line>{}, p, d, cylinder));
+  expect_golden("ray_past_cylinder", judged_bounds(PastCylinder<true, false>{}, p, d, cylinder));
+  expect_golden("line_past_cylinder", judged_bounds(PastCylinder<false, false>{}, p, d, cylinder));
 }
 
 namespace beside = beside_box::HWY_NAMESPACE;
@@ -147,7 +147,7 @@ std::string unnoticed_of(const auto& statement, const auto& drawn) {
       },
       [](const auto& input) { return relate(input.first, input.second); });
 }
-template <LinearKind reach>
+template <bool begins, bool ends>
 std::string unnoticed_past_cylinder(const auto& drawn) {
   return mutants::unnoticed(
       [&](mutants::Draw& d) {
@@ -155,7 +155,7 @@ std::string unnoticed_past_cylinder(const auto& drawn) {
       },
       [](const auto& input) {
         const auto& [from, to] = input.first;
-        return mutants::told<mutants::World>(PastCylinder<reach>{}, from, to, input.second);
+        return mutants::told<mutants::World>(PastCylinder<begins, ends>{}, from, to, input.second);
       },
       [](const auto& input) { return relate(input.first, input.second); });
 }
@@ -199,9 +199,9 @@ TEST(OverlapStatements, MutantsAreNoticed) {
   EXPECT_EQ(unnoticed_of(StraightAndBall<false, false>{}, line), "");
   // Not noticed is what leaves more open: both of what is asked in the place of either, a height from the other end that
   // is a sum, a sum for the product of the axis' square, which is larger, and a shorter axis of lines.
-  EXPECT_EQ(unnoticed_past_cylinder<LinearKind::segment>(segment), "28 76 97 106 107 ");
-  EXPECT_EQ(unnoticed_past_cylinder<LinearKind::ray>(ray), "66 75 76 ");
-  EXPECT_EQ(unnoticed_past_cylinder<LinearKind::line>(line), "9 10 61 62 ");
+  EXPECT_EQ((unnoticed_past_cylinder<true, true>(segment)), "28 76 97 106 107 ");
+  EXPECT_EQ((unnoticed_past_cylinder<true, false>(ray)), "66 75 76 ");
+  EXPECT_EQ((unnoticed_past_cylinder<false, false>(line)), "9 10 61 62 ");
   EXPECT_EQ(unnoticed_beside_box(segment), "");
   EXPECT_EQ(unnoticed_beside_box([](mutants::Draw& d) { return Triangle3{d.point(), d.point(), d.point()}; }), "");
 }
@@ -296,9 +296,8 @@ TEST(OverlapStatements, WhatDoublesTellOfACylinderIsSo) {
       const auto doubles = []<class Statement>(const Statement& statement, const auto&... input) {
         return certify::one_lane::told_by_worlds<FloatWorld<Statement>>(NoWorldRecorder{}, statement, input...);
       };
-      const std::array told{doubles(PastCylinder<LinearKind::segment>{}, p, q, c),
-                            doubles(PastCylinder<LinearKind::ray>{}, p, d, c),
-                            doubles(PastCylinder<LinearKind::line>{}, p, d, c)};
+      const std::array told{doubles(PastCylinder<true, true>{}, p, q, c), doubles(PastCylinder<true, false>{}, p, d, c),
+                            doubles(PastCylinder<false, false>{}, p, d, c)};
       const std::array truth{relate_exact_line(straight<Rational>(Segment3{p, q}), c),
                              relate_exact_line(straight<Rational>(Ray3{p, d}), c),
                              relate_exact_line(straight<Rational>(Line3{p, d}), c)};

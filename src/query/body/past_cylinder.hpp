@@ -10,13 +10,14 @@
 #pragma once
 
 #include "plumb/certify/certainly.hpp"
+#include "plumb/figure/basic/relation.hpp"
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/predicates/cross.hpp"
-#include "query/overlap/shapes2.hpp"
 
 namespace plumb::query {
 
-template <LinearKind reach>
+/// Of a line, or what begins, and ends.
+template <bool begins, bool ends>
 struct PastCylinder {
   static constexpr Scales scales{.count = 2, .squares = 0b11};  // all from the axis; the direction
   static constexpr int highest = 8;
@@ -24,7 +25,6 @@ struct PastCylinder {
   template <class W>
   [[gnu::always_inline]] Relation operator()(W& w, const Point3& start, const auto& to, const Cylinder3& c) const {
     using predicates::cross, predicates::dot, predicates::Triple;
-    constexpr bool begins = reach != LinearKind::line, ends = reach == LinearKind::segment;
     const auto from_axis = [&](const auto& p) {
       return Triple{w.difference(p.x, c.a.x), w.difference(p.y, c.a.y), w.difference(p.z, c.a.z)};
     };
