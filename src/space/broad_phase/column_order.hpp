@@ -19,25 +19,53 @@ class ColumnOrder {
  public:
   /// Of these boxes, the places: the lower halves of the keys that are told.  Valid until the next call.
   std::span<const std::uint64_t> operator()(std::span<const OrdinalBox> boxes) {
-    constexpr std::size_t few = 24, many = std::size_t{1} << 13;
-    const std::size_t n = boxes.size();
-    keys_.resize(n);
+    keys_.resize(boxes.size());
     std::int32_t least = beyond_ordinals, greatest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
       const std::int32_t start = boxes[i].low[0];
       least = std::min(least, start), greatest = std::max(greatest, start);
       keys_[i] = static_cast<std::uint64_t>(start) << 32 | i;
     }
-    if (n > many) {
-      radix_sort_upper(Execution::serial, keys_);
-    } else if (n > few) {
-      distribute(static_cast<std::uint32_t>(least), static_cast<std::uint32_t>(greatest - least));
-    }
-    if (n <= many) insert_each();
+    sort_keys(static_cast<std::uint32_t>(least), static_cast<std::uint32_t>(greatest));
     return keys_;
   }
 
+  /// Keys of any kind, whose upper halves are spread.
+  void sort_nearly_sorted(std::vector<std::uint64_t>& keys) {
+    std::size_t left = 2 * keys.size() + 64;  // steps, before keys are taken for unsorted
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      const std::uint64_t key = keys[i];
+      std::size_t at = i;
+      for (; at > 0 && keys[at - 1] > key; --at) keys[at] = keys[at - 1];
+      keys[at] = key;
+      if (i - at > left) return sort_unsorted(keys);
+      left -= i - at;
+    }
+  }
+
  private:
+  void sort_unsorted(std::vector<std::uint64_t>& keys) {
+    std::uint32_t least = 0xffffffff, greatest = 0;
+    for (const std::uint64_t key : keys) {
+      const auto upper = static_cast<std::uint32_t>(key >> 32);
+      least = std::min(least, upper), greatest = std::max(greatest, upper);
+    }
+    keys_.swap(keys);
+    sort_keys(least, greatest);
+    keys_.swap(keys);
+  }
+
+  void sort_keys(std::uint32_t least, std::uint32_t greatest) {
+    constexpr std::size_t few = 24, many = std::size_t{1} << 13;
+    const std::size_t n = keys_.size();
+    if (n > many) {
+      radix_sort_upper(Execution::serial, keys_);
+    } else if (n > few) {
+      distribute(least, greatest - least);
+    }
+    if (n <= many) insert_each();
+  }
+
   void distribute(std::uint32_t least, std::uint32_t range) {
     constexpr std::uint32_t crowded = 16;
     const auto n = static_cast<std::uint32_t>(keys_.size()), buckets = std::bit_ceil(n);

@@ -12,7 +12,8 @@
 #include "query/ray/numbers.hpp"
 #include "space/broad_phase/asked_boxes.hpp"
 #include "space/broad_phase/candidates.hpp"
-#include "space/broad_phase/pair_rows.hpp"
+#include "space/broad_phase/frame_sweep.hpp"
+#include "space/broad_phase/pair_order.hpp"
 #include "space/bvh/checked_box.hpp"
 #include "space/pairs/checked_boxes.hpp"
 
@@ -49,10 +50,13 @@ struct MovingBoxes::State {
   space::AskedBoxes asked;
   space::Candidates candidates;
   BoxPairChanges changes;
-  // In place of candidates, where all pairs were found from scratch when they were last told.
-  bool has_rows = true;
-  space::PairRows rows, rows_before;
-  std::vector<BoxPair> found;
+  // As of the last call of changes(): the boxes of slots that are updated, and which slots there were.
+  std::vector<Aabb3> boxes_before;
+  std::vector<std::uint8_t> was_alive;
+  std::size_t pairs_known = 0;
+  // In place of candidates, where all boxes were swept when changes were last told.
+  bool is_swept = true;
+  space::FrameSweep frames;
   double lost_by_scratch = 0;  // ns
   // How many boxes would have left their fat ones since the last call, had they any; and half of a mean box.
   double escapes_expected = 0;
@@ -70,7 +74,7 @@ struct MovingBoxes::State {
                        (was ? " was removed" : " names no box that was inserted"));
   }
   void mark(std::uint32_t slot) {
-    if (updated[slot] == 0) moved.push_back(slot);
+    if (updated[slot] == 0) moved.push_back(slot), boxes_before[slot] = boxes[slot];
     updated[slot] = 1;
   }
 
@@ -90,10 +94,8 @@ struct MovingBoxes::State {
     }
   }
   [[nodiscard]] std::vector<std::uint32_t> slots_alive() const;
-  void take_rows_before();
-  void take_met_as(space::PairRows& to) const;
-  void expect_escape(std::uint32_t slot, const Aabb3& to);
-  void tell_changes();
+  void expect_escape(const Aabb3& from, const Aabb3& to, std::size_t times);
+  void sweep_frames();
   void find_from_scratch();
   void choose(MovingWork& work, std::size_t escaped, std::size_t outside);
   void lose_removed();
@@ -102,27 +104,14 @@ struct MovingBoxes::State {
   void make_anew();
 };
 
-// Their handles are those of the boxes that were: a slot is used again only afterwards.
+/// Of candidates that are kept.
 void MovingBoxes::State::lose_removed() {
-  if (has_rows && !removed.empty()) {
-    rows.erase([&](std::uint32_t a, std::uint32_t b) {
-      const bool is_lost = (alive[a] & alive[b]) == 0;
-      if (is_lost) changes.lost.push_back(pair(a, b));
-      return is_lost;
-    });
-  }
   for (const std::uint32_t slot : removed) {
-    if (has_rows) break;
     candidates.for_each_of(slot, [&](std::uint32_t c, const space::Candidate& candidate) {
       if (candidates.met()[c] == Met::yes) changes.lost.push_back(pair(candidate));
     });
     candidates.drop(slot);
   }
-  for (const std::uint32_t slot : removed) {
-    ++generation[slot];
-    free.push_back(slot);
-  }
-  removed.clear();
 }
 
 void MovingBoxes::State::ask(std::uint32_t c, const space::Candidate& candidate) {
@@ -177,24 +166,16 @@ void MovingBoxes::State::keep(std::span<const std::uint32_t> escaped) {
   }
 }
 
-/// Those that are known, in rows by slots.
-void MovingBoxes::State::take_rows_before() {
-  if (has_rows) return std::swap(rows, rows_before);
-  take_met_as(rows_before);
-}
-
-void MovingBoxes::State::take_met_as(space::PairRows& to) const {
-  to.count_anew(boxes.size());
-  for_each_met([&](std::uint32_t a, std::uint32_t) { to.count(a); });
-  to.allot();
-  for_each_met([&](std::uint32_t a, std::uint32_t b) { to.put(a, b); });
-  to.all_are_put();
-}
-
-void MovingBoxes::State::tell_changes() {
-  space::compare_rows(
-      rows_before, rows, [&](std::uint32_t a, std::uint32_t b) { changes.lost.push_back(pair(a, b)); },
-      [&](std::uint32_t a, std::uint32_t b) { changes.added.push_back(pair(a, b)); });
+/// Changes, by all boxes as they were and as they are.
+void MovingBoxes::State::sweep_frames() {
+  frames.find({boxes, boxes_before, alive, was_alive, updated, options.touching});
+  half_mean = frames.half_mean();
+  const auto tell = [&](const std::vector<BoxPair>& pairs, std::vector<HandlePair>& to) {
+    to.reserve(pairs.size());
+    for (const BoxPair& p : pairs) to.push_back({handle(p.a), handle(p.b)});
+  };
+  tell(frames.lost(), changes.lost);
+  tell(frames.added(), changes.added);
 }
 
 std::vector<std::uint32_t> MovingBoxes::State::slots_alive() const {
@@ -207,81 +188,51 @@ std::vector<std::uint32_t> MovingBoxes::State::slots_alive() const {
 }
 
 void MovingBoxes::State::make_anew() {
-  take_rows_before();
+  sweep_frames();
+  frames.clear();
   candidates.make_anew(boxes, slots_alive(), options.margin);
   for (std::size_t c = 0; c < candidates.all().size(); ++c) {
     if (candidates.do_meet(candidates.all()[c], boxes, options.touching)) candidates.met()[c] = Met::yes;
   }
-  take_met_as(rows);
-  tell_changes();
-  rows.clear(), rows_before.clear();
-  has_rows = false;
+  is_swept = false;
 }
 
 /// A guess: one that moves by part of the margin in a frame escapes in as many frames as make it whole.
-void MovingBoxes::State::expect_escape(std::uint32_t slot, const Aabb3& to) {
-  const Aabb3& from = boxes[slot];
+void MovingBoxes::State::expect_escape(const Aabb3& from, const Aabb3& to, std::size_t times) {
   const auto part_of = [&](double a_min, double b_min, double a_max, double b_max, double half) {
     const double by = std::max(std::abs(b_min - a_min), std::abs(b_max - a_max)), whole = 2 * options.margin * half;
     return by < whole ? by / whole : by > 0 ? 1.0 : 0.0;
   };
-  escapes_expected += std::max({part_of(from.min.x, to.min.x, from.max.x, to.max.x, half_mean.x),
-                                part_of(from.min.y, to.min.y, from.max.y, to.max.y, half_mean.y),
-                                part_of(from.min.z, to.min.z, from.max.z, to.max.z, half_mean.z)});
+  const double of_one = std::max({part_of(from.min.x, to.min.x, from.max.x, to.max.x, half_mean.x),
+                                  part_of(from.min.y, to.min.y, from.max.y, to.max.y, half_mean.y),
+                                  part_of(from.min.z, to.min.z, from.max.z, to.max.z, half_mean.z)});
+  escapes_expected += static_cast<double>(times) * of_one;
 }
 
 void MovingBoxes::State::find_from_scratch() {
-  take_rows_before();
-  found.clear();
-  rows.count_anew(boxes.size());
-  std::vector<std::uint32_t> slots;
-  std::vector<Aabb3> there;
-  if (size != boxes.size()) {
-    slots = slots_alive();
-    there.reserve(slots.size());
-    for (const std::uint32_t slot : slots) there.push_back(boxes[slot]);
-  }
-  const std::span<const Aabb3> all(slots.empty() ? boxes : there);
-  auto take = [&](std::span<const BoxPair> block) {
-    const std::size_t first = found.size();
-    found.insert(found.end(), block.begin(), block.end());
-    for (std::size_t i = first; i < found.size(); ++i) {
-      if (!slots.empty()) found[i] = {slots[found[i].a], slots[found[i].b]};
-      rows.count(found[i].a);
-    }
-  };
-  overlapping_pairs(all, BoxPairSink(take), {options.touching, Execution::serial});
-  rows.allot();
-  for (const BoxPair& p : found) rows.put(p.a, p.b);
-  rows.all_are_put();
-  tell_changes();
-  if (!has_rows) candidates = {};
-  has_rows = true;
-  half_mean = {};
-  const double part = 0.5 / static_cast<double>(std::max<std::size_t>(all.size(), 1));
-  for (const Aabb3& b : all) {
-    half_mean = {half_mean.x + (b.max.x * part - b.min.x * part), half_mean.y + (b.max.y * part - b.min.y * part),
-                 half_mean.z + (b.max.z * part - b.min.z * part)};
-  }
+  sweep_frames();
+  if (!is_swept) candidates = {};
+  is_swept = true;
 }
 
 /// The way that is predicted to take least, where candidates that are kept pay for themselves: they are made once
 /// frames without them have taken as much longer than with them as making them does.
 void MovingBoxes::State::choose(MovingWork& work, std::size_t escaped, std::size_t outside) {
-  const auto all = static_cast<double>(size), moving = static_cast<double>(work.moved);
+  const auto all = static_cast<double>(size);
+  const auto moving = static_cast<double>(work.moved + (is_swept ? removed.size() : 0));
   const bool is_most = 2 * moved.size() > size;
   // Where there are no candidates, some more than pairs.
-  const double kept = has_rows ? 1.7 * static_cast<double>(rows.size()) : static_cast<double>(candidates.size());
+  const double kept = is_swept ? 1.7 * static_cast<double>(pairs_known) : static_cast<double>(candidates.size());
   const double of_each = 2 * kept / std::max(all, 1.0);
   const auto to_keep = [&](double out_of_place) {
     return moving * of_moved + out_of_place * (of_placed + of_each * of_asked) +
-           (is_most ? (has_rows ? kept : static_cast<double>(candidates.all().size())) * of_asked_in_order
+           (is_most ? (is_swept ? kept : static_cast<double>(candidates.all().size())) * of_asked_in_order
                     : (moving - out_of_place) * of_each * of_asked);
   };
   work.cost_to_make_anew = all * of_box_anew + kept * of_candidate_anew;
   work.cost_from_scratch = all * of_box_found + kept * of_pair_found;
   const double if_kept = to_keep(std::min(escapes_expected, moving));
-  if (has_rows) {
+  if (is_swept) {
     work.cost_to_keep = work.cost_to_make_anew;
   } else {
     const auto out = static_cast<double>(outside);
@@ -291,7 +242,7 @@ void MovingBoxes::State::choose(MovingWork& work, std::size_t escaped, std::size
   if (moving == 0) return;
   // So many dropped candidates are in the way of all that follows.
   const bool is_worn = candidates.dropped() > 4096 + candidates.size();
-  const bool is_kept = !has_rows && !is_worn && work.cost_to_keep <= work.cost_from_scratch;
+  const bool is_kept = !is_swept && !is_worn && work.cost_to_keep <= work.cost_from_scratch;
   lost_by_scratch = is_kept ? 0 : std::max(lost_by_scratch + work.cost_from_scratch - if_kept, 0.0);
   if (is_kept) return;
   work.made_anew = lost_by_scratch > work.cost_to_make_anew;
@@ -318,6 +269,7 @@ BoxHandle MovingBoxes::insert(const Aabb3& box) {
     slot = static_cast<std::uint32_t>(s.boxes.size());
     s.boxes.push_back(box);
     s.generation.push_back(0), s.alive.push_back(1), s.updated.push_back(0);
+    s.boxes_before.emplace_back(), s.was_alive.push_back(0);
   } else {
     slot = s.free.back();
     s.free.pop_back();
@@ -327,6 +279,7 @@ BoxHandle MovingBoxes::insert(const Aabb3& box) {
   ++s.size;
   s.escapes_expected += 1;
   s.mark(slot);
+  s.frames.note(slot, box);
   s.asked.note_inserted(slot);
   return s.handle(slot);
 }
@@ -345,6 +298,7 @@ void MovingBoxes::remove(const BoxHandle& handle) {
   s.alive[handle.slot] = 0;
   s.removed.push_back(handle.slot);
   --s.size;
+  s.frames.note_removed(handle.slot);
   s.asked.note_removed(handle.slot);
 }
 
@@ -375,11 +329,23 @@ void MovingBoxes::update(std::span<const BoxHandle> handles, std::span<const Aab
     s.updated[h.slot] |= seen;
   }
   forget(handles.size());
+  constexpr std::size_t ahead = 16;
+  const std::size_t every = handles.size() < 1024 ? 1 : 16;  // of which it is guessed how many escape, a power of two
+  // Where all are told at once those before need not be copied.
+  const bool are_all = s.moved.empty() && handles.size() == s.boxes.size();
+  if (are_all) s.boxes.swap(s.boxes_before);
   for (std::size_t i = 0; i < handles.size(); ++i) {
-    if (s.has_rows) s.expect_escape(handles[i].slot, boxes[i]);
-    s.boxes[handles[i].slot] = boxes[i];
-    s.mark(handles[i].slot);
-    s.asked.note_moved(handles[i].slot, boxes[i]);
+    const std::uint32_t slot = handles[i].slot;
+    if (i + ahead < handles.size()) s.frames.prefetch(handles[i + ahead].slot);
+    if (!are_all) {
+      s.mark(slot);
+    } else {
+      s.moved.push_back(slot), s.updated[slot] = 1;
+    }
+    if (s.is_swept && (i & (every - 1)) == 0) s.expect_escape(s.boxes_before[slot], boxes[i], every);
+    s.boxes[slot] = boxes[i];
+    s.frames.note(slot, boxes[i]);
+    s.asked.note_moved(slot, boxes[i]);
   }
 }
 
@@ -394,12 +360,12 @@ std::size_t MovingBoxes::size() const { return state_->size; }
 
 const BoxPairChanges& MovingBoxes::changes() {
   State& s = *state_;
-  s.changes = {};
-  s.lose_removed();
+  s.changes.added.clear(), s.changes.lost.clear();
+  s.changes.work = {};
   std::vector<std::uint32_t> escaped;
   std::size_t outside = 0;
   for (const std::uint32_t slot : s.moved) {
-    if (s.has_rows || s.alive[slot] == 0 || s.candidates.move_to(slot, s.boxes[slot])) continue;
+    if (s.is_swept || s.alive[slot] == 0 || s.candidates.move_to(slot, s.boxes[slot])) continue;
     escaped.push_back(slot);
     outside += s.candidates.is_made() && s.candidates.is_outside(s.boxes[slot]) ? 1 : 0;
   }
@@ -411,32 +377,46 @@ const BoxPairChanges& MovingBoxes::changes() {
     s.make_anew();
   } else if (work.from_scratch) {
     s.find_from_scratch();
-  } else if (work.moved != 0) {
-    s.keep(escaped);
+  } else if (!s.is_swept) {
+    s.lose_removed();
+    if (work.moved != 0) s.keep(escaped);
   }
-  for (const std::uint32_t slot : s.moved) s.updated[slot] = 0;
+  for (const std::uint32_t slot : s.moved) s.updated[slot] = 0, s.was_alive[slot] = s.alive[slot];
+  for (const std::uint32_t slot : s.removed) {  // a slot is used again only from now on
+    s.was_alive[slot] = 0;
+    ++s.generation[slot];
+    s.free.push_back(slot);
+  }
+  s.removed.clear();
   s.moved.clear();
   s.escapes_expected = 0;
   work.candidates = s.candidates.size();
   for (std::vector<HandlePair>* const list : {&s.changes.added, &s.changes.lost}) {
     if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
   }
+  s.pairs_known = s.pairs_known + s.changes.added.size() - s.changes.lost.size();
   return s.changes;
 }
 
 std::vector<HandlePair> MovingBoxes::pairs() const {
-  std::vector<HandlePair> pairs;
-  if (state_->has_rows) {
-    std::vector<std::uint32_t> row;
-    for (std::uint32_t a = 0; a < state_->rows.rows(); ++a) {
-      row.assign(state_->rows[a].begin(), state_->rows[a].end());
-      std::sort(row.begin(), row.end());
-      for (const std::uint32_t b : row) pairs.push_back(state_->pair(a, b));
+  const State& s = *state_;
+  std::vector<BoxPair> all, other;
+  if (s.is_swept) {
+    std::vector<std::uint32_t> slots;
+    std::vector<Aabb3> then;
+    for (std::uint32_t slot = 0; slot < s.boxes.size(); ++slot) {
+      if (s.was_alive[slot] == 0) continue;
+      slots.push_back(slot), then.push_back(s.updated[slot] != 0 ? s.boxes_before[slot] : s.boxes[slot]);
     }
-    return pairs;
+    all = overlapping_pairs(then, BroadPhaseOptions{s.options.touching, Execution::serial});
+    for (BoxPair& p : all) p = {slots[p.a], slots[p.b]};
+  } else {
+    s.for_each_met([&](std::uint32_t a, std::uint32_t b) { all.push_back({a, b}); });
   }
-  state_->for_each_met([&](std::uint32_t a, std::uint32_t b) { pairs.push_back(state_->pair(a, b)); });
-  std::sort(pairs.begin(), pairs.end());
+  space::sort_pairs(all, other);
+  std::vector<HandlePair> pairs;
+  pairs.reserve(all.size());
+  for (const BoxPair& p : all) pairs.push_back(s.pair(p.a, p.b));
   return pairs;
 }
 

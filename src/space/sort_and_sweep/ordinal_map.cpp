@@ -15,6 +15,10 @@ OrdinalMap::OrdinalMap(const SetBounds& bounds, const std::array<std::size_t, 3>
   for (std::size_t k = 0; k < 3; ++k) {
     whole_[k] = Piece(bounds.min[order[k]], bounds.max[order[k]], std::ldexp(1.0, bits[k]) - 1);
     widening_[k] = bounds.min[order[k]] == bounds.max[order[k]] ? 1 : 0;
+    for (const std::size_t i : {order[k], order[k] + 3}) {
+      six_.halved[i] = whole_[k].halved, six_.start[i] = whole_[k].start;
+      six_.scale[i] = whole_[k].scale, six_.last[i] = whole_[k].last;
+    }
   }
 }
 

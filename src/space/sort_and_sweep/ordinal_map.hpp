@@ -81,17 +81,30 @@ class OrdinalMap {
 
   template <class Box>
   [[nodiscard]] OrdinalBox operator()(const Box& box, std::size_t number, std::int32_t marks) const {
+    OrdinalBox made;
+    put(box, made.low, made.high);
+    made.number = static_cast<std::int32_t>(number);
+    made.marks = marks;
+    return made;
+  }
+
+  /// Its ordinals, written one by one where they belong.
+  template <class Box>
+  void put(const Box& box, std::array<std::int32_t, 3>& low, std::array<std::int32_t, 3>& high) const {
     constexpr std::size_t axes = axes_of<Box>;
     const auto x = numbers_of(box);
-    OrdinalBox made;
+    if constexpr (axes == 3) {
+      if (is_even_) [[likely]]
+        return put_evenly(x, low, high);
+    }
     const auto place = [&](const auto& ordinal_of) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t axis = order_[k];
         if (axes == 3 || axis < axes) {
-          made.low[k] = ordinal_of(k, x[axis]);
-          made.high[k] = ordinal_of(k, x[axis + axes]) + widening_[k];
+          low[k] = ordinal_of(k, x[axis]);
+          high[k] = ordinal_of(k, x[axis + axes]) + widening_[k];
         } else {
-          made.low[k] = 0, made.high[k] = 1;
+          low[k] = 0, high[k] = 1;
         }
       }
     };
@@ -100,9 +113,6 @@ class OrdinalMap {
     } else {
       place([this](std::size_t k, double of) { return ordinal(k, of); });
     }
-    made.number = static_cast<std::int32_t>(number);
-    made.marks = marks;
-    return made;
   }
 
  private:
@@ -117,8 +127,35 @@ class OrdinalMap {
     std::int32_t first = 0;
   };
 
+  /// What whole_ says of each of six numbers, two at a time.
+  void put_evenly(const std::array<double, 6>& x, std::array<std::int32_t, 3>& low,
+                  std::array<std::int32_t, 3>& high) const {
+    using Two = double __attribute__((vector_size(16)));
+    using TwoOrdinals = std::int32_t __attribute__((vector_size(8)));
+    std::array<std::int32_t, 6> of{};
+    for (std::size_t i = 0; i < 6; i += 2) {
+      const auto two = [i](const std::array<double, 6>& from) {
+        Two made;
+        __builtin_memcpy(&made, from.data() + i, sizeof made);
+        return made;
+      };
+      const Two last = two(six_.last), zero{};
+      Two step = (two(x) * two(six_.halved) - two(six_.start)) * two(six_.scale);
+      step = last < step ? last : step;
+      step = step < zero ? zero : step;
+      const auto ordinals = __builtin_convertvector(step, TwoOrdinals);
+      __builtin_memcpy(of.data() + i, &ordinals, sizeof ordinals);
+    }
+    for (std::size_t k = 0; k < 3; ++k) low[k] = of[order_[k]], high[k] = of[order_[k] + 3] + widening_[k];
+  }
+
+  struct Six {
+    std::array<double, 6> halved{}, start{}, scale{}, last{};
+  };
+
   std::array<std::size_t, 3> order_{0, 1, 2};
   bool is_even_ = true;
+  Six six_;
   std::array<Piece, 3> whole_;
   std::array<std::vector<Piece>, 3> axes_;  // none where steps are of equal length
   // Where all numbers of an axis are equal, all boxes overlap on it whether touching counts or not: nobody need ask.

@@ -144,6 +144,46 @@ TEST(MovingBoxes, KeepCandidatesWhereThatIsCheaper) {
   EXPECT_EQ(replay.anew + replay.kept + replay.scratch, 63u);
 }
 
+// So many that they are swept in columns, which stay from frame to frame: all tremble and some jump, come, go, or are
+// told of twice; then all lie in one plane, move out of it, and go far away together.
+TEST(MovingBoxes, AreSweptInColumnsThatStay) {
+  for (const bool touching : {true, false}) {
+    Entropy e(2055, touching ? 1 : 0);
+    Replay replay({.touching = touching});
+    const std::size_t n = battery::sanitized ? 1200 : 1500;
+    const auto place = [&] { return std::floor(part(e) * 96) / 8; };  // on a lattice: many touch
+    const auto some_box = [&]() -> Aabb3 {
+      const Point3 p{place(), place(), place()};
+      return {p, {p.x + 0.125 * double(e.below(9)), p.y + 0.125 * double(1 + e.below(8)), p.z + 1}};
+    };
+    for (std::size_t i = 0; i < n; ++i) replay.insert(some_box());
+    replay.expect("at first");
+    for (int frame = 0; frame < 12; ++frame) {
+      for (int times = 0; times < (frame % 3 == 2 ? 2 : 1); ++times) {
+        for (Aabb3& box : replay.boxes) {
+          const auto step = [&] { return 0.125 * (static_cast<double>(e.below(3)) - 1); };
+          if (frame == 8) box = {{box.min.x, box.min.y, 1}, {box.max.x, box.max.y, 1}};
+          if (frame == 10) box = moved(box, 0, 0, e.coin() ? 0.5 : 0);
+          if (frame == 11) box = moved(box, 4000, 0, 0);
+          if (frame < 8) box = moved(box, step(), step(), step());
+          if (frame < 8 && e.below(16) == 0) box = some_box();
+        }
+        replay.world.update(replay.handles, replay.boxes);
+      }
+      for (int i = 0; i < 9; ++i) {
+        replay.remove(e.below(replay.boxes.size()));
+        if (frame % 2 == 0) replay.insert(some_box());
+      }
+      replay.insert(replay.boxes[0]);
+      replay.expect("frame " + std::to_string(frame));
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_EQ(replay.scratch, 13u);
+    EXPECT_GT(replay.added, n);
+    EXPECT_GT(replay.lost, n);
+  }
+}
+
 TEST(MovingBoxes, RefuseWhatIsNotThereAndStayAsTheyWere) {
   constexpr Aabb3 unit{{0, 0, 0}, {1, 1, 1}}, far{{9, 9, 9}, {10, 10, 10}};
   MovingBoxes world;

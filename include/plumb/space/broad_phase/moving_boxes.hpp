@@ -9,7 +9,7 @@
 //
 // Each box stands in a fat one, a margin larger.  Pairs of fat boxes are kept as candidates; while boxes stay within
 // theirs, only candidates are asked.  A box that has left its fat box is given another.  Where a model of measured costs
-// says that it is cheaper, as where most boxes move, all pairs are found from scratch and compared with those before;
+// says that it is cheaper, as where most boxes move, all boxes are swept, as they were and as they are;
 // candidates are made when frames without them have cost as much more than with them as making them does.  MovingWork
 // says what was done, and what each way was to cost.
 // Regions and rays are asked of a tree of fat boxes, which is made when enough has been asked to pay for it; boxes that
@@ -25,7 +25,7 @@
 // update; NonFinite and InvalidShape refuse bad boxes, NonFinite regions and rays; spans of different lengths throw
 // UnequalLengths.  Then all is as it was before the call.
 // Source: RTCD 2.4.1, 6.3.1, 6.3.2, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
-// Cost: a few ns for each candidate of a box that moves; where most move overlapping_pairs and some 60 ns a box; to
+// Cost: a few ns for each candidate of a box that moves; where most move about what overlapping_pairs takes; to
 // make candidates anew, three to four times overlapping_pairs.  Memory for all boxes twice and 20 bytes a candidate.
 #pragma once
 
