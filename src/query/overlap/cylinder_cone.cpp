@@ -249,7 +249,7 @@ Segment3 axis_segment(const Cone3& c) { return {c.apex, c.base}; }
 
 /// The capsule around a shape parts it from most; where the inside of the axis is met, so is that of the shape.
 template <class Shape, class Round>
-std::optional<Relation> quick_relation(const Shape& s, const Round& round, Question question) {
+std::optional<Relation> quick_axis_relation(const Shape& s, const Round& round, Question question) {
   const auto [from, to] = axis_segment(round);
   const auto ask = [&](const auto& other) {
     if constexpr (PairOfTable<Shape, std::remove_cvref_t<decltype(other)>>) {
@@ -268,7 +268,7 @@ std::optional<Relation> quick_relation(const Shape& s, const Round& round, Quest
 template <class Flat, class Round>
 Relation relate_axis_round(const Flat& s, const Round& round, Question question) {
   require_figures(question, s, round);
-  if (const auto quick = quick_relation(s, round, question)) return *quick;
+  if (const auto quick = quick_axis_relation(s, round, question)) return *quick;
   if constexpr (is_one_of(figure_kind<Flat>,
                           {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon})) {
     return relate_axis_shape(exact_chains(name_of(question), view_of(s)), as_shape(round));
@@ -286,7 +286,7 @@ template <class Round>
 Relation relate_ball_and_axis_round(const Sphere3& ball, const Round& round, Question question) {
   require_figures(question, ball, round);
   if (ball.radius == 0) return relate_as(question, ball.center, round);
-  if (const auto quick = quick_relation(ball, round, question)) return *quick;
+  if (const auto quick = quick_axis_relation(ball, round, question)) return *quick;
   const auto& [center, r] = ball;
   const mpq_class radius(r);
   return relate_axis_shape(Exact3{center.x, center.y, center.z}, mpq_class(radius * radius), as_shape(round));
