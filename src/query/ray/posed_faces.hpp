@@ -3,7 +3,8 @@
 // Laws: (1) exact.  (2) The normal is what the cofactors of the pose's matrix make of that of query/ray/ray.hpp: of a flat
 // face the cross product of the posed edges, out of a solid also where the pose mirrors.  Of the faces that hold the point
 // it is that of the first one that faces the ray, else of the first; of a tetrahedron or box without an inside the first
-// one's as it is, of another solid that a singular matrix flattens the first that is not zero, whichever face.  In the plane it is that of query/ray/ray2.hpp, of the posed edges.
+// one's as it is, of another solid that a singular matrix flattens the first that is not zero, whichever face.  In the
+// plane it is that of query/ray/ray2.hpp, of the posed edges.
 // Cost: GMP; some 100 ns a number.
 #pragma once
 

@@ -45,7 +45,8 @@ Vec<T> turned_round(const Vec<T>& v) {
   return Vec<T>{zero, zero, zero} - v;
 }
 
-/// Is it one pair, of m corners of a and n of b?  One corner by itself has but one partner; two edges that are not parallel cross once.
+/// Is it one pair, of m corners of a and n of b?  One corner by itself has but one partner; two edges that are not
+/// parallel cross once.
 inline bool is_one_pair(const ProvedCorners& p, std::size_t m, std::size_t n) {
   const bool a_ends = p.a.level == p.a.known, b_ends = p.b.level == p.b.known;
   return (m == 1 && a_ends) || (n == 1 && b_ends) || (m == 2 && n == 2 && p.corners.size == 3 && a_ends && b_ends);
