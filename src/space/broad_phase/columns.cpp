@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "space/broad_phase/column_order.hpp"
 #include "space/bvh/blocks.hpp"
 
 namespace plumb::space {
@@ -66,17 +65,6 @@ bool divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
     }
   });
   return true;
-}
-
-void sort_columns(Columns& columns) {
-  ColumnOrder order;
-  std::vector<OrdinalBox> unsorted;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const std::span<OrdinalBox> column(columns.boxes.get() + columns.begin[c], columns.begin[c + 1] - columns.begin[c]);
-    unsorted.assign(column.begin(), column.end());
-    std::size_t i = 0;
-    for (const std::uint64_t key : order(column)) column[i++] = unsorted[static_cast<std::uint32_t>(key)];
-  }
 }
 
 }  // namespace plumb::space

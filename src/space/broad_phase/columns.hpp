@@ -36,7 +36,4 @@ constexpr std::uint32_t strip_of(std::int32_t ordinal, std::uint32_t strips) {
 bool divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
                          const std::array<std::uint32_t, 2>& strips, std::size_t most_copies, Columns& columns);
 
-/// Each column by the starts along the axis that columns run along.
-void sort_columns(Columns& columns);
-
 }  // namespace plumb::space

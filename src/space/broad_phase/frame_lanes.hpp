@@ -32,6 +32,7 @@ struct StripReach {
   [[nodiscard]] bool has(std::uint32_t s, std::uint32_t t) const {
     return (from1 <= s) & (s <= to1) & (from2 <= t) & (t <= to2);
   }
+  friend bool operator==(const StripReach&, const StripReach&) = default;
 };
 
 struct alignas(64) FrameEntry {

@@ -1,13 +1,13 @@
 // Frame coherence of a sweep: which pairs of boxes overlap in one of two frames, and not in the other?
 //
-// Swept columns of boxes as they were and as they are, of which only pairs that differ are told: no pair is kept.  Which
-// boxes stand in a column, and in which order, is kept from frame to frame, so that columns are nearly sorted; boxes lie
-// in memory as they did in columns when these were planned.  A box that has moved far stands in columns twice, where it
-// was and where it is.
-// Laws: (1) lost and added are those of brute_force_pairs of both frames, by slots, ascending.  (2) When columns are
-// planned anew depends on the boxes of all frames alone, and no answer depends on it.
+// Boxes stand in columns, in the order in which they start, and stay there from frame to frame.  Where few have moved,
+// each of these is held against those that stand near where it was and near where it is, one after the other; where most
+// have, all columns are swept, by boxes as they were and as they are.  Only pairs that differ are told: no pair is kept.
+// Boxes lie in memory as they did in columns when these were planned.
+// Laws: (1) lost and added are those of brute_force_pairs of both frames, by slots, ascending.  (2) Which way is taken,
+// and when columns are planned anew, depends on the boxes of all frames alone, and no answer depends on it.
 // Source: RTCD 7.1, 7.5.1, 7.5.2.
-// Cost: some 70 ns a box, and some 20 ns for each pair that differs.
+// Cost: some us for each box that moves, where few do; else some 100 ns a box, and some 20 ns for each pair that differs.
 #pragma once
 
 #include <array>
@@ -22,76 +22,73 @@
 
 namespace plumb::space {
 
-/// Of slots.  Where a slot has not moved, or was none, nobody asks what it was.
+/// Of slots.  Where a slot has not changed, nobody asks what it was.
 struct TwoFrames {
   std::span<const Aabb3> now, before;
-  std::span<const std::uint8_t> is_there, was_there, has_moved;
+  std::span<const std::uint8_t> is_there, was_there, has_changed;
+  std::span<const std::uint32_t> changed;  // slots whose box is another, is new, or is gone; each once
   bool touching = true;
 
-  [[nodiscard]] const Aabb3& was(std::uint32_t slot) const { return has_moved[slot] != 0 ? before[slot] : now[slot]; }
+  [[nodiscard]] const Aabb3& was(std::uint32_t slot) const { return has_changed[slot] != 0 ? before[slot] : now[slot]; }
+};
+
+/// What was done, and what was predicted, in ns; guesses.
+struct FrameWork {
+  bool planned_anew = false, all_swept = false;
+  double cost_of_each = 0, cost_of_all = 0;
 };
 
 class FrameSweep {
  public:
-  /// The box of a slot is another since the last frame, or is new; or it is gone.
-  void note(std::uint32_t slot, const Aabb3& box);
-  void note_removed(std::uint32_t slot);
-  /// That will be noted soon.
-  void prefetch(std::uint32_t slot) const {
-    if (is_kept_) __builtin_prefetch(&entries_[place_of_[slot]], 1);
-  }
-
-  /// Of all that was noted, which begins where the last frame ended.
-  void find(const TwoFrames& frames);
+  FrameWork find(const TwoFrames& frames);
 
   [[nodiscard]] const std::vector<BoxPair>& lost() const { return lost_; }
   [[nodiscard]] const std::vector<BoxPair>& added() const { return added_; }
-  /// Half of a box as long as the mean along each axis; a guess, of when columns were planned.
-  [[nodiscard]] const Vector3& half_mean() const { return half_mean_; }
-
-  /// Memory is given back, and nothing is known of frames before.
-  void clear() { *this = {}; }
 
  private:
-  struct InColumn {
-    std::uint32_t column, place;
-  };
+  using Column = std::vector<std::uint64_t>;  // keys: a start that is not above that of the box, place, marks
   [[nodiscard]] bool is_as_flat(const Aabb3& box) const;
-  [[nodiscard]] bool is_inside(const OrdinalSpan& span) const;
-  [[nodiscard]] StripReach reach_of(const FrameEntry& entry) const;
-  [[nodiscard]] std::uint32_t place_for(std::uint32_t slot);
-  template <class Change>
-  void change(std::uint32_t slot, const Change& change);
+  [[nodiscard]] bool is_beyond(const Aabb3& box) const;
+  [[nodiscard]] bool is_outside(const OrdinalSpan& span) const;
+  [[nodiscard]] StripReach reach_of(const OrdinalSpan& span) const;
+  [[nodiscard]] bool is_crowd_outside() const;
+  [[nodiscard]] bool is_stale() const;
   void plan_anew(const TwoFrames& frames);
   bool make_entries(const TwoFrames& frames);
-  void leave_if_far(FrameEntry& entry);
+  void take_over(FrameEntry& entry, const TwoFrames& frames);
+  void stand_in_both(FrameEntry& entry, std::uint32_t place);
+  void stand_as_now(FrameEntry& entry, std::uint32_t place);
   void put_in_columns(FrameEntry& entry, std::uint32_t place, const StripReach& reach);
   void put_left();
-  [[nodiscard]] bool is_stale() const;
-  void order_incoming();
+  template <class Work>
+  std::size_t for_each_near(const OrdinalSpan& span, std::uint32_t place, const Work& work) const;
+  std::size_t settle(FrameEntry& entry, std::uint32_t place, const TwoFrames& frames);
+  std::size_t settle_each(const TwoFrames& frames, double most);
   void sweep_columns(const TwoFrames& frames);
 
   bool is_kept_ = false;
   OrdinalMap map_;
-  SetBounds bounds_;                              // of the map
-  std::array<bool, 3> is_flat_{};                 // all boxes are at one number
-  bool has_space_ = false, is_any_flat_ = false;  // has space around the boxes there were
-  std::int32_t surely_near_ = 0;                  // to move by less is not to go far
-  bool is_mapped_ = true;                         // all boxes since, as the map says
+  SetBounds bounds_;               // of the map
+  std::array<bool, 3> is_flat_{};  // all boxes are at one number
+  bool is_any_flat_ = false;
+  std::array<bool, 3> has_space_{};  // around the boxes there were, along each axis of ordinals
+  double space_ = 0.0625;            // part of their extent
+  std::int32_t surely_near_ = 0;     // to move by less is not to go far
+  bool is_mapped_ = true;            // all boxes since, as the map says
   std::array<std::uint32_t, 2> strips_{};
-  std::size_t planned_for_ = 0, frames_ = 0, copies_planned_ = 0;
-  Vector3 half_mean_{};
+  std::size_t planned_for_ = 0, copies_planned_ = 0;
+  std::size_t moved_since_ = 0, far_since_ = 0;  // columns were planned
   std::uint32_t frame_ = 1;
-  bool is_any_again_ = false;  // noted twice in this frame
   std::vector<FrameEntry> entries_;
-  std::vector<FrameEntry> left_;  // where boxes were that have moved far
-  std::size_t there_ = 0, copies_ = 0;
-  std::vector<std::uint32_t> place_of_;                // of each slot
-  std::vector<std::uint32_t> listed_, listed_before_;  // places by columns, in the order of the last sweep
-  std::vector<std::uint32_t> end_, end_before_;        // of each column
-  std::vector<InColumn> incoming_, incoming_unordered_;
-  std::vector<std::uint32_t> end_incoming_;
-  std::vector<std::uint64_t> keys_;
+  std::vector<std::int32_t> start_of_;  // of each entry, as its keys say
+  std::vector<FrameEntry> left_;        // where boxes were that have moved far
+  std::size_t there_ = 0, outside_ = 0, leaving_ = 0, copies_ = 0;
+  std::vector<std::uint32_t> place_of_;  // of each slot
+  std::vector<std::uint32_t> places_;    // of those that have changed
+  std::vector<Column> columns_;
+  std::vector<std::int32_t> longest_;  // in each column, from a key's start to the end of the box
+  double near_each_ = 0;               // boxes with which one is compared, by the last sweep of all
+  Column keys_;
   ColumnOrder order_;
   SweptEntries swept_;
   std::vector<BoxPair> lost_, added_, other_;

@@ -1,7 +1,7 @@
 // How long does a method of the broad phase take for these boxes, from scratch or kept from frame to frame?
 //
 // Nothing depends on it but what is told of times.
-// Cost: two runs, or what is kept made once and two frames; of MovingBoxes up to 18.
+// Cost: two runs, or what is kept made once and two frames.
 #pragma once
 
 #include <algorithm>
@@ -92,17 +92,10 @@ inline double nanoseconds_of_moving_boxes(SteppedBoxes<Aabb3>& scene) {
     moved.clear();
     for (const std::uint32_t i : scene.moving()) moved.push_back(scene.boxes()[i]);
   };
-  const auto frame = [&] {
+  return least_nanoseconds(prepare, [&] {
     world.update(moving, moved);
-    return world.changes().work.from_scratch;
-  };
-  constexpr int most_frames = 16;  // until candidates are made, if ever
-  bool is_from_scratch = true;
-  for (int i = 0; i < most_frames && is_from_scratch; ++i) {
-    prepare();
-    is_from_scratch = frame();
-  }
-  return least_nanoseconds(prepare, frame);
+    (void)world.changes();
+  });
 }
 
 /// For all boxes together; at least one.

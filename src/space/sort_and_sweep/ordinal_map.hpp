@@ -55,9 +55,6 @@ class OrdinalMap {
   OrdinalMap(const SetBounds& bounds, const std::array<std::size_t, 3>& order, const std::array<int, 3>& bits,
              std::array<std::vector<double>, 3> knots);
 
-  /// For boxes that may come to lie beyond the bounds: that all numbers of an axis are equal counts for nothing.
-  void expect_others() { widening_ = {}; }
-
   [[nodiscard]] const std::array<std::size_t, 3>& order() const { return order_; }
 
   /// Of a number on axis order[k]; beyond the bounds the least and the greatest ordinal.

@@ -7,11 +7,10 @@
 //   world.pairs()                                  // all, as of the last call of changes()
 //   world.in_box(region);   world.first_hit(ray);  // of the boxes as they are now
 //
-// Each box stands in a fat one, a margin larger.  Pairs of fat boxes are kept as candidates; while boxes stay within
-// theirs, only candidates are asked.  A box that has left its fat box is given another.  Where a model of measured costs
-// says that it is cheaper, as where most boxes move, all boxes are swept, as they were and as they are;
-// candidates are made when frames without them have cost as much more than with them as making them does.  MovingWork
-// says what was done, and what each way was to cost.
+// Boxes stand in columns, sorted along them, and stay there from frame to frame.  Where few have moved, each of these is
+// held against those that are near it; where a model of measured costs says that it is cheaper, as where most move, all
+// columns are swept, by the boxes as they were and as they are.  Columns are planned anew once much has moved far, or
+// out of the space that they fill.  MovingWork says what was done, and what each way was to cost.
 // Regions and rays are asked of a tree of fat boxes, which is made when enough has been asked to pay for it; boxes that
 // have left theirs since are asked one by one, until that has cost as much as another tree.
 //
@@ -24,9 +23,9 @@
 // A handle that names no box, or one that was removed, throws InvalidShape; so do two boxes for one handle in a call of
 // update; NonFinite and InvalidShape refuse bad boxes, NonFinite regions and rays; spans of different lengths throw
 // UnequalLengths.  Then all is as it was before the call.
-// Source: RTCD 2.4.1, 6.3.1, 6.3.2, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
-// Cost: a few ns for each candidate of a box that moves; where most move about what overlapping_pairs takes; to
-// make candidates anew, three to four times overlapping_pairs.  Memory for all boxes twice and 20 bytes a candidate.
+// Source: RTCD 2.4.1, 6.3.1, 6.3.2, 7.1, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
+// Cost: about a us for each box that moves; where most move about what overlapping_pairs takes, as pairs() does.  Memory
+// for all boxes three times, and 8 bytes for each column that a box stands in; none for pairs.
 #pragma once
 
 #include <compare>
@@ -54,18 +53,18 @@ struct HandlePair {
 
 struct MovingBoxesOptions {
   bool touching = true;  // false: only the pairs that overlap
-  double margin = 0.1;   // of fat boxes on each side, in mean lengths of a box; from 0 to 100, any answers alike
+  // Of the fat boxes that regions and rays are asked of, on each side, in mean lengths of a box; from 0 to 100, any
+  // answers alike.
+  double margin = 0.1;
 };
 
 /// What a call of changes() did.
 struct MovingWork {
-  bool made_anew = false;      // all candidates
-  bool from_scratch = false;   // all pairs, and no candidates are kept
-  std::size_t moved = 0;       // boxes that were updated or inserted
-  std::size_t escaped = 0;     // of these, those that are not in their fat box
-  std::size_t candidates = 0;  // pairs of fat boxes that are kept
-  // Predicted, in ns on the machine of docs/measurements.md; where no candidates are kept, the first two are equal.
-  double cost_to_keep = 0, cost_to_make_anew = 0, cost_from_scratch = 0;
+  bool made_anew = false;     // the columns
+  bool from_scratch = false;  // all boxes were swept, as they must be where columns are made anew
+  std::size_t moved = 0;      // boxes that were updated or inserted
+  // Predicted, in ns on the machine of docs/measurements.md, for what has moved one by one, and for all boxes.
+  double cost_to_keep = 0, cost_from_scratch = 0;
 };
 
 struct BoxPairChanges {
