@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,19 +50,21 @@ inline void require_length(std::size_t expected, std::size_t n) {
 }
 
 /// Ascending: few by insertion, as most lists are.
-inline void sort_from(std::vector<std::uint32_t>& numbers, std::size_t from) {
+inline void sort_numbers(std::span<std::uint32_t> numbers) {
   constexpr std::size_t few = 24;
-  const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(from);
-  if (numbers.size() - from > few) {
-    std::sort(first, numbers.end());
+  if (numbers.size() > few) {
+    std::sort(numbers.begin(), numbers.end());
     return;
   }
-  for (std::size_t i = from + 1; i < numbers.size(); ++i) {
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
     const std::uint32_t x = numbers[i];
     std::size_t k = i;
-    for (; k > from && numbers[k - 1] > x; --k) numbers[k] = numbers[k - 1];
+    for (; k > 0 && numbers[k - 1] > x; --k) numbers[k] = numbers[k - 1];
     numbers[k] = x;
   }
+}
+inline void sort_from(std::vector<std::uint32_t>& numbers, std::size_t from) {
+  sort_numbers(std::span(numbers).subspan(from));
 }
 
 /// add(query, numbers) for each query, in the order of keys where there are any.
@@ -86,6 +89,20 @@ ListBlock asked_in_turn(std::size_t n, const Add& add) {
   return asked(keys, add);
 }
 
+/// What is behind the copy may be overwritten: lists are copied in their order.
+inline void copy_list(const std::vector<std::uint32_t>& from, std::size_t start, std::size_t size,
+                      std::vector<std::uint32_t>& to, std::size_t end) {
+  constexpr std::size_t few = 16;  // at once, so that no branch depends on the size of most lists
+  for (std::size_t k = 0; k < size; k += few) {
+    const bool is_room = start + k + few <= from.size() && end + k + few <= to.size();
+    if (is_room) [[likely]] {
+      std::memcpy(to.data() + end + k, from.data() + start + k, few * sizeof(std::uint32_t));
+    } else {
+      for (std::size_t i = k; i < size && i < k + few; ++i) to[end + i] = from[start + i];
+    }
+  }
+}
+
 inline PointLists put_together(std::size_t n, std::size_t block_size, const std::vector<ListBlock>& blocks) {
   PointLists lists;
   lists.first.clear();
@@ -98,7 +115,7 @@ inline PointLists put_together(std::size_t n, std::size_t block_size, const std:
     const ListBlock& b = blocks[i / block_size];
     const std::size_t start = b.start[i % block_size], size = b.size[i % block_size];
     lists.first.push_back(end);
-    for (std::size_t k = 0; k < size; ++k) lists.numbers[end + k] = b.numbers[start + k];
+    copy_list(b.numbers, start, size, lists.numbers, end);
     end += size;
   }
   lists.first.push_back(end);

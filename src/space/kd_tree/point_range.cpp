@@ -23,7 +23,6 @@ std::vector<std::uint32_t> within(const KdTree<Point>& tree, const std::type_ide
   require_finite_parts<Point>("within", {"p"}, p);
   std::vector<std::uint32_t> numbers;
   if (tree.count != 0) space::kd::add_within(tree, p, radius, numbers);
-  space::kd::sort_from(numbers, 0);
   return numbers;
 }
 
@@ -33,7 +32,6 @@ std::vector<std::uint32_t> in_box(const KdTree<Point>& tree, const space::BoxOf<
   require_finite_parts<Point, Point>("in_box", {"box.min", "box.max"}, box.min, box.max);
   std::vector<std::uint32_t> numbers;
   if (tree.count != 0) space::kd::add_in_box(tree, options.touching ? box : space::opened(box), numbers);
-  space::kd::sort_from(numbers, 0);
   return numbers;
 }
 
@@ -47,9 +45,8 @@ PointLists within(const KdTree<Point>& tree, std::span<const std::type_identity_
   space::for_blocks(execution, queries.size(), block_size, [&](std::size_t b, std::size_t from, std::size_t to) {
     in_query_order(tree, queries.subspan(from, to - from), Execution::serial,
                    [&](std::size_t, std::span<const std::uint64_t> keys) {
-                     blocks[b] = asked(keys, [&](std::uint32_t i, std::vector<std::uint32_t>& numbers) {
-                       if (tree.count != 0) add_within(tree, queries[from + i], radius, numbers);
-                     });
+                     blocks[b].start.resize(keys.size()), blocks[b].size.resize(keys.size());
+                     if (tree.count != 0) add_within_each(tree, queries.data() + from, keys, radius, blocks[b]);
                    });
   });
   return put_together(queries.size(), block_size, blocks);

@@ -15,7 +15,9 @@
 #include <hwy/highway.h>
 
 #include "arith/twofold.hpp"
+#include "space/kd_tree/number_lanes.hpp"
 #include "space/kd_tree/point_lanes.hpp"
+#include "space/kd_tree/point_leaves.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::space::kd::HWY_NAMESPACE {
@@ -193,14 +195,109 @@ HWY_INLINE void add_within_values(const Query<Point>& query, std::size_t leaf, d
       });
 }
 
+/// A value up to `inside` is certainly of a ball's point, beyond `outside` certainly of none.
 template <class Point>
-void ball(const KdTree<Point>& tree, const Point& p, double radius, Powers powers, double inside, double outside,
-          std::vector<std::uint32_t>& numbers) {
-  const Query<Point> query(tree, p, powers);
-  Collected told{numbers};
-  add_within_values(
-      query, find_leaf(tree, query.at), inside, outside,
-      [&](const Candidate<Point>& c) { return compare_distance(p, c.at, radius) != Sign::positive; }, told);
+struct BallLimits {
+  double inside, outside;
+
+  HWY_INLINE BallLimits(double radius, Powers powers) {
+    const Interval scaled(radius * powers.before * powers.after), square = scaled * scaled;
+    inside = Square<Point>::certainly_within(square.lower), outside = Square<Point>::certainly_beyond(square.upper);
+  }
+};
+/// No point of the ball is outside.
+HWY_INLINE Side side_of_ball(double at, double radius) {
+  return {(Interval(at) - Interval(radius)).lower, (Interval(at) + Interval(radius)).upper};
+}
+
+/// Those of a leaf.
+template <class Point>
+HWY_INLINE void add_of_leaf(const Query<Point>& query, double radius, const BallLimits<Point>& limits, std::size_t leaf,
+                            NumberList& found) {
+  query.each_value(leaf, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
+    unsigned in = bits_of(at_most(value, of_all(limits.outside))) & first_lanes(count - i);
+    for (unsigned rest = in & ~bits_of(at_most(value, of_all(limits.inside))); rest != 0; rest &= rest - 1) {
+      const Candidate<Point> c = query.candidate(first, i + static_cast<std::size_t>(__builtin_ctz(rest)), count, 0);
+      if (compare_distance(query.p, c.at, radius) == Sign::positive) in &= ~(rest & -rest);
+    }
+    found.add(query.tree.numbers, first + i, in);
+  });
+}
+
+template <class Point>
+void add_ball(const KdTree<Point>& tree, const Point& p, double radius, NumberList& found) {
+  const Query<Point> query(tree, p, powers_for(tree, p, radius));
+  const BallLimits<Point> limits(radius, query.powers);
+  std::array<Side, Query<Point>::d> sides;
+  for (std::size_t a = 0; a < sides.size(); ++a) sides[a] = side_of_ball(query.at[a], radius);
+  const std::size_t start = found.end();
+  visit_leaves(
+      tree, sides, [&](std::size_t leaf) HWY_ATTR { add_of_leaf(query, radius, limits, leaf, found); },
+      [&](LeafRun run) HWY_ATTR {
+        const Candidate<Point> c = query.one_of(run);
+        if (c.value <= limits.inside ||
+            (c.value <= limits.outside && compare_distance(p, c.at, radius) != Sign::positive))
+          found.add(query.numbers_of(run));
+      });
+  found.sort(start, found.end());
+}
+template <class Point>
+void ball(const KdTree<Point>& tree, const Point& p, double radius, std::vector<std::uint32_t>& numbers) {
+  NumberList found(numbers);
+  add_ball(tree, p, radius, found);
+  found.close();
+}
+
+/// So many balls at a time that the processor waits for none of them.
+constexpr std::size_t balls_at_once = 16;
+
+/// Of a radius that asks for no powers, as long as no node of equal points is met.
+template <class Point>
+HWY_INLINE bool add_balls(const KdTree<Point>& tree, const Point* queries, std::span<const std::uint64_t> keys,
+                          double radius, const BallLimits<Point>& limits, NumberList& found, std::size_t* ends) {
+  constexpr std::size_t d = KdTree<Point>::dimension;
+  std::array<NodeOfBox, balls_at_once> roots;
+  std::array<Side, d * balls_at_once> sides;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    roots[i] = NodeOfBox{i} << 32;
+    const auto at = coordinates(queries[static_cast<std::uint32_t>(keys[i])]);
+    for (std::size_t a = 0; a < d; ++a) sides[d * i + a] = side_of_ball(at[a], radius);
+  }
+  bool is_each_visited = true;
+  visit_leaves_below(
+      tree, 0, std::span(roots.data(), keys.size()), sides.data(),
+      [&](std::size_t i, std::size_t leaf) HWY_ATTR {
+        const Query<Point> query(tree, queries[static_cast<std::uint32_t>(keys[i])], {});
+        add_of_leaf(query, radius, limits, leaf, found);
+        ends[i] = found.end();
+      },
+      [&](std::size_t, LeafRun) HWY_ATTR { is_each_visited = false; });
+  return is_each_visited;
+}
+template <class Point>
+void balls(const KdTree<Point>& tree, const Point* queries, const std::uint64_t* keys, std::size_t n, double radius,
+           ListBlock& block) {
+  NumberList found(block.numbers);
+  const BallLimits<Point> limits(radius, {});
+  for (std::size_t from = 0; from < n; from += balls_at_once) {
+    const std::span<const std::uint64_t> some(keys + from, std::min(balls_at_once, n - from));
+    std::size_t start = found.end();
+    std::array<std::size_t, balls_at_once> ends;
+    const bool are_found = is_moderate(radius) && add_balls(tree, queries, some, radius, limits, found, ends.data());
+    if (!are_found) found.cut(start);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const auto number = static_cast<std::uint32_t>(some[i]);
+      if (are_found) {
+        found.sort(start, ends[i]);
+      } else {
+        add_ball(tree, queries[number], radius, found);
+        ends[i] = found.end();
+      }
+      block.start[number] = start, block.size[number] = ends[i] - start;
+      start = ends[i];
+    }
+  }
+  found.close();
 }
 template <class Point, class Told>
 HWY_INLINE void find_tied(const KdTree<Point>& tree, const Point& p, const Point& limit, Powers powers, Told& told) {
@@ -234,37 +331,34 @@ template <class Point>
 void box(const KdTree<Point>& tree, const Point& least, const Point& most, std::vector<std::uint32_t>& numbers) {
   constexpr std::size_t d = KdTree<Point>::dimension;
   const auto low = coordinates(least), high = coordinates(most);
-  const std::size_t first_leaf = tree.leaves() - 1;
-  std::array<std::size_t, 34> stack;  // one a level at the most
-  std::size_t height = 0;
-  stack[height++] = 0;
-  while (height != 0) {
-    std::size_t node = stack[--height];
-    while (node < first_leaf) {
-      const std::uint8_t axis = tree.axes[node];
-      const double plane = tree.planes[node];
-      const bool above = high[axis] >= plane;
-      if (low[axis] <= plane) {
-        stack[height] = 2 * node + 2;
-        height += above ? 1 : 0;
-        node = 2 * node + 1;
-      } else {
-        node = 2 * node + 2;
-      }
-    }
-    const std::size_t leaf = node - first_leaf, first = tree.first(leaf), count = tree.first(leaf + 1) - first;
-    const double* const from = tree.coordinates.data() + d * first;
-    for (std::size_t i = 0; i < count; i += count_of_lanes) {
-      const auto inside = [&](std::size_t a) HWY_ATTR {
-        const Many x = load(from + a * count + i);
-        return at_most(of_all(low[a]), x) & at_most(x, of_all(high[a]));
-      };
-      Truth in = inside(0) & inside(1);
-      if constexpr (d == 3) in = in & inside(2);
-      for (unsigned bits = bits_of(in) & first_lanes(count - i); bits != 0; bits &= bits - 1)
-        numbers.push_back(tree.numbers[first + i + static_cast<std::size_t>(__builtin_ctz(bits))]);
-    }
-  }
+  std::array<Side, d> sides;
+  for (std::size_t a = 0; a < d; ++a) sides[a] = {low[a], high[a]};
+  NumberList found(numbers);
+  const std::size_t start = found.end();
+  visit_leaves(
+      tree, sides,
+      [&](std::size_t leaf) HWY_ATTR {
+        const std::size_t first = tree.first(leaf), count = tree.first(leaf + 1) - first;
+        const double* const from = tree.coordinates.data() + d * first;
+        for (std::size_t i = 0; i < count; i += count_of_lanes) {
+          const auto inside = [&](std::size_t a) HWY_ATTR {
+            const Many x = load(from + a * count + i);
+            return at_most(of_all(low[a]), x) & at_most(x, of_all(high[a]));
+          };
+          Truth in = inside(0) & inside(1);
+          if constexpr (d == 3) in = in & inside(2);
+          found.add(tree.numbers, first + i, bits_of(in) & first_lanes(count - i));
+        }
+      },
+      [&](LeafRun run) HWY_ATTR {
+        const Query<Point> query(tree, least, {});
+        const auto x = coordinates(query.one_of(run).at);
+        bool in = true;
+        for (std::size_t a = 0; a < d; ++a) in = in && low[a] <= x[a] && x[a] <= high[a];
+        if (in) found.add(query.numbers_of(run));
+      });
+  found.sort(start, found.end());
+  found.close();
 }
 
 // One for each dimension, which are exported by name.
@@ -278,9 +372,12 @@ void box(const KdTree<Point>& tree, const Point& least, const Point& most, std::
                   NearestPoint* o) {                                                                                   \
     several(t, p, leaf, room, k, o);                                                                                   \
   }                                                                                                                    \
-  void ball##d(const KdTree##d& t, const Point##d& p, double radius, Powers powers, double inside, double outside,     \
-               std::vector<std::uint32_t>& to) {                                                                       \
-    ball(t, p, radius, powers, inside, outside, to);                                                                   \
+  void ball##d(const KdTree##d& t, const Point##d& p, double radius, std::vector<std::uint32_t>& to) {                 \
+    ball(t, p, radius, to);                                                                                            \
+  }                                                                                                                    \
+  void balls##d(const KdTree##d& t, const Point##d* q, const std::uint64_t* keys, std::size_t n, double radius,        \
+                ListBlock& to) {                                                                                       \
+    balls(t, q, keys, n, radius, to);                                                                                  \
   }                                                                                                                    \
   void ties##d(const KdTree##d& t, const Point##d& p, const Point##d& limit, Powers powers,                            \
                std::vector<std::uint32_t>& to) {                                                                       \
@@ -315,6 +412,7 @@ PLUMB_EXPORT_BOTH(of_each);
 PLUMB_EXPORT_BOTH(leaves);
 PLUMB_EXPORT_BOTH(several);
 PLUMB_EXPORT_BOTH(ball);
+PLUMB_EXPORT_BOTH(balls);
 PLUMB_EXPORT_BOTH(ties);
 PLUMB_EXPORT_BOTH(ties_above);
 PLUMB_EXPORT_BOTH(box);
@@ -324,11 +422,10 @@ PLUMB_EXPORT_BOTH(box);
 
 template <class Point>
 Powers powers_for(const KdTree<Point>& tree, const Point& p, double distance) {
-  constexpr double large = 0x1p400;
-  if (distance > 1 / large && distance < large) return {};
+  if (is_moderate(distance)) return {};
   if (distance == 0) return {1, 0x1p1000};
   const double power = std::ldexp(1.0, std::clamp(-std::ilogb(distance), -1000, 1000));
-  bool halves = distance >= large && tree.halves;
+  bool halves = distance > 1 && tree.halves;
   for (const double x : coordinates(p)) halves = halves && has_half(x);
   return halves ? Powers{0.5, 2 * power} : Powers{1, power};
 }
@@ -370,26 +467,28 @@ std::size_t count_ties_above(const KdTree<Point>& tree, const Point& p, const Po
 }
 template <class Point>
 void add_within(const KdTree<Point>& tree, const Point& p, double radius, std::vector<std::uint32_t>& numbers) {
-  const Powers powers = powers_for(tree, p, radius);
-  const Interval scaled(radius * powers.before * powers.after), square = scaled * scaled;
-  const double inside = Square<Point>::certainly_within(square.lower),
-               outside = Square<Point>::certainly_beyond(square.upper);
-  PLUMB_BY_DIMENSION(ball, tree, p, radius, powers, inside, outside, numbers)
+  PLUMB_BY_DIMENSION(ball, tree, p, radius, numbers)
+}
+template <class Point>
+void add_within_each(const KdTree<Point>& tree, const Point* queries, std::span<const std::uint64_t> keys,
+                     double radius, ListBlock& block) {
+  PLUMB_BY_DIMENSION(balls, tree, queries, keys.data(), keys.size(), radius, block)
 }
 template <class Point>
 void add_in_box(const KdTree<Point>& tree, const BoxOf<Point>& box,
                 std::vector<std::uint32_t>& numbers){PLUMB_BY_DIMENSION(box, tree, box.min, box.max, numbers)}
 #undef PLUMB_BY_DIMENSION
 
-#define PLUMB_INSTANTIATE(P)                                                                                \
-  template Powers powers_for(const KdTree<P>&, const P&, double);                                           \
-  template NearestPoint nearest_one(const KdTree<P>&, const P&);                                            \
-  template void find_leaves(const KdTree<P>&, std::span<const P>, std::uint64_t*);                          \
-  template void nearest_of_each(const KdTree<P>&, const P*, std::span<const std::uint64_t>, NearestPoint*); \
-  template void k_nearest(const KdTree<P>&, const P&, std::size_t, std::span<Candidate<P>>, NearestPoint*); \
-  template void add_ties(const KdTree<P>&, const P&, const P&, std::vector<std::uint32_t>&);                \
-  template std::size_t count_ties_above(const KdTree<P>&, const P&, const P&, std::uint32_t);               \
-  template void add_within(const KdTree<P>&, const P&, double, std::vector<std::uint32_t>&);                \
+#define PLUMB_INSTANTIATE(P)                                                                                     \
+  template Powers powers_for(const KdTree<P>&, const P&, double);                                                \
+  template NearestPoint nearest_one(const KdTree<P>&, const P&);                                                 \
+  template void find_leaves(const KdTree<P>&, std::span<const P>, std::uint64_t*);                               \
+  template void nearest_of_each(const KdTree<P>&, const P*, std::span<const std::uint64_t>, NearestPoint*);      \
+  template void k_nearest(const KdTree<P>&, const P&, std::size_t, std::span<Candidate<P>>, NearestPoint*);      \
+  template void add_ties(const KdTree<P>&, const P&, const P&, std::vector<std::uint32_t>&);                     \
+  template std::size_t count_ties_above(const KdTree<P>&, const P&, const P&, std::uint32_t);                    \
+  template void add_within(const KdTree<P>&, const P&, double, std::vector<std::uint32_t>&);                     \
+  template void add_within_each(const KdTree<P>&, const P*, std::span<const std::uint64_t>, double, ListBlock&); \
   template void add_in_box<P>(const KdTree<P>&, const BoxOf<P>&, std::vector<std::uint32_t>&);
 PLUMB_INSTANTIATE(Point2) PLUMB_INSTANTIATE(Point3)
 #undef PLUMB_INSTANTIATE

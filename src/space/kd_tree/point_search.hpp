@@ -81,6 +81,8 @@ double half_of_widest(const Point& p, const Point& q) {
 struct Powers {
   double before = 1, after = 1;
 };
+/// Are squares of such differences far from the largest and the least doubles?
+constexpr bool is_moderate(double distance) { return distance > 0x1p-400 && distance < 0x1p400; }
 /// A guess, where squares of differences may overflow or get lost: powers that make distances of about this many
 /// numbers near 1.  Halves where doubles are so large that their differences overflow.
 template <class Point>
@@ -105,9 +107,15 @@ void add_ties(const KdTree<Point>& tree, const Point& p, const Point& limit, std
 template <class Point>
 std::size_t count_ties_above(const KdTree<Point>& tree, const Point& p, const Point& limit, std::uint32_t number);
 
-/// In the order of the leaves.
+struct ListBlock;
+
+/// Ascending, as are those in a box.
 template <class Point>
 void add_within(const KdTree<Point>& tree, const Point& p, double radius, std::vector<std::uint32_t>& numbers);
+/// A list for each of the queries that keys name.
+template <class Point>
+void add_within_each(const KdTree<Point>& tree, const Point* queries, std::span<const std::uint64_t> keys,
+                     double radius, ListBlock& block);
 template <class Point>
 void add_in_box(const KdTree<Point>& tree, const BoxOf<Point>& box, std::vector<std::uint32_t>& numbers);
 

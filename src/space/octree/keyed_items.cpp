@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <memory>
 #include <utility>
 
 #include "space/bvh/blocks.hpp"
@@ -42,7 +42,7 @@ bool sort_by_digits(Execution execution, std::span<KeyedItem> items, std::span<K
 
 }  // namespace
 
-void sort_by_key(Execution execution, std::vector<KeyedItem>& items) {
+void sort_by_key(Execution execution, std::span<KeyedItem> items) {
   if (items.empty()) return;
   // So many of the upper bits that few keys have them in common, and then what these do not tell apart.
   constexpr std::size_t few_items = std::size_t{1} << 17, few = 256;
@@ -50,13 +50,14 @@ void sort_by_key(Execution execution, std::vector<KeyedItem>& items) {
   constexpr std::array<unsigned, 4> lower{0, 11, 22, 31};
   const bool two = items.size() <= few_items;
   const unsigned told_apart = upper[two ? 1 : 0];
-  std::vector<KeyedItem> room(items.size());
-  if (sort_by_digits(execution, items, room, std::span(upper).subspan(two ? 1 : 0))) items.swap(room);
+  const auto place = std::make_unique_for_overwrite<KeyedItem[]>(items.size());
+  const std::span<KeyedItem> room(place.get(), items.size());
+  if (sort_by_digits(execution, items, room, std::span(upper).subspan(two ? 1 : 0)))
+    std::copy(room.begin(), room.end(), items.begin());
   for (std::size_t begin = 0; begin < items.size();) {
     std::size_t end = begin + 1;
     while (end < items.size() && items[end].key >> told_apart == items[begin].key >> told_apart) ++end;
-    const std::span<KeyedItem> run = std::span(items).subspan(begin, end - begin),
-                               aside = std::span(room).subspan(begin, end - begin);
+    const std::span<KeyedItem> run = items.subspan(begin, end - begin), aside = room.subspan(begin, end - begin);
     if (run.size() > few) {
       if (sort_by_digits(execution, run, aside, std::span(lower).first(two ? 4 : 3))) {
         std::copy(aside.begin(), aside.end(), run.begin());

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "plumb/certify/batch.hpp"
 
@@ -19,6 +19,6 @@ struct KeyedItem {
 };
 
 /// The items ascend when they are given.
-void sort_by_key(Execution execution, std::vector<KeyedItem>& items);
+void sort_by_key(Execution execution, std::span<KeyedItem> items);
 
 }  // namespace plumb::space

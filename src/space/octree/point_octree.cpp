@@ -1,6 +1,7 @@
 #include "plumb/space/octree/point_octree.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "figure/basic/finite_parts.hpp"
 #include "space/bvh/blocks.hpp"
@@ -27,7 +28,8 @@ PointCells<D> cells_of_points(std::string_view function, std::span<const typenam
   typename CellKinds<D>::Box held{points[0], points[0]};
   for (const auto& p : points) held = space::holding(held, {p, p});
   tree.cells.frame = CellFrame<D>(held);
-  std::vector<KeyedItem> keyed(points.size());
+  const auto place = std::make_unique_for_overwrite<KeyedItem[]>(points.size());
+  const std::span<KeyedItem> keyed(place.get(), points.size());
   space::for_blocks(options.execution, points.size(), point_block, [&](std::size_t, std::size_t from, std::size_t to) {
     const CellFrame<D> frame = tree.cells.frame;
     for (std::size_t i = from; i < to; ++i) {

@@ -127,6 +127,37 @@ TYPED_TEST(PointRange, OfManyIsThatOfEach) {
   certify::batch::take_instruction_set({});
 }
 
+// Leaves of one point, so that a ball holds more of them than are kept at a time; equal points, and huge and tiny radii.
+TYPED_TEST(PointRange, OfManyOfEachKind) {
+  std::size_t most = 0, equal = 0, extreme = 0;
+  for (std::uint64_t index = 0; index < point_sets::kinds; ++index) {
+    Entropy e(7323, index);
+    const auto kind = static_cast<Kind>(index % point_sets::kinds);
+    SCOPED_TRACE(testing::Message() << "start 7323 index " << index << ", "
+                                    << point_sets::kind_names[index % point_sets::kinds]);
+    const auto all = point_sets::points<TypeParam>(kind, 400, e);
+    const auto tree = build_kd_tree(all, {.most_in_leaf = 1});
+    for (const std::uint8_t is_equal : tree.equal) equal += is_equal;
+    std::vector<TypeParam> queries;
+    for (std::size_t i = 0; i < 40; ++i) queries.push_back(point_sets::query(kind, all, e));
+    double radius = distance(queries[e.below(40)], all[e.below(all.size())]);
+    if (!std::isfinite(radius)) radius = std::numeric_limits<double>::max();
+    extreme += radius > 1e150 || radius < 1e-150 ? 1 : 0;
+    const PointLists lists = within(tree, queries, radius, Execution::serial);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const Numbers list(lists[i].begin(), lists[i].end());
+      ASSERT_EQ(list, within(tree, queries[i], radius)) << i;
+      if (i % 20 == 0) {
+        ASSERT_EQ(list, those_within(all, queries[i], radius)) << i;
+      }
+      most = std::max(most, list.size());
+    }
+  }
+  EXPECT_GT(most, 300u);
+  EXPECT_GT(equal, 10u);
+  EXPECT_GT(extreme, 0u);
+}
+
 TEST(PointRangeOfATree, NamesWhatIsRefused) {
   using ::testing::HasSubstr;
   const KdTree3 none = build_kd_tree(std::vector<Point3>{}), one = build_kd_tree(std::vector<Point3>{{0, 0, 0}});
