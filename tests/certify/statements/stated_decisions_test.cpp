@@ -1,7 +1,7 @@
 // Is every decision that is stated over worlds held by a test?  Its derived bounds are recorded, and given to Gappa.
 //
 // Law: a file of the library that declares scales is included by a test that compares its bounds with
-// tests/certify/golden_statements.txt, and by one that has them proved; each name there is one of some test.
+// tests/certify/statements/golden_statements.txt, and by one that has them proved; each name there is one of some test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ TEST(StatedDecisions, AreRecordedAndProved) {
 
 TEST(StatedDecisions, EachNameThatIsRecordedIsOneOfATest) {
   const Texts tests = texts_below(fs::path(PLUMB_SOURCE_DIR) / "tests");
-  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/golden_statements.txt");
+  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/statements/golden_statements.txt");
   int lines = 0;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;
