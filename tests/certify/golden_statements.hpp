@@ -1,4 +1,4 @@
-// The derived bounds of a statement against tests/certify/golden_statements.txt, where they must not change unnoticed.
+// The derived bounds of a statement: are they those of tests/certify/statements/golden_statements.txt?
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ inline void expect_golden(const std::string& name, const std::vector<std::string
     derived.push_back(name + ' ' + line);
     should += derived.back() + '\n';
   }
-  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/golden_statements.txt");
+  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/statements/golden_statements.txt");
   for (std::string line; std::getline(file, line);) {
     if (line.starts_with(name + ' ')) recorded.push_back(line);
   }

@@ -5,6 +5,8 @@
 // Law: the inputs are small multiples of a quarter, so that doubles hold every number of a statement.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +51,10 @@ class Number {
   friend Number negated(const Number& a) { return opposite(a, slips()); }
   friend Number plus_product(const Number& sum, const Number& a, const Number& b) { return sum + a * b; }
   friend Number minus_product(const Number& sum, const Number& a, const Number& b) { return sum - a * b; }
+  friend Number difference_of_unlike(const Number& a, const Number& b) { return a - b; }
   friend Number twice(const Number& a) { return a + a; }
+  friend Number between(const Number& a, const Number& b, double t) { return a + (b - a) * Number(t); }
+  friend Number select(bool first, const Number& a, const Number& b) { return first ? a : b; }
   friend Number magnitude(const Number& a) { return size(a, slips()); }
   friend Number larger(const Number& a, const Number& b) { return larger_of(a, b, slips()); }
   friend Number smaller(const Number& a, const Number& b) { return larger_of(a, b, !slips()); }
@@ -136,8 +141,8 @@ class Draw {
 /// The numbers of the operations of which no input notices that they are wrong: draw(Draw&) makes one, ask(input) says
 /// what is told of it, and truth(input) what is so.  From operation number `first` on.
 template <class Drawn, class Ask, class Truth>
-std::string unnoticed(const Drawn& draw, const Ask& ask, const Truth& truth, int first = 0) {
-  constexpr std::uint64_t count = 20000;
+std::string unnoticed(const Drawn& draw, const Ask& ask, const Truth& truth, int first = 0,
+                      std::uint64_t count = 20000) {
   std::vector<std::pair<std::remove_cvref_t<decltype(draw(std::declval<::plumb::mutants::Draw&>()))>, int>> inputs;
   std::vector<std::remove_cvref_t<decltype(truth(inputs[0].first))>> is_so;
   int most = 0;
@@ -152,6 +157,7 @@ std::string unnoticed(const Drawn& draw, const Ask& ask, const Truth& truth, int
     inputs.back().second = operations;
     most = operations > most ? operations : most;
   }
+  if (most <= first) return "there is no operation";
   std::string all;
   for (int at = first; at < most; ++at) {
     bool is_noticed = false;
@@ -166,6 +172,12 @@ std::string unnoticed(const Drawn& draw, const Ask& ask, const Truth& truth, int
   wrong = -1;
   std::printf("%d mutants\n", most);
   return all;
+}
+
+/// Of the statement of this name in tests/certify/statements/golden_statements.txt.  The harmless ones, too, tell what
+/// is so: the reason stands beside them.
+inline void expect_noticed(const char* name, const std::string& unnoticed, const std::string& harmless = "") {
+  EXPECT_EQ(unnoticed, harmless) << name;
 }
 
 }  // namespace plumb::mutants

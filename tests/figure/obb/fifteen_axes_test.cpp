@@ -12,6 +12,7 @@
 #include "certify/golden_statements.hpp"
 #include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "certify/written_axes.hpp"
 #include "figure/minkowski/zonotope.hpp"
 #include "plumb/arith/big.hpp"
@@ -87,63 +88,6 @@ struct Tally {
   }
 };
 
-/// How many of 400 the doubles answer, at least: of two boxes, of one and one with the axes of space.  Random vectors are
-/// no axes that a box has, and their products of nine factors are beyond the doubles in the families of wide exponents.
-constexpr std::array<int, 2> promised(Family family) {
-  switch (family) {
-    case Family::uniform:
-    case Family::float32:
-      return {400, 400};
-    case Family::grid:
-      return {380, 380};
-    case Family::near_half:
-      return {55, 75};
-    case Family::degenerate_short:
-      return {325, 375};
-    case Family::degenerate_long:
-      return {255, 340};
-    case Family::off_by_ulps:
-      return {295, 370};
-    case Family::repeated:
-      return {230, 270};
-    case Family::wide:
-      return {105, 160};
-    case Family::extreme:
-      return {2, 4};
-    case Family::mixture:
-      return {100, 150};
-  }
-  return {};
-}
-
-/// And pairs of doubles.
-constexpr std::array<int, 2> promised_of_pairs(Family family) {
-  switch (family) {
-    case Family::uniform:
-    case Family::float32:
-      return {400, 400};
-    case Family::grid:
-      return {388, 400};
-    case Family::near_half:
-      return {70, 265};
-    case Family::degenerate_short:
-      return {325, 400};
-    case Family::degenerate_long:
-      return {265, 370};
-    case Family::off_by_ulps:
-      return {325, 390};
-    case Family::repeated:
-      return {240, 285};
-    case Family::wide:
-      return {160, 310};
-    case Family::extreme:
-      return {2, 4};
-    case Family::mixture:
-      return {118, 165};
-  }
-  return {};
-}
-
 template <class Statement, class... Boxes>
 void expect_bounds(const char* name, const Statement& statement, const Boxes&... boxes) {
   lanes::Floats<lanes::Three, Statement::highest, Statement::scales, BoundListener> world;
@@ -164,7 +108,11 @@ TEST(FifteenAxes, DerivedBoundsAreAsRecordedAndProved) {
   expect_bounds("box_obb", axes::BoxAndObb{}, Aabb3{{-1, -1, -1}, {1, 1, 1}}, b);
 }
 
+// Random vectors are no axes that a box has, and their products of nine factors are beyond the doubles in the families
+// of wide exponents.
 TEST(FifteenAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {
+  PromisedShare of_both("obb_obb"), of_both_in_pairs("obb_obb_pairs");
+  PromisedShare of_one("box_obb"), of_one_in_pairs("box_obb_pairs");
   for (const FamilyInfo& info : families) {
     Tally pairs, mixed;
     for (std::uint64_t i = 0; i < 400; ++i) {
@@ -178,10 +126,8 @@ TEST(FifteenAxes, EveryWorldGivesTheRelationAndDoublesTheirShare) {
       mixed.add(ask(axes::BoxAndObb{}, c, b), relate(c, b), info.name, i);
       ASSERT_FALSE(testing::Test::HasFatalFailure());
     }
-    EXPECT_GE(pairs.floats, promised(info.family)[0]) << info.name;
-    EXPECT_GE(mixed.floats, promised(info.family)[1]) << info.name;
-    EXPECT_GE(pairs.pairs, promised_of_pairs(info.family)[0]) << info.name;
-    EXPECT_GE(mixed.pairs, promised_of_pairs(info.family)[1]) << info.name;
+    of_both.add(info.family, pairs.floats, 400), of_both_in_pairs.add(info.family, pairs.pairs, 400);
+    of_one.add(info.family, mixed.floats, 400), of_one_in_pairs.add(info.family, mixed.pairs, 400);
     const bool is_short = info.family != Family::extreme && info.family != Family::mixture &&
                           info.family != Family::repeated && info.family != Family::wide;
     if (is_short) {
@@ -304,12 +250,10 @@ TEST(FifteenAxes, MutantsAreNoticed) {
         [](const auto& input) { return relate(input.first, input.second); }, from);
   };
   // The first look is left out, whose reach may be too far.  Not noticed is a way along an axis without its magnitude, of which exact numbers ask only whether it is zero.
-  EXPECT_EQ(unnoticed(
-                axes::ObbPair{}, [](mutants::Draw& d) { return d.turned_box(); }, 21),
-            "69 ");
-  EXPECT_EQ(unnoticed(
-                axes::BoxAndObb{}, [](mutants::Draw& d) { return d.box(); }, 0),
-            "17 ");
+  const auto turned = [](mutants::Draw& d) { return d.turned_box(); };
+  mutants::expect_noticed("obb_obb", unnoticed(axes::ObbPair{}, turned, 21), "69 ");
+  const auto box = [](mutants::Draw& d) { return d.box(); };
+  mutants::expect_noticed("box_obb", unnoticed(axes::BoxAndObb{}, box, 0), "17 ");
 }
 
 }  // namespace

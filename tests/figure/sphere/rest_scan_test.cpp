@@ -11,6 +11,7 @@
 #include "certify/golden_statements.hpp"
 #include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "figure/sphere/stays_inside.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
@@ -147,36 +148,62 @@ TEST(BlockReach, LanesSayWhatOneByOneSays) {
 template <std::size_t axes>
 using Numbers = std::array<double, axes>;
 
-/// Tells what is so of small multiples of a quarter.
+/// Of small multiples of a quarter.
 template <std::size_t axes>
-void expect_mutants_noticed() {
+std::string unnoticed() {
   struct Drawn {
     Numbers<axes> p, base, by;
     double rest, lead;
   };
-  EXPECT_EQ(mutants::unnoticed(
-                [](mutants::Draw& draw) {
-                  Drawn x{};
-                  for (std::size_t a = 0; a < axes; ++a)
-                    x.p[a] = draw.number(), x.base[a] = draw.number(), x.by[a] = draw.quarter();
-                  x.rest = draw.number(), x.lead = draw.number();
-                  return x;
-                },
-                [](const Drawn& x) {
-                  mutants::World world;
-                  return std::optional(StaysInside()(world, x.p, x.rest, x.base, x.by, x.lead));
-                },
-                [](const Drawn& x) {
-                  double sum = x.rest + x.lead;
-                  for (std::size_t a = 0; a < axes; ++a) sum += (x.p[a] - x.base[a]) * x.by[a];
-                  return sum > 0;
-                }),
-            "");
+  return mutants::unnoticed(
+      [](mutants::Draw& draw) {
+        Drawn x{};
+        for (std::size_t a = 0; a < axes; ++a)
+          x.p[a] = draw.number(), x.base[a] = draw.number(), x.by[a] = draw.quarter();
+        x.rest = draw.number(), x.lead = draw.number();
+        return x;
+      },
+      [](const Drawn& x) {
+        mutants::World world;
+        return std::optional(StaysInside()(world, x.p, x.rest, x.base, x.by, x.lead));
+      },
+      [](const Drawn& x) {
+        double sum = x.rest + x.lead;
+        for (std::size_t a = 0; a < axes; ++a) sum += (x.p[a] - x.base[a]) * x.by[a];
+        return sum > 0;
+      });
 }
 
 TEST(StaysInside, MutantsAreNoticed) {
-  expect_mutants_noticed<2>();
-  expect_mutants_noticed<3>();
+  mutants::expect_noticed("stays_inside", unnoticed<3>());
+  mutants::expect_noticed("stays_inside_2d", unnoticed<2>());
+}
+
+/// Of points that are inside: how many are told to be?
+template <std::size_t axes>
+void count_told(PromisedShare& share) {
+  for (const FamilyInfo& info : families) {
+    for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(600); ++i) {
+      Entropy entropy(74, i);
+      std::array<double, 12> x{};
+      fill_points(info.family, Degeneracy::cospherical, 3, x, entropy);
+      Numbers<axes> p{}, base{}, by{};
+      for (std::size_t a = 0; a < axes; ++a) p[a] = x[a], base[a] = x[3 + a], by[a] = x[6 + a];
+      RationalWorld exact;
+      FloatWorld<StaysInside> w;
+      Rational sum = exact.number(x[9]) + exact.number(x[10]);
+      for (std::size_t a = 0; a < axes; ++a) sum = sum + exact.difference(p[a], base[a]) * exact.number(by[a]);
+      const bool told = StaysInside()(w, p, x[9], base, by, x[10]) && w.certain();
+      const bool is_so = sum.sign() == Sign::positive;
+      EXPECT_TRUE(is_so || !told) << info.name << ", Entropy(74, " << i << ")";
+      if (is_so) share.add(info.family, told);
+    }
+  }
+}
+TEST(StaysInside, IsToldInPromisedShare) {
+  PromisedShare in_space("stays_inside"), in_the_plane("stays_inside_2d");
+  count_told<3>(in_space);
+  count_told<2>(in_the_plane);
 }
 
 template <std::size_t axes>

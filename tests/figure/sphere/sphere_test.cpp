@@ -11,7 +11,9 @@
 #include <map>
 
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "figure/basic/shape_cases.hpp"
 #include "figure/basic/thrown.hpp"
 #include "figure/sphere/rational_ball.hpp"
@@ -297,6 +299,62 @@ struct Gap {
     }
   }
 };
+/// Two balls by the numbers that a gap takes.
+template <int axes>
+auto balls_of(const std::array<double, 2 * axes + 2>& p) {
+  if constexpr (axes == 2) {
+    return std::pair{Circle2{{p[0], p[2]}, p[4]}, Circle2{{p[1], p[3]}, p[5]}};
+  } else {
+    return std::pair{Sphere3{{p[0], p[2], p[4]}, p[6]}, Sphere3{{p[1], p[3], p[5]}, p[7]}};
+  }
+}
+template <int axes>
+std::string unnoticed_of_gaps() {
+  using Numbers = std::array<double, 2 * axes + 2>;
+  return mutants::unnoticed(
+      [](mutants::Draw& d) {
+        Numbers x{};
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = i < 2 * axes ? d.number() : d.positive();
+        return x;
+      },
+      []<std::size_t... k>(std::index_sequence<k...>) {
+        return [](const Numbers& x) { return std::optional(Gap<axes>{}(std::array{mutants::Number(x[k])...}).sign()); };
+      }(std::make_index_sequence<2 * axes + 2>{}),
+      [](const Numbers& x) {
+        const auto [a, b] = balls_of<axes>(x);
+        const Relation relation = relate(a, b);
+        return relation == Relation::disjoint   ? Sign::positive
+               : relation == Relation::touching ? Sign::zero
+                                                : Sign::negative;
+      },
+      0, 2000);
+}
+TEST(Sphere, MutantsOfGapsAreNoticed) {
+  mutants::expect_noticed("balls2", unnoticed_of_gaps<2>());
+  mutants::expect_noticed("balls3", unnoticed_of_gaps<3>());
+}
+
+template <int axes>
+void count_told(PromisedShare& share) {
+  for (const FamilyInfo& info : families) {
+    for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(400); ++i) {
+      Entropy entropy(77, i);
+      std::array<double, 12> x{};
+      fill_points(info.family, Degeneracy::collinear, 3, x, entropy);
+      std::array<double, 2 * axes + 2> p{};
+      for (std::size_t k = 0; k < p.size(); ++k) p[k] = k < 2 * axes ? x[k] : std::fabs(x[k]);
+      const auto [a, b] = balls_of<axes>(p);
+      const auto gap = figure::sphere::gap(a, b);
+      share.add(info.family, gap.sure);
+    }
+  }
+}
+TEST(Sphere, DoublesTellGapsInPromisedShare) {
+  PromisedShare in_the_plane("balls2"), in_space("balls3");
+  count_told<2>(in_the_plane);
+  count_told<3>(in_space);
+}
+
 TEST(Sphere, ConstantsDoNotChangeUnnoticedAndAreProved) {
   using namespace figure::sphere;
   const auto expect = [](const auto& formula, const auto& a, const auto& b) {

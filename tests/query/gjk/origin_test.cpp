@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/predicates.hpp"
@@ -109,6 +111,149 @@ TEST(GjkOrigin, EachWorldTellsWhatIsSo) {
   }
   EXPECT_GE(held[0], 20);
   EXPECT_GE(held[1], 20);
+}
+
+Asked asked_of(const std::array<Point3, 4>& corners, std::span<const std::uint32_t> in_plane) {
+  return {corners.data(), {}, 4, in_plane};
+}
+constexpr std::array<std::uint32_t, 3> first_three{0, 1, 2};
+
+TEST(GjkOrigin, DoublesTellInPromisedShare) {
+  const auto at = [](const auto& x, std::size_t k) { return Point3{x[3 * k], x[3 * k + 1], x[3 * k + 2]}; };
+  expect_share<9>("gjk_ahead", Ahead{}, [&](const auto& ask, const auto& x) {
+    ask(arith::Plain{x[0], x[1], x[2]}, at(x, 1), at(x, 2));
+  });
+  expect_share<15>("gjk_are_ahead", AreAhead{}, [&](const auto& ask, const auto& x) {
+    const std::array all{at(x, 1), at(x, 2), at(x, 3)};
+    ask(arith::Plain{x[0], x[1], x[2]}, all.data(), std::span<const std::uint32_t>(first_three), at(x, 4));
+  });
+  const auto pairs = [&](const auto& x) {
+    const Point3 o = at(x, 4);
+    return Pairs{{at(x, 0), at(x, 1), at(x, 2), at(x, 3)}, {o, o, o, o}};
+  };
+  const auto draw = [&](const auto& ask, const auto& x) { ask(pairs(x)); };
+  expect_share<15>("gjk_around_origin", IsAroundOrigin{}, draw);
+  expect_share<15>("gjk_holds_origin2", HoldsOrigin<2>{}, draw);
+  expect_share<15>("gjk_holds_origin3", HoldsOrigin<3>{}, draw);
+  const auto nearest = [&]<std::size_t count>() {
+    return [&](const auto& ask, const auto& x) {
+      const Pairs p = pairs(x);
+      const auto in_plane = std::span(first_three).first(count);
+      ask(p, asked_of(p.a, in_plane), asked_of(p.b, in_plane));
+    };
+  };
+  expect_share<15>("gjk_nearest1", AreNearest<1>{}, nearest.operator()<1>());
+  expect_share<15>("gjk_nearest2", AreNearest<2>{}, nearest.operator()<2>());
+  expect_share<15>("gjk_nearest3", AreNearest<3>{}, nearest.operator()<3>());
+}
+
+arith::Plain plain(const Point3& p) { return {p.x, p.y, p.z}; }
+Sign sign_of_number(double x) { return static_cast<Sign>((x > 0) - (x < 0)); }
+
+TEST(GjkOrigin, MutantsOfPlanesAreNoticed) {
+  using mutants::unnoticed, mutants::Draw, mutants::told, mutants::World;
+  struct Drawn {
+    arith::Plain n;
+    std::array<Point3, 3> v;
+    Point3 p;
+  };
+  const auto draw = [](Draw& d) {
+    return Drawn{{d.number(), d.number(), d.number()}, {d.point(), d.point(), d.point()}, d.point()};
+  };
+  const auto ahead = [](const Drawn& x, std::size_t k) { return dot(x.n, plain(x.v[k])) - dot(x.n, plain(x.p)); };
+  mutants::expect_noticed("gjk_ahead", unnoticed(
+                                           draw, [](const Drawn& x) { return told<World>(Ahead{}, x.n, x.v[0], x.p); },
+                                           [&](const Drawn& x) { return sign_of_number(ahead(x, 0)); }));
+  mutants::expect_noticed(
+      "gjk_are_ahead",
+      unnoticed(
+          draw, [](const Drawn& x) { return told<World>(AreAhead{}, x.n, x.v.data(), std::span(first_three), x.p); },
+          [&](const Drawn& x) { return ahead(x, 0) > 0 && ahead(x, 1) > 0 && ahead(x, 2) > 0; }));
+}
+
+/// Corners around a point, which now and then is in the middle of two or three of them; all of them in one plane, too.
+Pairs drawn_pairs(mutants::Draw& d) {
+  const Point3 o = d.point();
+  std::array<Point3, 4> c{d.point(), d.point(), d.point(), d.point()};
+  const double kind = d.positive();
+  if (kind == 2) c[1] = {2 * o.x - c[0].x, 2 * o.y - c[0].y, 2 * o.z - c[0].z};
+  if (kind == 3) {
+    const double part = d.positive();  // of c[2] on the other side
+    c[2] = {o.x + (2 * o.x - c[0].x - c[1].x) * part, o.y + (2 * o.y - c[0].y - c[1].y) * part,
+            o.z + (2 * o.z - c[0].z - c[1].z) * part};
+  }
+  return {c, {o, o, o, o}};
+}
+TEST(GjkOrigin, MutantsAreNoticed) {
+  using mutants::unnoticed, mutants::told, mutants::World;
+  mutants::expect_noticed("gjk_around_origin",
+                          unnoticed(
+                              drawn_pairs, [](const Pairs& p) { return told<World>(IsAroundOrigin{}, p); },
+                              [](const Pairs& p) {
+                                const auto& c = p.a;
+                                const Point3& o = p.b[0];
+                                const std::array signs{orient3d(o, c[1], c[2], c[3]), orient3d(c[0], o, c[2], c[3]),
+                                                       orient3d(c[0], c[1], o, c[3]), orient3d(c[0], c[1], c[2], o)};
+                                return signs[0] != Sign::zero && signs[1] == signs[0] && signs[2] == signs[0] &&
+                                       signs[3] == signs[0];
+                              }));
+  mutants::expect_noticed("gjk_holds_origin2",
+                          unnoticed(
+                              drawn_pairs, [](const Pairs& p) { return told<World>(HoldsOrigin<2>{}, p); },
+                              [](const Pairs& p) {
+                                return distance(Segment3{p.a[0], p.a[1]}, p.b[0]) == 0;
+                              }));
+  mutants::expect_noticed("gjk_holds_origin3",
+                          unnoticed(
+                              drawn_pairs, [](const Pairs& p) { return told<World>(HoldsOrigin<3>{}, p); },
+                              [](const Pairs& p) {
+                                const arith::Plain n =
+                                    cross(plain(p.a[1]) - plain(p.a[0]), plain(p.a[2]) - plain(p.a[0]));
+                                return dot(n, n) != 0 && distance(Triangle3{p.a[0], p.a[1], p.a[2]}, p.b[0]) == 0;
+                              }));
+}
+
+/// By the weights of the nearest point of their plane, solved of its normal equations; of numbers that doubles hold.
+template <int count>
+bool are_nearest(const Pairs& p) {
+  const auto difference = [&](std::size_t i) { return plain(p.a[i]) - plain(p.b[i]); };
+  const arith::Plain d = difference(0), u = difference(1) - d, v = difference(2) - d;
+  double whole = 1, of_u = 0, of_v = 0;
+  if constexpr (count == 2) whole = dot(u, u), of_u = -dot(d, u);
+  if constexpr (count == 3) {
+    const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), du = dot(d, u), dv = dot(d, v);
+    whole = uu * vv - uv * uv, of_u = dv * uv - du * vv, of_v = du * uv - dv * uu;
+    if (of_v <= 0) return false;
+  }
+  if (count > 1 && (of_u <= 0 || whole - of_u - of_v <= 0)) return false;
+  const arith::Plain nearest = d * whole + u * of_u + v * of_v;
+  for (std::size_t i = count; i < 4; ++i) {
+    if (dot(plain(p.a[i]) - plain(p.a[0]), nearest) <= 0 || dot(plain(p.b[i]) - plain(p.b[0]), nearest) >= 0)
+      return false;
+  }
+  return dot(nearest, nearest) > 0;
+}
+template <int count>
+std::string unnoticed_of_nearest() {
+  return mutants::unnoticed(
+      [](mutants::Draw& d) {
+        // Hulls that are apart as a rule, so that a corner, an edge or a face of their difference is nearest.
+        Pairs p{{d.point(), d.point(), d.point(), d.point()}, {d.point(), d.point(), d.point(), d.point()}};
+        const double away = 2 * d.positive();
+        for (std::size_t i = 0; i < 4; ++i)
+          p.a[i].x += away, p.b[i].y -= i < count ? 0 : away, p.a[i].z += i < count ? 0 : 4;
+        return p;
+      },
+      [](const Pairs& p) {
+        const auto in_plane = std::span(first_three).first(count);
+        return mutants::told<mutants::World>(AreNearest<count>{}, p, asked_of(p.a, in_plane), asked_of(p.b, in_plane));
+      },
+      are_nearest<count>);
+}
+TEST(GjkNearest, MutantsAreNoticed) {
+  mutants::expect_noticed("gjk_nearest1", unnoticed_of_nearest<1>());
+  mutants::expect_noticed("gjk_nearest2", unnoticed_of_nearest<2>());
+  mutants::expect_noticed("gjk_nearest3", unnoticed_of_nearest<3>());
 }
 
 }  // namespace

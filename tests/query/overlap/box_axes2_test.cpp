@@ -8,6 +8,7 @@
 #include "certify/golden_statements.hpp"
 #include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "certify/written_axes.hpp"
 #include "figure/aabb/axes2.hpp"
 #include "plumb/arith/big.hpp"
@@ -48,29 +49,11 @@ TEST(BoxAxes2, DerivedBoundsAreAsRecordedAndProved) {
   expect_bounds("triangle_box2", axes2::TriangleAndBox2{}, Triangle2{p, q, r}, box);
 }
 
-/// How many of 1000 the doubles answer, at least: of segments, of triangles.  One box in 67 is empty.
-constexpr std::array<int, 2> promised(Family family) {
-  switch (family) {
-    case Family::uniform:
-    case Family::float32:
-      return {975, 975};
-    case Family::extreme:
-      return {170, 125};
-    case Family::mixture:
-      return {500, 500};
-    case Family::repeated:
-      return {450, 450};
-    case Family::near_half:
-      return {780, 500};
-    default:
-      return {850, 750};
-  }
-}
-
+// One box in 67 is empty.
 TEST(BoxAxes2, EveryWorldGivesTheRelationAndDoublesTheirShare) {
   std::array<int, 3> relations{};
+  std::array shares{PromisedShare("segment_box2"), PromisedShare("triangle_box2")};
   for (const FamilyInfo& info : families) {
-    std::array<int, 2> by_floats{};
     for (std::uint64_t i = 0; i < 1000; ++i) {
       Entropy entropy(28, i);
       std::array<double, 10> x{};
@@ -87,11 +70,10 @@ TEST(BoxAxes2, EveryWorldGivesTheRelationAndDoublesTheirShare) {
       for (std::size_t k = 0; k < 2; ++k) {
         for (const auto& by : told[k])
           ASSERT_EQ(by.value_or(truth[k]), truth[k]) << info.name << k << ", replay: " << i;
-        by_floats[k] += told[k][0].has_value();
+        shares[k].add(info.family, told[k][0].has_value());
         ++relations[static_cast<std::size_t>(static_cast<int>(truth[k]) + 1)];
       }
     }
-    for (std::size_t k = 0; k < 2; ++k) EXPECT_GE(by_floats[k], promised(info.family)[k]) << info.name << k;
   }
   EXPECT_GE(relations[0], 2000);
   EXPECT_GE(relations[1], 500);
@@ -138,12 +120,10 @@ std::string unnoticed_of(const Statement& statement, const auto& drawn) {
 }
 TEST(BoxAxes2, MutantsAreNoticed) {
   const auto point = [](mutants::Draw& d) { return Point2{d.number(), d.number()}; };
-  EXPECT_EQ(unnoticed_of(axes2::SegmentAndBox2{}, [&](mutants::Draw& d) { return Segment2{point(d), point(d)}; }), "");
-  EXPECT_EQ(unnoticed_of(axes2::TriangleAndBox2{},
-                         [&](mutants::Draw& d) {
-                           return Triangle2{point(d), point(d), point(d)};
-                         }),
-            "");
+  const auto segment = [&](mutants::Draw& d) { return Segment2{point(d), point(d)}; };
+  const auto triangle = [&](mutants::Draw& d) { return Triangle2{point(d), point(d), point(d)}; };
+  mutants::expect_noticed("segment_box2", unnoticed_of(axes2::SegmentAndBox2{}, segment));
+  mutants::expect_noticed("triangle_box2", unnoticed_of(axes2::TriangleAndBox2{}, triangle));
 }
 
 }  // namespace

@@ -3,8 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <tuple>
+
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 
 namespace plumb::query::parting {
@@ -22,6 +28,120 @@ TEST(LeastBoxAxis, DerivedBoundsAreAsRecordedAndProved) {
   EXPECT_TRUE(IsLeastAxis{}(world, a, b, 0U, 1U).is_least && world.certain());
   expect_golden("least_box_axis", bounds);
   expect_proved(bounds, judged_proofs("least_box_axis", IsLeastAxis{}, a, b, 0U, 1U));
+}
+
+/// A box by 21 numbers.
+GivenBox box_of(const double* x) {
+  GivenBox box{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.axes[k] = {x[3 * k], x[3 * k + 1], x[3 * k + 2]};
+    box.length[k] = {std::fmin(x[9 + k], x[12 + k]), std::fmax(x[9 + k], x[12 + k])};
+    box.middle[k] = {x[15 + k], x[18 + k]};
+  }
+  return box;
+}
+
+/// Is it?
+struct IsLeast {
+  static constexpr Scales scales = IsLeastAxis::scales;
+  static constexpr int highest = IsLeastAxis::highest;
+  bool operator()(auto& w, const GivenBox& a, const GivenBox& b, std::uint32_t i, std::uint32_t j) const {
+    return IsLeastAxis{}(w, a, b, i, j).is_least;
+  }
+};
+TEST(LeastBoxAxis, DoublesTellInPromisedShare) {
+  expect_share<42>("least_box_axis", IsLeast{}, [](const auto& ask, const std::array<double, 42>& x) {
+    ask(box_of(x.data()), box_of(x.data() + 21), 0U, 3U);
+  });
+}
+
+struct Drawn {
+  GivenBox a, b;
+  std::array<std::uint32_t, 2> pair;
+};
+using Told = std::tuple<bool, Sign, std::array<Sign, 6>>;
+
+/// Along the cross product of two axes: both boxes' reach less the way between their middles, by all six axes.
+struct Along {
+  arith::Plain n;
+  double lead, overlap, square;
+
+  Along(const Drawn& x, std::size_t i, std::size_t j) : n(cross(axis(x, i), axis(x, j))), square(dot(n, n)) {
+    const auto of = [](const GivenBox::Ends& e) { return e.to - e.from; };
+    const auto middle = [&](std::size_t k) { return of(x.a.middle[k]) - of(x.b.middle[k]); };
+    lead = dot(n, arith::Plain{middle(0), middle(1), middle(2)});
+    overlap = -std::fabs(lead);
+    for (std::size_t k = 0; k < 6; ++k) {
+      overlap += std::fabs(dot(n, axis(x, k))) * of((k < 3 ? x.a : x.b).length[k % 3]);
+    }
+  }
+  static arith::Plain axis(const Drawn& x, std::size_t k) {
+    const Vector3& v = (k < 3 ? x.a : x.b).axes[k % 3];
+    return {v.x, v.y, v.z};
+  }
+};
+/// Of small integers, whose products doubles hold.
+Told truth(const Drawn& x) {
+  const auto sign = [](double t) { return static_cast<Sign>((t > 0) - (t < 0)); };
+  const auto [i, j] = x.pair;
+  const Along least(x, i, j);
+  Told told{least.lead != 0 && least.overlap > 0, sign(least.lead), {}};
+  auto& [is_least, middle, along] = told;
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (k == i || k == j) continue;
+    along[k] = sign(dot(least.n, Along::axis(x, k)));
+    is_least = is_least && along[k] != Sign::zero;
+  }
+  for (std::size_t p = 0; p < 6; ++p) {
+    for (std::size_t q = p + 1; q < 6; ++q) {
+      const Along other(x, p, q);
+      const bool is_nearer =
+          least.overlap * least.overlap * other.square < other.overlap * other.overlap * least.square;
+      is_least = is_least && ((p == i && q == j) || (other.overlap > 0 && is_nearer));
+    }
+  }
+  for (std::size_t body : {0U, 3U}) {
+    const arith::Plain n = cross(Along::axis(x, body), Along::axis(x, body + 1));
+    is_least = is_least && dot(n, Along::axis(x, body + 2)) != 0;
+  }
+  return told;
+}
+TEST(LeastBoxAxis, MutantsAreNoticed) {
+  const auto draw = [](mutants::Draw& d) {
+    Drawn x{};
+    for (GivenBox* box : {&x.a, &x.b}) {
+      std::array<double, 21> all{};
+      for (std::size_t k = 0; k < 9; ++k)
+        all[k] = d.number() / 2 + (k % 4 == 0 ? 3 : 0);  // not far from those of space
+      for (std::size_t k = 9; k < 21; ++k) all[k] = d.number();
+      *box = box_of(all.data());
+      for (GivenBox::Ends& e : box->length) e.to += 1;
+    }
+    // A guess at the least, or at the second.
+    double least = HUGE_VAL, second = HUGE_VAL;
+    std::array<std::uint32_t, 2> of_least{0, 1}, of_second{0, 1};
+    for (std::uint32_t p = 0; p < 6; ++p) {
+      for (std::uint32_t q = p + 1; q < 6; ++q) {
+        const Along along(x, p, q);
+        const double far = along.overlap / std::sqrt(along.square);
+        if (far < least) {
+          second = least, of_second = of_least, least = far, of_least = {p, q};
+        } else if (far < second) {
+          second = far, of_second = {p, q};
+        }
+      }
+    }
+    x.pair = d.number() > 0 ? of_second : of_least;
+    return x;
+  };
+  mutants::expect_noticed("least_box_axis", mutants::unnoticed(
+                                                draw,
+                                                [](const Drawn& x) {
+                                                  mutants::World w;
+                                                  const auto told = IsLeastAxis{}(w, x.a, x.b, x.pair[0], x.pair[1]);
+                                                  return std::optional(Told{told.is_least, told.middle, told.along});
+                                                },
+                                                truth, 0, 3000));
 }
 
 }  // namespace

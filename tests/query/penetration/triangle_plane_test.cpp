@@ -9,7 +9,9 @@
 #include <optional>
 
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/predicates.hpp"
@@ -86,6 +88,63 @@ TEST(TrianglePlane, EachWorldTellsWhatIsSo) {
   }
   EXPECT_GE(on_plane, 50);
   EXPECT_GE(as_far, 1);
+}
+
+TEST(TrianglePlane, DoublesTellInPromisedShare) {
+  const auto at = [](const auto& x, std::size_t k) { return Point3{x[3 * k], x[3 * k + 1], x[3 * k + 2]}; };
+  const auto pairs = [&](const auto& x) {
+    const Point3 o = at(x, 3);
+    return TrianglePairs{{at(x, 0), at(x, 1), at(x, 2)}, {o, o, o}};
+  };
+  expect_share<15>("passes_beyond", PassesBeyond{},
+                   [&](const auto& ask, const auto& x) { ask(pairs(x), std::fabs(x[12]) / 4); });
+  expect_share<15>("leads_along", LeadsAlong{},
+                   [&](const auto& ask, const auto& x) { ask(pairs(x), at(x, 0), at(x, 4)); });
+}
+
+TEST(TrianglePlane, MutantsAreNoticed) {
+  struct Drawn {
+    TrianglePairs of;
+    double length;
+    Point3 from, to;
+  };
+  const auto draw = [](mutants::Draw& d) {
+    const auto three = [&] { return std::array{d.point(), d.point(), d.point()}; };
+    return Drawn{{three(), three()}, d.quarter() + d.positive() - 1, d.point(), d.point()};
+  };
+  struct Known {
+    arith::Plain p, n;
+    double square;  // of n, by Lagrange's identity
+
+    explicit Known(const TrianglePairs& of) : p(corner(of, 0)) {
+      const arith::Plain u = corner(of, 1) - p, v = corner(of, 2) - p;
+      n = cross(u, v), square = dot(u, u) * dot(v, v) - dot(u, v) * dot(u, v);
+    }
+    static arith::Plain corner(const TrianglePairs& of, std::size_t i) {
+      return arith::Plain{of.a[i].x, of.a[i].y, of.a[i].z} - arith::Plain{of.b[i].x, of.b[i].y, of.b[i].z};
+    }
+  };
+  mutants::expect_noticed(
+      "passes_beyond",
+      mutants::unnoticed(
+          draw, [](const Drawn& x) { return mutants::told<mutants::World>(PassesBeyond{}, x.of, x.length); },
+          [](const Drawn& x) {
+            const Known plane(x.of);
+            const double height = dot(plane.n, plane.p);
+            return height > 0 && height * height > x.length * x.length * plane.square;
+          }),
+      "34 ");  // from the length nothing is taken away
+  mutants::expect_noticed(
+      "leads_along",
+      mutants::unnoticed(
+          draw, [](const Drawn& x) { return mutants::told<mutants::World>(LeadsAlong{}, x.of, x.from, x.to); },
+          [](const Drawn& x) {
+            const Known plane(x.of);
+            const double lead =
+                plane.n.x * (x.to.x - x.from.x) + plane.n.y * (x.to.y - x.from.y) + plane.n.z * (x.to.z - x.from.z);
+            return static_cast<Sign>((lead > 0) - (lead < 0));
+          }),
+      "24 25 26 27 28 29 30 31 32 33 ");  // the plane's height and its square have no part in a way
 }
 
 /// Planes along two axes are as far as their third coordinate says.

@@ -8,8 +8,11 @@
 #include <iostream>
 #include <tuple>
 
+#include "arith/vec.hpp"
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "tool/trial/moving_cases.hpp"
 
@@ -108,6 +111,113 @@ TEST(SweptSigns, MutantsAreNoticed) {
   noticed("the cubic's ends", tally_of<Mistake::thrice>(10));
   noticed("the piece's corner", tally_of<Mistake::corner>(10));
   noticed("the side turned over", tally_of<Mistake::side>(10));
+}
+
+TEST(SweptSigns, DoublesTellThemInPromisedShare) {
+  PromisedShare of_side("swept_side"), of_cubic("swept_cubic"), of_cubic_piece("swept_cubic_piece"),
+      of_side_piece("swept_side_piece"), of_steps("swept_cubic_step");
+  for (const FamilyInfo& info : families) {
+    for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(200); ++i) {
+      Entropy entropy(2035, i);
+      std::array<double, 24> x{};
+      fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
+      Case c;
+      for (std::size_t k = 0; k < 4; ++k) {
+        c.at_0[k] = {x[3 * k], x[3 * k + 1], x[3 * k + 2]};
+        c.at_1[k] = {x[12 + 3 * k], x[13 + 3 * k], x[14 + 3 * k]};
+      }
+      SweptFloats<> w;
+      const auto [side, cubic, piece, side_piece, steps] = coefficients<Mistake::none>(w, c, 0.25, 0.625);
+      const auto count = [&](PromisedShare& share, const auto& numbers) {
+        for (const auto& n : numbers) share.add(info.family, w.certain() && (w.positive(n) || w.negative(n)));
+      };
+      count(of_side, side), count(of_cubic, cubic), count(of_cubic_piece, piece);
+      count(of_side_piece, side_piece), count(of_steps, steps);
+    }
+  }
+}
+
+/// Four points that move, and a piece of time.
+struct Drawn {
+  Case points;
+  double s, t;
+};
+/// Which of them are asked.
+enum class Of { side, side_piece, cubic, cubic_piece, step };
+
+std::vector<mutants::Number> told(Of which, const Drawn& d) {
+  using mutants::Number;
+  mutants::World w;
+  const auto between_points = [&](std::size_t i) {
+    return Swept{swept_difference(w, d.points.at_0[i], d.points.at_0[0]),
+                 swept_difference(w, d.points.at_1[i], d.points.at_1[0])};
+  };
+  const auto list = [](const auto&... all) {
+    std::vector<Number> numbers;
+    (numbers.insert(numbers.end(), all.begin(), all.end()), ...);
+    return numbers;
+  };
+  const auto side = swept_side(between_points(1), between_points(2));
+  if (which == Of::side) return list(side.x, side.y, side.z);
+  if (which == Of::side_piece) {
+    return list(piece_of(side.x, d.s, d.t), piece_of(side.y, d.s, d.t), piece_of(side.z, d.s, d.t));
+  }
+  const auto cubic = swept_cubic(between_points(3), side);
+  if (which == Of::cubic) return list(cubic);
+  const auto piece = piece_of(cubic, d.s, d.t);
+  if (which == Of::cubic_piece) return list(piece);
+  return list(std::array{piece[1] - piece[0], piece[2] - piece[1], piece[3] - piece[2]});
+}
+/// By the polar forms: products of the vectors at two times, or three, summed up over all orders of those.
+std::vector<double> truth(Of which, const Drawn& d) {
+  const auto vector_at = [&](std::size_t i, double t) {
+    const auto less = [](const Point3& p, const Point3& q) { return arith::Plain{p.x - q.x, p.y - q.y, p.z - q.z}; };
+    return less(d.points.at_0[i], d.points.at_0[0]) * (1 - t) + less(d.points.at_1[i], d.points.at_1[0]) * t;
+  };
+  const auto side = [&](double s, double t) {
+    return cross(vector_at(1, s), vector_at(2, t)) + cross(vector_at(1, t), vector_at(2, s));
+  };
+  const auto cubic = [&](double r, double s, double t) {
+    return dot(vector_at(3, r), side(s, t)) + dot(vector_at(3, s), side(t, r)) + dot(vector_at(3, t), side(r, s));
+  };
+  const bool is_whole = which == Of::side || which == Of::cubic;
+  const double s = is_whole ? 0 : d.s, t = is_whole ? 1 : d.t;
+  if (which == Of::side || which == Of::side_piece) {
+    const arith::Plain a = side(s, s), b = side(s, t), c = side(t, t);
+    return {a.x, b.x, c.x, a.y, b.y, c.y, a.z, b.z, c.z};
+  }
+  const std::vector<double> all{cubic(s, s, s), cubic(s, s, t), cubic(s, t, t), cubic(t, t, t)};
+  if (which != Of::step) return all;
+  return {all[1] - all[0], all[2] - all[1], all[3] - all[2]};
+}
+std::string unnoticed(Of which) {
+  return mutants::unnoticed(
+      [](mutants::Draw& draw) {
+        Drawn d{{}, draw.quarter(), 1 - draw.quarter()};
+        for (auto* points : {&d.points.at_0, &d.points.at_1}) {
+          for (Point3& p : *points) p = draw.point();
+        }
+        return d;
+      },
+      [&](const Drawn& d) {
+        std::vector<Sign> signs;
+        for (const mutants::Number& n : told(which, d)) signs.push_back(n.sign());
+        return std::optional(signs);
+      },
+      [&](const Drawn& d) {
+        std::vector<Sign> signs;
+        for (const double x : truth(which, d)) signs.push_back(static_cast<Sign>((x > 0) - (x < 0)));
+        return signs;
+      },
+      0, 1000);
+}
+TEST(SweptSigns, WrongOperationsAreNoticed) {
+  mutants::expect_noticed("swept_side", unnoticed(Of::side));
+  mutants::expect_noticed("swept_side_piece", unnoticed(Of::side_piece));
+  // Three times an end, or once: its sign is the same, but not that of a piece.
+  mutants::expect_noticed("swept_cubic", unnoticed(Of::cubic), "68 69 99 100 ");
+  mutants::expect_noticed("swept_cubic_piece", unnoticed(Of::cubic_piece));
+  mutants::expect_noticed("swept_cubic_step", unnoticed(Of::step));
 }
 
 TEST(SweptSigns, BoundsAreTheGoldenOnes) {

@@ -3,10 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/figure/hull/hull3.hpp"
+#include "plumb/predicates.hpp"
 #include "query/separation/convex_body.hpp"
 
 namespace plumb::query::vclipping {
@@ -85,6 +91,89 @@ TEST(SpanningPairs, AreAllButThoseThatArePartedStrictly) {
     }
   }
   EXPECT_GE(level, 6U + 6U + 12U * 4U + 8U);
+}
+
+/// A tetrahedron and what is asked of it; it stays where it is.
+struct Kept {
+  ConvexPolyhedron3 figure;
+  CoreCorners core;
+  Solid solid;
+  std::vector<SolidEdge> edges;
+
+  explicit Kept(const std::vector<Point3>& corners)
+      : figure(solid_of(corners)),
+        core(*CoreCorners::of(body_view(figure))),
+        solid(figure, core, false),
+        edges(edges_of(solid)) {}
+};
+/// The first that has an inside.
+std::unique_ptr<Kept> kept(const auto& draw) {
+  for (;;) {
+    const std::vector<Point3> p = draw();
+    if (orient3d(p[0], p[1], p[2], p[3]) != Sign::zero) return std::make_unique<Kept>(p);
+  }
+}
+using Edges = std::vector<SolidEdge>;
+Pairs told(auto& world, const Kept& a, const Edges& of_a, const Kept& b, const Edges& of_b) {
+  Pairs all;
+  SpanningPairs{}(world, a.solid, of_a, b.solid, of_b, [&](std::size_t i, std::size_t j) {
+    all.push_back({i, j});
+    return false;
+  });
+  return all;
+}
+
+struct Rationals : RationalWorld {
+  static bool positive(const Rational& x) { return x.sign() == Sign::positive; }
+};
+TEST(SpanningPairs, DoublesLeaveOutInPromisedShare) {
+  PromisedShare share("spanning_edges");
+  for (const FamilyInfo& info : families) {
+    for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(40); ++i) {
+      Entropy entropy(81, i);
+      const auto draw = [&] {  // not all of them, of which two are equal in some family
+        const std::vector<Point3> p = points3(info.family, Degeneracy::cospherical, 6, entropy);
+        return std::vector{p[0], p[2], p[4], p[5]};
+      };
+      const auto a = kept(draw), b = kept(draw);
+      FloatWorld<SpanningPairs> floats;
+      Rationals exact;
+      const Pairs found = told(floats, *a, a->edges, *b, b->edges), truth = told(exact, *a, a->edges, *b, b->edges);
+      if (!floats.certain()) {  // out of their range they tell nothing
+        share.add(info.family, 0, static_cast<int>(36 - truth.size()));
+        continue;
+      }
+      EXPECT_TRUE(std::ranges::includes(found, truth)) << info.name << ", Entropy(81, " << i << ")";
+      share.add(info.family, static_cast<int>(36 - found.size()), static_cast<int>(36 - truth.size()));
+    }
+  }
+}
+
+TEST(SpanningPairs, MutantsAreNoticed) {
+  std::vector<std::unique_ptr<Kept>> all;
+  for (std::uint64_t k = 0; k < 24; ++k) {
+    mutants::Draw d(k);
+    all.push_back(kept([&] { return std::vector{d.point(), d.point(), d.point(), d.point()}; }));
+  }
+  struct Drawn {
+    const Kept *a, *b;
+    Edges of_a, of_b;  // one of each
+  };
+  std::uint64_t i = 0;
+  const auto draw = [&](mutants::Draw&) {
+    Entropy entropy(82, i++);
+    const auto one = [&] { return all[entropy.below(all.size())].get(); };
+    const Kept *a = one(), *b = one();
+    return Drawn{a, b, {a->edges[entropy.below(6)]}, {b->edges[entropy.below(6)]}};
+  };
+  mutants::expect_noticed(
+      "spanning_edges", mutants::unnoticed(
+                            draw,
+                            [](const Drawn& x) {
+                              mutants::World world;
+                              return std::optional(told(world, *x.a, x.of_a, *x.b, x.of_b));
+                            },
+                            [](const Drawn& x) { return spanning(x.a->solid, x.of_a, x.b->solid, x.of_b); }, 0, 2000));
 }
 
 }  // namespace

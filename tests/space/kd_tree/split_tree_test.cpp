@@ -5,11 +5,14 @@
 #include <tbb/global_control.h>
 
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "certify/sanitized.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
+#include "plumb/predicates.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/kd_tree/split_range.hpp"
 #include "plumb/space/kd_tree/split_ray.hpp"
@@ -272,6 +275,39 @@ void expect_bounds_of_side(const char* name) {
 TEST(ASplitTree, SidesOfCornersAreAsRecordedAndProved) {
   expect_bounds_of_side<false>("corners_beside_ray");
   expect_bounds_of_side<true>("corners_beside_segment");
+}
+
+TEST(ASplitTree, SidesOfCornersAreToldInPromisedShare) {
+  const auto draw = [](const auto& ask, const std::array<double, 10>& x) {
+    ask(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9]);
+  };
+  expect_share<10>("corners_beside_ray", space::kd::SideOfCorners<false>{}, draw, 2);
+  expect_share<10>("corners_beside_segment", space::kd::SideOfCorners<true>{}, draw, 2);
+}
+
+template <bool is_segment>
+std::string unnoticed() {
+  using Points = std::array<Point2, 5>;  // a line's point and direction, or its ends; three corners
+  return mutants::unnoticed(
+      [](mutants::Draw& d) {
+        Points all{};
+        for (Point2& p : all) p = {d.number(), d.number()};
+        return all;
+      },
+      [](const Points& x) {
+        return mutants::told<mutants::World>(space::kd::SideOfCorners<is_segment>{}, x[0].x, x[0].y, x[1].x, x[1].y,
+                                             x[2].x, x[2].y, x[3].x, x[3].y, x[4].x, x[4].y);
+      },
+      [](const Points& x) {
+        const Point2 to = is_segment ? x[1] : Point2{x[0].x + x[1].x, x[0].y + x[1].y};
+        const Sign first = orient2d(x[0], to, x[2]);
+        return orient2d(x[0], to, x[3]) == first && orient2d(x[0], to, x[4]) == first ? first : Sign::zero;
+      },
+      0, 5000);
+}
+TEST(ASplitTree, MutantsOfSidesAreNoticed) {
+  mutants::expect_noticed("corners_beside_ray", unnoticed<false>());
+  mutants::expect_noticed("corners_beside_segment", unnoticed<true>());
 }
 
 TEST(ASplitTree, NamesWhatIsRefused) {

@@ -7,7 +7,9 @@
 #include <array>
 
 #include "certify/golden_statements.hpp"
+#include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
+#include "certify/statements/promised_share.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 
@@ -56,6 +58,27 @@ TEST(CrossingSign, IsThatOfTheExactProducts) {
   }
   EXPECT_GE(zeros, 1000);
   EXPECT_GE(doubtful, 500);
+}
+
+TEST(CrossingSign, DoublesTellItInPromisedShare) {
+  const auto draw = [](const auto& ask, const std::array<double, 6>& x) { ask(x[0], x[1], x[2], x[3], x[4], x[5]); };
+  expect_share<6>("crossing_of_ray", CrossingOrder<false>{}, draw, 2);
+  expect_share<6>("crossing_of_segment", CrossingOrder<true>{}, draw, 2);
+}
+
+template <bool is_segment>
+std::string unnoticed() {
+  using Numbers = std::array<double, 6>;
+  return mutants::unnoticed(
+      [](mutants::Draw& d) { return Numbers{d.number(), d.number(), d.number(), d.number(), d.number(), d.number()}; },
+      [](const Numbers& x) {
+        return mutants::told<mutants::World>(CrossingOrder<is_segment>{}, x[0], x[1], x[2], x[3], x[4], x[5]);
+      },
+      [](const Numbers& x) { return static_cast<Sign>(truth(is_segment, x)); }, 0, 2000);
+}
+TEST(CrossingSign, MutantsAreNoticed) {
+  mutants::expect_noticed("crossing_of_ray", unnoticed<false>());
+  mutants::expect_noticed("crossing_of_segment", unnoticed<true>());
 }
 
 }  // namespace

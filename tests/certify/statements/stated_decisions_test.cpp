@@ -1,7 +1,9 @@
 // Is every decision that is stated over worlds held by a test?  Its derived bounds are recorded, and given to Gappa.
 //
-// Law: a file of the library that declares scales is included by a test that compares its bounds with
-// tests/certify/golden_statements.txt, and by one that has them proved; each name there is one of some test.
+// Laws: (1) a file of the library that declares scales is included by a test that compares its bounds with
+// tests/certify/statements/golden_statements.txt, and by one that has them proved; each name there is one of some test.
+// (2) Each name there has mutants that are noticed, and a share of decisions that is promised by family; those of pairs
+// have a share, and the mutants of their statement.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -66,7 +69,7 @@ TEST(StatedDecisions, AreRecordedAndProved) {
 
 TEST(StatedDecisions, EachNameThatIsRecordedIsOneOfATest) {
   const Texts tests = texts_below(fs::path(PLUMB_SOURCE_DIR) / "tests");
-  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/golden_statements.txt");
+  std::ifstream file(PLUMB_SOURCE_DIR "/tests/certify/statements/golden_statements.txt");
   int lines = 0;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;
@@ -76,6 +79,69 @@ TEST(StatedDecisions, EachNameThatIsRecordedIsOneOfATest) {
     EXPECT_TRUE(std::ranges::any_of(tests, has_it)) << line;
   }
   EXPECT_GE(lines, 130);
+}
+
+/// The names that a test gives such a call: call("name"); call of("name"), of_other("other").
+std::set<std::string> named(const Texts& tests, const std::string& call) {
+  static const std::regex first(R"re(^(<[^<>"]*>)?(\s\w+)?\(\s*"(\w+)")re"), next(R"re(^\),\s*\w+\("(\w+)")re");
+  std::set<std::string> all;
+  for (const auto& [path, text] : tests) {
+    if (!path.ends_with("_test.cpp") || path.starts_with("certify/statements/stated_decisions_")) continue;
+    for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+      std::string rest = text.substr(at + call.size(), 1000);
+      std::smatch found;
+      if (!std::regex_search(rest, found, first)) continue;
+      all.insert(found[3]);
+      while (std::regex_search(rest = found.suffix(), found, next)) all.insert(found[1]);
+    }
+  }
+  return all;
+}
+/// The names of golden_statements.txt, and of promised_shares.txt.
+struct Recorded {
+  std::set<std::string> bounds, shares;
+};
+std::set<std::string> first_words(const fs::path& file) {
+  std::set<std::string> all;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty() && line[0] != '#') all.insert(line.substr(0, line.find(' ')));
+  }
+  return all;
+}
+/// What is missing of the decisions whose bounds are recorded.
+std::vector<std::string> missing(const Recorded& recorded, const Texts& tests) {
+  const std::set<std::string> mutants = named(tests, "expect_noticed");
+  std::set<std::string> shares = named(tests, "PromisedShare");
+  shares.merge(named(tests, "expect_share"));
+  std::vector<std::string> all;
+  for (const std::string& name : recorded.bounds) {
+    if (!mutants.contains(without_ending(name, "_pairs"))) all.push_back(name + ": no mutants");
+    if (!shares.contains(name)) all.push_back(name + ": no test of its share");
+    if (!recorded.shares.contains(name)) all.push_back(name + ": no promised share");
+  }
+  for (const std::string& name : recorded.shares) {
+    if (!recorded.bounds.contains(name)) all.push_back(name + ": a promise without a statement");
+  }
+  return all;
+}
+TEST(StatedDecisions, HaveMutantsAndAPromisedShare) {
+  const fs::path tests = fs::path(PLUMB_SOURCE_DIR) / "tests", here = tests / "certify/statements";
+  const Recorded recorded{first_words(here / "golden_statements.txt"), first_words(here / "promised_shares.txt")};
+  EXPECT_GE(recorded.bounds.size(), 70U);
+  EXPECT_THAT(missing(recorded, texts_below(tests)), testing::IsEmpty());
+}
+TEST(StatedDecisions, AMissingMutantOrShareIsNoticed) {
+  const Recorded recorded{{"box", "box_pairs", "ray", "triangle"}, {"box", "box_pairs", "ray", "sphere"}};
+  const Texts tests{{"query/box_test.cpp", "expect_noticed(\"box\", f()); PromisedShare share(\"box\");\n"},
+                    {"query/ray_test.cpp",
+                     "mutants::expect_noticed(\n    \"triangle\", g());\n"
+                     "expect_share<12>(\"ray\", Ray{}, draw);\n"},
+                    {"query/none.hpp", "expect_noticed(\"ray\", h());\n"}};
+  EXPECT_THAT(
+      missing(recorded, tests),
+      testing::ElementsAre("box_pairs: no test of its share", "ray: no mutants", "triangle: no test of its share",
+                           "triangle: no promised share", "sphere: a promise without a statement"));
 }
 
 TEST(StatedDecisions, OneThatIsForgottenIsNoticed) {
