@@ -11,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +70,15 @@ std::string npy_with(const std::string& header, const std::string& numbers, char
   return std::string("\x93NUMPY") + version + '\0' +
          (version == 1 ? bytes_of(static_cast<std::uint16_t>(length), false) : bytes_of(length, false)) + header +
          numbers;
+}
+
+/// The number that stands before these words, without its commas.
+std::size_t number_before(const std::string& text, const std::string& words) {
+  const std::size_t end = text.find(words), begin = text.find_last_of(" >", end - 1) + 1;
+  if (end == std::string::npos) return 0;
+  std::string digits = text.substr(begin, end - begin);
+  std::erase(digits, ',');
+  return std::stoul(digits);
 }
 
 double whole_number(std::mt19937& draw, std::uint32_t below) { return static_cast<std::uint32_t>(draw()) % below; }
@@ -223,10 +233,9 @@ TEST(Pairs, AreDrawnWithTheColumnsOfTheSweep) {
   write(folder / "boxes.csv", csv_of(rows));
   const std::string line = at(folder, "pairs") + "boxes.csv --svg ";
   const std::string svg = run(line + "- --method swept-columns").out;
-  expect_text(svg, {"<svg", "<title>The boxes of boxes.csv</title>", "</svg>\n"});
-  const std::size_t in = svg.find(" columns (dotted)"), before = svg.rfind(' ', in - 1);
-  ASSERT_NE(in, std::string::npos);
-  EXPECT_EQ(times(svg, "<line class=\"wall\"") + 1, std::stoul(svg.substr(before + 1, in - before - 1)));
+  expect_text(svg,
+              {"<svg", "<title>The boxes of boxes.csv, by swept-columns</title>", "a wall of columns", "</svg>\n"});
+  EXPECT_EQ(times(svg, "<line class=\"wall\"") + 1, number_before(svg, " columns, each swept along "));
   EXPECT_GT(times(svg, "<line class=\"wall\""), 1U);
   const std::string boxes = svg.substr(svg.find("<g id=\"boxes\""));
   EXPECT_EQ(times(boxes, "<rect class=\""), rows.size());
@@ -248,6 +257,63 @@ TEST(Pairs, AreDrawnWithTheColumnsOfTheSweep) {
   EXPECT_EQ(content(folder / "kept.svg"), "precious");
   EXPECT_EQ(run(line + "kept.svg --overwrite").code, 0);
   expect_text(content(folder / "kept.svg"), {"<svg"});
+}
+
+/// Of the cells of this side that boxes of the plane reach into.
+std::size_t cells_by_hand(const Rows& rows, double side) {
+  std::set<std::pair<double, double>> cells;
+  for (const auto& r : rows) {
+    for (double x = std::floor(r[0] / side); x <= std::floor(r[2] / side); ++x) {
+      for (double y = std::floor(r[1] / side); y <= std::floor(r[3] / side); ++y) cells.emplace(x, y);
+    }
+  }
+  return cells.size();
+}
+
+TEST(Pairs, AreDrawnWithTheStructureOfTheMethod) {
+  const Folder folder;
+  const Rows rows = random_boxes(300, 2, 4);
+  write(folder / "boxes.csv", csv_of(rows));
+  write(folder / "space.csv", csv_of(random_boxes(60, 3, 4)));
+  write(folder / "far.csv", "-1.7e308 -1.7e308 1.7e308 1.7e308\n0 0 0 5e-324\n1e-300 1 1e300 1\n");
+  for (const BroadPhaseMethod method : broad_phase_methods) {
+    const std::string name = command_name(method);
+    const auto drawn = [&](const std::string& files) {
+      const std::string svg = run(at(folder, "pairs") + files + " --svg - --method " + name).out;
+      expect_text(svg, {"<svg", "</svg>\n"}, {"nan", "inf"}, name + " of " + files);
+      return svg;
+    };
+    const std::string svg = drawn("boxes.csv"), over = svg.substr(svg.find("<g id=\"boxes\""));
+    const std::size_t cells = times(over, "<rect class=\"cell\""), walls = times(over, "<line class=\"wall\"");
+    const bool is_even = name.ends_with("ed-grid") || name == "static-grid" || name == "implicit-grid";
+    if (method != BroadPhaseMethod::automatic) expect_text(svg, {", by " + name + "</title>"});
+    if (is_even) {
+      EXPECT_EQ(cells, number_before(svg, " cells of side ")) << name;
+      EXPECT_EQ(cells, cells_by_hand(rows, std::stod(svg.substr(svg.find(" cells of side ") + 15)))) << name;
+    } else if (name.ends_with("-grid")) {
+      EXPECT_EQ(cells, number_before(svg, " cells of ")) << name;
+      EXPECT_EQ(times(over, "<g id=\"level-"), number_before(svg, " sides, each twice the next")) << name;
+    } else if (name == "octree" || name == "octree-of-leaves") {
+      EXPECT_EQ(number_before(svg, " cells, inner ones") % 4, 1U) << name;
+      EXPECT_GT(cells, 4U) << name;
+    } else if (name == "loose-octree") {
+      EXPECT_EQ(cells, number_before(svg, " cells that have boxes")) << name;
+    } else if (name == "box-tree") {
+      EXPECT_EQ(cells, 2 * number_before(svg, " of which are leaves") - 1) << name;
+    } else if (name == "kd-tree") {
+      EXPECT_EQ(walls + 1, number_before(svg, " leaves; a box")) << name;
+    }
+    EXPECT_EQ(cells > 0, is_even || name.ends_with("tree") ? name != "kd-tree"
+                                                           : name.ends_with("-grid") || name.ends_with("-leaves"))
+        << name;
+    const std::size_t axes = name == "sort-and-sweep" || name == "automatic" || name == "lists-along-one" ? 1
+                             : name.starts_with("lists")                                                  ? 2
+                                                                                                          : 0;
+    EXPECT_EQ(times(svg, "<rect class=\"bar "), axes * rows.size()) << name;
+    if (walls > 0 || name == "lists-along-three" || name == "box-tree" || name == "hashed-grid")
+      expect_text(drawn("space.csv"), {"; seen along "});
+    drawn("far.csv boxes.csv");
+  }
 }
 
 TEST(Pairs, AreRefusedOfWhatHoldsNoBoxes) {
