@@ -158,6 +158,28 @@ TEST(Chart, ShowsEveryNameTheBandOfZerosAndDarkColors) {
   EXPECT_EQ(svg, scatter_chart({"Title", "sub", "ns", "share"}, kMethods));
 }
 
+TEST(Chart, DrawsALineUpToTheMostOfAPoint) {
+  const Points points{
+      {"none", 1, 8, true, "", "", 8}, {"zero", 2, 0, true, "z", "", 0.25}, {"some", 3, 2, true, "s", "", 4e9}};
+  const std::string svg = scatter_chart({"Title", "sub", "ns", "ulps"}, points);
+  EXPECT_EQ(fault_in_xml(svg), "");
+  EXPECT_THAT(svg, testing::Not(testing::HasSubstr("class=\"whisker\" d=")));  // of the first there is none
+  expect_sound_layout(points);
+  const ChartLayout layout = lay_out_chart(points);
+  std::vector<double> tops;
+  for (const char* key : {"z", "s"}) {
+    const std::string begin = "<path class=\"whisker\" data-key=\"" + std::string(key) + "\" d=\"M";
+    const std::size_t at = svg.find(begin);
+    ASSERT_NE(at, std::string::npos) << key;
+    tops.push_back(std::stod(svg.substr(svg.find('V', at) + 1)));
+  }
+  // The one of 0 crosses the break, and ends below what is at 2; the other ends above all of them.
+  EXPECT_LT(tops[0], layout.break_at);
+  EXPECT_GT(tops[0], layout.markers[2].bottom);
+  EXPECT_LT(tops[1], layout.markers[0].top);
+  EXPECT_GE(tops[1], layout.plot.top);
+}
+
 TEST(Chart, RefusesPointsWithoutAPlace) {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   for (const ChartPoint& p : {ChartPoint{"bad", 0, 1},
@@ -166,7 +188,9 @@ TEST(Chart, RefusesPointsWithoutAPlace) {
                               {"bad", nan, 1},
                               {"bad", 1, -1e-300},
                               {"bad", 1, infinity},
-                              {"bad", 1, nan}}) {
+                              {"bad", 1, nan},
+                              {"bad", 1, 1, true, "", "", -1},
+                              {"bad", 1, 1, true, "", "", infinity}}) {
     EXPECT_THROW(scatter_chart({}, Points{p}), Error) << p.x << ' ' << p.y;
   }
 }

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +20,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/surface/write_mesh.hpp"
 #include "tool/pairs/method_names.hpp"
-#include "tool/rows/decimal_rows.hpp"
+#include "tool/row_files.hpp"
 #include "tool/rows/npy.hpp"
 #include "tool/run_program.hpp"
 #include "tool/terminal/number_text.hpp"
@@ -44,31 +45,15 @@ std::string csv_of(const Rows& rows) {
   return text;
 }
 
-/// Does it hold all of the parts, and nothing of what is absent?
-void expect_text(const std::string& text, const std::vector<std::string>& parts,
-                 const std::vector<std::string>& absent = {}, const std::string& about = "") {
-  for (const std::string& part : parts)
-    EXPECT_NE(text.find(part), std::string::npos) << about << "\nlacks " << part << "\n" << text;
-  for (const std::string& part : absent)
-    EXPECT_EQ(text.find(part), std::string::npos) << about << "\nhas " << part << "\n" << text;
-}
-
 void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
-template <class Number>
-std::string bytes_of(Number x, bool big) {
-  std::string bytes(sizeof x, '\0');
-  std::memcpy(bytes.data(), &x, sizeof x);
-  if (big != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
-  return bytes;
-}
-
-/// A NumPy file with this header, of version 1 or 2.
-std::string npy_with(const std::string& header, const std::string& numbers, char version = 1) {
-  const auto length = static_cast<std::uint32_t>(header.size());
-  return std::string("\x93NUMPY") + version + '\0' +
-         (version == 1 ? bytes_of(static_cast<std::uint16_t>(length), false) : bytes_of(length, false)) + header +
-         numbers;
+/// The number that stands before these words, without its commas.
+std::size_t number_before(const std::string& text, const std::string& words) {
+  const std::size_t end = text.find(words), begin = text.find_last_of(" >", end - 1) + 1;
+  if (end == std::string::npos) return 0;
+  std::string digits = text.substr(begin, end - begin);
+  std::erase(digits, ',');
+  return std::stoul(digits);
 }
 
 double whole_number(std::mt19937& draw, std::uint32_t below) { return static_cast<std::uint32_t>(draw()) % below; }
@@ -223,10 +208,9 @@ TEST(Pairs, AreDrawnWithTheColumnsOfTheSweep) {
   write(folder / "boxes.csv", csv_of(rows));
   const std::string line = at(folder, "pairs") + "boxes.csv --svg ";
   const std::string svg = run(line + "- --method swept-columns").out;
-  expect_text(svg, {"<svg", "<title>The boxes of boxes.csv</title>", "</svg>\n"});
-  const std::size_t in = svg.find(" columns (dotted)"), before = svg.rfind(' ', in - 1);
-  ASSERT_NE(in, std::string::npos);
-  EXPECT_EQ(times(svg, "<line class=\"wall\"") + 1, std::stoul(svg.substr(before + 1, in - before - 1)));
+  expect_text(svg,
+              {"<svg", "<title>The boxes of boxes.csv, by swept-columns</title>", "a wall of columns", "</svg>\n"});
+  EXPECT_EQ(times(svg, "<line class=\"wall\"") + 1, number_before(svg, " columns, each swept along "));
   EXPECT_GT(times(svg, "<line class=\"wall\""), 1U);
   const std::string boxes = svg.substr(svg.find("<g id=\"boxes\""));
   EXPECT_EQ(times(boxes, "<rect class=\""), rows.size());
@@ -248,6 +232,63 @@ TEST(Pairs, AreDrawnWithTheColumnsOfTheSweep) {
   EXPECT_EQ(content(folder / "kept.svg"), "precious");
   EXPECT_EQ(run(line + "kept.svg --overwrite").code, 0);
   expect_text(content(folder / "kept.svg"), {"<svg"});
+}
+
+/// Of the cells of this side that boxes of the plane reach into.
+std::size_t cells_by_hand(const Rows& rows, double side) {
+  std::set<std::pair<double, double>> cells;
+  for (const auto& r : rows) {
+    for (double x = std::floor(r[0] / side); x <= std::floor(r[2] / side); ++x) {
+      for (double y = std::floor(r[1] / side); y <= std::floor(r[3] / side); ++y) cells.emplace(x, y);
+    }
+  }
+  return cells.size();
+}
+
+TEST(Pairs, AreDrawnWithTheStructureOfTheMethod) {
+  const Folder folder;
+  const Rows rows = random_boxes(300, 2, 4);
+  write(folder / "boxes.csv", csv_of(rows));
+  write(folder / "space.csv", csv_of(random_boxes(60, 3, 4)));
+  write(folder / "far.csv", "-1.7e308 -1.7e308 1.7e308 1.7e308\n0 0 0 5e-324\n1e-300 1 1e300 1\n");
+  for (const BroadPhaseMethod method : broad_phase_methods) {
+    const std::string name = command_name(method);
+    const auto drawn = [&](const std::string& files) {
+      const std::string svg = run(at(folder, "pairs") + files + " --svg - --method " + name).out;
+      expect_text(svg, {"<svg", "</svg>\n"}, {"nan", "inf"}, name + " of " + files);
+      return svg;
+    };
+    const std::string svg = drawn("boxes.csv"), over = svg.substr(svg.find("<g id=\"boxes\""));
+    const std::size_t cells = times(over, "<rect class=\"cell\""), walls = times(over, "<line class=\"wall\"");
+    const bool is_even = name.ends_with("ed-grid") || name == "static-grid" || name == "implicit-grid";
+    if (method != BroadPhaseMethod::automatic) expect_text(svg, {", by " + name + "</title>"});
+    if (is_even) {
+      EXPECT_EQ(cells, number_before(svg, " cells of side ")) << name;
+      EXPECT_EQ(cells, cells_by_hand(rows, std::stod(svg.substr(svg.find(" cells of side ") + 15)))) << name;
+    } else if (name.ends_with("-grid")) {
+      EXPECT_EQ(cells, number_before(svg, " cells of ")) << name;
+      EXPECT_EQ(times(over, "<g id=\"level-"), number_before(svg, " sides, each twice the next")) << name;
+    } else if (name == "octree" || name == "octree-of-leaves") {
+      EXPECT_EQ(number_before(svg, " cells, inner ones") % 4, 1U) << name;
+      EXPECT_GT(cells, 4U) << name;
+    } else if (name == "loose-octree") {
+      EXPECT_EQ(cells, number_before(svg, " cells that have boxes")) << name;
+    } else if (name == "box-tree") {
+      EXPECT_EQ(cells, 2 * number_before(svg, " of which are leaves") - 1) << name;
+    } else if (name == "kd-tree") {
+      EXPECT_EQ(walls + 1, number_before(svg, " leaves; a box")) << name;
+    }
+    EXPECT_EQ(cells > 0, is_even || name.ends_with("tree") ? name != "kd-tree"
+                                                           : name.ends_with("-grid") || name.ends_with("-leaves"))
+        << name;
+    const std::size_t axes = name == "sort-and-sweep" || name == "automatic" || name == "lists-along-one" ? 1
+                             : name.starts_with("lists")                                                  ? 2
+                                                                                                          : 0;
+    EXPECT_EQ(times(svg, "<rect class=\"bar "), axes * rows.size()) << name;
+    if (walls > 0 || name == "lists-along-three" || name == "box-tree" || name == "hashed-grid")
+      expect_text(drawn("space.csv"), {"; seen along "});
+    drawn("far.csv boxes.csv");
+  }
 }
 
 TEST(Pairs, AreRefusedOfWhatHoldsNoBoxes) {
@@ -426,72 +467,6 @@ TEST(Nearest, RefusesWhatCannotBe) {
     EXPECT_EQ(o.out, "") << line;
     expect_text(o.err, {"plumb: ", words}, {}, line);
   }
-}
-
-TEST(Npy, IsReadInEveryOrder) {
-  const std::vector<double> values{1, 2, 3, 4, 5, 6};
-  const std::vector<std::size_t> shape{2, 3};
-  EXPECT_EQ(read_npy(npy_of(values, shape), "a").values, values);
-  EXPECT_EQ(read_npy(npy_of(values, shape), "a").shape, shape);
-  for (const bool big : {false, true}) {
-    std::string doubles, floats, columns;
-    for (const double x : values) {
-      doubles += bytes_of(x, big);
-      floats += bytes_of(static_cast<float>(x), big);
-    }
-    for (const double x : {1.0, 4.0, 2.0, 5.0, 3.0, 6.0}) columns += bytes_of(x, big);
-    const std::string order = big ? ">" : "<";
-    const std::string rest = "', 'fortran_order': False, 'shape': (2, 3), }\n";
-    EXPECT_EQ(read_npy(npy_with("{'descr': '" + order + "f8" + rest, doubles), "a").values, values);
-    EXPECT_EQ(read_npy(npy_with("{'descr': '" + order + "f4" + rest, floats, 2), "a").values, values);
-    const std::string other = "{\"shape\":(2L,3L),\"fortran_order\":True,\"descr\":\"" + order + "f8\"}";
-    EXPECT_EQ(read_npy(npy_with(other, columns, 3), "a").values, values);
-  }
-}
-
-TEST(Npy, IsRefusedWithItsFault) {
-  const auto fault = [](const std::string& bytes) {
-    try {
-      read_npy(bytes, "a.npy");
-    } catch (const Error& e) {
-      return std::string(e.what());
-    }
-    return std::string("read");
-  };
-  const std::string eight(8, '\0');
-  const auto with = [&](const std::string& header) { return fault(npy_with(header, eight)); };
-  EXPECT_EQ(with("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 1)}"), "read");
-  expect_text(with("{'descr': '<i8', 'fortran_order': False, 'shape': (1, 1)}"), {"numbers of type '<i8'"});
-  expect_text(with("{'descr': '<c8', 'fortran_order': False, 'shape': (1, 1)}"), {"numbers of type '<c8'"});
-  expect_text(with("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (1,)}"), {"with fields"});
-  expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (4611686018427387904, 4)}"),
-              {"larger than the whole file"});
-  expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 1)}"), {"cut short"});
-  expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (0, 1)}"), {"8 bytes follow the array"});
-  for (const char* broken : {"", "{", "{}", "{'descr': '<f8'}", "{'descr': 8}", "{'descr': '<f8", "{'shape': (x)}",
-                             "{'fortran_order': 1}", "{'other': 1}", "{'shape': (1, 1)", "['descr']"})
-    expect_text(with(broken), {"the header of this NumPy file is broken"}, {}, broken);
-  expect_text(fault("\x93NUMPX"), {"no NumPy file"});
-  expect_text(fault(std::string("\x93NUMPY\x04\0\0\0\0\0", 12)), {"version 4.0"});
-  expect_text(fault(npy_with("{", "").substr(0, 9)), {"cut short"});
-}
-
-TEST(DecimalRows, PassOverAHeaderAndNothingElse) {
-  const auto read = [](const std::string& text) {
-    DecimalRows rows(text, "t");
-    Rows all;
-    while (rows.next()) all.push_back(rows.row().values);
-    return all;
-  };
-  const Rows one{{1, 2}};
-  for (const char* text : {"1,2", "a,b\n1,2",
-                           "\xEF\xBB\xBF"
-                           "a b\r\n1\t2\r\n",
-                           "\"min x\"\n 1 ; 2 # c", "# a\n_x,y2\n\n1 2\n"})
-    EXPECT_EQ(read(text), one) << text;
-  for (const char* text : {"1,2\na,b", "a,b\nc,d\n1,2", "a,2\n1,2", "nan,nan\n1,2", "inf inf\n1 2", "1.0f\n1",
-                           "a,\n1,2", ",1", "1,,2", "1,2,"})
-    EXPECT_THROW(read(text), Error) << text;
 }
 
 }  // namespace

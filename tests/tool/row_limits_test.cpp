@@ -1,4 +1,5 @@
-// Do `plumb pairs` and `plumb nearest` count what they do not keep, and say where an input or an answer is too long?
+// Do `plumb pairs` and `plumb nearest` count what they do not keep, and say where an input or an answer is too long?  Are
+// rows read in every form that files have, and refused with what is wrong?
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,9 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "plumb/arith/error.hpp"
 #include "tool/mesh/inputs.hpp"
+#include "tool/row_files.hpp"
+#include "tool/rows/decimal_rows.hpp"
+#include "tool/rows/npy.hpp"
 #include "tool/run_program.hpp"
 
 namespace plumb::tool {
@@ -101,6 +106,72 @@ TEST(InputLimits, EndWhatIsTooLong) {
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("some.csv: it is longer than 0 MiB, which is the most that is read"));
   }
+}
+
+TEST(Npy, IsReadInEveryOrder) {
+  const std::vector<double> values{1, 2, 3, 4, 5, 6};
+  const std::vector<std::size_t> shape{2, 3};
+  EXPECT_EQ(read_npy(npy_of(values, shape), "a").values, values);
+  EXPECT_EQ(read_npy(npy_of(values, shape), "a").shape, shape);
+  for (const bool big : {false, true}) {
+    std::string doubles, floats, columns;
+    for (const double x : values) {
+      doubles += bytes_of(x, big);
+      floats += bytes_of(static_cast<float>(x), big);
+    }
+    for (const double x : {1.0, 4.0, 2.0, 5.0, 3.0, 6.0}) columns += bytes_of(x, big);
+    const std::string order = big ? ">" : "<";
+    const std::string rest = "', 'fortran_order': False, 'shape': (2, 3), }\n";
+    EXPECT_EQ(read_npy(npy_with("{'descr': '" + order + "f8" + rest, doubles), "a").values, values);
+    EXPECT_EQ(read_npy(npy_with("{'descr': '" + order + "f4" + rest, floats, 2), "a").values, values);
+    const std::string other = "{\"shape\":(2L,3L),\"fortran_order\":True,\"descr\":\"" + order + "f8\"}";
+    EXPECT_EQ(read_npy(npy_with(other, columns, 3), "a").values, values);
+  }
+}
+
+TEST(Npy, IsRefusedWithItsFault) {
+  const auto fault = [](const std::string& bytes) {
+    try {
+      read_npy(bytes, "a.npy");
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string("read");
+  };
+  const std::string eight(8, '\0');
+  const auto with = [&](const std::string& header) { return fault(npy_with(header, eight)); };
+  EXPECT_EQ(with("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 1)}"), "read");
+  expect_text(with("{'descr': '<i8', 'fortran_order': False, 'shape': (1, 1)}"), {"numbers of type '<i8'"});
+  expect_text(with("{'descr': '<c8', 'fortran_order': False, 'shape': (1, 1)}"), {"numbers of type '<c8'"});
+  expect_text(with("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (1,)}"), {"with fields"});
+  expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (4611686018427387904, 4)}"),
+              {"larger than the whole file"});
+  expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 1)}"), {"cut short"});
+  expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (0, 1)}"), {"8 bytes follow the array"});
+  for (const char* broken : {"", "{", "{}", "{'descr': '<f8'}", "{'descr': 8}", "{'descr': '<f8", "{'shape': (x)}",
+                             "{'fortran_order': 1}", "{'other': 1}", "{'shape': (1, 1)", "['descr']"})
+    expect_text(with(broken), {"the header of this NumPy file is broken"}, {}, broken);
+  expect_text(fault("\x93NUMPX"), {"no NumPy file"});
+  expect_text(fault(std::string("\x93NUMPY\x04\0\0\0\0\0", 12)), {"version 4.0"});
+  expect_text(fault(npy_with("{", "").substr(0, 9)), {"cut short"});
+}
+
+TEST(DecimalRows, PassOverAHeaderAndNothingElse) {
+  const auto read = [](const std::string& text) {
+    DecimalRows rows(text, "t");
+    std::vector<std::vector<double>> all;
+    while (rows.next()) all.push_back(rows.row().values);
+    return all;
+  };
+  const std::vector<std::vector<double>> one{{1, 2}};
+  for (const char* text : {"1,2", "a,b\n1,2",
+                           "\xEF\xBB\xBF"
+                           "a b\r\n1\t2\r\n",
+                           "\"min x\"\n 1 ; 2 # c", "# a\n_x,y2\n\n1 2\n"})
+    EXPECT_EQ(read(text), one) << text;
+  for (const char* text : {"1,2\na,b", "a,b\nc,d\n1,2", "a,2\n1,2", "nan,nan\n1,2", "inf inf\n1 2", "1.0f\n1",
+                           "a,\n1,2", ",1", "1,,2", "1,2,"})
+    EXPECT_THROW(read(text), Error) << text;
 }
 
 }  // namespace

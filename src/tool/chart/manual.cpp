@@ -22,6 +22,7 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        convex-convex: do the hulls of 8 and 8 points meet?
        hull-2d, hull-3d: which of 16, 12 points are corners of the hull?
        smallest-ball: how large is the smallest ball around 5 points?
+       point-segment-distance, point-box-distance,
        point-triangle-distance, segment-segment-distance,
        convex-distance: how far apart? (hulls of 4 points each)
        vertex-face-motion, edge-edge-motion: do they meet while their
@@ -56,9 +57,10 @@ allocations
 With --out DIR the same is written into that folder: chart.txt,
 chart.json (with machine, compiler, flags and date), a picture for each
 task and class, TASK-CLASS.svg, of the wrong share (of numbers, the mean
-error in ulps) against time, whose line joins the methods that no other
-beats in both; and chart.html, a page that needs no network: a summary
-of tasks by methods, then all charts, to be filtered, folded where no
+error in ulps, with a thin line up to the largest) against time, whose
+dashed line joins the methods that no other beats in both; and
+chart.html, a page that needs no network: a summary of tasks by methods,
+then all charts, to be filtered, folded where no
 answer is wrong.)"},
            {"METHODS", R"(
 float32        Single precision, of coordinates rounded to it.

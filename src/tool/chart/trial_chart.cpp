@@ -26,13 +26,15 @@ std::string trial_chart(const trial::Trial& t) {
     const double part = 100 * s.share(s.unsure);
     const std::string label =
         s.unsure == 0 ? s.method : fmt::format("{} ({:.{}f}% unsure)", s.method, part, part < 1 ? 1 : 0);
-    points.push_back({label, s.ns, number ? s.mean_ulps : s.share(s.wrong), s.unsure == 0, s.method, hint_of(s, t)});
+    points.push_back({label, s.ns, number ? s.mean_ulps : s.share(s.wrong), s.unsure == 0, s.method, hint_of(s, t),
+                      number ? s.largest_ulps : 0});
   }
   const std::uint64_t cases = t.scores.empty() ? 0 : t.scores[0].asked;
-  return scatter_chart({fmt::format("{}, {}", t.task, t.input),
-                        fmt::format("{}: {}, one thread", t.about, plural(cases, "case", "cases")),
-                        "nanoseconds per question", number ? "mean error in ulps" : "share of wrong answers", true},
-                       points);
+  return scatter_chart(
+      {fmt::format("{}, {}", t.task, t.input),
+       fmt::format("{}: {}, one thread", t.about, plural(cases, "case", "cases")), "nanoseconds per question",
+       number ? "error in ulps: the mean, and a thin line up to the largest" : "share of wrong answers", true},
+      points);
 }
 
 }  // namespace plumb::tool

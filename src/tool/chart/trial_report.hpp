@@ -19,7 +19,7 @@ std::string trial_text(const trial::Trial& trial, const Style& style);
 /// With where and when: origin_json, now.
 nlohmann::json trials_json(std::span<const trial::Trial> trials, const trial::Settings& settings);
 
-/// Wrong share (of numbers: mean error in ulps) against nanoseconds a question, with the frontier drawn.
+/// Wrong share (of numbers: mean and largest error in ulps) against nanoseconds a question, with the frontier drawn.
 std::string trial_chart(const trial::Trial& trial);
 
 /// Whether no method is wrong, or answers the same question twice in two ways.

@@ -92,19 +92,20 @@ Scales make_scales(std::span<const ChartPoint> points, double height) {
   bool any_x = false, any_y = false;
   double zeros = 0;
   for (const ChartPoint& p : points) {
-    if (!(p.x > 0) || !std::isfinite(p.x) || !(p.y >= 0) || !std::isfinite(p.y)) {
+    if (!(p.x > 0) || !std::isfinite(p.x) || !(p.y >= 0) || !std::isfinite(p.y) || !(p.most >= 0) ||
+        !std::isfinite(p.most)) {
       throw Error(fmt::format("chart: the point \"{}\" ({}, {}) has no place on logarithmic axes", p.label, p.x, p.y));
     }
     x_low = any_x ? std::min(x_low, p.x) : p.x;
     x_high = any_x ? std::max(x_high, p.x) : p.x;
     any_x = true;
-    if (p.y == 0) {
-      ++zeros;
-      continue;
+    zeros += p.y == 0 ? 1 : 0;
+    for (const double y : {p.y, p.most}) {
+      if (y == 0) continue;
+      y_low = any_y ? std::min(y_low, y) : y;
+      y_high = any_y ? std::max(y_high, y) : y;
+      any_y = true;
     }
-    y_low = any_y ? std::min(y_low, p.y) : p.y;
-    y_high = any_y ? std::max(y_high, p.y) : p.y;
-    any_y = true;
   }
   const Box plot{kLeft, kTop, kWidth - kRight, height - kBottom};
   const bool has_zeros = zeros > 0;
@@ -147,6 +148,7 @@ const std::string_view chart_style = R"(<style>
   .paper { fill: #ffffff; } .band { fill: #eef3f7; } .muted { fill: #59636e; }
   .grid { stroke: #dde2e7; stroke-width: 1; } .fine { stroke: #f0f2f4; stroke-width: 1; }
   .axis { stroke: #8b949e; stroke-width: 1; fill: none; } .leader { stroke: #8b949e; stroke-width: 1; }
+  .whisker { stroke: #8b949e; stroke-width: 1.2; fill: none; }
   .label { font-size: 13px; paint-order: stroke; stroke: #ffffff; stroke-width: 3px; stroke-linejoin: round; }
   .marker { stroke: #ffffff; stroke-width: 1.2; } .partial { fill-opacity: 0.45; }
   .frontier { stroke: #8b949e; stroke-width: 1.5; stroke-dasharray: 5 4; fill: none; }
@@ -154,7 +156,7 @@ const std::string_view chart_style = R"(<style>
   .s4 { fill: #e69f00; } .s5 { fill: #56b4e9; } .s6 { fill: #4d4d4d; }
   @media (prefers-color-scheme: dark) {
     text { fill: #e6edf3; } .paper { fill: #0d1117; } .band { fill: #161d27; } .muted { fill: #9ba4ae; }
-    .grid { stroke: #29303a; } .fine { stroke: #171c24; } .axis, .leader { stroke: #717982; }
+    .grid { stroke: #29303a; } .fine { stroke: #171c24; } .axis, .leader, .whisker { stroke: #717982; }
     .label { stroke: #0d1117; } .marker { stroke: #0d1117; } .frontier { stroke: #717982; }
     .s0 { fill: #4aa8e0; } .s1 { fill: #ff8340; } .s2 { fill: #2bc79a; } .s3 { fill: #e39ac4; }
     .s4 { fill: #f2b632; } .s5 { fill: #8fd0f7; } .s6 { fill: #c4cad1; }
@@ -216,6 +218,7 @@ class Drawing {
     draw_axes(scales);
     draw_text(height);
     if (text_.frontier) draw_frontier();
+    for (std::size_t i = 0; i < points_.size(); ++i) draw_whisker(i, scales);
     for (std::size_t i = 0; i < points_.size(); ++i) draw_leader(i);
     for (std::size_t i = 0; i < points_.size(); ++i) draw_point(i);
     for (std::size_t i = 0; i < points_.size(); ++i) draw_label(i);
@@ -299,6 +302,14 @@ class Drawing {
   [[nodiscard]] std::string place_of(std::size_t i) const {
     const auto [x, y] = center(i);
     return points_[i].key.empty() ? "" : fmt::format("{} data-at=\"{:.1f} {:.1f}\"", key_of(i), x, y);
+  }
+
+  void draw_whisker(std::size_t i, const Scales& scales) {
+    if (!(points_[i].most > points_[i].y)) return;
+    const auto [x, y] = center(i);
+    const double top = scales.y_at(points_[i].most);
+    put("<path class=\"whisker\"{} d=\"M{:.1f} {:.1f}V{:.1f}M{:.1f} {:.1f}H{:.1f}\"/>\n", key_of(i), x, y, top, x - 4,
+        top, x + 4);
   }
 
   void draw_leader(std::size_t i) {

@@ -26,6 +26,7 @@ struct ChartPoint {
   bool complete = true;   // what does not answer everything is drawn faintly and is no part of the frontier
   std::string key = {};   // marks what is drawn of the point, for scripts
   std::string hint = {};  // shown where the reader points at it; its label and numbers when empty
+  double most = 0;        // where it is above y, a thin line goes up to it
 };
 
 struct ChartText {
@@ -46,7 +47,7 @@ struct ChartLayout {
 /// The complete points that no other complete one beats: none is both as far left and as far down.  From left to right.
 std::vector<std::size_t> frontier_of(std::span<const ChartPoint> points);
 
-/// Both throw plumb::Error where a point has no place (x not positive, y negative, not finite).
+/// Both throw plumb::Error where a point has no place (x not positive, y or most negative, not finite).
 ChartLayout lay_out_chart(std::span<const ChartPoint> points);
 std::string scatter_chart(const ChartText& text, std::span<const ChartPoint> points);
 

@@ -18,10 +18,15 @@ struct DataAxis {
   double min = 0, max = 0;
 };
 
+/// Free strips of these heights below the plan and left of it, in pixels, for what lies along one axis alone.
+struct DataStrips {
+  double below = 0, left = 0;
+};
+
 class DataView {
  public:
   /// `style` is CSS for the kinds of what is drawn, beside those of chart_style.
-  DataView(const std::string& title, std::string_view style, DataAxis right, DataAxis up);
+  DataView(const std::string& title, std::string_view style, DataAxis right, DataAxis up, DataStrips strips = {});
 
   /// A line of text under the title.
   void say(std::string_view text);
@@ -29,6 +34,8 @@ class DataView {
   void explain(std::string_view kind, std::string_view text);
 
   void begin_group(std::string_view id, double stroke_width);
+  /// What reaches beyond the plan by more than some pixels is cut off there.
+  void begin_cut_group(std::string_view id, double stroke_width);
   void end_group();
   /// From one corner to the opposite one; flat ones are a pixel wide.
   void rectangle(std::string_view kind, std::array<double, 2> from, std::array<double, 2> to);
@@ -36,6 +43,9 @@ class DataView {
   void dot(std::string_view kind, std::array<double, 2> at, double pixels);
   /// Of a radius as long as that in space.
   void circle(std::string_view kind, std::array<double, 2> center, double radius);
+  /// In the strip below, or left, from and to a number on its axis, and from 0, next to the plan, to 1 across.
+  void bar_below(std::string_view kind, std::array<double, 2> along, std::array<double, 2> across);
+  void bar_left(std::string_view kind, std::array<double, 2> along, std::array<double, 2> across);
 
   /// The document.
   [[nodiscard]] std::string text() const;
@@ -43,8 +53,10 @@ class DataView {
  private:
   [[nodiscard]] double right_of(double x) const;
   [[nodiscard]] double down_of(double y) const;
+  void put_rectangle(std::string_view kind, double left, double top, double right, double bottom);
 
   DataAxis right_, up_;
+  DataStrips strips_;
   std::string title_, style_, said_, legend_, body_;
   double span_ = 0;    // half of what fills the paper's height
   double height_ = 0;  // of the plan, in pixels

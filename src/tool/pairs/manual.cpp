@@ -36,11 +36,16 @@ they are found and none is kept, so there may be any number; for these
 outputs more than 100,000,000 are refused, which --most changes. (The
 methods automatic, swept-columns, sort-and-sweep and brute-force find
 them so; others keep all until they are found, so for them pairs are
-counted first, and more than --most are refused in any case.) --svg
-draws the boxes, in colors that say which of them meet others, with the
-columns in which they are swept; boxes in space are seen along the axis
-of the sweep. Of more than 20,000 boxes some are drawn, and the picture
-says one of how many.)"},
+counted first, and more than --most are refused in any case.)
+
+--svg draws the boxes, in colors that say which of them meet others, and
+over them what the method makes of them (of two sets, grids and trees
+are made of the first): columns, cells of grids and of octrees, boxes of
+trees, planes, heavier lines for larger ones; of what is sorted along an
+axis how the boxes lie along it, beside the plan. The picture says in
+words what its lines are. Boxes in space are seen along the shortest
+axis, those in columns along the axis of the sweep. Of more than 20,000
+boxes, or lines, some are drawn, and the picture says which.)"},
            {"METHODS", R"(
 automatic
        The fastest, as measured.

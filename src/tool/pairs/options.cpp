@@ -29,7 +29,7 @@ Command pairs_command(CLI::App& program) {
       ->type_name("N");
   add_output(parser, "--json", o.json, "Write counts and pairs as JSON");
   add_output(parser, "--out", o.out, "Write the pairs as an array of NumPy (.npy), a row each");
-  add_output(parser, "--svg", o.svg, "Draw the boxes, and what the search divides them into, as SVG");
+  add_output(parser, "--svg", o.svg, "Draw the boxes, and what the method divides them into, as SVG");
   parser->add_flag("--overwrite", o.overwrite, "Replace the files of --out and --svg where they are there.");
   return {parser, pairs_manual, [options] { return run_pairs(*options); }, &o.files.words};
 }

@@ -6,7 +6,7 @@
 
 #include "tool/pairs/command.hpp"
 #include "tool/pairs/method_names.hpp"
-#include "tool/pairs/sweep_structure.hpp"
+#include "tool/pairs/shown_structure.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/number_text.hpp"
 #include "tool/terminal/origin.hpp"

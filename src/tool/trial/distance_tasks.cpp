@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
 #include "tool/trial/branching_methods.hpp"
@@ -14,9 +16,16 @@ std::vector<InputClass> distance_classes() {
   return classes;
 }
 
-Task asked(std::string name, std::string question, std::vector<Symmetry> symmetries,
+/// Of one corner of the box and the other.
+void in_order(std::span<double> q) {
+  for (std::size_t k = 3; k < 6; ++k) {
+    if (q[k] > q[k + 3]) std::swap(q[k], q[k + 3]);
+  }
+}
+
+Task asked(std::string name, std::string question, std::size_t numbers, std::vector<Symmetry> symmetries,
            mpq_class (*square)(std::span<const double> question)) {
-  Task task{std::move(name), std::move(question), 12, AnswerKind::number, {}, {}, {}, {}};
+  Task task{std::move(name), std::move(question), numbers, AnswerKind::number, {}, {}, {}, {}};
   task.symmetries = std::move(symmetries);
   task.judge = [square](std::span<const double> q) { return nearest_root(square(q)); };
   task.classes = distance_classes();
@@ -25,9 +34,35 @@ Task asked(std::string name, std::string question, std::vector<Symmetry> symmetr
 
 }  // namespace
 
+Task point_segment_distance_task() {
+  Task task = asked("point-segment-distance", "how far is a point from a segment?", 9, {reordered(3, {0, 2, 1})},
+                    [](std::span<const double> q) {
+                      return square_distance(rational_vec(q, 0), rational_vec(q, 1), rational_vec(q, 2));
+                    });
+  task.methods = branching_methods<AnswerKind::number, 9>(PointSegmentDistance{});
+  task.methods.push_back(exact_method<Point3, Segment3>([](const auto& a, const auto& b) { return distance(a, b); }));
+  return task;
+}
+
+Task point_box_distance_task() {
+  const Symmetry turned{{1, 2, 0, 4, 5, 3, 7, 8, 6}, 1};  // the axes
+  Task task = asked("point-box-distance", "how far is a point from a box?", 9, {turned}, [](std::span<const double> q) {
+    mpq_class sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const mpq_class off = q[k] < q[3 + k] ? mpq_class(q[3 + k]) - q[k] : mpq_class(q[k]) - q[6 + k];
+      if (off > 0) sum += off * off;
+    }
+    return sum;
+  });
+  task.classes = refilled(std::move(task.classes), in_order);
+  task.methods = branching_methods<AnswerKind::number, 9>(PointBoxDistance{});
+  task.methods.push_back(exact_method<Point3, Aabb3>([](const auto& a, const auto& b) { return distance(a, b); }));
+  return task;
+}
+
 Task point_triangle_distance_task() {
   Task task =
-      asked("point-triangle-distance", "how far is a point from a triangle?",
+      asked("point-triangle-distance", "how far is a point from a triangle?", 12,
             {reordered(3, {0, 2, 3, 1}), reordered(3, {0, 1, 3, 2})}, [](std::span<const double> q) {
               return square_distance(rational_vec(q, 0), rational_vec(q, 1), rational_vec(q, 2), rational_vec(q, 3));
             });
@@ -37,7 +72,7 @@ Task point_triangle_distance_task() {
 }
 
 Task segment_segment_distance_task() {
-  Task task = asked("segment-segment-distance", "how far are two segments apart?",
+  Task task = asked("segment-segment-distance", "how far are two segments apart?", 12,
                     {reordered(3, {2, 3, 0, 1}), reordered(3, {1, 0, 2, 3})}, [](std::span<const double> q) {
                       return square_distance_of_segments(rational_vec(q, 0), rational_vec(q, 1), rational_vec(q, 2),
                                                          rational_vec(q, 3));

@@ -1,15 +1,40 @@
-// How are distances commonly computed in floating point?  The region of a triangle by six dot products, the parameters
-// of two lines clamped.
+// How are distances commonly computed in floating point?  The parameter of a point along a segment clamped, and those of
+// two lines, coordinates outside of a box squared, the region of a triangle by six dot products.
 //
 // Laws: none; they are on trial, and decide nothing of ours.  An epsilon makes short segments points and parallel lines
 // of nearly parallel ones.
-// Source: RTCD 5.1.5, 5.1.9.
+// Source: RTCD 5.1.2, 5.1.3, 5.1.5, 5.1.9.
 // Cost: tens of operations and a root.
 #pragma once
 
 #include "tool/trial/vec.hpp"
 
 namespace plumb::tool::trial {
+
+/// A point and the ends of a segment.
+struct PointSegmentDistance {
+  template <class T>
+  double operator()(const std::array<T, 9>& q, T epsilon) const {
+    const Vec<T> p = vec(q, 0), a = vec(q, 1), ab = vec(q, 2) - a;
+    const T whole = dot(ab, ab);
+    const Vec<T> d = p - (a + ab * (whole > epsilon ? clamped(T(dot(p - a, ab) / whole)) : T(0)));
+    return root_as_double(dot(d, d));
+  }
+};
+
+/// A point, and the least and largest corner of a box.
+struct PointBoxDistance {
+  template <class T>
+  double operator()(const std::array<T, 9>& q, T epsilon) const {
+    T sum(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const T below = q[3 + k] - q[k], above = q[k] - q[6 + k];
+      if (below > epsilon) sum = sum + below * below;
+      if (above > epsilon) sum = sum + above * above;
+    }
+    return root_as_double(sum);
+  }
+};
 
 /// A point and the corners of a triangle.
 struct PointTriangleDistance {

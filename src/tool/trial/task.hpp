@@ -82,6 +82,8 @@ Task point_in_polyhedron_task();
 Task hull2_task();
 Task hull3_task();
 Task smallest_ball_task();
+Task point_segment_distance_task();
+Task point_box_distance_task();
 Task point_triangle_distance_task();
 Task segment_segment_distance_task();
 Task convex_meeting_task();

@@ -44,6 +44,8 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               hull2_task,
                               hull3_task,
                               smallest_ball_task,
+                              point_segment_distance_task,
+                              point_box_distance_task,
                               point_triangle_distance_task,
                               segment_segment_distance_task,
                               convex_meeting_task,

@@ -140,6 +140,12 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
         return std::pair{M::box(&q[0]), M::box(&q[6])};
       },
       meet);
+  join<9>(
+      all, "point-segment-distance", name, call("the root of CGAL's squared_distance"),
+      [](const std::array<double, 9>& q) {
+        return std::pair{M::point(&q[0]), M::segment(&q[3])};
+      },
+      far);
   join<12>(
       all, "point-triangle-distance", name, call("the root of CGAL's squared_distance"),
       [](const std::array<double, 12>& q) {

@@ -59,6 +59,12 @@ void add_eigen(Rivals& all) {
         return std::pair{Box(P3(&q[0]), P3(&q[3])), Box(P3(&q[6]), P3(&q[9]))};
       },
       [](const std::pair<Box, Box>& q) { return q.first.intersects(q.second); });
+  join<9>(
+      all, "point-box-distance", "eigen", "Eigen's AlignedBox::exteriorDistance",
+      [](const std::array<double, 9>& q) {
+        return std::pair{P3(&q[0]), Box(P3(&q[3]), P3(&q[6]))};
+      },
+      [](const std::pair<P3, Box>& q) { return q.second.exteriorDistance(q.first); });
   join<12>(
       all, "point-triangle-distance", "eigen", "Eigen's LDLT on the normal equations, or the nearest edge",
       [](const std::array<double, 12>& q) {
