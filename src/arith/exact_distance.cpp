@@ -1,16 +1,10 @@
 // Signs of sqrt(s) - r - sqrt(t) + u in rationals: moved to one side, squared, and squared again.
 #include "plumb/arith/exact_distance.hpp"
 
+#include "arith/root_sign.hpp"
+
 namespace plumb {
 namespace {
-
-/// The sign of a + b sqrt(c), c >= 0.
-Sign sign_of_root(const Rational& a, const Rational& b, const Rational& c) {
-  const Sign s = a.sign(), t = b.sign() * c.sign();
-  if (s == t || t == Sign::zero) return s;
-  if (s == Sign::zero) return t;
-  return s * (a * a - b * b * c).sign();
-}
 
 /// The sign of a + sqrt(b) - sqrt(c).
 Sign sign_of_roots(const Rational& a, const Rational& b, const Rational& c) {

@@ -58,7 +58,7 @@ inline double scale_for(double width) {
 template <class Point>
 class PointScan {
  public:
-  static constexpr std::size_t block = 128;
+  static constexpr std::size_t block = 128;  // points that are looked at or left out at once: a guess of cost alone
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   PointScan(std::span<const Point> points, double scale)

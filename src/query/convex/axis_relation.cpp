@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arith/root_sign.hpp"
 #include "query/convex/exact_gap.hpp"
 
 namespace plumb::query {
@@ -113,33 +114,30 @@ Relation relate_to_axis(const ExactChains& chains, const ExactAxis& axis) {
   return most;
 }
 
-/// The sign of a - b * root(c), c >= 0.
-int sign_less_root(const mpq_class& a, const mpq_class& b, const mpq_class& c) {
-  const int of_root = sgn(c) == 0 ? 0 : sgn(b);
-  if (sgn(a) != of_root) return sgn(a) - of_root > 0 ? 1 : -1;
-  return sgn(a) * sgn(mpq_class(a * a - b * b * c));
-}
-
 /// The sign of how far the point is from the shape, minus a radius above zero.
-int sign_of_distance(const Exact3& p, const mpq_class& reach, const ExactAxis& axis) {
+Sign sign_of_distance(const Exact3& p, const mpq_class& reach, const ExactAxis& axis) {
   const mpq_class &r = axis.radius, &length = axis.square, h = axis.height(p), beyond = h - 1, off_axis = h * length;
   const Exact3 off = axis.off(p);
   const mpq_class width = dot(off, off) / length;  // the square of the way to the axis
+  const auto with_root = [&](const mpq_class& a, const mpq_class& b) { return sign_of_root(a, b, width); };
   // From the rim of a disk that is so far along the axis.
   const auto from_rim = [&](const mpq_class& squared_rise) {
-    return sign_less_root(width + r * r + squared_rise - reach, 2 * r, width);
+    return with_root(width + r * r + squared_rise - reach, -2 * r);
+  };
+  const auto from_plane = [&](const mpq_class& squared_rise) {
+    return sign_of_rational(mpq_class(squared_rise - reach));
   };
   if (!axis.is_cone) {
     const mpq_class out = sgn(h) < 0 ? h : sgn(beyond) > 0 ? beyond : mpq_class(0), rise = out * out * length;
-    return width <= r * r ? sgn(mpq_class(rise - reach)) : from_rim(rise);
+    return width <= r * r ? from_plane(rise) : from_rim(rise);
   }
-  if (sgn(beyond) >= 0 && width <= r * r) return sgn(mpq_class(beyond * beyond * length - reach));  // from the base
+  if (sgn(beyond) >= 0 && width <= r * r) return from_plane(beyond * beyond * length);  // of the base
   if (sgn(beyond) >= 0) return from_rim(beyond * beyond * length);
-  if (sgn(h) >= 0 && width <= r * r * h * h) return -1;
+  if (sgn(h) >= 0 && width <= r * r * h * h) return Sign::negative;
   // Where is its foot on the line from the apex to the rim?  Before it: h length + r root(width) <= 0.
-  if (sign_less_root(off_axis, -r, width) <= 0) return sgn(mpq_class(h * h * length + width - reach));
-  if (sign_less_root(length + r * r - off_axis, r, width) <= 0) return from_rim(beyond * beyond * length);
-  return sign_less_root(length * (width + r * r * h * h) - reach * (length + r * r), 2 * length * r * h, width);
+  if (with_root(off_axis, r) != Sign::positive) return from_plane(h * h * length + width);
+  if (with_root(length + r * r - off_axis, -r) != Sign::positive) return from_rim(beyond * beyond * length);
+  return with_root(length * (width + r * r * h * h) - reach * (length + r * r), -2 * length * r * h);
 }
 
 }  // namespace
@@ -149,7 +147,7 @@ Relation relate_axis_shape(const ExactChains& chains, const AxisRound& shape) {
   return relate_to_axis(chains, ExactAxis(shape));
 }
 Relation relate_axis_shape(const Exact3& center, const mpq_class& squared_radius, const AxisRound& shape) {
-  return static_cast<Relation>(-sign_of_distance(center, squared_radius, ExactAxis(shape)));
+  return static_cast<Relation>(-static_cast<int>(sign_of_distance(center, squared_radius, ExactAxis(shape))));
 }
 
 }  // namespace plumb::query

@@ -18,7 +18,7 @@ class NearPairSearch {
       : a_(a), b_(b), reach_(Running(radius_a) + Running(radius_b)) {}
 
   std::optional<Sign> run() const {
-    constexpr int most_rounds = 32;
+    constexpr int most_rounds = 32;  // a guess of cost alone: then nothing is told, and others are asked
     constexpr double near = 1 - 0x1p-30, far = 1 + 0x1p-30;  // guesses: beyond them a proof is likely
     const double square = reach_.value * reach_.value;
     IndexSimplex simplex({{0, 0}, plain(a_[0]) - plain(b_[0])});

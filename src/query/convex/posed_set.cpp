@@ -1,5 +1,6 @@
 #include "query/convex/posed_set.hpp"
 
+#include "arith/root_sign.hpp"
 #include "query/body/figure_view.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"
@@ -18,10 +19,7 @@ void fill(PosedSet& s, const Shape& shape) {
         return std::pair{shape.a, shape.b};
       }
     }();
-    if (from != to && shape.radius > 0) {
-      s.axis = &shape;
-      return;
-    }
+    if (from != to && shape.radius > 0) s.axis = &shape;
     s.core = from == to ? flat_set(from) : flat_set(Segment3{from, to});
     s.radius = from == to ? shape.radius : 0;
   } else if constexpr (requires { core_set(shape); }) {
@@ -47,7 +45,7 @@ PosedSet posed_set(const PosedView& figure) {
           : figure.in_plane != nullptr ? exact_map(*figure.in_plane)
                                        : exact_identity();
   with_figure(figure.figure, [&](const auto& shape) { fill(s, shape); });
-  if (s.is_round() && squared_scale(s.map, s.dimension) == 0) s.radius = 0;
+  if ((s.is_round() || s.has_axis()) && squared_scale(s.map, s.dimension) == 0) s.radius = 0, s.axis = {};
   return s;
 }
 
@@ -61,11 +59,9 @@ ExactChains image(const ExactMap& map, const ExactChains& chains) {
   return all;
 }
 
-// root(a) + root(b) against root(c): 2 root(a b) against c - a - b.
+// root(a) + root(b) against root(c): a + b - c + 2 root(a b) against zero.
 int sign_of_roots(const mpq_class& first, const mpq_class& second, const mpq_class& third) {
-  const mpq_class rest = third - first - second, product = 4 * first * second;
-  if (sgn(rest) < 0) return 1;
-  return sgn(mpq_class(product - rest * rest));
+  return static_cast<int>(sign_of_root(mpq_class(first + second - third), mpq_class(2), mpq_class(first * second)));
 }
 
 }  // namespace plumb::query

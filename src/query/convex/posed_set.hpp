@@ -20,7 +20,7 @@ struct PosedSet {
   FlatSet core = {};        // of what is convex
   ExactChains chains = {};  // of polygons
   mpq_class radius = 0;     // beyond the core
-  AxisRound axis = {};      // instead of all that
+  AxisRound axis = {};      // instead of the radius; the core is the axis
   ExactMap map = {};
   int dimension = 3;  // of the space
 

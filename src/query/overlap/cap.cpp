@@ -1,5 +1,6 @@
 // Spherical caps against balls and against flat convex sets: a cap is a ball and a halfspace, and meets what meets the
 // ball within the halfspace.
+#include "arith/root_sign.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
@@ -68,29 +69,25 @@ Relation relate_cap(const Flat& x, const SphericalCap3& cap, Question question) 
   return relate_solid(x, exact, cap);
 }
 
-/// The sign of a - sqrt(b), b >= 0.
-int less_root(const mpq_class& a, const mpq_class& b) { return sgn(a) < 0 ? -1 : sgn(mpq_class(a * a - b)); }
-
 /// How much farther than a radius a point outside of a cap with an interior is from it.
-int sign_of_gap(const ExactCap& cap, const Exact3& p, const mpq_class& radius) {
+Sign sign_of_gap(const ExactCap& cap, const Exact3& p, const mpq_class& radius) {
   const Exact3 way = p - cap.center;
   const mpq_class square = dot(way, way), along = dot(cap.normal, way), height = along - cap.depth;
   // Is the ball's nearest point in the halfspace?  radius along <= depth |way|.
-  const mpq_class reach = cap.radius * along;
-  const int by_root = sgn(cap.depth) != sgn(reach)
-                          ? sgn(cap.depth) - sgn(reach)
-                          : sgn(reach) * sgn(mpq_class(cap.depth * cap.depth * square - reach * reach));
+  const Sign by_root = sign_of_root(mpq_class(-cap.radius * along), cap.depth, square);
   const mpq_class both = cap.radius + radius;
-  if (sgn(mpq_class(square - cap.radius * cap.radius)) > 0 && by_root >= 0) return sgn(mpq_class(square - both * both));
+  if (sgn(mpq_class(square - cap.radius * cap.radius)) > 0 && by_root != Sign::negative)
+    return sign_of_rational(mpq_class(square - both * both));
   // Then what is nearest lies in the plane.  Is it the foot of p, which is beyond?
   const Exact3 from_center = cap.foot(p) - cap.center;
   if (sgn(height) > 0 && dot(from_center, from_center) <= cap.radius * cap.radius)
-    return sgn(mpq_class(height * height - radius * radius * cap.square));
+    return sign_of_rational(mpq_class(height * height - radius * radius * cap.square));
   // Else the circle is nearest, about the foot of the center: |p - middle|^2 + rim^2 - 2 t rim against radius^2, where t
   // is how far the feet are apart.
   const Exact3 middle = cap.foot(cap.center), to_p = p - middle, feet = cap.foot(p) - middle;
   const mpq_class rim = cap.circle / cap.square;
-  return less_root(dot(to_p, to_p) + rim - radius * radius, 4 * dot(feet, feet) * rim);
+  return sign_of_root(mpq_class(dot(to_p, to_p) + rim - radius * radius), mpq_class(-2),
+                      mpq_class(dot(feet, feet) * rim));
 }
 
 Relation relate_ball_and_cap(const Sphere3& ball, const SphericalCap3& cap, Question question) {
@@ -101,7 +98,7 @@ Relation relate_ball_and_cap(const Sphere3& ball, const SphericalCap3& cap, Ques
   if (exact.is_empty()) return Relation::disjoint;
   if (const auto p = exact.point()) return relate_swept(core_set(ball), ball.radius, single_point(*p));
   if (contains(cap, ball.center)) return Relation::overlapping;
-  return static_cast<Relation>(-sign_of_gap(exact, exact_of(ball.center), ball.radius));
+  return static_cast<Relation>(-static_cast<int>(sign_of_gap(exact, exact_of(ball.center), ball.radius)));
 }
 
 }  // namespace

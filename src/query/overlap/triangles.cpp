@@ -8,8 +8,8 @@
 #include "query/overlap/filters.hpp"
 #include "query/overlap/lattice3.hpp"
 #include "query/overlap/lattice_volumes.hpp"
+#include "query/overlap/neighbor_triangles.hpp"
 #include "query/overlap/pair_answer.hpp"
-#include "query/overlap/shared_corners.hpp"
 #include "query/overlap/signs.hpp"
 #include "query/overlap/triangle_signs.hpp"
 #include "query/overlap/wide_volumes.hpp"
@@ -46,7 +46,7 @@ template <InOnePlane in_one_plane>
     if (in_one_plane == InOnePlane::told && are_coplanar) {
       if (const auto answer = by_short_plane(a, b, error)) return answer;
     }
-    if (const auto answer = by_shared_corners(a, b, over_a, error)) return answer;
+    if (const auto answer = relate_neighbors(a, b, over_a, error)) return answer;
     if (are_coplanar) return {};
   }
 

@@ -121,12 +121,11 @@ template <class Model>
 concept FeatureByPoint = Model::feature_by_point;
 
 template <class T, class Model>
-std::optional<Decided> clip(const AnyRay& ray, const Model& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
+std::optional<Decided> clip(const ShotLine<T>& line, const Model& model, RaySigns& ask) {
   const auto size = static_cast<std::uint32_t>(model.size());
   std::vector<Linear<T>> linear;
   linear.reserve(size);
-  Remaining<T> left(ray);
+  Remaining<T> left(line.ray);
   for (std::uint32_t i = 0; i < size; ++i) {
     linear.push_back(model.template linear<T>(line, i, ask));
     if (!left.cut(linear.back(), i, ask)) return {};
@@ -178,7 +177,7 @@ std::optional<Decided> clip(const AnyRay& ray, const Model& model, RaySigns& ask
 
 template <class Model>
 std::optional<Decided> clip(const AnyRay& ray, const Model& model) {
-  return certainly<RaySigns>([&]<class T>(RaySigns& ask) { return clip<T>(ray, model, ask); });
+  return certainly<RaySigns>([&]<class T>(RaySigns& ask) { return clip<T>(ShotLine<T>(ray), model, ask); });
 }
 
 }  // namespace plumb::query

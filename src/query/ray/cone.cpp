@@ -11,6 +11,7 @@
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/clip.hpp"
 #include "query/ray/round_parts.hpp"
+#include "query/ray/seen_line.hpp"
 
 namespace plumb {
 namespace query {
@@ -69,14 +70,13 @@ std::optional<When> enter_cone(const AnyRay& ray, const Quadratic<T>& q, const R
 }
 
 template <class T>
-std::optional<Decided> decide_cone(const AnyRay& ray, const ConeModel& model, RaySigns& ask) {
+std::optional<Decided> decide_cone(const ShotLine<T>& line, const ConeModel& model, RaySigns& ask) {
   constexpr std::uint32_t apex = ConeModel::apex, base = ConeModel::base, side = ConeModel::side;
-  const ShotLine<T> line(ray);
   const Linear<T> before = model.linear(line, apex, ask), beyond = model.linear(line, base, ask);
-  Remaining<T> left(ray);
+  Remaining<T> left(line.ray);
   if (!left.cut(before, apex, ask) || !left.cut(beyond, base, ask)) return {};
   const Quadratic<T> q = model.quadratic(line);
-  const std::optional<When> when = enter_cone(ray, q, left, ask);
+  const std::optional<When> when = enter_cone(line.ray, q, left, ask);
   if (!when) return {};
   const bool root = when->at == When::At::root, on_line = when->at == When::At::quotient && when->index == side;
   Time<T> time = time_zero<T>();
@@ -113,11 +113,20 @@ std::optional<Answer> of(const AnyRay& ray, const Cone3& cone) {
     }
   }
   const ConeModel model{cone};
-  return answer<Answer>(ray, model,
-                        certainly<RaySigns>([&]<class T>(RaySigns& ask) { return decide_cone<T>(ray, model, ask); }));
+  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+                          return decide_cone<T>(ShotLine<T>(ray), model, ask);
+                        }));
 }
 
 }  // namespace
+
+std::optional<SeenHit> seen_hit(const SeenLine& line, const Cone3& cone) {
+  if (cone.apex == cone.base) return seen_hit(line, Sphere3{cone.apex, cone.radius});
+  const ConeModel model{cone};
+  RaySigns ask;
+  return seen_hit(line, model, decide_cone(line, model, ask));
+}
+
 }  // namespace query
 
 std::optional<Hit> first_hit(const AnyRay& ray, const Cone3& cone) { return query::of<Hit>(ray, cone); }

@@ -14,6 +14,7 @@
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/clip.hpp"
 #include "query/ray/round_parts.hpp"
+#include "query/ray/seen_line.hpp"
 
 namespace plumb {
 namespace query {
@@ -147,8 +148,8 @@ struct LozengeModel {
 };
 
 template <class T>
-std::optional<Decided> decide_lozenge(const AnyRay& ray, const LozengeModel& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
+std::optional<Decided> decide_lozenge(const ShotLine<T>& line, const LozengeModel& model, RaySigns& ask) {
+  const AnyRay& ray = line.ray;
   std::vector<std::uint32_t> entered;  // within reach, from a zone before
   for (std::uint32_t i = 0; i < model.zones(); ++i) {
     if (model.dimension == 2 && i == 1) continue;  // the other side of the plane
@@ -194,11 +195,19 @@ template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Lozenge3& lozenge) {
   require<Answer>(ray, lozenge);
   const LozengeModel model = lozenge_model(lozenge);
-  return answer<Answer>(
-      ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) { return decide_lozenge<T>(ray, model, ask); }));
+  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+                          return decide_lozenge<T>(ShotLine<T>(ray), model, ask);
+                        }));
 }
 
 }  // namespace
+
+std::optional<SeenHit> seen_hit(const SeenLine& line, const Lozenge3& lozenge) {
+  const LozengeModel model = lozenge_model(lozenge);
+  RaySigns ask;
+  return seen_hit(line, model, decide_lozenge(line, model, ask));
+}
+
 }  // namespace query
 
 std::optional<Hit> first_hit(const AnyRay& ray, const Lozenge3& lozenge) { return query::of<Hit>(ray, lozenge); }

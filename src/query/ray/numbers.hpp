@@ -211,19 +211,27 @@ Hit numbers_of(const AnyRay& ray, const Model& model, const Decided& decided) {
   return {t, point, decided.feature, {sure_or(normal[0], 4), sure_or(normal[1], 5), sure_or(normal[2], 6)}};
 }
 
-template <class Model>
-RayParameter parameter_of(const AnyRay& ray, const Model& model, const Decided& decided) {
+inline Rational exact_number(const BigDyadic& x) { return Rational(big_rational(x)); }
+inline Rational exact_number(const Rational& x) { return x; }
+
+/// Over numbers that are exact.
+template <class T, class Model>
+RayParameter parameter_of(const ShotLine<T>& line, const Model& model, const Decided& decided) {
   if (decided.when.at == When::At::zero) return {};
-  const ShotLine<BigDyadic> line(ray);
   if (decided.when.at == When::At::root) {
-    const Quadratic<BigDyadic> q = quadratic_of<BigDyadic>(line, model, decided.when);
-    const Rational square = Rational(big_rational(q.square));
-    return {-Rational(big_rational(q.half)) / square, Rational(big_rational(q.discriminant)) / (square * square),
+    const Quadratic<T> q = quadratic_of<T>(line, model, decided.when);
+    const Rational square = exact_number(q.square);
+    return {-exact_number(q.half) / square, exact_number(q.discriminant) / (square * square),
             square.sign() == Sign::negative};
   }
   RaySigns ask;
-  const Time<BigDyadic> t = time_of<BigDyadic>(line, model, decided.when, ask);
-  return {Rational(big_rational(t.numerator)) / Rational(big_rational(t.denominator))};
+  const Time<T> t = time_of<T>(line, model, decided.when, ask);
+  return {exact_number(t.numerator) / exact_number(t.denominator)};
+}
+template <class Model>
+RayParameter parameter_of(const AnyRay& ray, const Model& model, const Decided& decided) {
+  if (decided.when.at == When::At::zero) return {};
+  return parameter_of(ShotLine<BigDyadic>(ray), model, decided);
 }
 
 /// A Hit, a RayParameter, or what is decided as it is.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "arith/big_rounding.hpp"
+#include "arith/rounded_radical.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/ray/posed.hpp"
@@ -12,12 +13,17 @@
 #include "query/convex/posed_set.hpp"
 #include "query/overlap/polygon_relation.hpp"
 #include "query/ray/posed_faces.hpp"
-#include "query/ray/posed_round.hpp"
 #include "query/ray/posed_triangle.hpp"
-#include "query/ray/shot.hpp"
+#include "query/ray/seen_line.hpp"
 
 namespace plumb::query {
 namespace {
+
+/// All from + t along with t in the span.
+struct ExactShot {
+  Exact3 from, along;
+  std::optional<mpq_class> least, most;
+};
 
 ExactShot exact_shot(const PosedView& v) {
   const PosedSet s = posed_set(v);
@@ -77,46 +83,96 @@ std::optional<mpq_class> first_in_flat(std::string_view function, const ExactSho
   return first;
 }
 
-/// The line before the figure's pose.
-ExactShot as_seen(std::string_view function, const ExactShot& shot, const PosedSet& s, const FigureView& figure) {
-  if (is_singular(s.map)) {
-    throw UnevenPose(std::string(function)
-                         .append(": ")
-                         .append(spoken(figure))
-                         .append(": its pose flattens it; give one whose matrix is not singular"));
-  }
+Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
+Vec3<Rational> exact_vector(const Exact3& v) { return {exact_number(v[0]), exact_number(v[1]), exact_number(v[2])}; }
+Exact3 exact_vector(const Vec3<Rational>& v) { return {v.x.value().value, v.y.value().value, v.z.value().value}; }
+
+/// Of that kind, with a direction or without one.
+AnyRay ray_of_kind(FigureKind kind, bool has_direction) {
+  const double along = has_direction ? 1 : 0;
+  if (kind == FigureKind::segment) return Segment3{{0, 0, 0}, {along, 0, 0}};
+  if (kind == FigureKind::line) return Line3{{0, 0, 0}, {along, 0, 0}};
+  return Ray3{{0, 0, 0}, {along, 0, 0}};
+}
+
+bool is_round(FigureKind kind) {
+  return is_one_of(
+      kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+}
+
+/// Of what is round, under a pose that is not singular: as it sees the line.
+std::optional<SeenHit> hit_before_pose(const ExactShot& shot, FigureKind ray, const PosedSet& s, const FigureView& v) {
   const ExactMap back = inverse(s.map);
-  return {image(back, shot.from), turned(back, shot.along), shot.least, shot.most};
+  const SeenLine line{ray_of_kind(ray, !is_zero(shot.along)), exact_vector(image(back, shot.from)),
+                      exact_vector(turned(back, shot.along))};
+  return with_figure(v, [&](const auto& figure) -> std::optional<SeenHit> {
+    if constexpr (requires { seen_hit(line, figure); }) {
+      return seen_hit(line, figure);
+    } else {
+      __builtin_unreachable();
+    }
+  });
+}
+
+/// Does the figure see the line?  What is round and has a radius must.
+bool sees_line(std::string_view function, const PosedSet& s, const FigureView& figure) {
+  if (!is_round(figure.kind)) return false;
+  if (!is_singular(s.map)) return true;
+  if (!s.is_round() && !s.has_axis()) return false;
+  throw UnevenPose(std::string(function)
+                       .append(": ")
+                       .append(spoken(figure))
+                       .append(": its pose flattens it; give one whose matrix is not singular"));
+}
+
+/// base + share * root of t's square, of the sign that t has: rounded once.
+double rounded_at(const mpq_class& base, const mpq_class& share, const RayParameter& t) {
+  const mpq_class& square = t.square.value().value;
+  const auto number = [](const mpz_class& x) { return BigDyadic(x); };
+  const mpz_class root = square.get_num() * square.get_den();  // of (share / den) sqrt(num den)
+  mpq_class over = share / square.get_den();
+  if (!t.greater) over = -over;
+  const mpz_class scale = base.get_den() * over.get_den();
+  return rounded_radical(Rounding::nearest, number(base.get_num() * over.get_den()),
+                         number(over.get_num() * base.get_den()), number(root), number(scale)) +
+         0.0;
+}
+
+Hit rounded_hit(const SeenHit& seen, const ExactShot& shot, const ExactMap& map) {
+  const mpq_class& base = seen.t.base.value().value;
+  const auto at = [&](const Exact3& still, const Exact3& moving) {
+    const Exact3 x = still + base * moving;
+    return std::array{rounded_at(x[0], moving[0], seen.t), rounded_at(x[1], moving[1], seen.t),
+                      rounded_at(x[2], moving[2], seen.t)};
+  };
+  const auto [x, y, z] = at(shot.from, shot.along);
+  const auto [u, v, w] = at(outward(map, exact_vector(seen.still)), outward(map, exact_vector(seen.moving)));
+  return {seen.t.rounded() + 0.0, {x, y, z}, seen.feature, {u, v, w}};
 }
 
 bool is_inside(const FigureView& figure, const Feature& feature) {
   return feature.kind == FeatureKind::interior || (figure.dimension == 2 && feature.kind == FeatureKind::face);
 }
 
-/// Of a ball or a capsule.
-std::optional<Hit> hit_posed_round(const ExactShot& shot, const PosedSet& s, const FigureView& figure) {
-  const ExactShot seen = as_seen("first_hit", shot, s, figure);
-  const auto t = first_in_fat(seen, s.core, s.radius);
-  if (!t) return {};
-  const RoundMeeting met = round_meeting(seen, s.core, s.radius, *t);
-  const mpq_class& base = t->base.value().value;
-  const auto at = [&](const Exact3& still, const Exact3& moving) {
-    const Exact3 x = still + base * moving;
-    return std::array{rounded_at(x[0], moving[0], *t), rounded_at(x[1], moving[1], *t),
-                      rounded_at(x[2], moving[2], *t)};
-  };
-  const bool in_plane = figure.dimension == 2;
-  const auto [x, y, z] = at(shot.from, shot.along);
-  Hit hit{t->rounded(), {x, y, z}, {in_plane ? FeatureKind::face : FeatureKind::interior, 0}, {0, 0, 0}};
-  if (!met.part) return hit;
-  hit.feature = {in_plane ? FeatureKind::edge : FeatureKind::face, *met.part};
-  const auto [u, v, w] = at(outward(s.map, met.still), outward(s.map, met.moving));
-  hit.normal = {u, v, w};
-  return hit;
+/// Of what is round by a radius of zero, or maps to a point, under a pose that is singular: which feature of it.
+Feature feature_of_thin(const FigureView& figure, const ExactMap& map, const Exact3& point) {
+  return with_figure(figure, [&]<class Shape>(const Shape& s) -> Feature {
+    const auto is_at = [&](const Point3& p) { return image(map, {p.x, p.y, p.z}) == point; };
+    if constexpr (std::is_same_v<Shape, Lozenge3>) {
+      const Feature at = feature_at(figure, point, false, &map);  // numbered as if it had one flat side
+      return {FeatureKind::face, at.index == 0 ? 0 : at.index + 1};
+    } else if constexpr (std::is_same_v<Shape, Cylinder3>) {
+      if (s.a != s.b && is_at(s.a)) return {FeatureKind::edge, 0};
+      if (s.a != s.b && is_at(s.b)) return {FeatureKind::edge, 1};
+    } else if constexpr (std::is_same_v<Shape, Cone3>) {
+      if (s.apex != s.base && is_at(s.apex)) return {FeatureKind::vertex, 0};
+      if (s.apex != s.base && is_at(s.base)) return {FeatureKind::edge, 0};
+    }
+    return {figure.dimension == 2 ? FeatureKind::edge : FeatureKind::face, 0};
+  });
 }
 
 double nearest(const mpq_class& x) { return rounded(Rounding::nearest, x) + 0.0; }
-Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
 
 }  // namespace
 
@@ -130,14 +186,17 @@ std::optional<Hit> posed_first_hit(const PosedView& ray, const PosedView& figure
   require_posed("first_hit", ray, figure);
   const ExactShot shot = exact_shot(ray);
   const PosedSet s = posed_set(figure);
-  if (s.is_round()) return hit_posed_round(shot, s, figure.figure);
+  if (sees_line("first_hit", s, figure.figure)) {
+    const auto seen = hit_before_pose(shot, ray.figure.kind, s, figure.figure);
+    return seen ? std::optional(rounded_hit(*seen, shot, s.map)) : std::nullopt;
+  }
   const auto t = first_in_flat("first_hit", shot, s, figure);
   if (!t) return {};
   const Exact3 point = shot.from + *t * shot.along;
-  // What is near by a radius of zero is a point or a segment, which is all of its surface.
-  const bool is_thin = is_one_of(figure.figure.kind, {FigureKind::ball, FigureKind::capsule});
-  const FeatureKind surface = figure.figure.dimension == 2 ? FeatureKind::edge : FeatureKind::face;
-  const Feature feature = is_thin ? Feature{surface, 0} : hit_feature(figure.figure, s.map, point);
+  // What is near by a radius of zero is all of its surface, which has no side.
+  const bool is_thin = is_round(figure.figure.kind);
+  const Feature feature =
+      is_thin ? feature_of_thin(figure.figure, s.map, point) : hit_feature(figure.figure, s.map, point);
   Hit hit{nearest(*t), {nearest(point[0]), nearest(point[1]), nearest(point[2])}, feature, {0, 0, 0}};
   if (is_thin || is_inside(figure.figure, feature)) return hit;
   const Exact3 normal = normal_at(figure.figure, s.map, point, shot.along);
@@ -150,8 +209,9 @@ std::optional<RayParameter> posed_first_hit_parameter(std::string_view function,
   require_posed(function, ray, figure);
   const ExactShot shot = exact_shot(ray);
   const PosedSet s = posed_set(figure);
-  if (s.is_round()) {
-    return first_in_fat(as_seen(function, shot, s, figure.figure), s.core, s.radius);
+  if (sees_line(function, s, figure.figure)) {
+    const auto seen = hit_before_pose(shot, ray.figure.kind, s, figure.figure);
+    return seen ? std::optional(seen->t) : std::nullopt;
   }
   const auto first = first_in_flat(function, shot, s, figure);
   if (!first) return {};

@@ -6,6 +6,7 @@
 
 #include "certify/certainly.hpp"
 #include "query/ray/round_parts.hpp"
+#include "query/ray/seen_line.hpp"
 
 namespace plumb {
 namespace query {
@@ -83,8 +84,7 @@ struct CapsuleModel {
 };
 
 template <class T>
-std::optional<Decided> decide_capsule(const AnyRay& ray, const CapsuleModel& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
+std::optional<Decided> decide_capsule(const ShotLine<T>& line, const CapsuleModel& model, RaySigns& ask) {
   const auto& [a, b, radius] = model.capsule;
   const std::array<Linear<T>, 3> beyond{Linear<T>{T(0.0), T(0.0)}, beyond_end(line, a, b, 1),
                                         beyond_end(line, a, b, 2)};
@@ -96,7 +96,7 @@ std::optional<Decided> decide_capsule(const AnyRay& ray, const CapsuleModel& mod
                                              : way == Sign::negative ? std::array<std::uint32_t, 3>{2, 0, 1}
                                                                      : std::array<std::uint32_t, 3>{0, 1, 2};
   for (const std::uint32_t zone : order) {
-    Remaining<T> left(ray);
+    Remaining<T> left(line.ray);
     const bool some =
         zone == 0 ? left.cut(beyond[1], 1, ask) && left.cut(beyond[2], 2, ask) : left.cut(within(zone), zone, ask);
     if (!some) continue;
@@ -137,11 +137,34 @@ std::optional<Answer> of(const AnyRay& ray, const Capsule3& capsule) {
   require<Answer>(ray, capsule);
   if (capsule.a == capsule.b) return of_ball<Answer>(ray, capsule.a, capsule.radius);
   const CapsuleModel model{capsule};
-  return answer<Answer>(
-      ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) { return decide_capsule<T>(ray, model, ask); }));
+  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+                          return decide_capsule<T>(ShotLine<T>(ray), model, ask);
+                        }));
+}
+
+std::optional<SeenHit> seen_ball(const SeenLine& line, const Point3& center, double radius) {
+  const BallModel model{center, radius};
+  RaySigns ask;
+  return seen_hit(line, model, clip(line, model, ask));
 }
 
 }  // namespace
+
+std::optional<SeenHit> seen_hit(const SeenLine& line, const Sphere3& sphere) {
+  return seen_ball(line, sphere.center, sphere.radius);
+}
+std::optional<SeenHit> seen_hit(const SeenLine& line, const Cylinder3& cylinder) {
+  if (cylinder.a == cylinder.b) return seen_ball(line, cylinder.a, cylinder.radius);
+  const CylinderModel model{cylinder};
+  RaySigns ask;
+  return seen_hit(line, model, clip(line, model, ask));
+}
+std::optional<SeenHit> seen_hit(const SeenLine& line, const Capsule3& capsule) {
+  if (capsule.a == capsule.b) return seen_ball(line, capsule.a, capsule.radius);
+  const CapsuleModel model{capsule};
+  RaySigns ask;
+  return seen_hit(line, model, decide_capsule(line, model, ask));
+}
 
 }  // namespace query
 

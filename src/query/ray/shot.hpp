@@ -11,6 +11,7 @@
 
 #include "arith/approximate.hpp"
 #include "arith/certain.hpp"
+#include "plumb/arith/rational.hpp"
 #include "plumb/query/ray/ray.hpp"
 #include "query/body/vectors.hpp"
 
@@ -74,6 +75,15 @@ struct ShotLine {
 
   const AnyRay& ray;
   Vec3<T> direction;
+};
+
+/// As a figure under a pose sees it: through no point that a double names.
+template <>
+struct ShotLine<Rational> {
+  [[nodiscard]] Vec3<Rational> origin_from(const Point3& p) const { return origin - vector_of<Rational>(p); }
+
+  AnyRay ray;  // where the line begins and ends, and whether it has a direction; its numbers are none of the line's
+  Vec3<Rational> origin, direction;
 };
 
 /// numerator / denominator, with a positive denominator where it is compared.

@@ -4,16 +4,16 @@
 //   hits(ray, Posed{ball, sheared})              yes or no
 //   first_hit(ray, Posed{triangle, pose})        t, point, feature and normal, of a triangle
 //
-// Laws: (1) the t of query/ray/ray.hpp and ray2.hpp, of the exact image: of every figure with straight edges and flat faces
-// that is asked there, under any matrix, and of balls, disks, capsules and lozenges under those that are not singular,
-// whatever they make of them.  The ray may be posed as well: t counts multiples of the posed direction.  (2) So a common
-// pose that is not singular changes no t and no feature.  (3) What a singular matrix flattens is the flat figure that it
-// becomes.  (4) first_hit tells the feature by its number without the pose, and rounds the exact point and normal once.
+// Laws: (1) the t of query/ray/ray.hpp and ray2.hpp, of the exact image, of every figure that is asked there and can be
+// posed: with straight edges and flat faces under any matrix, round ones under those that are not singular, whatever they
+// make of them.  The ray may be posed as well: t counts multiples of the posed direction.  (2) So a common pose that is
+// not singular changes no t and no feature.  (3) What a singular matrix flattens is the flat figure that it becomes.
+// (4) first_hit tells the feature by its number without the pose, and rounds the exact point and normal once.
 // The normal is what the cofactors of the matrix make of that of the figure as it stands, out of a solid also where the
-// pose mirrors: of flat faces the cross product of the posed edges, of an ellipsoid perpendicular to it.  In the plane it
-// is perpendicular to the posed edge.  Of what is flattened it is that of the first face that is hit, or not zero.
-// Cylinders and cones are refused by the compiler, and lozenges by first_hit; a round figure that is flattened throws
-// UnevenPose; NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
+// pose mirrors: of flat faces the cross product of the posed edges, of a round side perpendicular to it.  In the plane it
+// is perpendicular to the posed edge.  Of what is flattened it is that of the first face that is hit, or not zero; of a
+// round figure without a radius it is zero then.  A round figure that has one and is flattened throws UnevenPose; NaN and
+// infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 3.2, 5.3.
 // Cost: rationals: some 40 us for a ball, 120 us for a box.
 #pragma once
@@ -38,17 +38,11 @@ std::optional<RayParameter> posed_first_hit_parameter(std::string_view function,
                                                       const PosedView& figure);
 
 template <class Ray, class Shape>
-concept PosedShot = PosedFigures<Ray, Shape> && is_one_of(figure_kind<UnposedType<Ray>>,
-                                                          {FigureKind::line, FigureKind::ray, FigureKind::segment}) &&
-                    !is_one_of(figure_kind<UnposedType<Shape>>, {FigureKind::cylinder, FigureKind::cone}) &&
-                    requires(const UnposedType<Ray>& ray, const UnposedType<Shape>& shape) {
+concept PosedShot = PosedFigures<Ray, Shape> &&
+    is_one_of(figure_kind<UnposedType<Ray>>, {FigureKind::line, FigureKind::ray, FigureKind::segment}) &&
+    requires(const UnposedType<Ray>& ray, const UnposedType<Shape>& shape) {
   first_hit_parameter(ray, shape);
 };
-
-/// With the point, the feature and the normal: not of lozenges.
-template <class Ray, class Shape>
-concept PosedHit = PosedShot<Ray, Shape> && figure_kind<UnposedType<Shape>>
-!= FigureKind::lozenge;
 
 }  // namespace query
 
@@ -66,7 +60,7 @@ bool hits(const Ray& ray, const Shape& shape) {
 
 /// A Hit, or in the plane a Hit2.
 template <class Ray, class Shape>
-requires query::PosedHit<Ray, Shape>
+requires query::PosedShot<Ray, Shape>
 auto first_hit(const Ray& ray, const Shape& shape) {
   const auto hit = query::posed_first_hit(query::posed_view(ray), query::posed_view(shape));
   if constexpr (figure_dimension<query::UnposedType<Shape>> == 3) {

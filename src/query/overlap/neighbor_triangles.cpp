@@ -1,4 +1,4 @@
-#include "query/overlap/shared_corners.hpp"
+#include "query/overlap/neighbor_triangles.hpp"
 
 #include "query/overlap/filters.hpp"
 #include "query/overlap/flat_areas.hpp"
@@ -107,8 +107,8 @@ std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3
 
 }  // namespace
 
-std::optional<Relation> by_shared_corners(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
-                                          double error) {
+std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
+                                         double error) {
   const CornerPointers p{&a.a, &a.b, &a.c}, q{&b.a, &b.b, &b.c};
   // Which corners are the same; none is counted twice, unless a triangle repeats it.
   std::array<std::size_t, 3> of_a{}, of_b{};

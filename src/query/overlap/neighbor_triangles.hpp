@@ -21,7 +21,7 @@ namespace plumb::query {
 
 /// `over_a` are the heights of b's corners over a's plane, off by at most `error`, which bounds volumes that are seen
 /// from a.a: from other corners they are off by from_any_corner times as much.
-std::optional<Relation> by_shared_corners(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
-                                          double error);
+std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
+                                         double error);
 
 }  // namespace plumb::query
