@@ -1,9 +1,9 @@
 #include "surface/plane_sweep.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <tuple>
+
+#include "space/bvh/blocks.hpp"
 
 namespace plumb::surface {
 
@@ -34,7 +34,7 @@ std::vector<std::vector<std::uint32_t>> planes_by_normal(std::span<const AnyPlan
 
 PlaneSweep::PlaneSweep(const TriangleMesh& mesh, std::span<const CutPlane* const> planes)
     : ranks_(mesh.vertices.size()), triangles_(planes.size()) {
-  tbb::parallel_for(std::size_t{0}, ranks_.size(), [&](std::size_t v) {
+  const auto rank = [&](std::size_t v) {
     const Point3& p = mesh.vertices[v];
     std::size_t above = 0, end = planes.size();
     Sign at_end = Sign::negative;  // each side is asked once
@@ -51,6 +51,9 @@ PlaneSweep::PlaneSweep(const TriangleMesh& mesh, std::span<const CutPlane* const
     std::size_t up_to = above + (at_end == Sign::zero ? 1 : 0);
     while (at_end == Sign::zero && up_to < planes.size() && planes[up_to]->side(p) == Sign::zero) ++up_to;
     ranks_[v] = {static_cast<std::uint32_t>(above), static_cast<std::uint32_t>(up_to)};
+  };
+  space::for_blocks(Execution::parallel, ranks_.size(), 1 << 10, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t v = from; v < to; ++v) rank(v);
   });
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];

@@ -1,9 +1,8 @@
 #include "plumb/surface/section.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "certify/batch/all_threads.hpp"
 #include "figure/basic/mesh_input.hpp"
 #include "surface/cut_contours.hpp"
 #include "surface/cut_nesting.hpp"
@@ -45,12 +44,12 @@ std::vector<Section> sections(const TriangleMesh& mesh, std::span<const AnyPlane
     cuts.emplace_back(planes[i]);
   }
   const std::vector<std::vector<std::uint32_t>> runs = surface::planes_by_normal(planes);
-  tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
+  certify::batch::for_each_part(Execution::parallel, runs.size(), [&](std::size_t r) {
     std::vector<const CutPlane*> run;
     for (const std::uint32_t i : runs[r]) run.push_back(&cuts[i]);
     const surface::PlaneSweep sweep(mesh, run);
-    tbb::parallel_for(std::size_t{0}, run.size(),
-                      [&](std::size_t k) { cut(mesh, *run[k], sweep, k, found[runs[r][k]]); });
+    certify::batch::for_each_part(Execution::parallel, run.size(),
+                                  [&](std::size_t k) { cut(mesh, *run[k], sweep, k, found[runs[r][k]]); });
   });
   return found;
 }

@@ -2,11 +2,11 @@
 //
 // The corners of that polygon are good guesses, by rounded sums; that a point is inside is certain: by a comparison
 // with a box whose corners are in the polygon exactly, or by a filter that is sure for every edge.
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 
+#include "certify/batch/all_threads.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/hull/hull2_steps.hpp"
 #include "plumb/certify/side.hpp"
@@ -106,12 +106,9 @@ std::vector<Indexed> candidates(std::span<const Point2> points, const Hull2Optio
   if (points.empty()) return {};
   const std::size_t blocks = (points.size() + block_size - 1) / block_size;
   const auto each_block = [&](const auto& work) {
-    const auto one = [&](std::size_t b) { work(b, b * block_size, std::min(points.size(), (b + 1) * block_size)); };
-    if (options.execution == Execution::parallel) {
-      tbb::parallel_for(std::size_t{0}, blocks, one);
-    } else {
-      for (std::size_t b = 0; b < blocks; ++b) one(b);
-    }
+    certify::batch::for_each_part(options.execution, blocks, [&](std::size_t b) {
+      work(b, b * block_size, std::min(points.size(), (b + 1) * block_size));
+    });
   };
   std::vector<Extremes> found(blocks);
   each_block([&](std::size_t b, std::size_t from, std::size_t to) { found[b] = extremes(points, from, to); });

@@ -1,12 +1,11 @@
 #include "plumb/query/gjk/batch.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <exception>
 #include <mutex>
 #include <string>
 
+#include "certify/batch/all_threads.hpp"
 #include "certify/batch/cases.hpp"
 #include "plumb/arith/error.hpp"
 
@@ -60,8 +59,8 @@ void ask_each(std::string_view function, std::size_t pairs, Execution execution,
     }
   };
   const std::size_t blocks = (pairs + pairs_in_block - 1) / pairs_in_block;
-  if (execution == Execution::parallel && blocks > 1) {
-    tbb::parallel_for(std::size_t{0}, blocks, block);
+  if (execution == Execution::parallel) {
+    certify::batch::for_each_part(execution, blocks, block);
   } else {
     for (std::size_t b = 0; b < blocks && !refusal; ++b) block(b);
   }
