@@ -118,7 +118,7 @@ bool FrameSweep::is_as_flat(const Aabb3& box) const {
 bool FrameSweep::is_beyond(const Aabb3& box) const {
   const auto x = numbers_of(box);
   bool is_so = false;
-  for (std::size_t k = 0; k < 3; ++k) is_so |= (x[k] < bounds_.min[k]) | (bounds_.max[k] < x[k + 3]);
+  for (std::size_t k = 0; k < 3; ++k) is_so |= x[k] < bounds_.min[k] || bounds_.max[k] < x[k + 3];
   return is_so;
 }
 
@@ -126,7 +126,7 @@ bool FrameSweep::is_beyond(const Aabb3& box) const {
 bool FrameSweep::is_outside(const OrdinalSpan& s) const {
   constexpr std::int32_t last = (1 << ordinal_bits) - 1;
   bool outside = false;
-  for (std::size_t k = 0; k < 3; ++k) outside |= has_space_[k] & ((s.low[k] <= 0) | (s.high[k] >= last));
+  for (std::size_t k = 0; k < 3; ++k) outside |= has_space_[k] && (s.low[k] <= 0 || s.high[k] >= last);
   return outside && is_one(s);
 }
 
