@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
+#include "space/broad_phase/asked_span.hpp"
 #include "space/broad_phase/swept_columns.hpp"
 
 namespace plumb::space {
@@ -26,40 +26,6 @@ std::int32_t least_overlap(const OrdinalSpan& a, const OrdinalSpan& b) {
   for (std::size_t k = 0; k < 3; ++k) least = std::min({least, b.high[k] - a.low[k], a.high[k] - b.low[k]});
   return least;
 }
-
-/// What is held against many: three ordinals each, and a fourth that never tells anything.
-class Asked {
- public:
-  explicit Asked(const OrdinalSpan& s)
-      : low_{s.low[0], s.low[1], s.low[2], -beyond_ordinals}, high_{s.high[0], s.high[1], s.high[2], beyond_ordinals} {}
-
-  [[nodiscard]] bool is_apart(const FrameEntry& other) const {
-    return is_any((low_ > high_of(other)) | (low_of(other) > high_));
-  }
-  /// Below 0 apart, above 0 overlapping, at 0 the boxes say; of what is now.
-  [[nodiscard]] int overlap(const FrameEntry& other) const {
-    if (is_apart(other)) return -1;
-    return is_any((low_ == high_of(other)) | (low_of(other) == high_)) ? 0 : 1;
-  }
-
- private:
-  using Four = std::int32_t __attribute__((vector_size(16)));
-  static_assert(offsetof(FrameEntry, now) == 0 && sizeof(OrdinalSpan) == 24);
-  static Four four_at(const FrameEntry& e, std::size_t number) {
-    Four four;
-    __builtin_memcpy(&four, reinterpret_cast<const char*>(&e) + number * sizeof(std::int32_t), sizeof four);
-    return four;
-  }
-  static Four low_of(const FrameEntry& e) { return four_at(e, 0); }
-  static Four high_of(const FrameEntry& e) { return four_at(e, 3); }
-  static bool is_any(const Four& lanes) {
-    std::array<std::uint64_t, 2> two;
-    __builtin_memcpy(two.data(), &lanes, sizeof two);
-    return (two[0] | two[1]) != 0;
-  }
-
-  Four low_, high_;
-};
 
 BoxPair pair_of(const FrameEntry& a, const FrameEntry& b) {
   return {std::min(a.slot, b.slot), std::max(a.slot, b.slot)};
@@ -303,7 +269,7 @@ void FrameSweep::stand_as_now(FrameEntry& e, std::uint32_t place) {
 template <class Work>
 std::size_t FrameSweep::for_each_near(const OrdinalSpan& span, std::uint32_t place, const Work& work) const {
   const StripReach own = entries_[place].reach;
-  const Asked asked(span);
+  const AskedSpan asked(span);
   constexpr std::ptrdiff_t ahead = 8;
   std::size_t compared = 0;
   for_each_column(own, strips_, [&](std::size_t c, std::uint32_t s, std::uint32_t t) {
@@ -327,8 +293,8 @@ std::size_t FrameSweep::for_each_near(const OrdinalSpan& span, std::uint32_t pla
 /// What differs by this one alone, the others being as they are, or were if their turn is still to come.
 std::size_t FrameSweep::settle(FrameEntry& e, std::uint32_t place, const TwoFrames& frames) {
   take_over(e, frames);
-  const Asked now(e.now), before(e.before);
-  const auto meets = [&](const Asked& own, const FrameEntry& other, const Aabb3& own_box) {
+  const AskedSpan now(e.now), before(e.before);
+  const auto meets = [&](const AskedSpan& own, const FrameEntry& other, const Aabb3& own_box) {
     const int overlap = own.overlap(other);
     if (overlap != 0) return overlap > 0;
     const bool is_to_come = frames.has_changed[other.slot] != 0 && other.moved_in != frame_;
