@@ -170,7 +170,7 @@ TEST(DecimalRows, PassOverAHeaderAndNothingElse) {
                            "\"min x\"\n 1 ; 2 # c", "# a\n_x,y2\n\n1 2\n"})
     EXPECT_EQ(read(text), one) << text;
   for (const char* text : {"1,2\na,b", "a,b\nc,d\n1,2", "a,2\n1,2", "nan,nan\n1,2", "inf inf\n1 2", "1.0f\n1",
-                           "a,\n1,2", ",1", "1,,2", "1,2,"})
+                           "a,\n1,2", ",1", "1,,2", "1,2,", "0,5;1"})
     EXPECT_THROW(read(text), Error) << text;
 }
 

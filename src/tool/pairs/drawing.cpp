@@ -216,7 +216,8 @@ class StructureView {
       while (end < near.size() && near[end].first == level) ++end;
       // What is small is left out, but for a part of what would else be all.
       if (end - i > kMostParts - drawn && drawn >= kMostParts / 4) {
-        left_out += fmt::format("; {} of {} are drawn", plural(level, "level", "levels"), levels);
+        left_out += fmt::format("; of {} levels {} drawn", levels,
+                                level == 1 ? "the first is" : fmt::format("the first {} are", level));
         break;
       }
       const std::size_t step = (end - i + kMostParts - drawn - 1) / (kMostParts - drawn);

@@ -19,7 +19,6 @@ bool is_separator(char c) { return c == ',' || c == ';'; }
 /// Between blanks, or one comma or semicolon; nothing between two of these is a word, too.
 void split_line(std::string_view line, std::vector<std::string_view>& words) {
   words.clear();
-  line = line.substr(0, line.find('#'));
   std::size_t at = line.find_first_not_of(blanks);
   while (at != std::string_view::npos) {
     const std::size_t end = std::min(line.find_first_of(" \t\r,;", at), line.size());
@@ -55,11 +54,16 @@ bool DecimalRows::is_header() const { return std::ranges::all_of(row_.words, beg
 bool DecimalRows::next() {
   while (!rest_.empty()) {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    split_line(rest_.substr(0, end), row_.words);
+    std::string_view line = rest_.substr(0, end);
+    line = line.substr(0, line.find('#'));
+    split_line(line, row_.words);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++row_.line;
     if (row_.words.empty()) continue;
     if (std::exchange(is_first_, false) && is_header()) continue;
+    if (line.find(',') != line.npos && line.find(';') != line.npos)
+      throw Error(place() +
+                  ": commas and semicolons stand in one line; part numbers by one of them, and write 1.5 for 1,5");
     const std::uint64_t inexact = reader_.inexact();
     row_.values.clear();
     for (const std::string_view word : row_.words) {

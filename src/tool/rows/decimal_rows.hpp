@@ -1,11 +1,12 @@
 // Which rows of numbers does a text hold?  CSV: decimals in lines, as tables and lists of points are kept.
 //
 //   min x,min y,max x,max y      a header, which may be missing
-//   0.5,0.5,1,1                  blanks, tabs and semicolons may stand for the commas
+//   0.5,0.5,1,1                  blanks, tabs or semicolons may stand for the commas
 //
 // Laws: (1) passed over are empty lines, what follows '#', a byte order mark and a header: a first line whose words all
-// begin with a letter, a quote or '_', and are no number in quotes, "nan" or "inf".  (2) A decimal stands for its nearest double, and it
-// is told whether that is it.  (3) Other words throw Error, which quotes them and names the line.
+// begin with a letter, a quote or '_', and are no number in quotes, "nan" or "inf".  (2) A decimal stands for its
+// nearest double, and it is told whether that is it.  (3) Other words throw Error, which quotes them and names the line;
+// so does a line with both commas and semicolons, which as a rule has decimal commas.
 // Source: RFC 4180; numbers are never quoted.
 // Cost: some 100 ns a number.
 #pragma once
