@@ -174,6 +174,15 @@ std::string unnoticed(const Drawn& draw, const Ask& ask, const Truth& truth, int
   return all;
 }
 
+/// Operations are counted in the order in which they are done, which for operands is the compiler's.
+constexpr const char* by_compiler(const char* of_gcc, const char* of_clang) {
+#ifdef __clang__
+  return static_cast<void>(of_gcc), of_clang;
+#else
+  return static_cast<void>(of_clang), of_gcc;
+#endif
+}
+
 /// Of the statement of this name in tests/certify/statements/golden_statements.txt.  The harmless ones, too, tell what
 /// is so: the reason stands beside them.
 inline void expect_noticed(const char* name, const std::string& unnoticed, const std::string& harmless = "") {
