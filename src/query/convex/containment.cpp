@@ -18,6 +18,8 @@ namespace {
 /// Is the root of c at most x?
 bool root_is_at_most(const mpq_class& c, const mpq_class& x) { return sgn(x) >= 0 && c <= x * x; }
 
+}  // namespace
+
 bool halfspace_holds(const ExactHalfspace& h, const RoundParts& inner) {
   const auto along = [&](const Exact3& d) { return sgn(dot(h.normal, d)); };
   if (std::ranges::any_of(inner.lines, [&](const Exact3& d) { return along(d) != 0; })) return false;
@@ -36,26 +38,31 @@ bool halfspace_holds(const ExactHalfspace& h, const RoundParts& inner) {
   });
 }
 
-bool ball_holds(const Exact3& center, const mpq_class& radius, const RoundPart& part) {
+// root(square) + reach <= radius: 2 root(square reach^2) <= radius^2 - square - reach^2.
+bool core_holds(const mpq_class& square, const mpq_class& radius, const RoundPart& part,
+                const mpq_class& squared_scale) {
+  const mpq_class reach = part.radius * part.radius * squared_scale;
+  return root_is_at_most(4 * square * reach, radius * radius - square - reach);
+}
+
+bool ball_holds(const Exact3& center, const mpq_class& radius, const RoundPart& part, const mpq_class& squared_scale) {
   const Exact3 w = part.at - center;
   const mpq_class square = dot(w, w);
-  if (!part.is_disk) return root_is_at_most(square, radius - part.radius);
+  if (!part.is_disk) return core_holds(square, radius, part, squared_scale);
   // Its farthest point is off the axis by the center's distance from there, and the disk's radius.
   const Exact3 across = cross(w, part.axis);
-  const mpq_class off = dot(across, across) / dot(part.axis, part.axis), r = part.radius * part.radius;
-  return root_is_at_most(4 * r * off, radius * radius - square - r);
+  const mpq_class off = dot(across, across) / dot(part.axis, part.axis);
+  const mpq_class reach = part.radius * part.radius * squared_scale;
+  return root_is_at_most(4 * reach * off, radius * radius - square - reach);
 }
 
-bool core_holds(const Exact3& corner, const Exact3& e, const Exact3& f, const mpq_class& radius,
-                const RoundPart& part) {
-  return root_is_at_most(squared_distance(part.at, corner, e, f), radius - part.radius);
+bool tube_holds(const Exact3& from, const Exact3& axis, const mpq_class& radius, const RoundPart& part,
+                const mpq_class& squared_scale) {
+  const Exact3 across = cross(part.at - from, axis);
+  return core_holds(dot(across, across) / dot(axis, axis), radius, part, squared_scale);
 }
 
-/// Of a point or ball.
-bool tube_holds(const Exact3& a, const Exact3& axis, const mpq_class& radius, const RoundPart& part) {
-  const Exact3 across = cross(part.at - a, axis);
-  return root_is_at_most(dot(across, across) / dot(axis, axis), radius - part.radius);
-}
+namespace {
 
 template <class Numbers>
 Exact3 exact3(const Numbers& p) {
@@ -70,7 +77,7 @@ bool round_holds(const FigureView& outer, const RoundParts& inner) {
   return with_figure(outer, [&](const auto& s) {
     if constexpr (requires { s.corner; }) {
       const Exact3 c = exact3(s.corner), e = exact3(s.edges[0]), f = exact3(s.edges[1]);
-      return all([&](const RoundPart& part) { return core_holds(c, e, f, s.radius, part); });
+      return all([&](const RoundPart& part) { return core_holds(squared_distance(part.at, c, e, f), s.radius, part); });
     } else if constexpr (requires { s.center, s.radius; }) {
       return all([&](const RoundPart& part) { return ball_holds(exact3(s.center), s.radius, part); });
     } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>) {
@@ -81,7 +88,9 @@ bool round_holds(const FigureView& outer, const RoundParts& inner) {
              all([&](const RoundPart& part) { return tube_holds(a, axis, s.radius, part); });
     } else if constexpr (requires { s.a, s.radius; }) {
       const Exact3 a = exact3(s.a), along = exact3(s.b) - a;
-      return all([&](const RoundPart& part) { return core_holds(a, along, {0, 0, 0}, s.radius, part); });
+      return all([&](const RoundPart& part) {
+        return core_holds(squared_distance(part.at, a, along, {0, 0, 0}), s.radius, part);
+      });
     } else {
       return false;
     }
@@ -139,7 +148,9 @@ bool holds_corners(const Shape& s, const FigureView& inner) {
   });
 }
 
-void require_convex(const FigureView& outer) {
+}  // namespace
+
+void require_convex_outer(const FigureView& outer) {
   if (outer.kind != FigureKind::polygon) return;
   const PolygonKind kind = with_figure(outer, [](const auto& s) {
     if constexpr (requires { convexity(s).kind; }) {
@@ -153,11 +164,9 @@ void require_convex(const FigureView& outer) {
     throw InvalidShape("contains: the outer polygon is not convex; ask its convex pieces, or locate points in it");
 }
 
-}  // namespace
-
 bool holds(const FigureView& outer, const FigureView& inner) {
   require_figures("contains", outer, inner);
-  require_convex(outer);
+  require_convex_outer(outer);
   if (has_corners_as_given(inner.kind) && outer.kind != FigureKind::rectangle) {
     return with_figure(outer, [&](const auto& s) {
       using Shape = std::remove_cvref_t<decltype(s)>;

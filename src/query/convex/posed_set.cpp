@@ -31,6 +31,8 @@ void fill(PosedSet& s, const Shape& shape) {
   } else if constexpr (std::is_same_v<Shape, Capsule2>) {
     s.core = flat_set(Segment2{shape.a, shape.b});
     s.radius = shape.radius;
+  } else if constexpr (std::is_same_v<Shape, SphericalCap3>) {
+    s.cap = &shape;
   } else if constexpr (requires { flat_set(shape); }) {
     s.core = flat_set(shape);
   }
@@ -47,6 +49,11 @@ PosedSet posed_set(const PosedView& figure) {
   with_figure(figure.figure, [&](const auto& shape) { fill(s, shape); });
   if ((s.is_round() || s.has_axis()) && squared_scale(s.map, s.dimension) == 0) s.radius = 0, s.axis = {};
   return s;
+}
+
+double PosedSet::radius_of_axis() const {
+  const auto* cone = std::get_if<const Cone3*>(&axis);
+  return cone != nullptr ? (*cone)->radius : std::get<const Cylinder3*>(axis)->radius;
 }
 
 FlatSet image(const PosedSet& s) { return image(s.map, s.core); }

@@ -17,16 +17,18 @@ namespace plumb::query {
 using AxisRound = std::variant<std::monostate, const Cylinder3*, const Cone3*>;
 
 struct PosedSet {
-  FlatSet core = {};        // of what is convex
-  ExactChains chains = {};  // of polygons
-  mpq_class radius = 0;     // beyond the core
-  AxisRound axis = {};      // instead of the radius; the core is the axis
+  FlatSet core = {};                   // of what is convex
+  ExactChains chains = {};             // of polygons
+  mpq_class radius = 0;                // beyond the core
+  AxisRound axis = {};                 // instead of the radius; the core is the axis
+  const SphericalCap3* cap = nullptr;  // likewise
   ExactMap map = {};
   int dimension = 3;  // of the space
 
   [[nodiscard]] bool is_polygon() const { return !chains.empty(); }
   [[nodiscard]] bool is_round() const { return sgn(radius) > 0; }
   [[nodiscard]] bool has_axis() const { return axis.index() != 0; }
+  [[nodiscard]] double radius_of_axis() const;  // of a cylinder or a cone that has one
 };
 
 /// Of what has been looked at: finite numbers, radii that are not negative.  Balls of radius zero are points, and what

@@ -1,79 +1,107 @@
-// An outer figure is convex, so that it holds a hull where it holds what the hull is of: points, and balls around them.
+// An outer figure is convex, so that it holds a hull where it holds what the hull is of: points, balls and disks.  Halfspaces
+// are seen by the inner figure as it is before its pose; a round outer one sees the parts as it is before its own.
 #include <algorithm>
 
 #include "plumb/arith/error.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/posed_input.hpp"
+#include "query/convex/axis_relation.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_set.hpp"
+#include "query/convex/round_parts.hpp"
 #include "query/overlap/polygon_relation.hpp"
 
 namespace plumb::query {
 namespace {
 
-/// Its corners, and its core's, before the pose.
-PosedSet held_set(const PosedView& v) {
-  PosedSet s = posed_set(v);
-  if (!is_polygon(v.figure)) return s;
-  for (const auto& chain : exact_chains("contains", v.figure))
-    s.core.points.insert(s.core.points.end(), chain.begin(), chain.end());
-  return s;
+FlatSet point_set(const Exact3& p) { return {{p}, {}, {}, {}}; }
+
+/// What the map maps to the halfspace; of the plane along the plane alone.
+ExactHalfspace before(const ExactHalfspace& h, const ExactMap& map, int dimension) {
+  const auto& c = map.columns;
+  return {{dot(c[0], h.normal), dot(c[1], h.normal), dimension == 3 ? dot(c[2], h.normal) : mpq_class(0)},
+          h.offset - dot(h.normal, map.translation)};
 }
 
-/// The square of how far its balls reach along the normal, times that of the normal.
-mpq_class squared_reach(const PosedSet& s, const Exact3& normal) {
-  mpq_class square = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(s.dimension); ++k) {
-    const mpq_class along = dot(s.map.columns[k], normal);
-    square += along * along;
+class PosedHolding {
+ public:
+  PosedHolding(const PosedView& outer, const PosedView& inner)
+      : outer_(posed_set(outer)), inner_(posed_set(inner)), parts_(round_parts(inner.figure)) {
+    if (is_polygon(outer.figure)) {
+      require_convex_outer(outer.figure);
+      outer_.core.points = exact_chains("contains", outer.figure)[0];
+    }
+    // What maps to a point has no radius.
+    if (squared_scale(inner_.map, inner_.dimension) == 0) {
+      for (RoundPart& part : parts_.parts) part.radius = 0;
+    }
   }
-  return square * s.radius * s.radius;
-}
 
-bool flat_holds(const FlatSet& outer, const PosedSet& inner, const FlatSet& held) {
-  if (outer.points.empty()) return false;
-  return std::ranges::all_of(halfspaces_of(outer), [&](const ExactHalfspace& h) {
-    const mpq_class reach = squared_reach(inner, h.normal);
-    const auto is_below = [&](const Exact3& p) {
-      const mpq_class room = h.offset - dot(h.normal, p);
-      return sgn(room) >= 0 && room * room >= reach;
-    };
-    return std::ranges::all_of(held.points, is_below) &&
-           std::ranges::all_of(held.directions, [&](const Exact3& d) { return sgn(dot(h.normal, d)) <= 0; }) &&
-           std::ranges::all_of(held.lines, [&](const Exact3& l) { return sgn(dot(h.normal, l)) == 0; });
-  });
-}
+  bool operator()() const {
+    if (parts_.parts.empty()) return true;
+    if (!outer_.is_round() && !outer_.has_axis()) return flat_holds();
+    const bool is_bounded = std::ranges::all_of(parts_.directions, [&](const Exact3& d) { return vanishes(d); }) &&
+                            std::ranges::all_of(parts_.lines, [&](const Exact3& l) { return vanishes(l); });
+    if (!is_bounded) return false;
+    const bool is_round = std::ranges::any_of(parts_.parts, [](const RoundPart& part) { return sgn(part.radius) > 0; });
+    return is_round ? round_holds_round() : round_holds_points();
+  }
 
-bool round_holds(const PosedSet& outer, const PosedSet& inner, const FlatSet& held) {
-  if (!held.directions.empty() || !held.lines.empty()) return false;
-  mpq_class reach = 0;
-  if (inner.is_round()) {
-    const bool regular = !is_singular(outer.map);
-    const auto scale = regular ? squared_scale(composed(inverse(outer.map), inner.map), outer.dimension) : std::nullopt;
+ private:
+  bool vanishes(const Exact3& way) const { return is_zero(turned(inner_.map, way)); }
+
+  bool flat_holds() const {
+    const FlatSet outer = image(outer_);
+    return !outer.points.empty() && std::ranges::all_of(halfspaces_of(outer), [&](const ExactHalfspace& h) {
+      return halfspace_holds(before(h, inner_.map, inner_.dimension), parts_);
+    });
+  }
+
+  bool round_holds_points() const {
+    return std::ranges::all_of(parts_.parts, [&](const RoundPart& part) {
+      const FlatSet seen = preimage(outer_.map, point_set(image(inner_.map, part.at))).set;
+      if (outer_.has_axis()) return relate_axis_shape(seen, outer_.axis) != Relation::disjoint;
+      const auto square = squared_distance(outer_.core, seen);
+      return square && *square <= outer_.radius * outer_.radius;
+    });
+  }
+
+  bool round_holds_round() const {
+    const bool regular = !is_singular(outer_.map);
+    const ExactMap seen = regular ? composed(inverse(outer_.map), inner_.map) : exact_identity();
+    const auto scale = regular ? squared_scale(seen, outer_.dimension) : std::nullopt;
     if (!scale) {
       throw UnevenPose(
           "contains: neither pose is a similarity to the other; give round figures poses of columns at right angles "
           "and of one length, or one pose");
     }
-    reach = inner.radius * inner.radius * *scale;
+    const auto& core = outer_.core.points;
+    if (outer_.has_axis()) {
+      const Exact3 axis = core[1] - core[0], back = mpq_class(-1) * axis;
+      for (const ExactHalfspace& end :
+           {ExactHalfspace{axis, dot(axis, core[1])}, ExactHalfspace{back, dot(back, core[0])}}) {
+        if (!halfspace_holds(before(end, seen, 3), parts_)) return false;
+      }
+    }
+    return std::ranges::all_of(parts_.parts, [&](const RoundPart& part) {
+      const RoundPart moved{image(seen, part.at), part.radius, part.is_disk, turned(seen, part.axis)};
+      if (outer_.has_axis()) return tube_holds(core[0], core[1] - core[0], outer_.radius_of_axis(), moved, *scale);
+      if (core.size() == 1) return ball_holds(core[0], outer_.radius, moved, *scale);
+      return core_holds(*squared_distance(outer_.core, point_set(moved.at)), outer_.radius, moved, *scale);
+    });
   }
-  return std::ranges::all_of(held.points, [&](const Exact3& p) {
-    const FlatSet seen = preimage(outer.map, FlatSet{{p}, {}, {}}).set;
-    const auto square = squared_distance(outer.core, seen);
-    return square && sign_of_roots(*square, reach, mpq_class(outer.radius * outer.radius)) <= 0;
-  });
-}
+
+  PosedSet outer_, inner_;
+  RoundParts parts_;
+};
 
 }  // namespace
 
 bool posed_contains(const PosedView& outer, const PosedView& inner) {
   require_posed("contains", "outer", outer);
   require_posed("contains", "inner", inner);
-  const PosedSet out = posed_set(outer), in = held_set(inner);
-  const FlatSet held = image(in);
-  if (held.points.empty()) return true;
-  return out.is_round() ? round_holds(out, in, held) : flat_holds(image(out), in, held);
+  return PosedHolding(outer, inner)();
 }
 
 }  // namespace plumb::query

@@ -13,6 +13,7 @@
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/axis_relation.hpp"
+#include "query/convex/cap_relation.hpp"
 #include "query/convex/ellipsoid_pair.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/posed_set.hpp"
@@ -23,8 +24,8 @@ namespace plumb::query {
 namespace {
 
 constexpr bool is_flat_kind(FigureKind kind) {
-  return !is_one_of(
-      kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
+  return !is_one_of(kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
+                           FigureKind::cone, FigureKind::spherical_cap});
 }
 
 Relation on_boundary_alone(Relation r) { return std::min(r, Relation::touching); }
@@ -58,6 +59,8 @@ class PosedRelation {
       : function_(function), names_{"ellipsoid", "ellipsoid"}, a_(set_of(a)), b_(set_of(b)) {}
 
   Relation operator()() const {
+    if (a_.cap != nullptr) return cap_with(a_, b_);
+    if (b_.cap != nullptr) return cap_with(b_, a_);
     if (a_.has_axis()) return axis_with(a_, b_);
     if (b_.has_axis()) return axis_with(b_, a_);
     if (a_.is_round() && b_.is_round()) return round_with_round();
@@ -159,6 +162,20 @@ class PosedRelation {
     if (!scale)
       refuse("the ball is none as the shape sees it; give poses of columns at right angles and of one length");
     return relate_axis_shape(image(seen, other.core.points[0]), other.radius * other.radius * *scale, round.axis);
+  }
+
+  /// As the cap sees the other before its pose: a flat convex set or a ball.
+  Relation cap_with(const PosedSet& s, const PosedSet& other) const {
+    if (!other.is_round()) {
+      const Preimage part = preimage(s.map, image(other));
+      if (part.set.points.empty()) return Relation::disjoint;
+      return of_part(relate_exact_cap(part.set, *s.cap), part.of_inside);
+    }
+    if (is_singular(s.map)) refuse("a pose flattens the cap; give one whose matrix is not singular");
+    const ExactMap seen = composed(inverse(s.map), other.map);
+    const auto scale = squared_scale(seen, 3);
+    if (!scale) refuse("the ball is none as the cap sees it; give poses of columns at right angles and of one length");
+    return relate_exact_cap(image(seen, other.core.points[0]), other.radius * other.radius * *scale, *s.cap);
   }
 
   Relation flat_with(const FlatSet& s, const AxisRound& shape) const {

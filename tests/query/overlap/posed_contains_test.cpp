@@ -1,7 +1,9 @@
 // Posed figures in posed figures: as the plain question tells it where poses stay or images are doubles, alike under a
 // common pose, and as the outer one's answers about the inner one's corners.
+#include "plumb/query/convex/containment.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/pair_laws.hpp"
+#include "query/body/pair_questions.hpp"
 #include "query/body/posed_cases.hpp"
 
 namespace plumb::pair_cases {
@@ -98,6 +100,96 @@ TEST(PosedContains, EllipsoidsInBoxes) {
   EXPECT_TRUE(held({{-4, -1, -2}, {6, 1, 2}}));
   EXPECT_FALSE(held({{-4, -1, -2}, {0x1.7ffffffffffffp+2, 1, 2}}));
   EXPECT_FALSE(held({{-0x1.fffffffffffffp+1, -1, -2}, {6, 1, 2}}));
+}
+
+/// Nothing where the outer one is refused.
+std::optional<bool> told(const query::PosedView& outer, const query::PosedView& inner) {
+  try {
+    if (outer.in_space == nullptr && outer.in_plane == nullptr && inner.in_space == nullptr &&
+        inner.in_plane == nullptr)
+      return query::holds(outer.figure, inner.figure);
+    return query::posed_contains(outer, inner);
+  } catch (const InvalidShape&) {
+    return {};
+  }
+}
+
+template <class... Shapes>
+std::vector<const FigureRow*> rows_of(Types<Shapes...>) {
+  return {&figure_row(figure_kind<Shapes>, figure_dimension<Shapes>)...};
+}
+
+/// Each that is asked without poses: one that stays, a common pose, and images on one side.
+template <class All>
+void expect_all_held(std::uint64_t start) {
+  HeldSeen seen;
+  int mapped_cases = 0;
+  const auto rows = rows_of(All{});
+  for (const FigureRow* outer : rows) {
+    for (const FigureRow* inner : rows) {
+      if (!query::answers_containment(outer->kind, inner->kind) ||
+          !query::contains_pairs.answers(outer->kind, inner->kind, outer->dimension))
+        continue;
+      shape_cases::on_shapes(start++, battery::sanitized ? 1 : 4, [&](Material& m) {
+        const AnyFigure a = figure(*outer, m), b = near_figure(*inner, m);
+        const Pose pose = regular_pose(m);
+        const Pose2 flat = in_plane(pose), stays{{{{1, 0}, {0, 1}}}, {0, 0}};
+        const auto plain = told({a.view()}, {b.view()});
+        ++seen.cases, seen.held += plain.value_or(false);
+        const std::string name = std::string(name_of(outer->kind)).append(" of ").append(name_of(inner->kind));
+        EXPECT_EQ(told(posed_by(a.view(), identity_pose, stays), {b.view()}), plain) << name << about(m, a, b);
+        EXPECT_EQ(told(posed_by(a.view(), pose, flat), posed_by(b.view(), pose, flat)), plain)
+            << name << about(m, a, b);
+        Map map(m, outer->dimension, map_kind(outer->kind, inner->kind, m), m.below(2) == 0);
+        const Pose exact = pose_of(map);
+        const Pose2 exact2 = in_plane(exact);
+        const AnyFigure c = mapped(a, map), d = mapped(b, map);
+        if (!map.exact()) return;
+        ++mapped_cases;
+        EXPECT_EQ(told(posed_by(a.view(), exact, exact2), {d.view()}), plain) << name << about(m, a, b);
+        EXPECT_EQ(told({c.view()}, posed_by(b.view(), exact, exact2)), plain) << name << about(m, a, b);
+      });
+    }
+  }
+  std::printf("%d cases, %d held, %d mapped\n", seen.cases, seen.held, mapped_cases);
+  EXPECT_GT(seen.held * 20, seen.cases);
+  EXPECT_GT(mapped_cases * 3, seen.cases);
+}
+
+TEST(PosedContains, AllFiguresOfThePlane) { expect_all_held<Plane>(6301); }
+TEST(PosedContains, AllFiguresOfSpace) { expect_all_held<Space>(6501); }
+
+// A can that is sheared along x by its height, in boxes; a ball in a can that is sheared alike, and in one that is not.
+TEST(PosedContains, CansAsWhatHoldsAndIsHeld) {
+  const Pose sheared{{{{1, 0, 0}, {0, 1, 0}, {1, 0, 1}}}, {0, 0, 0}}, twice{{{{2, 0, 0}, {0, 0, 2}, {0, 2, 0}}}, {}};
+  const Posed can{Cylinder3{{0, 0, 0}, {0, 0, 4}, 1}, sheared};
+  EXPECT_TRUE(contains(Aabb3{{-1, -1, 0}, {5, 1, 4}}, can));
+  EXPECT_FALSE(contains(Aabb3{{-1, -1, 0}, {0x1.3ffffffffffffp+2, 1, 4}}, can));
+  EXPECT_FALSE(contains(Aabb3{{-1, -0x1.fffffffffffffp-1, 0}, {5, 1, 4}}, can));
+  EXPECT_TRUE(contains(Aabb3{{-4, -1, 0}, {4, 1, 4}}, Posed{Cone3{{0, 0, 4}, {0, 0, 0}, 1}, sheared}));
+  EXPECT_TRUE(contains(can, Segment3{{1, 0, 0}, {5, 0, 4}}));
+  EXPECT_FALSE(contains(can, Segment3{{1, 0, 0}, {0x1.4000000000001p+2, 0, 4}}));
+  EXPECT_FALSE(contains(can, Ray3{{0, 0, 0}, {1, 0, 1}}));
+  EXPECT_TRUE(contains(can, Posed{Sphere3{{0, 0, 1}, 1}, sheared}));
+  EXPECT_FALSE(contains(can, Posed{Sphere3{{0, 0, 0x1.fffffffffffffp-1}, 1}, sheared}));
+  EXPECT_THROW(contains(can, Sphere3{{2, 0, 2}, 0.25}), UnevenPose);
+  // From its center the rim of the can is 3 and 4 away, twice that as it is posed.
+  EXPECT_TRUE(contains(Sphere3{{0, 4, 0}, 10}, Posed{Cylinder3{{0, 0, -2}, {0, 0, 6}, 3}, twice}));
+  EXPECT_FALSE(contains(Sphere3{{0, 4, 0}, 0x1.3ffffffffffffp+3}, Posed{Cylinder3{{0, 0, -2}, {0, 0, 6}, 3}, twice}));
+  // A cap whose circle has the radius 4, at the height -3.
+  const Posed cap{SphericalCap3{{{0, 0, 0}, 5}, {{0, 0, 1}, -3}}, sheared};
+  EXPECT_TRUE(contains(cap, Point3{1, 0, -3}));
+  EXPECT_FALSE(contains(cap, Point3{0x1.0000000000001p+0, 0, -3}));
+  EXPECT_EQ(relate(cap, Segment3{{1, 0, -3}, {9, 0, 9}}), Relation::touching);
+  EXPECT_EQ(relate(cap, Posed{Sphere3{{7, 0, 1}, 5}, sheared}), Relation::touching);
+  EXPECT_THROW(relate(cap, Sphere3{{7, 0, 1}, 5}), UnevenPose);
+  // A square's plane under a shear, and what is a little beside it.
+  const Posed square{Polygon3{{{0, 0, 0}, {4, 0, 4}, {4, 4, 4}, {0, 4, 0}}}, sheared};
+  EXPECT_TRUE(contains(square, Segment3{{0, 1, 0}, {8, 4, 4}}));
+  EXPECT_FALSE(contains(square, Segment3{{0, 1, 0}, {8, 4, 0x1.0000000000001p+2}}));
+  EXPECT_THROW(contains(Posed{Polygon2{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}, Pose2{{{{1, 0}, {0, 1}}}, {}}},
+                        Segment2{{1, 0}, {0, 1}}),
+               InvalidShape);
 }
 
 }  // namespace

@@ -10,10 +10,10 @@
 // singular matrix makes the flat figure that it makes: its interior is that of its own affine hull.
 // Two balls are answered under any poses that are not singular, two other round figures (capsules, lozenges) where one
 // pose is a similarity as seen from the other (its columns at right angles and of one length, exactly), or where one maps
-// all to a point; a ball and a cylinder or cone likewise.  What is round and flattened by its pose is not asked of
-// polygons, a cylinder or cone flattened so not of balls: UnevenPose.
-// contains takes a point, and every pair of figures that it takes without poses, but for outer polygons, cylinders and
-// cones.  A round figure in a round one is answered as above, in a flat one under any pose.
+// all to a point; a ball and a cylinder, cone or cap likewise.  What is round and flattened by its pose is not asked of
+// polygons, a cylinder, cone or cap flattened so not of balls: UnevenPose.
+// contains takes a point, and every pair of figures that it takes without poses.  A round figure in a round one is
+// answered where one pose is a similarity as seen from the other, in a flat one under any pose.
 // NaN and infinities throw NonFinite, naming the part ("relate: triangle.shape.b.y is nan"), what is no shape throws
 // InvalidShape.
 // Source: RTCD 3.2, 5.2.
@@ -38,19 +38,11 @@ Relation relate_posed(std::string_view function, const PosedView& a, const Posed
 bool posed_contains(const PosedView& outer, const PosedView& inner);
 
 template <class A, class B>
-concept PosedPair = PosedFigures<A, B> && RelatedPair<UnposedType<A>, UnposedType<B>> &&
-    !(figure_kind<UnposedType<A>> == FigureKind::spherical_cap ||
-      figure_kind<UnposedType<B>> == FigureKind::spherical_cap);
+concept PosedPair = PosedFigures<A, B> && RelatedPair<UnposedType<A>, UnposedType<B>>;
 
-constexpr bool may_hold_posed(FigureKind outer, FigureKind inner) {
-  const auto has_disks = [](FigureKind k) { return is_one_of(k, {FigureKind::cylinder, FigureKind::cone}); };
-  return inner != FigureKind::point && !has_disks(outer) && !has_disks(inner) &&
-         !is_one_of(outer, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon});
-}
 template <class Outer, class Inner>
-concept PosedHolder = PosedFigures<Outer, Inner> &&
-    may_hold_posed(figure_kind<UnposedType<Outer>>, figure_kind<UnposedType<Inner>>) &&
-    requires(const UnposedType<Outer>& outer, const UnposedType<Inner>& inner) {
+concept PosedHolder = PosedFigures<Outer, Inner> && figure_kind<UnposedType<Inner>>
+!= FigureKind::point&& requires(const UnposedType<Outer>& outer, const UnposedType<Inner>& inner) {
   { contains(outer, inner) } -> std::same_as<bool>;
 };
 
