@@ -40,6 +40,14 @@ void refuse_surface(std::string_view function, const std::string& name) {
   refuse_shape(function, name, " has no faces; make it by convex_polyhedron");
 }
 
+std::string name_of_part(const std::string& whole, std::string_view part) {
+  return part.empty() ? whole : std::string(whole).append(".").append(part);
+}
+
+std::string name_of_item(const std::string& list, std::size_t i) {
+  return std::string(list).append("[").append(std::to_string(i)).append("]");
+}
+
 void refuse_number(std::string_view function, const std::string& name, std::span<const double> numbers) {
   for (const double x : numbers) {
     if (x - x == 0) continue;

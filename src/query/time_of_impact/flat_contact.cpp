@@ -88,10 +88,10 @@ auto contact_rank(const Contact& c) {
 template <class P, class Q, class Named>
 Contact lowest_at_start(const P& p, const Q& q, const Named& named) {
   std::optional<Contact> lowest;
-  tell_meeting_features(p, q, [&](const Feature& a, const Feature& b) {
+  for (const auto& [a, b] : meeting_features(p, q)) {
     const Contact c = named(Contact{0, a, b});
     if (!lowest || contact_rank(c) < contact_rank(*lowest)) lowest = c;
-  });
+  }
   return *lowest;
 }
 

@@ -187,13 +187,17 @@ Relation start_relation(std::string_view function, const PosedView& a, const Pos
   if (!is_one_of(a.figure.kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge}))
     return relate_polygon(function, a.figure, b.figure);
   return with_figure(a.figure, [&]<class Round>(const Round& round) {
-    return with_figure(b.figure, [&]<class Polygon>(const Polygon& polygon) {
-      if constexpr (IsRound<Round> && IsPolygon<Polygon>) {
-        return relate(round, polygon);
-      } else {
-        return relate_posed(function, a, b);
-      }
-    });
+    if constexpr (IsRound<Round>) {
+      return with_figure(b.figure, [&]<class Polygon>(const Polygon& polygon) {
+        if constexpr (IsPolygon<Polygon>) {
+          return relate(round, polygon);
+        } else {
+          return relate_posed(function, a, b);
+        }
+      });
+    } else {
+      return relate_posed(function, a, b);
+    }
   });
 }
 

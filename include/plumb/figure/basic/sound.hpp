@@ -96,19 +96,21 @@ constexpr bool is_sound(const Shape& s) {
                               std::size_t min, std::size_t max);
 [[noreturn]] void refuse_length(std::string_view function, const std::string& name);
 [[noreturn]] void refuse_surface(std::string_view function, const std::string& name);
+/// What names are made of: "whole.part", or "whole" for a part without a name, and "list[i]".
+std::string name_of_part(const std::string& whole, std::string_view part);
+std::string name_of_item(const std::string& list, std::size_t i);
 /// For the first of two or three coordinates, or of one number, that is none.
 void refuse_number(std::string_view function, const std::string& name, std::span<const double> numbers);
 
 template <class Numbers>
-void refuse_numbers(std::string_view function, const std::string& name, const Numbers& x) {
+[[gnu::cold, gnu::noinline]] void refuse_numbers(std::string_view function, const std::string& name, const Numbers& x) {
   if constexpr (requires { x.z; }) {
     refuse_number(function, name, std::array{x.x, x.y, x.z});
   } else if constexpr (requires { x.y; }) {
     refuse_number(function, name, std::array{x.x, x.y});
   } else if constexpr (requires { x.begin(); }) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (!is_real(sum_of(x[i])))
-        refuse_numbers(function, std::string(name).append("[").append(std::to_string(i)).append("]"), x[i]);
+      if (!is_real(sum_of(x[i]))) refuse_numbers(function, name_of_item(name, i), x[i]);
     }
   } else {
     refuse_number(function, name, std::array{x});
@@ -117,22 +119,21 @@ void refuse_numbers(std::string_view function, const std::string& name, const Nu
 
 /// Which part is it?  Returns where there is none.
 template <Described Shape>
-[[gnu::noinline]] void refuse(std::string_view function, const std::string& name, const Shape& s);
+[[gnu::cold, gnu::noinline]] void refuse(std::string_view function, const std::string& name, const Shape& s);
 
 template <part::Role R, class Member>
-void refuse_part(std::string_view function, const std::string& whole, const part::Part<R, Member>& p) {
+[[gnu::cold]] void refuse_part(std::string_view function, const std::string& whole, const part::Part<R, Member>& p) {
   if constexpr (R == part::Role::figure && IsList<Member>::value) {
-    for (std::size_t i = 0; i < p.is.size(); ++i)
-      refuse(function, std::string(whole).append("[").append(std::to_string(i)).append("]"), p.is[i]);
+    for (std::size_t i = 0; i < p.is.size(); ++i) refuse(function, name_of_item(whole, i), p.is[i]);
   } else if constexpr (R == part::Role::figure) {
     refuse(function, whole, p.is);
   } else if constexpr (R == part::Role::surface) {
-    refuse_numbers(function, std::string(whole).append(".vertices"), p.is.vertices);
+    refuse_numbers(function, name_of_part(whole, "vertices"), p.is.vertices);
   } else if constexpr (R == part::Role::slabs) {
     const std::size_t n = p.is.directions.size();
     if (p.is.min.size() != n || p.is.max.size() != n) refuse_ends(function, whole, n, p.is.min.size(), p.is.max.size());
-    refuse_numbers(function, std::string(whole).append(".min"), p.is.min);
-    refuse_numbers(function, std::string(whole).append(".max"), p.is.max);
+    refuse_numbers(function, name_of_part(whole, "min"), p.is.min);
+    refuse_numbers(function, name_of_part(whole, "max"), p.is.max);
   } else {
     if constexpr (IsList<Member>::value) {
       if (p.is.size() < 3) refuse_chain(function, whole, p.is.size());
@@ -143,9 +144,7 @@ void refuse_part(std::string_view function, const std::string& whole, const part
 
 template <Described Shape>
 void refuse(std::string_view function, const std::string& name, const Shape& s) {
-  const auto whole = [&](const auto& p) {
-    return p.name.empty() ? name : std::string(name).append(".").append(p.name);
-  };
+  const auto whole = [&](const auto& p) { return name_of_part(name, p.name); };
   body(s, [&]<class... Parts>(std::string_view, const Parts&... parts) {
     (refuse_part(function, whole(parts), parts), ...);
     const auto refuse_what_is_none = [&]<class Part>(const Part& p) {
