@@ -127,7 +127,7 @@ TYPED_TEST(PointRange, OfManyIsThatOfEach) {
   certify::batch::take_instruction_set({});
 }
 
-// Leaves of one point, so that a ball holds more of them than are kept at a time; equal points, and huge and tiny radii.
+// Leaves of one point, so that a ball holds more of them than are kept at a time; equal points, huge and tiny radii.
 TYPED_TEST(PointRange, OfManyOfEachKind) {
   std::size_t most = 0, equal = 0, extreme = 0;
   for (std::uint64_t index = 0; index < point_sets::kinds; ++index) {
