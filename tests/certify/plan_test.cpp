@@ -20,6 +20,9 @@ constexpr std::array ends{certify::planned::plain_double<Orient2d>, certify::pla
                           certify::planned::modulo_word<InSphere>,  certify::planned::two_words<InSphere>};
 static_assert(ends == std::array{25, 62, 16, 20, 35, 40, 11, 20, 8, 19, 20, 23});
 
+static_assert(std::array{certify::planned::several_words<Orient3d>, certify::planned::several_words<InCircle>,
+                         certify::planned::several_words<InSphere>} == std::array{62, 61, 48});
+
 static_assert(arithmetic_for<Orient3d>(16) == Arithmetic::plain_double);
 static_assert(arithmetic_for<Orient3d>(17) == Arithmetic::one_word_factors);
 static_assert(arithmetic_for<Orient3d>(21) == Arithmetic::modulo_word);
@@ -87,6 +90,7 @@ TYPED_TEST(PlanTest, IntegersFitTheirWords) {
   using F = TypeParam;
   EXPECT_LT(certify::planned::error<F>(certify::planned::modulo_word<F>).root, 0x1p62);
   EXPECT_LE(certify::planned::growth<F>(certify::planned::two_words<F>).bits, 127);
+  EXPECT_LE(certify::planned::growth<F>(certify::planned::several_words<F>).bits, 255);
   if (degree<F>() < 3) return;  // doubles with a bound come first
   const WidthGrowth end = certify::planned::growth<F>(certify::planned::one_word_factors<F>);
   EXPECT_LE(end.widest_factor, 63);

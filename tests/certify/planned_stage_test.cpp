@@ -85,6 +85,27 @@ TYPED_TEST(PlannedStageTest, NoBoundTellsZero) {
   EXPECT_EQ(s.percent(PlanStage::exact), 100);
 }
 
+TYPED_TEST(PlannedStageTest, IntegersOfTheLatticeTellZero) {
+  using F = TypeParam;
+  if (certify::planned::several_words<F> == certify::planned::two_words<F>) return;  // no chain: plans of two words
+  // As words up to 51 bits, as doubles beyond, and the last lattice whose integers have four words.
+  for (const int bits : {43, 51, 52, certify::planned::several_words<F>}) {
+    const Kernel kernel(Lattice{-40, bits});
+    StageShares shares;
+    for (std::uint64_t i = 0; i < cases; ++i) {
+      const auto p = coordinates_on<F>(kernel.lattice(), 3 * i + 1);  // exactly degenerate, or nearly
+      kernel.with<F>([&](const auto& sign) {
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+          EXPECT_EQ(sign.recorded(shares, kernel.point(argument<F, I>(p))...), decide<F>(p))
+              << described<F>(kernel.lattice(), p);
+        }
+        (std::make_index_sequence<arguments<F>.size()>{});
+      });
+    }
+    EXPECT_GE(shares.percent(PlanStage::exact), 20) << bits;
+  }
+}
+
 TYPED_TEST(PlannedStageTest, StepsBackToTheFilterWhereAPointIsFarOff) {
   using F = TypeParam;
   const StageShares s = shares<F>(0, false, 0x1p60);

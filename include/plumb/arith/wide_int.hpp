@@ -55,7 +55,8 @@ struct WideInt {
     if constexpr (limbs == 1) return sign_of_number(low64());
     if constexpr (limbs == 2) return sign_of_number(low128());
     std::uint64_t any = 0;
-    for (const std::uint64_t x : limb) any |= x;
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < limbs; ++i) any |= limb[i];  // not in vectors, which wait for limbs just stored
     return static_cast<Sign>(any == 0 ? 0 : negative() ? -1 : 1);
   }
 };

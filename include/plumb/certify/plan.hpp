@@ -97,6 +97,12 @@ template <Formula F>
 inline constexpr int two_words = most_bits(arith::lattice_word::integer_bits,
                                            [](int b) { return growth<F>(b).bits <= 127; });
 
+/// The last step of the chain for lattices of so few bits: integers of four words, without a look for a lattice of
+/// each question's own.
+template <Formula F>
+inline constexpr int several_words = most_bits(arith::lattice_word::integer_bits,
+                                               [](int b) { return growth<F>(b).bits <= 255; });
+
 /// More bits than any lattice has.
 inline constexpr int unbounded = 1 << 20;
 

@@ -7,6 +7,8 @@
 // Cost: 1.5 to 2 times the plain formula.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -156,13 +158,24 @@ inline constexpr bool filter_is_magnitude = [] {
   }
 }();
 
+/// The threshold of that filter, for a value at hand; where nothing is certain NaN, or infinite as the value is.
+template <Formula F, class Input = double>
+constexpr double filter_threshold(const std::array<Input, arity<F>>& p, [[maybe_unused]] double value) {
+  if constexpr (filter_is_magnitude<F>) {
+    const Filtered r = evaluate<F>([&](std::size_t i) { return Filtered::Input{p[i]}; });
+    return filter_constant<F>() * r.magnitude;
+  } else {
+    return largest_threshold<F>(largest_differences<F>(p)) + (value - value);  // as in largest_filter
+  }
+}
+
+/// 1 or -1 of what is beyond a threshold: its sign bit, which takes one comparison less than the two of `beyond`.
+constexpr int sign_bit_of(double x) { return static_cast<int>(std::bit_cast<std::int64_t>(x) >> 63 | 1); }
+
 template <Formula F, class Input = double>
 constexpr int filter(const std::array<Input, arity<F>>& p) {
-  if constexpr (filter_is_magnitude<F>) {
-    return magnitude_filter<F>(p);
-  } else {
-    return largest_filter<F>(p);
-  }
+  const double value = value_of<F>(p);
+  return magnitude_of(value) > filter_threshold<F>(p, value) ? sign_bit_of(value) : 0;
 }
 
 }  // namespace plumb

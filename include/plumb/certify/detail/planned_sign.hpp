@@ -76,11 +76,36 @@ constexpr double coordinate(WordAsDouble x) {
   return x;
 }
 
+/// Over integers of the lattice, of two words or more; of up to several_words bits.
+template <Formula F, int Bits>
+[[gnu::always_inline]] inline Sign integer_sign_of(LatticeWords<F> w, Words kept, const LatticeIntake& lattice) {
+  if (kept == Words::of_doubles) {
+    for (std::uint64_t& x : w) x = arith::lattice_word::of(lattice.integer(std::bit_cast<double>(x)));
+  }
+  return over<F, WordAsInteger<Bits + 1>>(w).sign();
+}
+
+// GCC gathers limbs in vectors from the words that they were just stored in, and waits for each of them.
+#if defined(__GNUC__) && !defined(__clang__)
+#define PLUMB_OF_LIMBS gnu::noinline, gnu::flatten, gnu::optimize("no-tree-slp-vectorize")
+#else
+#define PLUMB_OF_LIMBS gnu::noinline, gnu::flatten
+#endif
+
 // What follows is called with the points themselves, so that the inline part keeps neither their words nor copies.
 
-/// Stored in pairs, as the exact stages load them: a load of what two stores wrote waits for both.
 template <Formula F, Words W, std::size_t... N>
-[[gnu::noinline]] Sign chain_sign(const LatticePoint<N>&... p) {
+[[PLUMB_OF_LIMBS]] Sign several_word_sign(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
+  return integer_sign_of<F, several_words<F>>(words_of<F>(p...), W, lattice);
+}
+
+/// What is exact where the filter of decide is not sure: the integers of the lattice if they have so few bits, or else
+/// the stages of decide.  For those, stored in pairs, as they load them: a load of what two stores wrote waits for both.
+template <Formula F, Words W, std::size_t... N>
+[[gnu::noinline]] Sign chain_sign([[maybe_unused]] const LatticeIntake& lattice, const LatticePoint<N>&... p) {
+  if constexpr (several_words<F> != two_words<F>) {
+    if (lattice.lattice().bits <= several_words<F>) return several_word_sign<F, W>(lattice, p...);
+  }
   using Pair [[gnu::vector_size(16)]] = double;
   const auto x = seen<F, W>(p...);
   Coordinates<F> given{};
@@ -98,13 +123,11 @@ template <Formula F, std::size_t... N>
 }
 
 template <Formula F, Words W, std::size_t... N>
-[[gnu::noinline]] Sign two_word_sign([[maybe_unused]] const LatticeIntake& lattice, const LatticePoint<N>&... p) {
-  LatticeWords<F> w = words_of<F>(p...);
-  if constexpr (W == Words::of_doubles) {
-    for (std::uint64_t& x : w) x = arith::lattice_word::of(lattice.integer(std::bit_cast<double>(x)));
-  }
-  return over<F, WordAsInteger<two_words<F> + 1>>(w).sign();
+[[PLUMB_OF_LIMBS]] Sign two_word_sign(const LatticeIntake& lattice, const LatticePoint<N>&... p) {
+  return integer_sign_of<F, two_words<F>>(words_of<F>(p...), W, lattice);
 }
+
+#undef PLUMB_OF_LIMBS
 
 /// Decided from the coordinates as they were given.
 template <Formula F, std::size_t... N>
@@ -144,25 +167,20 @@ template <Formula F, Arithmetic A, Words W, class Recorder, std::size_t... N>
   } else if constexpr (A == Arithmetic::chain) {
     if (const int s = filter<F>(seen<F, W>(p...)); s != 0) [[likely]]
       return found(PlanStage::filter, s);
-    return found(PlanStage::exact, chain_sign<F, W>(p...));
+    return found(PlanStage::exact, chain_sign<F, W>(lattice, p...));
   } else {
     const auto x = seen<F, W>(p...);
     const double value = value_of<F>(x);
     if (magnitude_of(value) > threshold) [[likely]]  // no branch on the sign, as in the filters
-      return found(PlanStage::bound, std::bit_cast<std::int64_t>(value) >> 63 | 1);
+      return found(PlanStage::bound, sign_bit_of(value));
     if constexpr (A == Arithmetic::modulo_word) {
       return found(PlanStage::exact, modulo_word_sign<F>(p...));
     } else if constexpr (A == Arithmetic::two_words) {
       return found(PlanStage::exact, two_word_sign<F, W>(lattice, p...));
     } else {
       // Where a point far off makes the bound useless, this is decide, with the value at hand.
-      if constexpr (filter_is_magnitude<F>) {
-        if (const int s = filter<F>(x); s != 0) return found(PlanStage::filter, s);
-      } else {
-        if (const int s = beyond(value, largest_threshold<F>(largest_differences<F>(x)) + (value - value)); s != 0)
-          return found(PlanStage::filter, s);
-      }
-      return found(PlanStage::exact, chain_sign<F, W>(p...));
+      if (magnitude_of(value) > filter_threshold<F>(x, value)) return found(PlanStage::filter, sign_bit_of(value));
+      return found(PlanStage::exact, chain_sign<F, W>(lattice, p...));
     }
   }
 }
@@ -223,7 +241,7 @@ class PlannedPredicate {
   }
   /// The same; the recorder is told which stage decided.
   template <class Recorder, std::size_t... N>
-  [[nodiscard]] PLUMB_CHECKABLE Sign recorded(Recorder& recorder, const LatticePoint<N>&... p) const {
+  [[nodiscard, gnu::flatten]] PLUMB_CHECKABLE Sign recorded(Recorder& recorder, const LatticePoint<N>&... p) const {
     static_assert((N + ...) == arity<F>, "Kernel: the formula takes another number of coordinates than these points");
     assert_sound_thread();
     if ((p.stamp() & ...) != stamp_) [[unlikely]]
