@@ -34,14 +34,8 @@ class BoxPairs final : public Round {
   std::vector<std::uint8_t> meet_;
 };
 
-/// From two corners in any order.
-void in_order(std::span<double> q) {
-  for (const std::size_t box : {0U, 6U}) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (q[box + k] > q[box + 3 + k]) std::swap(q[box + k], q[box + 3 + k]);
-    }
-  }
-}
+/// Both boxes, from two corners each in any order.
+void boxes_in_order(std::span<double> q) { corners_in_order(q), corners_in_order(q.subspan(6)); }
 
 double within_one(Entropy& entropy) { return static_cast<double>(entropy.within(std::int64_t{1} << 52)) * 0x1p-52; }
 
@@ -116,7 +110,7 @@ Generated corners(std::span<const double> q, std::size_t first) {
 Task box_box_task() {
   Task task{"box-box", "do two boxes along the axes meet?", 12, AnswerKind::decision, {}, {}, {}, {}};
   task.symmetries = {reordered(3, {2, 3, 0, 1})};
-  task.classes = refilled(shape_classes(3), in_order);
+  task.classes = refilled(shape_classes(3), boxes_in_order);
   task.judge = [](std::span<const double> q) {
     bool all = true;
     for (std::size_t k = 0; k < 3; ++k) {

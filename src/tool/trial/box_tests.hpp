@@ -6,9 +6,19 @@
 // Cost: a few, and some two hundred operations.
 #pragma once
 
+#include <span>
+#include <utility>
+
 #include "tool/trial/vec.hpp"
 
 namespace plumb::tool::trial {
+
+/// Least and largest corner, where two of a box stand first among the numbers in any order.
+inline void corners_in_order(std::span<double> numbers) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (numbers[k] > numbers[k + 3]) std::swap(numbers[k], numbers[k + 3]);
+  }
+}
 
 /// Least and largest corner of either box.
 struct BoxAgainstBox {

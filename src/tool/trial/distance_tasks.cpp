@@ -2,6 +2,7 @@
 
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
+#include "tool/trial/box_tests.hpp"
 #include "tool/trial/branching_methods.hpp"
 #include "tool/trial/distance_tests.hpp"
 #include "tool/trial/rational_judge.hpp"
@@ -16,12 +17,8 @@ std::vector<InputClass> distance_classes() {
   return classes;
 }
 
-/// Of one corner of the box and the other.
-void in_order(std::span<double> q) {
-  for (std::size_t k = 3; k < 6; ++k) {
-    if (q[k] > q[k + 3]) std::swap(q[k], q[k + 3]);
-  }
-}
+/// The box after the point, from two corners in any order.
+void box_in_order(std::span<double> q) { corners_in_order(q.subspan(3)); }
 
 Task asked(std::string name, std::string question, std::size_t numbers, std::vector<Symmetry> symmetries,
            mpq_class (*square)(std::span<const double> question)) {
@@ -54,7 +51,7 @@ Task point_box_distance_task() {
     }
     return sum;
   });
-  task.classes = refilled(std::move(task.classes), in_order);
+  task.classes = refilled(std::move(task.classes), box_in_order);
   task.methods = branching_methods<AnswerKind::number, 9>(PointBoxDistance{});
   task.methods.push_back(exact_method<Point3, Aabb3>([](const auto& a, const auto& b) { return distance(a, b); }));
   return task;
