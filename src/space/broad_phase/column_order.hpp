@@ -30,7 +30,7 @@ class ColumnOrder {
     return keys_;
   }
 
-  /// Keys of any kind, whose upper halves are spread.
+  /// Whole keys, whose upper halves are spread.
   void sort_nearly_sorted(std::vector<std::uint64_t>& keys) {
     std::size_t left = 2 * keys.size() + 64;  // steps, before keys are taken for unsorted
     for (std::size_t i = 1; i < keys.size(); ++i) {
@@ -53,6 +53,10 @@ class ColumnOrder {
     keys_.swap(keys);
     sort_keys(least, greatest);
     keys_.swap(keys);
+    for (std::size_t from = 0, to = 0; from < keys.size(); from = to) {  // many are sorted by their upper halves alone
+      while (to < keys.size() && keys[to] >> 32 == keys[from] >> 32) ++to;
+      std::sort(keys.data() + from, keys.data() + to);
+    }
   }
 
   void sort_keys(std::uint32_t least, std::uint32_t greatest) {

@@ -11,8 +11,8 @@ namespace plumb::space {
 namespace {
 
 // Nanoseconds, on a machine that others used as well, of which the ratios count: a box that has moved, where each is held
-// against those near it; another that is near it; a box in a column, where all are swept.
-constexpr double of_moved = 500, of_near = 8, of_swept = 70;
+// against those near it; another that is near it; a key of a column that makes room; a box in a column, where all are swept.
+constexpr double of_moved = 500, of_near = 8, of_shifted = 0.3, of_swept = 70;
 
 constexpr unsigned start_shift = 34;  // in keys, above places of 32 bits and two marks
 constexpr std::uint64_t key_of(std::int32_t start, std::uint32_t place) {
@@ -245,8 +245,8 @@ void FrameSweep::put_left() {
   left_.clear();
 }
 
-/// Where columns are in order, and stay so.  A key may start some way before its box.
-void FrameSweep::stand_as_now(FrameEntry& e, std::uint32_t place) {
+/// Where columns are in order, and stay so; how many keys made room.  A key may start some way before its box.
+std::size_t FrameSweep::stand_as_now(FrameEntry& e, std::uint32_t place) {
   const StripReach to = reach_of(e.now), was = std::exchange(e.reach, to);
   const std::int32_t low = e.now.low[0], start_was = start_of_[place];
   const bool is_there = start_was <= low && low - start_was <= surely_near_;
@@ -255,14 +255,29 @@ void FrameSweep::stand_as_now(FrameEntry& e, std::uint32_t place) {
     return std::lower_bound(column.begin(), column.end(), key_of(from, place));
   };
   copies_ += copies_of(to), copies_ -= copies_of(was);
+  std::ptrdiff_t shifted = 0;
   for_each_column(was, strips_, [&](std::size_t c, std::uint32_t s, std::uint32_t t) {
-    if (start != start_was || !to.has(s, t)) columns_[c].erase(at(columns_[c], start_was));
+    if (to.has(s, t)) return;
+    Column& column = columns_[c];
+    const auto next = column.erase(at(column, start_was));
+    shifted += column.end() - next;
   });
   for_each_column(to, strips_, [&](std::size_t c, std::uint32_t s, std::uint32_t t) {
-    if (start != start_was || !was.has(s, t)) columns_[c].insert(at(columns_[c], start), key_of(start, place));
+    Column& column = columns_[c];
     longest_[c] = std::max(longest_[c], e.now.high[0] - start);
+    if (!was.has(s, t)) {
+      const auto own = column.insert(at(column, start), key_of(start, place));
+      shifted += column.end() - own;
+    } else if (start != start_was) {  // only those between make room
+      const auto from = at(column, start_was), till = at(column, start);
+      shifted += std::abs(till - from);
+      const bool is_later = from < till;
+      const auto stands = is_later ? std::move(from + 1, till, from) : std::move_backward(till, from, from + 1) - 1;
+      *stands = key_of(start, place);
+    }
   });
   start_of_[place] = start;
+  return static_cast<std::size_t>(shifted);
 }
 
 /// work(entry) of each other that is not apart from it; how many it was compared with.
@@ -290,8 +305,8 @@ std::size_t FrameSweep::for_each_near(const OrdinalSpan& span, std::uint32_t pla
   return compared;
 }
 
-/// What differs by this one alone, the others being as they are, or were if their turn is still to come.
-std::size_t FrameSweep::settle(FrameEntry& e, std::uint32_t place, const TwoFrames& frames) {
+/// What differs by this one alone, the others being as they are, or were if their turn is still to come; in how many ns.
+double FrameSweep::settle(FrameEntry& e, std::uint32_t place, const TwoFrames& frames) {
   take_over(e, frames);
   const AskedSpan now(e.now), before(e.before);
   const auto meets = [&](const AskedSpan& own, const FrameEntry& other, const Aabb3& own_box) {
@@ -307,20 +322,20 @@ std::size_t FrameSweep::settle(FrameEntry& e, std::uint32_t place, const TwoFram
   };
   const bool has_gone = is_far(e.before, e.now) || is_one(e.before) != is_one(e.now);
   far_since_ += has_gone ? 1 : 0;
-  std::size_t compared = 0;
+  std::size_t compared = 0, shifted = 0;
   if (!has_gone && reach_of(e.now) == e.reach) {
     compared = for_each_near(around(e.before, e.now), place, [&](const FrameEntry& o) { tell(o, true, true); });
-    stand_as_now(e, place);
+    shifted = stand_as_now(e, place);
   } else {
     if (is_one(e.before)) {
       compared = for_each_near(e.before, place, [&](const FrameEntry& o) { tell(o, true, false); });
     }
-    stand_as_now(e, place);
+    shifted = stand_as_now(e, place);
     if (is_one(e.now)) {
       compared += for_each_near(e.now, place, [&](const FrameEntry& o) { tell(o, false, true); });
     }
   }
-  return compared;
+  return of_moved + of_near * static_cast<double>(compared) + of_shifted * static_cast<double>(shifted);
 }
 
 /// One after the other, as they lie in memory; how many, where the rest would take longer than all together.
@@ -336,7 +351,7 @@ std::size_t FrameSweep::settle_each(const TwoFrames& frames, double most) {
     }
     if (settled + 2 * ahead < n) __builtin_prefetch(&entries_[places_[settled + 2 * ahead]]);
     const std::uint32_t place = places_[settled];
-    spent += of_moved + of_near * static_cast<double>(settle(entries_[place], place, frames));
+    spent += settle(entries_[place], place, frames);
   }
   return settled;
 }

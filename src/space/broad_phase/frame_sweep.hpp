@@ -7,7 +7,8 @@
 // Laws: (1) lost and added are those of brute_force_pairs of both frames, by slots, ascending.  (2) Which way is taken,
 // and when columns are planned anew, depends on the boxes of all frames alone, and no answer depends on it.
 // Source: RTCD 7.1, 7.5.1, 7.5.2.
-// Cost: some us for each box that moves, where few do; else some 100 ns a box, and some 20 ns for each pair that differs.
+// Cost: a us or two for each box that moves, where few do, and more where a box is as long as the world; else some 100 ns a
+// box; and some 20 ns for each pair that differs.
 #pragma once
 
 #include <array>
@@ -57,12 +58,12 @@ class FrameSweep {
   bool make_entries(const TwoFrames& frames);
   void take_over(FrameEntry& entry, const TwoFrames& frames);
   void stand_in_both(FrameEntry& entry, std::uint32_t place);
-  void stand_as_now(FrameEntry& entry, std::uint32_t place);
+  std::size_t stand_as_now(FrameEntry& entry, std::uint32_t place);
   void put_in_columns(FrameEntry& entry, std::uint32_t place, const StripReach& reach);
   void put_left();
   template <class Work>
   std::size_t for_each_near(const OrdinalSpan& span, std::uint32_t place, const Work& work) const;
-  std::size_t settle(FrameEntry& entry, std::uint32_t place, const TwoFrames& frames);
+  double settle(FrameEntry& entry, std::uint32_t place, const TwoFrames& frames);
   std::size_t settle_each(const TwoFrames& frames, double most);
   void sweep_columns(const TwoFrames& frames);
 

@@ -2,7 +2,8 @@
 // the greatest, or from one to the next of some numbers between.
 //
 // Laws: monotone on each axis: multiplications by numbers that are not negative, a subtraction, truncation and a
-// minimum are, however they round.  Where the steps lie is a guess: any are right.
+// minimum are, however they round.  Where the steps lie is a guess: any are right.  Any number has an ordinal: where an
+// axis has but one, what is infinitely many steps off has that one as well (infinity times zero is taken for zero).
 #pragma once
 
 #include <algorithm>
@@ -118,7 +119,7 @@ class OrdinalMap {
     Piece(double from, double to, double last_step);
     std::int32_t operator()(double x) const {
       const double step = (x * halved - start) * scale;
-      return first + static_cast<std::int32_t>(std::max(std::min(step, last), 0.0));
+      return first + static_cast<std::int32_t>(std::max(0.0, std::min(step, last)));  // of NaN 0
     }
     double min = 0, halved = 1, start = 0, scale = 0, last = 0;
     std::int32_t first = 0;
@@ -139,7 +140,7 @@ class OrdinalMap {
       const Two last = two(six_.last), zero{};
       Two step = (two(x) * two(six_.halved) - two(six_.start)) * two(six_.scale);
       step = last < step ? last : step;
-      step = step < zero ? zero : step;
+      step = step > zero ? step : zero;  // of NaN zero
       const auto ordinals = __builtin_convertvector(step, TwoOrdinals);
       __builtin_memcpy(of.data() + i, &ordinals, sizeof ordinals);
     }

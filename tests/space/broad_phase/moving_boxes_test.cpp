@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "certify/sanitized.hpp"
@@ -14,6 +15,7 @@
 #include "plumb/figure/aabb/relation.hpp"
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
 #include "plumb/space/pairs/brute_force_pairs.hpp"
+#include "space/broad_phase/column_order.hpp"
 #include "space/pairs/box_scenes.hpp"
 
 namespace plumb {
@@ -205,6 +207,57 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
     if (battery::sanitized) continue;  // of fewer boxes
     EXPECT_TRUE(work.from_scratch && !work.made_anew && work.cost_to_keep < work.cost_from_scratch);
   }
+}
+
+// Keys that move are found again by whole keys: those of a long column, of which many begin alike, are in their order too.
+TEST(MovingBoxes, StandInColumnsInTheOrderOfWholeKeys) {
+  Entropy e(2057);
+  space::ColumnOrder order;
+  for (const std::size_t n : {20u, 3000u, 20'000u}) {
+    std::vector<std::uint64_t> keys(n);
+    for (std::uint64_t& key : keys) key = e.below(50) << 40 | e.below(std::uint64_t{1} << 30);
+    order.sort_nearly_sorted(keys);
+    EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end())) << n;
+  }
+}
+
+// Along a line where most stand in one column, those that jump make room for each other until all are swept instead.
+TEST(MovingBoxes, AreSweptWhereALongColumnMakesRoomTooOften) {
+  if (battery::sanitized) GTEST_SKIP() << "of many boxes";
+  Entropy e(2058);
+  Replay replay({});
+  for (int i = 0; i < 60'000; ++i) replay.insert({{i + part(e), 0, 0}, {i + 1.0, 1, 1}});
+  replay.expect("at first");
+  for (const std::size_t every : {10u, 200u}) {
+    std::vector<BoxHandle> handles;
+    std::vector<Aabb3> boxes;
+    for (std::size_t i = 0; i < replay.boxes.size(); i += every) {
+      const auto at = static_cast<double>(e.below(60'000));
+      replay.boxes[i] = {{at, 0, 0}, {at + 1, 1, 1}};
+      handles.push_back(replay.handles[i]), boxes.push_back(replay.boxes[i]);
+    }
+    replay.world.update(handles, boxes);
+    replay.expect("jumped");
+    EXPECT_EQ(replay.work.from_scratch, every == 10) << every;
+  }
+}
+
+// Where all boxes were at one number of an axis, or there was none, others may be infinitely many steps off.
+TEST(MovingBoxes, MayGoFromOneEndOfTheNumbersToTheOther) {
+  constexpr double far = 1e308, farthest = std::numeric_limits<double>::max();
+  Replay flat({});
+  for (int i = 0; i < 20; ++i) flat.insert({{far, 0, i + 0.0}, {far, 1, i + 0.5}});
+  flat.expect("at one end");
+  for (Aabb3& box : flat.boxes) box.min.x = box.max.x = -far;
+  flat.world.update(flat.handles, flat.boxes);
+  flat.expect("at the other");
+
+  Replay empty({});
+  empty.insert({{0, 0, 0}, {1, 1, 1}});
+  empty.remove(0);
+  empty.expect("none");
+  for (int i = 0; i < 10; ++i) empty.insert({{-farthest, -farthest, -farthest}, {0, 0, 0}});
+  empty.expect("as large as the numbers");
 }
 
 TEST(MovingBoxes, RefuseWhatIsNotThereAndStayAsTheyWere) {

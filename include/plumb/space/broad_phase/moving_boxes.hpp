@@ -24,7 +24,7 @@
 // update; NonFinite and InvalidShape refuse bad boxes, NonFinite regions and rays; spans of different lengths throw
 // UnequalLengths.  Then all is as it was before the call.
 // Source: RTCD 2.4.1, 6.3.1, 6.3.2, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
-// Cost: about a us for each box that moves; where most move about what overlapping_pairs takes, as pairs() does.  Memory
+// Cost: a us or two for each box that moves; where most move about what overlapping_pairs takes, as pairs() does.  Memory
 // for all boxes three times, and 8 bytes for each column that a box stands in; none for pairs.
 #pragma once
 
