@@ -1,20 +1,17 @@
 #include "query/convex/chains.hpp"
 
+#include "query/body/boundary.hpp"
+
 namespace plumb::query {
 namespace {
 
-Exact3 exact_place(const Point2& p) { return {p.x, p.y, 0}; }
-Exact3 exact_place(const Point3& p) { return {p.x, p.y, p.z}; }
-
-template <class Points>
-void add_chain(SpannedChains& to, const Points& points) {
-  const std::size_t first = to.vertices.size();
-  for (const auto& p : points) {
-    to.vertices.push_back(exact_place(p));
-    to.next.push_back(to.vertices.size());
-  }
-  to.next.back() = first;
-}
+/// Hears of the boundary.
+struct Chains {
+  SpannedChains& to;
+  void corner(const arith::Vec<mpq_class>& p) { to.vertices.push_back({p.x, p.y, p.z}); }
+  void edge(std::uint32_t, std::uint32_t end, std::uint32_t) { to.next.push_back(end); }
+  void face(std::span<const std::uint32_t>, std::uint32_t) {}
+};
 
 }  // namespace
 
@@ -30,15 +27,9 @@ std::vector<std::size_t> spanning(const std::vector<Exact3>& all) {
 
 SpannedChains chains_of(const FigureView& polygon) {
   SpannedChains chains;
-  with_figure(polygon, [&](const auto& s) {
-    if constexpr (requires { s.outer; }) {
-      add_chain(chains, s.outer.vertices);
-      for (const auto& hole : s.holes) add_chain(chains, hole.vertices);
-    } else if constexpr (requires { s.vertices; }) {
-      add_chain(chains, s.vertices);
-    } else if constexpr (figure_kind<std::remove_cvref_t<decltype(s)>> == FigureKind::quadrilateral) {
-      add_chain(chains, std::array{s.a, s.b, s.c, s.d});
-    }
+  with_figure(polygon, [&]<class Shape>(const Shape& s) {
+    Chains told{chains};
+    if constexpr (is_one_of(figure_kind<Shape>, polygon_kinds)) tell_boundary<mpq_class>(s, told);
   });
   chains.span = spanning(chains.vertices);
   return chains;

@@ -1,85 +1,73 @@
 #include "query/ray/posed_faces.hpp"
 
+#include "query/body/boundary.hpp"
 #include "query/convex/chains.hpp"
-#include "query/convex/exact_gap.hpp"
 
 namespace plumb::query {
 namespace {
 
-Exact3 exact_place(const Point2& p) { return {p.x, p.y, 0}; }
-Exact3 exact_place(const Point3& p) { return {p.x, p.y, p.z}; }
-Exact3 exact_way(const Vector2& v) { return {v.x, v.y, 0}; }
-Exact3 exact_way(const Vector3& v) { return {v.x, v.y, v.z}; }
 const Exact3 nowhere{0, 0, 0};
 
-/// A plane that bounds a solid, out of which its normal points; or the plane of a flat figure.
-struct ExactFace {
-  Exact3 normal;
-  mpq_class offset;
-};
-ExactFace face_through(const Exact3& p, const Exact3& normal) { return {normal, dot(normal, p)}; }
-ExactFace face_of(const Exact3& a, const Exact3& b, const Exact3& c) { return face_through(a, cross(b - a, c - a)); }
+/// What it hears of the boundary of a figure.
+struct ExactBoundary {
+  std::vector<Exact3> corners;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::vector<std::uint32_t>> faces;
 
-/// In the order of their numbers, before the pose.
+  void corner(const arith::Vec<mpq_class>& p) { corners.push_back({p.x, p.y, p.z}); }
+  void edge(std::uint32_t from, std::uint32_t to, std::uint32_t) { edges.push_back({from, to}); }
+  void face(std::span<const std::uint32_t> of, std::uint32_t) { faces.emplace_back(of.begin(), of.end()); }
+};
 template <class Shape>
-std::vector<ExactFace> faces_of_figure(const Shape& s) {
+ExactBoundary boundary_of(const Shape& s) {
+  ExactBoundary told;
+  if constexpr (figure_kind<Shape> == FigureKind::three_point_plane) {
+    tell_boundary<mpq_class>(Triangle3{s.a, s.b, s.c}, told);
+  } else if constexpr (has_boundary<Shape>) {
+    tell_boundary<mpq_class>(s, told);
+  }
+  return told;
+}
+
+/// Of corners that are not all on one line.
+Exact3 normal_of(const std::vector<Exact3>& corners) {
+  const std::vector<std::size_t> span = spanning(corners);
+  if (span.size() < 3) return nowhere;
+  return cross(corners[span[1]] - corners[0], corners[span[2]] - corners[0]);
+}
+
+/// A solid's planes in the order of their numbers, before the pose; the plane of a flat figure, whose offset no one
+/// asks for.
+template <class Shape>
+std::vector<ExactHalfspace> faces_of(const Shape& s, const ExactBoundary& b) {
   constexpr FigureKind kind = figure_kind<Shape>;
-  std::vector<ExactFace> faces;
-  if constexpr (kind == FigureKind::plane || kind == FigureKind::halfspace) {
+  std::vector<ExactHalfspace> faces;
+  const auto add = [&](const Exact3& normal, const Exact3& p) { faces.push_back({normal, dot(normal, p)}); };
+  if constexpr (kind == FigureKind::plane) {
     faces.push_back({exact_way(s.normal), s.offset});
-  } else if constexpr (kind == FigureKind::three_point_plane || kind == FigureKind::triangle) {
-    faces.push_back(face_of(exact_place(s.a), exact_place(s.b), exact_place(s.c)));
-  } else if constexpr (is_one_of(kind, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon})) {
-    const SpannedChains chains = chains_of(view_of(s));
-    if (chains.span.size() < 3) return {{nowhere, 0}};
-    const auto at = [&](std::size_t i) -> const Exact3& { return chains.vertices[chains.span[i]]; };
-    faces.push_back(face_of(at(0), at(1), at(2)));
-  } else if constexpr (kind == FigureKind::rectangle) {
-    const auto edge = [](double half, const Vector3& axis) {
-      return mpq_class(2 * abs(mpq_class(half))) * exact_way(axis);
-    };
-    faces.push_back(face_through(exact_place(s.center), cross(edge(s.half.x, s.axes[0]), edge(s.half.y, s.axes[1]))));
-  } else if constexpr (kind == FigureKind::tetrahedron) {
-    const std::array<Exact3, 4> at{exact_place(s.a), exact_place(s.b), exact_place(s.c), exact_place(s.d)};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t p = i == 0 ? 1 : 0, q = i <= 1 ? 2 : 1, r = i == 3 ? 2 : 3;
-      ExactFace face = face_of(at[p], at[q], at[r]);
-      if (dot(face.normal, at[i]) > face.offset) face = {mpq_class(-1) * face.normal, -face.offset};
-      faces.push_back(std::move(face));
+  } else if constexpr (kind == FigureKind::halfspace || kind == FigureKind::k_dop) {
+    faces = numbered_sides(s);
+  } else if constexpr (kind == FigureKind::aabb || kind == FigureKind::obb) {  // as long as the axes, not as the edges
+    std::array<Exact3, 3> axes{Exact3{1, 0, 0}, Exact3{0, 1, 0}, Exact3{0, 0, 1}};
+    if constexpr (kind == FigureKind::obb) {
+      for (std::size_t i = 0; i < 3; ++i) axes[i] = exact_way(s.axes[i]);
     }
-  } else if constexpr (kind == FigureKind::aabb) {
-    const Exact3 min = exact_place(s.min), max = exact_place(s.max);
     for (std::size_t i = 0; i < 3; ++i) {
-      Exact3 up = nowhere;
-      up[i] = 1;
-      faces.push_back({mpq_class(-1) * up, -min[i]});
-      faces.push_back({up, max[i]});
+      const Exact3 across = cross(axes[(i + 1) % 3], axes[(i + 2) % 3]), back = mpq_class(-1) * across;
+      const bool is_up = sgn(dot(across, axes[i])) > 0;
+      add(is_up ? back : across, b.corners.front());
+      add(is_up ? across : back, b.corners.back());
     }
-  } else if constexpr (kind == FigureKind::obb) {
-    const std::array<Exact3, 3> a{exact_way(s.axes[0]), exact_way(s.axes[1]), exact_way(s.axes[2])};
-    const std::array<double, 3> half{s.half.x, s.half.y, s.half.z};
-    for (std::size_t i = 0; i < 3; ++i) {
-      Exact3 up = cross(a[(i + 1) % 3], a[(i + 2) % 3]);
-      if (dot(up, a[i]) < 0) up = mpq_class(-1) * up;
-      const mpq_class middle = dot(up, exact_place(s.center)), reach = abs(mpq_class(half[i])) * dot(up, a[i]);
-      faces.push_back({mpq_class(-1) * up, reach - middle});
-      faces.push_back({up, middle + reach});
+  } else if constexpr (kind == FigureKind::tetrahedron || kind == FigureKind::convex_polyhedron) {
+    for (std::size_t f = 0; f < b.faces.size(); ++f) {
+      std::vector<Exact3> corners;
+      for (const std::uint32_t i : b.faces[f]) corners.push_back(b.corners[i]);
+      Exact3 out = normal_of(corners);
+      if (kind == FigureKind::tetrahedron && sgn(dot(out, b.corners[f] - corners[0])) > 0) out = mpq_class(-1) * out;
+      add(out, corners[0]);
     }
-  } else if constexpr (kind == FigureKind::k_dop) {
-    for (std::size_t i = 0; i < s.min.size(); ++i) {
-      const Exact3 up = exact_way(s.directions.all()[i]);
-      faces.push_back({mpq_class(-1) * up, -mpq_class(s.min[i])});
-      faces.push_back({up, s.max[i]});
-    }
-  } else if constexpr (kind == FigureKind::convex_polyhedron) {
-    const PolygonMesh& m = s.mesh;
-    for (std::uint32_t f = 0; f + 1 < m.first.size(); ++f) {
-      const auto at = [&](std::uint32_t k) { return exact_place(m.vertices[m.corners[k]]); };
-      const std::uint32_t from = m.first[f];
-      std::uint32_t third = from + 2;
-      while (third + 1 < m.first[f + 1] && is_zero(cross(at(from + 1) - at(from), at(third) - at(from)))) ++third;
-      faces.push_back(face_of(at(from), at(from + 1), at(third)));
-    }
+  } else if (!b.corners.empty()) {
+    faces.push_back({normal_of(b.corners), 0});
   }
   return faces;
 }
@@ -97,7 +85,7 @@ constexpr bool is_flat(FigureKind kind) {
                     FigureKind::polygon, FigureKind::holed_polygon, FigureKind::rectangle});
 }
 
-Exact3 normal_of_faces(const std::vector<ExactFace>& faces, bool flat, const ExactMap& map, const Exact3& point,
+Exact3 normal_of_faces(const std::vector<ExactHalfspace>& faces, bool flat, const ExactMap& map, const Exact3& point,
                        const Exact3& along) {
   if (flat) return by_cofactors(map, faces[0].normal);
   const bool singular = is_singular(map);
@@ -113,110 +101,40 @@ Exact3 normal_of_faces(const std::vector<ExactFace>& faces, bool flat, const Exa
   return first.value_or(nowhere);
 }
 
-using ExactFacet = std::vector<Exact3>;
-
-/// Of a tetrahedron or a box that has no inside as it is posed, in the order of their numbers.
-template <class Shape>
-std::vector<ExactFacet> facets_of_figure(const Shape& s) {
-  constexpr FigureKind kind = figure_kind<Shape>;
-  std::vector<ExactFacet> facets;
-  if constexpr (kind == FigureKind::tetrahedron) {
-    const std::array<Exact3, 4> at{exact_place(s.a), exact_place(s.b), exact_place(s.c), exact_place(s.d)};
-    for (std::size_t i = 0; i < 4; ++i) facets.push_back({at[i == 0 ? 1 : 0], at[i <= 1 ? 2 : 1], at[i == 3 ? 2 : 3]});
-  } else {
-    Exact3 corner;
-    std::array<Exact3, 3> width{nowhere, nowhere, nowhere};
-    if constexpr (kind == FigureKind::aabb) {
-      corner = exact_place(s.min);
-      for (std::size_t i = 0; i < 3; ++i) width[i][i] = exact_place(s.max)[i] - corner[i];
-    } else {
-      const std::array<double, 3> half{s.half.x, s.half.y, s.half.z};
-      corner = exact_place(s.center);
-      for (std::size_t i = 0; i < 3; ++i) {
-        width[i] = mpq_class(2 * abs(mpq_class(half[i]))) * exact_way(s.axes[i]);
-        corner = corner - mpq_class(1, 2) * width[i];
-      }
-    }
-    for (std::size_t f = 0; f < 6; ++f) {
-      const std::size_t w = f / 2, u = w == 0 ? 1 : 0, v = 3 - u - w;
-      const Exact3 from = f % 2 == 1 ? corner + width[w] : corner;
-      facets.push_back({from, from + width[u], from + width[u] + width[v], from + width[v]});
-    }
-  }
-  return facets;
-}
-
-/// Of the first that holds the point.
-Exact3 normal_of_facets(const std::vector<ExactFacet>& facets, const ExactMap& map, const Exact3& point) {
-  for (const ExactFacet& before : facets) {
-    const FlatSet facet = image(map, FlatSet{before, {}, {}});
-    if (sgn(*squared_distance(FlatSet{{point}, {}, {}}, facet)) != 0) continue;
-    return cross(facet.points[1] - facet.points[0], facet.points.back() - facet.points[0]);
+/// Of the first posed face that holds the point.
+Exact3 normal_of_facets(const ExactBoundary& posed, const Exact3& point) {
+  for (const auto& of : posed.faces) {
+    if (!hull_holds(posed.corners, of, point)) continue;
+    const Exact3& from = posed.corners[of[0]];
+    return cross(posed.corners[of[1]] - from, posed.corners[of.back()] - from);
   }
   return nowhere;
 }
 
+/// Of a tetrahedron or a box.
 template <class Shape>
-bool has_no_inside(const Shape& s, const ExactMap& map) {
+bool has_no_inside(const Shape& s, const ExactBoundary& b, const ExactMap& map) {
   constexpr FigureKind kind = figure_kind<Shape>;
-  if constexpr (kind == FigureKind::tetrahedron) {
-    const Exact3 a = exact_place(s.a), u = exact_place(s.b) - a, v = exact_place(s.c) - a;
-    if (sgn(dot(exact_place(s.d) - a, cross(u, v))) == 0) return true;
-  } else if constexpr (kind == FigureKind::obb) {
-    if (sgn(dot(exact_way(s.axes[0]), cross(exact_way(s.axes[1]), exact_way(s.axes[2])))) == 0) return true;
+  if constexpr (kind != FigureKind::aabb) {
+    std::array<Exact3, 3> ways;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if constexpr (kind == FigureKind::tetrahedron) {
+        ways[i] = b.corners[i + 1] - b.corners[0];
+      } else {
+        ways[i] = exact_way(s.axes[i]);
+      }
+    }
+    if (sgn(dot(ways[0], cross(ways[1], ways[2]))) == 0) return true;
   }
   return is_singular(map);
 }
 
-using ExactEdge = std::array<Exact3, 2>;
-void add_around(std::vector<ExactEdge>& edges, const std::vector<Exact3>& vertices,
-                const std::vector<std::size_t>& next) {
-  for (std::size_t i = 0; i < vertices.size(); ++i) edges.push_back({vertices[i], vertices[next[i]]});
-}
-
-/// Of figures of the plane, in the order of their numbers, before the pose.
-template <class Shape>
-std::vector<ExactEdge> edges_of_figure(const Shape& s) {
-  constexpr FigureKind kind = figure_kind<Shape>;
-  std::vector<ExactEdge> edges;
-  if constexpr (kind == FigureKind::segment) {
-    edges.push_back({exact_place(s.a), exact_place(s.b)});
-  } else if constexpr (kind == FigureKind::triangle) {
-    add_around(edges, {exact_place(s.a), exact_place(s.b), exact_place(s.c)}, {1, 2, 0});
-  } else if constexpr (is_one_of(kind, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon})) {
-    const SpannedChains chains = chains_of(view_of(s));
-    add_around(edges, chains.vertices, chains.next);
-  } else if constexpr (kind == FigureKind::aabb || kind == FigureKind::obb) {
-    Exact3 corner, u, v;
-    if constexpr (kind == FigureKind::aabb) {
-      corner = exact_place(s.min);
-      const Exact3 width = exact_place(s.max) - corner;
-      u = {width[0], 0, 0}, v = {0, width[1], 0};
-    } else {
-      u = mpq_class(2 * abs(mpq_class(s.half.x))) * exact_way(s.axes[0]);
-      v = mpq_class(2 * abs(mpq_class(s.half.y))) * exact_way(s.axes[1]);
-      corner = exact_place(s.center) - mpq_class(1, 2) * (u + v);
-    }
-    edges = {{corner, corner + u}, {corner + v, corner + u + v}, {corner, corner + v}, {corner + u, corner + u + v}};
-  }
-  return edges;
-}
-
-bool lies_on(const Exact3& p, const ExactEdge& e) {
-  const Exact3 along = e[1] - e[0], off = p - e[0];
-  const mpq_class share = dot(off, along);
-  return is_zero(cross(off, along)) && sgn(share) >= 0 && share <= dot(along, along) &&
-         (!is_zero(along) || is_zero(off));
-}
-
-/// Of the first that holds the point and that the ray does not run along, against the ray.
-Exact3 normal_of_edges(const std::vector<ExactEdge>& edges, const ExactMap& map, const Exact3& point,
-                       const Exact3& along) {
-  for (const ExactEdge& before : edges) {
-    const ExactEdge e{image(map, before[0]), image(map, before[1])};
-    const Exact3 way = e[1] - e[0], across{way[1], -way[0], 0};
+/// Of the first posed edge that holds the point and that the ray does not run along, against the ray.
+Exact3 normal_of_edges(const ExactBoundary& posed, const Exact3& point, const Exact3& along) {
+  for (const auto& edge : posed.edges) {
+    const Exact3 way = posed.corners[edge[1]] - posed.corners[edge[0]], across{way[1], -way[0], 0};
     const int faces = sgn(dot(across, along));
-    if (faces != 0 && lies_on(point, e)) return mpq_class(-faces) * across;
+    if (faces != 0 && hull_holds(posed.corners, edge, point)) return mpq_class(-faces) * across;
   }
   return nowhere;
 }
@@ -240,14 +158,20 @@ Feature hit_feature(const FigureView& figure, const ExactMap& map, const Exact3&
 
 Exact3 normal_at(const FigureView& figure, const ExactMap& map, const Exact3& point, const Exact3& along) {
   return with_shape(figure, [&]<class Shape>(const Shape& s) -> Exact3 {
-    if constexpr (figure_dimension<Shape> == 2 && figure_kind<Shape> != FigureKind::k_dop) {
-      return normal_of_edges(edges_of_figure(s), map, point, along);
+    constexpr FigureKind kind = figure_kind<Shape>;
+    ExactBoundary b = boundary_of(s);
+    const auto posed = [&]() -> const ExactBoundary& {
+      for (Exact3& corner : b.corners) corner = image(map, corner);
+      return b;
+    };
+    if constexpr (figure_dimension<Shape> == 2 && kind != FigureKind::k_dop) {
+      return normal_of_edges(posed(), point, along);
     } else {
-      if constexpr (is_one_of(figure_kind<Shape>, {FigureKind::tetrahedron, FigureKind::aabb, FigureKind::obb})) {
-        if (has_no_inside(s, map)) return normal_of_facets(facets_of_figure(s), map, point);
+      if constexpr (is_one_of(kind, {FigureKind::tetrahedron, FigureKind::aabb, FigureKind::obb})) {
+        if (has_no_inside(s, b, map)) return normal_of_facets(posed(), point);
       }
-      const auto faces = faces_of_figure(s);
-      return faces.empty() ? nowhere : normal_of_faces(faces, is_flat(figure_kind<Shape>), map, point, along);
+      const auto faces = faces_of(s, b);
+      return faces.empty() ? nowhere : normal_of_faces(faces, is_flat(kind), map, point, along);
     }
   });
 }

@@ -2,9 +2,8 @@
 //
 // A body is all points within `reach` of the convex hull of its vertices.  Every point of the hull's boundary is in a
 // vertex, edge or face that is listed; of a flat hull every point is.
-// Laws: features are numbered as figure/containment/voronoi_region.hpp does; a ball as a whole is {face, 0}, of a capsule the ends
-// are its vertices and the rest its edge 0, a plane is {face, 0}; a rectangle's are a box's of two axes, an edge 2 times its axis, plus 1 at the
-// upper end of the other; a lozenge's are those of its parallelogram.
+// Laws: features are numbered as query/body/boundary.hpp does; a ball as a whole is {face, 0}, of a capsule the ends are
+// its vertices and the rest its edge 0, a plane is {face, 0}.
 // Source: RTCD 5.5.
 // Cost: a few sums for each vertex, for oriented boxes products.
 #pragma once
