@@ -5,7 +5,6 @@
 
 #include <array>
 #include <numeric>
-#include <optional>
 #include <vector>
 
 #include "certify/golden_statements.hpp"
@@ -16,6 +15,7 @@
 #include "plumb/degenerate/points.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query/closest/closest.hpp"
+#include "query/body/told_alike.hpp"
 #include "query/gjk/nearest_statement.hpp"
 
 namespace plumb::query {
@@ -60,18 +60,6 @@ TEST(GjkNearest, DerivedBoundsAreAsRecordedAndProved) {
   const std::array<Point3, 4> corner{{{0, 0, 1}, {1, 0, 2}, {-1, 0, 2}, {0, 0, 3}}};
   expect_bounds_of("gjk_nearest1", AreNearest<1>{}, Pairs{corner, beneath}, asked(corner, std::span(three).first(1)),
                    b);
-}
-
-/// What doubles tell, where they are certain, and integers and rational numbers.
-template <class Statement, class Answer>
-int told(const Statement& statement, const Answer& truth, const std::string& about, const auto&... input) {
-  using namespace certify::one_lane;
-  const auto floats = told_by_worlds<FloatWorld<Statement>>(NoWorldRecorder{}, statement, input...);
-  const auto rationals = told_by_worlds<RationalWorld>(NoWorldRecorder{}, statement, input...);
-  EXPECT_EQ(rationals, std::optional(truth)) << about;
-  EXPECT_TRUE(!floats || *floats == truth) << about;
-  EXPECT_EQ(certainly(statement, input...), truth) << about;
-  return floats ? 1 : 0;
 }
 
 TEST(GjkOrigin, EachWorldTellsWhatIsSo) {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "certify/golden_statements.hpp"
 #include "certify/mutant_statements.hpp"
@@ -15,6 +14,7 @@
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/predicates.hpp"
+#include "query/body/told_alike.hpp"
 #include "query/penetration/facet_lengths.hpp"
 
 namespace plumb::query::parting {
@@ -29,18 +29,6 @@ TEST(TrianglePlane, DerivedBoundsAreAsRecordedAndProved) {
   const auto of_ways = judged_bounds(LeadsAlong{}, above, o, Point3{1, 2, 3});
   expect_golden("leads_along", of_ways);
   EXPECT_EQ(of_ways, std::vector(bounds.begin(), bounds.begin() + 1));  // that of the height
-}
-
-/// What doubles tell, where they are certain, and rational numbers; the question itself.
-template <class Statement, class Answer>
-int told(const Statement& statement, const Answer& truth, const std::string& about, const auto&... input) {
-  using namespace certify::one_lane;
-  const auto floats = told_by_worlds<FloatWorld<Statement>>(NoWorldRecorder{}, statement, input...);
-  const auto rationals = told_by_worlds<RationalWorld>(NoWorldRecorder{}, statement, input...);
-  EXPECT_EQ(rationals, std::optional(truth)) << about;
-  EXPECT_TRUE(!floats || *floats == truth) << about;
-  EXPECT_EQ(certainly(statement, input...), truth) << about;
-  return floats ? 1 : 0;
 }
 
 /// Numbers as rational ones tell them.
