@@ -217,6 +217,46 @@ TEST(PairTable, OfEachQuestionIsThatOfItsPage) {
   }
 }
 
+template <class Shape>
+using Under = Posed<Shape, std::conditional_t<figure_dimension<Shape> == 2, Pose2, Pose>>;
+
+/// What is taken under poses and not as it stands, or the other way round: with the figure posed, and with itself with
+/// the other posed, and both.
+template <class Ask, class A, class... Bs>
+void add_told_apart(std::set<std::string>& to) {
+  const auto add = [&to](const std::string& pair, bool as_it_stands, bool posed) {
+    if (posed != as_it_stands) to.insert((posed ? "also " : "not ") + pair);
+  };
+  (add(pair_cases::pair_name<A, Bs>(), Ask::template holds<A, Bs>, Ask::template holds<Under<A>, Bs>), ...);
+  add(pair_cases::pair_name<A, A>(), Ask::template holds<A, A>, Ask::template holds<A, Under<A>>);
+  add(pair_cases::pair_name<A, A>(), Ask::template holds<A, A>, Ask::template holds<Under<A>, Under<A>>);
+}
+/// Each figure with itself and a box, in space also with a plane.
+template <class Ask, class... As, class... Bs>
+std::set<std::string> told_apart(Types<As...>, Types<Bs...>) {
+  std::set<std::string> pairs;
+  (add_told_apart<Ask, As, Bs...>(pairs), ...);
+  return pairs;
+}
+
+/// A row of the page.
+template <class Ask>
+std::string row_of_posed(const std::string& question) {
+  std::set<std::string> pairs = told_apart<Ask>(pair_cases::Plane{}, Types<Aabb2>{});
+  pairs.merge(told_apart<Ask>(pair_cases::Space{}, Types<Aabb3, Plane3>{}));
+  std::string row = "| posed, " + question + " | every pair of its table";
+  for (const std::string& pair : pairs) row += "; " + pair;
+  return row + " |";
+}
+
+TEST(PairTable, PosedFiguresAreAskedAsThePageSays) {
+  expect_rows("docs/overlap.md", "| posed, ",
+              {row_of_posed<AskRelatable>("`relate`, `intersects`"), row_of_posed<AskContaining>("`contains`"),
+               row_of_posed<AskMeasurable>("`closest_points`, `distance`"), row_of_posed<AskHittable>("`first_hit`"),
+               row_of_posed<AskIntersectable>("`intersection`"),
+               row_of_posed<AskTranslating>("`first_contact` of `Translating`")});
+}
+
 TEST(PairTable, LeavesOutWhatThePageSays) {
   for (std::size_t i = 0; i < figure_kinds; ++i) {
     const auto kind = static_cast<FigureKind>(i);
