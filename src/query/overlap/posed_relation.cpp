@@ -23,11 +23,6 @@
 namespace plumb::query {
 namespace {
 
-constexpr bool is_flat_kind(FigureKind kind) {
-  return !is_one_of(kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
-                           FigureKind::cone, FigureKind::spherical_cap});
-}
-
 Relation on_boundary_alone(Relation r) { return std::min(r, Relation::touching); }
 Relation of_part(Relation r, bool of_inside) { return of_inside ? r : on_boundary_alone(r); }
 
