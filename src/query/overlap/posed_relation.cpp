@@ -54,6 +54,7 @@ class PosedRelation {
       : function_(function), names_{"ellipsoid", "ellipsoid"}, a_(set_of(a)), b_(set_of(b)) {}
 
   Relation operator()() const {
+    if (a_.is_empty() || b_.is_empty()) return Relation::disjoint;
     if (a_.cap != nullptr) return cap_with(a_, b_);
     if (b_.cap != nullptr) return cap_with(b_, a_);
     if (a_.has_axis()) return axis_with(a_, b_);
