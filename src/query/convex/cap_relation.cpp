@@ -9,6 +9,8 @@ namespace {
 
 Exact3 numbers_of_cap(const auto& v) { return {v.x, v.y, v.z}; }
 
+FlatSet single_point(const Exact3& point) { return {{point}, {}, {}, {}}; }
+
 /// The numbers of a cap, and which set it is.
 struct ExactCap {
   explicit ExactCap(const SphericalCap3& cap)
@@ -20,15 +22,14 @@ struct ExactCap {
         square(dot(normal, normal)),
         circle(radius * radius * square - depth * depth) {}
 
-  [[nodiscard]] bool is_empty() const { return sgn(depth) < 0 && sgn(circle) < 0; }
   /// The plane's nearest point to p, for a normal that is not zero.
   [[nodiscard]] Exact3 foot(const Exact3& p) const {
     return p + mpq_class((offset - dot(normal, p)) / square) * normal;
   }
-  /// The only point of a cap that has no interior and is not empty.
-  [[nodiscard]] std::optional<Exact3> point() const {
-    if (sgn(radius) == 0) return center;
-    if (sgn(depth) < 0 && sgn(circle) == 0) return foot(center);
+  [[nodiscard]] std::optional<FlatSet> thin() const {
+    if (sgn(depth) < 0 && sgn(circle) < 0) return FlatSet{};
+    if (sgn(radius) == 0) return single_point(center);
+    if (sgn(depth) < 0 && sgn(circle) == 0) return single_point(foot(center));
     return {};
   }
 
@@ -37,8 +38,6 @@ struct ExactCap {
   mpq_class depth, square;  // of the plane beyond the center, times the normal's length; of the normal
   mpq_class circle;         // of the circle's radius, times that of the normal
 };
-
-FlatSet single_point(const Exact3& point) { return {{point}, {}, {}, {}}; }
 
 /// Interiors meet where that of the set meets the halfspace's, and what of the set the halfspace holds is nearer than the
 /// radius.
@@ -72,18 +71,19 @@ Sign sign_of_cap_gap(const ExactCap& cap, const Exact3& p, const mpq_class& reac
 
 }  // namespace
 
+std::optional<FlatSet> thin_cap(const SphericalCap3& cap) { return ExactCap(cap).thin(); }
+
 Relation relate_exact_cap(const FlatSet& set, const SphericalCap3& cap) {
   const ExactCap exact(cap);
-  if (exact.is_empty()) return Relation::disjoint;
-  if (const auto p = exact.point()) return relate(single_point(*p), set);
+  if (const auto thin = exact.thin()) return thin->points.empty() ? Relation::disjoint : relate(*thin, set);
   return relate_solid(set, exact, cap);
 }
 
 Relation relate_exact_cap(const Exact3& center, const mpq_class& squared_radius, const SphericalCap3& cap) {
   const ExactCap exact(cap);
-  if (exact.is_empty()) return Relation::disjoint;
-  if (const auto p = exact.point()) {
-    const Exact3 way = *p - center;
+  if (const auto thin = exact.thin()) {
+    if (thin->points.empty()) return Relation::disjoint;
+    const Exact3 way = thin->points[0] - center;
     return static_cast<Relation>(sgn(mpq_class(squared_radius - dot(way, way))));
   }
   const Exact3 way = center - exact.center;

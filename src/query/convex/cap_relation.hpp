@@ -5,10 +5,15 @@
 // Cost: GMP; some 100 us.
 #pragma once
 
+#include <optional>
+
 #include "plumb/figure/basic/round.hpp"
 #include "query/convex/flat_set.hpp"
 
 namespace plumb::query {
+
+/// Of a cap that has no interior: its only point, or the empty set.
+std::optional<FlatSet> thin_cap(const SphericalCap3& cap);
 
 /// A set that is not empty.
 Relation relate_exact_cap(const FlatSet& set, const SphericalCap3& cap);

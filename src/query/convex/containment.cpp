@@ -97,10 +97,6 @@ bool round_holds(const FigureView& outer, const RoundParts& inner) {
   });
 }
 
-bool is_round(FigureKind kind) {
-  return is_one_of(kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder});
-}
-
 /// Calls f(p) for the corners, where they are points as given and the hull of them is that of the figure.
 template <class Shape, class F>
 bool all_corners(const Shape& s, const F& f) {
@@ -180,7 +176,7 @@ bool holds(const FigureView& outer, const FigureView& inner) {
   }
   const RoundParts parts = round_parts(inner);
   if (parts.parts.empty()) return true;
-  if (is_round(outer.kind)) return round_holds(outer, parts);
+  if (!is_flat_kind(outer.kind)) return round_holds(outer, parts);
   return std::ranges::all_of(meeting::halfspaces_of(outer),
                              [&](const ExactHalfspace& h) { return halfspace_holds(h, parts); });
 }

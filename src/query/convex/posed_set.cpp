@@ -2,6 +2,7 @@
 
 #include "arith/root_sign.hpp"
 #include "query/body/figure_view.hpp"
+#include "query/convex/cap_relation.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"
 
@@ -32,7 +33,12 @@ void fill(PosedSet& s, const Shape& shape) {
     s.core = flat_set(Segment2{shape.a, shape.b});
     s.radius = shape.radius;
   } else if constexpr (std::is_same_v<Shape, SphericalCap3>) {
-    s.cap = &shape;
+    if (auto thin = thin_cap(shape)) {
+      s.core = std::move(*thin);
+    } else {
+      s.core = flat_set(shape.sphere.center);
+      s.cap = &shape;
+    }
   } else if constexpr (requires { flat_set(shape); }) {
     s.core = flat_set(shape);
   }
@@ -47,7 +53,8 @@ PosedSet posed_set(const PosedView& figure) {
           : figure.in_plane != nullptr ? exact_map(*figure.in_plane)
                                        : exact_identity();
   with_figure(figure.figure, [&](const auto& shape) { fill(s, shape); });
-  if ((s.is_round() || s.has_axis()) && squared_scale(s.map, s.dimension) == 0) s.radius = 0, s.axis = {};
+  const bool is_curved = s.is_round() || s.has_axis() || s.cap != nullptr;
+  if (is_curved && squared_scale(s.map, s.dimension) == 0) s.radius = 0, s.axis = {}, s.cap = nullptr;
   return s;
 }
 

@@ -21,18 +21,19 @@ struct PosedSet {
   ExactChains chains = {};             // of polygons
   mpq_class radius = 0;                // beyond the core
   AxisRound axis = {};                 // instead of the radius; the core is the axis
-  const SphericalCap3* cap = nullptr;  // likewise
+  const SphericalCap3* cap = nullptr;  // that has an interior, instead of the radius and the core
   ExactMap map = {};
   int dimension = 3;  // of the space
 
+  [[nodiscard]] bool is_empty() const { return core.points.empty() && chains.empty(); }
   [[nodiscard]] bool is_polygon() const { return !chains.empty(); }
   [[nodiscard]] bool is_round() const { return sgn(radius) > 0; }
   [[nodiscard]] bool has_axis() const { return axis.index() != 0; }
   [[nodiscard]] double radius_of_axis() const;  // of a cylinder or a cone that has one
 };
 
-/// Of what has been looked at: finite numbers, radii that are not negative.  Balls of radius zero are points, and what
-/// the matrix zero maps is one.  Chains are left to who asks.
+/// Of what has been looked at: finite numbers, radii that are not negative.  Balls of radius zero are points, caps
+/// without an interior points or empty, and what the matrix zero maps is a point.  Chains are left to who asks.
 PosedSet posed_set(const PosedView& figure);
 
 FlatSet image(const PosedSet& s);

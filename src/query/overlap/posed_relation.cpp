@@ -23,11 +23,6 @@
 namespace plumb::query {
 namespace {
 
-constexpr bool is_flat_kind(FigureKind kind) {
-  return !is_one_of(kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
-                           FigureKind::cone, FigureKind::spherical_cap});
-}
-
 Relation on_boundary_alone(Relation r) { return std::min(r, Relation::touching); }
 Relation of_part(Relation r, bool of_inside) { return of_inside ? r : on_boundary_alone(r); }
 
@@ -59,6 +54,7 @@ class PosedRelation {
       : function_(function), names_{"ellipsoid", "ellipsoid"}, a_(set_of(a)), b_(set_of(b)) {}
 
   Relation operator()() const {
+    if (a_.is_empty() || b_.is_empty()) return Relation::disjoint;
     if (a_.cap != nullptr) return cap_with(a_, b_);
     if (b_.cap != nullptr) return cap_with(b_, a_);
     if (a_.has_axis()) return axis_with(a_, b_);

@@ -213,6 +213,7 @@ Hit numbers_of(const AnyRay& ray, const Model& model, const Decided& decided) {
 
 inline Rational exact_number(const BigDyadic& x) { return Rational(big_rational(x)); }
 inline Rational exact_number(const Rational& x) { return x; }
+inline Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
 
 /// Over numbers that are exact.
 template <class T, class Model>

@@ -83,7 +83,6 @@ std::optional<mpq_class> first_in_flat(std::string_view function, const ExactSho
   return first;
 }
 
-Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
 Vec3<Rational> exact_vector(const Exact3& v) { return {exact_number(v[0]), exact_number(v[1]), exact_number(v[2])}; }
 Exact3 exact_vector(const Vec3<Rational>& v) { return {v.x.value().value, v.y.value().value, v.z.value().value}; }
 
@@ -93,11 +92,6 @@ AnyRay ray_of_kind(FigureKind kind, bool has_direction) {
   if (kind == FigureKind::segment) return Segment3{{0, 0, 0}, {along, 0, 0}};
   if (kind == FigureKind::line) return Line3{{0, 0, 0}, {along, 0, 0}};
   return Ray3{{0, 0, 0}, {along, 0, 0}};
-}
-
-bool is_round(FigureKind kind) {
-  return is_one_of(
-      kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder, FigureKind::cone});
 }
 
 /// Of what is round, under a pose that is not singular: as it sees the line.
@@ -114,9 +108,9 @@ std::optional<SeenHit> hit_before_pose(const ExactShot& shot, FigureKind ray, co
   });
 }
 
-/// Does the figure see the line?  What is round and has a radius must.
+/// Does the figure see the line?  What is round and has a radius must, or all of it becomes a point.
 bool sees_line(std::string_view function, const PosedSet& s, const FigureView& figure) {
-  if (!is_round(figure.kind)) return false;
+  if (is_flat_kind(figure.kind)) return false;
   if (!is_singular(s.map)) return true;
   if (!s.is_round() && !s.has_axis()) return false;
   throw UnevenPose(std::string(function)
@@ -154,14 +148,12 @@ bool is_inside(const FigureView& figure, const Feature& feature) {
   return feature.kind == FeatureKind::interior || (figure.dimension == 2 && feature.kind == FeatureKind::face);
 }
 
-/// Of what is round by a radius of zero, or maps to a point, under a pose that is singular: which feature of it.
+/// Of what is round by a radius of zero, or maps to a point, under a pose that is singular: which feature of it.  The
+/// first face holds all others, of lozenges as well: its zone is closed.
 Feature feature_of_thin(const FigureView& figure, const ExactMap& map, const Exact3& point) {
   return with_figure(figure, [&]<class Shape>(const Shape& s) -> Feature {
     const auto is_at = [&](const Point3& p) { return image(map, {p.x, p.y, p.z}) == point; };
-    if constexpr (std::is_same_v<Shape, Lozenge3>) {
-      const Feature at = feature_at(figure, point, false, &map);  // numbered as if it had one flat side
-      return {FeatureKind::face, at.index == 0 ? 0 : at.index + 1};
-    } else if constexpr (std::is_same_v<Shape, Cylinder3>) {
+    if constexpr (std::is_same_v<Shape, Cylinder3>) {
       if (s.a != s.b && is_at(s.a)) return {FeatureKind::edge, 0};
       if (s.a != s.b && is_at(s.b)) return {FeatureKind::edge, 1};
     } else if constexpr (std::is_same_v<Shape, Cone3>) {
@@ -194,7 +186,7 @@ std::optional<Hit> posed_first_hit(const PosedView& ray, const PosedView& figure
   if (!t) return {};
   const Exact3 point = shot.from + *t * shot.along;
   // What is near by a radius of zero is all of its surface, which has no side.
-  const bool is_thin = is_round(figure.figure.kind);
+  const bool is_thin = !is_flat_kind(figure.figure.kind);
   const Feature feature =
       is_thin ? feature_of_thin(figure.figure, s.map, point) : hit_feature(figure.figure, s.map, point);
   Hit hit{nearest(*t), {nearest(point[0]), nearest(point[1]), nearest(point[2])}, feature, {0, 0, 0}};

@@ -43,6 +43,28 @@ inline Pose regular_pose(Material& m) {
   return {{{{c * size, s * size, 0}, {-s * size + shear, c * size, 0}, {0, shear, z}}}, {0.1 * far, far / 3, 0.7}};
 }
 
+/// Of rank 0, 1 or 2.
+inline Pose singular_pose(Material& m) {
+  Pose pose = whole_pose(m);
+  auto& c = pose.columns;
+  const double k = static_cast<double>(m.below(7)) - 3, l = static_cast<double>(m.below(7)) - 3;
+  c[2] = {k * c[0].x + l * c[1].x, k * c[0].y + l * c[1].y, k * c[0].z + l * c[1].z};
+  if (m.below(4) == 0) c[1] = c[2] = {};
+  if (m.below(8) == 0) c[0] = {};
+  std::swap(c[m.below(3)], c[m.below(3)]);
+  return pose;
+}
+/// Of rank 0 or 1.
+inline Pose2 singular_pose2(Material& m) {
+  Pose2 pose = in_plane(whole_pose(m));
+  auto& c = pose.columns;
+  const double k = static_cast<double>(m.below(5)) - 2;
+  c[1] = {k * c[0].x, k * c[0].y};
+  if (m.below(8) == 0) c = {};
+  if (m.below(2) == 0) std::swap(c[0], c[1]);
+  return pose;
+}
+
 /// The pose that a map is.
 inline Pose pose_of(Map& map) {
   return {{{map.vector(Vector3{1, 0, 0}), map.vector(Vector3{0, 1, 0}), map.vector(Vector3{0, 0, 1})}}, [&] {

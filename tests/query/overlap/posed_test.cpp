@@ -94,18 +94,6 @@ Vector3 moved(const Vector3& v, const Pose& pose) {
   return {p.x, p.y, p.z};
 }
 
-/// Of rank 0, 1 or 2.
-Pose singular_pose(Material& m) {
-  Pose pose = whole_pose(m);
-  auto& c = pose.columns;
-  const double k = small(m), l = small(m);
-  c[2] = {k * c[0].x + l * c[1].x, k * c[0].y + l * c[1].y, k * c[0].z + l * c[1].z};
-  if (m.below(4) == 0) c[1] = c[2] = {};
-  if (m.below(8) == 0) c[0] = {};
-  std::swap(c[m.below(3)], c[m.below(3)]);
-  return pose;
-}
-
 TEST(PosedOverlap, WhatIsFlattenedIsTheFlatFigureThatItBecomes) {
   Answers answers;
   shape_cases::on_shapes(31, battery::sanitized ? 20 : 100, [&](Material& m) {
@@ -189,6 +177,43 @@ TEST(PosedOverlap, WhatIsNotAnsweredSaysSo) {
   EXPECT_EQ(relate(can, Segment3{{0, 0, 0}, {1, 0, 0}}), Relation::overlapping);
   EXPECT_EQ(relate(can, Segment3{{0, 1, -1}, {1, 1, 1}}), Relation::touching);
   EXPECT_THROW(relate(can, ball), UnevenPose);
+}
+
+// A cap without an interior is a point or empty, whatever the pose; the matrix zero makes a point of any other.
+TEST(PosedOverlap, CapsThatAreNothingOrBecomeAPoint) {
+  const Pose sheared{{{{1, 0, 0}, {1, 1, 0}, {0, 0, 1}}}, {0, 0, 0}}, flat{{{{1, 0, 0}, {0, 1, 0}, {}}}, {0, 0, 0}},
+      zero{{}, {3, 0, 0}};
+  const SphericalCap3 solid{{{1, 1, 0}, 2}, {{0, 0, 1}, 0}}, none{{{1, 1, 0}, 2}, {{0, 0, 1}, -2.5}},
+      single{{{2, 0, 5}, 0}, {{0, 0, 1}, 5}}, outside{{{2, 0, 5}, 0}, {{0, 0, 1}, 4}};
+  const SphericalCap3 tip{{{0, 3, 5}, 5}, {{0, 6, 8}, 8}};  // its plane touches the ball at (0, 0, 1)
+  const auto expect = [](const SphericalCap3& cap, const Pose& pose, const auto& other, Relation expected) {
+    EXPECT_EQ(relate(Posed{cap, pose}, other), expected);
+    EXPECT_EQ(relate(other, Posed{cap, pose}), expected);
+  };
+  for (const Pose& pose : {sheared, flat, zero}) {
+    for (const SphericalCap3& cap : {none, outside}) {
+      expect(cap, pose, Sphere3{{0, 0, 0}, 9}, Relation::disjoint);
+      expect(cap, pose, Posed{Sphere3{{0, 0, 0}, 9}, flat}, Relation::disjoint);
+      expect(cap, pose, Aabb3{{-9, -9, -9}, {9, 9, 9}}, Relation::disjoint);
+    }
+  }
+  expect(single, sheared, Sphere3{{2, 0, 3}, 2}, Relation::touching);
+  expect(single, flat, Sphere3{{2, 0, 3}, 3}, Relation::touching);
+  expect(single, flat, Sphere3{{2, 0, 2}, 3}, Relation::overlapping);
+  expect(single, sheared, Posed{Sphere3{{2, 0, 3}, 2}, sheared}, Relation::touching);
+  expect(single, flat, Posed{Sphere3{{2, 0, 3}, 2}, flat}, Relation::overlapping);  // with the disk that it becomes
+  expect(tip, sheared, Sphere3{{0, 0, 4}, 3}, Relation::touching);
+  expect(tip, sheared, Sphere3{{0, 0, 0x1.0000000000001p+2}, 3}, Relation::disjoint);
+  expect(tip, flat, Sphere3{{0, 0, 3}, 3}, Relation::touching);
+  expect(tip, sheared, Segment3{{0, 0, 0}, {0, 0, 2}}, Relation::overlapping);
+  for (const SphericalCap3& cap : {solid, single, tip}) {
+    expect(cap, zero, Sphere3{{1, 0, 0}, 3}, Relation::overlapping);
+    expect(cap, zero, Sphere3{{1, 0, 0}, 2}, Relation::touching);
+    expect(cap, zero, Sphere3{{1, 0, 0}, 0x1.fffffffffffffp+0}, Relation::disjoint);
+    expect(cap, zero, Segment3{{3, 0, 0}, {4, 0, 0}}, Relation::touching);
+    expect(cap, zero, Aabb3{{2, -1, -1}, {4, 1, 1}}, Relation::overlapping);
+  }
+  for (const Pose& pose : {sheared, flat}) EXPECT_THROW(relate(Posed{solid, pose}, Sphere3{{0, 0, 0}, 9}), UnevenPose);
 }
 
 TEST(PosedOverlap, NumbersThatAreNoneAreNamed) {

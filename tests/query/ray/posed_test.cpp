@@ -161,7 +161,8 @@ TEST(PosedRay, RoundSidesAndFlatEndsThatPosesShear) {
   EXPECT_EQ(first_hit(Ray3{{-9, 2, 0}, {1, 0, 0}}, lozenge), (Hit{8, {-1, 2, 0}, {FeatureKind::face, 4}, {-1, 0, 1}}));
 }
 
-// A round figure that is flattened is refused; without a radius it is the segment or the plate that it becomes.
+// A round figure that is flattened is refused; without a radius it is the segment or the plate that it becomes,
+// and under the matrix zero a point.
 TEST(PosedRay, WhatSingularMatricesMakeOfRoundFigures) {
   const Pose flat{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 1}}, point{{}, {2, 0, 0}};
   const Ray3 up{{0.5, 0, 0}, {0, 0, 2}}, along{{0, 0, 0}, {1, 0, 0}};
@@ -177,7 +178,18 @@ TEST(PosedRay, WhatSingularMatricesMakeOfRoundFigures) {
   EXPECT_EQ(first_hit(up, Posed{Cone3{{0.5, 0, 9}, {1, 0, 5}, 0}, flat}),
             (Hit{0.5, at, {FeatureKind::vertex, 0}, none}));
   EXPECT_EQ(first_hit(up, Posed{Lozenge3{{0, 0, 7}, {{{1, 0, 0}, {0, 1, 0}}}, 0}, flat}),
-            (Hit{0.5, at, {FeatureKind::face, 2}, none}));
+            (Hit{0.5, at, {FeatureKind::face, 0}, none}));
+  // The closed zone of a plate holds its edges and corners, a capsule's side and a single point's flat face all of it.
+  const Ray3 down{{1, 0, 5}, {0, 0, -1}};
+  for (const Vector3& second : {Vector3{0, 2, 0}, Vector3{1, 0, 0}, Vector3{0, 0, 3}}) {
+    for (const double first : {2.0, 1.0}) {
+      const Lozenge3 lozenge{{0, 0, 0}, {{{first, 0, 0}, second}}, 0};
+      EXPECT_EQ(first_hit(down, lozenge)->feature, (Feature{FeatureKind::face, 0}));
+      EXPECT_EQ(first_hit(down, Posed{lozenge, flat}), (Hit{4, {1, 0, 1}, {FeatureKind::face, 0}, none}));
+    }
+  }
+  EXPECT_EQ(first_hit(along, Posed{Lozenge3{{0, 0, 0}, {{{2, 0, 0}, {0, 2, 0}}}, 1}, point}),
+            (Hit{2, {2, 0, 0}, {FeatureKind::face, 0}, none}));
   EXPECT_EQ(first_hit(along, Posed{Cone3{{0, 0, 0}, {0, 0, 1}, 3}, point}),
             (Hit{2, {2, 0, 0}, {FeatureKind::vertex, 0}, none}));
   EXPECT_EQ(first_hit(along, Posed{Cylinder3{{0, 0, 0}, {0, 0, 1}, 3}, point})->feature,

@@ -12,8 +12,8 @@
 // The normal is what the cofactors of the matrix make of that of the figure as it stands, out of a solid also where the
 // pose mirrors: of flat faces the cross product of the posed edges, of a round side perpendicular to it.  In the plane it
 // is perpendicular to the posed edge.  Of what is flattened it is that of the first face that is hit, or not zero; of a
-// round figure without a radius it is zero then.  A round figure that has one and is flattened throws UnevenPose; NaN and
-// infinity throw NonFinite, what is no shape InvalidShape, by name.
+// round figure without a radius, or that becomes a point, it is zero then.  Any other round figure that is flattened
+// throws UnevenPose; NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 3.2, 5.3.
 // Cost: rationals: some 40 us for a ball, 120 us for a box.
 #pragma once
