@@ -41,6 +41,10 @@ namespace space {
 struct WalkAxis {
   double origin, size, from, base, to;
 };
+/// To some hundred bits, and how far it can be off: what arith/ball.hpp computes with.
+struct WalkTime {
+  double high, low, radius;
+};
 
 }  // namespace space
 
@@ -102,6 +106,8 @@ class GridWalk {
   std::array<Cell, 8> queue_{};
   Cell first_{}, last_{};
   std::array<space::WalkAxis, n> axis_{};
+  Cell known_cell_{};  // where times began anew, and what they were
+  std::array<space::WalkTime, n> known_time_{}, known_pace_{};
 };
 
 using GridWalk2 = GridWalk<2>;
