@@ -15,7 +15,7 @@
 // infinity NonFinite, by name.
 // Which wall comes first is told by whole numbers: the times of the next walls in units so small that each is known to
 // one of them, and the units by which those may be off.  They begin anew every few hundred steps.  Times too near to be
-// told apart are compared exactly, as the sign of a determinant of two exact differences.
+// told apart are compared to a hundred bits, then exactly, as the sign of a determinant of two exact differences.
 // Source: RTCD 7.4.2; Amanatides and Woo 1987.
 // Cost: a few ns a cell, and some 1 us to begin; some 50 ns where two walls are crossed at once or nearly so, and
 // where a closed ray runs in a wall.
