@@ -6,60 +6,36 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "space/sort_and_sweep/span_lanes.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace plumb::space::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using FrameOrdinals = hn::CappedTag<std::int32_t, 16>;
-using VecOfFrames = hn::Vec<FrameOrdinals>;
-using MaskOfFrames = hn::Mask<FrameOrdinals>;
-
-HWY_INLINE unsigned bits_of_frames(MaskOfFrames mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(FrameOrdinals(), mask, bits);
-  return static_cast<unsigned>(bits[0] | bits[1] << 8);
-}
-
-struct SpanLanes {
-  VecOfFrames low0, low1, low2, high0, high1, high2;
-};
-
-/// Sixteen numbers lie between those of one coordinate and the next.
-template <class Get>
-HWY_INLINE SpanLanes span_lanes(const std::int32_t* from, const Get& get) {
-  return {get(from), get(from + 16), get(from + 32), get(from + 48), get(from + 64), get(from + 80)};
-}
-
-/// The least by which ends pass starts: below 0 apart, above 0 overlapping, at 0 nobody knows.
-HWY_INLINE VecOfFrames overlap_of(const SpanLanes& a, const SpanLanes& b) {
-  const VecOfFrames on0 = hn::Min(hn::Sub(a.high0, b.low0), hn::Sub(b.high0, a.low0));
-  const VecOfFrames on1 = hn::Min(hn::Sub(a.high1, b.low1), hn::Sub(b.high1, a.low1));
-  const VecOfFrames on2 = hn::Min(hn::Sub(a.high2, b.low2), hn::Sub(b.high2, a.low2));
-  return hn::Min(hn::Min(on0, on1), on2);
-}
+using namespace span_lanes::HWY_NAMESPACE;
 
 void sweep_entries(const SweptEntries& entries, const EntryPairTaker& taker) {
-  const FrameOrdinals tag;
-  constexpr std::size_t lanes = hn::MaxLanes(FrameOrdinals()), at_once = SweptEntries::at_once;
+  const Ordinals tag;
+  constexpr std::size_t lanes = hn::MaxLanes(Ordinals()), at_once = SweptEntries::at_once;
   const SweptEntries::Block* const blocks = entries.blocks().data();
   const std::size_t size = entries.size(), beyond = entries.blocks().size() * at_once;
-  const VecOfFrames zero = hn::Zero(tag);
+  const VecOfOrdinals zero = hn::Zero(tag);
   const auto set = [&](const std::int32_t* x) HWY_ATTR { return hn::Set(tag, *x); };
   const auto load = [&](const std::int32_t* x) HWY_ATTR { return hn::Load(tag, x); };
   for (std::size_t i = 0; i + 1 < size; ++i) {
     const std::int32_t* const a = &blocks[i / at_once].of[0][i % at_once];
-    const SpanLanes now = span_lanes(a, set), before = span_lanes(a + 6 * at_once, set);
-    const VecOfFrames marks = set(a + 13 * at_once);
+    const SpanLanes now = lanes_of_span(a, at_once, set), before = lanes_of_span(a + 6 * at_once, at_once, set);
+    const VecOfOrdinals marks = set(a + 13 * at_once);
     const std::int32_t end = a[15 * at_once];
     for (std::size_t j = (i + 1) / lanes * lanes; j < beyond; j += lanes) {
       const std::int32_t* const b = &blocks[j / at_once].of[0][j % at_once];
-      const VecOfFrames is = overlap_of(now, span_lanes(b, load));
-      const VecOfFrames was = overlap_of(before, span_lanes(b + 6 * at_once, load));
-      const MaskOfFrames differ = hn::Or(hn::Lt(hn::Xor(is, was), zero), hn::Or(hn::Eq(is, zero), hn::Eq(was, zero)));
-      const MaskOfFrames told = hn::And(differ, hn::Eq(hn::And(marks, load(b + 13 * at_once)), zero));
+      const VecOfOrdinals is = overlap_of(now, lanes_of_span(b, at_once, load));
+      const VecOfOrdinals was = overlap_of(before, lanes_of_span(b + 6 * at_once, at_once, load));
+      const MaskOfOrdinals differ = hn::Or(hn::Lt(hn::Xor(is, was), zero), hn::Or(hn::Eq(is, zero), hn::Eq(was, zero)));
+      const MaskOfOrdinals told = hn::And(differ, hn::Eq(hn::And(marks, load(b + 13 * at_once)), zero));
       if (!hn::AllFalse(tag, told)) [[unlikely]] {
-        unsigned bits = bits_of_frames(told);
+        unsigned bits = bits_of_ordinals(told);
         if (j <= i) bits &= ~0U << (i + 1 - j);  // those that come before have been told of this one
         for (; bits != 0; bits &= bits - 1) {
           const std::int32_t other = b[12 * at_once + static_cast<unsigned>(__builtin_ctz(bits))];

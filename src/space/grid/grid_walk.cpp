@@ -13,19 +13,29 @@ namespace plumb {
 namespace space {
 namespace {
 
-/// Which comes first, the wall below cell i of axis a or that below cell j of axis b?  The times are distance / way.
+/// Which comes first, the wall below cell i of axis a or that below cell j of axis b?  The times are distance / way, and
+/// this is the sign of their difference times both ways.
 struct CrossingOrder {
   template <class W>
   Sign operator()(const W& w, const WalkAxis& a, std::int64_t i, const WalkAxis& b, std::int64_t j) const {
     const auto way_a = w.difference(a.to, a.base), way_b = w.difference(b.to, b.base);
-    const Sign s = w.sign(way_to_wall(w, a, i) * way_b - way_to_wall(w, b, j) * way_a);
-    return w.sign(way_a) == w.sign(way_b) ? s : -s;
+    return w.sign(way_to_wall(w, a, i) * way_b - way_to_wall(w, b, j) * way_a);
   }
 };
 
 int exact_order(const WalkAxis& a, std::int64_t i, const WalkAxis& b, std::int64_t j) {
-  return static_cast<int>(
+  const auto s = static_cast<int>(
       certify::one_lane::ask_worlds<IntegerWorld, RationalWorld>(NoWorldRecorder{}, CrossingOrder{}, a, i, b, j));
+  return (a.to > a.base) == (b.to > b.base) ? s : -s;
+}
+
+Ball ball_of(const WalkTime& t) { return {t.high, t.low, t.radius}; }
+
+/// Times a power of two: not rounded but beyond the normal doubles.
+Interval scaled(const Interval& x, double power_of_two) {
+  const double l = x.lower * power_of_two, u = x.upper * power_of_two;
+  const auto is_exact = [](double from, double to) { return from == 0 || std::abs(to) > 0x1p-960; };
+  return {Interval::down(l, is_exact(x.lower, l) ? 0 : -1), Interval::up(u, is_exact(x.upper, u) ? 0 : 1)};
 }
 
 /// A time in units, between two whole numbers; what is beyond every window counts as its end.
@@ -34,7 +44,7 @@ struct WholeInterval {
   bool is_known = false;
 };
 WholeInterval in_units(const Ball& x, double units, std::int64_t most) {
-  const Interval v = (Interval{x.high} + Interval{x.low} + Interval{-x.radius, x.radius}) * Interval{units};
+  const Interval v = scaled(Interval{x.high} + Interval{x.low} + Interval{-x.radius, x.radius}, units);
   const double lower = std::floor(v.lower), upper = std::ceil(v.upper);
   const auto end = static_cast<double>(most);
   if (lower >= end) return {most, 0, true};
@@ -103,7 +113,13 @@ int GridWalk<n>::order(std::size_t a, std::size_t b) const {
   if (later > doubt_ || later < -doubt_) {
     first = later > 0 ? 1 : -1;
   } else if (doubt_ != 0) {
-    first = space::exact_order(axis_[a], next_wall(a), axis_[b], next_wall(b));
+    const auto time_of = [&](std::size_t x) {
+      const Ball passed{static_cast<double>((cell_[x] - known_cell_[x]) * step_[x])};  // counted one by one
+      return space::ball_of(known_time_[x]) + passed * space::ball_of(known_pace_[x]);
+    };
+    const Unsure<Sign> known = (time_of(a) - time_of(b)).sign();
+    first = known.certain() ? static_cast<int>(known.value())
+                            : space::exact_order(axis_[a], next_wall(a), axis_[b], next_wall(b));
   }
   if (first != 0 || is_closed_ || step_[a] == step_[b]) return first;
   return step_[a] > 0 ? -1 : 1;  // at the wall, a point is in the upper cell: who comes from there leaves it later
@@ -176,14 +192,14 @@ template <std::size_t n>
 void GridWalk<n>::cross() {
   if (*std::min_element(time_.begin(), time_.end()) >= window) set_times();
   std::size_t first = n;
+  unsigned group = 0;
   for (std::size_t a = 0; a < n; ++a) {
-    if (moves_[a] && (first == n || order(a, first) < 0)) first = a;
+    if (!moves_[a]) continue;
+    const int earlier = first == n ? -1 : order(a, first);
+    if (earlier < 0) first = a, group = 0;
+    if (earlier <= 0) group |= 1U << a;
   }
   if (first == n) return stop();
-  unsigned group = 1U << first;
-  for (std::size_t a = 0; a < n; ++a) {
-    if (moves_[a] && a != first && order(a, first) == 0) group |= 1U << a;
-  }
   cross_together(group);
 }
 
@@ -250,9 +266,12 @@ void GridWalk<n>::set_times() {
     const Ball distance = space::way_to_wall(balls, axis_[a], next_wall(a));
     time[a] = (step_[a] > 0 ? distance : nothing - distance) * others;
     pace[a] = Ball{axis_[a].size} * others;
+    known_time_[a] = {time[a].high, time[a].low, time[a].radius};
+    known_pace_[a] = {pace[a].high, pace[a].low, pace[a].radius};
     if (pace[a].high < least) least = pace[a].high;
     if (base == n || time[a].high < time[base].high) base = a;
   }
+  known_cell_ = cell_;
   doubt_ = 0;
   if (base != n) {
     constexpr int bits = 52;  // of the shortest pace: what is held by a double then is a whole number
@@ -262,7 +281,8 @@ void GridWalk<n>::set_times() {
     const Ball now = time[base];
     for (std::size_t a = 0; a < n; ++a) {
       if (!moves_[a]) continue;
-      const auto [at, at_width, at_known] = space::in_units(a == base ? nothing : time[a] - now, units, never);
+      const auto [at, at_width, at_known] =
+          a == base ? space::WholeInterval{0, 0, true} : space::in_units(time[a] - now, units, never);
       const auto [by, by_width, by_known] = space::in_units(pace[a], units, never);
       if (!handy || !at_known || !by_known || by <= 0) {
         doubt_ = all_near;

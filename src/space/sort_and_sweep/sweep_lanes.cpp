@@ -6,20 +6,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "space/sort_and_sweep/span_lanes.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace plumb::space::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Ordinals = hn::CappedTag<std::int32_t, 16>;
-using VecOfOrdinals = hn::Vec<Ordinals>;
-using MaskOfOrdinals = hn::Mask<Ordinals>;
-
-HWY_INLINE unsigned bits_of_ordinals(MaskOfOrdinals mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Ordinals(), mask, bits);
-  return static_cast<unsigned>(bits[0] | bits[1] << 8);
-}
+using namespace span_lanes::HWY_NAMESPACE;
 
 /// One pair after the other, those in doubt being asked.
 HWY_NOINLINE void add_singly(unsigned met, unsigned doubtful, std::int32_t own, const std::int32_t* numbers,
@@ -41,26 +35,21 @@ void sweep_boxes(const SweptBoxes& boxes, std::size_t from, std::size_t to, cons
   const Ordinals tag;
   constexpr std::size_t lanes = hn::MaxLanes(Ordinals());
   constexpr unsigned all = lanes == 32 ? ~0u : (1u << lanes) - 1;
-  const std::int32_t *const low0 = boxes.low(0), *const low1 = boxes.low(1), *const low2 = boxes.low(2);
-  const std::int32_t *const high0 = boxes.high(0), *const high1 = boxes.high(1), *const high2 = boxes.high(2);
+  const std::int32_t *const low0 = boxes.low(0), *const high0 = boxes.high(0);
   const std::int32_t *const numbers = boxes.number(), *const marks = boxes.marks();
+  const std::size_t stride = boxes.stride();
+  const VecOfOrdinals zero = hn::Zero(tag);
+  const auto set = [&](const std::int32_t* x) HWY_ATTR { return hn::Set(tag, *x); };
+  const auto load = [&](const std::int32_t* x) HWY_ATTR { return hn::LoadU(tag, x); };
   for (std::size_t i = from; i < to; ++i) {
     const std::int32_t end = high0[i];
-    const VecOfOrdinals a_low0 = hn::Set(tag, low0[i]), a_low1 = hn::Set(tag, low1[i]), a_low2 = hn::Set(tag, low2[i]);
-    const VecOfOrdinals a_high0 = hn::Set(tag, end), a_high1 = hn::Set(tag, high1[i]), a_high2 = hn::Set(tag, high2[i]);
-    const VecOfOrdinals a_marks = hn::Set(tag, marks[i]);
+    const SpanLanes a = lanes_of_span(low0 + i, stride, set);
+    const VecOfOrdinals a_marks = set(marks + i);
     for (std::size_t j = i + 1;; j += lanes) {
-      const VecOfOrdinals b_low0 = hn::LoadU(tag, low0 + j);
-      const VecOfOrdinals b_low1 = hn::LoadU(tag, low1 + j), b_high1 = hn::LoadU(tag, high1 + j);
-      const VecOfOrdinals b_low2 = hn::LoadU(tag, low2 + j), b_high2 = hn::LoadU(tag, high2 + j);
-      const MaskOfOrdinals apart1 = hn::Or(hn::Gt(a_low1, b_high1), hn::Gt(b_low1, a_high1));
-      const MaskOfOrdinals apart2 = hn::Or(hn::Gt(a_low2, b_high2), hn::Gt(b_low2, a_high2));
-      const MaskOfOrdinals marked = hn::Ne(hn::And(a_marks, hn::LoadU(tag, marks + j)), hn::Zero(tag));
-      const MaskOfOrdinals apart = hn::Or(hn::Or(apart1, apart2), hn::Or(marked, hn::Gt(b_low0, a_high0)));
-      const MaskOfOrdinals equal1 = hn::Or(hn::Eq(a_low1, b_high1), hn::Eq(b_low1, a_high1));
-      const MaskOfOrdinals equal2 = hn::Or(hn::Eq(a_low2, b_high2), hn::Eq(b_low2, a_high2));
-      const MaskOfOrdinals equal0 = hn::Or(hn::Eq(b_low0, a_high0), hn::Eq(a_low0, hn::LoadU(tag, high0 + j)));
-      const MaskOfOrdinals doubt = hn::AndNot(apart, hn::Or(hn::Or(equal1, equal2), equal0));
+      const VecOfOrdinals overlap = overlap_of(a, lanes_of_span(low0 + j, stride, load));
+      const MaskOfOrdinals marked = hn::Ne(hn::And(a_marks, load(marks + j)), zero);
+      const MaskOfOrdinals apart = hn::Or(hn::Lt(overlap, zero), marked);
+      const MaskOfOrdinals doubt = hn::AndNot(marked, hn::Eq(overlap, zero));
       if constexpr (lanes < 8) {
         const unsigned met = ~bits_of_ordinals(apart) & all;
         if (met != 0) add_singly(met, bits_of_ordinals(doubt), numbers[i], numbers + j, decide, pairs);
@@ -68,7 +57,7 @@ void sweep_boxes(const SweptBoxes& boxes, std::size_t from, std::size_t to, cons
         add_singly(~bits_of_ordinals(apart) & all, bits_of_ordinals(doubt), numbers[i], numbers + j, decide, pairs);
       } else {  // without a branch on whether there is any
         const VecOfOrdinals own = hn::Set(tag, numbers[i]);
-        const VecOfOrdinals others = hn::CompressNot(hn::LoadU(tag, numbers + j), apart);
+        const VecOfOrdinals others = hn::CompressNot(load(numbers + j), apart);
         hn::StoreInterleaved2(hn::Min(own, others), hn::Max(own, others), tag,
                               reinterpret_cast<std::int32_t*>(pairs.room()));
         pairs.added(lanes - hn::CountTrue(tag, apart));

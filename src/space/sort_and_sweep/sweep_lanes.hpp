@@ -30,6 +30,8 @@ class SweptBoxes {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::int32_t* low(std::size_t axis) const { return numbers_.get() + axis * stride_; }
   [[nodiscard]] const std::int32_t* high(std::size_t axis) const { return numbers_.get() + (3 + axis) * stride_; }
+  /// From the numbers of one coordinate to those of the next: low 0 to 2, high 0 to 2.
+  [[nodiscard]] std::size_t stride() const { return stride_; }
   [[nodiscard]] const std::int32_t* number() const { return numbers_.get() + 6 * stride_; }
   [[nodiscard]] const std::int32_t* marks() const { return numbers_.get() + 7 * stride_; }
 

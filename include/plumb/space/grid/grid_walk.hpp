@@ -15,7 +15,7 @@
 // infinity NonFinite, by name.
 // Which wall comes first is told by whole numbers: the times of the next walls in units so small that each is known to
 // one of them, and the units by which those may be off.  They begin anew every few hundred steps.  Times too near to be
-// told apart are compared exactly, as the sign of a determinant of two exact differences.
+// told apart are compared to a hundred bits, then exactly, as the sign of a determinant of two exact differences.
 // Source: RTCD 7.4.2; Amanatides and Woo 1987.
 // Cost: a few ns a cell, and some 1 us to begin; some 50 ns where two walls are crossed at once or nearly so, and
 // where a closed ray runs in a wall.
@@ -40,6 +40,10 @@ namespace space {
 /// One axis of a grid, and of a line through it: from + t (to - base), of which the difference is not rounded.
 struct WalkAxis {
   double origin, size, from, base, to;
+};
+/// To some hundred bits, and how far it can be off: what arith/ball.hpp computes with.
+struct WalkTime {
+  double high, low, radius;
 };
 
 }  // namespace space
@@ -102,6 +106,8 @@ class GridWalk {
   std::array<Cell, 8> queue_{};
   Cell first_{}, last_{};
   std::array<space::WalkAxis, n> axis_{};
+  Cell known_cell_{};  // where times began anew, and what they were
+  std::array<space::WalkTime, n> known_time_{}, known_pace_{};
 };
 
 using GridWalk2 = GridWalk<2>;
