@@ -186,8 +186,8 @@ void expect_all_held(std::uint64_t start) {
   std::printf("%d cases, %d held, %d mapped; %d flattened, %d held\n", seen.cases, seen.held, mapped_cases,
               flattened.cases, flattened.held);
   EXPECT_GT(flattened.cases * 10, seen.cases);
-  EXPECT_GT(flattened.held * 5, flattened.cases);
-  EXPECT_GT((flattened.cases - flattened.held) * 5, flattened.cases);
+  EXPECT_GT(flattened.held * 10, flattened.cases);
+  EXPECT_GT((flattened.cases - flattened.held) * 10, flattened.cases);
   EXPECT_GT(seen.held * 20, seen.cases);
   EXPECT_GT(mapped_cases * 3, seen.cases);
 }
