@@ -5,8 +5,8 @@
 //   scene.arithmetic<predicates::Orient3d>()   // Arithmetic::plain_double, say
 //
 // Laws: what a plan says follows from the formula's own growth (LatticeError, WidthGrowth) and holds for every set of
-// coordinates of the lattice; more bits never mean a cheaper arithmetic.  No arithmetic is planned that decide would
-// outrun (docs/plans.md).  Kernel (certify/kernel.hpp) takes the signs.
+// coordinates of the lattice; more bits never mean a cheaper arithmetic.  None is planned that decide outruns, but for
+// exact zeros of insphere (docs/plans.md).  Kernel (certify/kernel.hpp) takes the signs.
 // A lattice on which no double but 0 lies throws Error.
 // Source: RTCD 11.4, 11.5.1, docs/plans.md.
 // Cost: constants of a formula, found when compiled.
