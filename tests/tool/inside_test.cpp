@@ -78,7 +78,7 @@ TEST(Inside, ReadsPointsFromAFileAndStandardInput) {
 
 TEST(PointList, TakesCommasAndBlanks) {
   const std::vector<NamedPoint> points =
-      parse_points("x,y,z\n1,2,3\n4 5 6\r\n\t7 , 8;9\n#\n  \n-1e-3,.5,+2 # x\n0.1 0 0", "list");
+      parse_points("x,y,z\n1,2,3\n4 5 6\r\n\t7 ; 8;9\n#\n  \n-1e-3,.5,+2 # x\n0.1 0 0", "list");
   ASSERT_EQ(points.size(), 5u);
   EXPECT_EQ(points[1].point, (Point3{4, 5, 6}));
   EXPECT_EQ(points[2].point, (Point3{7, 8, 9}));
