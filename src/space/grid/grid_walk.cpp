@@ -31,11 +31,11 @@ int exact_order(const WalkAxis& a, std::int64_t i, const WalkAxis& b, std::int64
 
 Ball ball_of(const WalkTime& t) { return {t.high, t.low, t.radius}; }
 
-/// Times a power of two: not rounded but beyond the normal doubles.
+/// Times a power of two, which is exact where the way back leads to the same number: else digits were lost, or all.
 Interval scaled(const Interval& x, double power_of_two) {
   const double l = x.lower * power_of_two, u = x.upper * power_of_two;
-  const auto is_exact = [](double from, double to) { return from == 0 || std::abs(to) > 0x1p-960; };
-  return {Interval::down(l, is_exact(x.lower, l) ? 0 : -1), Interval::up(u, is_exact(x.upper, u) ? 0 : 1)};
+  return {Interval::down(l, l / power_of_two == x.lower ? 0 : -1),
+          Interval::up(u, u / power_of_two == x.upper ? 0 : 1)};
 }
 
 /// A time in units, between two whole numbers; what is beyond every window counts as its end.

@@ -67,26 +67,16 @@ inline void sort_from(std::vector<std::uint32_t>& numbers, std::size_t from) {
   sort_numbers(std::span(numbers).subspan(from));
 }
 
-/// add(query, numbers) for each query, in the order of keys where there are any.
-template <class Keys, class Add>
-ListBlock asked(const Keys& keys, const Add& add) {
-  ListBlock block;
-  block.start.resize(keys.size()), block.size.resize(keys.size());
-  for (const auto key : keys) {
-    const auto number = static_cast<std::uint32_t>(key);
-    const std::size_t start = block.numbers.size();
-    add(number, block.numbers);
-    sort_from(block.numbers, start);
-    block.start[number] = start, block.size[number] = block.numbers.size() - start;
-  }
-  return block;
-}
-/// The same in the order of the queries.
+/// add(query, numbers) for each query in turn: it appends a list that ascends.
 template <class Add>
 ListBlock asked_in_turn(std::size_t n, const Add& add) {
-  std::vector<std::uint32_t> keys(n);
-  for (std::size_t i = 0; i < n; ++i) keys[i] = static_cast<std::uint32_t>(i);
-  return asked(keys, add);
+  ListBlock block;
+  for (std::size_t i = 0; i < n; ++i) {
+    block.start.push_back(block.numbers.size());
+    add(static_cast<std::uint32_t>(i), block.numbers);
+    block.size.push_back(block.numbers.size() - block.start.back());
+  }
+  return block;
 }
 
 /// What is behind the copy may be overwritten: lists are copied in their order.

@@ -13,17 +13,22 @@ namespace {
 
 constexpr std::size_t figure_block = 256;
 
+// Lists that are appended ascend.
+
 template <class Figure>
 void add_figures_within(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p, double radius,
                         std::vector<std::uint32_t>& numbers) {
   const SlotFigures<Figure> items(tree);
+  const std::size_t start = numbers.size();
   each_within(tree, items, p, radius, [&](std::uint32_t slot, double) { numbers.push_back(items.number(slot)); });
+  sort_from(numbers, start);
 }
 
 template <class Figure>
 void add_figures_in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box, bool touching,
                         std::vector<std::uint32_t>& numbers) {
   if (is_empty(box)) return;
+  const std::size_t start = numbers.size();
   const Aabb3 asked = box_in_space(box);
   const FloatBox3 at = tree.tree.frame.around(asked);
   const auto meets = [&](const BoxNode& n) {
@@ -39,6 +44,7 @@ void add_figures_in_box(const FigureTree<Figure>& tree, const typename FigureTre
       }
     }
   });
+  sort_from(numbers, start);
 }
 
 /// A list of each of n.
@@ -62,7 +68,6 @@ std::vector<std::uint32_t> within(const FigureTree<Figure>& tree, const typename
   query::require_figure("within", "p", p);
   std::vector<std::uint32_t> numbers;
   space::kd::add_figures_within(tree, p, radius, numbers);
-  space::kd::sort_from(numbers, 0);
   return numbers;
 }
 template <KeptFigure Figure>
@@ -71,7 +76,6 @@ std::vector<std::uint32_t> in_box(const FigureTree<Figure>& tree, const typename
   query::require_figure("in_box", "box", box);
   std::vector<std::uint32_t> numbers;
   space::kd::add_figures_in_box(tree, box, options.touching, numbers);
-  space::kd::sort_from(numbers, 0);
   return numbers;
 }
 

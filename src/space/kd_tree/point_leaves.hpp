@@ -1,7 +1,7 @@
 // Which leaves of a k-d tree of points may hold points of boxes?  All nodes of a level, and all boxes, at a time.
 //
 // Laws: (1) each leaf whose cell has a point of the closed box is visited once, those of a box one after another.
-// (2) Of points that are all equal below a node one is looked at, for all.
+// (2) Of points that are all equal below a node one is looked at, for all: as soon as its level is.
 // Source: RTCD 7.3.7; level by level, as no processor foresees the turns of a search, which are no branches here.
 // Cost: the nodes above the leaves, a dozen instructions each.
 // Included once for each instruction set (foreach_target.h); hence no #pragma once.

@@ -81,7 +81,7 @@ double half_of_widest(const Point& p, const Point& q) {
 struct Powers {
   double before = 1, after = 1;
 };
-/// Are squares of such differences far from the largest and the least doubles?
+/// Are squares of such differences far from the largest and the least doubles?  A guess, as powers_for is.
 constexpr bool is_moderate(double distance) { return distance > 0x1p-400 && distance < 0x1p400; }
 /// A guess, where squares of differences may overflow or get lost: powers that make distances of about this many
 /// numbers near 1.  Halves where doubles are so large that their differences overflow.
