@@ -19,11 +19,10 @@ Reach reach_of(const OrdinalBox& b, const std::array<std::uint32_t, 2>& strips) 
           strip_of(b.high[2], strips[1])};
 }
 
-}  // namespace
-
-bool divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
-                         const std::array<std::uint32_t, 2>& strips, std::size_t most_copies, Columns& columns) {
-  const std::size_t n = boxes.size(), count = std::size_t{strips[0]} * strips[1];
+/// False, and nothing is made, where there are too many copies.
+bool divide(Execution execution, std::span<const OrdinalBox> boxes, const std::array<std::uint32_t, 2>& strips,
+            Columns& columns) {
+  const std::size_t n = boxes.size(), most_copies = most_copies_of(n), count = std::size_t{strips[0]} * strips[1];
   const std::size_t blocks = blocks_of(n, column_block);
   std::vector<std::uint32_t> counts(blocks * count);
   std::vector<std::size_t> copies(blocks);
@@ -65,6 +64,17 @@ bool divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
     }
   });
   return true;
+}
+
+}  // namespace
+
+Columns divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
+                            std::array<std::uint32_t, 2>& strips) {
+  Columns columns;
+  while (!divide(execution, boxes, strips, columns)) {
+    for (std::uint32_t& s : strips) s = (s + 1) / 2;
+  }
+  return columns;
 }
 
 }  // namespace plumb::space

@@ -32,8 +32,11 @@ constexpr std::uint32_t strip_of(std::int32_t ordinal, std::uint32_t strips) {
                                     ordinal_bits);
 }
 
-/// False, and nothing is made, where more copies than this were needed.
-bool divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
-                         const std::array<std::uint32_t, 2>& strips, std::size_t most_copies, Columns& columns);
+/// In how many columns boxes stand, all together, at the most: a guess of what pays.
+constexpr std::size_t most_copies_of(std::size_t boxes) { return 4 * boxes + 4096; }
+
+/// Where more copies than those were needed, of half as many strips, which are told.
+Columns divide_into_columns(Execution execution, std::span<const OrdinalBox> boxes,
+                            std::array<std::uint32_t, 2>& strips);
 
 }  // namespace plumb::space

@@ -191,7 +191,7 @@ bool FrameSweep::make_entries(const TwoFrames& f) {
   }
   for (std::uint32_t place = 0; place < n; ++place) {
     stand_in_both(entries_[place], place);
-    if (copies_ > 4 * n + 4096) return false;
+    if (copies_ > most_copies_of(n)) return false;
   }
   return true;
 }

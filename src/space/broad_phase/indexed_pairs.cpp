@@ -155,7 +155,7 @@ struct Search {
     const BoxSet<Box> set{a, b, options.touching};
     SetBounds bounds;
     (void)find_bounds(a, bounds);
-    const std::size_t first = axes_of<Box> == 2 && axes > 1 ? 0 : widest_axis(BoxSet<Box>{a}, bounds);
+    const std::size_t first = first_listed_axis(BoxSet<Box>{a}, bounds, static_cast<std::size_t>(axes));
     SweepLists lists({options.touching, std::min(axes, static_cast<int>(axes_of<Box>)), static_cast<SweepAxis>(first)});
     std::vector<std::uint32_t> order(set.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});

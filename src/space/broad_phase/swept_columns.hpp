@@ -91,10 +91,7 @@ void find_by_columns(Execution execution, const BoxSet<Box>& set, const SetBound
   const std::size_t n = set.size();
   auto [map, plan] = place_sweep(set, bounds);
   auto ordinals = ordinals_of(execution, set, map);
-  Columns columns;
-  while (!divide_into_columns(execution, {ordinals.get(), n}, plan.columns, 4 * n + 4096, columns)) {
-    for (auto& strips : plan.columns) strips = (strips + 1) / 2;
-  }
+  const Columns columns = divide_into_columns(execution, {ordinals.get(), n}, plan.columns);
   ordinals.reset();
   const DecidePair decide{&set, &decide_of_set<Box>};
   const std::vector<std::size_t> groups = groups_of(columns);

@@ -74,6 +74,12 @@ std::size_t widest_axis(const BoxSet<Box>& set, const SetBounds& bounds) {
   return best;
 }
 
+/// The first of so many axes along which lists are kept, the others being those after it; in the plane both from x on.
+template <class Box>
+std::size_t first_listed_axis(const BoxSet<Box>& set, const SetBounds& bounds, std::size_t lists) {
+  return axes_of<Box> == 2 && lists > 1 ? 0 : widest_axis(set, bounds);
+}
+
 /// Of boxes that are checked and have these bounds.
 template <class Box>
 void find_by_sweep(Execution execution, const BoxSet<Box>& set, const SetBounds& bounds, std::size_t axis,

@@ -107,10 +107,7 @@ struct Structure {
     auto strips = plan.columns;
     std::vector<space::OrdinalBox> ordinals;
     for (std::size_t i = 0; i < set.size(); ++i) ordinals.push_back(map(set[i], i, 0));
-    space::Columns columns;
-    while (!space::divide_into_columns(Execution::parallel, ordinals, strips, 4 * set.size() + 4096, columns)) {
-      for (auto& s : strips) s = (s + 1) / 2;
-    }
+    const space::Columns columns = space::divide_into_columns(Execution::parallel, ordinals, strips);
     const std::size_t axis = plan.order[0];
     if (columns.size() == 1)
       return sorted_along({axis}, fmt::format("swept along {}, without columns", kAxisNames[axis]));
@@ -137,9 +134,8 @@ struct Structure {
     return sorted_along({axis}, fmt::format("sorted by starts along {} and swept", kAxisNames[axis]));
   }
 
-  /// The axes are those that overlapping_pairs chooses.
   [[nodiscard]] ShownStructure by_lists(std::size_t lists) const {
-    const std::size_t first = n == 2 && lists > 1 ? 0 : space::widest_axis(space::BoxSet<Box>{a}, bounds_of(a));
+    const std::size_t first = space::first_listed_axis(space::BoxSet<Box>{a}, bounds_of(a), lists);
     std::vector<std::size_t> axes;
     std::string names;
     for (std::size_t k = 0; k < std::min(lists, n); ++k) {

@@ -118,6 +118,20 @@ Obb3 turned_box(Entropy& e) {
   const auto vector = [&] { return Vector3{number(4), number(4), number(4)}; };
   return {{number(3), number(3), number(3)}, {vector(), vector(), vector()}, {number(1), number(2), number(1)}};
 }
+/// What each world tells of the segment, the ray, the line and the triangle, and what is so.
+struct OfTurned {
+  std::array<Answers, 4> answers;
+  std::array<Relation, 4> truths;
+};
+OfTurned all_of_turned(const Point3& p, const Point3& q, const Point3& r, const Vector3& d, const Obb3& box) {
+  return {
+      {ask(axes::StraightAndObb<LinearKind::segment>{}, p, q, box),
+       ask(axes::StraightAndObb<LinearKind::ray>{}, p, d, box),
+       ask(axes::StraightAndObb<LinearKind::line>{}, p, d, box), ask(axes::TriangleAndObb{}, Triangle3{p, q, r}, box)},
+      {relate(Segment3{p, q}, box), relate(Ray3{p, d}, box), relate(Line3{p, d}, box),
+       relate(Triangle3{p, q, r}, box)}};
+}
+
 TEST(BoxAxes, EveryWorldGivesTheRelationToTurnedBoxes) {
   std::array<int, 4> by_floats{}, by_pairs{}, by_exact{};
   for (std::uint64_t i = 0; i < 1000; ++i) {
@@ -126,12 +140,7 @@ TEST(BoxAxes, EveryWorldGivesTheRelationToTurnedBoxes) {
     const auto number = [&] { return static_cast<double>(e.within(1 << 10)) * 0x1p-6; };
     const Point3 p{number(), number(), number()}, q{number(), number(), number()}, r{number(), number(), number()};
     const Vector3 d{q.x, q.y, q.z};
-    const std::array answers{ask(axes::StraightAndObb<LinearKind::segment>{}, p, q, box),
-                             ask(axes::StraightAndObb<LinearKind::ray>{}, p, d, box),
-                             ask(axes::StraightAndObb<LinearKind::line>{}, p, d, box),
-                             ask(axes::TriangleAndObb{}, Triangle3{p, q, r}, box)};
-    const std::array truths{relate(Segment3{p, q}, box), relate(Ray3{p, d}, box), relate(Line3{p, d}, box),
-                            relate(Triangle3{p, q, r}, box)};
+    const auto [answers, truths] = all_of_turned(p, q, r, d, box);
     for (std::size_t k = 0; k < 4; ++k) {
       const auto& [floats, pairs, integers, exact] = answers[k];
       by_floats[k] += floats.has_value(), by_pairs[k] += pairs.has_value(), by_exact[k] += exact.has_value();
@@ -187,12 +196,7 @@ TEST(BoxAxes, TurnedBoxesOfEveryFamilyAreAnsweredInTheirShare) {
       const Obb3 box{point(0), {vector(1), vector(2), vector(3)}, vector(4)};
       const Point3 p = point(5), q = point(6), r = point(7);
       const Vector3 d = vector(6);
-      const std::array answers{ask(axes::StraightAndObb<LinearKind::segment>{}, p, q, box),
-                               ask(axes::StraightAndObb<LinearKind::ray>{}, p, d, box),
-                               ask(axes::StraightAndObb<LinearKind::line>{}, p, d, box),
-                               ask(axes::TriangleAndObb{}, Triangle3{p, q, r}, box)};
-      const std::array truths{relate(Segment3{p, q}, box), relate(Ray3{p, d}, box), relate(Line3{p, d}, box),
-                              relate(Triangle3{p, q, r}, box)};
+      const auto [answers, truths] = all_of_turned(p, q, r, d, box);
       for (std::size_t k = 0; k < 4; ++k) {
         ASSERT_TRUE(answers[k].are(truths[k])) << k << ' ' << info.name << ", replay: " << i;
         by_floats[k].add(info.family, answers[k].floats.has_value());
