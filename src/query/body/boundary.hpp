@@ -34,12 +34,6 @@ inline constexpr bool has_boundary = is_one_of(figure_kind<Shape>,
                                                 FigureKind::capsule, FigureKind::lozenge}) ||
                                      is_one_of(figure_kind<Shape>, polygon_kinds);
 
-/// Has it straight edges and flat faces?  Else it is round somewhere.
-constexpr bool is_flat_kind(FigureKind kind) {
-  return !is_one_of(kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
-                           FigureKind::cone, FigureKind::spherical_cap});
-}
-
 namespace boundary {
 
 using Corner = std::uint32_t;

@@ -7,7 +7,6 @@
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
-#include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/figure_view.hpp"
 #include "query/convex/convex_view.hpp"

@@ -10,7 +10,6 @@
 #include "plumb/query/overlap/ellipsoid.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/axis_shape.hpp"
-#include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/axis_relation.hpp"

@@ -7,7 +7,6 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/ray/posed.hpp"
-#include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/flat_view.hpp"

@@ -13,8 +13,8 @@ namespace plumb {
 namespace space {
 namespace {
 
-/// Which comes first, the wall below cell i of axis a or that below cell j of axis b?  The times are distance / way, and
-/// this is the sign of their difference times both ways.
+/// Which comes first, the wall below cell i of axis a or that below cell j of axis b?  The times are distance / way; this
+/// is the sign of their difference times both ways.
 struct CrossingOrder {
   template <class W>
   Sign operator()(const W& w, const WalkAxis& a, std::int64_t i, const WalkAxis& b, std::int64_t j) const {

@@ -127,13 +127,9 @@ class Map {
 
 /// Boxes along the axes are only permuted and mirrored, round figures not sheared.
 inline MapKind map_kind(FigureKind a, FigureKind b, Material& m) {
-  constexpr auto is_round = [](FigureKind k) {
-    return query::is_one_of(k, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
-                                FigureKind::cone, FigureKind::spherical_cap});
-  };
   const std::size_t kind = m.below(3);
   if (a == FigureKind::aabb || b == FigureKind::aabb || kind == 0) return MapKind::along_axes;
-  return is_round(a) || is_round(b) || kind == 1 ? MapKind::turned : MapKind::sheared;
+  return !query::is_flat_kind(a) || !query::is_flat_kind(b) || kind == 1 ? MapKind::turned : MapKind::sheared;
 }
 template <class A, class B>
 MapKind map_kind(Material& m) {

@@ -240,10 +240,13 @@ constexpr FigureView view_of(const Shape& shape) {
 /// Of a figure with straight edges and flat faces.
 using FlatView = FigureView;
 
+/// Has it straight edges and flat faces?  Else it is round somewhere.
+constexpr bool is_flat_kind(FigureKind kind) {
+  return !is_one_of(kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
+                           FigureKind::cone, FigureKind::spherical_cap});
+}
 template <class Shape>
-concept FlatFigure = Figure<Shape> &&
-    !is_one_of(figure_kind<Shape>, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge, FigureKind::cylinder,
-                                    FigureKind::cone, FigureKind::spherical_cap});
+concept FlatFigure = Figure<Shape> && is_flat_kind(figure_kind<Shape>);
 
 }  // namespace query
 
