@@ -238,7 +238,7 @@ std::string_view judging(AnswerForm form) {
 }
 
 /// A string of Python's.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string made = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') made.push_back('\\');
@@ -266,8 +266,8 @@ std::string python_text(const Kind& kind, std::span<const double> numbers, std::
   text.append(kBegin);
   const std::string library =
       options.library.empty() ? std::string("lib").append(function).append(".so") : options.library;
-  text.append("LIBRARY = sys.argv[1] if len(sys.argv) > 1 else ").append(quoted(library)).append("\n");
-  text.append("SYMBOL = ").append(quoted(function)).append("\n");
+  text.append("LIBRARY = sys.argv[1] if len(sys.argv) > 1 else ").append(in_quotes(library)).append("\n");
+  text.append("SYMBOL = ").append(in_quotes(function)).append("\n");
   text.append("TIMEOUT = ").append(decimal(options.timeout)).append("  # seconds\n");
   std::string arguments;
   for (const Given& g : given(kind, numbers)) {

@@ -17,7 +17,7 @@ struct ForeignFormat {
   std::string_view mend;
 };
 
-constexpr std::string_view solids = "CAD format of curved solids, no mesh", scene = "scene format, not read",
+constexpr std::string_view solids = "CAD format of curved solids, no mesh", scene_format = "scene format, not read",
                            cells = "format of volume cells, not read";
 constexpr std::string_view by_cad = "export STL or 3MF from the CAD program that wrote it";
 constexpr std::string_view by_blender = "convert it to glTF or OBJ with Blender or `assimp export`";
@@ -41,12 +41,12 @@ constexpr std::array<ForeignFormat, 22> formats{{
     {"DWG", solids, {".dwg"}, "AC10", by_cad},
     {"DXF", "drawing format, not read", {".dxf"}, "", by_cad},
     {"OpenSCAD", "program that makes a mesh, not read", {".scad"}, "", "run `openscad -o part.stl part.scad`"},
-    {"FBX", scene, {".fbx"}, "Kaydara FBX Binary", by_blender},
-    {"Blender", scene, {".blend"}, "BLENDER", "export OBJ, STL or glTF from Blender"},
-    {"COLLADA", scene, {".dae"}, "", by_blender},
-    {"3DS", scene, {".3ds"}, "", by_blender},
-    {"VRML or X3D", scene, {".wrl", ".x3d", ".x3dv"}, "#VRML", by_blender},
-    {"USD", scene, {".usd", ".usda", ".usdc", ".usdz"}, "PXR-USDC", by_blender},
+    {"FBX", scene_format, {".fbx"}, "Kaydara FBX Binary", by_blender},
+    {"Blender", scene_format, {".blend"}, "BLENDER", "export OBJ, STL or glTF from Blender"},
+    {"COLLADA", scene_format, {".dae"}, "", by_blender},
+    {"3DS", scene_format, {".3ds"}, "", by_blender},
+    {"VRML or X3D", scene_format, {".wrl", ".x3d", ".x3dv"}, "#VRML", by_blender},
+    {"USD", scene_format, {".usd", ".usda", ".usdc", ".usdz"}, "PXR-USDC", by_blender},
     {"VTK", cells, {".vtk", ".vtu", ".vtp"}, "# vtk DataFile", by_meshio},
     {"Gmsh's own", cells, {".msh"}, "$MeshFormat", "write its surface with `gmsh part.msh -2 -o part.stl`"},
 }};

@@ -198,7 +198,7 @@ Relation relate_point(const Point3& p, const Round& round, Question question) {
 }
 
 template <class Line, class Round>
-[[gnu::noinline]] Relation relate_round(const Line& line, const Round& round, Question question) {
+[[gnu::noinline]] Relation relate_straight_and_round(const Line& line, const Round& round, Question question) {
   const auto [from, to, radius, is_cone] = axis_of(round);
   if (is_sound(line) && is_sound(round) && radius > 0 && from != to && !is_point(line)) [[likely]] {
     if (is_cone && passes_by(line, axis_of(round))) return Relation::disjoint;
@@ -234,11 +234,11 @@ template <class Line>
 Relation relate_line(const Line& line, const Cylinder3& round, Question question) {
   if (const auto r = quickly(line, round)) [[likely]]
     return *r;
-  return relate_round(line, round, question);
+  return relate_straight_and_round(line, round, question);
 }
 template <class Line>
 Relation relate_line(const Line& line, const Cone3& round, Question question) {
-  return relate_round(line, round, question);
+  return relate_straight_and_round(line, round, question);
 }
 
 template <class Round>

@@ -70,7 +70,7 @@ std::optional<Relation> relate_in_plane(const Segment3& s, const Triangle3& t, c
 }
 
 template <class Signs>
-std::optional<Relation> relate_by(const Segment3& s, const Triangle3& t, const Signs& signs) {
+std::optional<Relation> relate_by_signs(const Segment3& s, const Triangle3& t, const Signs& signs) {
   const auto [from, to] = signs.template over<2>(0, 3);
   const Sign reaches = -(from * to);
   if (reaches == Sign::negative) return Relation::disjoint;
@@ -183,7 +183,7 @@ std::optional<Relation> by_lattice(const Segment3& s, const Triangle3& t) {
     Segment3 s;
   };
   const auto coordinates = std::bit_cast<std::array<double, 15>>(Both{t, s});
-  const auto ask = [&](const auto& signs) { return relate_by(s, t, signs); };
+  const auto ask = [&](const auto& signs) { return relate_by_signs(s, t, signs); };
   if (const LatticePoints<5, 3> points(coordinates); points.is_lattice()) return by_lattice<SegmentSigns>(points, ask);
   if (const WideSegmentSigns wide(coordinates); wide.is_lattice()) return ask(wide);
   return {};

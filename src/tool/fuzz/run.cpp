@@ -24,9 +24,10 @@ using degenerate::Outcome;
 constexpr std::size_t kReplacements = 250;            // for each finding that is shrunk
 constexpr std::size_t kHangs = 10, kHangsOfAll = 30;  // the same, of which the last findings get two at least
 
-constexpr std::chrono::milliseconds kGlance(25);  // how often the clock and the user are heard, if the function lets us
-constexpr double kLeastShrinking = 10;            // seconds
-constexpr std::chrono::milliseconds kLong(300);   // for a call: its time is told
+constexpr std::chrono::milliseconds kHeardAgain(
+    25);                                         // how often the clock and the user are heard, if the function lets us
+constexpr double kLeastShrinking = 10;           // seconds
+constexpr std::chrono::milliseconds kLong(300);  // for a call: its time is told
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -118,7 +119,7 @@ class Fuzz {
       const std::size_t count = std::min(at_once_, cases.size() - asked);
       begun_ = asked;
       asked += process_.ask(cases.subspan(asked, count), answers.subspan(asked, count));
-      at_once_ = Clock::now() - begin < kGlance ? std::min(2 * at_once_, options_.block) : (at_once_ + 1) / 2;
+      at_once_ = Clock::now() - begin < kHeardAgain ? std::min(2 * at_once_, options_.block) : (at_once_ + 1) / 2;
     } while (asked < cases.size() && !process_.exhausted() && interrupted == 0 && !time_is_up());
     unasked_ = cases.size() - asked;
     for (std::size_t i = asked; i < cases.size(); ++i) answers[i] = kind_.exact(cases[i]);  // no finding

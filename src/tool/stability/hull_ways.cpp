@@ -9,9 +9,9 @@ namespace {
 
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
-using Signs = HullSigns<2>;
+using PlaneSigns = HullSigns<2>;
 
-Corners andrew(const Signs& s) {
+Corners andrew(const PlaneSigns& s) {
   const Indices order = s.in_order();
   if (order.size() < 3) return order;
   Indices corners, chain;
@@ -31,7 +31,7 @@ Corners andrew(const Signs& s) {
 }
 
 /// Appends the corners strictly left of the line from a to b, from b's side to a's; false where it ran too long.
-bool left_of(const Signs& s, Index a, Index b, const Indices& points, Indices& corners, std::size_t& calls_left) {
+bool left_of(const PlaneSigns& s, Index a, Index b, const Indices& points, Indices& corners, std::size_t& calls_left) {
   if (calls_left == 0) return false;
   --calls_left;
   Indices left;
@@ -47,7 +47,7 @@ bool left_of(const Signs& s, Index a, Index b, const Indices& points, Indices& c
   return left_of(s, a, far, left, corners, calls_left);
 }
 
-Corners quickhull(const Signs& s) {
+Corners quickhull(const PlaneSigns& s) {
   const Indices order = s.in_order();
   if (order.size() < 3) return order;
   const Index a = order.front(), b = order.back();
@@ -59,14 +59,14 @@ Corners quickhull(const Signs& s) {
   return corners;
 }
 
-Corners gift_wrapping(const Signs& s) {
+Corners gift_wrapping(const PlaneSigns& s) {
   const Indices order = s.in_order();
   if (order.size() < 3) return order;
   return wrapped(s, order, [&s](Index a, Index b, Index c) { return s.side({a, b}, c); });
 }
 
 /// Inserts point after point: takes away the edges that see it, which lie next to one another.
-Corners incremental(const Signs& s) {
+Corners incremental(const PlaneSigns& s) {
   const Indices order = s.in_order();
   if (order.size() < 3) return order;
   const auto apex = std::find_if(order.begin() + 1, order.end() - 1, [&](Index p) {

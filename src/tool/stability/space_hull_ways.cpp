@@ -12,14 +12,14 @@ namespace {
 
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
-using Signs = HullSigns<3>;
-using Corners3 = Signs::Facet;  // counterclockwise seen from outside
+using SpaceSigns = HullSigns<3>;
+using Corners3 = SpaceSigns::Facet;  // counterclockwise seen from outside
 using Edge = std::pair<Index, Index>;
 
 std::array<Edge, 3> edges_of(const Corners3& f) { return {{{f[0], f[1]}, {f[1], f[2]}, {f[2], f[0]}}}; }
 
 /// The faces of four points that span space, the first and the last of the order among them; none of points in a plane.
-std::vector<Corners3> first_simplex(const Signs& s, const Indices& order) {
+std::vector<Corners3> first_simplex(const SpaceSigns& s, const Indices& order) {
   for (const Index c : order) {
     for (const Index d : order) {
       const Index a = order.front(), b = order.back();
@@ -60,7 +60,7 @@ std::vector<Edge> rim_of(const std::vector<Corners3>& faces) {
 }
 
 /// Point after point: the faces that see it give way to those that join it to their rim.
-std::optional<Faces> incremental(const Signs& s) {
+std::optional<Faces> incremental(const SpaceSigns& s) {
   const Indices order = s.in_order();
   std::vector<Corners3> faces = first_simplex(s, order);
   if (faces.empty()) return Faces{};
@@ -78,7 +78,7 @@ std::optional<Faces> incremental(const Signs& s) {
 /// The farthest point of a face's own, again and again; the rim of what sees it is walked from edge to edge.
 class Quickhull {
  public:
-  explicit Quickhull(const Signs& s) : s_(s) {}
+  explicit Quickhull(const SpaceSigns& s) : s_(s) {}
 
   std::optional<Faces> run() {
     const Indices order = s_.in_order();
@@ -156,7 +156,7 @@ class Quickhull {
     return true;
   }
 
-  const Signs& s_;
+  const SpaceSigns& s_;
   std::vector<Face> faces_;
   std::map<Edge, std::size_t> left_of_;
 };
@@ -164,7 +164,7 @@ class Quickhull {
 /// From a face over each of its edges to the next, which all points in its plane belong to.
 class GiftWrapping {
  public:
-  explicit GiftWrapping(const Signs& s) : s_(s), order_(s.in_order()) {}
+  explicit GiftWrapping(const SpaceSigns& s) : s_(s), order_(s.in_order()) {}
 
   std::optional<Faces> run() {
     const std::optional<Corners3> first = any_face();
@@ -227,7 +227,7 @@ class GiftWrapping {
     return next;
   }
 
-  const Signs& s_;
+  const SpaceSigns& s_;
   Indices order_;
   Faces faces_;
   std::set<Edge> edges_;
@@ -238,10 +238,10 @@ class GiftWrapping {
 const std::vector<SpaceHullWay>& space_hull_ways() {
   static const std::vector<SpaceHullWay> all{
       {"quickhull", "adds the farthest point outside of a face, again and again",
-       [](const Signs& s) { return Quickhull(s).run(); }},
+       [](const SpaceSigns& s) { return Quickhull(s).run(); }},
       {"incremental", "adds a point after the other, in the order in which they come", incremental},
       {"gift wrapping", "turns about the edges of a face until it finds the next",
-       [](const Signs& s) { return GiftWrapping(s).run(); }}};
+       [](const SpaceSigns& s) { return GiftWrapping(s).run(); }}};
   return all;
 }
 

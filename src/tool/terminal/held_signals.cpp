@@ -3,16 +3,16 @@
 namespace plumb::tool {
 namespace {
 
-volatile std::sig_atomic_t first = 0;
+volatile std::sig_atomic_t first_signal = 0;
 
 void note(int signal) {
-  if (first == 0) first = signal;
+  if (first_signal == 0) first_signal = signal;
 }
 
 }  // namespace
 
 HeldSignals::HeldSignals() {
-  first = 0;
+  first_signal = 0;
   struct sigaction noting {};
   noting.sa_handler = note;
   noting.sa_flags = SA_RESTART;
@@ -24,9 +24,9 @@ HeldSignals::HeldSignals() {
 
 HeldSignals::~HeldSignals() {
   for (std::size_t k = 0; k < held_.size(); ++k) ::sigaction(held_[k], &before_[k], nullptr);
-  if (first != 0) ::raise(first);
+  if (first_signal != 0) ::raise(first_signal);
 }
 
-bool HeldSignals::arrived() { return first != 0; }
+bool HeldSignals::arrived() { return first_signal != 0; }
 
 }  // namespace plumb::tool

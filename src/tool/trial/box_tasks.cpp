@@ -12,8 +12,6 @@
 namespace plumb::tool::trial {
 namespace {
 
-constexpr auto meet_exactly = [](const auto& a, const auto& b) { return intersects(a, b); };
-
 class BoxPairs final : public Round {
  public:
   explicit BoxPairs(std::span<const double> questions)

@@ -56,6 +56,9 @@ Method exact_method(Ask ask) {
       [ask](const Question& q) { return ask(q.a, q.b); });
 }
 
+/// What most pairs of shapes are asked.
+inline constexpr auto meet_exactly = [](const auto& a, const auto& b) { return intersects(a, b); };
+
 template <std::size_t N>
 double largest_of(const std::array<double, N>& q) {
   double largest = 0;

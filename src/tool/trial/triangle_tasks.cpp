@@ -31,8 +31,6 @@ void toward(std::span<double> q) {
   }
 }
 
-constexpr auto meet_exactly = [](const auto& a, const auto& b) { return intersects(a, b); };
-
 /// One ray or segment against the triangles of all questions.
 template <class One>
 class OneAgainstMany final : public Round {
