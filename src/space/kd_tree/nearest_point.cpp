@@ -73,9 +73,12 @@ void nearest(const KdTree<Point>& tree, std::span<const std::type_identity_t<Poi
   require_finite_points("nearest", "queries", queries);
   in_query_order(tree, queries, execution, [&](std::size_t from, std::span<const std::uint64_t> keys) {
     std::vector<Candidate<Point>> room(k);
-    for (const std::uint64_t key : keys) {
-      const std::size_t number = from + static_cast<std::uint32_t>(key);
-      k_nearest<Point>(tree, queries[number], key >> 32, room, out.data() + number * k);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const std::size_t number = from + static_cast<std::uint32_t>(keys[i]);
+      const std::size_t ahead = from + static_cast<std::uint32_t>(keys[std::min(i + asked_ahead, keys.size() - 1)]);
+      __builtin_prefetch(&queries[ahead]);
+      __builtin_prefetch(&out[ahead * k], 1);
+      k_nearest<Point>(tree, queries[number], keys[i] >> 32, room, out.data() + number * k);
     }
   });
 }

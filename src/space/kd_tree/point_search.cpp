@@ -9,12 +9,14 @@
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/query/closest/closest.hpp"
+#include "space/kd_tree/query_order.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "space/kd_tree/point_search.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "arith/twofold.hpp"
+#include "space/kd_tree/nearest_lanes.hpp"
 #include "space/kd_tree/number_lanes.hpp"
 #include "space/kd_tree/point_lanes.hpp"
 #include "space/kd_tree/point_leaves.hpp"
@@ -22,91 +24,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::space::kd::HWY_NAMESPACE {
 namespace {
-
-/// Of a value at which products overflow, or are lost: a guess of when to scale, which decides no neighbor.
-HWY_INLINE bool is_extreme(double value) { return !(value > 0x1p-900 && value < infinity); }
-
-/// The k points that are nearest as yet, the farthest of which says what may be nearer.
-template <class Point>
-class NearestSoFar {
- public:
-  HWY_INLINE NearestSoFar(const Point& p, Candidate<Point>* room, std::size_t k) : p_(p), best_(room), k_(k) {}
-
-  [[nodiscard]] HWY_INLINE double limit() const { return limit_; }
-  [[nodiscard]] HWY_INLINE bool is_full() const { return size_ == k_; }
-  [[nodiscard]] HWY_INLINE const Candidate<Point>& last() const { return best_[k_ - 1]; }
-  HWY_INLINE void clear() { size_ = 0, limit_ = infinity; }
-
-  HWY_INLINE void scan(const Query<Point>& query, LeafRun run) {
-    if (run.leaves > 1) {
-      Candidate<Point> c = query.one_of(run);
-      if (c.value > limit_) return;
-      for (const std::uint32_t number : query.numbers_of(run)) {
-        c.number = number;
-        if (!offer(c)) return;  // nor any behind it
-      }
-      return;
-    }
-    query.each_value(run.leaf, [&](const Many& value, std::size_t first, std::size_t i, std::size_t count) HWY_ATTR {
-      unsigned may_be = bits_of(at_most(value, of_all(limit_))) & first_lanes(count - i);
-      if (may_be == 0) return;
-      HWY_ALIGN double values[count_of_lanes];
-      hn::Store(value.v, Lanes(), values);
-      // Of several the least value comes first, so that as a rule it is the only one.
-      if (k_ == 1 && (may_be & (may_be - 1)) != 0) {
-        double least = infinity;
-        for (unsigned rest = may_be; rest != 0; rest &= rest - 1) least = std::min(least, values[__builtin_ctz(rest)]);
-        may_be &= bits_of(at_most(value, of_all(Square<Point>{least}.beyond())));
-      }
-      for (; may_be != 0; may_be &= may_be - 1) {
-        const auto k = static_cast<std::size_t>(__builtin_ctz(may_be));
-        if (!(values[k] > limit_)) offer(query.candidate(first, i + k, count, values[k]));
-      }
-    });
-  }
-
- private:
-  /// Is it among them?
-  HWY_INLINE bool offer(const Candidate<Point>& c) {
-    if (size_ == k_ && !comes_first(p_, c, best_[k_ - 1])) return false;
-    std::size_t place = size_ < k_ ? size_++ : k_ - 1;
-    for (; place != 0 && comes_first(p_, c, best_[place - 1]); --place) best_[place] = best_[place - 1];
-    best_[place] = c;
-    if (size_ == k_) limit_ = Square<Point>{best_[k_ - 1].value}.beyond();
-    return true;
-  }
-
-  const Point& p_;
-  Candidate<Point>* best_;
-  std::size_t k_, size_ = 0;
-  double limit_ = infinity;
-};
-
-/// Searches again with differences times another power of two where the values are extreme, as long as that brings
-/// another power.
-template <class Point>
-HWY_INLINE void find_nearest(const KdTree<Point>& tree, const Point& p, std::size_t leaf, NearestSoFar<Point>& found) {
-  Powers powers;
-  bool raised = false;
-  for (bool again = true; again;) {
-    again = false;
-    const Query<Point> query(tree, p, powers);
-    search_from(
-        query, leaf, [&]() HWY_ATTR { return again ? -1 : found.limit(); },
-        [&](LeafRun at) HWY_ATTR {
-          found.scan(query, at);
-          if (!found.is_full() || !is_extreme(found.last().value)) [[likely]]
-            return;
-          if (found.last().at == p) return;
-          const Powers other = powers_for(tree, p, half_of_widest(p, found.last().at));
-          // Nearer points only raise the power again: what is far may be infinite then, and is beyond them.
-          if (other.after == powers.after || (raised && other.after < powers.after)) return;
-          raised = raised || other.after > powers.after;
-          powers = other, again = true;
-        });
-    if (again) found.clear();
-  }
-}
 
 /// The nearest double to the distance.
 template <class Point>
@@ -139,6 +56,7 @@ void of_each(const KdTree<Point>& tree, const Point* queries, const std::uint64_
              NearestPoint* out) {
   for (std::size_t i = 0; i < n; ++i) {
     const auto number = static_cast<std::uint32_t>(keys[i]);
+    __builtin_prefetch(&queries[static_cast<std::uint32_t>(keys[std::min(i + asked_ahead, n - 1)])]);
     out[number] = nearest_from(tree, queries[number], keys[i] >> 32);
   }
 }
@@ -149,8 +67,10 @@ void leaves(const KdTree<Point>& tree, const Point* queries, std::size_t n, std:
 template <class Point>
 void several(const KdTree<Point>& tree, const Point& p, std::size_t leaf, Candidate<Point>* room, std::size_t k,
              NearestPoint* out) {
-  NearestSoFar<Point> found(p, room, k);
-  find_nearest(tree, p, leaf, found);
+  if (!NearestFew<Point>::find(tree, p, leaf, room, k)) {
+    NearestSoFar<Point> found(p, room, k);
+    find_nearest(tree, p, leaf, found);
+  }
   for (std::size_t i = 0; i < k; ++i) out[i] = {room[i].number, distance_between(p, room[i].at)};
 }
 

@@ -13,6 +13,9 @@
 
 namespace plumb::space::kd {
 
+/// In the order of their leaves queries are met anywhere in memory: so many ahead they are sent for.  By measurement.
+inline constexpr std::size_t asked_ahead = 4;
+
 /// Calls work(from, keys) for each block of queries: the number of its first, and the keys of find_leaves.
 template <class Point, class Work>
 void in_query_order(const KdTree<Point>& tree, std::span<const Point> queries, Execution execution, const Work& work) {

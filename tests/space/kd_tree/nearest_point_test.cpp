@@ -117,6 +117,34 @@ TEST(NearestPointOfATree, ManyEqualPointsAndOneUlpOff) {
   EXPECT_EQ(nearest(build_kd_tree(all), {1, 0.2, 0.3}).index, all.size() / 2);
 }
 
+TEST(NearestPointOfATree, UpToNineOfMoreThatTie) {
+  for (const int square : {1, 2, 5, 9, 26}) {  // 6, 12, 24, 30 and 72 lattice points are as far
+    Entropy e(7303, static_cast<std::uint64_t>(square));
+    std::vector<Point3> all;
+    for (int x = -7; x <= 7; ++x) {
+      for (int y = -7; y <= 7; ++y) {
+        for (int z = -7; z <= 7; ++z) {
+          const int own = x * x + y * y + z * z;
+          if (own == square || own == 50)
+            all.insert(all.begin() + static_cast<std::ptrdiff_t>(e.below(all.size() + 1)), {1.0 * x, 1.0 * y, 1.0 * z});
+        }
+      }
+    }
+    const auto order = point_sets::sorted_by_distance(all, Point3{});
+    for (const std::uint32_t most_in_leaf : {1u, 8u, 200u}) {
+      const auto tree = build_kd_tree(all, {.most_in_leaf = most_in_leaf});
+      for (const std::string_view set : batch_instruction_sets()) {
+        certify::batch::take_instruction_set(set);
+        for (std::size_t k = 1; k <= 9; ++k) {
+          const auto found = nearest(tree, {}, k);
+          for (std::size_t i = 0; i < k; ++i) ASSERT_EQ(found[i].index, order[i]) << i << " of " << k << " by " << set;
+        }
+      }
+    }
+  }
+  certify::batch::take_instruction_set({});
+}
+
 TEST(NearestPointOfATree, FromOneEndOfDoublesToTheOther) {
   const double most = std::numeric_limits<double>::max(), least = 0x1p-1074;
   const std::vector<Point3> all{{most, most, most}, {most, most, 0}, {0, 0, least}, {0, 0, 3 * least}, {1, 0, 0}};
