@@ -1,5 +1,6 @@
 #include "plumb/query/penetration/penetration.hpp"
 
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
 #include "plumb/arith/ball.hpp"
 #include "query/penetration/facet_lengths.hpp"
@@ -128,8 +129,6 @@ Penetration exact_numbers(const Told& t) {
   return p;
 }
 
-Rational rational(const mpq_class& x) { return Rational(BigRational{x}); }
-
 ExactVector3 primitive(const Vec<mpq_class>& v) {
   const std::array all{v.x, v.y, v.z};
   mpz_class denominators = 1, divisor = 0;
@@ -137,7 +136,7 @@ ExactVector3 primitive(const Vec<mpq_class>& v) {
   for (const mpq_class& x : all) divisor = gcd(divisor, mpz_class(x.get_num() * (denominators / x.get_den())));
   mpq_class factor(denominators, divisor);
   factor.canonicalize();
-  return {rational(v.x * factor), rational(v.y * factor), rational(v.z * factor)};
+  return {exact_number(v.x * factor), exact_number(v.y * factor), exact_number(v.z * factor)};
 }
 
 }  // namespace
@@ -155,10 +154,10 @@ std::optional<ExactPenetration> exact_penetration_of(const BodyView& a, const Bo
   const Lengths<mpq_class> n(told->difference(), told->parting.way, told->flush.in_plane);
   const mpq_class share = n.overlap / n.square, square = n.overlap * share;
   return ExactPenetration{primitive(n.way),
-                          {rational(n.way.x * share), rational(n.way.y * share), rational(n.way.z * share)},
-                          rational(square),
+                          {exact_number(n.way.x * share), exact_number(n.way.y * share), exact_number(n.way.z * share)},
+                          exact_number(square),
                           told->parting.cores_are_apart,
-                          rational(told->radii.value_or(0)),
+                          exact_number(told->radii.value_or(0)),
                           told->flush.a,
                           told->flush.b,
                           told->parting.is_unique};

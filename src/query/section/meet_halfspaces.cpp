@@ -1,5 +1,6 @@
 #include "query/section/meet_halfspaces.hpp"
 
+#include "arith/exact_number.hpp"
 #include "query/section/solid_faces.hpp"
 
 namespace plumb::query::meeting {
@@ -75,9 +76,7 @@ Exact3 primitive(const Exact3& v) {
   return mpq_class(multiple, divisor) * v;
 }
 
-RationalPoint3 rational_of(const Exact3& p) {
-  return {Rational(BigRational{p[0]}), Rational(BigRational{p[1]}), Rational(BigRational{p[2]})};
-}
+RationalPoint3 rational_of(const Exact3& p) { return {exact_number(p[0]), exact_number(p[1]), exact_number(p[2])}; }
 
 SolidIntersection3 meet_halfspaces(const std::vector<ExactHalfspace>& halfspaces) {
   const FlatSet s = flat_set(halfspaces);
