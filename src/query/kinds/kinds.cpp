@@ -272,7 +272,7 @@ std::vector<Kind> meetings() {
 
 std::vector<Kind> others() {
   constexpr Tolerance fine{.ulps = 1 << 12, .relative = 0};
-  constexpr Tolerance coarse{.ulps = 1 << 12, .relative = 0x1p-40};
+  constexpr Tolerance coarse{.ulps = 1 << 12, .relative = 0x1p-40};  // a guess of what good code reaches
   return {
       {"ray-triangle",
        "where does a ray hit a triangle?",
