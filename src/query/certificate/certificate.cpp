@@ -14,15 +14,8 @@ namespace {
 
 /// The same way in integers without a common factor.
 ExactVector3 direction_in_integers(const Exact3& n) {
-  mpz_class denominators = 1, factors = 0;
-  for (const mpq_class& x : n) denominators = lcm(denominators, x.get_den());
-  std::array<mpz_class, 3> whole;
-  for (std::size_t k = 0; k < 3; ++k) {
-    whole[k] = n[k].get_num() * (denominators / n[k].get_den());
-    factors = gcd(factors, whole[k]);
-  }
-  const auto over = [&](const mpz_class& x) { return exact_number(mpq_class(mpz_class(x / factors))); };
-  return {over(whole[0]), over(whole[1]), over(whole[2])};
+  const Exact3 whole = primitive(n);
+  return {exact_number(whole[0]), exact_number(whole[1]), exact_number(whole[2])};
 }
 
 /// Nearly the same way in doubles: a guess.

@@ -68,14 +68,6 @@ SolidIntersection3 unbounded_set(const FlatSet& s) {
 
 }  // namespace
 
-Exact3 primitive(const Exact3& v) {
-  if (is_zero(v)) return v;
-  mpz_class multiple = 1, divisor = 0;
-  for (const mpq_class& x : v) multiple = lcm(multiple, x.get_den());
-  for (const mpq_class& x : v) divisor = gcd(divisor, mpz_class(x * multiple));
-  return mpq_class(multiple, divisor) * v;
-}
-
 RationalPoint3 rational_of(const Exact3& p) { return {exact_number(p[0]), exact_number(p[1]), exact_number(p[2])}; }
 
 SolidIntersection3 meet_halfspaces(const std::vector<ExactHalfspace>& halfspaces) {

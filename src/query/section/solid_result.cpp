@@ -12,7 +12,7 @@ Exact3 exact_vertex(const ExactPoint3& p) {
 }
 
 RationalHalfspace3 plane_of_corners(const Exact3& a, const Exact3& b, const Exact3& c) {
-  const Exact3 normal = meeting::primitive(cross(b - a, c - a));
+  const Exact3 normal = primitive(cross(b - a, c - a));
   return {meeting::rational_of(normal), exact_number(dot(normal, a))};
 }
 
