@@ -2,18 +2,9 @@
 
 #include <bit>
 
+#include "arith/splitmix.hpp"
+
 namespace plumb {
-
-namespace {
-
-std::uint64_t splitmix64(std::uint64_t& state) {
-  std::uint64_t z = (state += 0x9e3779b97f4a7c15);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
-
-}  // namespace
 
 Entropy::Entropy(std::uint64_t start, std::uint64_t index) {
   // Two rounds, so that neighboring runs and neighboring cases share no states.

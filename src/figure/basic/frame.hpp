@@ -5,6 +5,7 @@
 // Cost: some 50 ns.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -38,11 +39,20 @@ inline Vector3 unit(const Vector3& v) {
 
 /// What is left of v beside a unit vector, and whether that is more than roundings, as guesses go.
 inline bool beside(const Vector3& u, Vector3& v) {
+  constexpr double mere_roundings = 0x1p-40;  // a guess: the part of v that two projections may leave of a parallel one
   const Vector3 w = minus(v, times(u, dot(u, v)));
   const Vector3 rest = minus(w, times(u, dot(u, w)));
-  const bool enough = largest(rest) > largest(v) * 0x1p-40;
+  const bool enough = largest(rest) > largest(v) * mere_roundings;
   v = unit(rest);
   return enough;
+}
+
+/// How far outward to move at first what roundings may have left short, of lengths about 1 in units of 2^exponent; the
+/// guess grows until all is proved to be held.
+inline double first_margin(int exponent) {
+  constexpr double some_ulps = 0x1p-51;  // a guess, as is the other: some of the least doubles
+  constexpr int least = -1070;
+  return std::max(some_ulps, std::ldexp(1.0, least - exponent));
 }
 
 /// The axis of space that is farthest from v.

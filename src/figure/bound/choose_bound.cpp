@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "arith/splitmix.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/bound/hull_overlap.hpp"
 #include "plumb/arith/error.hpp"
@@ -27,7 +28,6 @@ namespace {
 
 using Points = std::vector<Point3>;
 
-/// splitmix64 (Steele, Lea and Flood 2014).
 class Random {
  public:
   explicit Random(std::uint64_t start) : state_(start) {}
@@ -36,17 +36,10 @@ class Random {
   std::int64_t within(std::int64_t most) {
     const auto range = static_cast<std::uint64_t>(2 * most + 1);
     __extension__ using Wide = unsigned __int128;
-    return static_cast<std::int64_t>(static_cast<Wide>(next()) * range >> 64) - most;
+    return static_cast<std::int64_t>(static_cast<Wide>(splitmix64(state_)) * range >> 64) - most;
   }
 
  private:
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-  }
-
   std::uint64_t state_;
 };
 

@@ -80,7 +80,8 @@ bool meet_by_rationals(std::span<const Point3> a, std::span<const Point3> b) {
 
 bool hulls_meet(std::span<const Point3> a, std::span<const Point3> b) {
   Simplex simplex(corner(a[0], b[0]));
-  for (int step = 0; step < 64; ++step) {
+  constexpr int most_steps = 64;  // a guess: the rest is left to what is asked then
+  for (int step = 0; step < most_steps; ++step) {
     const Plain at = simplex.nearest();
     const Simplex::Corner next = corner(farthest(a, at, -1), farthest(b, at, 1));
     if (arith::dot(next.at, at) > 0 && proves_apart(a, b, at)) return false;

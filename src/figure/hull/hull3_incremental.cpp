@@ -2,6 +2,7 @@
 //
 // A new face joins the horizon's edge with the apex, so what is above it was above one of the two faces at that edge:
 // its plane's normal is a combination of theirs with factors that are not negative.
+#include "arith/splitmix.hpp"
 #include "figure/hull/hull3_methods.hpp"
 
 namespace plumb::figure::hull3 {
@@ -10,12 +11,7 @@ namespace {
 /// Always the same way: each place is swapped with one up to it, by the numbers of splitmix64.
 void shuffle(std::vector<Id>& order) {
   std::uint64_t state = 0;
-  for (std::size_t i = order.size(); i > 1; --i) {
-    std::uint64_t x = state += 0x9e3779b97f4a7c15;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    std::swap(order[i - 1], order[(x ^ (x >> 31)) % i]);
-  }
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[splitmix64(state) % i]);
 }
 
 class ConflictGraph {

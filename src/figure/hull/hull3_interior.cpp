@@ -89,9 +89,10 @@ class DirectionColumns {
     for (Id f = 0; f < hull.faces().size(); ++f) {
       if (hull.faces()[f].alive()) run_over(hull, f, inside);
     }
-    // Both ends are known by their faces; each is taken a little inside.
+    // Both ends are known by their faces; each is taken a little inside, by a guess of what roundings move.
+    constexpr double little = 4096;
     for (Between& i : inside) {
-      const double margin = (i.max - i.min) / 4096;
+      const double margin = (i.max - i.min) / little;
       i = {i.min + margin, i.max - margin};
     }
     check(hull, inside);
@@ -190,7 +191,8 @@ std::vector<Node> outer_nodes(std::span<const Point3> points, const Extents& ext
   std::vector<Node> sample = sample_of(points);
   const Start start = find_start(sample);
   if (start.dimension < 3) return all_nodes(points);
-  DirectionColumns columns(extents, points.size() < 16 * least_points ? 32 : 64);
+  constexpr std::size_t many_points = 16 * least_points, fewer = 32, more = 64;  // guesses, of lines either way
+  DirectionColumns columns(extents, points.size() < many_points ? fewer : more);
   if (!columns.sound()) return all_nodes(points);
   Surface hull(std::move(sample), extents);
   grow_quickhull(hull, start.simplex, false);

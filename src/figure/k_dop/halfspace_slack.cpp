@@ -12,6 +12,7 @@ namespace {
 // violations, as a part of the largest limit, for none.
 constexpr int most_pivots = 60;
 constexpr double nothing = 0x1p-30, no_violation = 0x1p-40;
+constexpr double most_scale = 0x1p1000, least_scale = 1 / most_scale;  // powers of two whose inverses are doubles
 
 double certain_part(const Running& x) { return std::fabs(x.value) > x.error ? x.value : 0; }
 /// The power of two in a number that is not negative; infinite or zero beyond and below those of normal size.
@@ -27,7 +28,7 @@ void HalfspaceSlack::reserve(std::size_t rows) {
 }
 
 void HalfspaceSlack::add(const Near& row, double unit) {
-  const double by = std::clamp(power_below(unit), 0x1p-1000, 0x1p1000), times = 1 / by;  // powers of two
+  const double by = std::clamp(power_below(unit), least_scale, most_scale), times = 1 / by;  // powers of two
   rows_.push_back({row, by});
   const auto part = [times](const Running& x) { return certain_part(x) * times; };
   guess_.push_back({{part(row.normal[0]), part(row.normal[1]), part(row.normal[2])}, part(row.limit)});

@@ -52,10 +52,11 @@ FoundBox box_along(const HullModel& model, const Vector3& direction) {
 }
 
 FoundBox turned_about_axes(const HullModel& model, FoundBox box) {
-  constexpr int most_rounds = 16;  // each halves what is left to gain, as a rule
+  constexpr int most_rounds = 16;       // each halves what is left to gain, as a rule
+  constexpr double gain = 1 - 0x1p-40;  // a guess: a volume that is not less than this part is no gain
   for (int round = 0, idle = 0; round < 3 * most_rounds && idle < 3; ++round) {
     const FoundBox next = box_along(model, box.axes[static_cast<std::size_t>(round % 3)]);
-    const bool better = next.volume < box.volume * (1 - 0x1p-40);  // a guess of what is a gain
+    const bool better = next.volume < box.volume * gain;
     idle = better ? 0 : idle + 1;
     if (better) box = {{next.axes[0], next.axes[1], next.axes[2]}, next.volume};
   }

@@ -17,10 +17,11 @@ namespace {
 using arith::cross, arith::dot, arith::Vec;
 using Enclosed = Vec<Ball>;
 
-// What is so small that its square is unknown, as zero give or take that much: which is so small is a guess.
+// What is so small that its square is unknown, as zero give or take that much.
 Ball squarable(const Ball& x) {
-  return std::fabs(x.high) < 0x1p-400 ? Ball{0, 0, Ball::widened((std::fabs(x.high) + std::fabs(x.low)) + x.radius)}
-                                      : x;
+  constexpr double no_square = 0x1p-400;  // a guess: products of four such numbers are lost
+  return std::fabs(x.high) < no_square ? Ball{0, 0, Ball::widened((std::fabs(x.high) + std::fabs(x.low)) + x.radius)}
+                                       : x;
 }
 
 // Of a vector of magnitude one or so.
@@ -44,10 +45,11 @@ Enclosed near(const Vec<BigDyadic>& v) {
   return {part(v.x), part(v.y), part(v.z)};
 }
 
-// Is each coordinate known well, and of a size that lengths can be had of?  A guess of which way to take.
+// Is each coordinate known well, and of a size that lengths can be had of?
 bool is_known(const Enclosed& v) {
+  constexpr double least = 0x1p-200, greatest = 0x1p200, well = 0x1p-60;  // guesses of which way to take
   const double most = std::max({std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)});
-  return most > 0x1p-200 && most < 0x1p200 && std::max({v.x.radius, v.y.radius, v.z.radius}) < most * 0x1p-60;
+  return most > least && most < greatest && std::max({v.x.radius, v.y.radius, v.z.radius}) < most * well;
 }
 
 // Points brought near to magnitude one by a power of two, where they are far from it, which is a guess; and whether that
@@ -58,9 +60,10 @@ struct Scaled {
   bool exact = true;
 
   explicit Scaled(std::span<const Point3> given) : points(given.begin(), given.end()) {
+    constexpr double least = 0x1p-300, greatest = 0x1p300;  // guesses of what is near enough
     double most = 0;
     for (const Point3& p : given) most = std::max({most, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    if (most > 0x1p-300 && most < 0x1p300) return;  // near enough: the guess
+    if (most > least && most < greatest) return;
     exponent = frame::exponent(most);
     for (Point3& p : points) {
       for (double* x : {&p.x, &p.y, &p.z}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "arith/splitmix.hpp"
 #include "figure/sphere/point_scan.hpp"
 #include "plumb/arith/error.hpp"
 
@@ -130,14 +131,6 @@ Sphere3 grown(Sphere3 s, const LocalPoints& points) {
   return s;
 }
 
-/// A fixed stream of 64 bits a call (splitmix64): the same order everywhere.
-std::uint64_t next_of(std::uint64_t& state) {
-  std::uint64_t x = state += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 }  // namespace
 }  // namespace figure::sphere
 
@@ -169,7 +162,7 @@ Sphere3 fit_sphere_iterated_ritter(std::span<const Point3> points, const Iterate
   for (int k = 0; k < options.iterations; ++k) {
     s.radius *= options.shrink;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      std::swap(moved[i], moved[i + figure::sphere::next_of(state) % (moved.size() - i)]);
+      std::swap(moved[i], moved[i + splitmix64(state) % (moved.size() - i)]);
       figure::sphere::grow(s, moved[i]);
     }
     if (s.radius < best.radius) best = s;

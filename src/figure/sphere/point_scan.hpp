@@ -49,9 +49,10 @@ inline double half_width(const Extent<Point3>& e) {
   return std::max({e.max.x / 2 - e.min.x / 2, e.max.y / 2 - e.min.y / 2, e.max.z / 2 - e.min.z / 2});
 }
 
-/// A power of two that brings this width to the order of 1; 1 where doubles need no such help, a guess.
+/// A power of two that brings this width to the order of 1; 1 where doubles need no such help.
 inline double scale_for(double width) {
-  if (width == 0 || (width > 0x1p-300 && width < 0x1p300)) return 1;
+  constexpr double least = 0x1p-300, greatest = 0x1p300;  // guesses: squares of what is between them are doubles
+  if (width == 0 || (width > least && width < greatest)) return 1;
   return std::ldexp(1.0, std::clamp(-std::ilogb(width), -1021, 1022));
 }
 

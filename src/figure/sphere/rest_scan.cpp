@@ -141,8 +141,9 @@ void RestScan<Spanned>::move_base(const FineBall<Spanned>& ball) {
 
 template <class Spanned>
 void RestScan<Spanned>::aim(const FineBall<Spanned>& ball) {
-  // A guess: where doubles left many open, the ball has moved too far.
-  if (of_block_.empty() || named_ > 64 + points_.size() / 64) move_base(ball);
+  // Guesses: where doubles left many open, the ball has moved too far.
+  constexpr std::size_t some = 64, one_of = 64;
+  if (of_block_.empty() || named_ > some + points_.size() / one_of) move_base(ball);
   named_ = 0;
   Ball middle = ball.square - Ball(square_);
   Interval off(0);

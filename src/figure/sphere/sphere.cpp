@@ -105,7 +105,8 @@ template <class Ball>
 bool is_large(const Ball& ball) {
   double most = ball.radius;
   for (const double x : coordinates(ball.center)) most = std::fmax(most, std::fabs(x));
-  return most > 0x1p1000;
+  constexpr double large = 0x1p1000;  // a guess of where sums might overflow on the way
+  return most > large;
 }
 
 template <class Ball>
@@ -115,8 +116,9 @@ Ball merged(std::string_view function, const Ball& one, const Ball& other) {
   if (holds(a, b)) return a;
   if (holds(b, a)) return b;
   auto center = a.center;
-  if (is_large(a) || is_large(b)) {  // scaled by powers of two for the guess
-    center = times(Ball{center_between(times(a, 0x1p-16), times(b, 0x1p-16)), 0}, 0x1p16).center;
+  if (is_large(a) || is_large(b)) {
+    constexpr double up = 0x1p16, down = 1 / up;  // powers of two, for the guess
+    center = times(Ball{center_between(times(a, down), times(b, down)), 0}, up).center;
   } else {
     center = center_between(a, b);
   }

@@ -107,8 +107,9 @@ ImageAxis axis(Polynomial polynomial, Numbers... x) {
   if (down == up) return {up, Interval(0)};
   const double value =
       figure::within_doubles(rounded_value(Rounding::nearest, polynomial, x...), "transform", "center");
+  constexpr double largest_ulp = 0x1p971;
   // Exact and nearest lie between neighbors, or beyond the last double by half of its ulp at the most.
-  const Interval gap = up - down < HUGE_VAL ? Interval(up) - Interval(down) : Interval(0x1p971);
+  const Interval gap = up - down < HUGE_VAL ? Interval(up) - Interval(down) : Interval(largest_ulp);
   return {value, gap * Interval(0.5)};
 }
 

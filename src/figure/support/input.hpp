@@ -18,10 +18,11 @@ constexpr Point3 raised(const Point2& p) { return {p.x, p.y, 0}; }
 constexpr Vector3 raised(const Vector2& v) { return {v.x, v.y, 0}; }
 
 /// The same direction, of a size at which products neither overflow nor vanish, where doubles hold that: a scaling,
-/// exact, for what a guess says is too large or small.
+/// exact.
 inline Vector3 handy(const Vector3& d) {
+  constexpr double least = 0x1p-200, greatest = 0x1p200;  // guesses of what is handy as it is
   const double most = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-  if (most == 0 || (most > 0x1p-200 && most < 0x1p200)) return d;
+  if (most == 0 || (most > least && most < greatest)) return d;
   const int by = std::ilogb(most);
   const auto scaled = [&](double x, int e) { return std::scalbn(x, e); };
   const Vector3 s{scaled(d.x, -by), scaled(d.y, -by), scaled(d.z, -by)};

@@ -83,14 +83,16 @@ std::array<double, 4> near_parts(const Vector3& d, const std::array<Vector3, 4>&
       change = std::fmax(change, std::fabs(next - part[i]));
       part[i] = next;
     }
-    if (change < 0x1p-20) break;  // a guess for what is proved after it
+    constexpr double settled = 0x1p-20;  // a guess, for what is proved after it
+    if (change < settled) break;
   }
   return part;
 }
 
 /// A guess of the vector made a little shorter than 1, where the filter proves that it is.
 std::optional<Vector3> shortened(const Vector3& n) {
-  const double shrink = (1 - 0x1p-50) / std::sqrt(product(n, n));
+  constexpr double a_little_shorter = 1 - 0x1p-50;  // a guess: less than roundings make of a length
+  const double shrink = a_little_shorter / std::sqrt(product(n, n));
   const Vector3 s{n.x * shrink, n.y * shrink, n.z * shrink};
   return filter<Shorter>({s.x, s.y, s.z, 1.0}) > 0 ? std::optional(s) : std::nullopt;
 }

@@ -22,8 +22,10 @@ constexpr double largest = std::numeric_limits<double>::max();
 
 /// Times 2^e, by powers of two, outward.
 Interval scaled(Interval x, int e) {
-  for (; e > 1000; e -= 1000) x = x * Interval(0x1p1000);
-  for (; e < -1000; e += 1000) x = x * Interval(0x1p-1000);
+  constexpr int step = 1000;
+  constexpr double up = 0x1p1000, down = 1 / up;  // powers of two
+  for (; e > step; e -= step) x = x * Interval(up);
+  for (; e < -step; e += step) x = x * Interval(down);
   return x * Interval(std::ldexp(1.0, e));
 }
 Vec<Interval> scaled(const Vec<Interval>& v, int e) { return {scaled(v.x, e), scaled(v.y, e), scaled(v.z, e)}; }
@@ -102,8 +104,7 @@ std::optional<Cylinder3> enclosing(std::span<const Disk> disks, const Vector3& d
                   world([](const Vector3& v) { return v.z; })};
   };
   const auto local = [&](const Point3& p) { return scaled(arith::vec<Interval>(p), -exponent); };
-  // A guess, until intervals prove that all is held.
-  for (double margin = std::max(0x1p-51, std::ldexp(1.0, -1070 - exponent)); margin < 4; margin *= 4) {
+  for (double margin = figure::frame::first_margin(exponent); margin < 4; margin *= 4) {
     Cylinder3 c{end(least - margin), end(most + margin), 0};
     const Vec<Interval> a = local(c.a), b = local(c.b), along = b - a;
     double radius = 0;

@@ -5,6 +5,7 @@
 
 #include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
 #include "figure/measures/local_frame.hpp"
 #include "figure/swept_sphere/swept_guess.hpp"
@@ -168,14 +169,14 @@ Cylinder3 fit_cylinder(std::span<const Point3> points) {
   const Point2 center = minimum_circle(across).circle.center;
   Cylinder3 c{};
   // The planes of the ends move outward, from a guess, until no point is beyond them.
-  const double unit = std::max(0x1p-51, std::ldexp(1.0, -1070 - frame.exponent));
   const auto end = [&](double along) {
     constexpr double largest = std::numeric_limits<double>::max();
     const Point3 p = frame.world({along, center.x, center.y});
     return Point3{std::clamp(p.x, -largest, largest), std::clamp(p.y, -largest, largest),
                   std::clamp(p.z, -largest, largest)};
   };
-  for (double margin = unit;; margin *= 4) {  // until it is beyond all doubles, and throws
+  for (double margin = figure::frame::first_margin(frame.exponent);;
+       margin *= 4) {  // until it is beyond all doubles, and throws
     figure::within_doubles(margin, "fit_cylinder", "an end");
     c.a = end(least - margin);
     c.b = end(most + margin);

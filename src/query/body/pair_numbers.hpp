@@ -10,6 +10,7 @@
 
 #include "arith/big_rounding.hpp"
 #include "arith/certain.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/rational.hpp"
 #include "query/body/vectors.hpp"
@@ -79,7 +80,7 @@ double nearest_distance(const ClosePair<BigDyadic, Point>& pair) {
 
 template <class Point>
 Rational square_of(const ClosePair<BigDyadic, Point>& pair) {
-  return Rational(big_rational(pair.square)) / Rational(big_rational(pair.square_whole));
+  return exact_number(pair.square) / exact_number(pair.square_whole);
 }
 
 }  // namespace plumb::query

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arith/exact_number.hpp"
 #include "arith/running_error.hpp"
 #include "query/certificate/evidence.hpp"
-#include "query/certificate/number.hpp"
 #include "query/certificate/sound_bodies.hpp"
 #include "query/separation/told_pair.hpp"
 
@@ -14,24 +14,19 @@ namespace {
 
 /// The same way in integers without a common factor.
 ExactVector3 direction_in_integers(const Exact3& n) {
-  mpz_class denominators = 1, factors = 0;
-  for (const mpq_class& x : n) denominators = lcm(denominators, x.get_den());
-  std::array<mpz_class, 3> whole;
-  for (std::size_t k = 0; k < 3; ++k) {
-    whole[k] = n[k].get_num() * (denominators / n[k].get_den());
-    factors = gcd(factors, whole[k]);
-  }
-  const auto over = [&](const mpz_class& x) { return rational(mpq_class(mpz_class(x / factors))); };
-  return {over(whole[0]), over(whole[1]), over(whole[2])};
+  const Exact3 whole = primitive(n);
+  return {exact_number(whole[0]), exact_number(whole[1]), exact_number(whole[2])};
 }
 
 /// Nearly the same way in doubles: a guess.
 ExactVector3 direction_in_doubles(const ExactVector3& n) {
-  const auto bits = [](const Rational& x) { return static_cast<long>(mpz_sizeinbase(number(x).get_num_mpz_t(), 2)); };
+  const auto bits = [](const Rational& x) {
+    return static_cast<long>(mpz_sizeinbase(gmp_number(x).get_num_mpz_t(), 2));
+  };
   const long most = std::max({bits(n.x), bits(n.y), bits(n.z)});
   const auto rounded = [most](const Rational& x) {
     long exponent = 0;
-    const double part = mpz_get_d_2exp(&exponent, number(x).get_num_mpz_t());
+    const double part = mpz_get_d_2exp(&exponent, gmp_number(x).get_num_mpz_t());
     return Rational(std::ldexp(part, static_cast<int>(std::max(exponent - most, -1000L))));
   };
   return {rounded(n.x), rounded(n.y), rounded(n.z)};
@@ -51,7 +46,7 @@ bool leaves_gap(const ExactVector3& n, const Body& a, const Body& b, const mpq_c
     begin = std::min(begin, dot(way, b.corners.at<Running>(i)).lower());
   if (!(begin > end) || !std::isfinite(begin) || !std::isfinite(end)) return false;
   const mpq_class gap = mpq_class(begin) - mpq_class(end);
-  const mpq_class length = number(n.x * n.x + n.y * n.y + n.z * n.z);
+  const mpq_class length = gmp_number(n.x * n.x + n.y * n.y + n.z * n.z);
   return gap * gap > radii * radii * length;
 }
 
@@ -87,7 +82,8 @@ DistanceCertificate certified_distance(const BodyView& view_a, const BodyView& v
   const auto [a, b] = sound_bodies("distance_with_proof", view_a, view_b);
   const mpq_class radii = a.radius + b.radius;
   NearestDifference nearest = nearest_difference(a.corners, b.corners);
-  DistanceCertificate c{rounded_distance(nearest.square, radii), {rational(nearest.square), rational(radii)}, {}, {}};
+  DistanceCertificate c{
+      rounded_distance(nearest.square, radii), {exact_number(nearest.square), exact_number(radii)}, {}, {}};
   if (sgn(nearest.square) > 0) c.direction = direction_of(nearest);
   c.pairs = std::move(nearest.pairs);
   return c;

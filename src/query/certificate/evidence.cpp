@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "query/certificate/number.hpp"
+#include "arith/exact_number.hpp"
 #include "query/certificate/span.hpp"
 #include "query/convex/integer_difference.hpp"
 #include "query/separation/proved_corners.hpp"
@@ -37,7 +37,7 @@ Pairs pairs_of(const Search& search) {
   for (std::size_t i = 0; i < search.corners().size(); ++i) {
     const arith::DifferenceCorner& c = search.corners()[i];
     pairs.push_back({static_cast<std::uint32_t>(c.first), static_cast<std::uint32_t>(c.second),
-                     rational(mpq_class(search.weights()[i], search.whole()))});
+                     exact_number(mpq_class(search.weights()[i], search.whole()))});
   }
   return pairs;
 }
@@ -50,10 +50,10 @@ IntegerDifference integers_of(const CoreCorners& a, const CoreCorners& b) {
 Pairs weights_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic>(a, b, corners, ask);
-  const mpq_class whole = big_rational(n.whole).value;
+  const mpq_class whole = gmp_number(n.whole);
   Pairs pairs;
   for (std::size_t i = 0; i < corners.size; ++i)
-    pairs.push_back({corners.ends[i][0], corners.ends[i][1], rational(big_rational(n.weight[i]).value / whole)});
+    pairs.push_back({corners.ends[i][0], corners.ends[i][1], exact_number(gmp_number(n.weight[i]) / whole)});
   return pairs;
 }
 
@@ -155,7 +155,7 @@ class AroundOrigin {
   /// The weights make -1 / 2^bits times the pair; with that much of it they make the origin.
   static Pairs around(const WeightedPair& pair, Pairs pairs, mp_bitcnt_t bits) {
     pairs.push_back(pair);
-    pairs.back().weight = rational(mpq_class(1, mpz_class(1) << bits));
+    pairs.back().weight = exact_number(mpq_class(1, mpz_class(1) << bits));
     const Rational whole = Rational(1) + pairs.back().weight;
     for (WeightedPair& p : pairs) p.weight = p.weight / whole;
     return pairs;
@@ -176,7 +176,7 @@ NearestDifference nearest_difference(const CoreCorners& a, const CoreCorners& b)
   }
   for (const WeightedPair& p : nearest.pairs) {
     const Exact3 d = in_rationals(difference_of<mpq_class>(a, b, {p.of_a, p.of_b}));
-    nearest.at = nearest.at + number(p.weight) * d;
+    nearest.at = nearest.at + gmp_number(p.weight) * d;
   }
   nearest.square = dot(nearest.at, nearest.at);
   return nearest;

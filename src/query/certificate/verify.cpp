@@ -1,8 +1,8 @@
 // The conditions of query/certificate/certificate.hpp, one by one, in rational numbers.  Nothing is searched for.
 #include "plumb/query/certificate/verify.hpp"
 
+#include "arith/exact_number.hpp"
 #include "query/certificate/is_rounded.hpp"
-#include "query/certificate/number.hpp"
 #include "query/certificate/span.hpp"
 #include "query/separation/convex_body.hpp"
 
@@ -30,7 +30,7 @@ Weighed weighed(const Pairs& pairs, const Body& a, const Body& b) {
     const auto flawed = [&](const char* what) { return Weighed{"pair " + std::to_string(i) + what}; };
     if (pairs[i].of_a >= a.corners.size()) return flawed(" names a vertex that a has not");
     if (pairs[i].of_b >= b.corners.size()) return flawed(" names a vertex that b has not");
-    const mpq_class& weight = number(pairs[i].weight);
+    const mpq_class& weight = gmp_number(pairs[i].weight);
     if (sgn(weight) <= 0) return flawed(" has a weight that is not above zero");
     sum += weight;
     w.d = w.d + difference(a, b, pairs[i]) * weight;
@@ -100,7 +100,7 @@ std::string flaw_of_intersecting(const Exact& d, const mpq_class& reach) {
   return square(d) <= reach ? "" : "the points of the pairs are farther apart than the radii reach";
 }
 
-Exact exact(const ExactVector3& n) { return {number(n.x), number(n.y), number(n.z)}; }
+Exact exact(const ExactVector3& n) { return {gmp_number(n.x), gmp_number(n.y), gmp_number(n.z)}; }
 
 }  // namespace
 
@@ -124,8 +124,8 @@ ProofVerdict verdict_on(const DistanceCertificate& c, const BodyView& view_a, co
   const auto [a, b] = bodies_of("verify", view_a, view_b);
   const auto [flaw, d] = weighed(c.pairs, a, b);
   if (!flaw.empty()) return {flaw};
-  if (number(c.exact.inset) != a.radius + b.radius) return {"the inset is not the sum of the radii"};
-  if (number(c.exact.square) != square(d)) return {"the square is not that of the points of the pairs"};
+  if (gmp_number(c.exact.inset) != a.radius + b.radius) return {"the inset is not the sum of the radii"};
+  if (gmp_number(c.exact.square) != square(d)) return {"the square is not that of the points of the pairs"};
   if (!is_rounded(c.distance, square(d), a.radius + b.radius))
     return {"the distance is not rounded to the nearest double"};
   if (Span<mpq_class>::is_zero(d)) return {c.direction ? "a direction is of no use" : ""};

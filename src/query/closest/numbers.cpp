@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
 
 namespace plumb::query {
@@ -93,7 +94,7 @@ Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double r
 }
 
 Rational rational_square(const Foot<BigDyadic>& foot) {
-  return Rational(big_rational(foot.square())) / Rational(big_rational(foot.over()));
+  return exact_number(foot.square()) / exact_number(foot.over());
 }
 
 double rounded_part(const Foot<Ball>& foot, const ExactFoot& exactly) {

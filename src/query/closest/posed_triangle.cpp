@@ -2,6 +2,7 @@
 // the closest points, as in straight_search.hpp.
 #include "query/closest/posed_triangle.hpp"
 
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
 #include "certify/certainly.hpp"
 #include "query/closest/numbers.hpp"
@@ -279,7 +280,7 @@ double distance(const PosedTriangle3& a, const PosedTriangle3& b) {
 }
 Rational squared_distance_exact(const PosedTriangle3& a, const PosedTriangle3& b) {
   const auto pair = least_pair_exactly(a, b, false);
-  return Rational(big_rational(pair.square)) / Rational(big_rational(pair.over));
+  return exact_number(pair.square) / exact_number(pair.over);
 }
 std::optional<std::array<Feature, 2>> quick_features(const PosedTriangle3& a, const PosedTriangle3& b) {
   CertainSigns ask;

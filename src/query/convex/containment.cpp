@@ -18,6 +18,25 @@ namespace {
 /// Is the root of c at most x?
 bool root_is_at_most(const mpq_class& c, const mpq_class& x) { return sgn(x) >= 0 && c <= x * x; }
 
+/// Does what is near to a place hold a point or a ball, of which the distance from there has this square?
+// root(square) + reach <= radius: 2 root(square reach^2) <= radius^2 - square - reach^2.
+bool core_holds(const mpq_class& square, const mpq_class& radius, const RoundPart& part,
+                const mpq_class& squared_scale) {
+  const mpq_class reach = part.radius * part.radius * squared_scale;
+  return root_is_at_most(4 * square * reach, radius * radius - square - reach);
+}
+
+bool ball_holds(const Exact3& center, const mpq_class& radius, const RoundPart& part, const mpq_class& squared_scale) {
+  const Exact3 w = part.at - center;
+  const mpq_class square = dot(w, w);
+  if (!part.is_disk) return core_holds(square, radius, part, squared_scale);
+  // Its farthest point is off the axis by the center's distance from there, and the disk's radius.
+  const Exact3 across = cross(w, part.axis);
+  const mpq_class off = dot(across, across) / dot(part.axis, part.axis);
+  const mpq_class reach = part.radius * part.radius * squared_scale;
+  return root_is_at_most(4 * reach * off, radius * radius - square - reach);
+}
+
 }  // namespace
 
 bool halfspace_holds(const ExactHalfspace& h, const RoundParts& inner) {
@@ -38,63 +57,45 @@ bool halfspace_holds(const ExactHalfspace& h, const RoundParts& inner) {
   });
 }
 
-// root(square) + reach <= radius: 2 root(square reach^2) <= radius^2 - square - reach^2.
-bool core_holds(const mpq_class& square, const mpq_class& radius, const RoundPart& part,
-                const mpq_class& squared_scale) {
-  const mpq_class reach = part.radius * part.radius * squared_scale;
-  return root_is_at_most(4 * square * reach, radius * radius - square - reach);
+RoundBody round_body(const FigureView& v) {
+  return with_figure(v, [](const auto& s) -> RoundBody {
+    if constexpr (requires { s.corner, s.radius; }) {
+      return {exact3(s.corner), exact3(s.edges[0]), exact3(s.edges[1]), s.radius, false};
+    } else if constexpr (requires { s.center, s.radius; }) {
+      return {exact3(s.center), {}, {}, s.radius, false};
+    } else if constexpr (requires { s.a, s.radius; }) {
+      const Exact3 a = exact3(s.a), along = exact3(s.b) - a;
+      const bool is_cylinder = std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>;
+      return {a, along, {}, s.radius, is_cylinder && !is_zero(along)};
+    } else {
+      return {};
+    }
+  });
 }
 
-bool ball_holds(const Exact3& center, const mpq_class& radius, const RoundPart& part, const mpq_class& squared_scale) {
-  const Exact3 w = part.at - center;
-  const mpq_class square = dot(w, w);
-  if (!part.is_disk) return core_holds(square, radius, part, squared_scale);
-  // Its farthest point is off the axis by the center's distance from there, and the disk's radius.
-  const Exact3 across = cross(w, part.axis);
-  const mpq_class off = dot(across, across) / dot(part.axis, part.axis);
-  const mpq_class reach = part.radius * part.radius * squared_scale;
-  return root_is_at_most(4 * reach * off, radius * radius - square - reach);
+std::vector<ExactHalfspace> ends_of(const RoundBody& round) {
+  if (!round.has_ends) return {};
+  const Exact3 back = mpq_class(-1) * round.along;
+  return {{round.along, dot(round.along, round.at + round.along)}, {back, dot(back, round.at)}};
 }
 
-bool tube_holds(const Exact3& from, const Exact3& axis, const mpq_class& radius, const RoundPart& part,
-                const mpq_class& squared_scale) {
-  const Exact3 across = cross(part.at - from, axis);
-  return core_holds(dot(across, across) / dot(axis, axis), radius, part, squared_scale);
+bool holds_near_core(const RoundBody& round, const RoundPart& part, const mpq_class& squared_scale) {
+  if (is_zero(round.along) && is_zero(round.second)) return ball_holds(round.at, round.radius, part, squared_scale);
+  if (!round.has_ends) {
+    const mpq_class square = squared_distance(part.at, round.at, round.along, round.second);
+    return core_holds(square, round.radius, part, squared_scale);
+  }
+  const Exact3 across = cross(part.at - round.at, round.along);
+  return core_holds(dot(across, across) / dot(round.along, round.along), round.radius, part, squared_scale);
 }
 
 namespace {
 
-template <class Numbers>
-Exact3 exact3(const Numbers& p) {
-  Exact3 x{mpq_class(p.x), mpq_class(p.y), 0};
-  if constexpr (requires { p.z; }) x[2] = p.z;
-  return x;
-}
-
 bool round_holds(const FigureView& outer, const RoundParts& inner) {
   if (!inner.directions.empty() || !inner.lines.empty()) return false;
-  const auto all = [&](const auto& holds_part) { return std::ranges::all_of(inner.parts, holds_part); };
-  return with_figure(outer, [&](const auto& s) {
-    if constexpr (requires { s.corner; }) {
-      const Exact3 c = exact3(s.corner), e = exact3(s.edges[0]), f = exact3(s.edges[1]);
-      return all([&](const RoundPart& part) { return core_holds(squared_distance(part.at, c, e, f), s.radius, part); });
-    } else if constexpr (requires { s.center, s.radius; }) {
-      return all([&](const RoundPart& part) { return ball_holds(exact3(s.center), s.radius, part); });
-    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>) {
-      const Exact3 a = exact3(s.a), axis = exact3(s.b) - a;
-      if (is_zero(axis)) return all([&](const RoundPart& part) { return ball_holds(a, s.radius, part); });
-      const Exact3 back = mpq_class(-1) * axis;
-      return halfspace_holds({axis, dot(axis, a + axis)}, inner) && halfspace_holds({back, dot(back, a)}, inner) &&
-             all([&](const RoundPart& part) { return tube_holds(a, axis, s.radius, part); });
-    } else if constexpr (requires { s.a, s.radius; }) {
-      const Exact3 a = exact3(s.a), along = exact3(s.b) - a;
-      return all([&](const RoundPart& part) {
-        return core_holds(squared_distance(part.at, a, along, {0, 0, 0}), s.radius, part);
-      });
-    } else {
-      return false;
-    }
-  });
+  const RoundBody round = round_body(outer);
+  return std::ranges::all_of(ends_of(round), [&](const ExactHalfspace& end) { return halfspace_holds(end, inner); }) &&
+         std::ranges::all_of(inner.parts, [&](const RoundPart& part) { return holds_near_core(round, part); });
 }
 
 /// Calls f(p) for the corners, where they are points as given and the hull of them is that of the figure.

@@ -1,5 +1,6 @@
 #include "query/convex/convex_view.hpp"
 
+#include "arith/exact_number.hpp"
 #include "query/body/figure_view.hpp"
 #include "query/convex/bound_value.hpp"
 
@@ -19,8 +20,6 @@ std::optional<ConvexSet<N>> set_of_view(const FigureView& v) {
   });
 }
 
-mpq_class number_of(const BigDyadic& x) { return big_rational(x).value; }
-
 template <class Vector>
 ExactHalfspace exact_halfspace(const Vector& normal, double offset, int sign) {
   ExactHalfspace h{{sign * mpq_class(normal.x), sign * mpq_class(normal.y), 0}, sign * mpq_class(offset)};
@@ -38,8 +37,8 @@ std::vector<ExactHalfspace> halfspaces_of_set(const ConvexSet<N>& set) {
     return e;
   };
   for (const Bound<N>& b : set.bounds) {
-    ExactHalfspace h{{}, -number_of(value<BigDyadic, N>(b, unit(N)))};
-    for (std::size_t axis = 0; axis < N; ++axis) h.normal[axis] = number_of(slope<BigDyadic, N>(b, unit(axis)));
+    ExactHalfspace h{{}, -gmp_number(value<BigDyadic, N>(b, unit(N)))};
+    for (std::size_t axis = 0; axis < N; ++axis) h.normal[axis] = gmp_number(slope<BigDyadic, N>(b, unit(axis)));
     const ExactHalfspace against{mpq_class(-1) * h.normal, -h.offset};
     if (b.side >= 0) all.push_back(h);
     if (b.side <= 0) all.push_back(against);

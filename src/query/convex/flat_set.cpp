@@ -114,6 +114,13 @@ Exact3 operator*(const mpq_class& t, const Exact3& v) {
   return {mpq_class(t * v[0]), mpq_class(t * v[1]), mpq_class(t * v[2])};
 }
 bool is_zero(const Exact3& v) { return sgn(v[0]) == 0 && sgn(v[1]) == 0 && sgn(v[2]) == 0; }
+Exact3 primitive(const Exact3& v) {
+  if (is_zero(v)) return v;
+  mpz_class multiple = 1, divisor = 0;
+  for (const mpq_class& x : v) multiple = lcm(multiple, x.get_den());
+  for (const mpq_class& x : v) divisor = gcd(divisor, mpz_class(x * multiple));
+  return mpq_class(multiple, divisor) * v;
+}
 
 FlatSet flat_set(const Point2& s) { return set_of_body(s); }
 FlatSet flat_set(const Point3& s) { return set_of_body(s); }

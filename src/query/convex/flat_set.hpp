@@ -92,5 +92,7 @@ Exact3 operator+(const Exact3& u, const Exact3& v);
 Exact3 operator-(const Exact3& u, const Exact3& v);
 Exact3 operator*(const mpq_class& t, const Exact3& v);
 bool is_zero(const Exact3& v);
+/// Of the same direction, of integers without a common factor; zero of zero.
+Exact3 primitive(const Exact3& v);
 
 }  // namespace plumb::query

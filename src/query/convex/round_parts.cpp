@@ -8,13 +8,6 @@
 namespace plumb::query {
 namespace {
 
-template <class Numbers>
-Exact3 exact_numbers(const Numbers& p) {
-  Exact3 x{mpq_class(p.x), mpq_class(p.y), 0};
-  if constexpr (requires { p.z; }) x[2] = p.z;
-  return x;
-}
-
 /// At both ends of an axis, or a ball where they are one.
 void add_disk(RoundParts& all, const Exact3& at, const Exact3& axis, double radius) {
   all.parts.push_back({at, mpq_class(radius), !is_zero(axis), axis});
@@ -49,7 +42,7 @@ mpq_class squared_distance(const Exact3& p, const Exact3& corner, const Exact3& 
 RoundParts round_parts(const FigureView& v) {
   RoundParts all;
   const auto add = [&](const auto& p, double radius) {
-    all.parts.push_back({exact_numbers(p), mpq_class(radius), false, {}});
+    all.parts.push_back({exact3(p), mpq_class(radius), false, {}});
   };
   const auto add_chain = [&](const auto& polygon) {
     for (const auto& p : polygon.vertices) add(p, 0);
@@ -57,13 +50,13 @@ RoundParts round_parts(const FigureView& v) {
   with_figure(v, [&](const auto& s) {
     if constexpr (requires { s.apex; }) {
       add(s.apex, 0);
-      add_disk(all, exact_numbers(s.base), exact_numbers(s.base) - exact_numbers(s.apex), s.radius);
+      add_disk(all, exact3(s.base), exact3(s.base) - exact3(s.apex), s.radius);
     } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>) {
-      const Exact3 a = exact_numbers(s.a), b = exact_numbers(s.b);
+      const Exact3 a = exact3(s.a), b = exact3(s.b);
       add_disk(all, a, b - a, s.radius);
       add_disk(all, b, b - a, s.radius);
     } else if constexpr (requires { s.corner; }) {
-      const Exact3 c = exact_numbers(s.corner), e = exact_numbers(s.edges[0]), f = exact_numbers(s.edges[1]);
+      const Exact3 c = exact3(s.corner), e = exact3(s.edges[0]), f = exact3(s.edges[1]);
       const std::array corners{c, Exact3(c + e), Exact3(c + f), Exact3(c + e + f)};
       for (const Exact3& p : corners) all.parts.push_back({p, mpq_class(s.radius), false, {}});
     } else if constexpr (requires { s.center, s.radius; }) {

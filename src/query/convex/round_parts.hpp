@@ -11,6 +11,14 @@
 
 namespace plumb::query {
 
+/// Of space; what is of the plane lies in z = 0.
+template <class Numbers>
+Exact3 exact3(const Numbers& p) {
+  Exact3 x{mpq_class(p.x), mpq_class(p.y), 0};
+  if constexpr (requires { p.z; }) x[2] = p.z;
+  return x;
+}
+
 struct RoundPart {
   Exact3 at;
   mpq_class radius;
@@ -30,14 +38,20 @@ mpq_class squared_distance(const Exact3& p, const Exact3& corner, const Exact3& 
 
 /// All parts, and what goes on forever?
 bool halfspace_holds(const ExactHalfspace& h, const RoundParts& inner);
-bool ball_holds(const Exact3& center, const mpq_class& radius, const RoundPart& part,
-                const mpq_class& squared_scale = 1);
-/// What is near to a line; of a point or a ball.
-bool tube_holds(const Exact3& from, const Exact3& axis, const mpq_class& radius, const RoundPart& part,
-                const mpq_class& squared_scale = 1);
-/// What is near to a place of which this is the square of the part's distance; of a point or a ball.
-bool core_holds(const mpq_class& square, const mpq_class& radius, const RoundPart& part,
-                const mpq_class& squared_scale = 1);
+/// All that is near to the points at + s along + t second, 0 <= s, t <= 1; with ends only what lies between the planes
+/// across `along` at its ends.
+struct RoundBody {
+  Exact3 at, along, second;
+  mpq_class radius;
+  bool has_ends;
+};
+
+/// Of a ball, a capsule, a lozenge or a cylinder, without its pose.
+RoundBody round_body(const FigureView& v);
+
+std::vector<ExactHalfspace> ends_of(const RoundBody& round);
+/// As far as the ends do not matter; a point or a ball, in a ball a disk too.
+bool holds_near_core(const RoundBody& round, const RoundPart& part, const mpq_class& squared_scale = 1);
 
 /// Throws where the figure is a polygon that is not convex.
 void require_convex_outer(const FigureView& outer);

@@ -84,9 +84,10 @@ ConvexSet<N> directed_set(const Point<N>& p, const Vector<N>& d, bool has_end) {
   ConvexSet<N> set;
   set.dimension = 1;
   Edge<N> edge{.from = has_end ? 0 : infinity, .to = infinity, .point = p, .direction = d, .named = true, .second = p};
+  constexpr double may_be_doubled = 0x1p1022;
   for (std::size_t axis = 0; axis < N; ++axis) {
     const Rounded sum = two_sum(part(p, axis), part(d, axis));
-    edge.named = edge.named && sum.error == 0 && magnitude_of(sum.value) <= 0x1p1022;
+    edge.named = edge.named && sum.error == 0 && magnitude_of(sum.value) <= may_be_doubled;
     part(edge.second, axis) = sum.value;
   }
   if (has_end) set.vertices = {p};

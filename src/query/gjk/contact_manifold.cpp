@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/convex/features.hpp"
 #include "query/gjk/body_pair.hpp"
@@ -14,7 +14,7 @@
 namespace plumb::query {
 namespace {
 
-Exact3 exact3(const RationalPoint3& p) { return {p.x.value().value, p.y.value().value, p.z.value().value}; }
+Exact3 exact3(const RationalPoint3& p) { return {gmp_number(p.x), gmp_number(p.y), gmp_number(p.z)}; }
 
 /// Those of the points that are farthest along the way.
 std::vector<Exact3> farthest(const std::vector<Exact3>& points, const Exact3& way) {

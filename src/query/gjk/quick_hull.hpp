@@ -46,7 +46,8 @@ class QuickHull {
   /// The same, from one that is likely near to it.
   [[nodiscard]] std::uint32_t farthest_from(const arith::Plain& along, std::uint32_t near) const {
     const arith::Plain n = pose_ == nullptr ? along : turned_back(along);
-    return solid_ == nullptr || size_ < 16 ? scanned(n) : climbed(n, near);
+    constexpr std::uint32_t few = 16;  // a guess: fewer are looked at sooner than neighbors are
+    return solid_ == nullptr || size_ < few ? scanned(n) : climbed(n, near);
   }
   /// Is every number of it one?
   [[nodiscard]] bool is_finite() const;
@@ -89,7 +90,8 @@ class QuickHull {
   }
   /// The best of these and some others here and there: a way around a large polyhedron is long.
   [[nodiscard]] std::uint32_t best_of_some(const arith::Plain& n, std::uint32_t best) const {
-    const std::uint32_t step = size_ >> (size_ < 512 ? 3 : 4);
+    constexpr std::uint32_t large = 512;  // guesses, and that 8 others will do, and 16 of a large one
+    const std::uint32_t step = size_ >> (size_ < large ? 3 : 4);
     double most = reach(best, n);
     for (std::uint32_t i = step >> 1; i < size_; i += step) {
       const double r = reach(i, n);

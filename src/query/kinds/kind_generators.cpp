@@ -46,7 +46,8 @@ void fill_frames(std::span<double> boxes, Entropy& entropy) {
     case 1: {  // one axis off by ulps: edges that are nearly parallel
       std::ranges::copy(a, b.begin());
       double& x = b[entropy.below(9)];
-      x += static_cast<double>(entropy.within(8)) * 0x1p-53;
+      constexpr double ulp = 0x1p-53;  // a power of two: of numbers from a half to 1
+      x += static_cast<double>(entropy.within(8)) * ulp;
       break;
     }
     default:

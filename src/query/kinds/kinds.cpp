@@ -5,8 +5,8 @@
 #include <limits>
 #include <typeinfo>
 
+#include "arith/exact_number.hpp"
 #include "certify/catalog.hpp"
-#include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/degenerate/own_kind.hpp"
@@ -143,7 +143,7 @@ bool crosses_itself(Given q) {
 Answer exact_distance_of_hulls(Given q) {
   const auto second = 1 + 3 * static_cast<std::size_t>(q[0]);
   const auto square = query::squared_distance(point_set(q, 0), point_set(q, second));
-  return rounded_root(Rounding::nearest, Rational(BigRational{*square}));
+  return rounded_root(Rounding::nearest, exact_number(*square));
 }
 
 // Arguments.
@@ -272,7 +272,7 @@ std::vector<Kind> meetings() {
 
 std::vector<Kind> others() {
   constexpr Tolerance fine{.ulps = 1 << 12, .relative = 0};
-  constexpr Tolerance coarse{.ulps = 1 << 12, .relative = 0x1p-40};
+  constexpr Tolerance coarse{.ulps = 1 << 12, .relative = 0x1p-40};  // a guess of what good code reaches
   return {
       {"ray-triangle",
        "where does a ray hit a triangle?",

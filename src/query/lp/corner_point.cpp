@@ -1,6 +1,7 @@
 #include "query/lp/corner_point.hpp"
 
 #include "arith/big_rounding.hpp"
+#include "arith/exact_number.hpp"
 #include "arith/running_error.hpp"
 #include "plumb/arith/ball.hpp"
 
@@ -59,7 +60,7 @@ template <std::size_t D>
 std::array<mpq_class, D> exact_corner(const std::array<typename LpOf<D>::Halfspace, D>& planes) {
   const auto big = numbers_of_corner<D>(planes, [](double x) { return BigDyadic(x); });
   std::array<mpq_class, D> r;
-  for (std::size_t k = 0; k < D; ++k) r[k] = big_rational(big.at[k]).value / big_rational(big.weight).value;
+  for (std::size_t k = 0; k < D; ++k) r[k] = gmp_number(big.at[k]) / gmp_number(big.weight);
   return r;
 }
 

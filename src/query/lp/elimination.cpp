@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "arith/exact_number.hpp"
 #include "plumb/arith/error.hpp"
 #include "query/lp/system_rows.hpp"
 
@@ -160,7 +161,7 @@ LinearProof solve_by_elimination(const LinearSystem& system, const EliminationOp
   e.eliminate_from(0);
   if (!e.refuted()) return {LinearKind::optimal, query::to_rationals(e.solution()), {}, {}};
   LinearProof proof{LinearKind::infeasible, {}, {}, {}};
-  for (const auto& [i, weight] : e.refuted()->of) proof.weights.push_back({i, query::to_rational(weight)});
+  for (const auto& [i, weight] : e.refuted()->of) proof.weights.push_back({i, exact_number(weight)});
   return proof;
 }
 
@@ -172,11 +173,11 @@ LinearSystem project(const LinearSystem& system, std::size_t dimension, const El
   e.eliminate_from(dimension);
   LinearSystem shadow;
   if (e.refuted()) {
-    shadow.add(std::vector<Rational>(dimension), query::to_rational(e.refuted()->limit));
+    shadow.add(std::vector<Rational>(dimension), exact_number(e.refuted()->limit));
     return shadow;
   }
   for (const auto& r : e.rows())
-    shadow.add(query::to_rationals(std::span(r.row).first(dimension)), query::to_rational(r.limit));
+    shadow.add(query::to_rationals(std::span(r.row).first(dimension)), exact_number(r.limit));
   return shadow;
 }
 

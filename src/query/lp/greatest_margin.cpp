@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/basic/sound.hpp"
 #include "query/convex/integer_difference.hpp"
@@ -29,14 +29,14 @@ std::vector<SupportingPoint> supporting(const std::map<std::size_t, mpz_class>& 
   for (const auto& [i, weight] : weights) {
     mpq_class w(weight, whole);
     w.canonicalize();
-    r.push_back({i, to_rational(w)});
+    r.push_back({i, exact_number(w)});
   }
   return r;
 }
 
 Exact3 nearest_of_hull(const std::vector<SupportingPoint>& points, const FlatSet& set) {
   Exact3 r{0, 0, 0};
-  for (const SupportingPoint& p : points) r = r + p.weight.value().value * set.points[p.point];
+  for (const SupportingPoint& p : points) r = r + gmp_number(p.weight) * set.points[p.point];
   return r;
 }
 
@@ -60,10 +60,10 @@ std::optional<GreatestMargin3> greatest_margin(std::span<const Point3> first, st
   GreatestMargin3 m;
   m.of_first = supporting(weights[0], search.whole()), m.of_second = supporting(weights[1], search.whole());
   const Exact3 on_a = nearest_of_hull(m.of_first, a), on_b = nearest_of_hull(m.of_second, b), way = on_b - on_a;
-  for (std::size_t k = 0; k < 3; ++k) m.direction[k] = to_rational(way[k]);
-  m.square = to_rational(dot(way, way));
+  for (std::size_t k = 0; k < 3; ++k) m.direction[k] = exact_number(way[k]);
+  m.square = exact_number(dot(way, way));
   m.margin = rounded_root(Rounding::nearest, m.square);
-  m.first_end = to_rational(dot(way, on_a)), m.second_end = to_rational(dot(way, on_b));
+  m.first_end = exact_number(dot(way, on_a)), m.second_end = exact_number(dot(way, on_b));
   return m;
 }
 

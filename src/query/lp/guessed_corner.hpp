@@ -28,7 +28,8 @@ GuessedCorner<D> guess_corner(const Numbers<D>& direction, std::span<const Halfs
   double size = 0;
   for (const double x : most) size = std::max(size, x);
   if (!(size > 0)) return guess;
-  const double far = 0x1p24 * (1 + most_limit / size);
+  constexpr double beyond_limits = 0x1p24;  // a guess: the box in which the search starts, as parts of the limits
+  const double far = beyond_limits * (1 + most_limit / size);
   std::array<Numbers<D>, D> inverse{};  // its columns
   Numbers<D> at{}, weight{};
   for (std::size_t k = 0; k < D; ++k) {
@@ -38,7 +39,8 @@ GuessedCorner<D> guess_corner(const Numbers<D>& direction, std::span<const Halfs
     weight[k] = magnitude_of(direction[k]);
     guess.constraints[k] = no_constraint;
   }
-  std::size_t stride = std::max<std::size_t>(1, constraints.size() / 64);  // of some constraints first
+  constexpr std::size_t some = 64;  // a guess: of so many constraints first
+  std::size_t stride = std::max<std::size_t>(1, constraints.size() / some);
   for (int step = 0; step < most_steps; ++step) {
     double reach = most_limit;
     for (const double x : at) reach += size * magnitude_of(x);

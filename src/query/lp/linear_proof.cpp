@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "arith/exact_number.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/basic/sound.hpp"
 #include "plumb/query/lp/linear_program.hpp"
@@ -82,7 +83,8 @@ LinearProof proof_of(const typename LpOf<D>::Answer& answer) {
     for (double& x : sum) x = -x;
   }
   const std::vector<mpq_class> weights = weights_of<D>(normals, sum);
-  for (std::size_t i = 0; i < named; ++i) proof.weights.push_back({answer.deciding[i].number, to_rational(weights[i])});
+  for (std::size_t i = 0; i < named; ++i)
+    proof.weights.push_back({answer.deciding[i].number, exact_number(weights[i])});
   if (!is_optimal) proof.weights.push_back({answer.deciding[named].number, 1});
   return proof;
 }
@@ -95,11 +97,11 @@ LinearSystem linear_system(std::span<const Halfspace3> halfspaces) { return quer
 
 ExactPoint2 exact_point(const LinearAnswer2& answer) {
   const auto p = query::exact_corner<2>(query::corner_planes<2>(answer));
-  return RationalPoint2{query::to_rational(p[0]), query::to_rational(p[1])};
+  return RationalPoint2{exact_number(p[0]), exact_number(p[1])};
 }
 ExactPoint3 exact_point(const LinearAnswer3& answer) {
   const auto p = query::exact_corner<3>(query::corner_planes<3>(answer));
-  return RationalPoint3{query::to_rational(p[0]), query::to_rational(p[1]), query::to_rational(p[2])};
+  return RationalPoint3{exact_number(p[0]), exact_number(p[1]), exact_number(p[2])};
 }
 
 LinearProof proof_of(const LinearAnswer2& answer) { return query::proof_of<2>(answer); }

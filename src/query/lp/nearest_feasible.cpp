@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "arith/exact_number.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/certify/checked.hpp"
 #include "plumb/figure/basic/sound.hpp"
@@ -19,7 +20,7 @@ inline Numbers<3> numbers_of_point(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// The number, as far as a pair of doubles has it.
 Ball ball_of(const mpq_class& x) {
-  const Rational r = to_rational(x);
+  const Rational r = exact_number(x);
   const double low = r.rounded(Rounding::down), high = r.rounded(Rounding::up);
   return {high, 0, low == high ? 0 : high - low};
 }
@@ -43,7 +44,7 @@ class NearestSearch {
   [[nodiscard]] std::vector<LinearWeight> weights() const {
     std::vector<LinearWeight> r;
     for (std::size_t i = 0; i < active_.size(); ++i) {
-      if (sgn(weights_[i]) != 0) r.push_back({active_[i], to_rational(weights_[i])});
+      if (sgn(weights_[i]) != 0) r.push_back({active_[i], exact_number(weights_[i])});
     }
     return r;
   }
@@ -160,7 +161,7 @@ Answer nearest_feasible(const Point& p, std::span<const typename LpOf<D>::Halfsp
   } else {
     answer.at = {at[0], at[1], at[2]};
   }
-  answer.exact_distance.square = to_rational(square);
+  answer.exact_distance.square = exact_number(square);
   answer.distance = rounded_root(Rounding::nearest, answer.exact_distance.square);
   return answer;
 }

@@ -1,5 +1,6 @@
 #include "plumb/query/lp/simplex.hpp"
 
+#include "arith/exact_number.hpp"
 #include "query/lp/system_rows.hpp"
 
 namespace plumb {
@@ -11,7 +12,7 @@ using SimplexKind = arith::Optimum::Kind;
 LinearProof told(LinearKind kind, const arith::Optimum& optimum) {
   LinearProof proof{kind, to_rationals(optimum.at), {}, {}};
   for (std::size_t i = 0; i < optimum.deciding.size(); ++i)
-    proof.weights.push_back({optimum.deciding[i], to_rational(optimum.weights[i])});
+    proof.weights.push_back({optimum.deciding[i], exact_number(optimum.weights[i])});
   return proof;
 }
 

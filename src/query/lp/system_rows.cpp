@@ -2,22 +2,20 @@
 
 #include <string>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb::query {
 
-Rational to_rational(const mpq_class& x) { return Rational(BigRational{x}); }
-
 std::vector<Rational> to_rationals(std::span<const mpq_class> all) {
   std::vector<Rational> r;
-  for (const mpq_class& x : all) r.push_back(to_rational(x));
+  for (const mpq_class& x : all) r.push_back(exact_number(x));
   return r;
 }
 
 arith::RationalVector to_mpq(std::span<const Rational> all) {
   arith::RationalVector r;
-  for (const Rational& x : all) r.push_back(x.value().value);
+  for (const Rational& x : all) r.push_back(gmp_number(x));
   return r;
 }
 
@@ -31,7 +29,7 @@ arith::Constraints constraints_of(std::string_view function, const LinearSystem&
   for (std::size_t i = 0; i < system.rows.size(); ++i) {
     if (system.rows[i].size() != dimension)
       refuse("system.rows[" + std::to_string(i) + "]", system.rows[i].size(), dimension);
-    r.add(to_mpq(system.rows[i]), system.limits[i].value().value);
+    r.add(to_mpq(system.rows[i]), gmp_number(system.limits[i]));
   }
   return r;
 }

@@ -7,12 +7,12 @@
 
 #include <string_view>
 
+#include "arith/exact_number.hpp"
 #include "arith/rational_lp.hpp"
 #include "plumb/query/lp/linear_proof.hpp"
 
 namespace plumb::query {
 
-Rational to_rational(const mpq_class& x);
 std::vector<Rational> to_rationals(std::span<const mpq_class> all);
 arith::RationalVector to_mpq(std::span<const Rational> all);
 

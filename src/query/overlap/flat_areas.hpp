@@ -55,7 +55,8 @@ template <class... Differences>
 double area_error_of(const Seen2<Differences>&... p) {
   constexpr double floor = largest_floor<AreaFromCorner>;
   const double error = area_error((floor + ... + magnitude_of(p.x)), (floor + ... + magnitude_of(p.y)));
-  const double far = error * 0x1p60;
+  constexpr double more_than_areas = 0x1p60;
+  const double far = error * more_than_areas;
   return error + (far - far);
 }
 constexpr Seen2<double> from_to(const Point2& from, const Point2& to) { return {to.x - from.x, to.y - from.y}; }

@@ -109,7 +109,8 @@ class ShortCorners {
     const Pairs x(std::bit_cast<std::array<double, 18>>(std::array{a, b}));
     const std::uint64_t exponent = x.largest_exponent();  // all are below 2^short_bits units of 2^unit
     unit_ = static_cast<int>(exponent) - 1022 - short_bits;
-    if (unit_ < -400 || unit_ > 400) return;
+    constexpr int handy = 400;  // a guess: others are left to what follows
+    if (unit_ < -handy || unit_ > handy) return;
     // What is added to 1.5 * 2^52 units is rounded to whole ones, which are the low bits of the sum.
     const auto addend = Pairs::both(static_cast<std::uint64_t>(unit_ + 1023 + 52) << 52 | 1ull << 51);
     Bits exact = ~Bits{};

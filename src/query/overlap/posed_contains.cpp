@@ -27,7 +27,7 @@ ExactHalfspace before(const ExactHalfspace& h, const ExactMap& map, int dimensio
 class PosedHolding {
  public:
   PosedHolding(const PosedView& outer, const PosedView& inner)
-      : outer_(posed_set(outer)), inner_(posed_set(inner)), parts_(round_parts(inner.figure)) {
+      : outer_(posed_set(outer)), inner_(posed_set(inner)), parts_(round_parts(inner.figure)), figure_(outer.figure) {
     if (is_polygon(outer.figure)) {
       require_convex_outer(outer.figure);
       outer_.core.points = exact_chains("contains", outer.figure)[0];
@@ -76,24 +76,19 @@ class PosedHolding {
           "contains: neither pose is a similarity to the other; give round figures poses of columns at right angles "
           "and of one length, or one pose");
     }
-    const auto& core = outer_.core.points;
-    if (outer_.has_axis()) {
-      const Exact3 axis = core[1] - core[0], back = mpq_class(-1) * axis;
-      for (const ExactHalfspace& end :
-           {ExactHalfspace{axis, dot(axis, core[1])}, ExactHalfspace{back, dot(back, core[0])}}) {
-        if (!halfspace_holds(before(end, seen, 3), parts_)) return false;
-      }
-    }
-    return std::ranges::all_of(parts_.parts, [&](const RoundPart& part) {
-      const RoundPart moved{image(seen, part.at), part.radius, part.is_disk, turned(seen, part.axis)};
-      if (outer_.has_axis()) return tube_holds(core[0], core[1] - core[0], outer_.radius_of_axis(), moved, *scale);
-      if (core.size() == 1) return ball_holds(core[0], outer_.radius, moved, *scale);
-      return core_holds(*squared_distance(outer_.core, point_set(moved.at)), outer_.radius, moved, *scale);
-    });
+    const RoundBody round = round_body(figure_);
+    return std::ranges::all_of(
+               ends_of(round),
+               [&](const ExactHalfspace& end) { return halfspace_holds(before(end, seen, 3), parts_); }) &&
+           std::ranges::all_of(parts_.parts, [&](const RoundPart& part) {
+             const RoundPart moved{image(seen, part.at), part.radius, part.is_disk, turned(seen, part.axis)};
+             return holds_near_core(round, moved, *scale);
+           });
   }
 
   PosedSet outer_, inner_;
   RoundParts parts_;
+  const FigureView& figure_;  // the outer one
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
-#include "plumb/arith/big.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/closest/posed_triangle.hpp"
@@ -86,7 +86,7 @@ double posed_distance(const PosedView& a, const PosedView& b, Question question)
 ExactDistance posed_exact_distance(const PosedView& a, const PosedView& b, Question question) {
   const MeasuredGap gap = measured_gap(question, a, b);
   if (!gap.is_open()) return {Rational(0.0), Rational(0.0)};
-  return {Rational(BigRational{gap.square}), Rational(BigRational{gap.inset})};
+  return {exact_number(gap.square), exact_number(gap.inset)};
 }
 
 }  // namespace plumb::query

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "arith/exact_number.hpp"
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/overlap/ellipsoid.hpp"
 #include "plumb/query/overlap/posed.hpp"
@@ -186,8 +186,9 @@ class PosedRelation {
     }
     const std::size_t ends = points.size(), ways = s.directions.size();
     if (lines.size() == 3) return Relation::overlapping;
-    const auto number = [](const mpq_class& x) { return Rational(BigRational{x}); };
-    const auto vector = [&](const Exact3& v) { return arith::Vec<Rational>{number(v[0]), number(v[1]), number(v[2])}; };
+    const auto vector = [&](const Exact3& v) {
+      return arith::Vec<Rational>{exact_number(v[0]), exact_number(v[1]), exact_number(v[2])};
+    };
     const auto line = [&](const Exact3& along, bool starts, bool stops) {
       return relate_axis_line(Straight<Rational>{vector(points[0]), vector(along), starts, stops}, shape);
     };
@@ -197,7 +198,7 @@ class PosedRelation {
     if (lines.size() == 2 && ways <= 1 && ends == 1) {
       Exact3 normal = cross(lines[0], lines[1]);
       if (ways == 1 && sgn(dot(normal, s.directions[0])) > 0) normal = mpq_class(-1) * normal;
-      return relate_axis_plane({vector(normal), number(dot(normal, points[0])), ways == 1}, shape);
+      return relate_axis_plane({vector(normal), exact_number(dot(normal, points[0])), ways == 1}, shape);
     }
     return relate_axis_shape(s, shape);
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "arith/exact_number.hpp"
 #include "arith/rational_lp.hpp"
 #include "certify/certainly.hpp"
 #include "query/closest/posed_triangle.hpp"
@@ -78,7 +79,7 @@ RationalCorners rational_corners(const PosedTriangle3& t) {
   RationalCorners corners;
   const auto exact = posed_corners<BigDyadic>(t);
   for (std::size_t i = 0; i < 3; ++i)
-    corners[i] = {big_rational(exact[i].x).value, big_rational(exact[i].y).value, big_rational(exact[i].z).value};
+    corners[i] = {gmp_number(exact[i].x), gmp_number(exact[i].y), gmp_number(exact[i].z)};
   return corners;
 }
 
@@ -112,7 +113,7 @@ bool is_feasible(const arith::Constraints& constraints) {
     }
   }
   const auto parts = [](const Vec3<BigDyadic>& v) {
-    return std::array{big_rational(v.x).value, big_rational(v.y).value, big_rational(v.z).value};
+    return std::array{gmp_number(v.x), gmp_number(v.y), gmp_number(v.z)};
   };
   const auto center = parts(box.center);
   const std::array half{parts(box.half[0]), parts(box.half[1]), parts(box.half[2])};

@@ -1,6 +1,7 @@
 #include "plumb/query/penetration/along.hpp"
 
 #include "arith/big_rounding.hpp"
+#include "arith/exact_number.hpp"
 #include "query/penetration/aims.hpp"
 #include "query/penetration/directions.hpp"
 #include "query/penetration/flush_feature.hpp"
@@ -51,7 +52,6 @@ double rounded_length(const mpq_class& square) {
   return rounded_root(Rounding::nearest, BigDyadic(mpz_class(square.get_num())),
                       BigDyadic(mpz_class(square.get_den())));
 }
-Rational told_rational(const mpq_class& x) { return Rational(BigRational{x}); }
 
 /// So many times the direction.
 mpq_class multiple_of(const Difference& d, const std::array<Ends, 3>& facet, const Vector3& direction) {
@@ -98,7 +98,7 @@ std::optional<PenetrationAlong> penetration_along_of(const BodyView& a, const Bo
   }
   const parting::FlushPair flush = pair.flush(*way);
   const Exact by = arith::vec<mpq_class>(directions[index]) * multiple;
-  return PenetrationAlong{index, told_rational(multiple), rounded_length(square), rounded_vector(by), flush.a, flush.b};
+  return PenetrationAlong{index, exact_number(multiple), rounded_length(square), rounded_vector(by), flush.a, flush.b};
 }
 
 std::optional<PenetrationWithin> penetration_within_of(const BodyView& a, const BodyView& b,
@@ -124,8 +124,8 @@ std::optional<PenetrationWithin> penetration_within_of(const BodyView& a, const 
   const Way way = through.empty() ? pair.way_as_it_stands() : pair.first_way(through);
   const parting::FlushPair flush = pair.flush(way);
   const mpq_class square = dot(least, least);
-  return PenetrationWithin{{told_rational(least.x), told_rational(least.y), told_rational(least.z)},
-                           told_rational(square),
+  return PenetrationWithin{{exact_number(least.x), exact_number(least.y), exact_number(least.z)},
+                           exact_number(square),
                            rounded_length(square),
                            rounded_vector(least),
                            flush.a,

@@ -76,7 +76,8 @@ class GuessedSurface {
   }
   /// Of many corners it is near to one of the facet.
   [[nodiscard]] static std::uint32_t farthest(const QuickHull& h, const arith::Plain& n, std::uint32_t from) {
-    return h.size() > 64 ? h.farthest_from(n, from) : h.farthest(n, from);
+    constexpr std::uint32_t many = 64;  // a guess
+    return h.size() > many ? h.farthest_from(n, from) : h.farthest(n, from);
   }
   [[nodiscard]] arith::Plain plain(const Ends& e) const { return a_.at(e[0]) - b_.at(e[1]); }
   void take(const Ends& e);

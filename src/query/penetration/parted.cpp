@@ -1,5 +1,7 @@
 #include "query/penetration/parted.hpp"
 
+#include "arith/exact_number.hpp"
+
 namespace plumb::query::parting {
 namespace {
 
@@ -42,7 +44,7 @@ Way back_from(const Difference& d, const DifferenceCorners& nearest) {
 Sign compare_with_radii(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic, Sought::square>(d.a, d.b, nearest, ask);
-  return sign_of_number(cmp(big_rational(n.square).value, radii * radii * big_rational(n.square_whole).value));
+  return sign_of_number(cmp(gmp_number(n.square), radii * radii * gmp_number(n.square_whole)));
 }
 
 FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets) {

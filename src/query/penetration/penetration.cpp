@@ -1,5 +1,6 @@
 #include "plumb/query/penetration/penetration.hpp"
 
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
 #include "plumb/arith/ball.hpp"
 #include "query/penetration/facet_lengths.hpp"
@@ -128,18 +129,6 @@ Penetration exact_numbers(const Told& t) {
   return p;
 }
 
-Rational rational(const mpq_class& x) { return Rational(BigRational{x}); }
-
-ExactVector3 primitive(const Vec<mpq_class>& v) {
-  const std::array all{v.x, v.y, v.z};
-  mpz_class denominators = 1, divisor = 0;
-  for (const mpq_class& x : all) denominators = lcm(denominators, x.get_den());
-  for (const mpq_class& x : all) divisor = gcd(divisor, mpz_class(x.get_num() * (denominators / x.get_den())));
-  mpq_class factor(denominators, divisor);
-  factor.canonicalize();
-  return {rational(v.x * factor), rational(v.y * factor), rational(v.z * factor)};
-}
-
 }  // namespace
 
 std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b) {
@@ -154,11 +143,12 @@ std::optional<ExactPenetration> exact_penetration_of(const BodyView& a, const Bo
   if (!told) return {};
   const Lengths<mpq_class> n(told->difference(), told->parting.way, told->flush.in_plane);
   const mpq_class share = n.overlap / n.square, square = n.overlap * share;
-  return ExactPenetration{primitive(n.way),
-                          {rational(n.way.x * share), rational(n.way.y * share), rational(n.way.z * share)},
-                          rational(square),
+  const Exact3 way = primitive({n.way.x, n.way.y, n.way.z});
+  return ExactPenetration{{exact_number(way[0]), exact_number(way[1]), exact_number(way[2])},
+                          {exact_number(n.way.x * share), exact_number(n.way.y * share), exact_number(n.way.z * share)},
+                          exact_number(square),
                           told->parting.cores_are_apart,
-                          rational(told->radii.value_or(0)),
+                          exact_number(told->radii.value_or(0)),
                           told->flush.a,
                           told->flush.b,
                           told->parting.is_unique};

@@ -1,3 +1,4 @@
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
 #include "plumb/query/penetration/along.hpp"
 #include "query/penetration/directions.hpp"
@@ -30,13 +31,11 @@ bool is_less(const SquaredLength& a, const SquaredLength& b) {
                                    none - b.root * a.whole, b.radicand) == Sign::negative;
 }
 
-Rational told(const BigDyadic& x) { return Rational(big_rational(x)); }
-
 /// Of (whole t - before)^2 = radicand the greater one.
 Root multiple_of(const Time& t) {
   const BigDyadic none, by = t.before * t.whole;
-  const std::array<Rational, 3> polynomial{told(t.before * t.before - t.radicand), told(none - by - by),
-                                           told(t.whole * t.whole)};
+  const std::array<Rational, 3> polynomial{exact_number(t.before * t.before - t.radicand), exact_number(none - by - by),
+                                           exact_number(t.whole * t.whole)};
   return real_roots(polynomial).back();
 }
 

@@ -102,7 +102,8 @@ class RayDescent {
 /// Of the ray as much as passes the whole polytope, a length that doubles hold: a guess, which a sign proves.
 std::optional<double> length_beyond(const PolytopeHierarchy& h, const Point3& from, const Vector3& direction) {
   const Point3 farthest = support_point(h, direction).point;
-  for (int exponent = 0; exponent < 1000; exponent += 8) {
+  constexpr int longest = 1000, step = 8;  // guesses, of exponents
+  for (int exponent = 0; exponent < longest; exponent += step) {
     const double t = std::ldexp(1.0, exponent);
     if (!std::isfinite(direction.x * t + direction.y * t + direction.z * t)) return {};
     const Sign past = proved_sign([&]<class T>() {

@@ -1,5 +1,6 @@
 #include "query/polytope_hierarchy/nearest.hpp"
 
+#include "arith/exact_number.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "query/polytope_hierarchy/nearest_way.hpp"
@@ -81,7 +82,7 @@ Rational squared_distance_exact(const Point3& p, const PolytopeHierarchy& h) {
   const auto found = nearest_to(h, p);
   if (!found) return squared_distance_exact(p, h.polyhedron);
   if (found->meets) return 0;
-  return Rational(BigRational{query::square_of(corners_of({&p, 1}), corners_of(h.points), found->corners)});
+  return exact_number(query::square_of(corners_of({&p, 1}), corners_of(h.points), found->corners));
 }
 
 bool contains(const PolytopeHierarchy& h, const Point3& p) {

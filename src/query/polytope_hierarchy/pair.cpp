@@ -7,6 +7,7 @@
 // these few, which all the corners in the plane are among, and from it a way leads nearer; whatever is nearer begins
 // beyond the plane, and so within that hull.  So the nearest pair is that of the few and of the other polytope, down
 // which they descend by themselves.
+#include "arith/exact_number.hpp"
 #include "plumb/query/separation/separation.hpp"
 #include "query/polytope_hierarchy/nearest_way.hpp"
 #include "query/separation/corner_numbers.hpp"
@@ -69,7 +70,7 @@ Rational squared_distance_exact(const PolytopeHierarchy& a, const PolytopeHierar
   const auto found = nearest_of_both(a, b);
   if (!found) return exact_distance(a.polyhedron, b.polyhedron).square;
   if (found->meets) return 0;
-  return Rational(BigRational{query::square_of(corners_of(a.points), corners_of(b.points), found->corners)});
+  return exact_number(query::square_of(corners_of(a.points), corners_of(b.points), found->corners));
 }
 
 bool intersects(const PolytopeHierarchy& a, const PolytopeHierarchy& b) {

@@ -10,6 +10,7 @@
 
 #include <array>
 
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/ray/clip.hpp"
@@ -210,10 +211,6 @@ Hit numbers_of(const AnyRay& ray, const Model& model, const Decided& decided) {
   if (!(normal[0] && normal[1] && normal[2])) normal = sharper().normal();
   return {t, point, decided.feature, {sure_or(normal[0], 4), sure_or(normal[1], 5), sure_or(normal[2], 6)}};
 }
-
-inline Rational exact_number(const BigDyadic& x) { return Rational(big_rational(x)); }
-inline Rational exact_number(const Rational& x) { return x; }
-inline Rational exact_number(const mpq_class& x) { return Rational(BigRational{x}); }
 
 /// Over numbers that are exact.
 template <class T, class Model>

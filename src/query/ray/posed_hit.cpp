@@ -3,8 +3,8 @@
 #include <string>
 
 #include "arith/big_rounding.hpp"
+#include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
-#include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/ray/posed.hpp"
 #include "query/body/figure_input.hpp"
@@ -84,7 +84,7 @@ std::optional<mpq_class> first_in_flat(std::string_view function, const ExactSho
 }
 
 Vec3<Rational> exact_vector(const Exact3& v) { return {exact_number(v[0]), exact_number(v[1]), exact_number(v[2])}; }
-Exact3 exact_vector(const Vec3<Rational>& v) { return {v.x.value().value, v.y.value().value, v.z.value().value}; }
+Exact3 exact_vector(const Vec3<Rational>& v) { return {gmp_number(v.x), gmp_number(v.y), gmp_number(v.z)}; }
 
 /// Of that kind, with a direction or without one.
 AnyRay ray_of_kind(FigureKind kind, bool has_direction) {
@@ -121,7 +121,7 @@ bool sees_line(std::string_view function, const PosedSet& s, const FigureView& f
 
 /// base + share * root of t's square, of the sign that t has: rounded once.
 double rounded_at(const mpq_class& base, const mpq_class& share, const RayParameter& t) {
-  const mpq_class& square = t.square.value().value;
+  const mpq_class& square = gmp_number(t.square);
   const auto number = [](const mpz_class& x) { return BigDyadic(x); };
   const mpz_class root = square.get_num() * square.get_den();  // of (share / den) sqrt(num den)
   mpq_class over = share / square.get_den();
@@ -133,7 +133,7 @@ double rounded_at(const mpq_class& base, const mpq_class& share, const RayParame
 }
 
 Hit rounded_hit(const SeenHit& seen, const ExactShot& shot, const ExactMap& map) {
-  const mpq_class& base = seen.t.base.value().value;
+  const mpq_class& base = gmp_number(seen.t.base);
   const auto at = [&](const Exact3& still, const Exact3& moving) {
     const Exact3 x = still + base * moving;
     return std::array{rounded_at(x[0], moving[0], seen.t), rounded_at(x[1], moving[1], seen.t),

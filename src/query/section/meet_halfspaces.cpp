@@ -1,5 +1,6 @@
 #include "query/section/meet_halfspaces.hpp"
 
+#include "arith/exact_number.hpp"
 #include "query/section/solid_faces.hpp"
 
 namespace plumb::query::meeting {
@@ -67,17 +68,7 @@ SolidIntersection3 unbounded_set(const FlatSet& s) {
 
 }  // namespace
 
-Exact3 primitive(const Exact3& v) {
-  if (is_zero(v)) return v;
-  mpz_class multiple = 1, divisor = 0;
-  for (const mpq_class& x : v) multiple = lcm(multiple, x.get_den());
-  for (const mpq_class& x : v) divisor = gcd(divisor, mpz_class(x * multiple));
-  return mpq_class(multiple, divisor) * v;
-}
-
-RationalPoint3 rational_of(const Exact3& p) {
-  return {Rational(BigRational{p[0]}), Rational(BigRational{p[1]}), Rational(BigRational{p[2]})};
-}
+RationalPoint3 rational_of(const Exact3& p) { return {exact_number(p[0]), exact_number(p[1]), exact_number(p[2])}; }
 
 SolidIntersection3 meet_halfspaces(const std::vector<ExactHalfspace>& halfspaces) {
   const FlatSet s = flat_set(halfspaces);

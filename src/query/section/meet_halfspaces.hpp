@@ -12,8 +12,6 @@ namespace plumb::query::meeting {
 
 SolidIntersection3 meet_halfspaces(const std::vector<ExactHalfspace>& halfspaces);
 
-/// Of the same direction, of integers without a common factor; zero of zero.
-Exact3 primitive(const Exact3& v);
 RationalPoint3 rational_of(const Exact3& p);
 
 }  // namespace plumb::query::meeting

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "arith/exact_number.hpp"
 #include "certify/exact_coordinates.hpp"
 #include "query/body/figure_input.hpp"
 
@@ -80,20 +81,18 @@ Reduced reduced(Equations rows) {
   return r;
 }
 
-Rational rational(const mpq_class& x) { return Rational(BigRational{x}); }
-
 FlatIntersection solution(const Reduced& r) {
   FlatIntersection flat;
   if (!r.consistent) return flat;
   flat.kind = static_cast<FlatKind>(3 - static_cast<int>(r.pivots.size()));
   RationalTriple at;
   for (std::size_t i = 0; i < r.pivots.size(); ++i) at[r.pivots[i]] = r.rows[i][3];
-  flat.point = RationalPoint3{rational(at[0]), rational(at[1]), rational(at[2])};
+  flat.point = RationalPoint3{exact_number(at[0]), exact_number(at[1]), exact_number(at[2])};
   for (std::size_t free = 0; free < 3; ++free) {
     if (std::find(r.pivots.begin(), r.pivots.end(), free) != r.pivots.end()) continue;
     RationalTriple d = unit(free);
     for (std::size_t i = 0; i < r.pivots.size(); ++i) d[r.pivots[i]] = -r.rows[i][free];
-    flat.directions.push_back({rational(d[0]), rational(d[1]), rational(d[2])});
+    flat.directions.push_back({exact_number(d[0]), exact_number(d[1]), exact_number(d[2])});
   }
   return flat;
 }

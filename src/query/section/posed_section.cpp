@@ -1,7 +1,7 @@
 // What two exact sets have in common: all that bounds either, and its generators.
 #include <algorithm>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/query/section/posed.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/posed_set.hpp"
@@ -81,14 +81,13 @@ CommonPart common_part(const PosedView& a, const PosedView& b) {
   return common_part(convex_image(a), convex_image(b));
 }
 
-Rational number_of(const mpq_class& x) { return Rational(BigRational{x}); }
 bool is_a_double(const mpq_class& x) {
   const double d = x.get_d();
   return d - d == 0 && mpq_class(d) == x;
 }
 ExactPoint2 exact_point2(const Exact3& p) {
   if (is_a_double(p[0]) && is_a_double(p[1])) return Point2{p[0].get_d(), p[1].get_d()};
-  return RationalPoint2{number_of(p[0]), number_of(p[1])};
+  return RationalPoint2{exact_number(p[0]), exact_number(p[1])};
 }
 Intersection3 told3(const CommonPart& part) {
   Intersection3 r{part.kind, {}};
@@ -101,7 +100,7 @@ Intersection3 told3(const CommonPart& part) {
 ExactPoint3 exact_point3(const Exact3& p) {
   if (is_a_double(p[0]) && is_a_double(p[1]) && is_a_double(p[2]))
     return Point3{p[0].get_d(), p[1].get_d(), p[2].get_d()};
-  return RationalPoint3{number_of(p[0]), number_of(p[1]), number_of(p[2])};
+  return RationalPoint3{exact_number(p[0]), exact_number(p[1]), exact_number(p[2])};
 }
 
 Intersection3 common_part3(const FlatSet& a, const FlatSet& b) { return told3(common_part(a, b)); }

@@ -1,4 +1,4 @@
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/section/solid.hpp"
 #include "query/section/meet_halfspaces.hpp"
@@ -8,12 +8,12 @@ namespace {
 
 Exact3 exact_vertex(const ExactPoint3& p) {
   const RationalPoint3 r = rational_point(p);
-  return {r.x.value().value, r.y.value().value, r.z.value().value};
+  return {gmp_number(r.x), gmp_number(r.y), gmp_number(r.z)};
 }
 
 RationalHalfspace3 plane_of_corners(const Exact3& a, const Exact3& b, const Exact3& c) {
-  const Exact3 normal = meeting::primitive(cross(b - a, c - a));
-  return {meeting::rational_of(normal), Rational(BigRational{dot(normal, a)})};
+  const Exact3 normal = primitive(cross(b - a, c - a));
+  return {meeting::rational_of(normal), exact_number(dot(normal, a))};
 }
 
 /// By the tetrahedra from the first vertex over the faces.
@@ -51,7 +51,7 @@ std::vector<Point3> approximate(const SolidIntersection3& a) {
 Rational exact_volume(const SolidIntersection3& a) {
   if (!a.is_bounded()) throw InvalidShape("volume: the set goes on forever; cut it with a box");
   if (a.kind != IntersectionKind::solid || a.first.empty()) return Rational(0.0);
-  return Rational(BigRational{query::volume_of_faces(a)});
+  return exact_number(query::volume_of_faces(a));
 }
 
 double volume(const SolidIntersection3& a) { return exact_volume(a).rounded(); }

@@ -1,6 +1,7 @@
 #include "query/separation/corner_numbers.hpp"
 
 #include "arith/big_rounding.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/ball.hpp"
 #include "query/body/vectors.hpp"
 
@@ -52,7 +53,7 @@ double distance_of(const CoreCorners& a, const CoreCorners& b, const DifferenceC
 mpq_class square_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic, Sought::square>(a, b, corners, ask);
-  return mpq_class(big_rational(n.square).value / big_rational(n.square_whole).value);
+  return mpq_class(gmp_number(n.square) / gmp_number(n.square_whole));
 }
 
 }  // namespace plumb::query

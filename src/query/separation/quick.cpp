@@ -1,8 +1,8 @@
 #include "query/separation/quick.hpp"
 
+#include "arith/exact_number.hpp"
 #include "arith/twofold.hpp"
 #include "plumb/arith/ball.hpp"
-#include "plumb/arith/big.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
 #include "query/convex/core.hpp"
@@ -10,9 +10,7 @@
 namespace plumb::query {
 namespace {
 
-mpq_class quotient_of(const BigDyadic& n, const BigDyadic& d) {
-  return mpq_class(big_rational(n).value / big_rational(d).value);
-}
+mpq_class quotient_of(const BigDyadic& n, const BigDyadic& d) { return mpq_class(gmp_number(n) / gmp_number(d)); }
 
 /// Weighted by the corners of the difference that they belong to.
 template <class T>

@@ -1,5 +1,6 @@
 #include "plumb/query/separation/separation.hpp"
 
+#include "arith/exact_number.hpp"
 #include "figure/basic/plane_of_points.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
@@ -91,10 +92,8 @@ double distance_of_moved(const FigureView& a, const Vector3& by_a, const FigureV
 
 ExactDistance exact_distance_of(const FigureView& a, const FigureView& b, Question question) {
   if (const auto f = facing_points(a, b)) return exact_distance(f->on_a, f->on_b);
-  if (const auto quick = QuickPair::of(a, b))
-    return {Rational(BigRational{quick->square()}), Rational(BigRational{both_radii(a, b)})};
-  return {Rational(BigRational{sound_pair(name_of(question), a, b, WhichPair::any).square}),
-          Rational(BigRational{both_radii(a, b)})};
+  if (const auto quick = QuickPair::of(a, b)) return {exact_number(quick->square()), exact_number(both_radii(a, b))};
+  return {exact_number(sound_pair(name_of(question), a, b, WhichPair::any).square), exact_number(both_radii(a, b))};
 }
 
 }  // namespace plumb::query

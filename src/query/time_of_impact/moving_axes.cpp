@@ -1,6 +1,7 @@
 #include "query/time_of_impact/moving_axes.hpp"
 
 #include "arith/big_rounding.hpp"
+#include "arith/exact_number.hpp"
 #include "query/time_of_impact/vector_length.hpp"
 
 namespace plumb::query {
@@ -128,7 +129,7 @@ TimeWindow time_window(const MovingBody<Running>& a, const MovingBody<Running>& 
   return axes.window();
 }
 
-Rational AxisEntry::time() const { return Rational(big_rational(way)) / Rational(big_rational(speed)); }
+Rational AxisEntry::time() const { return exact_number(way) / exact_number(speed); }
 double AxisEntry::rounded(Rounding rounding) const { return rounded_quotient(rounding, way, speed); }
 
 std::optional<AxisEntry> exact_entry(const MovingBody<BigDyadic>& a, const MovingBody<BigDyadic>& b,

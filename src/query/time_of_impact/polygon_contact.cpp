@@ -5,8 +5,8 @@
 
 #include <tuple>
 
+#include "arith/exact_number.hpp"
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/arith/big.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/figure_view.hpp"
@@ -22,9 +22,8 @@ namespace {
 struct LinearInTime {
   mpq_class at, slope;
 };
-Rational rational_of(const mpq_class& x) { return Rational(BigRational{x}); }
 Sign sign_at(const Root& t, const LinearInTime& x) {
-  return t.sign_of(std::array{rational_of(x.at), rational_of(x.slope)});
+  return t.sign_of(std::array{exact_number(x.at), exact_number(x.slope)});
 }
 
 /// Is a point of the polygon's plane strictly inside?  By the edges that pass beside it, seen along an axis.
@@ -138,7 +137,6 @@ struct MovingPolygon {
 };
 
 Exact3 exactly(const Vector3& v) { return {v.x, v.y, v.z}; }
-mpq_class exactly(const BigDyadic& x) { return big_rational(x).value; }
 
 /// Where the ball about a vertex first touches the plane, if that is inside.
 void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& feature, const mpq_class& reach,
@@ -159,10 +157,10 @@ void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& fe
   if (sgn(rise) == 0 || sgn(rise) == sgn(height)) return;
   if (sgn(reach) == 0) {
     const mpq_class time = -height / rise;
-    if (time <= 1) look(Root(rational_of(time)));
+    if (time <= 1) look(Root(exact_number(time)));
     return;
   }
-  const std::array quadratic{rational_of(rest), rational_of(2 * height * rise), rational_of(rise * rise)};
+  const std::array quadratic{exact_number(rest), exact_number(2 * height * rise), exact_number(rise * rise)};
   const auto times = real_roots(quadratic, Rational(0.0), Rational(1.0));
   if (!times.empty()) look(times.front());
 }
@@ -216,8 +214,8 @@ std::optional<FirstMeeting> body_with_polygon(std::string_view function, const P
     const Exact3 by = exactly(*body.by) - exactly(*polygon.by);
     for (std::size_t i = 0; i < exact.vertices.size(); ++i) {
       const auto& [x, y, z] = exact.vertices[i];
-      see_face(earliest, {exactly(x), exactly(y), exactly(z)}, exact.vertex_features[i], exactly(exact.reach), by,
-               polygon.chains);
+      see_face(earliest, {gmp_number(x), gmp_number(y), gmp_number(z)}, exact.vertex_features[i],
+               gmp_number(exact.reach), by, polygon.chains);
     }
   }
   return std::move(earliest).best();

@@ -43,7 +43,8 @@ inline Answer at(const Ball& time, Feature a, Feature b) {
 inline Answer at(const Pairs& time, Feature a, Feature b) {
   const Rounded s = two_sum(time.high, time.low);
   const double off = time.reach();
-  if (!(off < Ball::infinity) || !(magnitude_of(s.value) < 0x1p1000)) return unsure;
+  constexpr double usual = 0x1p1000;  // a guess: what is larger is left to exact numbers
+  if (!(off < Ball::infinity) || !(magnitude_of(s.value) < usual)) return unsure;
   return at(Ball{s.value, s.error, off}, a, b);
 }
 

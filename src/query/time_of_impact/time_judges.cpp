@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 
 namespace plumb::query {
 
@@ -66,7 +66,7 @@ void ExactTime::not_negative(const BigDyadic& from, const BigDyadic& change) {
     if (from.sign() == Sign::negative) high_ = -1;
     return;
   }
-  const mpq_class at = -big_rational(from).value / big_rational(change).value;
+  const mpq_class at = -gmp_number(from) / gmp_number(change);
   if (change.sign() == Sign::positive) {
     low_ = std::max(low_, at);
   } else {
@@ -76,15 +76,13 @@ void ExactTime::not_negative(const BigDyadic& from, const BigDyadic& change) {
 
 void ExactTime::not_positive(const BigDyadic& from, const BigDyadic& half_change, const BigDyadic& square) {
   if (low_ > high_) return;
-  const std::array<mpq_class, 3> c{big_rational(from).value, 2 * big_rational(half_change).value,
-                                   big_rational(square).value};
-  const auto exact = [](const mpq_class& x) { return Rational(BigRational{x}); };
+  const std::array<mpq_class, 3> c{gmp_number(from), 2 * gmp_number(half_change), gmp_number(square)};
   if (c[0] + (c[1] + c[2] * low_) * low_ <= 0) {
-    first_ = Root(exact(low_));
+    first_ = Root(exact_number(low_));
     return;
   }
-  const std::array coefficients{exact(c[0]), exact(c[1]), exact(c[2])};
-  const std::vector<Root> roots = real_roots(coefficients, exact(low_), exact(high_));
+  const std::array coefficients{exact_number(c[0]), exact_number(c[1]), exact_number(c[2])};
+  const std::vector<Root> roots = real_roots(coefficients, exact_number(low_), exact_number(high_));
   if (!roots.empty()) first_ = roots.front();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "arith/exact_number.hpp"
 #include "plumb/arith/error.hpp"
 #include "query/vclip/checked_signs.hpp"
 #include "query/vclip/edge_pairs.hpp"
@@ -24,7 +25,7 @@ void require_volume(std::string_view of, const ClipView& v) {
 }
 
 std::array<Rational, 3> rational(const Vec<BigDyadic>& v) {
-  return {Rational(big_rational(v.x)), Rational(big_rational(v.y)), Rational(big_rational(v.z))};
+  return {exact_number(v.x), exact_number(v.y), exact_number(v.z)};
 }
 
 class AxisSearch {

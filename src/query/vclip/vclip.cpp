@@ -3,6 +3,7 @@
 #include <string>
 
 #include "arith/big_rounding.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/error.hpp"
 #include "query/body/vectors.hpp"
@@ -157,7 +158,7 @@ VClipResult vclip_of(const ClipView& a, const ClipView& b, const VClipOptions& o
     const CornerNumbers n = numbers_of(*core_a, *core_b, *corners);
     r.closest = {n.on_a, n.on_b, n.distance, feature_of(solid_a, needed_part(solid_a, r.at.a, *corners, 0)),
                  feature_of(solid_b, needed_part(solid_b, r.at.b, *corners, 1))};
-    if (options.squared_distance) r.squared_distance = Rational(BigRational{square_of(*core_a, *core_b, *corners)});
+    if (options.squared_distance) r.squared_distance = exact_number(square_of(*core_a, *core_b, *corners));
     return r;
   }
   r.meet = true;

@@ -36,7 +36,8 @@ double ratio_of_sizes(const std::vector<Box>& sample) {
     edges.push_back(longest);
   }
   std::sort(edges.begin(), edges.end());
-  const double small = edges[edges.size() / 20], large = edges[edges.size() - 1 - edges.size() / 20];
+  constexpr std::size_t but_one_of = 20;  // a guess: beyond these ends are what a few odd boxes are
+  const double small = edges[edges.size() / but_one_of], large = edges[edges.size() - 1 - edges.size() / but_one_of];
   return large > small ? large / small : 1;
 }
 

@@ -96,7 +96,10 @@ bool FrameSweep::is_outside(const OrdinalSpan& s) const {
   return outside && is_one(s);
 }
 
-bool FrameSweep::is_crowd_outside() const { return outside_ + leaving_ > planned_for_ / 16 + 64; }
+bool FrameSweep::is_crowd_outside() const {
+  constexpr std::size_t one_of = 16, some = 64;  // guesses
+  return outside_ + leaving_ > planned_for_ / one_of + some;
+}
 
 /// Much has moved, many more copies than at first, other boxes, or boxes elsewhere; guesses but for the first line.
 bool FrameSweep::is_stale() const {

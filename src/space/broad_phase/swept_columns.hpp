@@ -36,16 +36,18 @@ struct PlacedSweep {
 /// By a sample of the boxes; a guess.
 template <class Box>
 PlacedSweep place_sweep(const BoxSet<Box>& set, const SetBounds& bounds) {
-  constexpr std::size_t most = 256, axes = axes_of<Box>;
-  const std::size_t n = set.size(), m = std::min(n, std::clamp<std::size_t>(n / 32, 64, most));
+  constexpr std::size_t axes = axes_of<Box>;
+  constexpr std::size_t one_of = 32, least = 64, most = 256;  // guesses of how large a sample serves
+  constexpr float small = 0x1p-30F;                           // a power of two: ordinals as floats near 1
+  const std::size_t n = set.size(), m = std::min(n, std::clamp<std::size_t>(n / one_of, least, most));
   const std::array<int, 3> all_bits{ordinal_bits, ordinal_bits, ordinal_bits};
   const auto plan_by = [&](const OrdinalMap& map) {
     std::vector<SampledBox> sample(m);  // guesses, by which columns are chosen and nothing is decided
     for (std::size_t i = 0; i < m; ++i) {
       const OrdinalBox b = map(set[i * n / m], 0, 0);
       for (std::size_t k = 0; k < 3; ++k) {
-        sample[i].low[k] = static_cast<float>(b.low[k]) * 0x1p-30F;
-        sample[i].high[k] = static_cast<float>(b.high[k]) * 0x1p-30F;
+        sample[i].low[k] = static_cast<float>(b.low[k]) * small;
+        sample[i].high[k] = static_cast<float>(b.high[k]) * small;
       }
     }
     return plan_sweep(sample, n);

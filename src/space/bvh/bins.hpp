@@ -19,14 +19,14 @@ namespace plumb::space {
 class BinScale {
  public:
   BinScale(const Extent& middles, std::size_t items) : base_(middles.low) {
-    count_ = static_cast<std::uint32_t>(std::min<std::size_t>(16, 4 + items / 20));
+    count_ = static_cast<std::uint32_t>(std::min<std::size_t>(most, least + items / items_a_bin));
     const Lanes range = middles.high - middles.low;
-    // A little less than the count, so that rounding never reaches it.
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // What is flatter has no bins: a guess, which shapes the tree and decides nothing.
-      if (range[axis] > 1e-30F) scale_[axis] = 0.999F * static_cast<float>(count_) / range[axis];
+      if (range[axis] > flat_spread) scale_[axis] = below_count * static_cast<float>(count_) / range[axis];
     }
   }
+
+  static constexpr std::size_t most = 16;
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
   [[nodiscard]] bool has(std::size_t axis) const { return scale_[axis] != 0; }
@@ -40,6 +40,10 @@ class BinScale {
   }
 
  private:
+  // Guesses: few items need few bins, and more than the most no better cuts.
+  static constexpr std::size_t least = 4, items_a_bin = 20;
+  static constexpr float below_count = 0.999F;  // so that rounding never reaches the count
+
   std::uint32_t count_;
   Lanes base_, scale_ = {};
 };
@@ -120,7 +124,7 @@ class Bins {
     }
   }
 
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = BinScale::most;
   using Counts = std::array<std::uint32_t, 4>;  // of the three axes
 
   // What lies in bins one after the other, of the three axes at once.

@@ -33,6 +33,10 @@ struct alignas(16) BoxedItem {
   }
 };
 
+/// Middles that spread less along an axis are not told apart along it: a guess, which shapes trees and decides nothing;
+/// so large that a number of cells over it is a float.
+inline constexpr float flat_spread = 1e-30F;
+
 /// Twice the middle; the last lane is 0, whatever lies there.
 inline Lanes twice_middle(Lanes low, Lanes high) {
   return reinterpret_cast<Lanes>(reinterpret_cast<IntLanes>(low + high) & IntLanes{-1, -1, -1, 0});

@@ -28,9 +28,8 @@ class MortonCoder {
       side[axis] /= 2;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // A little less than the cells, so that rounding never reaches their number; what is flatter has none: a guess,
-      // which shapes the tree and decides nothing.
-      if (range[axis] > 1e-30F) scale_[axis] = 0.99999F * static_cast<float>(1 << bits[axis]) / range[axis];
+      constexpr float below_count = 0.99999F;  // so that rounding never reaches the number of cells
+      if (range[axis] > flat_spread) scale_[axis] = below_count * static_cast<float>(1 << bits[axis]) / range[axis];
       for (std::size_t b = 0; b < bits[axis]; ++b) {
         const std::size_t from_lowest = bits[axis] - 1 - b;
         for (std::size_t v = 0; v < 256; ++v) {

@@ -42,10 +42,13 @@ std::vector<std::uint32_t> handed_out(const std::vector<float>& roots, double bu
   }
   double low = 0,
          high = some.empty() ? 0 : most_more / static_cast<double>(*std::min_element(some.begin(), some.end()));
-  for (int step = 0; step < 48 && low < high; ++step) {
-    // By their exponents first: the scale may be anything.  A guess: every handing out is true.
+  // Guesses, as every handing out is true: how often to halve, and how much lower to look at once.
+  constexpr int most_steps = 48;
+  constexpr double lowest_part = 0x1p-40;
+  for (int step = 0; step < most_steps && low < high; ++step) {
+    // By their exponents first: the scale may be anything.
     const double middle =
-        low == 0 || high / low > 4 ? std::max(std::sqrt(low) * std::sqrt(high), high * 0x1p-40) : (low + high) / 2;
+        low == 0 || high / low > 4 ? std::max(std::sqrt(low) * std::sqrt(high), high * lowest_part) : (low + high) / 2;
     double sum = 0;
     for (const float root : some) sum += more(middle, root);
     (sum <= budget ? low : high) = middle;

@@ -38,7 +38,8 @@ Bounds crossing(const Numbers& from, const Numbers& to, std::size_t axis, double
   const Point2 u = forward ? Point2{from[axis], from[k]} : Point2{to[axis], to[k]},
                w = forward ? Point2{to[axis], to[k]} : Point2{from[axis], from[k]};
   const double guess = u.y + (at - u.x) / (w.x - u.x) * (w.y - u.y);
-  const double more = 0x1p-50 * (std::abs(u.y) + std::abs(w.y)), low = guess - more, high = guess + more;
+  constexpr double roundings = 0x1p-50;  // a guess, of the size: what the predicate does not confirm is not used
+  const double more = roundings * (std::abs(u.y) + std::abs(w.y)), low = guess - more, high = guess + more;
   Bounds bounds{std::min(u.y, w.y), std::max(u.y, w.y)};
   const Bounds edge = bounds;
   const auto inside = [&](double y) { return edge.low < y && y < edge.high; };

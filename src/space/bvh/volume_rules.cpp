@@ -10,11 +10,12 @@ namespace plumb {
 namespace space {
 namespace {
 
-/// Are its numbers such that doubles prove what is not near?  A guess.
+/// Are its numbers such that doubles prove what is not near?
 bool is_of_usual_size(const Obb3& box) {
+  constexpr double least = 0x1p-50, greatest = 0x1p90;  // guesses of what is usual
   const double size = VolumeRules<Obb3>::size(box);
-  return size > 0x1p-50 && size < 0x1p90 && magnitude_of(box.center.x) < 0x1p90 &&
-         magnitude_of(box.center.y) < 0x1p90 && magnitude_of(box.center.z) < 0x1p90;
+  return size > least && size < greatest && magnitude_of(box.center.x) < greatest &&
+         magnitude_of(box.center.y) < greatest && magnitude_of(box.center.z) < greatest;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "query/body/figure_input.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/parts.hpp"
+#include "space/closest/near_triangles.hpp"
 #include "space/closest/nearest_search.hpp"
 
 namespace plumb {
@@ -54,20 +55,14 @@ std::vector<NearTriangle> nearest_of(const Mesh& mesh, const Point3& p, std::siz
 template <class Mesh>
 std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double distance) {
   query::require_figure("triangles_within", "p", p);
-  if (!(distance - distance == 0)) {
-    throw NonFinite("triangles_within: distance is " + std::to_string(distance) + ", but it must be finite");
-  }
+  require_finite_distance(distance);
   std::vector<NearTriangle> within;
   if (distance < 0) return within;
   const SlotTriangles triangles(mesh);
   each_within(mesh, triangles, p, distance, [&](std::uint32_t slot, double d) {
     within.push_back({triangles.number(slot), d});
   });
-  std::ranges::sort(within, {}, &NearTriangle::triangle);
-  // An item may be in several slots.
-  const auto is_same = [](const NearTriangle& x, const NearTriangle& y) { return x.triangle == y.triangle; };
-  within.erase(std::unique(within.begin(), within.end(), is_same), within.end());
-  return within;
+  return each_once(std::move(within));
 }
 
 }  // namespace

@@ -46,6 +46,8 @@ inline std::optional<PieceCut> border_crossing(const std::array<Point3, 3>& corn
       largest = std::max(largest, std::fabs(within[i][k]));
     }
   }
+  // Guesses of where a cut pays: past a side by roundings alone, and not right at a corner.
+  constexpr double beside = 0x1p-30, least_part = 0x1p-6;
   std::optional<PieceCut> best;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto &from = within[i], &to = within[(i + 1) % 3];
@@ -53,9 +55,9 @@ inline std::optional<PieceCut> border_crossing(const std::array<Point3, 3>& corn
       if ((from[k] < 0) == (to[k] < 0)) continue;
       const double part = from[k] / (from[k] - to[k]);
       const auto on_side = [&](std::size_t other) {
-        return other == k || from[other] + part * (to[other] - from[other]) >= -0x1p-30 * largest;
+        return other == k || from[other] + part * (to[other] - from[other]) >= -beside * largest;
       };
-      if (!(part > 0x1p-6 && part < 1 - 0x1p-6) || !on_side(0) || !on_side(1) || !on_side(2)) continue;
+      if (!(part > least_part && part < 1 - least_part) || !on_side(0) || !on_side(1) || !on_side(2)) continue;
       if (!best || std::fabs(part - 0.5) < std::fabs(best->part - 0.5)) best = PieceCut{i, part};
     }
   }

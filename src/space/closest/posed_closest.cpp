@@ -8,6 +8,7 @@
 #include "plumb/space/bvh/descend_compact.hpp"
 #include "query/body/figure_input.hpp"
 #include "space/bvh/parts.hpp"
+#include "space/closest/near_triangles.hpp"
 #include "space/closest/posed_closest_search.hpp"
 
 namespace plumb {
@@ -66,9 +67,7 @@ std::vector<NearTriangle> posed_nearest(const PosedMeshOf<Mesh>& mesh, const Poi
 template <class Mesh>
 std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Point3& p, double distance) {
   require_posed("triangles_within", mesh, p);
-  if (!(distance - distance == 0)) {
-    throw NonFinite("triangles_within: distance is " + std::to_string(distance) + ", but it must be finite");
-  }
+  require_finite_distance(distance);
   std::vector<NearTriangle> within;
   if (distance < 0) return within;
   const Aabb3 point{p, p};
@@ -86,11 +85,7 @@ std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Poin
             within.push_back({mesh.bvh.number(slot), d});
         }
       });
-  std::ranges::sort(within, {}, &NearTriangle::triangle);
-  // An item may be in several slots.
-  const auto is_same = [](const NearTriangle& x, const NearTriangle& y) { return x.triangle == y.triangle; };
-  within.erase(std::unique(within.begin(), within.end(), is_same), within.end());
-  return within;
+  return each_once(std::move(within));
 }
 
 }  // namespace

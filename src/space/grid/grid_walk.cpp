@@ -274,9 +274,9 @@ void GridWalk<n>::set_times() {
   known_cell_ = cell_;
   doubt_ = 0;
   if (base != n) {
-    constexpr int bits = 52;  // of the shortest pace: what is held by a double then is a whole number
-    // A guess of where times fit: elsewhere every step is compared exactly.
-    const bool handy = least > 0x1p-900 && least < 0x1p900;
+    constexpr int bits = 52;          // of the shortest pace: what is held by a double then is a whole number
+    constexpr double fits = 0x1p900;  // a guess of where times fit: elsewhere every step is compared exactly
+    const bool handy = least > 1 / fits && least < fits;
     const double units = handy ? std::ldexp(1, bits - std::ilogb(least)) : 1;
     const Ball now = time[base];
     for (std::size_t a = 0; a < n; ++a) {

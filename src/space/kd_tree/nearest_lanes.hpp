@@ -25,7 +25,8 @@ namespace plumb::space::kd::HWY_NAMESPACE {
 namespace {
 
 /// Of a value at which products overflow, or are lost: a guess of when to scale, which decides no neighbor.
-HWY_INLINE bool is_extreme(double value) { return !(value > 0x1p-900 && value < infinity); }
+constexpr double least_moderate = 0x1p-900;
+HWY_INLINE bool is_extreme(double value) { return !(value > least_moderate && value < infinity); }
 
 /// The k points that are nearest as yet, the farthest of which says what may be nearer.
 template <class Point>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "arith/exact_number.hpp"
+
 namespace plumb::space {
 namespace {
 
@@ -81,8 +83,8 @@ bool ContactWalls::build_plane(const Posed<Triangle3>& plane, std::uint32_t slot
     return Heights<T>{way, dot(query::posed<T>(top, a_.pose), way), dot(query::posed<T>(bottom, b_.pose), way)};
   };
   Heights<BigDyadic> exact = heights(up);
-  const Rational gap(big_rational(exact.of_b - exact.of_a));
-  if (!(gap == time * Rational(big_rational(rise)))) return false;
+  const Rational gap = exact_number(exact.of_b - exact.of_a);
+  if (!(gap == time * exact_number(rise))) return false;
   const Vec3<Ball> way = normal_over<Ball>(plane);
   plane_ = Plane{heights(turned ? turned_over(way) : way), std::move(exact), VertexSides(a_.bvh.vertices.size()),
                  VertexSides(b_.bvh.vertices.size())};

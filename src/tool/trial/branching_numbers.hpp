@@ -14,7 +14,7 @@
 #include <compare>
 #include <utility>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/interval.hpp"
 #include "tool/trial/in_doubt.hpp"
 #include "tool/trial/rational_judge.hpp"
@@ -112,18 +112,10 @@ class Fraction {
 /// Integers of any length, times powers of two.
 using IntegerFraction = Fraction<BigDyadic>;
 
-inline mpq_class rational_of(const BigDyadic& x) {
-  mpq_class r(x.mantissa());
-  if (x.exponent() < 0)
-    mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-x.exponent()));
-  else
-    mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(x.exponent()));
-  return r;
-}
 /// The double nearest to the square root.
 inline double root_as_double(const IntegerFraction& square) {
-  const mpq_class above = rational_of(square.above());
-  return nearest_root(square.whole() ? above : mpq_class(above / rational_of(square.below())));
+  const mpq_class above = gmp_number(square.above());
+  return nearest_root(square.whole() ? above : mpq_class(above / gmp_number(square.below())));
 }
 
 class GmpRational {

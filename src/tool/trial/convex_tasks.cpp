@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/query/gjk/gjk.hpp"
 #include "query/convex/exact_gap.hpp"
@@ -98,7 +98,7 @@ Task convex_distance_task() {
         return Question{set_at(q.data()), set_at(&q[3 * set_points])};
       },
       [](const Question& q) {
-        return rounded_root(Rounding::nearest, Rational(BigRational{*query::squared_distance(q.a, q.b)}));
+        return rounded_root(Rounding::nearest, exact_number(*query::squared_distance(q.a, q.b)));
       }));
   return task;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "arith/splitmix.hpp"
+
 namespace plumb::tool::trial {
 
 double as_answer(const Pairs& pairs) {
@@ -9,10 +11,7 @@ double as_answer(const Pairs& pairs) {
   std::ranges::sort(sorted);
   std::uint64_t folded = sorted.size();
   for (const auto& [a, b] : sorted) {
-    folded ^= (std::uint64_t{a} << 32 | b) + 0x9e3779b97f4a7c15;
-    folded = (folded ^ folded >> 30) * 0xbf58476d1ce4e5b9;
-    folded = (folded ^ folded >> 27) * 0x94d049bb133111eb;
-    folded ^= folded >> 31;
+    folded = mixed_bits(folded ^ ((std::uint64_t{a} << 32 | b) + golden_step));
   }
   return static_cast<double>(folded >> 11);
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "plumb/arith/big.hpp"
+#include "arith/exact_number.hpp"
 #include "plumb/arith/rational.hpp"
 
 namespace plumb::tool::trial {
@@ -189,6 +189,6 @@ std::uint32_t corners_of_hull(std::span<const RationalVec> points) {
   return corners;
 }
 
-double nearest_root(const mpq_class& square) { return rounded_root(Rounding::nearest, Rational(BigRational{square})); }
+double nearest_root(const mpq_class& square) { return rounded_root(Rounding::nearest, exact_number(square)); }
 
 }  // namespace plumb::tool::trial

@@ -77,23 +77,28 @@ class PromisedShare {
   std::array<Count, families.size()> of_{};
 };
 
-/// Asks doubles and rational numbers: draw(ask, x) calls ask with what it makes of so many coordinates, which points of
-/// this dimension have; what doubles are certain of is so.
+/// Asks doubles, integers on the stack and rational numbers: draw(ask, x) calls ask with what it makes of so many
+/// coordinates, which points of this dimension have; what either are certain of is so.  Of the integers the share is
+/// promised to the name that ends with _integers.
 template <std::size_t coordinates, class Statement, class Draw>
 void expect_share(const char* name, const Statement& statement, const Draw& draw, int dimension = 3) {
-  PromisedShare share(name);
+  PromisedShare share(name), by_integers(std::string(name).append("_integers"));
   for (const FamilyInfo& info : families) {
     for (std::uint64_t i = 0; i < battery::fitting<std::uint64_t>(200); ++i) {
       Entropy entropy(91, i);
       std::array<double, coordinates> x{};
       fill_points(info.family, Degeneracy::coplanar, dimension, x, entropy);
       const auto ask = [&](const auto&... input) {
-        FloatWorld<Statement> floats;
         RationalWorld exact;
-        const auto told = statement(floats, input...);
-        share.add(info.family, floats.certain());
-        if (!floats.certain()) return;
-        EXPECT_EQ(told, statement(exact, input...)) << name << ", " << info.name << ", Entropy(91, " << i << ")";
+        const auto of_rationals = statement(exact, input...);
+        const auto hold = [&](auto world, PromisedShare& of) {
+          const auto told = statement(world, input...);
+          of.add(info.family, world.certain());
+          if (!world.certain()) return;
+          EXPECT_EQ(told, of_rationals) << name << ", " << info.name << ", Entropy(91, " << i << ")";
+        };
+        hold(FloatWorld<Statement>(), share);
+        hold(IntegerWorld(), by_integers);
       };
       draw(ask, x);
     }

@@ -158,7 +158,9 @@ inline constexpr bool filter_is_magnitude = [] {
   }
 }();
 
-/// The threshold of that filter, for a value at hand; where nothing is certain NaN, or infinite as the value is.
+/// What the magnitude of the value must exceed for its sign to be certain, by that filter; `value` is the formula's at p,
+/// which the caller has computed.  Where it overflowed or is NaN no threshold can be trusted: this one is then NaN or
+/// infinite, which no magnitude exceeds.
 template <Formula F, class Input = double>
 constexpr double filter_threshold(const std::array<Input, arity<F>>& p, [[maybe_unused]] double value) {
   if constexpr (filter_is_magnitude<F>) {
