@@ -38,6 +38,7 @@ HWY_INLINE Three loaded(const double* xyz) { return {_mm256_maskload_pd(xyz, _mm
 HWY_INLINE Three operator+(const Three& a, const Three& b) { return {_mm256_add_pd(a.v, b.v)}; }
 HWY_INLINE Three operator-(const Three& a, const Three& b) { return {_mm256_sub_pd(a.v, b.v)}; }
 HWY_INLINE Three operator*(const Three& a, const Three& b) { return {_mm256_mul_pd(a.v, b.v)}; }
+HWY_INLINE Three operator/(const Three& a, const Three& b) { return {_mm256_div_pd(a.v, b.v)}; }
 HWY_INLINE Three plus_product(const Three& sum, const Three& a, const Three& b) {
   return {_mm256_fmadd_pd(a.v, b.v, sum.v)};
 }
@@ -120,6 +121,7 @@ HWY_INLINE Three loaded(const double* xyz) { return {xyz[0], xyz[1], xyz[2]}; }
 HWY_INLINE Three operator+(const Three& a, const Three& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 HWY_INLINE Three operator-(const Three& a, const Three& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 HWY_INLINE Three operator*(const Three& a, const Three& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+HWY_INLINE Three operator/(const Three& a, const Three& b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
 HWY_INLINE Three plus_product(const Three& sum, const Three& a, const Three& b) { return sum + a * b; }
 HWY_INLINE Three minus_product(const Three& sum, const Three& a, const Three& b) { return sum - a * b; }
 HWY_INLINE Three size(const Three& a) { return {magnitude_of(a.x), magnitude_of(a.y), magnitude_of(a.z)}; }

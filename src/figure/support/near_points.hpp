@@ -9,11 +9,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "arith/vec.hpp"
-#include "plumb/arith/filtered.hpp"
 #include "plumb/certify/certainly.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/linear.hpp"
@@ -102,22 +100,6 @@ struct OfSegments : Proof {
   }
 };
 
-/// The point of the box at these parts of its axes.
-struct OfObb : Proof {
-  template <class W>
-  [[gnu::always_inline]] Sign operator()(W& w, const Obb3& box, const Point3& center, double radius,
-                                         const std::array<double, 3>& part, const Plain& direction) const {
-    const auto d = way<0>(w, center, box.center);
-    const auto u = way<1>(w, box.axes[0]), v = way<1>(w, box.axes[1]), t = way<1>(w, box.axes[2]);
-    const auto times = [&w](const auto& axis, double by) { return axis * w.template weight<1>(w.given(by)); };
-    const auto off = d - times(u, part[0]) - times(v, part[1]) - times(t, part[2]);
-    const auto n = way<2>(w, direction);
-    const auto low = dot(n, d) - magnitude(times(dot(n, u), box.half.x)) - magnitude(times(dot(n, v), box.half.y)) -
-                     magnitude(times(dot(n, t), box.half.z));
-    return judged(w, off, n, low, w.number(radius));
-  }
-};
-
 /// The point of the segment at this part, and q of the box; its `corner` lies farthest along the direction.
 struct OfAabb : Proof {
   template <class W>
@@ -167,21 +149,6 @@ template <class Statement, class... Input>
   v *= share, w *= share;
   if (!(v >= 0 && w >= 0 && v + w < 1 && radius >= 0)) return {};
   return told<OfTriangle>(t, center, radius, v, w, ap - ab * v - ac * w);
-}
-
-[[gnu::flatten]] inline std::optional<Sign> quick_gap(const Obb3& box, const Point3& center, double radius) {
-  const Plain d = arith::vec<double>(center) - arith::vec<double>(box.center);
-  const std::array half{magnitude_of(box.half.x), magnitude_of(box.half.y), magnitude_of(box.half.z)};
-  const std::array axis{arith::vec<double>(box.axes[0]), arith::vec<double>(box.axes[1]),
-                        arith::vec<double>(box.axes[2])};
-  Plain off = d;
-  std::array<double, 3> part{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double square = arith::dot(axis[i], axis[i]);
-    part[i] = square > 0 ? std::clamp(arith::dot(d, axis[i]) / square, -half[i], half[i]) : 0;
-    off = off - axis[i] * part[i];
-  }
-  return radius >= 0 ? told<OfObb>(box, center, radius, part, off) : std::nullopt;
 }
 
 /// Of two segments pq and xy.

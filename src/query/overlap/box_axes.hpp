@@ -20,6 +20,7 @@
 #include "certify/three_axes.hpp"
 #include "figure/obb/fifteen_axes.hpp"
 #include "plumb/figure/basic/relation.hpp"
+#include "plumb/figure/basic/round.hpp"
 #include "query/overlap/linear3.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -225,6 +226,38 @@ struct TriangleAndObb {
     across_triangle(w, gaps, corner, edge, half, []() HWY_ATTR { return false; });
     gaps.need(w.positive(half));
     return gaps.template relation<Relation>(half);
+  }
+};
+
+/// A point minus the point of a parallelepiped at these parts of its axes, as vectors of space.
+template <class D, class U, class P>
+HWY_INLINE auto seen_from(const D& d, const U& u, const U& v, const U& w, const P& part) {
+  return minus_product(minus_product(minus_product(d, u, spread<0>(part)), v, spread<1>(part)), w, spread<2>(part));
+}
+
+/// By two guesses, which need not be good: parts of its axes at which the box has a point near the ball's center, and a
+/// direction along which the box ends before the ball begins.
+struct BallAndObb {
+  static constexpr int highest = 4;
+  static constexpr Scales scales{.count = 3, .weights = 0b10};  // the axes and the direction may be of any length
+  template <class W>
+  HWY_INLINE Relation operator()(W& w, const Sphere3& ball, const Obb3& b, const auto& part,
+                                 const auto& direction) const {
+    const auto d = w.difference(w.given(ball.center), w.given(b.center));
+    const auto x = w.template number<1>(w.given(b.axes[0])), y = w.template number<1>(w.given(b.axes[1])),
+               z = w.template number<1>(w.given(b.axes[2]));
+    const auto half = w.template weight<1>(w.given(b.half));
+    const auto radius = spread<0>(w.number(w.given(ball.radius, 0.0, 0.0)));
+    const auto limit = radius * radius;
+    const auto off = seen_from(d, x, y, z, w.template weight<1>(w.given(part)));
+    const auto n = w.template number<2>(w.given(direction));
+    const auto low = total(minus_product(n * d, magnitude(seen_along(transposed(x, y, z), n)), magnitude(half)));
+    // Both at once: nobody foresees which.
+    const bool meets = w.is_all(w.positive(limit - total(off * off))),
+               is_apart = w.is_all(w.positive(low) & w.positive(low * low - limit * total(n * n)));
+    const auto told = static_cast<Relation>(static_cast<int>(meets) - static_cast<int>(is_apart));
+    if (told == Relation::touching) w.leave_open();
+    return told;
   }
 };
 

@@ -57,6 +57,18 @@ HWY_INLINE std::optional<Relation> by_pairs(const Input&... input) {
   return by_doubles<TriangleAndObb>(t, b);
 }
 
+/// The parts at which the box is nearest to the center, if its axes are at right angles, and the direction from there.
+[[maybe_unused]] std::optional<Relation> relation(const Sphere3& s, const Obb3& b) {
+  using lanes::spread, lanes::loaded;
+  if (!(s.radius >= 0)) return {};
+  const lanes::Three d = loaded(s.center) - loaded(b.center), half = size(loaded(b.half));
+  const lanes::Three x = loaded(b.axes[0]), y = loaded(b.axes[1]), z = loaded(b.axes[2]);
+  const lanes::Columns axes = transposed(x, y, z);
+  const lanes::Three at = along(axes, spread<0>(d), spread<1>(d), spread<2>(d)) / along(axes, axes.x, axes.y, axes.z);
+  const lanes::Three part = larger(smaller(at, half), lanes::of_all(0) - half);
+  return by_doubles<BallAndObb>(s, b, part, seen_from(d, x, y, z, part));
+}
+
 [[maybe_unused]] std::optional<Relation> relation(const Segment2& s, const Aabb2& b) {
   return by_doubles<figure::box_axes2::HWY_NAMESPACE::SegmentAndBox2>(s, b);
 }
@@ -94,6 +106,7 @@ PLUMB_QUICK_RELATION(Segment3, Obb3)
 PLUMB_QUICK_RELATION(Ray3, Obb3)
 PLUMB_QUICK_RELATION(Line3, Obb3)
 PLUMB_QUICK_RELATION(Triangle3, Obb3)
+PLUMB_QUICK_RELATION(Sphere3, Obb3)
 PLUMB_QUICK_RELATION(Segment2, Aabb2)
 PLUMB_QUICK_RELATION(Triangle2, Aabb2)
 #undef PLUMB_QUICK_RELATION

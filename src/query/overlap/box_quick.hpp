@@ -1,4 +1,4 @@
-// Separating axis test: do plain doubles prove how a box lies to a triangle, or to what is straight?
+// Separating axis test: do plain doubles prove how a box lies to a triangle, a ball, or to what is straight?
 //
 // Laws: an answer is that of real arithmetic; what is near to zero but not exactly known, not finite, or too large for
 // the products gets none, nor does an empty box.  Touching is told where it is along a face of a solid box with the
@@ -9,6 +9,7 @@
 
 #include <optional>
 
+#include "plumb/figure/basic/round.hpp"
 #include "query/overlap/linear3.hpp"
 
 namespace plumb::query {
@@ -21,6 +22,7 @@ std::optional<Relation> quick_relation(const Segment3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Ray3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Line3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Triangle3& a, const Obb3& b);
+std::optional<Relation> quick_relation(const Sphere3& a, const Obb3& b);
 std::optional<Relation> quick_relation(const Segment2& a, const Aabb2& b);
 std::optional<Relation> quick_relation(const Triangle2& a, const Aabb2& b);
 

@@ -3,6 +3,7 @@
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
+#include "query/overlap/box_quick.hpp"
 #include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
@@ -12,7 +13,10 @@ namespace {
 using figure::near_points::quick_gap, query::quick_gap;
 
 std::optional<Sign> near_or_far(const Triangle3& t, const Sphere3& b) { return quick_gap(t, b.center, b.radius); }
-std::optional<Sign> near_or_far(const Obb3& box, const Sphere3& b) { return quick_gap(box, b.center, b.radius); }
+std::optional<Sign> near_or_far(const Obb3& box, const Sphere3& b) {
+  const auto told = quick_relation(b, box);
+  return told ? std::optional(-static_cast<Sign>(*told)) : std::nullopt;
+}
 std::optional<Sign> near_or_far(const Segment3& s, const Capsule3& c) {
   return quick_gap(s, Segment3{c.a, c.b}, 0, c.radius);
 }

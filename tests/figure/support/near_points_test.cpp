@@ -20,10 +20,8 @@ namespace plumb::figure::near_points {
 namespace {
 
 TEST(NearPoints, WhatIsToldIsSo) {
-  // The guess of an oriented box is for axes at right angles, which these are not.
-  std::array shares{PromisedShare("near_triangle"), PromisedShare("near_segments"), PromisedShare("near_obb"),
-                    PromisedShare("near_aabb")};
-  std::array<int, 4> near{};
+  std::array shares{PromisedShare("near_triangle"), PromisedShare("near_segments"), PromisedShare("near_aabb")};
+  std::array<int, 3> near{};
   for (const FamilyInfo& info : families) {
     const auto add = [&](std::size_t k, const std::optional<Sign>& sign, Sign exact) {
       shares[k].add(info.family, sign.has_value());
@@ -36,19 +34,16 @@ TEST(NearPoints, WhatIsToldIsSo) {
       std::array<double, 18> x{};
       fill_points(info.family, Degeneracy::coplanar, 3, x, entropy);
       const auto point = [&x](std::size_t k) { return Point3{x[3 * k], x[3 * k + 1], x[3 * k + 2]}; };
-      const auto vector = [&x](std::size_t k) { return Vector3{x[3 * k], x[3 * k + 1], x[3 * k + 2]}; };
       const Triangle3 t{point(0), point(1), point(2)};
       const Segment3 s{point(0), point(1)}, r{point(2), point(3)};
       const Aabb3 box{{std::min(x[0], x[3]), std::min(x[1], x[4]), std::min(x[2], x[5])},
                       {std::max(x[0], x[3]), std::max(x[1], x[4]), std::max(x[2], x[5])}};
-      const Obb3 obb{point(0), {vector(1), vector(2), vector(3)}, vector(4)};
       const Point3 p = point(5);
       const double radius = std::fabs(entropy.coin() ? x[14] : x[14] - x[2]);
       const auto sign = [&](const auto& a, const auto& b) { return compare_distance(a, b, radius); };
       add(0, quick_gap(t, p, radius), sign(p, t));
       add(1, quick_gap(s, r, 0, radius), sign(s, r));
-      add(2, quick_gap(obb, p, radius), sign(p, obb));
-      add(3, quick_gap(box, r, radius), sign(box, r));
+      add(2, quick_gap(box, r, radius), sign(box, r));
     }
   }
   for (const int n : near) EXPECT_GE(n, 50);
@@ -66,8 +61,6 @@ TEST(NearPoints, DerivedBoundsAreAsRecordedAndProved) {
   expect_bounds<OfTriangle>("near_triangle", t, Point3{1, 1, 3}, 1.0, 0.25, 0.25, up);
   const Segment3 s{{0, 0, 0}, {4, 0, 0}}, r{{0, 0, 3}, {0, 4, 2.5}};
   expect_bounds<OfSegments>("near_segments", r, s, 1.0, 1.0, 0.0, 0.0, up);
-  const Obb3 box{{0, 0, 0}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};
-  expect_bounds<OfObb>("near_obb", box, Point3{0, 0, 4}, 1.0, std::array{0.0, 0.0, 1.0}, up);
   expect_bounds<OfAabb>("near_aabb", Plain{0, 0, 0}, Plain{1, 1, 0}, r, 1.0, 0.0, up);
 }
 
@@ -105,19 +98,6 @@ TEST(NearPoints, MutantsAreNoticed) {
           },
           [](const auto& input) { return compare_distance(input.second.center, input.first, input.second.radius); }),
       "34 ");
-  mutants::expect_noticed(
-      "near_obb",
-      unnoticed(
-          [&](Draw& d) {
-            return std::pair{d.turned_box(), of_ball(d)};
-          },
-          [&](const auto& input) {
-            const auto& [box, ball] = input;
-            Plain off = plain(ball.center) - plain(box.center);
-            for (std::size_t i = 0; i < 3; ++i) off = off - plain(box.axes[i]) * ball.part[i];
-            return told<World>(OfObb{}, box, ball.center, ball.radius, ball.part, ball.way(off));
-          },
-          [](const auto& input) { return compare_distance(input.second.center, input.first, input.second.radius); }));
   const auto segment = [](Draw& d) { return Segment3{d.point(), d.point()}; };
   const auto at = [&](const Segment3& s, double t) { return plain(s.a) + (plain(s.b) - plain(s.a)) * t; };
   const std::string of_segments = unnoticed(
