@@ -5,7 +5,7 @@
 // Laws: none for numbers that round: they are on trial, and decide nothing of ours.  In numbers that do not the answer
 // is right for all points, flat and repeated ones included.  Determinants within the epsilon count as zero.
 // Source: RTCD 3.9.1; Kallay 1981 (beneath and beyond).
-// Cost: n log n, and some n^2 operations for so few points.
+// Cost: some n^2 operations for so few points.
 #pragma once
 
 #include <algorithm>
@@ -20,17 +20,22 @@ namespace plumb::tool::trial {
 
 inline constexpr std::size_t hull_points = 16, hull3_points = 12;
 
-/// The least number first, of points in the order of their coordinates, none of them twice.
+/// The least number first, of points in the order of their coordinates, none of them twice.  By insertion, as the
+/// standard's sort does with so few, but compiled without what it keeps for many.
 template <class Point>
 std::vector<std::size_t> in_order(const Point* points, std::size_t count) {
-  std::vector<std::size_t> order(count);
-  for (std::size_t i = 0; i < count; ++i) order[i] = i;
-  std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
+  const auto before = [&](std::size_t i, std::size_t j) {
     for (std::size_t k = 0; k < points[i].size(); ++k) {
       if (points[i][k] != points[j][k]) return points[i][k] < points[j][k];
     }
     return i < j;
-  });
+  };
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t at = i;
+    for (; at > 0 && before(i, order[at - 1]); --at) order[at] = order[at - 1];
+    order[at] = i;
+  }
   const auto same = [&](std::size_t i, std::size_t j) { return points[i] == points[j]; };
   order.erase(std::unique(order.begin(), order.end(), same), order.end());
   return order;
