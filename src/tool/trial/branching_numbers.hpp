@@ -16,6 +16,7 @@
 
 #include "arith/exact_number.hpp"
 #include "plumb/arith/interval.hpp"
+#include "tool/trial/expansion.hpp"
 #include "tool/trial/in_doubt.hpp"
 #include "tool/trial/rational_judge.hpp"
 
@@ -55,68 +56,50 @@ class Enclosed {
   Interval of_;
 };
 
-/// One number above another that is positive, or by itself; nothing is reduced.
+/// One number above another that is positive, or by itself; nothing is reduced.  Compiled once for each kind of number:
+/// inlined into every algorithm, operations that take memory gain no speed.
 template <class Number>
 class Fraction {
  public:
-  Fraction(double x = 0) : above_(x) {}  // NOLINT: a double is one
+  Fraction(double x = 0) : above_(x) {}  // NOLINT: a double is one; here, so that a constant 0 takes no memory
 
   [[nodiscard]] const Number& above() const { return above_; }
   [[nodiscard]] const Number& below() const { return below_; }
   [[nodiscard]] bool whole() const { return whole_; }
 
-  friend Fraction operator+(const Fraction& a, const Fraction& b) {
-    return sum(a, b, [](const Number& x, const Number& y) { return x + y; });
-  }
-  friend Fraction operator-(const Fraction& a, const Fraction& b) {
-    return sum(a, b, [](const Number& x, const Number& y) { return x - y; });
-  }
-  friend Fraction operator-(const Fraction& a) { return Fraction() - a; }
-  friend Fraction operator*(const Fraction& a, const Fraction& b) {
-    if (a.whole_ && b.whole_) return Fraction(a.above_ * b.above_);
-    return {a.above_ * b.above_, a.whole_ ? b.below_ : b.whole_ ? a.below_ : a.below_ * b.below_};
-  }
-  friend Fraction operator/(const Fraction& a, const Fraction& b) {
-    const Sign sign = b.above_.sign();
-    if (sign == Sign::zero) {
-      in_doubt = true;
-      return a;
-    }
-    const Number above = b.whole_ ? a.above_ : a.above_ * b.below_;
-    const Number below = a.whole_ ? b.above_ : a.below_ * b.above_;
-    return sign == Sign::positive ? Fraction(above, below) : Fraction(Number() - above, Number() - below);
-  }
+  friend Fraction operator+(const Fraction& a, const Fraction& b) { return a.plus(b); }
+  friend Fraction operator-(const Fraction& a, const Fraction& b) { return a.minus(b); }
+  friend Fraction operator-(const Fraction& a) { return Fraction().minus(a); }
+  friend Fraction operator*(const Fraction& a, const Fraction& b) { return a.times(b); }
+  friend Fraction operator/(const Fraction& a, const Fraction& b) { return a.over(b); }
 
-  friend std::strong_ordering operator<=>(const Fraction& a, const Fraction& b) {
-    return static_cast<int>((a - b).above_.sign()) <=> 0;
-  }
-  friend bool operator==(const Fraction& a, const Fraction& b) { return (a <=> b) == 0; }
+  friend std::strong_ordering operator<=>(const Fraction& a, const Fraction& b) { return a.against(b) <=> 0; }
+  friend bool operator==(const Fraction& a, const Fraction& b) { return a.against(b) == 0; }
 
  private:
   explicit Fraction(Number above) : above_(std::move(above)) {}
   Fraction(Number above, Number below) : above_(std::move(above)), below_(std::move(below)), whole_(false) {}
 
+  [[nodiscard]] Fraction plus(const Fraction& b) const;
+  [[nodiscard]] Fraction minus(const Fraction& b) const;
+  [[nodiscard]] Fraction times(const Fraction& b) const;
+  [[nodiscard]] Fraction over(const Fraction& b) const;
+  [[nodiscard]] int against(const Fraction& b) const;
+
   template <class Add>
-  static Fraction sum(const Fraction& a, const Fraction& b, Add add) {
-    if (a.whole_ && b.whole_) return Fraction(add(a.above_, b.above_));
-    if (a.whole_) return {add(a.above_ * b.below_, b.above_), b.below_};
-    if (b.whole_) return {add(a.above_, b.above_ * a.below_), a.below_};
-    if ((a.below_ - b.below_).sign() == Sign::zero) return {add(a.above_, b.above_), a.below_};
-    return {add(a.above_ * b.below_, b.above_ * a.below_), a.below_ * b.below_};
-  }
+  static Fraction sum(const Fraction& a, const Fraction& b, Add add);
 
   Number above_, below_{};
   bool whole_ = true;
 };
+extern template class Fraction<BigDyadic>;
+extern template class Fraction<Expansion>;
 
 /// Integers of any length, times powers of two.
 using IntegerFraction = Fraction<BigDyadic>;
 
 /// The double nearest to the square root.
-inline double root_as_double(const IntegerFraction& square) {
-  const mpq_class above = gmp_number(square.above());
-  return nearest_root(square.whole() ? above : mpq_class(above / gmp_number(square.below())));
-}
+double root_as_double(const IntegerFraction& square);
 
 class GmpRational {
  public:
