@@ -40,39 +40,38 @@ double answer_in(const std::array<double, N>& q, const Algorithm& algorithm) {
 
 /// Double against errors that one bound of all inputs bounds.
 template <std::size_t N, class Algorithm>
-Method static_filter(Algorithm algorithm) {
-  return {"static-filter", "double against bounds for all inputs; unsure within them",
-          [algorithm](std::span<const double> questions, const Scene& scene) -> std::unique_ptr<Round> {
-            // In units of a power of two, so that the bound is a constant.
-            int shift = scene.largest == 0 ? 0 : BoundedNumber::input_exponent - 1 - std::ilogb(scene.largest);
-            if constexpr (requires { Algorithm::axes_are_no_lengths; }) {  // which would be scaled as well
-              if (shift < 0) return nullptr;
-              shift = 0;
-            }
-            std::vector<double> scaled(questions.begin(), questions.end());
-            for (double& x : scaled) {
-              const double in_units = std::scalbn(x, shift);
-              if (std::scalbn(in_units, -shift) != x) return nullptr;  // it would lose digits
-              x = in_units;
-            }
-            const auto take = [algorithm](const std::array<double, N>& q) __attribute__((flatten)) {
-              return answer_in<BoundedNumber>(q, algorithm, BoundedNumber::input);
-            };
-            return one_by_one(questions_in<double, N>(scaled), take);
-          }};
+Method static_filter(Algorithm) {
+  return method("static-filter", "double against bounds for all inputs; unsure within them",
+                [](std::span<const double> questions, const Scene& scene) -> std::unique_ptr<Round> {
+                  // In units of a power of two, so that the bound is a constant.
+                  int shift = scene.largest == 0 ? 0 : BoundedNumber::input_exponent - 1 - std::ilogb(scene.largest);
+                  if constexpr (requires { Algorithm::axes_are_no_lengths; }) {  // which would be scaled as well
+                    if (shift < 0) return nullptr;
+                    shift = 0;
+                  }
+                  std::vector<double> scaled(questions.begin(), questions.end());
+                  for (double& x : scaled) {
+                    const double in_units = std::scalbn(x, shift);
+                    if (std::scalbn(in_units, -shift) != x) return nullptr;  // it would lose digits
+                    x = in_units;
+                  }
+                  const auto take = [](const std::array<double, N>& q) __attribute__((flatten)) {
+                    return answer_in<BoundedNumber>(q, Algorithm{}, BoundedNumber::input);
+                  };
+                  return one_by_one(questions_in<double, N>(scaled), take);
+                });
 }
 
 /// A number that memory is taken for is made of the double beforehand.
 template <class T, std::size_t N, class Algorithm>
-Method kept_in(std::string name, std::string about, Algorithm algorithm) {
-  return each_of<T, N>(std::move(name), std::move(about),
-                       [=](const std::array<T, N>& q) { return answer_of(q, algorithm); });
+Method kept_in(std::string_view name, std::string_view about, Algorithm) {
+  return each_of<T, N>(name, about, [](const std::array<T, N>& q) { return answer_of(q, Algorithm{}); });
 }
 
 template <std::size_t N, class Algorithm>
-Method compensated_method(Algorithm algorithm) {
+Method compensated_method(Algorithm) {
   return each_of<double, N>("compensated", "pairs of doubles that keep each rounding's error",
-                            [=](const std::array<double, N>& q) { return answer_in<Compensated>(q, algorithm); });
+                            [](const std::array<double, N>& q) { return answer_in<Compensated>(q, Algorithm{}); });
 }
 
 template <std::size_t N, class Algorithm>
@@ -91,16 +90,16 @@ template <AnswerKind kind, std::size_t N, class Algorithm>
 std::vector<Method> branching_methods(Algorithm algorithm) {
   using Numbers = std::array<double, N>;
   std::vector<Method> all = float_methods<N>(algorithm);
-  const auto add = [&](std::string name, std::string about, auto take) {
-    all.push_back(each_of<double, N>(std::move(name), std::move(about), take));
+  const auto add = [&](std::string_view name, std::string_view about, auto take) {
+    all.push_back(each_of<double, N>(name, about, take));
   };
   all.push_back(compensated_method<N>(algorithm));
   if constexpr (kind != AnswerKind::number) {
     add("interval", "interval arithmetic alone; unsure where a branch is not told",
-        [=](const Numbers& q) { return answer_in<Enclosed>(q, algorithm); });
+        [](const Numbers& q) { return answer_in<Enclosed>(q, Algorithm{}); });
     all.push_back(static_filter<N>(algorithm));
     add("adaptive", "intervals, then fractions of expansions of doubles",
-        [=](const Numbers& q) { return adaptive_answer(q, algorithm); });
+        [](const Numbers& q) { return adaptive_answer(q, Algorithm{}); });
   }
   all.push_back(kept_in<IntegerFraction, N>("integers", "fractions of integers of any length, always", algorithm));
   all.push_back(kept_in<GmpRational, N>("rationals", "GMP's rationals, always", algorithm));

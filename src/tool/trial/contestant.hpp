@@ -16,6 +16,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -60,20 +61,14 @@ class Round {
   [[nodiscard]] virtual Pairs given_pairs(std::size_t) const { return {}; }
 };
 
-/// A question after the other, each answered by `take`.
-template <class Question, class Take>
+/// A question after the other: `ask` answers all.
+template <class Question, class Answer, class Ask>
 class OneByOne final : public Round {
-  using Answer = std::remove_cvref_t<std::invoke_result_t<const Take&, const Question&>>;
-
  public:
-  OneByOne(std::vector<Question> questions, Take take)
-      : questions_(std::move(questions)), take_(std::move(take)), answers_(new Answer[questions_.size()]{}) {}
+  OneByOne(std::vector<Question> questions, Ask ask)
+      : questions_(std::move(questions)), ask_(ask), answers_(new Answer[questions_.size()]{}) {}
 
-  [[gnu::noinline]] void answer() override {
-    const Question* const questions = questions_.data();
-    Answer* const answers = answers_.get();
-    for (std::size_t i = 0, n = questions_.size(); i < n; ++i) answers[i] = take_(questions[i]);
-  }
+  void answer() override { ask_(questions_.data(), answers_.get(), questions_.size()); }
   [[nodiscard]] double given(std::size_t i) const override { return as_answer(answers_[i]); }
   [[nodiscard]] Pairs given_pairs(std::size_t i) const override {
     if constexpr (std::is_same_v<Answer, Pairs>) return answers_[i];
@@ -82,13 +77,36 @@ class OneByOne final : public Round {
 
  private:
   std::vector<Question> questions_;
-  const Take take_;
+  const Ask ask_;
   std::unique_ptr<Answer[]> answers_;
 };
 
+/// Of a type that alone says all: what is compiled once for each of hundreds of methods is then the loop alone.
+template <class Take>
+inline constexpr bool stateless = std::is_empty_v<Take>&& std::is_default_constructible_v<Take>;
+
+template <class Question, class Take, class Answer>
+[[gnu::noinline]] void answer_all(const Take& take, const Question* questions, Answer* answers, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) answers[i] = take(questions[i]);
+}
+
+template <class Question, class Answer, class Ask>
+[[gnu::noinline]] std::unique_ptr<Round> asked_by(std::vector<Question> questions, Ask ask) {
+  return std::make_unique<OneByOne<Question, Answer, Ask>>(std::move(questions), ask);
+}
+
+/// Each answered by `take`.
 template <class Question, class Take>
 std::unique_ptr<Round> one_by_one(std::vector<Question> questions, Take take) {
-  return std::make_unique<OneByOne<Question, Take>>(std::move(questions), std::move(take));
+  using Answer = std::remove_cvref_t<std::invoke_result_t<const Take&, const Question&>>;
+  if constexpr (stateless<Take>) {
+    using Ask = void (*)(const Question*, Answer*, std::size_t);
+    return asked_by<Question, Answer, Ask>(
+        std::move(questions), [](const Question* q, Answer* a, std::size_t n) { answer_all(Take{}, q, a, n); });
+  } else {
+    return asked_by<Question, Answer>(
+        std::move(questions), [take](const Question* q, Answer* a, std::size_t n) { answer_all(take, q, a, n); });
+  }
 }
 
 /// What prepares nothing is not asked of the class: a batch, where questions have nothing in common.
@@ -98,5 +116,17 @@ struct Method {
   /// The number of which it takes the sign, where that is one in floating point; 0 within an epsilon.
   std::function<long double(std::span<const double> question)> value = {};
 };
+
+/// Where `prepare` is stateless, by a plain function: no wrapper of its own is compiled.
+using Prepare = std::unique_ptr<Round>(std::span<const double> questions, const Scene& scene);
+Method prepared_by(std::string_view name, std::string_view about, Prepare* prepare);
+template <class Prepared>
+Method method(std::string_view name, std::string_view about, Prepared prepare) {
+  if constexpr (stateless<Prepared>) {
+    return prepared_by(name, about, prepare);
+  } else {
+    return {std::string(name), std::string(about), std::move(prepare)};
+  }
+}
 
 }  // namespace plumb::tool::trial

@@ -27,25 +27,31 @@ std::vector<std::array<T, N>> questions_in(std::span<const double> questions) {
 
 /// A method that asks `take` of each question, an array of T.
 template <class T, std::size_t N, class Take>
-Method each_of(std::string name, std::string about, Take take) {
-  return {std::move(name), std::move(about), [take](std::span<const double> questions, const Scene&) {
-            return one_by_one(questions_in<T, N>(questions), take);
-          }};
+Method each_of(std::string_view name, std::string_view about, Take take) {
+  if constexpr (stateless<Take>) {
+    return method(name, about, [](std::span<const double> questions, const Scene&) {
+      return one_by_one(questions_in<T, N>(questions), Take{});
+    });
+  } else {
+    return method(name, about, [take](std::span<const double> questions, const Scene&) {
+      return one_by_one(questions_in<T, N>(questions), take);
+    });
+  }
 }
 
 /// A method whose questions are shapes of its own, made beforehand from the numbers.
 template <std::size_t N, class Make, class Take>
-Method each_made(std::string name, std::string about, Make make, Take take) {
-  return {std::move(name), std::move(about), [make, take](std::span<const double> questions, const Scene&) {
-            std::vector<std::invoke_result_t<Make, const std::array<double, N>&>> made;
-            for (const auto& q : questions_in<double, N>(questions)) made.push_back(make(q));
-            return one_by_one(std::move(made), take);
-          }};
+Method each_made(std::string_view name, std::string_view about, Make make, Take take) {
+  return method(name, about, [make, take](std::span<const double> questions, const Scene&) {
+    std::vector<std::invoke_result_t<Make, const std::array<double, N>&>> made;
+    for (const auto& q : questions_in<double, N>(questions)) made.push_back(make(q));
+    return one_by_one(std::move(made), take);
+  });
 }
 
 /// Ours, asked of two shapes, which are the numbers that they consist of.
 template <class A, class B, class Ask>
-Method exact_method(Ask ask) {
+Method exact_method(Ask) {
   struct Question {
     A a;
     B b;
@@ -53,7 +59,7 @@ Method exact_method(Ask ask) {
   using Numbers = std::array<double, sizeof(Question) / sizeof(double)>;
   return each_made<std::tuple_size_v<Numbers>>(
       "exact", "ours, one at a time", [](const Numbers& q) { return std::bit_cast<Question>(q); },
-      [ask](const Question& q) { return ask(q.a, q.b); });
+      [](const Question& q) { return Ask{}(q.a, q.b); });
 }
 
 /// What most pairs of shapes are asked.
@@ -67,23 +73,23 @@ double largest_of(const std::array<double, N>& q) {
 }
 
 template <std::size_t N, class Algorithm>
-std::vector<Method> float_methods(Algorithm algorithm) {
+std::vector<Method> float_methods(Algorithm) {
   std::vector<Method> all;
   all.push_back(each_of<float, N>("float32", "single precision, of coordinates rounded to it",
-                                  [=](const std::array<float, N>& q) { return algorithm(q, 0.0F); }));
+                                  [](const std::array<float, N>& q) { return Algorithm{}(q, 0.0F); }));
   all.push_back(each_of<double, N>("double", "as commonly written, no epsilon",
-                                   [=](const std::array<double, N>& q) { return algorithm(q, 0.0); }));
+                                   [](const std::array<double, N>& q) { return Algorithm{}(q, 0.0); }));
   all.push_back(each_of<double, N>("absolute", "double, with an epsilon of 1e-9",
-                                   [=](const std::array<double, N>& q) { return algorithm(q, customary_epsilon); }));
+                                   [](const std::array<double, N>& q) { return Algorithm{}(q, customary_epsilon); }));
   all.push_back(each_of<double, N>(
       "relative", "double, with an epsilon of 1e-9 of the largest coordinate",
-      [=](const std::array<double, N>& q) { return algorithm(q, customary_epsilon * largest_of(q)); }));
+      [](const std::array<double, N>& q) { return Algorithm{}(q, customary_epsilon * largest_of(q)); }));
   all.push_back(each_of<long double, N>("long-double", "the compiler's long double",
-                                        [=](const std::array<long double, N>& q) { return algorithm(q, 0.0L); }));
+                                        [](const std::array<long double, N>& q) { return Algorithm{}(q, 0.0L); }));
 #ifdef __SIZEOF_FLOAT128__
   __extension__ using Float128 = __float128;
   all.push_back(each_of<Float128, N>("float128", "quadruple precision in software",
-                                     [=](const std::array<Float128, N>& q) { return algorithm(q, Float128(0)); }));
+                                     [](const std::array<Float128, N>& q) { return Algorithm{}(q, Float128(0)); }));
 #endif
   return all;
 }

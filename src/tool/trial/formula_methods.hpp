@@ -91,9 +91,16 @@ class PlannedRound final : public Round {
 
 /// A method that asks `take` of each set of coordinates by itself.
 template <Formula F, class Take>
-Method each(std::string name, std::string about, Take take) {
-  return {std::move(name), std::move(about),
-          [take](std::span<const double> questions, const Scene&) { return one_by_one(sets_of<F>(questions), take); }};
+Method each(std::string_view name, std::string_view about, Take take) {
+  if constexpr (stateless<Take>) {
+    return method(name, about, [](std::span<const double> questions, const Scene&) {
+      return one_by_one(sets_of<F>(questions), Take{});
+    });
+  } else {
+    return method(name, about, [take](std::span<const double> questions, const Scene&) {
+      return one_by_one(sets_of<F>(questions), take);
+    });
+  }
 }
 
 template <Formula F, class Value>
@@ -106,16 +113,16 @@ Method valued(Method method, Value value) {
 
 /// A method that takes the sign in numbers made of the doubles beforehand.
 template <Formula F, class Make, class Take>
-Method each_kept(std::string name, std::string about, Make make, Take take) {
-  return {std::move(name), std::move(about), [=](std::span<const double> questions, const Scene&) {
-            std::vector<std::invoke_result_t<Make, const Coordinates<F>&>> sets;
-            for (const Coordinates<F>& p : sets_of<F>(questions)) sets.push_back(make(p));
-            return one_by_one(std::move(sets), take);
-          }};
+Method each_kept(std::string_view name, std::string_view about, Make make, Take take) {
+  return method(name, about, [=](std::span<const double> questions, const Scene&) {
+    std::vector<std::invoke_result_t<Make, const Coordinates<F>&>> sets;
+    for (const Coordinates<F>& p : sets_of<F>(questions)) sets.push_back(make(p));
+    return one_by_one(std::move(sets), take);
+  });
 }
 template <Formula F, class Real>
-Method each_in(std::string name, std::string about) {
-  return each_kept<F>(std::move(name), std::move(about), converted<F, Real>,
+Method each_in(std::string_view name, std::string_view about) {
+  return each_kept<F>(name, about, converted<F, Real>,
                       [](const std::array<Real, arity<F>>& p) { return sign_of_number(F{}(p)); });
 }
 

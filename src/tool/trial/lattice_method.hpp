@@ -78,11 +78,11 @@ int bits_needed(const std::vector<std::array<Int128, N>>& questions, int lattice
 }
 
 template <class Int, std::size_t N, class Algorithm>
-std::unique_ptr<Round> in_integers(const std::vector<std::array<Int128, N>>& questions, Algorithm algorithm) {
+std::unique_ptr<Round> in_integers(const std::vector<std::array<Int128, N>>& questions, Algorithm) {
   std::vector<std::array<Int, N>> all(questions.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     std::ranges::transform(questions[i], all[i].begin(), [](Int128 x) { return static_cast<Int>(x); });
-  return one_by_one(std::move(all), [algorithm](const std::array<Int, N>& q) { return algorithm(q, Int(0)); });
+  return one_by_one(std::move(all), [](const std::array<Int, N>& q) { return Algorithm{}(q, Int(0)); });
 }
 
 template <std::size_t N, class Algorithm>

@@ -12,6 +12,10 @@ Scene scene_of(std::span<const double> coordinates) {
   return {lattice_of(coordinates), largest};
 }
 
+Method prepared_by(std::string_view name, std::string_view about, Prepare* prepare) {
+  return {std::string(name), std::string(about), prepare};
+}
+
 std::vector<InputClass> point_classes(Degeneracy degeneracy, int dimension) {
   std::vector<InputClass> classes;
   for (const FamilyInfo& info : families) {
