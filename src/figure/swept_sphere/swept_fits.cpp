@@ -175,8 +175,8 @@ Cylinder3 fit_cylinder(std::span<const Point3> points) {
     return Point3{std::clamp(p.x, -largest, largest), std::clamp(p.y, -largest, largest),
                   std::clamp(p.z, -largest, largest)};
   };
-  for (double margin = figure::frame::first_margin(frame.exponent);;
-       margin *= 4) {  // until it is beyond all doubles, and throws
+  // Until it is beyond all doubles, and throws.
+  for (double margin = figure::frame::first_margin(frame.exponent);; margin *= 4) {
     figure::within_doubles(margin, "fit_cylinder", "an end");
     c.a = end(least - margin);
     c.b = end(most + margin);

@@ -57,18 +57,18 @@ bool halfspace_holds(const ExactHalfspace& h, const RoundParts& inner) {
   });
 }
 
-RoundBody round_body(const FigureView& v) {
-  return with_figure(v, [](const auto& s) -> RoundBody {
+std::optional<RoundBody> round_body(const FigureView& v) {
+  return with_figure(v, [](const auto& s) -> std::optional<RoundBody> {
     if constexpr (requires { s.corner, s.radius; }) {
-      return {exact3(s.corner), exact3(s.edges[0]), exact3(s.edges[1]), s.radius, false};
+      return RoundBody{exact3(s.corner), exact3(s.edges[0]), exact3(s.edges[1]), s.radius, false};
     } else if constexpr (requires { s.center, s.radius; }) {
-      return {exact3(s.center), {}, {}, s.radius, false};
+      return RoundBody{exact3(s.center), {}, {}, s.radius, false};
     } else if constexpr (requires { s.a, s.radius; }) {
       const Exact3 a = exact3(s.a), along = exact3(s.b) - a;
       const bool is_cylinder = std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>;
-      return {a, along, {}, s.radius, is_cylinder && !is_zero(along)};
+      return RoundBody{a, along, {}, s.radius, is_cylinder && !is_zero(along)};
     } else {
-      return {};
+      return std::nullopt;
     }
   });
 }
@@ -93,9 +93,10 @@ namespace {
 
 bool round_holds(const FigureView& outer, const RoundParts& inner) {
   if (!inner.directions.empty() || !inner.lines.empty()) return false;
-  const RoundBody round = round_body(outer);
-  return std::ranges::all_of(ends_of(round), [&](const ExactHalfspace& end) { return halfspace_holds(end, inner); }) &&
-         std::ranges::all_of(inner.parts, [&](const RoundPart& part) { return holds_near_core(round, part); });
+  const std::optional<RoundBody> round = round_body(outer);
+  return round &&
+         std::ranges::all_of(ends_of(*round), [&](const ExactHalfspace& end) { return halfspace_holds(end, inner); }) &&
+         std::ranges::all_of(inner.parts, [&](const RoundPart& part) { return holds_near_core(*round, part); });
 }
 
 /// Calls f(p) for the corners, where they are points as given and the hull of them is that of the figure.

@@ -6,6 +6,9 @@
 // Cost: GMP.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "plumb/query/body/pairs.hpp"
 #include "query/convex/flat_set.hpp"
 
@@ -46,8 +49,8 @@ struct RoundBody {
   bool has_ends;
 };
 
-/// Of a ball, a capsule, a lozenge or a cylinder, without its pose.
-RoundBody round_body(const FigureView& v);
+/// Of a ball, a capsule, a lozenge or a cylinder, without its pose; none of another kind.
+std::optional<RoundBody> round_body(const FigureView& v);
 
 std::vector<ExactHalfspace> ends_of(const RoundBody& round);
 /// As far as the ends do not matter; a point or a ball, in a ball a disk too.

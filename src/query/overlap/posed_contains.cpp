@@ -76,7 +76,7 @@ class PosedHolding {
           "contains: neither pose is a similarity to the other; give round figures poses of columns at right angles "
           "and of one length, or one pose");
     }
-    const RoundBody round = round_body(figure_);
+    const RoundBody round = round_body(figure_).value();  // no other kind holds what is round
     return std::ranges::all_of(
                ends_of(round),
                [&](const ExactHalfspace& end) { return halfspace_holds(before(end, seen, 3), parts_); }) &&
