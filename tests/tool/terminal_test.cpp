@@ -68,6 +68,7 @@ TEST(Progress, IsSilentWhereNotShownAndOnShortWork) {
 }
 
 TEST(Progress, IsSilentWhereTheTerminalObeysNoEscapes) {
+  if (!has_terminals()) return;
   const std::string fewer = battery::sanitized ? " --class uniform --class grid" : "";
   const std::string long_run = "$PLUMB chart --quick --task hull-3d" + fewer + " >/dev/null";
   EXPECT_THAT(run_on_terminal("NO_COLOR=1 " + long_run).out, AllOf(HasSubstr(" %  chart"), Not(HasSubstr("\033[3"))));
