@@ -59,11 +59,18 @@ struct Proof {
   static constexpr int highest = 4;
   static constexpr Scales scales{.count = 3, .weights = 0b10};
 
-  /// Points that are `off` apart, and what lies no nearer than `low` along n.
+  /// What lies no nearer than `low` along n.
   template <class W>
+  [[gnu::always_inline]] static bool is_far(W& w, const auto& n, const auto& low, const auto& square) {
+    return w.positive(low) && w.positive(low * low - square * dot(n, n));
+  }
+  /// Of points that are `off` apart as well; first it is asked for what is likely.
+  template <Sign likely, class W>
   [[gnu::always_inline]] static Sign judged(W& w, const auto& off, const auto& n, const auto& low, const auto& reach) {
-    if (w.positive(reach * reach - dot(off, off))) return Sign::negative;
-    if (w.positive(low) && w.positive(low * low - reach * reach * dot(n, n))) return Sign::positive;
+    const auto square = reach * reach;
+    if (likely == Sign::positive && is_far(w, n, low, square)) return Sign::positive;
+    if (w.positive(square - dot(off, off))) return Sign::negative;
+    if (likely == Sign::negative && is_far(w, n, low, square)) return Sign::positive;
     w.leave_open();
     return Sign::zero;
   }
@@ -80,7 +87,7 @@ struct OfTriangle : Proof {
     const auto n = way<2>(w, direction);
     const auto back = dot(n, ab), other = dot(n, ac);
     const auto most = larger(larger(back, other), back - back) * w.template weight<1>(w.given(1.0));
-    return judged(w, off, n, dot(n, ap) - most, w.number(radius));
+    return judged<Sign::positive>(w, off, n, dot(n, ap) - most, w.number(radius));
   }
 };
 
@@ -90,13 +97,13 @@ struct OfSegments : Proof {
   [[gnu::always_inline]] Sign operator()(W& w, const Segment3& pq, const Segment3& xy, double radius_pq,
                                          double radius_xy, double s, double t, const Plain& direction) const {
     const auto r = way<0>(w, pq.a, xy.a);
-    const auto d = way<1>(w, pq.b, pq.a), e = way<1>(w, xy.a, xy.b);
-    const auto off = r + d * w.template weight<1>(w.given(s)) + e * w.template weight<1>(w.given(t));
+    const auto d = way<1>(w, pq.b, pq.a), e = way<1>(w, xy.b, xy.a);
+    const auto off = r + d * w.template weight<1>(w.given(s)) - e * w.template weight<1>(w.given(t));
     const auto n = way<2>(w, direction);
     const auto up = dot(n, d), down = dot(n, e);
     const auto none = up - up;
-    const auto least = (smaller(up, none) + smaller(down, none)) * w.template weight<1>(w.given(1.0));
-    return judged(w, off, n, dot(n, r) + least, w.sum(w.given(radius_pq), w.given(radius_xy)));
+    const auto least = (smaller(up, none) - larger(down, none)) * w.template weight<1>(w.given(1.0));
+    return judged<Sign::negative>(w, off, n, dot(n, r) + least, w.sum(w.given(radius_pq), w.given(radius_xy)));
   }
 };
 
@@ -110,8 +117,8 @@ struct OfAabb : Proof {
     const auto n = way<2>(w, direction);
     const auto along = dot(n, d);
     const auto least = smaller(along, along - along) * w.template weight<1>(w.given(1.0));
-    return judged(w, from_q + d * w.template weight<1>(w.given(part)), n, dot(n, from_corner) + least,
-                  w.number(radius));
+    return judged<Sign::negative>(w, from_q + d * w.template weight<1>(w.given(part)), n, dot(n, from_corner) + least,
+                                  w.number(radius));
   }
 };
 
@@ -173,7 +180,7 @@ template <class Statement, class... Input>
 }
 
 /// Of a box that is not empty.
-[[gnu::flatten]] inline std::optional<Sign> quick_gap(const Aabb3& box, const Segment3& pq, double radius) {
+[[gnu::always_inline]] inline std::optional<Sign> quick_gap(const Aabb3& box, const Segment3& pq, double radius) {
   // Rounding keeps order: a difference that is rounded above the radius is above it.
   const auto past = [&](double low, double high, double from, double to) {
     const double below = low - std::max(from, to), above = std::min(from, to) - high;

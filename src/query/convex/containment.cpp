@@ -73,12 +73,6 @@ std::optional<RoundBody> round_body(const FigureView& v) {
   });
 }
 
-std::vector<ExactHalfspace> ends_of(const RoundBody& round) {
-  if (!round.has_ends) return {};
-  const Exact3 back = mpq_class(-1) * round.along;
-  return {{round.along, dot(round.along, round.at + round.along)}, {back, dot(back, round.at)}};
-}
-
 bool holds_near_core(const RoundBody& round, const RoundPart& part, const mpq_class& squared_scale) {
   if (is_zero(round.along) && is_zero(round.second)) return ball_holds(round.at, round.radius, part, squared_scale);
   if (!round.has_ends) {
@@ -94,8 +88,7 @@ namespace {
 bool round_holds(const FigureView& outer, const RoundParts& inner) {
   if (!inner.directions.empty() || !inner.lines.empty()) return false;
   const std::optional<RoundBody> round = round_body(outer);
-  return round &&
-         std::ranges::all_of(ends_of(*round), [&](const ExactHalfspace& end) { return halfspace_holds(end, inner); }) &&
+  return round && all_ends(*round, [&](const ExactHalfspace& end) { return halfspace_holds(end, inner); }) &&
          std::ranges::all_of(inner.parts, [&](const RoundPart& part) { return holds_near_core(*round, part); });
 }
 

@@ -17,9 +17,17 @@ const Exact3 along_z{0, 0, 1};
 /// The points, and the edges that go on, of what has a body of them.
 template <class Shape>
 FlatSet set_of_body(const Shape& s) {
-  const auto as_exact = [](const arith::Vec<mpq_class>& v) { return Exact3{v.x, v.y, v.z}; };
-  const auto body = axes::axis_body_of<mpq_class>(s, {0, 0, 0});
+  // Points and directions as given are exact in doubles, and what they are not asked for costs little there.
+  constexpr bool is_given =
+      is_one_of(figure_kind<Shape>, {FigureKind::point, FigureKind::line, FigureKind::ray, FigureKind::segment,
+                                     FigureKind::triangle, FigureKind::tetrahedron, FigureKind::aabb});
+  using Number = std::conditional_t<is_given, double, mpq_class>;
+  const auto as_exact = [](const arith::Vec<Number>& v) {
+    return Exact3{mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
+  };
+  const auto body = axes::axis_body_of<Number>(s, {0, 0, 0});
   FlatSet set;
+  set.points.reserve(body.point_count);
   for (std::size_t i = 0; i < body.point_count; ++i) set.points.push_back(as_exact(body.points[i]));
   for (std::size_t i = 0; i < body.edge_count; ++i) {
     if (body.ends[i] == axes::EdgeEnd::one) set.directions.push_back(as_exact(body.edges[i]));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arith/nearest_of_corners.hpp"
 #include "figure/support/gjk_simplex.hpp"
 
 namespace plumb::query {
@@ -17,11 +18,21 @@ class NearPairSearch {
   NearPairSearch(std::span<const Vertex> a, std::span<const Vertex> b, double radius_a, double radius_b)
       : a_(a), b_(b), reach_(Running(radius_a) + Running(radius_b)) {}
 
-  std::optional<Sign> run() const {
+  std::optional<Sign> run(LikelyEnds* likely) const {
+    IndexSimplex simplex({{0, 0}, plain(a_[0]) - plain(b_[0])});
+    const std::optional<Sign> told = search(simplex);
+    if (!told && likely != nullptr) {
+      for (const IndexSimplex::Corner& c : simplex.corners())
+        likely->ends[likely->size++] = {c.ends.first, c.ends.second};
+    }
+    return told;
+  }
+
+ private:
+  std::optional<Sign> search(IndexSimplex& simplex) const {
     constexpr int most_rounds = 32;  // a guess of cost alone: then nothing is told, and others are asked
     constexpr double near = 1 - 0x1p-30, far = 1 + 0x1p-30;  // guesses: beyond them a proof is likely
     const double square = reach_.value * reach_.value;
-    IndexSimplex simplex({{0, 0}, plain(a_[0]) - plain(b_[0])});
     for (int round = 0; round < most_rounds; ++round) {
       const Plain x = simplex.nearest();
       const double xx = arith::dot(x, x);
@@ -40,7 +51,6 @@ class NearPairSearch {
     return {};
   }
 
- private:
   [[nodiscard]] std::pair<std::size_t, std::size_t> extremes(const Plain& n) const {
     const auto first = [&n](std::span<const Vertex> all, double sign) {
       std::size_t best = 0;
@@ -96,8 +106,31 @@ class NearPairSearch {
 
 }  // namespace
 
-std::optional<Sign> quick_gap(std::span<const Vertex> a, std::span<const Vertex> b, double radius_a, double radius_b) {
-  return NearPairSearch(a, b, radius_a, radius_b).run();
+std::optional<Sign> quick_gap(std::span<const Vertex> a, std::span<const Vertex> b, double radius_a, double radius_b,
+                              LikelyEnds* likely) {
+  return NearPairSearch(a, b, radius_a, radius_b).run(likely);
+}
+
+// What is nearest of the ends' hull is nearest of all where it is within that, and no vertex lies before the plane
+// through it.
+std::optional<Sign> integer_gap(std::span<const ExactVertex> a, std::span<const ExactVertex> b, double radius_a,
+                                double radius_b, const LikelyEnds& likely) {
+  CertainSigns ask;
+  const ShortDyadic reach = ShortDyadic(radius_a) + ShortDyadic(radius_b);
+  if (likely.size == 0 || ask(reach) != Sign::positive) return {};
+  const ExactVertex none = arith::no_way<ShortDyadic>();
+  std::array<ExactVertex, 4> at{none, none, none, none};
+  for (std::size_t i = 0; i < likely.size; ++i) at[i] = a[likely.ends[i][0]] - b[likely.ends[i][1]];
+  const auto n = arith::nearest_of<ShortDyadic>(at, likely.size, ask);
+  if (!arith::is_within(n, likely.size, ask)) return {};
+  const auto any_before = [&](std::span<const ExactVertex> all, std::size_t end, Sign before) {
+    return std::ranges::any_of(all,
+                               [&](const ExactVertex& v) { return ask(arith::dot(n.way, v - all[end])) == before; });
+  };
+  const auto& [of_a, of_b] = likely.ends[0];
+  if (any_before(a, of_a, Sign::negative) || any_before(b, of_b, Sign::positive)) return {};
+  const Sign gap = ask(n.square - reach * reach * n.square_whole);
+  return ask.certain() ? std::optional(gap) : std::nullopt;
 }
 
 }  // namespace plumb::query

@@ -52,7 +52,16 @@ struct RoundBody {
 /// Of a ball, a capsule, a lozenge or a cylinder, without its pose; none of another kind.
 std::optional<RoundBody> round_body(const FigureView& v);
 
-std::vector<ExactHalfspace> ends_of(const RoundBody& round);
+/// Does this hold of the halfspaces that its ends bound?  The second is made where it holds of the first.
+template <class Holds>
+bool all_ends(const RoundBody& round, const Holds& holds) {
+  if (!round.has_ends) return true;
+  const auto of_end = [&](const Exact3& outward, const Exact3& at) {
+    return holds(ExactHalfspace{outward, dot(outward, at)});
+  };
+  return of_end(round.along, round.at + round.along) && of_end(mpq_class(-1) * round.along, round.at);
+}
+
 /// As far as the ends do not matter; a point or a ball, in a ball a disk too.
 bool holds_near_core(const RoundBody& round, const RoundPart& part, const mpq_class& squared_scale = 1);
 

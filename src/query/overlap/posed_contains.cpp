@@ -77,9 +77,7 @@ class PosedHolding {
           "and of one length, or one pose");
     }
     const RoundBody round = round_body(figure_).value();  // no other kind holds what is round
-    return std::ranges::all_of(
-               ends_of(round),
-               [&](const ExactHalfspace& end) { return halfspace_holds(before(end, seen, 3), parts_); }) &&
+    return all_ends(round, [&](const ExactHalfspace& end) { return halfspace_holds(before(end, seen, 3), parts_); }) &&
            std::ranges::all_of(parts_.parts, [&](const RoundPart& part) {
              const RoundPart moved{image(seen, part.at), part.radius, part.is_disk, turned(seen, part.axis)};
              return holds_near_core(round, moved, *scale);

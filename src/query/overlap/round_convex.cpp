@@ -25,10 +25,18 @@ std::optional<Sign> near_or_far(const Aabb3& box, const Capsule3& c) {
   return quick_gap(box, Segment3{c.a, c.b}, c.radius);
 }
 
+template <class A, class B>
+std::optional<Sign> gap_of_vertices(const A& a, double radius_a, const B& b, double radius_b) {
+  LikelyEnds likely;
+  if (const auto gap = quick_gap(query::vertices(a), query::vertices(b), radius_a, radius_b, &likely)) [[likely]]
+    return gap;
+  return integer_gap(query::vertices<ShortDyadic>(a), query::vertices<ShortDyadic>(b), radius_a, radius_b, likely);
+}
+
 template <class Flat, class Round>
 [[gnu::noinline]] Relation relate_slowly(const Flat& flat, const Round& round, Question question) {
   if (is_sound(flat) && is_sound(round) && !is_nothing(flat)) {
-    if (const auto gap = quick_gap(query::vertices(flat), query::vertices(round), 0, round.radius)) [[likely]]
+    if (const auto gap = gap_of_vertices(flat, 0, round, round.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
   require_figures(question, flat, round);
@@ -52,7 +60,7 @@ Relation relate_vertices_of_other(const Round& round, const Flat& flat, Question
 template <class A, class B>
 Relation relate_round(const A& a, const B& b, Question question) {
   if (is_sound(a) && is_sound(b)) [[likely]] {
-    if (const auto gap = quick_gap(query::vertices(a), query::vertices(b), a.radius, b.radius)) [[likely]]
+    if (const auto gap = gap_of_vertices(a, a.radius, b, b.radius)) [[likely]]
       return static_cast<Relation>(-*gap);
   }
   require_figures(question, a, b);

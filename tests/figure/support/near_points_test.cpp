@@ -58,7 +58,7 @@ void expect_bounds(const char* name, const Input&... input) {
 TEST(NearPoints, DerivedBoundsAreAsRecordedAndProved) {
   const Plain up{0, 0, 3};
   const Triangle3 t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-  expect_bounds<OfTriangle>("near_triangle", t, Point3{1, 1, 3}, 1.0, 0.25, 0.25, up);
+  expect_bounds<OfTriangle>("near_triangle", t, Point3{1, 1, 3}, 4.0, 0.25, 0.25, up);
   const Segment3 s{{0, 0, 0}, {4, 0, 0}}, r{{0, 0, 3}, {0, 4, 2.5}};
   expect_bounds<OfSegments>("near_segments", r, s, 1.0, 1.0, 0.0, 0.0, up);
   expect_bounds<OfAabb>("near_aabb", Plain{0, 0, 0}, Plain{1, 1, 0}, r, 1.0, 0.0, up);
