@@ -74,7 +74,7 @@ HWY_INLINE bool length(const Twofolds& w, const Twofolds& along, double& distanc
 }
 HWY_INLINE bool length_to(const Twofolds& w, const Twofolds& d, double& distance) {
   const Dots s = squares(w, d);
-  return length(w, scaled(d, quotient_at_once(s.y, s.z)), distance);
+  return length(w, scaled(d, quotient_by_squares(s.y, s.z)), distance);
 }
 /// The distance of p from the line through a and b.  Out of line it is told by what is given, so that the quick way
 /// keeps nothing in memory for it.
@@ -88,7 +88,7 @@ HWY_INLINE bool length_to(const Twofolds& w, const Twofolds& d, double& distance
 template <class To>
 HWY_INLINE bool foot(const Three& start, const Twofolds& w, const Twofolds& d, const Dots& s, Three& q,
                      double& distance, const auto& closer, const auto&... offset) {
-  const One t = quotient_at_once(s.y, s.z);
+  const One t = quotient_by_squares(s.y, s.z);
   const Twofolds along = scaled(d, t);
   if (wants_point<To> && !(start + (offset + ... + along)).told(q)) return false;
   return !wants_distance<To> || root_at_once(s.x - t * s.y).told(distance) || closer(w, along, distance);
