@@ -19,7 +19,7 @@ namespace {
 
 #if HWY_TARGET == HWY_AVX2
 
-// Of a segment as given, whose bounds are the compiler's constants, and of all others by where they lie.
+// What is asked of segments as given, and of all others by where they lie.
 HWY_INLINE const Point3& start_of(const Segment3& s) { return s.a; }
 HWY_INLINE const Point3& start_of(const LineAt& s) { return *s.from; }
 HWY_INLINE const Point3& at(const Segment3& s, SpotOnLine place) { return place == SpotOnLine::end ? s.b : s.a; }
@@ -38,41 +38,52 @@ HWY_INLINE bool put(const Three& a, const Three& b, double distance, Closest& to
 }
 HWY_INLINE bool put(const Three&, const Three&, double distance, double& to) { return to = distance, true; }
 
-struct Parameters {
-  One s, t;
+/// s and t over their common divisor.  The sizes of their terms are, by |u.v| <= |u||v|, no more than
+/// 2 |w||e1| e2.e2 and 2 |w||e2| e1.e1, and its own 2 e1.e1 e2.e2.
+template <class T>
+struct Solution {
+  T s, t, whole;
+
+  HWY_INLINE Solution(const T& a11, const T& a12, const T& a22, const T& c1, const T& c2)
+      : s((c1 * a22 - a12 * c2).below(most(c1, a22))),
+        t((a12 * c1 - a11 * c2).below(most(c2, a11))),
+        whole((a11 * a22 - a12 * a12).below(2 * most(a11, a22))) {}
+
+ private:
+  static HWY_INLINE double most(const T& a, const T& b) {
+    return One::plus_product(2 * One::guard, a.magnitude, b.magnitude);
+  }
 };
-HWY_INLINE Parameters parameters(const Dots& gram, const Dots& c) {
-  const One whole = gram.x * gram.z - gram.y * gram.y;
-  return {quotient(c.x * gram.z - gram.y * c.y, whole), quotient(gram.y * c.x - gram.x * c.y, whole)};
-}
 
-// The distance of lines that nearly meet, and of a point near to a line, by what is given: as length_to.
+// Two lines that are not nearly parallel.  Not inlined, lest what is found on the way to it be kept in memory.
+/// w.n over |n|, for the normal n = e1 x e2 of both, in the order z x y.
 template <class Line>
-[[gnu::cold]] HWY_NOINLINE bool length_between(const Line& p, const Line& q, double& distance) {
-  const Twofolds e1 = along(p), e2 = along(q), w = Twofolds::difference(loaded(start_of(q)), loaded(start_of(p)));
-  const Dots gram = squares(e1, e2);
-  const auto [s, t] = parameters(gram, along(w, e1, e2, gram));
-  return length(w + scaled(e2, t), scaled(e1, s), distance);
+HWY_NOINLINE bool between_lines(const Line& p, const Line& q, double& distance) {
+  const Twofolds n = crossed(along(p), along(q)), square = n * n;
+  const Twofolds w = Twofolds::difference(loaded(start_of(q)), loaded(start_of(p)));
+  const Dots s = apart(sums(square, n * w.turned_back(), square));
+  if (!quotient(s.y, root(s.x)).told(distance)) return false;
+  return distance = std::fabs(distance), true;
 }
 template <class Line>
-[[gnu::cold]] HWY_NOINLINE bool length_to(const Line& line, const Point3& p, double& distance) {
-  return length_to(Twofolds::difference(loaded(p), loaded(start_of(line))), along(line), distance);
-}
-
-/// Of two lines that are not nearly parallel.  Not inlined, lest what is found on the way to it be kept in memory.
-template <class Line, class To>
-HWY_NOINLINE bool between_lines(const Line& p, const Line& q, To& to) {
+HWY_NOINLINE bool between_lines(const Line& p, const Line& q, Closest& to) {
   const Three a = loaded(start_of(p)), b = loaded(start_of(q));
   const Twofolds e1 = along(p), e2 = along(q), w = Twofolds::difference(b, a);
   const Dots gram = squares(e1, e2), c = along(w, e1, e2, gram);
-  const auto [s, t] = parameters(gram, c);
+  const Solution<One> of(gram.x, gram.y, gram.z, c.x, c.y);
+  const One s = quotient(of.s, of.whole), t = quotient(of.t, of.whole);
   Three on_a = a, on_b = b;
-  if constexpr (wants_point<To>) {
-    if (!((a + scaled(e1, s)).told(on_a) && (b + scaled(e2, t)).told(on_b))) return false;
-  }
+  if (!((a + scaled(e1, s)).told(on_a) && (b + scaled(e2, t)).told(on_b))) return false;
   double distance = 0;
-  if (!root_at_once((c.z + t * c.y) - s * c.x).told(distance) && !length_between(p, q, distance)) return false;
+  // Where they nearly meet fewer digits are lost by the normal.
+  if (!root_at_once((c.z + t * c.y) - s * c.x).told(distance) && !between_lines(p, q, distance)) return false;
   return put(on_a, on_b, distance, to);
+}
+
+/// The distance of a point near to a line, by what is given, as that of lanes.hpp.
+template <class Line>
+[[gnu::cold]] HWY_NOINLINE bool length_to(const Line& line, const Point3& p, double& distance) {
+  return length_to(Twofolds::difference(loaded(p), loaded(start_of(line))), along(line), distance);
 }
 
 /// The foot of a point on a line.
@@ -120,13 +131,13 @@ HWY_INLINE bool is_end(SpotOnLine place) { return place == SpotOnLine::start || 
 HWY_INLINE SpotsOnLines places_by(const Dots& gram, const Dots& c) {
   const Approximate a11 = gram.x.plain(), a12 = gram.y.plain(), a22 = gram.z.plain(), c1 = c.x.plain(),
                     c2 = c.y.plain();
-  const Approximate whole = a11 * a22 - a12 * a12;
-  if (!whole.certainly_positive()) return {SpotOnLine::given, SpotOnLine::given};
-  SpotsOnLines places{place_of(c1 * a22 - a12 * c2, whole), SpotOnLine::given};
+  const Solution<Approximate> of(a11, a12, a22, c1, c2);
+  if (!of.whole.certainly_positive()) return {SpotOnLine::given, SpotOnLine::given};
+  SpotsOnLines places{place_of(of.s, of.whole), SpotOnLine::given};
   if (places.a == SpotOnLine::inside) {
-    places.b = place_of(a12 * c1 - a11 * c2, whole);
+    places.b = place_of(of.t, of.whole);
   } else if (places.a != SpotOnLine::given) {
-    places.b = place_of(places.a == SpotOnLine::end ? a12 - c2 : Approximate(0) - c2, a22);
+    places.b = place_of(places.a == SpotOnLine::end ? a12 - c2 : -c2, a22);
   }
   if (is_end(places.b)) places.a = place_of(places.b == SpotOnLine::end ? c1 + a12 : c1, a11);
   return places;
