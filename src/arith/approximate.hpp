@@ -7,7 +7,6 @@
 // Cost: about one more operation for each operation.
 #pragma once
 
-#include "arith/running_error.hpp"
 #include "plumb/arith/filtered.hpp"
 #include "plumb/arith/sign.hpp"
 
@@ -34,16 +33,19 @@ struct Approximate {
     return {a.value * b.value, a.magnitude * b.magnitude + underflow_guard, a.error + b.error + (1 + slack)};
   }
 
+  constexpr Approximate operator-() const { return {-value, magnitude, error}; }
+
   /// | |v| - |V| | <= |v - V|, so the error stays.
   friend constexpr Approximate magnitude(const Approximate& a) { return {magnitude_of(a.value), a.magnitude, a.error}; }
 
   /// a - b of two coordinates as given: rounded once, its magnitude is its own.
   static constexpr Approximate difference(double a, double b) { return {a - b, magnitude_of(a - b), 1}; }
 
+  /// The same where more is known of the terms' size: m is at least the magnitude, but for parts of 2^-11.
+  [[nodiscard]] constexpr Approximate below(double m) const { return {value, m, error * (1 + 0x1p-10)}; }
+
   /// No less than |value - exact|.
   [[nodiscard]] constexpr double reach() const { return (error + slack) * 0x1p-53 * magnitude; }
-
-  [[nodiscard]] constexpr Running running() const { return {value, reach()}; }
 
   /// The sign where it is certain, which it never is of zero, else 0.  Without a branch on the sign, which cannot be
   /// predicted.

@@ -17,7 +17,6 @@
 #include <optional>
 
 #include "arith/approximate.hpp"
-#include "arith/running_error.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/filtered.hpp"
 
@@ -58,18 +57,6 @@ struct Twofold {
 #define PLUMB_TWOFOLD_INLINE inline __attribute__((always_inline))
 #include "arith/twofold_text.hpp"
 #undef PLUMB_TWOFOLD_INLINE
-
-  /// A double and what is known of the rest.
-  [[gnu::always_inline]] static inline Twofold near(double x, const Running& rest) {
-    constexpr double units = 64;
-    const double terms = plus_product(magnitude_of(x), magnitude_of(rest.value), 0x1p53);
-    return {x, rest.value, plus_product(terms, rest.error, 0x1p106 / units), units * (1 + slack), 1 + slack};
-  }
-  /// Both parts in one double.
-  [[nodiscard]] [[gnu::always_inline]] Running running() const {
-    const double x = high + low;
-    return {x, plus_product(reach(), magnitude_of(x), 0x1p-52)};
-  }
 
   /// a - q b, rounded, where that is near zero.
   [[gnu::always_inline]] static inline double lacking(double a, double q, double b) {
@@ -130,7 +117,16 @@ struct Twofold {
             w * (1 + slack)};
   }
 
-  /// The root of a sum of squares, which is its own magnitude but for a part of 2^-9 of it, where it is not tiny.
+  // The same of a sum of squares, which is its own magnitude but for a part of 2^-9 of it, where it is not tiny.
+  [[gnu::always_inline]] friend inline Twofold quotient_by_squares(const Twofold& a, const Twofold& b) {
+    const double inverse = 1 / b.high, q = a.high * inverse;
+    const double r = (lacking(a.high, q, b.high) + (a.low - q * b.low)) * inverse;
+    const bool sure = b.width * unit < 0x1p-12 && b.high > 0x1p-900 && inverse > 0x1p-1000;
+    const double factor = sure ? (4 + 0x1p-4) * inverse : Ball::infinity;
+    const double w = (a.width + b.width + 3) * (1 + slack), e = larger(a.error, b.error) + 9 * w;
+    return {q, r, plus_product(guard, factor, a.magnitude + guard), larger(e, 3 * w * b.width) * (1 + 8 * slack),
+            w * (1 + slack)};
+  }
   [[gnu::always_inline]] friend inline Twofold root_of_squares(const Twofold& a) {
     const double q = square_root(a.high), w = (a.width + 3) * (1 + slack);
     const double r = (lacking(a.high, q, q) + a.low) * (0.5 / q);

@@ -44,7 +44,8 @@ struct Twofolds {
   };
   static HWY_INLINE Three number(double x) { return of_all(x); }
   static HWY_INLINE Three size(const Three& x) { return three_lanes::HWY_NAMESPACE::size(x); }
-  static HWY_INLINE Three negated(const Three& x) { return {_mm256_xor_pd(_mm256_set1_pd(-0.0), x.v)}; }
+  /// Not by its bits: the compiler makes subtractions of sums with it.
+  static HWY_INLINE Three negated(const Three& x) { return {-x.v}; }
   static HWY_INLINE Truth equal(const Three& a, const Three& b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)}; }
   static HWY_INLINE Three plus_product(const Three& c, const Three& a, const Three& b) {
     return three_lanes::HWY_NAMESPACE::plus_product(c, a, b);
@@ -130,18 +131,19 @@ HWY_INLINE Twofolds::One square(const Twofolds& v) {
   const Twofolds::One s = total(v * v);
   return s.below(s.high + 4 * Twofolds::guard);
 }
+// In lanes the squares come first: sizes are made of them, and quotients; the third lane has to be fetched.
 /// v.v, v.w and w.w.
 HWY_INLINE Dots squares(const Twofolds& v, const Twofolds& w) {
-  const Dots s = apart(sums(v * v, v * w, w * w));
+  const Dots s = apart(sums(v * v, w * w, v * w));
   constexpr double guards = 4 * Twofolds::guard;
-  const double of_v = s.x.high + guards, of_w = s.z.high + guards;
-  return {s.x.below(of_v), s.y.below(of_v + of_w), s.z.below(of_w)};
+  const double of_v = s.x.high + guards, of_w = s.y.high + guards;
+  return {s.x.below(of_v), s.z.below(of_v + of_w), s.y.below(of_w)};
 }
 /// Likewise v.d and v.e, and v.v, where those of d and e are known.
 HWY_INLINE Dots along(const Twofolds& v, const Twofolds& d, const Twofolds& e, const Dots& of_d_and_e) {
-  const Dots s = apart(sums(v * d, v * e, v * v));
-  const double of_v = s.z.high + 4 * Twofolds::guard;
-  return {s.x.below(of_v + of_d_and_e.x.magnitude), s.y.below(of_v + of_d_and_e.z.magnitude), s.z.below(of_v)};
+  const Dots s = apart(sums(v * v, v * d, v * e));
+  const double of_v = s.x.high + 4 * Twofolds::guard;
+  return {s.y.below(of_v + of_d_and_e.x.magnitude), s.z.below(of_v + of_d_and_e.z.magnitude), s.x.below(of_v)};
 }
 
 #endif

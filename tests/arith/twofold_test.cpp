@@ -125,6 +125,46 @@ void run_roots_of_squares(std::uint64_t start) {
 
 TEST(TwofoldTest, HoldsRootsOfSumsOfSquares) { run_roots_of_squares<false>(4), run_roots_of_squares<true>(5); }
 
+/// u.v and u.v / v.v, the sizes of their terms by those of u.u and v.v.
+template <bool Fma>
+void run_quotients_by_squares(std::uint64_t start) {
+  using One = Twofold<Fma>;
+  int told = 0;
+  for (std::uint64_t index = 0; index < 4'000; ++index) {
+    SCOPED_TRACE(testing::Message() << "Entropy(" << start << ", " << index << ")");
+    Entropy entropy(start, index);
+    const bool extreme = entropy.below(3) == 0;
+    One dot(0.0), of_u(0.0), of_v(0.0);
+    Approximate plain(0.0);
+    mpq_class exact_dot = 0, exact_of_v = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = draw(entropy, extreme), b = draw(entropy, extreme), c = draw(entropy, extreme),
+                   d = entropy.below(4) == 0 ? c : draw(entropy, extreme);
+      const One u = One::difference(a, b), v = One::difference(c, d);
+      const mpq_class exact_u = rational(a) - rational(b), exact_v = rational(c) - rational(d);
+      dot = dot + u * v, of_u = of_u + u * u, of_v = of_v + v * v;
+      plain = plain + Approximate::difference(a, b) * Approximate::difference(c, d);
+      exact_dot += exact_u * exact_v, exact_of_v += exact_v * exact_v;
+    }
+    const double guards = 4 * One::guard, size_of_v = of_v.high + guards, most = of_u.high + guards + size_of_v;
+    ASSERT_TRUE(holds(dot.below(most), exact_dot));
+    ASSERT_TRUE(holds(plain.below(most), exact_dot));
+    const One t = quotient_by_squares(dot.below(most), of_v.below(size_of_v));
+    if (!(t.reach() < Ball::infinity) || !std::isfinite(t.low)) {
+      EXPECT_FALSE(t.nearest());
+      continue;
+    }
+    ++told;
+    ASSERT_TRUE(holds(t, exact_dot / exact_of_v));
+    ASSERT_LT(t.reach(), 0x1p-90 * (1 + of_u.high / of_v.high));  // it tells something
+  }
+  EXPECT_GT(told, 2'000);
+}
+
+TEST(TwofoldTest, HoldsQuotientsBySumsOfSquares) {
+  run_quotients_by_squares<false>(6), run_quotients_by_squares<true>(7);
+}
+
 TEST(TwofoldTest, TellsNothingOfWhatIsNone) {
   const double infinity = Ball::infinity;
   EXPECT_FALSE((Twofold<false>(infinity) + Twofold<false>(1)).nearest());

@@ -72,13 +72,15 @@ HWY_INLINE bool at_corner(const Three& corner, const Three& p, To& to) {
 HWY_INLINE bool length(const Twofolds& w, const Twofolds& along, double& distance) {
   return root(total((w - along).squared())).told(distance);
 }
+HWY_INLINE bool length_to(const Twofolds& w, const Twofolds& d, double& distance) {
+  const Dots s = squares(w, d);
+  return length(w, scaled(d, quotient_by_squares(s.y, s.z)), distance);
+}
 /// The distance of p from the line through a and b.  Out of line it is told by what is given, so that the quick way
 /// keeps nothing in memory for it.
 [[gnu::cold]] HWY_NOINLINE bool length_to(const Point3& a, const Point3& b, const Point3& p, double& distance) {
   const Three from = loaded(a);
-  const Twofolds w = Twofolds::difference(loaded(p), from), d = Twofolds::difference(loaded(b), from);
-  const Dots s = squares(w, d);
-  return length(w, scaled(d, quotient_at_once(s.y, s.z)), distance);
+  return length_to(Twofolds::difference(loaded(p), from), Twofolds::difference(loaded(b), from), distance);
 }
 
 /// The foot strictly between the ends of a line through `start`, or through that and `offset`, and how far it is: by
@@ -86,7 +88,7 @@ HWY_INLINE bool length(const Twofolds& w, const Twofolds& along, double& distanc
 template <class To>
 HWY_INLINE bool foot(const Three& start, const Twofolds& w, const Twofolds& d, const Dots& s, Three& q,
                      double& distance, const auto& closer, const auto&... offset) {
-  const One t = quotient_at_once(s.y, s.z);
+  const One t = quotient_by_squares(s.y, s.z);
   const Twofolds along = scaled(d, t);
   if (wants_point<To> && !(start + (offset + ... + along)).told(q)) return false;
   return !wants_distance<To> || root_at_once(s.x - t * s.y).told(distance) || closer(w, along, distance);

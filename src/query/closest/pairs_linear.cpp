@@ -71,15 +71,27 @@ Feature feature(SpotOnLine place) {
   return {FeatureKind::edge, 0};
 }
 
+void name_lines(Closest& to) { to.feature_a = to.feature_b = feature(SpotOnLine::inside); }
+void name_lines(double&) {}
+
+/// In lanes, where they find the places too; those of lines are the insides, unless they are parallel.
+bool told_at_once(const Segment3& a, const Segment3& b, auto& to) { return quickly(a, b, to); }
+bool told_at_once(const Line3& a, const Line3& b, auto& to) {
+  name_lines(to);
+  return quickly(LineAt(a), LineAt(b), {SpotOnLine::inside, SpotOnLine::inside}, to);
+}
+template <class A, class B>
+bool told_at_once(const A&, const B&, auto&) {
+  return false;
+}
+
 template <class A, class B>
 auto closest_of(const A& a, const B& b) {
   using Result = std::conditional_t<is_in_space<A>, Closest, Closest2>;
   constexpr std::string_view name = "closest_points";
   Result to;
-  if constexpr (std::is_same_v<A, Segment3> && std::is_same_v<B, Segment3>) {
-    if (quickly(a, b, to)) [[likely]]
-      return to;
-  }
+  if (told_at_once(a, b, to)) [[likely]]
+    return to;
   const SpotsOnLines places = places_of(a, b, name);
   to.feature_a = feature(places.a), to.feature_b = feature(places.b);
   if constexpr (is_in_space<A>) {
@@ -111,10 +123,8 @@ template <class A, class B>
 requires query::StraightPair<A, B>
 double query::distance_as(Question question, const A& a, const B& b) {
   [[maybe_unused]] double quick;
-  if constexpr (std::is_same_v<A, Segment3> && std::is_same_v<B, Segment3>) {
-    if (quickly(a, b, quick)) [[likely]]
-      return quick;
-  }
+  if (told_at_once(a, b, quick)) [[likely]]
+    return quick;
   const SpotsOnLines places = places_of(a, b, name_of(question));
   if constexpr (is_in_space<A>) {
     if (quickly(LineAt(a), LineAt(b), places, quick)) [[likely]]

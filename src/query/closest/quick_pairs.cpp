@@ -1,7 +1,7 @@
 // The numbers of two lines, rays or segments whose features are known, to twice the digits of doubles.
 //
 // With w = b - a and e = w + t e2 - s e1 for lines through a along e1 and through b along e2 the products e.e1 and
-// e.e2 are nothing; guesses of s and t leave g1 and g2, and a correction by the same two equations.
+// e.e2 are nothing: s and t are quotients by e1.e1 e2.e2 - (e1.e2)^2 (Cramer's rule), and e.e is e.w.
 #include "query/closest/quick_pairs.hpp"
 
 #include "certify/fused_lanes.hpp"
@@ -19,9 +19,17 @@ namespace {
 
 #if HWY_TARGET == HWY_AVX2
 
+// What is asked of segments as given, and of all others by where they lie.
+HWY_INLINE const Point3& start_of(const Segment3& s) { return s.a; }
+HWY_INLINE const Point3& start_of(const LineAt& s) { return *s.from; }
+HWY_INLINE const Point3& at(const Segment3& s, SpotOnLine place) { return place == SpotOnLine::end ? s.b : s.a; }
+HWY_INLINE const Point3& at(const LineAt& s, SpotOnLine place) { return s.at(place); }
+HWY_INLINE Twofolds along(const Segment3& s) { return Twofolds::difference(loaded(s.b), loaded(s.a)); }
 HWY_INLINE Twofolds along(const LineAt& s) {
   if (s.to != nullptr) return Twofolds::difference(loaded(*s.to), loaded(*s.from));
-  return Twofolds::exact(loaded(*s.direction));
+  Twofolds d = Twofolds::exact(loaded(*s.direction));
+  d.width = 1;  // as of a difference: what follows is the same code, with constant bounds
+  return d;
 }
 
 HWY_INLINE bool put(const Three& a, const Three& b, double distance, Closest& to) {
@@ -30,55 +38,75 @@ HWY_INLINE bool put(const Three& a, const Three& b, double distance, Closest& to
 }
 HWY_INLINE bool put(const Three&, const Three&, double distance, double& to) { return to = distance, true; }
 
-/// Of two lines that are not nearly parallel: e1.e1, e1.e2 and e2.e2, w.e1 and w.e2.
-template <class To>
-HWY_INLINE bool between_lines(const Three& a, const Twofolds& e1, const Three& b, const Twofolds& e2, const Twofolds& w,
-                              const Dots& gram, const Dots& c, To& to) {
-  const Running a11 = gram.x.plain().running(), a12 = gram.y.plain().running(), a22 = gram.z.plain().running();
-  const Running inverse = quotient(Running(1), a11 * a22 - a12 * a12);
-  const double s = (c.x.high * a22.value - a12.value * c.y.high) * inverse.value,
-               t = (a12.value * c.x.high - a11.value * c.y.high) * inverse.value;
-  const Twofolds e = (w - e1 * lanes::of_all(s)) + e2 * lanes::of_all(t);
-  const Dots left = apart(sums(e * e1, e * e2, e.squared()));
-  const Running g1 = left.x.running(), g2 = left.y.running();
-  const Running ds = (g1 * a22 - a12 * g2) * inverse, dt = (a12 * g1 - a11 * g2) * inverse;
-  Three on_a = a, on_b = b;
-  if constexpr (wants_point<To>) {
-    const Twofolds on_e1 = scaled(e1, One::near(s, ds));
-    const Twofolds on_e2 = scaled(e2, One::near(t, dt));
-    if (!((a + on_e1).told(on_a) && (b + on_e2).told(on_b))) return false;
+/// s and t over their common divisor.  The sizes of their terms are, by |u.v| <= |u||v|, no more than
+/// 2 |w||e1| e2.e2 and 2 |w||e2| e1.e1, and its own 2 e1.e1 e2.e2.
+template <class T>
+struct Solution {
+  T s, t, whole;
+
+  HWY_INLINE Solution(const T& a11, const T& a12, const T& a22, const T& c1, const T& c2)
+      : s((c1 * a22 - a12 * c2).below(most(c1, a22))),
+        t((a12 * c1 - a11 * c2).below(most(c2, a11))),
+        whole((a11 * a22 - a12 * a12).below(2 * most(a11, a22))) {}
+
+ private:
+  static HWY_INLINE double most(const T& a, const T& b) {
+    return One::plus_product(2 * One::guard, a.magnitude, b.magnitude);
   }
-  // (e + dt e2 - ds e1)^2, which is its product with e.
+};
+
+// Two lines that are not nearly parallel.  Not inlined, lest what is found on the way to it be kept in memory.
+/// w.n over |n|, for the normal n = e1 x e2 of both, in the order z x y.
+template <class Line>
+HWY_NOINLINE bool between_lines(const Line& p, const Line& q, double& distance) {
+  const Twofolds n = crossed(along(p), along(q)), square = n * n;
+  const Twofolds w = Twofolds::difference(loaded(start_of(q)), loaded(start_of(p)));
+  const Dots s = apart(sums(square, n * w.turned_back(), square));
+  if (!quotient(s.y, root(s.x)).told(distance)) return false;
+  return distance = std::fabs(distance), true;
+}
+template <class Line>
+HWY_NOINLINE bool between_lines(const Line& p, const Line& q, Closest& to) {
+  const Three a = loaded(start_of(p)), b = loaded(start_of(q));
+  const Twofolds e1 = along(p), e2 = along(q), w = Twofolds::difference(b, a);
+  const Dots gram = squares(e1, e2), c = along(w, e1, e2, gram);
+  const Solution<One> of(gram.x, gram.y, gram.z, c.x, c.y);
+  const One s = quotient(of.s, of.whole), t = quotient(of.t, of.whole);
+  Three on_a = a, on_b = b;
+  if (!((a + scaled(e1, s)).told(on_a) && (b + scaled(e2, t)).told(on_b))) return false;
   double distance = 0;
-  return root(left.z + One::near(0, dt * g2 - ds * g1)).told(distance) && put(on_a, on_b, distance, to);
+  // Where they nearly meet fewer digits are lost by the normal.
+  if (!root_at_once((c.z + t * c.y) - s * c.x).told(distance) && !between_lines(p, q, distance)) return false;
+  return put(on_a, on_b, distance, to);
+}
+
+/// The distance of a point near to a line, by what is given, as that of lanes.hpp.
+template <class Line>
+[[gnu::cold]] HWY_NOINLINE bool length_to(const Line& line, const Point3& p, double& distance) {
+  return length_to(Twofolds::difference(loaded(p), loaded(start_of(line))), along(line), distance);
 }
 
 /// The foot of a point on a line.
-template <class To>
-HWY_INLINE bool on_one_line(const Three& from, const Twofolds& d, const Three& point, bool swap, To& to) {
-  const Twofolds w = Twofolds::difference(point, from);
+template <class Line, class To>
+HWY_INLINE bool on_one_line(const Line& line, const Point3& p, bool swap, To& to) {
+  const auto closer = [&](const Twofolds&, const Twofolds&, double& distance) { return length_to(line, p, distance); };
+  const Three from = loaded(start_of(line)), point = loaded(p);
+  const Twofolds w = Twofolds::difference(point, from), d = along(line);
   Three q = from;
   double distance = 0;
-  if (!foot<To>(from, w, d, squares(w, d), q, distance, by_the_way)) return false;
+  if (!foot<To>(from, w, d, squares(w, d), q, distance, closer)) return false;
   return swap ? put(q, point, distance, to) : put(point, q, distance, to);
 }
 
-template <class To>
-HWY_INLINE bool numbers(const LineAt& p, const LineAt& q, SpotsOnLines places, To& to) {
+template <class Line, class To>
+HWY_INLINE bool numbers(const Line& p, const Line& q, SpotsOnLines places, To& to) {
   const bool inside_p = places.a == SpotOnLine::inside, inside_q = places.b == SpotOnLine::inside;
-  const Three a = loaded(inside_p ? *p.from : p.at(places.a)), b = loaded(inside_q ? *q.from : q.at(places.b));
-  if (inside_p && inside_q) {
-    const Twofolds e1 = along(p), e2 = along(q), w = Twofolds::difference(b, a);
-    const Dots gram = squares(e1, e2);
-    return between_lines(a, e1, b, e2, w, gram, along(w, e1, e2, gram), to);
-  }
-  if (inside_p || inside_q) {
-    const LineAt& line = inside_p ? p : q;
-    return on_one_line(inside_p ? a : b, along(line), inside_p ? b : a, inside_p, to);
-  }
-  const Twofolds w = Twofolds::difference(b, a);
+  if (inside_p && inside_q) return between_lines(p, q, to);
+  if (inside_p || inside_q)
+    return on_one_line(inside_p ? p : q, inside_p ? at(q, places.b) : at(p, places.a), inside_p, to);
+  const Three a = loaded(at(p, places.a)), b = loaded(at(q, places.b));
   double distance = 0;
-  return root_of_squares(square(w)).told(distance) && put(a, b, distance, to);
+  return root_of_squares(square(Twofolds::difference(b, a))).told(distance) && put(a, b, distance, to);
 }
 
 HWY_INLINE void name_features(Closest& to, SpotsOnLines places) {
@@ -89,43 +117,41 @@ HWY_INLINE void name_features(Closest& to, SpotsOnLines places) {
 }
 HWY_INLINE void name_features(double&, SpotsOnLines) {}
 
-struct BothEnds {
-  bool starts = true, ends = true;
-};
+/// Where part / whole lies on a segment; `given` where doubles leave a doubt.
+HWY_INLINE SpotOnLine place_of(const Approximate& part, const Approximate& whole) {
+  const Approximate rest = whole - part;
+  if (part.certainly_negative()) return SpotOnLine::start;
+  if (rest.certainly_negative()) return SpotOnLine::end;
+  return part.certainly_positive() && rest.certainly_positive() ? SpotOnLine::inside : SpotOnLine::given;
+}
+HWY_INLINE bool is_end(SpotOnLine place) { return place == SpotOnLine::start || place == SpotOnLine::end; }
+
 /// As closest_places (linear_pair.hpp), by the products of e1, e2 and w.  Segments that may be parallel are never
 /// certain.
-HWY_INLINE SpotsOnLines places_by(const Dots& gram, const Dots& c, CertainSigns& ask) {
+HWY_INLINE SpotsOnLines places_by(const Dots& gram, const Dots& c) {
   const Approximate a11 = gram.x.plain(), a12 = gram.y.plain(), a22 = gram.z.plain(), c1 = c.x.plain(),
                     c2 = c.y.plain();
-  const auto place = [&ask](const Approximate& part, const Approximate& of) {
-    return place_on(BothEnds(), part, of, ask);
-  };
-  const auto on_p = [&](SpotOnLine q) { return place(q == SpotOnLine::end ? c1 + a12 : c1, a11); };
-  const Approximate whole = a11 * a22 - a12 * a12;
-  static_cast<void>(ask(whole));
-  SpotsOnLines places{place(c1 * a22 - a12 * c2, whole), SpotOnLine::inside};
+  const Solution<Approximate> of(a11, a12, a22, c1, c2);
+  if (!of.whole.certainly_positive()) return {SpotOnLine::given, SpotOnLine::given};
+  SpotsOnLines places{place_of(of.s, of.whole), SpotOnLine::given};
   if (places.a == SpotOnLine::inside) {
-    places.b = place(a12 * c1 - a11 * c2, whole);
-  } else {
-    places.b = place(places.a == SpotOnLine::end ? a12 - c2 : Approximate(0) - c2, a22);
+    places.b = place_of(of.t, of.whole);
+  } else if (places.a != SpotOnLine::given) {
+    places.b = place_of(places.a == SpotOnLine::end ? a12 - c2 : -c2, a22);
   }
-  if (places.b != SpotOnLine::inside) places.a = on_p(places.b);
+  if (is_end(places.b)) places.a = place_of(places.b == SpotOnLine::end ? c1 + a12 : c1, a11);
   return places;
 }
 
 template <class To>
 HWY_INLINE bool numbers(const Segment3& p, const Segment3& q, To& to) {
   const Three a = loaded(p.a), b = loaded(q.a);
-  const Twofolds e1 = Twofolds::difference(loaded(p.b), a), e2 = Twofolds::difference(loaded(q.b), b),
-                 w = Twofolds::difference(b, a);
-  const Dots gram = squares(e1, e2), c = along(w, e1, e2, gram);
-  CertainSigns ask;
-  const SpotsOnLines places = places_by(gram, c, ask);
-  if (!ask.certain()) return false;
+  const Twofolds e1 = Twofolds::difference(loaded(p.b), a), e2 = Twofolds::difference(loaded(q.b), b);
+  const Dots gram = squares(e1, e2);
+  const SpotsOnLines places = places_by(gram, along(Twofolds::difference(b, a), e1, e2, gram));
+  if (places.a == SpotOnLine::given || places.b == SpotOnLine::given) return false;
   name_features(to, places);
-  if (places.a == SpotOnLine::inside && places.b == SpotOnLine::inside)
-    return between_lines(a, e1, b, e2, w, gram, c, to);
-  return numbers(LineAt(p), LineAt(q), places, to);
+  return numbers(p, q, places, to);
 }
 
 template <class To>

@@ -2,7 +2,7 @@
 // features are known?  Four lanes at once.
 //
 // Laws: true only where each number is the exact one rounded once: on_a, on_b and distance of a Closest, of a vertex
-// and a face on_b and distance; or the distance alone.  False says nothing.
+// and a face on_b and distance; or the distance alone.  Inside both never of what is parallel.  False says nothing.
 // Source: as query/closest/quick.hpp.
 // Cost: 15 to 30 ns with fused multiply-adds; machines without them get false at once.
 #pragma once
