@@ -5,13 +5,16 @@
 // infeasible program those that decide have weights with which their rows add up to zero and their limits to less
 // (Farkas).
 // Method: the simplex method on the dual program, whose basis has one row for each variable; its multipliers are the
-// point.
-// Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; RTCD 9.4.
-// Cost: some ten microseconds a pivot.
+// point.  Integers over one determinant, of which a pivot divides the last one away.
+// Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; Edmonds 1967, Bareiss 1968 (elimination without fractions);
+// RTCD 9.4.
+// Cost: a pivot some products of integers for each constraint and variable.
 #pragma once
 
 #include <gmpxx.h>
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace plumb::arith {
@@ -42,6 +45,11 @@ struct Optimum {
 
 /// The greatest objective . x.
 Optimum maximize(const RationalVector& objective, const Constraints& constraints);
+
+/// Of y >= 0 with sum y_j rows_j = objective: each of limits . y as small as those before it leave it.  Nothing where
+/// there is no such y, or one of them has no least value.
+std::optional<RationalVector> least_in_turn(const RationalVector& objective, const std::vector<RationalVector>& rows,
+                                            std::span<const RationalVector> limits);
 
 /// A point that meets the constraints, those of `strictly` with slack where some point does.
 struct Feasible {
