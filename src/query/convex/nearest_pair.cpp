@@ -1,6 +1,6 @@
 #include "query/convex/nearest_pair.hpp"
 
-#include <algorithm>
+#include <array>
 
 #include "arith/rational_lp.hpp"
 #include "query/convex/integer_difference.hpp"
@@ -8,128 +8,125 @@
 namespace plumb::query {
 namespace {
 
-/// The first of weights over their whole, times what they weigh, over the scale.
-class Weighted {
- public:
-  void add(const mpz_class& weight, const arith::Triplet<mpz_class>& at) {
-    for (std::size_t k = 0; k < 3; ++k) mpz_addmul(sum_[k].get_mpz_t(), weight.get_mpz_t(), at[k].get_mpz_t());
-  }
-  [[nodiscard]] Exact3 over(const mpz_class& whole) const {
-    Exact3 r;
-    for (std::size_t k = 0; k < 3; ++k) {
-      r[k] = mpq_class(sum_[k], whole);
-      r[k].canonicalize();
-    }
-    return r;
-  }
+using Integers3 = arith::Triplet<mpz_class>;
 
- private:
-  arith::Triplet<mpz_class> sum_{0, 0, 0};
+void add_times(Integers3& sum, const mpz_class& weight, const Integers3& v) {
+  for (std::size_t k = 0; k < 3; ++k) mpz_addmul(sum[k].get_mpz_t(), weight.get_mpz_t(), v[k].get_mpz_t());
+}
+
+/// Integers over a whole and the scale of the sets.
+Exact3 place(const Integers3& at, const mpz_class& whole, const IntegerDifference& sets) {
+  Exact3 r;
+  const mpz_class all = whole * sets.scale;
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[k] = mpq_class(at[k], all);
+    r[k].canonicalize();
+  }
+  return r + sets.origin;
+}
+
+/// Of a pair, integers over `whole`.
+struct NearPair {
+  Integers3 on_a{0, 0, 0}, on_b{0, 0, 0};
+  mpz_class whole, square;
 };
 
-NearestPair any_pair(const FlatSet& a, const FlatSet& b) {
-  const IntegerDifference sets = in_integers(a, b);
+NearPair any_pair(const IntegerDifference& sets) {
   arith::DifferenceSearch<mpz_class> search(sets.difference, guessed_corners(sets.difference));
   while (search.step()) {
   }
-  Weighted on_a, on_b;
+  NearPair pair;
   for (std::size_t i = 0; i < search.corners().size(); ++i) {
     const arith::DifferenceCorner& c = search.corners()[i];
     const mpz_class& weight = search.weights()[i];
     if (c.is_point) {
-      on_a.add(weight, sets.difference.points[0][c.first]);
-      on_b.add(weight, sets.difference.points[1][c.second]);
+      add_times(pair.on_a, weight, sets.difference.points[0][c.first]);
+      add_times(pair.on_b, weight, sets.difference.points[1][c.second]);
     } else if (c.first < sets.directions_of_a) {
-      on_a.add(weight, sets.difference.directions[c.first]);
+      add_times(pair.on_a, weight, sets.difference.directions[c.first]);
     } else {
-      on_b.add(-weight, sets.difference.directions[c.first]);
+      add_times(pair.on_b, -weight, sets.difference.directions[c.first]);
     }
   }
-  const mpz_class whole = search.whole() * sets.scale;
-  NearestPair pair{on_a.over(whole) + sets.origin, on_b.over(whole) + sets.origin, {search.square(), whole * whole}};
-  pair.square.canonicalize();
+  pair.whole = search.whole(), pair.square = search.square();
   return pair;
 }
 
-/// What of a set can be farthest along a way on which this one of its points is.
-FlatSet farthest_along(const FlatSet& s, const Exact3& way, const Exact3& point) {
-  FlatSet r;
-  const mpq_class most = dot(way, point);
-  for (const Exact3& p : s.points) {
-    if (dot(way, p) == most) r.points.push_back(p);
-  }
-  for (const Exact3& d : s.directions) {
-    if (sgn(dot(way, d)) == 0) r.directions.push_back(d);
-  }
-  r.lines = s.lines;
-  return r;
-}
-
-bool is_one_point(const FlatSet& s) { return s.points.size() == 1 && s.directions.empty() && s.lines.empty(); }
-
-/// The least coordinate of a point of `a` that less `apart` is one of `b`: over u, s, t the least s + t + u . apart with
-/// (c - u) . p <= s on a and u . p <= t on b, where c is the axis turned round.  Both sets keep what such points can
-/// have.  Nothing where there is no least.
-std::optional<mpq_class> take_least(FlatSet& a, FlatSet& b, const Exact3& apart, std::size_t axis) {
-  arith::Constraints all;
-  enum class Of : unsigned char { point, direction, line };
-  struct Row {
-    FlatSet* set;
-    Of of;
-    std::size_t index;
-  };
-  std::vector<Row> names;
-  const auto add = [&](FlatSet& set, const Exact3& v, Of of, std::size_t index, int way) {
-    const bool first = &set == &a;
-    arith::RationalVector row(5);
-    for (std::size_t k = 0; k < 3; ++k) row[k] = (first ? -way : way) * v[k];
-    if (of == Of::point) row[first ? 3 : 4] = -1;
-    all.add(std::move(row), first ? mpq_class(way * v[axis]) : mpq_class(0));
-    names.push_back({&set, of, index});
-  };
-  for (FlatSet* set : {&a, &b}) {
-    for (std::size_t i = 0; i < set->points.size(); ++i) add(*set, set->points[i], Of::point, i, 1);
-    for (std::size_t i = 0; i < set->directions.size(); ++i) add(*set, set->directions[i], Of::direction, i, 1);
-    for (std::size_t i = 0; i < set->lines.size(); ++i) {
-      add(*set, set->lines[i], Of::line, i, 1);
-      add(*set, set->lines[i], Of::line, i, -1);
+/// Those points and directions of either set that a nearest pair can be sums of: the farthest ones towards the other.
+class NearFaces {
+ public:
+  NearFaces(const IntegerDifference& sets, const NearPair& pair)
+      : sets_(sets), whole_(pair.whole), apart_(arith::minus(pair.on_a, pair.on_b)) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto& points = sets.difference.points[s];
+      const mpz_class most = arith::dot(apart_, s == 0 ? pair.on_a : pair.on_b);  // over the whole
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (arith::dot(apart_, points[i]) * whole_ == most) points_[s].push_back(i);
+      }
+    }
+    for (std::size_t i = 0; i < sets.difference.directions.size(); ++i) {
+      if (arith::dot(apart_, sets.difference.directions[i]) == 0)
+        directions_[i < sets.directions_of_a ? 0 : 1].push_back(i);
     }
   }
-  const arith::RationalVector objective{-apart[0], -apart[1], -apart[2], -1, -1};
-  const arith::Optimum best = arith::maximize(objective, all);
-  if (best.kind != arith::Optimum::Kind::optimal) return {};
-  FlatSet kept_a{{}, {}, a.lines}, kept_b{{}, {}, b.lines};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].of == Of::line || arith::dot(best.at, all.rows[i]) != all.limits[i]) continue;
-    FlatSet& kept = names[i].set == &a ? kept_a : kept_b;
-    if (names[i].of == Of::point) kept.points.push_back(names[i].set->points[names[i].index]);
-    if (names[i].of == Of::direction) kept.directions.push_back(names[i].set->directions[names[i].index]);
+
+  [[nodiscard]] bool is_one_pair() const {
+    const auto is_point = [&](std::size_t s) { return points_[s].size() == 1 && directions_[s].empty(); };
+    return is_point(0) || is_point(1);
   }
-  a = std::move(kept_a);
-  b = std::move(kept_b);
-  return arith::dot(objective, best.at);
-}
+
+  /// The first point of `a` that has a nearest one.  Nothing where none comes first.
+  [[nodiscard]] std::optional<Exact3> first_point() const {
+    // Weights: of the points of each set one in all, and what they span of a, less that of b, is what is apart.
+    std::vector<arith::RationalVector> rows;
+    std::array<arith::RationalVector, 3> coordinates;
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto add = [&](const Integers3& v, int way, bool is_point) {
+        arith::RationalVector row(5);
+        for (std::size_t k = 0; k < 3; ++k) {
+          row[k] = way * v[k];
+          coordinates[k].push_back(s == 0 ? mpq_class(v[k]) : mpq_class(0));
+        }
+        if (is_point) row[3 + s] = 1;
+        rows.push_back(std::move(row));
+      };
+      for (const std::size_t i : points_[s]) add(sets_.difference.points[s][i], s == 0 ? 1 : -1, true);
+      for (const std::size_t i : directions_[s]) add(sets_.difference.directions[i], 1, false);
+    }
+    const arith::RationalVector sums{apart_[0], apart_[1], apart_[2], whole_, whole_};
+    const auto least = arith::least_in_turn(sums, rows, coordinates);
+    if (!least) return {};
+    Exact3 first;
+    for (std::size_t k = 0; k < 3; ++k) first[k] = (*least)[k] / (whole_ * sets_.scale) + sets_.origin[k];
+    return first;
+  }
+
+ private:
+  const IntegerDifference& sets_;
+  mpz_class whole_;
+  Integers3 apart_;  // over the whole
+  std::array<std::vector<std::size_t>, 2> points_, directions_;
+};
 
 }  // namespace
 
 std::optional<NearestPair> nearest_pair(const FlatSet& a, const FlatSet& b, WhichPair which) {
   if (a.points.empty() || b.points.empty()) return {};
-  NearestPair pair = any_pair(a, b);
+  const IntegerDifference sets = in_integers(a, b);
+  const NearPair any = any_pair(sets);
+  const mpz_class all = any.whole * sets.scale;
+  NearestPair pair{place(any.on_a, any.whole, sets), place(any.on_b, any.whole, sets), {any.square, all * all}};
+  pair.square.canonicalize();
   if (which == WhichPair::any) return pair;
-  const Exact3 apart = pair.on_a - pair.on_b;
-  FlatSet near_a = farthest_along(a, mpq_class(-1) * apart, pair.on_a), near_b = farthest_along(b, apart, pair.on_b);
-  if (is_one_point(near_a) || is_one_point(near_b)) return pair;
-  Exact3 first;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto least = take_least(near_a, near_b, apart, axis);
-    if (!least) {
-      pair.is_first = false;
-      return pair;
-    }
-    first[axis] = *least;
+  const NearFaces faces(sets, any);
+  if (faces.is_one_pair()) return pair;
+  auto first = faces.first_point();
+  if (!first) {
+    pair.is_first = false;
+    return pair;
   }
-  pair.on_b = first - apart;
-  pair.on_a = std::move(first);
+  pair.on_b = *first - (pair.on_a - pair.on_b);
+  pair.on_a = std::move(*first);
   return pair;
 }
 
