@@ -96,6 +96,16 @@ std::string missing_tool(const std::string& line) {
   return {};
 }
 
+/// Of the remark "file NAME" "file".
+std::string about_of(const Block& block) { return block.remark.substr(0, block.remark.rfind(' ')); }
+
+bool is_run(const Block& block) {
+  const std::string about = about_of(block);
+  return block.remark != "fragment" && about != "from" && about != "file" && about != "add to" &&
+         block.language != "text" && block.language != "";
+}
+bool is_whole(const Block& block) { return block.text.find("int main(") != std::string::npos; }
+
 class Documents : public testing::TestWithParam<fs::path> {
  protected:
   static void SetUpTestSuite() {
@@ -142,18 +152,38 @@ class Documents : public testing::TestWithParam<fs::path> {
     return run_here(lines);
   }
 
-  // A whole program as it is; statements as the body of one, after the faces, which the compiler reads once for all
-  // pages.
-  Outcome run_program(const Block& block) {
-    const std::string source = folder_ / ("block" + std::to_string(block.line) + ".cpp");
-    const bool whole = block.text.find("int main(") != std::string::npos;
+  // A whole program as it is; statements as a function of one that has all those of the page, after the faces, which
+  // the compiler reads once for all pages.
+  Outcome run_program(const Document& document, const Block& block) {
+    const bool whole = is_whole(block);
     main_ = whole ? block.text : faces + ("int main() {\n" + block.text + "}\n");
-    write(source, main_);
     write(folder_ / "main.cpp", main_);
-    const Outcome built =
-        run_here(PLUMB_COMPILE " -I. " PLUMB_INCLUDES + (whole ? "" : " -include '" + header() + "'") + " '" + source +
-                 "' -o program " PLUMB_LIBRARIES);
+    if (!whole) {
+      if (!statements_) statements_ = build(statements_of(document), "statements", " -include '" + header() + "'");
+      return statements_->code == 0 ? run_here("./statements " + std::to_string(block.line)) : *statements_;
+    }
+    const Outcome built = build(main_, "program", "");
     return built.code == 0 ? run_here("./program") : built;
+  }
+
+  [[nodiscard]] Outcome build(const std::string& text, const std::string& program, const std::string& options) const {
+    write(folder_ / (program + ".cpp"), text);
+    return run_here(PLUMB_COMPILE " -I. " PLUMB_INCLUDES + options + " '" + (folder_ / (program + ".cpp")) + "' -o " +
+                    program + " " PLUMB_LIBRARIES);
+  }
+
+  // Told by their line which to run.
+  static std::string statements_of(const Document& document) {
+    std::string all = faces, cases;
+    for (const Block& block : document.blocks) {
+      if (block.language != "cpp" || !is_run(block) || is_whole(block)) continue;
+      const std::string line = std::to_string(block.line), name = "block_" + line;
+      all += "int " + name + "() {\n#line " + line + " \"" + document.path.string() + "\"\n" + block.text +
+             "return 0;\n}\n";
+      cases += "case " + line + ": return " + name + "();\n";
+    }
+    return all + "#include <cstdlib>\nint main(int, char** given) {\nswitch (std::atoi(given[1])) {\n" + cases +
+           "}\nreturn 1;\n}\n";
   }
 
   // The project of this CMakeLists.txt with the last program as main.cpp, and the page's files, against an installed
@@ -174,6 +204,7 @@ class Documents : public testing::TestWithParam<fs::path> {
   inline static std::unique_ptr<Folder> faces_;
   Folder folder_;
   std::string main_;
+  std::optional<Outcome> statements_;  // what building them said
   std::vector<std::string> files_;
 };
 
@@ -183,7 +214,7 @@ TEST_P(Documents, RunsAsShown) {
   bool ran = false;
   for (const Block& block : document.blocks) {
     const std::string place = document.path.string() + ":" + std::to_string(block.line) + "\n" + block.text;
-    const std::string about = block.remark.substr(0, block.remark.rfind(' '));
+    const std::string about = about_of(block);
     const std::string file = block.remark.substr(block.remark.rfind(' ') + 1);
     if (about == "from") {
       EXPECT_NE(text_of(tree / file).find(block.text), std::string::npos) << place << "is not in " << file;
@@ -193,11 +224,11 @@ TEST_P(Documents, RunsAsShown) {
       files_.push_back(file);
     } else if (block.language == "text" && ran) {
       EXPECT_TRUE(reads_as(last.out, block.text)) << place << "but it prints\n" << last.out;
-    } else if (block.remark != "fragment" && about != "add to" && block.language != "text" && block.language != "") {
+    } else if (is_run(block)) {
       if (block.language == "sh") {
         last = run_commands(block);
       } else if (block.language == "cpp") {
-        last = run_program(block);
+        last = run_program(document, block);
       } else if (block.language == "cmake") {
         last = build_project(block);
       } else {
