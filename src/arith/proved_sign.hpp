@@ -11,7 +11,7 @@
 #pragma once
 
 #include "arith/running_error.hpp"
-#include "arith/short_dyadic.hpp"
+#include "plumb/arith/short_dyadic.hpp"
 #include "plumb/arith/big.hpp"
 
 namespace plumb {

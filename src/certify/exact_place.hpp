@@ -58,8 +58,8 @@ certify::meeting::Weighted<BigDyadic, N> primitive(const certify::meeting::Weigh
 
 template <std::size_t N>
 bool are_equal(const certify::meeting::Weighted<BigDyadic, N>& p, const certify::meeting::Weighted<BigDyadic, N>& q) {
-  bool equal = p.weight.mantissa() == q.weight.mantissa();
-  for (std::size_t i = 0; i < N; ++i) equal = equal && p.at[i].mantissa() == q.at[i].mantissa();
+  bool equal = (p.weight - q.weight).sign() == Sign::zero;
+  for (std::size_t i = 0; i < N; ++i) equal = equal && (p.at[i] - q.at[i]).sign() == Sign::zero;
   return equal;
 }
 

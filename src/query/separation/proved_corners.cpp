@@ -1,6 +1,6 @@
 #include "query/separation/proved_corners.hpp"
 
-#include "arith/short_dyadic.hpp"
+#include "plumb/arith/short_dyadic.hpp"
 #include "plumb/arith/big.hpp"
 #include "query/separation/corner_search.hpp"
 #include "query/separation/exact_corners.hpp"

@@ -1,4 +1,5 @@
-// What is the exact value, where a thousand bits hold it?  BigDyadic without allocations.
+// Multiple precision: what is the exact value, where a thousand bits hold it?  Integers times powers of two, without
+// allocations.
 //
 // Laws: exact, of any finite double, until a number would take more than 16 limbs between the ends of its value: from then
 // on it is lost, and so is what comes of it, whose sign is not certain.
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <span>
 
 #include "plumb/arith/lattice.hpp"
 #include "plumb/arith/sign.hpp"
@@ -18,7 +21,14 @@ namespace plumb {
 
 class ShortDyadic {
  public:
+  static constexpr std::size_t most_limbs = 16;
+
   ShortDyadic() : size_(0) {}
+  /// Up to `most_limbs` of a magnitude, least significant first, of which the last is not zero.
+  ShortDyadic(std::span<const mp_limb_t> limbs, bool negative, long exponent)
+      : size_(static_cast<int>(limbs.size())), negative_(negative), exponent_(exponent) {
+    std::copy_n(limbs.data(), limbs.size(), limb_.data());
+  }
   explicit ShortDyadic(double x) : size_(0) {
     const OddForm f = odd_form(x);
     if (f.mantissa == 0) return;
@@ -37,6 +47,10 @@ class ShortDyadic {
     return Unsure{size_ == 0 ? Sign::zero : negative_ ? Sign::negative : Sign::positive};
   }
 
+  [[nodiscard]] bool is_lost() const { return lost_; }
+  [[nodiscard]] std::span<const mp_limb_t> limbs() const { return {limb_.data(), at(size_)}; }
+  [[nodiscard]] long exponent() const { return exponent_; }
+
   friend ShortDyadic operator-(const ShortDyadic& a) {
     ShortDyadic r = a;
     r.negative_ = !r.negative_;
@@ -50,8 +64,12 @@ class ShortDyadic {
     if (a.size_ == 0 || b.size_ == 0) return r;
     if (a.size_ + b.size_ > most) return lost();
     const ShortDyadic &longer = a.size_ < b.size_ ? b : a, &shorter = a.size_ < b.size_ ? a : b;
-    const mp_limb_t top =
-        mpn_mul(r.limb_.data(), longer.limb_.data(), longer.size_, shorter.limb_.data(), shorter.size_);
+    mp_limb_t top = 0;
+    if (shorter.size_ == 1) {
+      top = r.limb_[at(longer.size_)] = mpn_mul_1(r.limb_.data(), longer.limb_.data(), longer.size_, shorter.limb_[0]);
+    } else {
+      top = mpn_mul(r.limb_.data(), longer.limb_.data(), longer.size_, shorter.limb_.data(), shorter.size_);
+    }
     r.size_ = a.size_ + b.size_ - (top == 0 ? 1 : 0);
     r.exponent_ = a.exponent_ + b.exponent_;
     r.negative_ = a.negative_ != b.negative_;
@@ -59,7 +77,7 @@ class ShortDyadic {
   }
 
  private:
-  static constexpr int most = 16;
+  static constexpr int most = static_cast<int>(most_limbs);
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   static ShortDyadic lost() {
@@ -79,8 +97,10 @@ class ShortDyadic {
     const bool a_higher = a.exponent_ > b.exponent_;
     const ShortDyadic &high = a_higher ? a : b, &low = a_higher ? b : a;
     std::array<mp_limb_t, most + 1> shifted;
-    const int shift = high.exponent_ - low.exponent_, limbs = shift / GMP_NUMB_BITS, bits = shift % GMP_NUMB_BITS;
-    if (limbs >= most || high.size_ + limbs >= most || low.size_ >= most) return lost();
+    const long shift = high.exponent_ - low.exponent_;
+    if (shift >= most * GMP_NUMB_BITS) return lost();
+    const int limbs = static_cast<int>(shift) / GMP_NUMB_BITS, bits = static_cast<int>(shift) % GMP_NUMB_BITS;
+    if (high.size_ + limbs >= most || low.size_ >= most) return lost();
     std::fill_n(shifted.begin(), limbs, mp_limb_t{0});
     int size = high.size_ + limbs;
     if (bits == 0) {
@@ -98,7 +118,7 @@ class ShortDyadic {
     int size;
     bool negative;
   };
-  static ShortDyadic combined(const Term& a, const Term& b, int exponent) {
+  static ShortDyadic combined(const Term& a, const Term& b, long exponent) {
     const bool a_longer = a.size != b.size ? a.size > b.size : mpn_cmp(a.limb, b.limb, a.size) >= 0;
     const Term &more = a_longer ? a : b, &less = a_longer ? b : a;
     ShortDyadic r;
@@ -122,8 +142,9 @@ class ShortDyadic {
   }
 
   std::array<mp_limb_t, most> limb_;
-  int size_, exponent_ = 0;
+  int size_;
   bool negative_ = false, lost_ = false;
+  long exponent_ = 0;
 };
 
 }  // namespace plumb
