@@ -117,11 +117,27 @@ std::uint32_t least_corner(const CoreCorners& c, std::uint32_t from, const Vec<T
   return from;
 }
 
+/// Those of positive weight, where the nearest point of all corners' affine hull lies within their hull.
+template <class T>
+std::optional<DifferenceCorners> needed_of_all(const std::array<Vec<T>, 4>& at, const DifferenceCorners& all) {
+  CertainSigns ask;
+  const NearestOfCorners<T> n = nearest_of<T>(at, all.size, ask);
+  if (!n.is_independent || !ask.certain()) return {};
+  unsigned positive = 0;
+  for (std::size_t i = 0; i < all.size; ++i) {
+    const Sign s = all.size == 1 ? Sign::positive : ask(n.weight[i]);
+    if (s == Sign::negative || !ask.certain()) return {};
+    if (s == Sign::positive) positive |= 1u << i;
+  }
+  return all.part(positive);
+}
+
 /// Of up to four corners those that the nearest point of their hull needs; all where it is the origin.
 template <class T>
 std::optional<DifferenceCorners> needed(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& all) {
   const unsigned end = 1u << all.size;
   const std::array<Vec<T>, 4> at = differences_of<T>(a, b, all);
+  if (const auto part = needed_of_all<T>(at, all)) return part;
   for (int size = 1; size <= static_cast<int>(all.size); ++size) {
     for (unsigned mask = 1; mask < end; ++mask) {
       if (std::popcount(mask) != size) continue;
