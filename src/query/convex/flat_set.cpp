@@ -14,14 +14,6 @@ Exact3 exact(const Vector3& v) { return exact(v.x, v.y, v.z); }
 
 const Exact3 along_z{0, 0, 1};
 
-template <class... Points>
-FlatSet set_of_points(const Points&... points) {
-  FlatSet set;
-  set.points.reserve(sizeof...(points));
-  (set.points.push_back(exact(in_space(points))), ...);
-  return set;
-}
-
 /// The points, and the edges that go on, of what has a body of them.
 template <class Shape>
 FlatSet set_of_body(const Shape& s) {
@@ -138,17 +130,17 @@ Exact3 primitive(const Exact3& v) {
   return mpq_class(multiple, divisor) * v;
 }
 
-FlatSet flat_set(const Point2& s) { return set_of_points(s); }
-FlatSet flat_set(const Point3& s) { return set_of_points(s); }
+FlatSet flat_set(const Point2& s) { return set_of_body(s); }
+FlatSet flat_set(const Point3& s) { return set_of_body(s); }
 FlatSet flat_set(const Line2& s) { return set_of_body(s); }
 FlatSet flat_set(const Line3& s) { return set_of_body(s); }
 FlatSet flat_set(const Ray2& s) { return set_of_body(s); }
 FlatSet flat_set(const Ray3& s) { return set_of_body(s); }
-FlatSet flat_set(const Segment2& s) { return set_of_points(s.a, s.b); }
-FlatSet flat_set(const Segment3& s) { return set_of_points(s.a, s.b); }
-FlatSet flat_set(const Triangle2& s) { return set_of_points(s.a, s.b, s.c); }
-FlatSet flat_set(const Triangle3& s) { return set_of_points(s.a, s.b, s.c); }
-FlatSet flat_set(const Tetrahedron3& s) { return set_of_points(s.a, s.b, s.c, s.d); }
+FlatSet flat_set(const Segment2& s) { return set_of_body(s); }
+FlatSet flat_set(const Segment3& s) { return set_of_body(s); }
+FlatSet flat_set(const Triangle2& s) { return set_of_body(s); }
+FlatSet flat_set(const Triangle3& s) { return set_of_body(s); }
+FlatSet flat_set(const Tetrahedron3& s) { return set_of_body(s); }
 FlatSet flat_set(const ThreePointPlane3& s) { return set_of_body(s); }
 FlatSet flat_set(const Obb2& s) { return set_of_body(s); }
 FlatSet flat_set(const Obb3& s) { return set_of_body(s); }
