@@ -14,8 +14,8 @@
 #include <span>
 
 #include "arith/running_error.hpp"
-#include "arith/short_dyadic.hpp"
 #include "arith/vec.hpp"
+#include "plumb/arith/short_dyadic.hpp"
 
 namespace plumb::query {
 
