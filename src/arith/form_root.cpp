@@ -54,7 +54,7 @@ double FormRoot::guess_on_piece() const {
   guess_ = new_guess();
   return guess_;
 }
-/// Newton's way in doubles, from the chord's zero, kept between the ends.
+/// Newton's way in doubles, from the chord's zero, kept between the ends; whatever they make of it is of [0, 1].
 double FormRoot::new_guess() const {
   int bits = 0;
   for (int i = 0; i <= form_.degree; ++i) bits = std::max(bits, form_.at(i).bits());
@@ -81,7 +81,7 @@ double FormRoot::new_guess() const {
     if (std::fabs(step) < t * 0x1p-52) return t;
     t -= step;
   }
-  return t;
+  return t > low && t < high ? t : low;
 }
 
 /// A guess.
@@ -150,7 +150,8 @@ void FormRoot::shorten(int places) {
   const double guess = guess_on_piece();
   for (; places > 3; places /= 2) {
     const auto parts = static_cast<std::int64_t>(1) << places;
-    const auto near = static_cast<std::int64_t>(guess * static_cast<double>(parts));
+    const std::int64_t near =
+        std::min(static_cast<std::int64_t>(guess * static_cast<double>(parts)), parts - 1);  // 1 would be past the end
     const auto sign_at = [&](std::int64_t part) {
       return form_.value(BriefInteger(parts - part), BriefInteger(part)).sign();
     };

@@ -118,6 +118,42 @@ TEST_F(FormRootTest, SignsAreThoseOfAnyLength) {
   EXPECT_LE(uncertain, roots / 20);
 }
 
+// Two roots on either side of a place at which pieces end, nearer to it than doubles of a piece can say.
+TEST_F(FormRootTest, RootsBesideTheEndsOfPieces) {
+  const auto shifted = [](Both f, int by) {
+    for (BriefInteger& c : f.form.c) c = c << by;
+    for (mpz_class& c : f.polynomial) c <<= static_cast<mp_bitcnt_t>(by);
+    return f;
+  };
+  const Both one = linear(1, 1);
+  int roots = 0, told = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const int places = 1 + static_cast<int>(random_() % 4), gap = 40 + static_cast<int>(random_() % 80);
+    const std::int64_t parts = std::int64_t{1} << places,
+                       at = 1 + static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(parts - 1));
+    const Both end = linear(-at, parts - at), third = linear(number(4) + 1, number(4) + 1);
+    Both p = shifted(end * end * third, gap) + linear(-1 - number(3), -1 - number(3)) * one * one;
+    while (!p.polynomial.empty() && p.polynomial.back() == 0) p.polynomial.pop_back();
+    make_primitive(p.polynomial);
+    const int beside = gap / 2 - 2 + static_cast<int>(random_() % 5);
+    const Both q = shifted(end, beside) + linear(either(3), either(3));
+    std::vector<IsolatedRoot> expected = isolated_roots(p.polynomial, 0, 1);
+    std::size_t next = 0;
+    visit_roots(p.form, [&](FormRoot& root) {
+      if (next >= expected.size()) return false;
+      IsolatedRoot& truth = expected[next++];
+      ++roots;
+      const int sign = root.sign_of(q.form);
+      if (!root.is_certain()) return false;
+      ++told;
+      EXPECT_EQ(sign, sign_at(q.polynomial, truth)) << i;
+      return true;
+    });
+  }
+  EXPECT_GT(roots, 20'000);
+  EXPECT_GT(told, roots / 2);
+}
+
 TEST_F(FormRootTest, IntegersAreExactOrLost) {
   for (int i = 0; i < 3000; ++i) {
     BriefInteger x(static_cast<std::int64_t>(random_())), y(static_cast<std::int64_t>(random_()));

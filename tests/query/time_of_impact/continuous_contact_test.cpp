@@ -164,6 +164,25 @@ TEST(ContinuousContactTest, IntegersOnTheStackAgreeWithThoseOfAnyLength) {
   }
 }
 
+// The edges come into one plane 2^-57 before a quarter of the time, where they meet, and again 2^-57 after it, where
+// they are apart: the first root lies at the end of a piece of time.
+TEST(ContinuousContactTest, EdgesMeetAtTheFirstOfTwoTimesNearAQuarter) {
+  const Moving<Segment3> p{
+      {{-0x1.5555555555555p-3, 0x1.6666666666666p-1, -0x1.b6db6dd6db6dbp-3},
+       {-0x1p-1, 0x1.0cccccccccccdp+0, -0x1.0000001p-2}},
+      {{0x1p-1, 0x1.e666666666666p+0, -0x1.00000008p-1}, {0x1.8p+0, 0x1.b333333333333p-1, -0x1.924924a249249p-2}}};
+  const Moving<Segment3> q{
+      {{-0x1.5555555555555p-4, 0x1p+0, -0x1.2492492c92492p-1},
+       {-0x1.aaaaaaaaaaaabp-2, 0x1.999999999999ap-1, -0x1.0000001p-2}},
+      {{0x1p-2, 0x1.4cccccccccccdp+1, 0x1.2492491c92492p-1}, {0x1.4p+0, 0x0p+0, -0x1.924924a249249p-2}}};
+  EXPECT_TRUE(intersects(p, q));
+  EXPECT_TRUE(intersects(q, p));
+  const auto hit = first_contact(p, q);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->time, std::nextafter(0.25, 0));
+  EXPECT_LT(*first_contact_time(p, q), Rational(1) / Rational(4));
+}
+
 TEST(ContinuousContactTest, TriangleIsHitWhereItIs) {
   const Moving<Triangle3> floor{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   const auto falling = [](double x, double y) { return Moving<Point3>{{x, y, 1}, {x, y, -2}}; };
