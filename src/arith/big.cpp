@@ -1,5 +1,7 @@
 #include "plumb/arith/big.hpp"
 
+#include "plumb/arith/wide_int.hpp"
+
 namespace plumb {
 namespace {
 
@@ -26,6 +28,23 @@ void drop_trailing_zeros(mpz_class& mantissa, long& exponent) {
   if (zeros < GMP_NUMB_BITS) return;
   mantissa >>= zeros;
   exponent += static_cast<long>(zeros);
+}
+
+ShortDyadic two_limbs(UInt128 magnitude, bool negative, long exponent) {
+  const auto low = static_cast<mp_limb_t>(magnitude), high = static_cast<mp_limb_t>(magnitude >> 64);
+  if (low == 0 && high != 0) return {std::array{high}, negative, exponent + 64};
+  const std::array limbs{low, high};
+  return {std::span(limbs).first(high != 0 ? 2 : low != 0 ? 1 : 0), negative, exponent};
+}
+
+/// Of one limb each, of exponents that 128 bits hold: as most are.
+bool is_brief(const ShortDyadic& a, const ShortDyadic& b) { return a.limbs().size() == 1 && b.limbs().size() == 1; }
+bool is_negative(const ShortDyadic& x) { return x.sign().value() == Sign::negative; }
+
+ShortDyadic brief_sum(const ShortDyadic& high, bool high_negative, const ShortDyadic& low, bool low_negative) {
+  const UInt128 a = UInt128{high.limbs()[0]} << (high.exponent() - low.exponent()), b = low.limbs()[0];
+  if (high_negative == low_negative) return two_limbs(a + b, high_negative, low.exponent());
+  return a < b ? two_limbs(b - a, low_negative, low.exponent()) : two_limbs(a - b, high_negative, low.exponent());
 }
 
 }  // namespace
@@ -56,6 +75,12 @@ mpz_class BigDyadic::mantissa() const {
 // The term of the larger exponent is shifted to the other's; a zero is not, for its exponent says nothing of its size.
 BigDyadic BigDyadic::sum(const BigDyadic& a, const BigDyadic& b, bool subtract) {
   if (a.large_ == nullptr && b.large_ == nullptr) [[likely]] {
+    if (is_brief(a.short_, b.short_)) {
+      const long above = a.short_.exponent() - b.short_.exponent();
+      const bool negative = is_negative(a.short_), b_negative = is_negative(b.short_) != subtract;
+      if (above >= 0 && above < 64) return BigDyadic(brief_sum(a.short_, negative, b.short_, b_negative));
+      if (above < 0 && above > -64) return BigDyadic(brief_sum(b.short_, b_negative, a.short_, negative));
+    }
     BigDyadic r(subtract ? a.short_ - b.short_ : a.short_ + b.short_);
     if (!r.short_.is_lost()) return r;
   }
@@ -72,6 +97,11 @@ BigDyadic BigDyadic::sum(const BigDyadic& a, const BigDyadic& b, bool subtract) 
 
 BigDyadic BigDyadic::product(const BigDyadic& a, const BigDyadic& b) {
   if (a.large_ == nullptr && b.large_ == nullptr) [[likely]] {
+    if (is_brief(a.short_, b.short_)) {
+      return BigDyadic(two_limbs(UInt128{a.short_.limbs()[0]} * b.short_.limbs()[0],
+                                 is_negative(a.short_) != is_negative(b.short_),
+                                 a.short_.exponent() + b.short_.exponent()));
+    }
     BigDyadic r(a.short_ * b.short_);
     if (!r.short_.is_lost()) return r;
   }
