@@ -196,9 +196,9 @@ template <Formula F>
 
 namespace certify {
 
-/// Is the lattice of all coordinates asked first?  Not where those of the axes by themselves take fewer bits by a step of
-/// wide_bits, nor where the exponents span more than this.  (Of few bits, a choice that is not foreseen costs more than
-/// it saves.)
+/// Is the lattice of all coordinates asked first?  Not where those of the axes by themselves take fewer bits by a step
+/// of wide_bits, nor where the exponents span more than this.  (Of few bits, a choice that is not foreseen costs more
+/// than it saves.)
 template <Formula F>
 bool begins_with_one_lattice(const Levels<F>& levels, int most) {
   constexpr int step = 64;
