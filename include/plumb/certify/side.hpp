@@ -130,11 +130,17 @@ class Side {
 
  private:
   explicit Side(const std::array<Point, certify::side::points<F> - 1>& given) {
+    bool finite = true;  // told one by one: require_finite loads pairs, and would wait for what is just being stored
     for (std::size_t i = 0; i < given.size(); ++i) {
       const auto numbers = certify::side::numbers_of(given[i]);
-      for (std::size_t a = 0; a < dimension; ++a) given_[i * dimension + a] = numbers[a];
+      for (std::size_t a = 0; a < dimension; ++a) {
+        given_[i * dimension + a] = numbers[a];
+        if (!(numbers[a] - numbers[a] == 0)) [[unlikely]]
+          finite = false;
+      }
     }
-    require_finite<F>(given_);
+    if (!finite) [[unlikely]]
+      require_finite<F>(given_);
     run_fixed(std::make_index_sequence<certify::side::form_of<F>.fixed.size>());
   }
 

@@ -105,37 +105,38 @@ Answer entering(const AxisMotion& x, const Contact& contact) {
             contact.feature_b);
 }
 
-}  // namespace
+/// Along one axis the boxes meet from gap / speed to way / speed.
+struct Along {
+  double gap, way, speed;
 
+  // The signs of differences are exact.
+  Along(double a0, double a1, double b0, double b1, double of_a, double of_b) {
+    const double signed_speed = of_a - of_b, ahead = b0 - a1, behind = a0 - b1;
+    gap = signed_speed < 0 ? behind : ahead, way = signed_speed < 0 ? -ahead : -behind;
+    speed = magnitude_of(signed_speed);
+  }
+  [[nodiscard]] bool never_meet() const { return way < 0 || is_positive(difference(gap) - difference(speed)); }
+};
+
+/// Of boxes that meet along each axis; by itself, so that others pay nothing for it.
 template <ContactWanted asked>
-Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
+[[gnu::noinline]] Answer contact_along(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
   const auto& [p, q] = a.shape;
   const auto& [r, s] = b.shape;
-  struct Along {
-    double gap, way, speed;  // they meet from gap / speed to way / speed
-  };
-  std::array<Along, 3> along{};
+  const std::array<Along, 3> along{Along(p.x, q.x, r.x, s.x, a.by.x, b.by.x), Along(p.y, q.y, r.y, s.y, a.by.y, b.by.y),
+                                   Along(p.z, q.z, r.z, s.z, a.by.z, b.by.z)};
   double from = 0, to = 1, all_speeds = 0;  // guesses
   std::size_t first = 3;
   bool together = true, within = true;  // at the start
-  // False: they never meet.
-  const auto narrow = [&](std::size_t k, double a0, double a1, double b0, double b1, double of_a, double of_b) {
-    // Which way it goes cannot be predicted, so nothing branches on it.  The signs of differences are exact.
-    const double signed_speed = of_a - of_b, ahead = b0 - a1, behind = a0 - b1, speed = magnitude_of(signed_speed);
-    const double gap = signed_speed < 0 ? behind : ahead, way = signed_speed < 0 ? -ahead : -behind;
-    along[k] = {gap, way, speed};
-    if (way < 0 || is_positive(difference(gap) - difference(speed))) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [gap, way, speed] = along[k];
     all_speeds += speed;
     together = together && gap <= 0;
     within = within && gap < 0 && way > 0;
     const double enters = gap / speed, leaves = way / speed;  // NaN, where it touches and rests
     if (enters > from) from = enters, first = k;
     if (leaves < to) to = leaves;
-    return true;
-  };
-  if (!narrow(0, p.x, q.x, r.x, s.x, a.by.x, b.by.x)) return no;
-  if (!narrow(1, p.y, q.y, r.y, s.y, a.by.y, b.by.y)) return no;
-  if (!narrow(2, p.z, q.z, r.z, s.z, a.by.z, b.by.z)) return no;
+  }
   if (!(all_speeds < Ball::infinity)) return unsure;
   if (first == 3) {
     if (!together) return unsure;  // a time has vanished
@@ -168,6 +169,18 @@ Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
                                        axis_of(p.z, q.z, r.z, s.z, a.by.z, b.by.z)};
   const std::optional<Contact> meeting = features(axes, first);
   return meeting ? entering(axes[first], *meeting) : unsure;
+}
+
+}  // namespace
+
+template <ContactWanted asked>
+Answer contact(const Translating<Aabb3>& a, const Translating<Aabb3>& b) {
+  const auto& [p, q] = a.shape;
+  const auto& [r, s] = b.shape;
+  if (Along(p.x, q.x, r.x, s.x, a.by.x, b.by.x).never_meet()) return no;
+  if (Along(p.y, q.y, r.y, s.y, a.by.y, b.by.y).never_meet()) return no;
+  if (Along(p.z, q.z, r.z, s.z, a.by.z, b.by.z).never_meet()) return no;
+  return contact_along<asked>(a, b);
 }
 PLUMB_QUICK_PAIR(Aabb3, Aabb3)
 

@@ -185,7 +185,9 @@ template <Formula F>
 [[gnu::noinline]] Unsure<Sign> sign_on_levels(const Coordinates<F>& p, const Levels<F>& levels) {
   const Coordinates<F> leveled = levels.at(p);
   if constexpr (Levels<F>::count > 1) {
-    if (const Integers<F> all(leveled); all.bits() != 0) return sign_of<F, long_bits, 1>(all, 0);
+    if (levels.span() < long_bits) {
+      if (const Integers<F> all(leveled); all.bits() != 0) return sign_of<F, long_bits, 1>(all, 0);
+    }
   }
   return sign_on_lattice<F>(leveled);
 }
@@ -194,11 +196,13 @@ template <Formula F>
 
 namespace certify {
 
-/// Is the lattice of all coordinates asked first?  Not where those of the axes by themselves take far fewer bits, nor
-/// where the exponents span more than this.  (Of few bits, a choice that is not foreseen costs more than it saves.)
+/// Is the lattice of all coordinates asked first?  Not where those of the axes by themselves take fewer bits by a step
+/// of wide_bits, nor where the exponents span more than this.  (Of few bits, a choice that is not foreseen costs more
+/// than it saves.)
 template <Formula F>
 bool begins_with_one_lattice(const Levels<F>& levels, int most) {
-  return levels.span_of_all() <= std::min(most, std::max(levels.span() + 16, 128));
+  constexpr int step = 64;
+  return levels.span_of_all() <= std::min(most, std::max(levels.span() + step, 2 * step));
 }
 
 }  // namespace certify

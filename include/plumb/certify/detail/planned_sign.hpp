@@ -200,12 +200,6 @@ template <Formula F, class Action>
   if constexpr (is_homogeneous<F>) {
     constexpr int plain = certify::planned::plain_double<F>, one = certify::planned::one_word_factors<F>,
                   modulo = certify::planned::modulo_word<F>, two = certify::planned::two_words<F>;
-    if (bits > words) {
-      if constexpr (two > words) {
-        if (bits <= two) return action(Way<Arithmetic::two_words, Words::of_doubles>{});
-      }
-      return action(Way<arithmetic_for<F>(unbounded), Words::of_doubles>{});
-    }
     if constexpr (plain < words) {
       if (bits <= plain) return action(Way<Arithmetic::plain_double, Words::of_integers>{});
     }
@@ -217,6 +211,12 @@ template <Formula F, class Action>
     }
     if constexpr (two > modulo && two > one && two > plain && two < words) {
       if (bits <= two) return action(Way<Arithmetic::two_words, Words::of_integers>{});
+    }
+    if (bits > words) {
+      if constexpr (two > words) {
+        if (bits <= two) return action(Way<Arithmetic::two_words, Words::of_doubles>{});
+      }
+      return action(Way<arithmetic_for<F>(unbounded), Words::of_doubles>{});
     }
   }
   return action(Way<arithmetic_for<F>(words), Words::of_integers>{});
