@@ -48,4 +48,12 @@ inline bool boxes_meet(const Aabb3& a, const Aabb3& b) {
          b.min.z <= a.max.z;
 }
 
+/// Of one frame.
+inline bool nodes_meet(const BoxNode& a, const BoxNode& b) {
+  const auto on = [&](std::size_t k) {
+    return static_cast<int>(a.min[k] <= b.max[k]) & static_cast<int>(b.min[k] <= a.max[k]);
+  };
+  return (on(0) & on(1) & on(2)) != 0;
+}
+
 }  // namespace plumb::space

@@ -80,13 +80,8 @@ ShapeGroups grouped(std::span<const Shape> shapes, Execution execution) {
 /// visit(slot, box of its triangle) of all triangles of the leaves that the box meets, whose boxes it meets.
 template <class Visit>
 void visit_group(const Bvh& mesh, const Aabb3& box, const Visit& visit) {
-  const FloatBox3 asked = mesh.tree.frame.around(box);
   const std::span<const Point3> vertices = mesh.vertices.view();
-  const auto enters = [&](const BoxNode& n) {
-    return n.min[0] <= asked.max[0] && asked.min[0] <= n.max[0] && n.min[1] <= asked.max[1] &&
-           asked.min[1] <= n.max[1] && n.min[2] <= asked.max[2] && asked.min[2] <= n.max[2];
-  };
-  descend(mesh.tree, enters, [&](std::uint32_t first, std::uint32_t count) {
+  descend(mesh.tree, node_may_meet(mesh.tree.frame, box), [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
       const Aabb3 around_triangle = box_around(mesh.triangles[slot], vertices);
       if (boxes_meet(around_triangle, box)) visit(slot, around_triangle);

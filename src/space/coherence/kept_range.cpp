@@ -43,13 +43,7 @@ KeptRange::KeptRange(const Bvh& mesh, double margin) : mesh_(&mesh), margin_(mar
 void KeptRange::fill() {
   row_.clear();
   const space::SlotTriangles triangles(*mesh_);
-  const FloatBox3 around = mesh_->tree.frame.around(region_);
-  const auto meets = [&](const BoxNode& n) {
-    bool all = true;
-    for (std::size_t k = 0; k < 3; ++k) all &= around.min[k] <= n.max[k] && n.min[k] <= around.max[k];
-    return all;
-  };
-  descend(mesh_->tree, meets, [&](std::uint32_t first, std::uint32_t count) {
+  descend(mesh_->tree, space::node_may_meet(mesh_->tree.frame, region_), [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
       const Triangle3 t = triangles.triangle(slot);
       const Aabb3 box = space::box_around(t.a, t.b, t.c);

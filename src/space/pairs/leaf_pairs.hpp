@@ -71,14 +71,6 @@ struct MeshViewOf : MeshParts<Mesh> {
 };
 using MeshView = MeshViewOf<Bvh>;
 
-/// Of one frame.
-inline bool nodes_meet(const BoxNode& a, const BoxNode& b) {
-  const auto on = [&](std::size_t k) {
-    return static_cast<int>(a.min[k] <= b.max[k]) & static_cast<int>(b.min[k] <= a.max[k]);
-  };
-  return (on(0) & on(1) & on(2)) != 0;
-}
-
 /// Do the triangles of two slots meet?
 template <class Mesh>
 class JudgedPair {

@@ -1,7 +1,8 @@
 // What is asked of a search of pairs: all in order, how many, or any?
 //
-// A search has run(execution, begin, take): begin(n), then take(part, pair, slots) for each pair, from several threads,
-// with parts below n.  The answers do not depend on them.
+// A search has run(execution, begin, take, wanted): begin(n), then take(part, pair, slots) for each pair, from several
+// threads, with parts below n, as many as are wanted or about that; else as many as serve threads.  The answers do not
+// depend on them.
 #pragma once
 
 #include <algorithm>
@@ -88,6 +89,9 @@ PairCount counted_pairs(Search search, bool are_split, Execution execution) {
   return all;
 }
 
+/// So many parts, before which progress may stop it; of more pairs of nodes most would be found for nothing.
+inline constexpr std::size_t parts_of_any = 16;
+
 /// The first that the search comes to on one thread, and where that is.
 template <class Search>
 std::optional<TrianglePair> any_pair(Search search, SlotPair* at = nullptr) {
@@ -98,7 +102,8 @@ std::optional<TrianglePair> any_pair(Search search, SlotPair* at = nullptr) {
         found = pair;
         if (at) *at = slots;
         return Descent::stop;
-      });
+      },
+      parts_of_any);
   return found;
 }
 

@@ -28,17 +28,17 @@ class PairSearch {
 
   /// begin(n), then take(part, pair, slots) for each pair that was asked for, from several threads; parts are below n.
   template <class Begin, class Take>
-  void run(Execution execution, const Begin& begin, const Take& take) const {
+  void run(Execution execution, const Begin& begin, const Take& take, std::size_t wanted = parts_wanted) const {
     if (a_.nodes.empty() || b_.nodes.empty()) return;
     if (a_.frame != b_.frame) {
       run_by_twos(
           execution, [&](const BoxNode& a, const BoxNode& b) { return boxes_meet(a_.box_of(a), b_.box_of(b)); }, begin,
-          take);
+          take, wanted);
     } else if constexpr (std::is_same_v<Mesh, Bvh>) {
-      run_wide(execution, begin, take);
+      run_wide(execution, begin, take, wanted);
     } else {
       run_by_twos(
-          execution, [](const BoxNode& a, const BoxNode& b) { return nodes_meet(a, b); }, begin, take);
+          execution, [](const BoxNode& a, const BoxNode& b) { return nodes_meet(a, b); }, begin, take, wanted);
     }
   }
 
@@ -52,10 +52,10 @@ class PairSearch {
   }
 
   template <class Begin, class Take>
-  void run_wide(Execution execution, const Begin& begin, const Take& take) const {
+  void run_wide(Execution execution, const Begin& begin, const Take& take, std::size_t wanted) const {
     const WideChildren children(a_.wide_nodes, b_.wide_nodes, own_);
     std::vector<WidePair> all{{wide_root, wide_root}}, next;
-    for (bool any = true; any && all.size() < parts_wanted; all.swap(next)) {
+    for (bool any = true; any && all.size() < wanted; all.swap(next)) {
       any = false;
       next.clear();
       for (const WidePair& pair : all) {
@@ -89,7 +89,8 @@ class PairSearch {
   }
 
   template <class Meet, class Begin, class Take>
-  void run_by_twos(Execution execution, const Meet& meet, const Begin& begin, const Take& take) const {
+  void run_by_twos(Execution execution, const Meet& meet, const Begin& begin, const Take& take,
+                   std::size_t wanted) const {
     const auto down = [&](const auto& pair, const auto& next) {
       if (own_) {
         replace_own_pair(a_.nodes, pair, next);
@@ -97,7 +98,7 @@ class PairSearch {
         replace_pair(a_.nodes, b_.nodes, descend_larger{}, pair, next);
       }
     };
-    const auto all = pair_parts(a_.nodes, b_.nodes, parts_wanted, down, meet);
+    const auto all = pair_parts(a_.nodes, b_.nodes, wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       LeafPairs leaves(a_, b_, own_);

@@ -26,7 +26,7 @@ class PosedPairSearch {
 
   /// begin(n), then take(part, pair, slots) for each pair that was asked for, from several threads; parts are below n.
   template <class Begin, class Take>
-  void run(Execution execution, const Begin& begin, const Take& take) const {
+  void run(Execution execution, const Begin& begin, const Take& take, std::size_t wanted = parts_wanted) const {
     if (a_.bvh.slots() == 0 || b_.bvh.slots() == 0) return;
     const std::vector<Aabb3> boxes_a = posed_boxes(a_, execution);
     const std::vector<Aabb3> boxes_b = own_ ? std::vector<Aabb3>() : posed_boxes(b_, execution);
@@ -37,7 +37,7 @@ class PosedPairSearch {
       replace_pair(as, bs, larger, pair, next);
     };
     const auto meet = [](const auto& a, const auto& b) { return boxes_meet(a.box, b.box); };
-    const auto all = pair_parts(as, bs, parts_wanted, down, meet);
+    const auto all = pair_parts(as, bs, wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       PosedLeafPairs leaves(a_, b_, own_);

@@ -83,12 +83,12 @@ class VolumePairSearch {
   }
 
   template <class Begin, class Take>
-  void run(Execution execution, const Begin& begin, const Take& take) const {
+  void run(Execution execution, const Begin& begin, const Take& take, std::size_t wanted = volume_parts_wanted) const {
     using Node = VolumeNode<Volume>;
     const std::span<const Node> as = a_.volumes.nodes.view(), bs = b_.volumes.nodes.view();
     const auto down = [&](NodePair pair, const auto& next) { replace_pair(as, bs, descend_larger{}, pair, next); };
     const volumes_meet meet;
-    const std::vector<NodePair> all = pair_parts(as, bs, volume_parts_wanted, down, meet);
+    const std::vector<NodePair> all = pair_parts(as, bs, wanted, down, meet);
     begin(all.size());
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
       VolumeLeaves leaves(a_.mesh, b_.mesh);

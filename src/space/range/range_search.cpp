@@ -6,7 +6,6 @@
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/bvh/descend_compact.hpp"
 #include "space/bvh/parts.hpp"
-#include "space/bvh/slot_boxes.hpp"
 #include "space/bvh/slot_triangles.hpp"
 #include "space/range/range_tests.hpp"
 
@@ -19,15 +18,13 @@ std::vector<std::uint32_t> found(const Mesh& mesh, const Shape& shape) {
   (void)intersects(Aabb3{{0, 0, 0}, {0, 0, 0}}, shape);  // throws where the numbers are no shape
   std::vector<std::uint32_t> items;
   const SlotTriangles triangles(mesh);
-  descend(
-      mesh.tree, [&](const BoxNode& node) { return may_meet(mesh.tree.frame.outside(node.box()), shape); },
-      [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const Triangle3 t = triangles.triangle(slot);
-          if (!may_meet(box_around(t.a, t.b, t.c), shape)) continue;
-          if (meets_triangle(t, shape)) items.push_back(triangles.number(slot));
-        }
-      });
+  descend(mesh.tree, node_may_meet(mesh.tree.frame, shape), [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t slot = first; slot < first + count; ++slot) {
+      const Triangle3 t = triangles.triangle(slot);
+      if (!may_meet(box_around(t.a, t.b, t.c), shape)) continue;
+      if (meets_triangle(t, shape)) items.push_back(triangles.number(slot));
+    }
+  });
   std::ranges::sort(items);
   items.erase(std::unique(items.begin(), items.end()), items.end());  // an item may be in several slots
   return items;

@@ -11,6 +11,7 @@
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/range/range_search.hpp"
+#include "space/bvh/slot_boxes.hpp"
 
 namespace plumb::space {
 
@@ -19,8 +20,21 @@ template <class Shape>
 bool may_meet(const Aabb3& box, const Shape& shape) {
   if constexpr (std::same_as<Shape, HalfspaceIntersection3>) {
     return std::ranges::all_of(shape.halfspaces, [&](const Halfspace3& h) { return intersects(h, box); });
+  } else if constexpr (std::same_as<Shape, Aabb3>) {
+    return boxes_meet(box, shape);  // in registers: what has just been put together is not looked for in memory
   } else {
     return intersects(box, shape);
+  }
+}
+
+/// The same of a tree's nodes.
+template <class Shape>
+auto node_may_meet(const BoxFrame& frame, const Shape& shape) {
+  if constexpr (std::same_as<Shape, Aabb3>) {
+    const auto [min, max] = frame.around(shape);
+    return [asked = BoxNode{min, 0, max, 0}](const BoxNode& node) { return nodes_meet(node, asked); };
+  } else {
+    return [&frame, &shape](const BoxNode& node) { return may_meet(frame.outside(node.box()), shape); };
   }
 }
 

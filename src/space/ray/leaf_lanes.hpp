@@ -112,12 +112,16 @@ struct Leaves {
     }
   }
 
+  /// What is done with a vector is inline: called, it would get nine vectors through memory.
   HWY_INLINE double visit(const AskedRay& asked, std::uint32_t first, std::uint32_t count, double limit) const {
     const in_lanes::RayLanes ray(asked.ray, asked.doubts);
-    for_vectors(first, count, [&](std::uint32_t from, unsigned there, const auto& p, const auto& q, const auto& r) {
-      limit = visited(asked, in_lanes::tell(ray, p, q, r), from, there, limit);
-      return limit != -infinity;
-    });
+    for_vectors(
+        first, count,
+        [&](std::uint32_t from, unsigned there, const auto& p, const auto& q, const auto& r)
+            __attribute__((always_inline)) {
+              limit = visited(asked, in_lanes::tell(ray, p, q, r), from, there, limit);
+              return limit != -infinity;
+            });
     return limit;
   }
 

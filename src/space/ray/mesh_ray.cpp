@@ -29,19 +29,19 @@ auto searched(const char* function, const AnyRay& ray, const Mesh& mesh, HitRule
   return answer(search);
 }
 
-/// Searches along rays that are taken down in packets where they are plain and fit, else by turns.
+/// Searches along rays that are taken down in packets where they are near one another, plain and fit, else by turns.
 template <class Search, class Mesh>
 class Searches {
  public:
-  Searches(const Mesh& mesh, HitRule rule, std::size_t most)
-      : mesh_(mesh), rule_(rule), frame_(mesh.tree.frame), box_(mesh.tree.box()) {
+  Searches(const Mesh& mesh, HitRule rule, std::size_t most, bool are_near)
+      : mesh_(mesh), rule_(rule), are_near_(are_near), frame_(mesh.tree.frame), box_(mesh.tree.box()) {
     searches_.reserve(most);
   }
 
   /// At most a packet's size of them.
   void add(std::span<const AnyRay* const> rays) {
     space::PacketTask& packet = packets_[packed_];
-    if (space::put_plainly(rays, frame_, box_, packet.planes)) {
+    if (are_near_ && space::put_plainly(rays, frame_, box_, packet.planes)) {
       packet.size = rays.size();
       for (std::size_t i = 0; i < rays.size(); ++i) {
         const RaySlabs::Keys& keys = query::ends(*rays[i]) ? space::plain_segment : space::plain_ray;
@@ -58,7 +58,7 @@ class Searches {
   }
   void run() {
     run_packets();
-    space::visit_triangles(mesh_, others_);
+    space::visit_triangles(mesh_, others_, are_near_);
   }
   Search& operator[](std::size_t i) { return searches_[i]; }
 
@@ -70,6 +70,7 @@ class Searches {
 
   const Mesh& mesh_;
   HitRule rule_;
+  bool are_near_;
   BoxFrame frame_;
   FloatBox3 box_;
   std::vector<Search> searches_;  // which stay where they are
@@ -83,6 +84,7 @@ template <class Search, class Mesh, class Out, class Answer>
 void search_all(const char* function, std::span<const AnyRay> rays, const Mesh& mesh, std::span<Out> out,
                 const ManyRays& options, const Answer& answer) {
   space::require_equal_lengths(function, "out", out.size(), "rays", rays.size());
+  const Aabb3 box = mesh.tree.frame.outside(mesh.tree.box());
   const std::size_t parts = space::blocks_of(rays.size(), rays_of_part);
   space::for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
     const std::size_t begin = part * rays_of_part;
@@ -90,10 +92,10 @@ void search_all(const char* function, std::span<const AnyRay> rays, const Mesh& 
     for (const AnyRay& ray : asked) {
       if (!query::is_sound(ray)) query::require_ray(function, ray);
     }
-    const auto order = space::order_of(asked, mesh.tree.box(), mesh.tree.frame);
+    const auto [order, are_near] = space::order_of(asked, box, mesh.slots());
     for (std::size_t from = 0; from < asked.size(); from += rays_of_block) {
       const std::size_t to = std::min(asked.size(), from + rays_of_block);
-      Searches<Search, Mesh> searches(mesh, options.rule, to - from);
+      Searches<Search, Mesh> searches(mesh, options.rule, to - from, are_near);
       for (std::size_t i = from; i < to;) {
         std::array<const AnyRay*, space::packet_size> next;
         std::size_t n = 0;

@@ -86,7 +86,7 @@ class PacketWalk {
     return false;
   }
 
-  void fetch_vertices() const { leaves_.fetch(link_, count_); }
+  HWY_INLINE void fetch_vertices() const { leaves_.fetch(link_, count_); }
 
  private:
   template <class Work>

@@ -16,6 +16,7 @@
 #include "space/bvh/posed_box.hpp"
 #include "space/ray/hit_search.hpp"
 #include "space/ray/nearest_hit.hpp"
+#include "space/ray/ray_order.hpp"
 #include "space/ray/seen_ray.hpp"
 
 namespace plumb {
@@ -194,17 +195,24 @@ void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMe
   }
   require_pose(function, "mesh", mesh.pose);
   const Sight sight(mesh);
+  const auto [min, max] = mesh.bvh.tree.box();
+  const Aabb3 box = around(mesh, BoxNode{min, 0, max, 0});
   const std::size_t parts = blocks_of(rays.size(), posed_rays_of_part);
   for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
     const std::size_t from = part * posed_rays_of_part, to = std::min(rays.size(), from + posed_rays_of_part);
+    const auto asked = rays.subspan(from, to - from);
+    for (const AnyRay& ray : asked) {
+      if (!query::is_sound(ray)) query::require_ray(function, ray);
+    }
+    const auto [order, are_near] = order_of(asked, box, mesh.bvh.slots());
     std::vector<SeenRay> seen;
     std::vector<typename Asks::Search> searches;
     std::vector<std::size_t> numbers;
     std::vector<RayTask> tasks;
     seen.reserve(to - from);  // what refers to them stays
     searches.reserve(to - from);
-    for (std::size_t i = from; i < to; ++i) {
-      if (!query::is_sound(rays[i])) query::require_ray(function, rays[i]);
+    for (const std::uint16_t k : order) {
+      const std::size_t i = from + k;
       if (const auto one = sight(rays[i])) {
         const SeenRay& kept = seen.emplace_back(*one);
         tasks.push_back(searches.emplace_back(rays[i], kept, mesh, options.rule).task(kept.slabs));
@@ -213,7 +221,7 @@ void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMe
         put(i, Asks::unseen(rays[i], mesh, options.rule));
       }
     }
-    visit_triangles(mesh.bvh, tasks);
+    visit_triangles(mesh.bvh, tasks, are_near);
     for (std::size_t i = 0; i < searches.size(); ++i) put(numbers[i], Asks::answer(searches[i]));
   });
 }

@@ -14,7 +14,8 @@ namespace {
 
 // Guesses of what is worth while.
 constexpr std::size_t least_sorted = 64, sampled = 16;
-constexpr double cells = 256;  // on the longer side
+constexpr double cells = 256;        // on the longer side
+constexpr double most_between = 32;  // triangles for each ray
 
 /// A byte's bits, each before a zero.
 std::uint16_t spread(unsigned x) {
@@ -33,34 +34,57 @@ std::array<double, 2> place_of(const AnyRay& ray, std::size_t axis, double middl
   return {at(u), at(v)};
 }
 
-/// Do those that are looked at go the same way?  Then the axis along which the first one goes most.
+std::array<double, 3> way_of(const AnyRay& ray) {
+  const query::BatchRay r = query::batch_ray(ray);
+  return {r.direction[0], r.direction[1], r.direction[2]};
+}
+
+/// The axis along which the first one goes most, if those that are looked at go the same way along it.
 std::optional<std::size_t> main_axis(std::span<const AnyRay> rays) {
-  const auto way_of = [](const AnyRay& ray) {
-    const query::BatchRay r = query::batch_ray(ray);
-    return std::array{r.direction[0], r.direction[1], r.direction[2]};
-  };
   const auto first = way_of(rays[0]);
+  const auto longest = std::ranges::max_element(first, {}, [](double x) { return std::abs(x); });
+  const auto axis = static_cast<std::size_t>(longest - first.begin());
   for (std::size_t i = 0; i < sampled; ++i) {
     const auto way = way_of(rays[i * (rays.size() - 1) / (sampled - 1)]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if ((way[k] < 0) != (first[k] < 0)) return {};
-    }
+    if ((way[axis] < 0) != (first[axis] < 0)) return {};
   }
-  const auto longest = std::ranges::max_element(first, {}, [](double x) { return std::abs(x); });
-  return static_cast<std::size_t>(longest - first.begin());
+  return axis;
+}
+
+/// As of those that fill a rectangle, however it lies; of a row each has a square.
+double area_of_each(std::span<const std::array<double, 2>> places) {
+  double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+  for (const auto& p : places) {
+    const double u = p[0] - places[0][0], v = p[1] - places[0][1];
+    x += u, y += v, xx += u * u, yy += v * v, xy += u * v;
+  }
+  const auto n = static_cast<double>(places.size());
+  xx -= x * x / n, yy -= y * y / n, xy -= x * y / n;
+  return 12 / (n * n) * std::max(std::sqrt(std::max(xx * yy - xy * xy, 0.0)), (xx + yy) / n);
+}
+
+/// The area of the box's shadow on a plane across an axis.
+double shadow_of(const Aabb3& box, const std::array<double, 3>& way, std::size_t axis) {
+  const std::array size{box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z};
+  double area = 0;
+  for (std::size_t k = 0; k < 3; ++k) area += std::abs(way[k]) * (size[(k + 1) % 3] * size[(k + 2) % 3]);
+  return area / std::abs(way[axis]);
 }
 
 }  // namespace
 
-std::vector<std::uint16_t> order_of(std::span<const AnyRay> rays, const FloatBox3& box, const BoxFrame& frame) {
-  std::vector<std::uint16_t> order(rays.size());
+RayOrder order_of(std::span<const AnyRay> rays, const Aabb3& box, std::size_t triangles) {
+  RayOrder all;
+  std::vector<std::uint16_t>& order = all.order;
+  order.resize(rays.size());
   std::iota(order.begin(), order.end(), std::uint16_t{0});
-  if (rays.size() < least_sorted || frame.exponent() != 0) return order;
+  if (rays.empty()) return all;
   const auto axis = main_axis(rays);
-  if (!axis) return order;
+  if (!axis) return all;
   std::vector<std::array<double, 2>> places(rays.size());
   std::array<double, 2> low{}, high{};
-  const double middle = 0.5 * (double{box.min[*axis]} + double{box.max[*axis]});
+  const double middle = 0.5 * std::array{box.min.x, box.min.y, box.min.z}[*axis] +
+                        0.5 * std::array{box.max.x, box.max.y, box.max.z}[*axis];
   for (std::size_t i = 0; i < rays.size(); ++i) {
     places[i] = place_of(rays[i], *axis, middle);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -69,7 +93,10 @@ std::vector<std::uint16_t> order_of(std::span<const AnyRay> rays, const FloatBox
     }
   }
   const double side = std::max(high[0] - low[0], high[1] - low[1]);
-  if (!(side > 0 && side < std::numeric_limits<double>::infinity())) return order;
+  const double between = static_cast<double>(triangles) * area_of_each(places) / shadow_of(box, way_of(rays[0]), *axis);
+  all.are_near = !(between > most_between);
+  if (!all.are_near || rays.size() < least_sorted) return all;
+  if (!(side > 0 && side < std::numeric_limits<double>::infinity())) return all;
   const auto cell = [&](double x, double from) {
     const double c = (x - from) * (cells / side);
     return c > 0 ? static_cast<unsigned>(std::min(c, cells - 1)) : 0u;
@@ -84,7 +111,7 @@ std::vector<std::uint16_t> order_of(std::span<const AnyRay> rays, const FloatBox
     for (const std::uint16_t i : order) sorted[from[codes[i] >> shift & 255u]++] = i;
     order.swap(sorted);
   }
-  return order;
+  return all;
 }
 
 }  // namespace plumb::space

@@ -1,6 +1,8 @@
-// In which order do rays that lie close together follow one another?  By where they pass the middle of the mesh.
+// In which order do rays that lie close together follow one another, and are they so close that they descend together?
+// By where they pass the middle of the mesh.
 //
-// Rays are given as somebody made them, an image row by row; sixteen of a square go by fewer nodes than of a row.
+// Rays are given as somebody made them, an image row by row; sixteen of a square go by fewer nodes than of a row.  Where
+// many triangles lie between one and the next, sixteen have only few nodes in common: they take longer than one by one.
 // Law: an order of all of them, which the answers do not depend on.
 // Source: Morton 1966; RTCD 6.6.7, 7.3.5.
 // Cost: some 10 ns a ray, a quotient and two passes of a sort by digits; nothing where the first ones go different ways.
@@ -10,12 +12,17 @@
 #include <span>
 #include <vector>
 
+#include "plumb/figure/basic/box.hpp"
 #include "plumb/query/ray/ray.hpp"
-#include "plumb/space/bvh/box_tree.hpp"
 
 namespace plumb::space {
 
-/// At most 65,536 rays.
-std::vector<std::uint16_t> order_of(std::span<const AnyRay> rays, const FloatBox3& box, const BoxFrame& frame);
+struct RayOrder {
+  std::vector<std::uint16_t> order;
+  bool are_near = true;  // those that follow one another, or nothing is known of that
+};
+
+/// At most 65,536 rays, at so many triangles in a box, which is a guess.
+RayOrder order_of(std::span<const AnyRay> rays, const Aabb3& box, std::size_t triangles);
 
 }  // namespace plumb::space

@@ -182,8 +182,9 @@ class Walk {
     return limit_;
   }
 
-  /// Before a leaf is looked at, and when its corners have been fetched: fetches its vertices.
-  void fetch_vertices() const { leaves_.fetch(link_, count_); }
+  /// Before a leaf is looked at, and when its corners have been fetched: fetches its vertices.  GCC would leave out the
+  /// call of what only fetches.
+  HWY_INLINE void fetch_vertices() const { leaves_.fetch(link_, count_); }
 
  private:
   Slabs slabs_;

@@ -38,13 +38,14 @@ void visit_together(const Mesh& mesh, std::span<const PacketTask> packets) {
   });
 }
 
-/// Together where they fit, else by turns.
+/// Together where they are near and fit, else by turns.
 template <class Mesh>
-void visit_each(const Mesh& mesh, std::span<const RayTask> tasks) {
+void visit_each(const Mesh& mesh, std::span<const RayTask> tasks, bool are_near) {
   if (tasks.size() == 1) {
     Walk<Mesh>(tasks[0], mesh).walk_to_end();
     return;
   }
+  if (!are_near) return visit_by_turns(mesh, tasks);
   std::array<PacketTask, packets_together> packets;
   std::size_t others = 0, taken = 0, fit = 0;  // others from, and up to; packets since then
   const auto visit_packets = [&] {
@@ -62,8 +63,10 @@ void visit_each(const Mesh& mesh, std::span<const RayTask> tasks) {
   visit_packets();
   visit_by_turns(mesh, tasks.subspan(others));
 }
-void visit_wide(const Bvh& bvh, std::span<const RayTask> tasks) { visit_each(bvh, tasks); }
-void visit_compact(const CompactBvh& bvh, std::span<const RayTask> tasks) { visit_each(bvh, tasks); }
+void visit_wide(const Bvh& bvh, std::span<const RayTask> tasks, bool are_near) { visit_each(bvh, tasks, are_near); }
+void visit_compact(const CompactBvh& bvh, std::span<const RayTask> tasks, bool are_near) {
+  visit_each(bvh, tasks, are_near);
+}
 void visit_wide_packets(const Bvh& bvh, std::span<const PacketTask> packets) { visit_together(bvh, packets); }
 void visit_compact_packets(const CompactBvh& bvh, std::span<const PacketTask> packets) { visit_together(bvh, packets); }
 
@@ -84,11 +87,11 @@ HWY_EXPORT(visit_compact_packets);
 
 }  // namespace
 
-void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks) {
-  if (!bvh.wide.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_wide)(bvh, tasks);
+void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks, bool are_near) {
+  if (!bvh.wide.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_wide)(bvh, tasks, are_near);
 }
-void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks) {
-  if (!bvh.tree.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_compact)(bvh, tasks);
+void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks, bool are_near) {
+  if (!bvh.tree.nodes.empty() && !tasks.empty()) PLUMB_DISPATCH(visit_compact)(bvh, tasks, are_near);
 }
 void visit_triangles(const Bvh& bvh, std::span<const PacketTask> packets) {
   if (!bvh.wide.nodes.empty()) PLUMB_DISPATCH(visit_wide_packets)(bvh, packets);

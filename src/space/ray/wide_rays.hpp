@@ -38,8 +38,9 @@ struct RayTask {
 /// So many descend by turns: while one computes, memory brings what the others asked for.
 inline constexpr std::size_t rays_together = 16;
 
-/// As each by itself; the order in which the visitors of several are called is not told.
-void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks);
-void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks);
+/// As each by itself; the order in which the visitors of several are called is not told.  Those that follow one another
+/// descend together where they are near and fit.
+void visit_triangles(const Bvh& bvh, std::span<const RayTask> tasks, bool are_near = false);
+void visit_triangles(const CompactBvh& bvh, std::span<const RayTask> tasks, bool are_near = false);
 
 }  // namespace plumb::space
