@@ -34,18 +34,18 @@ std::array<double, 2> place_of(const AnyRay& ray, std::size_t axis, double middl
   return {at(u), at(v)};
 }
 
-std::array<double, 3> way_of(const AnyRay& ray) {
+std::array<double, 3> line_way(const AnyRay& ray) {
   const query::BatchRay r = query::batch_ray(ray);
   return {r.direction[0], r.direction[1], r.direction[2]};
 }
 
 /// The axis along which the first one goes most, if those that are looked at go the same way along it.
 std::optional<std::size_t> main_axis(std::span<const AnyRay> rays) {
-  const auto first = way_of(rays[0]);
+  const auto first = line_way(rays[0]);
   const auto longest = std::ranges::max_element(first, {}, [](double x) { return std::abs(x); });
   const auto axis = static_cast<std::size_t>(longest - first.begin());
   for (std::size_t i = 0; i < sampled; ++i) {
-    const auto way = way_of(rays[i * (rays.size() - 1) / (sampled - 1)]);
+    const auto way = line_way(rays[i * (rays.size() - 1) / (sampled - 1)]);
     if ((way[axis] < 0) != (first[axis] < 0)) return {};
   }
   return axis;
@@ -93,7 +93,8 @@ RayOrder order_of(std::span<const AnyRay> rays, const Aabb3& box, std::size_t tr
     }
   }
   const double side = std::max(high[0] - low[0], high[1] - low[1]);
-  const double between = static_cast<double>(triangles) * area_of_each(places) / shadow_of(box, way_of(rays[0]), *axis);
+  const double between =
+      static_cast<double>(triangles) * area_of_each(places) / shadow_of(box, line_way(rays[0]), *axis);
   all.are_near = !(between > most_between);
   if (!all.are_near || rays.size() < least_sorted) return all;
   if (!(side > 0 && side < std::numeric_limits<double>::infinity())) return all;

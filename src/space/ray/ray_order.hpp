@@ -1,11 +1,12 @@
-// In which order do rays that lie close together follow one another, and are they so close that they descend together?
-// By where they pass the middle of the mesh.
+// In which order do rays that lie close together follow one another, and are they close enough to descend together?  By
+// where they pass the middle of the mesh.
 //
-// Rays are given as somebody made them, an image row by row; sixteen of a square go by fewer nodes than of a row.  Where
-// many triangles lie between one and the next, sixteen have only few nodes in common: they take longer than one by one.
+// Rays are given as somebody made them, an image row by row; sixteen of a square go by fewer nodes than of a row.
+// Where many triangles lie between one and the next, sixteen have only few nodes in common, and take longer than one by
+// one.
 // Law: an order of all of them, which the answers do not depend on.
 // Source: Morton 1966; RTCD 6.6.7, 7.3.5.
-// Cost: some 10 ns a ray, a quotient and two passes of a sort by digits; nothing where the first ones go different ways.
+// Cost: some 10 ns a ray, a quotient and two passes of a sort by digits; nothing where the first ones go opposite ways.
 #pragma once
 
 #include <cstdint>

@@ -2,12 +2,15 @@
 // of both, at meshes whose vertices, edges and planes they meet exactly.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "certify/batch/take_instruction_set.hpp"
 #include "certify/sanitized.hpp"
 #include "plumb/certify/instruction_set.hpp"
 #include "plumb/degenerate/coordinates.hpp"
+#include "space/ray/ray_order.hpp"
 #include "space/ray/rays.hpp"
 
 namespace plumb {
@@ -167,6 +170,28 @@ TEST(RayPacket, OfACameraFindsWhatEachRayFinds) {
     EXPECT_GT(hit, std::size_t{all / 3});
     EXPECT_LT(hit, std::size_t{8 * all / 9});
   }
+}
+
+// A camera that turns about its way: the answer does not depend on how its rows lie.
+TEST(RayPacket, AreOfRaysBetweenWhichFewTrianglesLie) {
+  const Aabb3 box{{-1, -1, -1}, {1, 1, 1}};
+  for (const double angle : {0.0, 0.5, 1.5}) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    std::vector<AnyRay> rays;
+    for (int n = 0; n < 2048; ++n) {  // a strip of an image
+      const double u = (n % 256) / 128.0 - 1, v = (n / 256) / 128.0;
+      rays.emplace_back(Ray3{{0, 0, 4}, {c * u - s * v, s * u + c * v, -4}});
+    }
+    for (const auto& [triangles, are_near] :
+         {std::pair{std::size_t{10'000}, true}, {std::size_t{100'000'000}, false}}) {
+      auto [order, near] = space::order_of(rays, box, triangles);
+      EXPECT_EQ(near, are_near) << angle;
+      std::ranges::sort(order);
+      ASSERT_EQ(order.size(), rays.size());
+      for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], i);
+    }
+  }
+  EXPECT_TRUE(space::order_of({}, box, 0).order.empty());
 }
 
 }  // namespace
