@@ -1,5 +1,5 @@
-// GJK: which point of the affine hull of up to four corners is nearest to the origin, and is it within their hull?  Over
-// any number type.
+// GJK: which point of the affine hull of up to four corners is nearest to the origin, and is it within their hull?
+// Over any number type.
 //
 // Laws: the weights add up to `whole`; over a number type whose signs are not certain the question says so, and the
 // answer means nothing.

@@ -11,8 +11,8 @@
 #pragma once
 
 #include "arith/running_error.hpp"
-#include "plumb/arith/short_dyadic.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/arith/short_dyadic.hpp"
 
 namespace plumb {
 

@@ -6,8 +6,8 @@
 // (Farkas).
 // Method: the simplex method on the dual program, whose basis has one row for each variable; its multipliers are the
 // point.  Integers over one determinant, of which a pivot divides the last one away.
-// Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; Edmonds 1967, Bareiss 1968 (elimination without fractions);
-// RTCD 9.4.
+// Source: Chvatal, Linear Programming, 1983, chapters 3, 5, 7; RTCD 9.4; Edmonds 1967, Bareiss 1968 (elimination without
+// fractions).
 // Cost: a pivot some products of integers for each constraint and variable.
 #pragma once
 

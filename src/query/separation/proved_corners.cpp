@@ -1,7 +1,7 @@
 #include "query/separation/proved_corners.hpp"
 
-#include "plumb/arith/short_dyadic.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/arith/short_dyadic.hpp"
 #include "query/separation/corner_search.hpp"
 #include "query/separation/exact_corners.hpp"
 
