@@ -61,7 +61,7 @@ BigDyadic::BigDyadic(const mpz_class& x) {
   if (is_short(x)) {
     short_ = short_of(x, 0);
   } else {
-    large_ = std::make_unique<Large>(x, 0);
+    large_ = std::make_unique<Large>(Large{x, 0});
   }
 }
 

@@ -52,8 +52,8 @@ struct Size {
   }
   friend Size operator/(const Size& a, const Size& b) {
     int carry = 0;
-    const double digits = std::frexp(a.digits / b.digits, &carry);
-    return {a.exponent - b.exponent + carry, digits};
+    const double quotient = std::frexp(a.digits / b.digits, &carry);
+    return {a.exponent - b.exponent + carry, quotient};
   }
   friend auto operator<=>(const Size&, const Size&) = default;
 };
