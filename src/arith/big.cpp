@@ -49,6 +49,22 @@ ShortDyadic brief_sum(const ShortDyadic& high, bool high_negative, const ShortDy
 
 }  // namespace
 
+/// The mantissa, read where it stands.
+class BigDyadic::View {
+ public:
+  explicit View(const BigDyadic& x) : large_(x.large_ == nullptr ? nullptr : x.large_->mantissa.get_mpz_t()) {
+    if (large_ != nullptr) return;
+    const auto size = static_cast<mp_size_t>(x.short_.limbs().size());
+    mpz_roinit_n(short_, x.short_.limbs().data(), is_negative(x.short_) ? -size : size);
+  }
+  [[nodiscard]] mpz_srcptr get() const { return large_ != nullptr ? large_ : short_; }
+  [[nodiscard]] int sign() const { return mpz_sgn(get()); }
+
+ private:
+  mpz_srcptr large_;
+  mpz_t short_;
+};
+
 BigDyadic::BigDyadic(Large x) {
   if (is_short(x.mantissa)) {
     short_ = short_of(x.mantissa, x.exponent);
@@ -84,15 +100,19 @@ BigDyadic BigDyadic::sum(const BigDyadic& a, const BigDyadic& b, bool subtract) 
     BigDyadic r(subtract ? a.short_ - b.short_ : a.short_ + b.short_);
     if (!r.short_.is_lost()) return r;
   }
-  Large l = a.as_large(), r = b.as_large();
-  if (subtract) r.mantissa = -r.mantissa;
-  if (sgn(l.mantissa) == 0) return BigDyadic(std::move(r));
-  if (sgn(r.mantissa) == 0) return BigDyadic(std::move(l));
-  Large &high = l.exponent > r.exponent ? l : r, &low = l.exponent > r.exponent ? r : l;
-  high.mantissa <<= static_cast<mp_bitcnt_t>(high.exponent - low.exponent);
-  low.mantissa += high.mantissa;
-  drop_trailing_zeros(low.mantissa, low.exponent);
-  return BigDyadic(std::move(low));
+  const View l(a), r(b);
+  if (l.sign() == 0 && !subtract) return b;
+  if (r.sign() == 0) return a;
+  const bool a_higher = l.sign() != 0 && a.exponent() > b.exponent();
+  Large sum{{}, a_higher || l.sign() == 0 ? b.exponent() : a.exponent()};
+  mpz_ptr to = sum.mantissa.get_mpz_t();
+  mpz_srcptr left = l.get(), right = r.get();
+  mpz_srcptr& high = a_higher ? left : right;
+  mpz_mul_2exp(to, high, static_cast<mp_bitcnt_t>((a_higher ? a : b).exponent() - sum.exponent));
+  high = to;
+  (subtract ? mpz_sub : mpz_add)(to, left, right);
+  drop_trailing_zeros(sum.mantissa, sum.exponent);
+  return BigDyadic(std::move(sum));
 }
 
 BigDyadic BigDyadic::product(const BigDyadic& a, const BigDyadic& b) {
@@ -105,11 +125,9 @@ BigDyadic BigDyadic::product(const BigDyadic& a, const BigDyadic& b) {
     BigDyadic r(a.short_ * b.short_);
     if (!r.short_.is_lost()) return r;
   }
-  Large l = a.as_large();
-  const Large r = b.as_large();
-  l.mantissa *= r.mantissa;
-  l.exponent += r.exponent;
-  return BigDyadic(std::move(l));
+  Large product{{}, a.exponent() + b.exponent()};
+  mpz_mul(product.mantissa.get_mpz_t(), View(a).get(), View(b).get());
+  return BigDyadic(std::move(product));
 }
 
 }  // namespace plumb

@@ -58,9 +58,9 @@ class BigDyadic {
     mpz_class mantissa;
     long exponent;
   };
+  class View;
   explicit BigDyadic(const ShortDyadic& x) : short_(x) {}
   explicit BigDyadic(Large x);
-  [[nodiscard]] Large as_large() const { return {mantissa(), exponent()}; }
   static BigDyadic sum(const BigDyadic& a, const BigDyadic& b, bool subtract);
   static BigDyadic product(const BigDyadic& a, const BigDyadic& b);
 
