@@ -5,6 +5,7 @@
 #include <string>
 
 #include "figure/basic/finite_parts.hpp"
+#include "figure/k_dop/sets.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/basic/rounded_points.hpp"
@@ -52,12 +53,8 @@ bool has_inside(const Shape& s) {
   return is_regular(s);
 }
 bool has_inside(const KDop3& s) {
-  HalfspaceIntersection3 all;
-  for (std::size_t i = 0; i < s.min.size(); ++i) {
-    const Slab3 slab{s.directions.all()[i], s.min[i], s.max[i]};
-    all.halfspaces.insert(all.halfspaces.end(), {lower_side(slab), upper_side(slab)});
-  }
-  return is_regular(all);
+  const arith::Constraints all = figure::halfspaces(s);
+  return arith::feasible(all, std::vector<bool>(all.rows.size(), true)).slack > 0;
 }
 bool has_inside(const ConvexPolyhedron3& s) {
   const std::vector<Point3>& v = s.mesh.vertices;
@@ -80,7 +77,7 @@ Stretch stretch_in(const Ray& ray, const Shape& s, bool is_complemented) {
   } else {
     if (!goes_on_in(s, ray.direction)) all.to = opposite(*first_hit_parameter(turned_back(ray), s));
   }
-  all.is_inside = is_complemented && has_inside(s) && relate(ray, s) == Relation::overlapping;
+  all.is_inside = is_complemented && relate(ray, s) == Relation::overlapping && has_inside(s);
   return all;
 }
 

@@ -146,6 +146,23 @@ TEST(CsgRay, EveryLeafAsTheTreeSays) {
   EXPECT_GT(inside * 20, cases);
 }
 
+// What is cut away has an inside, or is flat and takes nothing away.
+TEST(CsgRay, FromInsideOfWhatIsCutAway) {
+  const Csg3 box = csg(Aabb3{{-9, -9, -9}, {9, 9, 9}});
+  const auto k_dop = [](double most) { return csg(KDop3{k_dop_directions(8), {-2, -1, -3, -2}, {most, 2, 1, 4}}); };
+  const Ray3 ray{{0, 0, -1}, {2, 2, 0}};
+  for (const double most : {0.0, 1.0, 3.0}) {
+    const Csg3 rest = box - k_dop(most);
+    const auto t = first_hit_parameter(ray, rest);
+    ASSERT_TRUE(t) << most;
+    EXPECT_EQ(t->sign(), Sign::positive) << most;
+    EXPECT_FALSE(rest.contains({0, 0, -1})) << most;
+  }
+  const auto flat = first_hit_parameter(ray, box - k_dop(-1));
+  ASSERT_TRUE(flat);
+  EXPECT_EQ(flat->sign(), Sign::zero);
+}
+
 /// Boxes alone: what the closed set holds can only change where the ray passes a whole coordinate.
 TEST(CsgRay, BoxesAsBruteForce) {
   int found = 0, cases = 0;
