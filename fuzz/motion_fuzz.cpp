@@ -7,21 +7,21 @@
 #include <iostream>
 #include <span>
 
-#include "tool/trial/moving_cases.hpp"
+#include "lab/trial/moving_cases.hpp"
 
 namespace plumb::fuzz {
 namespace {
 
-using tool::moving_cases::Case;
+using lab::moving_cases::Case;
 
 /// From the bytes: a kind of hard motion, or coordinates as they stand.
 Case case_from(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return {};
-  const std::size_t form = bytes[0] % (tool::moving_cases::kinds.size() + 1);
+  const std::size_t form = bytes[0] % (lab::moving_cases::kinds.size() + 1);
   bytes = bytes.subspan(1);
   Entropy entropy = Entropy::from_bytes(bytes);
-  if (form < tool::moving_cases::kinds.size())
-    return tool::moving_cases::make(tool::moving_cases::kinds[form], entropy);
+  if (form < lab::moving_cases::kinds.size())
+    return lab::moving_cases::make(lab::moving_cases::kinds[form], entropy);
   Case c;
   c.vertex_face = !bytes.empty() && bytes[0] % 2 == 0;
   std::array<double, 24> x{};
@@ -32,7 +32,7 @@ Case case_from(std::span<const std::uint8_t> bytes) {
 }
 
 bool meets(const Case& c) {
-  return tool::moving_cases::of_figures(c, [](const auto& a, const auto& b) { return intersects(a, b); });
+  return lab::moving_cases::of_figures(c, [](const auto& a, const auto& b) { return intersects(a, b); });
 }
 
 [[noreturn]] void fail(const char* what, const Case& c) {
@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (auto* points : {&permuted.at_0, &permuted.at_1}) std::swap((*points)[2], (*points)[3]);
   if (fuzz::meets(reversed) != answer) fuzz::fail("reversed in time, it differs", c);
   if (fuzz::meets(permuted) != answer) fuzz::fail("with two vertices swapped, it differs", c);
-  tool::moving_cases::of_figures(c, [&](const auto& a, const auto& b) {
+  lab::moving_cases::of_figures(c, [&](const auto& a, const auto& b) {
     const auto contact = first_contact(a, b);
     const auto time = first_contact_time(a, b);
     if (contact.has_value() != answer || time.has_value() != answer) fuzz::fail("whether and when differ", c);

@@ -12,8 +12,8 @@
 #include <new>
 
 #include "bench/rivals/ccd_rival.hpp"
-#include "tool/stability/ccd_queries.hpp"
-#include "tool/trial/moving_cases.hpp"
+#include "lab/stability/ccd_queries.hpp"
+#include "lab/trial/moving_cases.hpp"
 
 namespace {
 double allocations = 0;  // by new, and by GMP
@@ -29,7 +29,7 @@ void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 namespace plumb::bench {
 namespace {
 
-using tool::ccd::Query;
+using lab::ccd::Query;
 
 bool plain(const Query& q) { return plain_contact(q.vertex_face, q.at_0, q.at_1); }
 
@@ -99,8 +99,8 @@ void add(const std::string& name, const std::vector<Query>& queries) {
     benchmark::RegisterBenchmark((name + "/" + method).c_str(),
                                  [=](benchmark::State& state) { run(state, queries, answer, asks_for_contact); });
   };
-  one("plumb", [](const Query& q) { return tool::ccd::intersects(q); });
-  one("plumb_first_contact", [](const Query& q) { return tool::ccd::first_contact(q).has_value(); });
+  one("plumb", [](const Query& q) { return lab::ccd::intersects(q); });
+  one("plumb_first_contact", [](const Query& q) { return lab::ccd::first_contact(q).has_value(); });
   one("plumb_separation", comes_near, false);
   one("plumb_first_contact_separation", first_comes_near, false);
   one("plain", plain);
@@ -108,12 +108,12 @@ void add(const std::string& name, const std::vector<Query>& queries) {
 
 enum class Place { lattice, off_lattice, far };
 
-std::vector<Query> hard_motions(tool::moving_cases::Kind kind, bool vertex_face, Place place) {
+std::vector<Query> hard_motions(lab::moving_cases::Kind kind, bool vertex_face, Place place) {
   constexpr std::uint64_t count = 300;
   std::vector<Query> all;
   for (std::uint64_t i = 0; i < count; ++i) {
     Entropy entropy(2031, i);
-    const tool::moving_cases::Case c = tool::moving_cases::make(kind, vertex_face, entropy);
+    const lab::moving_cases::Case c = lab::moving_cases::make(kind, vertex_face, entropy);
     Query q{};
     q.vertex_face = vertex_face, q.at_0 = c.at_0, q.at_1 = c.at_1;
     for (auto* points : {&q.at_0, &q.at_1}) {
@@ -151,9 +151,9 @@ void add_hard_motions() {
                           [](void* p, std::size_t) { std::free(p); });
   constexpr std::array places{Place::lattice, Place::off_lattice, Place::far};
   constexpr std::array place_names{"", "_off_lattice", "_far"};
-  for (const tool::moving_cases::Kind kind : tool::moving_cases::kinds) {
+  for (const lab::moving_cases::Kind kind : lab::moving_cases::kinds) {
     for (std::size_t place = 0; place < places.size(); ++place) {
-      if (kind == tool::moving_cases::Kind::family && place != 0) continue;
+      if (kind == lab::moving_cases::Kind::family && place != 0) continue;
       for (const bool vertex_face : {true, false}) {
         const std::vector<Query> queries = hard_motions(kind, vertex_face, places[place]);
         const std::string name =
@@ -162,8 +162,8 @@ void add_hard_motions() {
           benchmark::RegisterBenchmark((name + "/" + method).c_str(),
                                        [=](benchmark::State& state) { run_hard(state, queries, answer); });
         };
-        one("plumb", [](const Query& q) { return tool::ccd::intersects(q); });
-        one("plumb_first_contact", [](const Query& q) { return tool::ccd::first_contact(q).has_value(); });
+        one("plumb", [](const Query& q) { return lab::ccd::intersects(q); });
+        one("plumb_first_contact", [](const Query& q) { return lab::ccd::first_contact(q).has_value(); });
         one("plain", plain);
       }
     }
@@ -173,7 +173,7 @@ void add_hard_motions() {
 const bool registered = [] {
   add_hard_motions();
   std::map<std::string, std::vector<Query>> scenes;
-  for (const Query& q : tool::ccd::all_queries(PLUMB_SOURCE_DIR "/../shared/ccd")) {
+  for (const Query& q : lab::ccd::all_queries(PLUMB_SOURCE_DIR "/../shared/ccd")) {
     scenes[q.scene + (q.vertex_face ? "/vertex_face" : "/edge_edge")].push_back(q);
     scenes["all"].push_back(q);
   }

@@ -1,5 +1,5 @@
 #include "bench/rivals/chart_rival.hpp"
-#include "tool/program/program.hpp"
+#include "lab/program/program.hpp"
 
 int main(int argc, char** argv) {
   plumb::bench::Rivals rivals;
@@ -9,5 +9,5 @@ int main(int argc, char** argv) {
         plumb::bench::add_ccd, plumb::bench::add_bullet, plumb::bench::add_bullet_meshes, plumb::bench::add_qhull,
         plumb::bench::add_eigen, plumb::bench::add_crowds})
     add(rivals);
-  return plumb::tool::run_program(argc, argv, rivals);
+  return plumb::tool::run_program(plumb::lab::laboratory_facts(rivals), argc, argv);
 }

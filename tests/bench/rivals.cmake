@@ -1,7 +1,7 @@
-# The second program, plumb-bench: plumb with the rivals' libraries among the methods of `plumb chart`.  Not installed:
+# The program plumb-bench: plumb-lab with the rivals' libraries among the methods of `plumb-lab chart`.  Not installed:
 # nothing that is links a rival.
-if(NOT PLUMB_BUILD_PROGRAM)
-  message(FATAL_ERROR "PLUMB_BUILD_RIVALS needs PLUMB_BUILD_PROGRAM")
+if(NOT TARGET plumb_lab)
+  message(FATAL_ERROR "PLUMB_BUILD_RIVALS needs PLUMB_BUILD_PROGRAM and PLUMB_BUILD_LAB")
 endif()
 # Debian: apt-get install libboost-dev libbullet-dev libccd-dev libembree-dev libfcl-dev libnanoflann-dev, beside what the
 # benchmarks need.
@@ -29,7 +29,7 @@ target_compile_definitions(rival_libraries INTERFACE BT_USE_DOUBLE_PRECISION)
 add_executable(plumb_bench plumb_bench.cpp ${chart_sources} ${box_pairs_sources} rivals/nearest/cgal.cpp
   rivals/nearest/nanoflann.cpp)
 set_target_properties(plumb_bench PROPERTIES OUTPUT_NAME plumb-bench)
-target_link_libraries(plumb_bench PRIVATE bench_rivals plumb_tool bench_flags rival_libraries)
+target_link_libraries(plumb_bench PRIVATE bench_rivals plumb_lab bench_flags rival_libraries)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # What GCC sees in CGAL's spheres and TBB's counters is not there.
   set_property(SOURCE rivals/chart_cgal_figures_rival.cpp rivals/meshes/cgal_rival.cpp APPEND PROPERTY COMPILE_OPTIONS

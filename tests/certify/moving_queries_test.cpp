@@ -85,7 +85,7 @@ void expect_no_contact_ruled_out(const fs::path& folder) {
 }
 
 TEST(MovingQueriesTest, NoGeneratedContactIsRuledOut) {
-  const tool::moving_cases::GeneratedQueries generated;
+  const lab::moving_cases::GeneratedQueries generated;
   expect_no_contact_ruled_out(generated.path());
 }
 

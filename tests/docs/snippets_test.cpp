@@ -128,6 +128,7 @@ class Documents : public testing::TestWithParam<fs::path> {
   void SetUp() override {
     fs::create_directory(folder_ / "bin");
     fs::create_symlink(PLUMB_PROGRAM, folder_ / "bin/plumb");
+    fs::create_symlink(PLUMB_LAB_PROGRAM, folder_ / "bin/plumb-lab");
     fs::create_directory_symlink(tree / "docs", folder_ / "docs");
     fs::create_directory_symlink(tree / "include", folder_ / "include");
     fs::create_directory_symlink(tree / "predicates", folder_ / "predicates");

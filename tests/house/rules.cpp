@@ -118,6 +118,7 @@ std::vector<Source> read_sources(const fs::path& tree) {
 /// The rung of a name directly below include/plumb or src: a folder, or a face such as surface.hpp.
 std::optional<int> rung_of(std::string name) {
   if (name == "tool" || name == "plumb.hpp") return above_all;
+  if (name == "lab") return above_all + 1;             // the second program knows the first
   if (name == "predicates.hpp") name = "certify.hpp";  // the face of the signs
   if (name == "classic.h") name = "classic.hpp";       // the face for C
   if (name.ends_with(".hpp")) name.resize(name.size() - 4);
@@ -164,7 +165,7 @@ void check_folders(const fs::path& tree, std::vector<Breach>& out) {
       const std::string name = entry.path().filename().string();
       const std::string extension = entry.path().extension().string();
       const bool known = entry.is_directory() ? rung_of(name) && (name != "predicates" || entry.is_symlink()) &&
-                                                    (name != "tool" || top == "src")
+                                                    ((name != "tool" && name != "lab") || top == "src")
                          : top == "src" ? one_of(extension, {".cmake", ".in"})
                                         : (extension == ".hpp" || name == "classic.h") && rung_of(name).has_value();
       if (!known) out.push_back({top + "/" + name, "is no rung of the ladder"});
@@ -221,7 +222,8 @@ std::optional<std::ptrdiff_t> rank_of(const Place& place) {
 void check_rooms(const Source& source, std::vector<Breach>& out) {
   const auto below = below_top(source.path);
   if (!below || !rooms.contains(first_part(*below)) || below->ends_with("CMakeLists.txt")) return;
-  if (*below != source.path.substr(4) && first_part(*below) == "tool") return;  // of include/, where no program belongs
+  if (*below != source.path.substr(4) && (first_part(*below) == "tool" || first_part(*below) == "lab"))
+    return;  // of include/, where no program belongs
   const Place own = place_below(*below);
   const auto rank = rank_of(own);
   if (!rank) {

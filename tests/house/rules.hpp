@@ -36,10 +36,10 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
     {"space",
      {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence", "grid", "octree", "kd_tree", "sort_and_sweep",
       "broad_phase", "cells"}},
-    {"tool", {"terminal", "drawing", "mesh",      "rows",      "trial",   "crowd",      "manual", "bounds",
-              "bvh",      "check",   "chart",     "convert",   "convex",  "distance",   "doctor", "fuzz",
-              "help",     "inside",  "intersect", "nearest",   "pairs",   "placements", "plan",   "proof",
-              "ray",      "section", "sign",      "stability", "vectors", "program"}},
+    {"tool", {"terminal", "drawing",    "mesh",     "rows",   "trial", "manual",  "bounds", "bvh",       "check",
+              "convert",  "convex",     "distance", "doctor", "fuzz",  "help",    "inside", "intersect", "nearest",
+              "pairs",    "placements", "plan",     "proof",  "ray",   "section", "sign",   "program"}},
+    {"lab", {"trial", "crowd", "chart", "stability", "vectors", "program"}},
 };
 
 /// The most source files in one folder; data may be more.

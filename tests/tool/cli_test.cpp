@@ -85,7 +85,7 @@ TEST(Help, ShowsExamplesThatDoWhatTheySay) {
 
 TEST(Version, IsOneLine) {
   for (const std::string line :
-       {"--version", "-V", "check -V", "check part.obj --version", "vectors -V", "sign orient2d 0 0 -V", "help -V"}) {
+       {"--version", "-V", "check -V", "check part.obj --version", "pairs -V", "sign orient2d 0 0 -V", "help -V"}) {
     const Outcome o = run("$PLUMB " + line);
     EXPECT_EQ(o.code, 0) << line;
     EXPECT_THAT(o.out, testing::MatchesRegex("plumb [0-9]+\\.[0-9]+\\.[0-9]+\n")) << line;
@@ -108,11 +108,11 @@ TEST(Usage, IsRefusedInItsOwnWords) {
                    {"check --frobnicate", "'plumb check --help' explains"},
                    {"check --threads", "--threads needs a value: write '--threads N'; 'plumb check --help' explains"},
                    {"section --plane", "--plane needs a value: write '--plane PLANE'"},
-                   {"vectors --out", "--out needs a value: write '--out DIR'"},
+                   {"section --out", "--out needs a value: write '--out DIR'"},
                    {"check --threads 0", "--threads"},
                    {"check --threads -3", "--threads"},
                    {"check --threads many", "many"},
-                   {"vectors --out . --seed many", "--seed = many;"},
+                   {"fuzz --seed many", "--seed = many;"},
                    {"check --fail-on-wrong luck", "luck not in"},
                    {"doctor -- now", "doctor takes no argument now"},
                    {"sign --frobnicate orient2d", "--frobnicate"}});
@@ -139,9 +139,20 @@ TEST(Usage, IsSuggestedWhereItIsNear) {
                    {"check --fail", "there is no option --fail (did you mean --fail-on-wrong?)"},
                    {"sign --quite orient2d", "there is no option --quite (did you mean --quiet?)"},
                    {"--versoin", "there is no option --versoin (did you mean --version?)"},
-                   {"chart --task orient2e", "did you mean orient2d?"},
                    {"proof orient2e", "did you mean orient2d?"},
                    {"doctor now", "doctor takes no argument now"}});
+}
+
+TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
+  expect_refusals({{"chart --quick", "plumb-lab"},
+                   {"stability", "plumb-lab"},
+                   {"vectors --out x", "plumb-lab"},
+                   {"boolean a.obj b.obj", "'plumb intersect A B' finds where two meshes cross"},
+                   {"union a.obj", "'plumb section' cuts one by planes"},
+                   {"repair a.obj", "'plumb check' says what is wrong"},
+                   {"decompose a.obj", "'plumb convex'"},
+                   {"simulate", "'plumb pairs'"}});
+  EXPECT_THAT(run("$PLUMB boolena").err, Not(HasSubstr("intersect")));
 }
 
 TEST(Usage, TakesWhatOtherToolsTake) {

@@ -1,4 +1,4 @@
-// What does the built program do for its user?  Runs a shell line, in which $PLUMB is the program, and keeps what it
+// What does the built program do for its user?  Runs a shell line, in which $PLUMB is the program and $PLUMB_LAB the laboratory, and keeps what it
 // wrote and how it ended; also on a terminal, as far as the program can tell.
 #pragma once
 
@@ -34,6 +34,16 @@ inline std::string tested_program() {
   return other != nullptr ? other : PLUMB_PROGRAM;
 }
 
+/// The same of the laboratory; nothing where it is not built.
+inline std::string tested_laboratory() {
+  const char* const other = std::getenv("PLUMB_TESTED_LABORATORY");
+#ifdef PLUMB_LAB_PROGRAM
+  return other != nullptr ? other : PLUMB_LAB_PROGRAM;
+#else
+  return other != nullptr ? other : "";
+#endif
+}
+
 /// A folder of this test's own, removed at the end.
 class Folder {
  public:
@@ -54,6 +64,7 @@ inline Outcome run(const std::string& line, const std::string& input = "") {
   const Folder folder;
   std::ofstream(folder / "in") << input;
   ::setenv("PLUMB", tested_program().c_str(), 1);
+  ::setenv("PLUMB_LAB", tested_laboratory().c_str(), 1);
   const int status = std::system(
       ("{ " + line + "\n} <" + (folder / "in") + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
@@ -87,6 +98,7 @@ inline bool has_terminals() {
 /// With the three standard streams on a terminal; `out` has all that it showed.
 inline Outcome run_on_terminal(const std::string& line) {
   ::setenv("PLUMB", tested_program().c_str(), 1);
+  ::setenv("PLUMB_LAB", tested_laboratory().c_str(), 1);
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
   if (child == 0) {

@@ -60,7 +60,7 @@ TEST(ManualPages, NameTheFormatsThatAreReadOnce) {
 
 TEST(ManualPages, AreWrittenWhereManAndShellsLook) {
   const Folder folder;
-  EXPECT_THAT(run("$PLUMB help --write-pages " + (folder / "share")).out, HasSubstr("26 files"));
+  EXPECT_THAT(run("$PLUMB help --write-pages " + (folder / "share")).out, HasSubstr("23 files"));
   EXPECT_EQ(content(folder / "share/man/man1/plumb.1"), run("$PLUMB help --roff").out);
   for (const std::string& command : commands())
     EXPECT_EQ(content(folder / ("share/man/man1/plumb-" + command + ".1")), run("$PLUMB help --roff " + command).out);
@@ -94,7 +94,7 @@ std::vector<std::string> offered(const std::vector<std::string>& words) {
 
 TEST(Completion, OfBashOffersWhatTheParserTakes) {
   ASSERT_TRUE(has("bash")) << mend;
-  EXPECT_THAT(offered({"plumb", "ch"}), ElementsAre("chart", "check"));
+  EXPECT_THAT(offered({"plumb", "ch"}), ElementsAre("check"));
   EXPECT_THAT(offered({"plumb", ""}), IsSupersetOf(commands()));
   EXPECT_THAT(offered({"plumb", "--v"}), ElementsAre("--version"));
   EXPECT_THAT(offered({"plumb", "check", "--js"}), ElementsAre("--json"));
@@ -106,8 +106,7 @@ TEST(Completion, OfBashOffersWhatTheParserTakes) {
   EXPECT_THAT(offered({"plumb", "check", "part.obj", "two"}), ElementsAre("two words.stl"));
   EXPECT_THAT(offered({"plumb", "check", "--json", "p"}), ElementsAre("part.obj"));
   EXPECT_THAT(offered({"plumb", "check", "--threads", ""}), IsEmpty());
-  EXPECT_THAT(offered({"plumb", "chart", "--out", ""}), ElementsAre("deep"));
-  EXPECT_THAT(offered({"plumb", "chart", "--task", "orient"}), ElementsAre("orient2d", "orient3d"));
+  EXPECT_THAT(offered({"plumb", "section", "--out", ""}), ElementsAre("deep"));
   EXPECT_THAT(offered({"plumb", "proof", "insph"}), Contains("insphere"));
   EXPECT_THAT(offered({"plumb", "sign", "orient2"}), Contains("orient2d"));
   EXPECT_THAT(offered({"plumb", "help", "doc"}), ElementsAre("doctor"));
@@ -138,7 +137,7 @@ TEST(Completion, OfFishAndZshOffersTheSame) {
     EXPECT_THAT(fish("plumb che"), HasSubstr("check"));
     EXPECT_THAT(fish("plumb check --js"), HasSubstr("--json"));
     EXPECT_THAT(fish("plumb check --fail-on-wrong lo"), HasSubstr("long-double"));
-    EXPECT_THAT(fish("plumb chart --task orient2"), HasSubstr("orient2d"));
+    EXPECT_THAT(fish("plumb sign orient2"), HasSubstr("orient2d"));
   }
   {
     ASSERT_TRUE(has("zsh")) << mend;

@@ -11,7 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include "certify/sanitized.hpp"
 #include "plumb/arith/error.hpp"
 #include "tool/doctor/command.hpp"
 #include "tool/run_program.hpp"
@@ -65,15 +64,6 @@ TEST(Progress, IsSilentWhereNotShownAndOnShortWork) {
   }
   std::fclose(stream);
   EXPECT_EQ(content(folder / "bar"), "");
-}
-
-TEST(Progress, IsSilentWhereTheTerminalObeysNoEscapes) {
-  if (!has_terminals()) return;
-  const std::string fewer = battery::sanitized ? " --class uniform --class grid" : "";
-  const std::string long_run = "$PLUMB chart --quick --task hull-3d" + fewer + " >/dev/null";
-  EXPECT_THAT(run_on_terminal("NO_COLOR=1 " + long_run).out, AllOf(HasSubstr(" %  chart"), Not(HasSubstr("\033[3"))));
-  EXPECT_EQ(run_on_terminal("TERM=dumb " + long_run).out, "");
-  EXPECT_EQ(run_on_terminal("unset TERM; " + long_run).out, "");
 }
 
 TEST(Progress, SurvivesMoreStepsThanAnnounced) {

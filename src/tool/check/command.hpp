@@ -19,7 +19,7 @@
 
 namespace plumb::tool {
 
-/// The methods of `plumb chart` that are compared; --fail-on-wrong takes these names.
+/// The methods of `plumb-lab chart` that are compared; --fail-on-wrong takes these names.
 inline constexpr std::array<std::string_view, 8> method_names{"float32",     "double",   "absolute", "relative",
                                                               "long-double", "interval", "plan",     "exact"};
 inline constexpr std::size_t method_count = method_names.size();

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::uint64_t block_size = 1024;  // fits the second-level cache with all its answers
 
-/// The methods of `plumb chart` that are compared here.
+/// The methods of `plumb-lab chart` that are compared here.
 using Methods = std::array<trial::Method, method_count>;
 
 // What one thread has gathered of one kind.

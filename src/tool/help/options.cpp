@@ -15,39 +15,45 @@ namespace plumb::tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Commands = std::function<const std::vector<Command>&()>;
 
 struct HelpOptions {
-  std::string command;
+  Manual (*of_program)();
+  std::string command{};
   bool roff = false;
-  std::optional<std::string> pages;  // a folder such as /usr/share
+  std::optional<std::string> pages{};  // a folder such as /usr/share
 };
 
-std::string roff_of(const CLI::App& program, const std::vector<Command>& commands, const Command* command) {
+std::string roff_of(const CLI::App& program, Manual (*of_program)(), const std::vector<Command>& commands,
+                    const Command* command) {
   std::vector<std::string> also;
   if (command != nullptr) {
-    also = {"plumb"};
+    also = {program.get_name()};
   } else {
-    for (const std::string& name : names_of(commands)) also.push_back("plumb-" + name);
+    for (const std::string& name : names_of(commands)) also.push_back(program.get_name() + "-" + name);
   }
   return command != nullptr
              ? roff_page(command->manual(), shown_options(*command->parser), check_environment().version, also)
-             : roff_page(program_manual(), shown_options(program), check_environment().version, also);
+             : roff_page(of_program(), shown_options(program), check_environment().version, also);
 }
 
-int write_pages(const fs::path& folder, const CLI::App& program, const std::vector<Command>& commands) {
-  std::vector<std::pair<fs::path, std::string>> pages{{"man/man1/plumb.1", roff_of(program, commands, nullptr)}};
+int write_pages(const fs::path& folder, const CLI::App& program, Manual (*of_program)(),
+                const std::vector<Command>& commands) {
+  const std::string name = program.get_name();
+  std::vector<std::pair<fs::path, std::string>> pages{
+      {"man/man1/" + name + ".1", roff_of(program, of_program, commands, nullptr)}};
   for (const Command& c : commands)
-    pages.emplace_back(fmt::format("man/man1/plumb-{}.1", c.parser->get_name()), roff_of(program, commands, &c));
-  for (const ShellScript& s : shell_scripts) pages.emplace_back(s.place, s.script(shapes_of(program, commands)));
+    pages.emplace_back(fmt::format("man/man1/{}-{}.1", name, c.parser->get_name()),
+                       roff_of(program, of_program, commands, &c));
+  for (const ShellScript& s : shell_scripts)
+    pages.emplace_back(s.place(name), s.script(name, shapes_of(program, commands)));
   std::vector<PathAndText> files;
-  for (const auto& [name, text] : pages) {
+  for (const auto& [place, text] : pages) {
     std::error_code error;
-    fs::create_directories((folder / name).parent_path(), error);
+    fs::create_directories((folder / place).parent_path(), error);
     if (error)
       throw Error(
-          fmt::format("cannot write into {}: {}", printable((folder / name).parent_path().string()), error.message()));
-    files.push_back({folder / name, text});
+          fmt::format("cannot write into {}: {}", printable((folder / place).parent_path().string()), error.message()));
+    files.push_back({folder / place, text});
   }
   keep_files(files);
   say(fmt::format("{} files in {}\n", files.size(), printable(folder.string())));
@@ -55,32 +61,32 @@ int write_pages(const fs::path& folder, const CLI::App& program, const std::vect
 }
 
 int run_help(const HelpOptions& o, const CLI::App& program, const std::vector<Command>& commands) {
-  if (o.pages) return write_pages(*o.pages, program, commands);
+  if (o.pages) return write_pages(*o.pages, program, o.of_program, commands);
   const auto named =
       std::ranges::find_if(commands, [&](const Command& c) { return c.parser->get_name() == o.command; });
   if (!o.command.empty() && named == commands.end()) {
-    throw Error(fmt::format("there is no command {}{}; 'plumb help' lists them", printable(o.command),
-                            suggestion(o.command, names_of(commands))));
+    throw Error(fmt::format("there is no command {}{}; '{} help' lists them", printable(o.command),
+                            suggestion(o.command, names_of(commands)), program.get_name()));
   }
   const Command* const command = o.command.empty() ? nullptr : &*named;
   if (o.roff) {
-    say(roff_of(program, commands, command));
+    say(roff_of(program, o.of_program, commands, command));
   } else {
-    show_page(program, command);
+    show_page(program, command, o.of_program);
   }
   return 0;
 }
 
 }  // namespace
 
-void show_page(const CLI::App& program, const Command* command) {
+void show_page(const CLI::App& program, const Command* command, Manual (*of_program)()) {
   const Style style(stdout);
   say(command != nullptr ? manual_page(command->manual(), shown_options(*command->parser), style)
-                         : manual_page(program_manual(), shown_options(program), style));
+                         : manual_page(of_program(), shown_options(program), style));
 }
 
-Command help_command(CLI::App& program, const Commands& commands) {
-  const auto options = std::make_shared<HelpOptions>();
+Command help_command(CLI::App& program, const Commands& commands, Manual (*of_program)()) {
+  const auto options = std::make_shared<HelpOptions>(HelpOptions{of_program});
   CLI::App* const parser = program.add_subcommand("help", "Show the page of a command.");
   parser->add_option("COMMAND", options->command, "Whose page; the program's when not given.");
   CLI::Option* const roff = parser->add_flag("--roff", options->roff, "Print the page as source for man(1).");
@@ -104,7 +110,8 @@ Command completion_command(CLI::App& program, const Commands& commands) {
   for (const ShellScript& s : shell_scripts) shells.emplace_back(s.shell);
   parser->add_option("SHELL", *shell, "bash, zsh or fish.")->required()->check(CLI::IsMember(shells));
   const auto run = [shell, commands, &program] {
-    say(std::ranges::find(shell_scripts, *shell, &ShellScript::shell)->script(shapes_of(program, commands())));
+    say(std::ranges::find(shell_scripts, *shell, &ShellScript::shell)
+            ->script(program.get_name(), shapes_of(program, commands())));
     return 0;
   };
   return {parser, completion_manual, run};

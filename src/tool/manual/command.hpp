@@ -13,14 +13,12 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "tool/manual/help_text.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/mesh/triangles_obj.hpp"
-#include "tool/trial/task.hpp"
 
 namespace plumb::tool {
 
@@ -33,17 +31,20 @@ struct Command {
   std::map<std::string, std::function<std::vector<std::string>()>> choices{};
 };
 
+/// All commands of a program, once they are made.
+using Commands = std::function<const std::vector<Command>&()>;
+
 Command bounds_command(CLI::App& program);
 Command bvh_command(CLI::App& program);
-Command chart_command(CLI::App& program, std::span<const trial::Rival> rivals);
 Command check_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 Command convex_command(CLI::App& program);
 Command distance_command(CLI::App& program);
 Command doctor_command(CLI::App& program);
-Command completion_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
+Command completion_command(CLI::App& program, const Commands& known);
 Command fuzz_command(CLI::App& program);
-Command help_command(CLI::App& program, const std::function<const std::vector<Command>&()>& commands);
+/// `of_program` is the program's own page.
+Command help_command(CLI::App& program, const Commands& known, Manual (*of_program)());
 Command inside_command(CLI::App& program);
 Command intersect_command(CLI::App& program);
 Command nearest_command(CLI::App& program);
@@ -53,11 +54,9 @@ Command proof_command(CLI::App& program);
 Command ray_command(CLI::App& program);
 Command section_command(CLI::App& program);
 Command sign_command(CLI::App& program);
-Command stability_command(CLI::App& program);
-Command vectors_command(CLI::App& program);
 
 /// The page of a command, or of the program, on standard output.
-void show_page(const CLI::App& program, const Command* command);
+void show_page(const CLI::App& program, const Command* command, Manual (*of_program)());
 
 /// Of the manifest.
 std::vector<std::string> predicate_names();

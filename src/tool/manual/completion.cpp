@@ -29,11 +29,19 @@ std::string in_quotes(std::string_view text) {
   return out + '\'';
 }
 
-constexpr std::string_view bash_begin = R"(# Completion of plumb for bash; made by `plumb completion bash`.
-_plumb_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$1"); }
-_plumb_folders() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$1"); }
-_plumb_words() { mapfile -t COMPREPLY < <(compgen -W "$2" -- "$1"); }
-_plumb() {
+/// The script with the program's name where it leaves room for it.
+std::string named(std::string script, std::string_view program) {
+  constexpr std::string_view room = "@program";
+  for (std::size_t at = script.find(room); at != std::string::npos; at = script.find(room, at + program.size()))
+    script.replace(at, room.size(), program);
+  return script;
+}
+
+constexpr std::string_view bash_begin = R"(# Completion of @program for bash; made by `@program completion bash`.
+_@program_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$1"); }
+_@program_folders() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$1"); }
+_@program_words() { mapfile -t COMPREPLY < <(compgen -W "$2" -- "$1"); }
+_@program() {
   local now=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} word command= k
   COMPREPLY=()
   # --option=value arrives as three words.
@@ -49,11 +57,11 @@ _plumb() {
 std::string bash_answer(const ShownOption& o) {
   switch (what_follows(o)) {
     case Follows::files:
-      return "_plumb_files \"$now\"";
+      return "_@program_files \"$now\"";
     case Follows::folders:
-      return "_plumb_folders \"$now\"";
+      return "_@program_folders \"$now\"";
     case Follows::words:
-      return fmt::format("_plumb_words \"$now\" {}", in_quotes(fmt::to_string(fmt::join(o.choices, " "))));
+      return fmt::format("_@program_words \"$now\" {}", in_quotes(fmt::to_string(fmt::join(o.choices, " "))));
     case Follows::nothing:
     case Follows::anything:
       break;
@@ -107,7 +115,7 @@ std::string zsh_specs(const CommandShape& c) {
 }
 
 std::string fish_line(const std::string& when, const ShownOption& o) {
-  std::string line = fmt::format("complete -c plumb -n {}", in_quotes(when));
+  std::string line = fmt::format("complete -c @program -n {}", in_quotes(when));
   if (!is_positional(o)) {
     for (const std::string& name : o.names)
       line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
@@ -134,7 +142,7 @@ std::string fish_line(const std::string& when, const ShownOption& o) {
 
 }  // namespace
 
-std::string bash_completion(std::span<const CommandShape> commands) {
+std::string bash_completion(std::string_view program, std::span<const CommandShape> commands) {
   std::string by_option, by_command;
   std::vector<std::string> names;
   for (const CommandShape& c : commands) {
@@ -150,15 +158,16 @@ std::string bash_completion(std::span<const CommandShape> commands) {
     for (const ShownOption& o : c.options) {
       if (is_positional(o)) positional = bash_answer(o);
     }
-    if (c.name.empty()) positional = fmt::format("_plumb_words \"$now\" '{}'", fmt::join(names, " "));
-    by_command += fmt::format("    '{}') if [[ $now == -* ]]; then _plumb_words \"$now\" '{}'; else {}; fi ;;\n",
+    if (c.name.empty()) positional = fmt::format("_@program_words \"$now\" '{}'", fmt::join(names, " "));
+    by_command += fmt::format("    '{}') if [[ $now == -* ]]; then _@program_words \"$now\" '{}'; else {}; fi ;;\n",
                               c.name, fmt::join(option_names(c), " "), positional);
   }
-  return fmt::format("{}{}  esac\n  case \"$command\" in\n{}  esac\n}}\ncomplete -F _plumb plumb\n", bash_begin,
-                     by_option, by_command);
+  return named(fmt::format("{}{}  esac\n  case \"$command\" in\n{}  esac\n}}\ncomplete -F _@program @program\n",
+                           bash_begin, by_option, by_command),
+               program);
 }
 
-std::string zsh_completion(std::span<const CommandShape> commands) {
+std::string zsh_completion(std::string_view program, std::span<const CommandShape> commands) {
   std::string known, cases, of_program;
   for (const CommandShape& c : commands) {
     if (c.name.empty()) {
@@ -168,9 +177,9 @@ std::string zsh_completion(std::span<const CommandShape> commands) {
     known += fmt::format("    {}\n", in_quotes(fmt::format("{}:{}", c.name, replaced(c.about, ":\\", "\\"))));
     cases += fmt::format("    {})\n      _arguments{}\n      ;;\n", c.name, zsh_specs(c));
   }
-  return fmt::format(R"(#compdef plumb
-# Completion of plumb for zsh; made by `plumb completion zsh`.
-_plumb() {{
+  return named(fmt::format(R"(#compdef @program
+# Completion of @program for zsh; made by `@program completion zsh`.
+_@program() {{
   local curcontext=$curcontext state line
   typeset -A opt_args
   local -a commands
@@ -188,26 +197,28 @@ _plumb() {{
     ;;
   esac
 }}
-if [ "$funcstack[1]" = _plumb ]; then
-  _plumb "$@"
+if [ "$funcstack[1]" = _@program ]; then
+  _@program "$@"
 else
-  compdef _plumb plumb
+  compdef _@program @program
 fi
 )",
-                     known, of_program, cases);
+                           known, of_program, cases),
+               program);
 }
 
-std::string fish_completion(std::span<const CommandShape> commands) {
-  std::string script = "# Completion of plumb for fish; made by `plumb completion fish`.\ncomplete -c plumb -f\n";
+std::string fish_completion(std::string_view program, std::span<const CommandShape> commands) {
+  std::string script =
+      "# Completion of @program for fish; made by `@program completion fish`.\ncomplete -c @program -f\n";
   for (const CommandShape& c : commands) {
     const std::string when = c.name.empty() ? "__fish_use_subcommand" : "__fish_seen_subcommand_from " + c.name;
     if (!c.name.empty()) {
       script +=
-          fmt::format("complete -c plumb -n '__fish_use_subcommand' -f -a {} -d {}\n", c.name, in_quotes(c.about));
+          fmt::format("complete -c @program -n '__fish_use_subcommand' -f -a {} -d {}\n", c.name, in_quotes(c.about));
     }
     for (const ShownOption& o : c.options) script += fish_line(when, o);
   }
-  return script;
+  return named(std::move(script), program);
 }
 
 }  // namespace plumb::tool

@@ -21,16 +21,21 @@ struct CommandShape {
   std::vector<ShownOption> options;
 };
 
-std::string bash_completion(std::span<const CommandShape> commands);
-std::string zsh_completion(std::span<const CommandShape> commands);
-std::string fish_completion(std::span<const CommandShape> commands);
+std::string bash_completion(std::string_view program, std::span<const CommandShape> commands);
+std::string zsh_completion(std::string_view program, std::span<const CommandShape> commands);
+std::string fish_completion(std::string_view program, std::span<const CommandShape> commands);
 
 struct ShellScript {
-  std::string_view shell, place;  // below /usr/share
-  std::string (*script)(std::span<const CommandShape> commands);
+  std::string_view shell, before, after;
+  std::string (*script)(std::string_view program, std::span<const CommandShape> commands);
+
+  /// Where the shell looks for the script of this program, below /usr/share.
+  [[nodiscard]] std::string place(const std::string& program) const {
+    return std::string(before).append(program).append(after);
+  }
 };
-inline constexpr std::array shell_scripts{ShellScript{"bash", "bash-completion/completions/plumb", bash_completion},
-                                          ShellScript{"zsh", "zsh/site-functions/_plumb", zsh_completion},
-                                          ShellScript{"fish", "fish/vendor_completions.d/plumb.fish", fish_completion}};
+inline constexpr std::array shell_scripts{ShellScript{"bash", "bash-completion/completions/", "", bash_completion},
+                                          ShellScript{"zsh", "zsh/site-functions/_", "", zsh_completion},
+                                          ShellScript{"fish", "fish/vendor_completions.d/", ".fish", fish_completion}};
 
 }  // namespace plumb::tool

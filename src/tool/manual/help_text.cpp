@@ -48,10 +48,6 @@ bvh MESH
        Builds the tree of boxes of a mesh in one way or in all, says what
        it costs to be asked, and draws it.
 
-chart
-       Holds the ways of answering geometric questions against each
-       other: how often each is wrong, and how long it takes.
-
 check [MESH]...
        Says whether these meshes are closed, oriented and free of
        self-intersections and degenerate triangles. Then takes the
@@ -99,14 +95,6 @@ sign PREDICATE COORDINATE...
 proof PREDICATE
        Writes the error bound behind a predicate's filter as a claim that
        a machine can check.
-
-stability
-       Runs geometric algorithms on inputs that break them, and says what
-       one sees of it: a hull lost a corner, a loop did not end.
-
-vectors
-       Writes test vectors for other programs: inputs with their exact
-       answers, in text files.
 
 doctor
        Looks whether this machine and build are as the proofs assume.

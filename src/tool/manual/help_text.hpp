@@ -21,7 +21,6 @@ std::string environment_of_batches();
 Manual program_manual();
 Manual bounds_manual();
 Manual bvh_manual();
-Manual chart_manual();
 Manual check_manual();
 Manual completion_manual();
 Manual convert_manual();
@@ -38,8 +37,6 @@ Manual ray_manual();
 Manual section_manual();
 Manual sign_manual();
 Manual proof_manual();
-Manual stability_manual();
 Manual doctor_manual();
-Manual vectors_manual();
 
 }  // namespace plumb::tool

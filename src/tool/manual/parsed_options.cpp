@@ -78,7 +78,7 @@ std::vector<std::string> names_of(const std::vector<Command>& commands) {
 }
 
 std::string why_not_taken(const CLI::App& parser, const std::vector<std::string>& words,
-                          const std::vector<Command>& commands) {
+                          const std::vector<Command>& commands, std::string (*instead)(const std::string& word)) {
   const bool of_program = parser.get_parent() == nullptr;
   const std::string word = words.front().substr(0, words.front().find('='));
   if (word.starts_with('-')) {
@@ -90,8 +90,11 @@ std::string why_not_taken(const CLI::App& parser, const std::vector<std::string>
     }
     return fmt::format("there is no option {}{}", printable(word), suggestion(word, names));
   }
-  if (of_program)
+  if (of_program) {
+    if (const std::string other = instead(words.front()); !other.empty())
+      return fmt::format("there is no command {}: {}", printable(words.front()), other);
     return fmt::format("there is no command {}{}", printable(words.front()), suggestion(word, names_of(commands)));
+  }
   return fmt::format("{} takes no argument {}", parser.get_name(), printable(words.front()));
 }
 

@@ -24,8 +24,9 @@ std::vector<CommandShape> shapes_of(const CLI::App& program, const std::vector<C
 
 std::vector<std::string> names_of(const std::vector<Command>& commands);
 
-/// "there is no option --jsno (did you mean --json?)", of the first word that the parser did not take.
+/// "there is no option --jsno (did you mean --json?)", of the first word that the parser did not take; `instead` says what
+/// a command's place is taken by.
 std::string why_not_taken(const CLI::App& parser, const std::vector<std::string>& words,
-                          const std::vector<Command>& commands);
+                          const std::vector<Command>& commands, std::string (*instead)(const std::string& word));
 
 }  // namespace plumb::tool

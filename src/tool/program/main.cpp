@@ -1,3 +1,3 @@
 #include "tool/program/program.hpp"
 
-int main(int argc, char** argv) { return plumb::tool::run_program(argc, argv); }
+int main(int argc, char** argv) { return plumb::tool::run_program(plumb::tool::plumb_facts(), argc, argv); }

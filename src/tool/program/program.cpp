@@ -19,7 +19,9 @@ namespace {
 
 class Program {
  public:
-  explicit Program(std::span<const trial::Rival> rivals) : rivals_(rivals) {
+  explicit Program(const ProgramFacts& facts) : facts_(facts), app_("", facts.name), commands_(facts.commands(app_)) {
+    commands_.push_back(help_command(app_, known_, facts.manual));
+    commands_.push_back(completion_command(app_, known_));
     app_.require_subcommand(0, 1);  // once there is a command, the next word is no other, but may be a file of its name
     add_common_options(app_);
     for (const Command& c : commands_) {
@@ -39,19 +41,19 @@ class Program {
     if (no_color_) never_color();
     if (quiet_) be_quiet();
     if (const Command* const c = named()) return c->run();
-    throw Error(
-        fmt::format("a command is needed, one of {}; 'plumb help' explains", fmt::join(names_of(commands_), ", ")));
+    throw Error(fmt::format("a command is needed, one of {}; '{} help' explains", fmt::join(names_of(commands_), ", "),
+                            facts_.name));
   }
 
   /// The page of the command that was named, or of the program.
   void help() const {
     require_command();
-    show_page(app_, named());
+    show_page(app_, named(), facts_.manual);
   }
 
   void version() const {
     require_command();
-    say(fmt::format("plumb {}\n", check_environment().version));
+    say(fmt::format("{} {}\n", facts_.name, check_environment().version));
   }
 
   /// What stood where nothing is expected.
@@ -59,7 +61,7 @@ class Program {
     const Command* const c = named();
     const bool of_command = c != nullptr && !c->parser->remaining().empty();
     const CLI::App& parser = of_command ? *c->parser : app_;
-    return why_not_taken(parser, parser.remaining(), commands_);
+    return why_not_taken(parser, parser.remaining(), commands_, facts_.instead);
   }
 
   /// Of an option that was given nothing; the parser names it before a colon.
@@ -75,7 +77,8 @@ class Program {
 
   [[nodiscard]] std::string help_hint() const {
     const Command* const c = named();
-    return c != nullptr ? fmt::format("'plumb {} --help' explains", c->parser->get_name()) : "'plumb help' explains";
+    return c != nullptr ? fmt::format("'{} {} --help' explains", facts_.name, c->parser->get_name())
+                        : fmt::format("'{} help' explains", facts_.name);
   }
 
  private:
@@ -108,7 +111,8 @@ class Program {
       return o->get_positional() && o->empty();
     });
     if (rest.size() > arguments.size()) {
-      throw Error(fmt::format("{}; {}", why_not_taken(c != nullptr ? *c->parser : app_, rest, commands_), help_hint()));
+      throw Error(fmt::format(
+          "{}; {}", why_not_taken(c != nullptr ? *c->parser : app_, rest, commands_, facts_.instead), help_hint()));
     }
     for (std::size_t k = 0; k < rest.size(); ++k) {
       arguments[k]->add_result(rest[k]);
@@ -116,23 +120,11 @@ class Program {
     }
   }
 
+  const ProgramFacts& facts_;
   CLI::App app_;
   bool no_color_ = false, quiet_ = false;
-  std::span<const trial::Rival> rivals_;
-  const std::function<const std::vector<Command>&()> known_ = [this]() -> const std::vector<Command>& {
-    return commands_;
-  };
-  const std::vector<Command> commands_ = {bounds_command(app_),       chart_command(app_, rivals_),
-                                          check_command(app_),        fuzz_command(app_),
-                                          plan_command(app_),         sign_command(app_),
-                                          proof_command(app_),        stability_command(app_),
-                                          vectors_command(app_),      doctor_command(app_),
-                                          ray_command(app_),          bvh_command(app_),
-                                          intersect_command(app_),    distance_command(app_),
-                                          convex_command(app_),       inside_command(app_),
-                                          nearest_command(app_),      pairs_command(app_),
-                                          section_command(app_),      convert_command(app_),
-                                          help_command(app_, known_), completion_command(app_, known_)};
+  const Commands known_ = [this]() -> const std::vector<Command>& { return commands_; };
+  std::vector<Command> commands_;
 };
 
 int refuse(std::string_view text) {
@@ -159,10 +151,11 @@ int leave_with_reader() {
 
 }  // namespace
 
-int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try {
+int run_program(const ProgramFacts& facts, int argc, char** argv) try {
+  be_named(facts.name);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is learned of where output is written, not by sudden death
   std::signal(SIGXFSZ, SIG_IGN);  // and so of a file that may not grow so large (ulimit -f)
-  Program program(rivals);
+  Program program(facts);
   int code = 0;
   try {
     code = run_parsed(program, argc, argv);

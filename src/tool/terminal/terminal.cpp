@@ -15,6 +15,7 @@ namespace plumb::tool {
 namespace {
 
 bool outlives_reader = false, left = false, quiet = false, colorless = false;
+std::string_view own_name = "plumb";
 
 void fail_output(int error) {
   if (error != EPIPE) throw Error(fmt::format("cannot write standard output: {}", std::strerror(error)));
@@ -46,6 +47,8 @@ Style::Style(std::FILE* stream) : colored_(wants_color(stream)) {}
 std::string Style::wrapped(std::string_view code, std::string_view text) const {
   return colored_ ? fmt::format("\033[{}m{}\033[0m", code, text) : std::string(text);
 }
+
+void be_named(std::string_view program) { own_name = program; }
 
 void never_color() { colorless = true; }
 
@@ -87,7 +90,7 @@ void complain(std::string_view text) {
   std::ranges::replace_if(
       shown, [](char c) { return is_control(c) && c != '\n'; }, '?');
   // Where standard error is closed the exit status alone speaks.
-  std::fputs(fmt::format("{} {}\n", Style(stderr).red("plumb:"), shown).c_str(), stderr);
+  std::fputs(fmt::format("{} {}\n", Style(stderr).red(std::string(own_name) + ":"), shown).c_str(), stderr);
 }
 
 }  // namespace plumb::tool

@@ -19,6 +19,9 @@ bool obeys_escapes(std::FILE* stream);
 /// Columns of the terminal that shows the stream; 80 where it does not say.
 int terminal_width(std::FILE* stream);
 
+/// From now on `complain` begins with this name.
+void be_named(std::string_view program);
+
 /// From now on, whatever the streams and the environment are.
 void never_color();
 void be_quiet();
@@ -60,7 +63,7 @@ void outlive_reader();
 /// The text with control characters, which a file's name may hold and a terminal would obey, replaced by '?'.
 std::string printable(std::string_view text);
 
-/// One line "plumb: text" on standard error, after everything said so far; control characters, which it may have from a
+/// One line "plumb: text", or by the name that was given, on standard error, after everything said so far; control characters, which it may have from a
 /// file's name, are replaced by '?'.
 void complain(std::string_view text);
 

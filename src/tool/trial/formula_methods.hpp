@@ -3,7 +3,7 @@
 // Laws: every method gets the same doubles, turned beforehand into the numbers that software keeps which computes so:
 // floats, long doubles, quadruples, rationals, and those of the kernel of the scene's lattice.  An epsilon makes zeros
 // of small values, as is commonly written; no decision of ours uses one.  `plumb check` tries some of these methods on
-// meshes, `plumb chart` all.
+// meshes, `plumb-lab chart` all.
 // Source: RTCD 11.2, 11.3.1 (tolerances).
 // Cost: what is measured.
 #pragma once
@@ -141,7 +141,7 @@ Method static_filter() {
           }};
 }
 
-/// All but the batch, which is not asked by formula.  The names are those of `plumb check` and `plumb chart`.
+/// All but the batch, which is not asked by formula.  The names are those of `plumb check` and `plumb-lab chart`.
 template <Formula F>
 std::vector<Method> formula_methods() {
   using P = Coordinates<F>;

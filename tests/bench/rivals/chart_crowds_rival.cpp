@@ -2,7 +2,7 @@
 #include "bench/rivals/box_pairs/rival.hpp"
 #include "bench/rivals/chart_rival.hpp"
 #include "bench/rivals/nearest/rival.hpp"
-#include "tool/crowd/crowds.hpp"
+#include "lab/crowd/crowds.hpp"
 
 namespace plumb::bench {
 namespace {

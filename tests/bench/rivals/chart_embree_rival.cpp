@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "bench/rivals/chart_rival.hpp"
-#include "tool/trial/location_tests.hpp"
+#include "lab/trial/location_tests.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -1,4 +1,4 @@
-// Who else answers the tasks of `plumb chart`?  Libraries that people use, as methods; the program plumb-bench is plumb
+// Who else answers the tasks of `plumb-lab chart`?  Libraries that people use, as methods; the program plumb-bench is plumb
 // with these, and is not installed.
 //
 // Laws: (1) a library's shapes are made before the clock runs, by the numbers that it computes in, and its function is
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "tool/trial/float_methods.hpp"
+#include "lab/trial/float_methods.hpp"
 
 namespace plumb::bench {
 

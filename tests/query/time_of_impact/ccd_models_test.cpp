@@ -8,9 +8,9 @@
 #include <map>
 
 #include "query/time_of_impact/generated_queries.hpp"
-#include "tool/stability/ccd_queries.hpp"
+#include "lab/stability/ccd_queries.hpp"
 
-namespace plumb::tool::ccd {
+namespace plumb::lab::ccd {
 namespace {
 
 enum class Source { generated, shared };
@@ -19,8 +19,8 @@ class CcdModels : public testing::TestWithParam<Source> {
  protected:
   static const std::vector<Query>& queries() {
     if (GetParam() == Source::generated) {
-      static const std::vector<Query> all = all_queries(tool::moving_cases::GeneratedQueries().path());
-      EXPECT_EQ(all.size(), tool::moving_cases::GeneratedQueries::queries);
+      static const std::vector<Query> all = all_queries(lab::moving_cases::GeneratedQueries().path());
+      EXPECT_EQ(all.size(), lab::moving_cases::GeneratedQueries::queries);
       return all;
     }
     static const std::vector<Query> all = all_queries(PLUMB_SHARED_DIR "/ccd");
@@ -116,4 +116,4 @@ TEST_P(CcdModels, FirstContactsAreWhereTheAnswerIsYes) {
 }
 
 }  // namespace
-}  // namespace plumb::tool::ccd
+}  // namespace plumb::lab::ccd

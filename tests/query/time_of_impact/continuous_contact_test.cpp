@@ -14,10 +14,10 @@
 #include "query/time_of_impact/brief_contact.hpp"
 #include "query/time_of_impact/contact_filter.hpp"
 #include "query/time_of_impact/exact_contact.hpp"
-#include "tool/trial/contact_judge.hpp"
-#include "tool/trial/moving_cases.hpp"
+#include "lab/trial/contact_judge.hpp"
+#include "lab/trial/moving_cases.hpp"
 
-namespace plumb::tool::moving_cases {
+namespace plumb::lab::moving_cases {
 namespace {
 
 #ifdef PLUMB_LONG_TESTS
@@ -59,8 +59,8 @@ std::string name_of(const Contact& c) {
 
 /// Against the oracle: the answer, and the first time within the double.
 void check(const Case& c, double separation, std::map<std::string, int>& seen) {
-  const std::vector<tool::contact_judge::Time> truth =
-      tool::contact_judge::contacts(c.vertex_face, c.at_0, c.at_1, separation);
+  const std::vector<lab::contact_judge::Time> truth =
+      lab::contact_judge::contacts(c.vertex_face, c.at_0, c.at_1, separation);
   ASSERT_EQ(meets(c, separation), !truth.empty());
   const std::optional<Contact> first = contact(c, separation);
   const std::optional<Root> exact = time_of(c, separation);
@@ -71,7 +71,7 @@ void check(const Case& c, double separation, std::map<std::string, int>& seen) {
   ASSERT_EQ(first->time, exact->rounded(Rounding::down));
   const mpq_class down(first->time), up(std::nextafter(first->time, infinity));
   bool reached = false;
-  for (const tool::contact_judge::Time& t : truth) {
+  for (const lab::contact_judge::Time& t : truth) {
     ASSERT_GE(side(t, down), 0) << "late";
     if (side(t, up) >= 0) continue;
     reached = true;
@@ -323,4 +323,4 @@ TEST(ContinuousContact, AxesOfAnySizeBesideOthers) {
 }
 
 }  // namespace
-}  // namespace plumb::tool::moving_cases
+}  // namespace plumb::lab::moving_cases

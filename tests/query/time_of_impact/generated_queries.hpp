@@ -13,10 +13,10 @@
 #include <fstream>
 #include <string>
 
-#include "tool/trial/contact_judge.hpp"
-#include "tool/trial/moving_cases.hpp"
+#include "lab/trial/contact_judge.hpp"
+#include "lab/trial/moving_cases.hpp"
 
-namespace plumb::tool::moving_cases {
+namespace plumb::lab::moving_cases {
 
 /// A folder of them, laid out as ../shared/ccd is; gone with this object.
 class GeneratedQueries {
@@ -58,7 +58,7 @@ class GeneratedQueries {
   }
 
   static void write(std::ostream& out, const Case& c) {
-    const bool meets = !tool::contact_judge::contacts(c.vertex_face, c.at_0, c.at_1, 0).empty();
+    const bool meets = !lab::contact_judge::contacts(c.vertex_face, c.at_0, c.at_1, 0).empty();
     for (const auto* points : {&c.at_0, &c.at_1}) {
       for (const Point3& p : *points) {
         for (const double x : {p.x, p.y, p.z}) {
@@ -74,4 +74,4 @@ class GeneratedQueries {
       std::filesystem::temp_directory_path() / ("plumb_generated_queries_" + std::to_string(::getpid()));
 };
 
-}  // namespace plumb::tool::moving_cases
+}  // namespace plumb::lab::moving_cases

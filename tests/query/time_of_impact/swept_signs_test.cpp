@@ -14,12 +14,12 @@
 #include "certify/proved_statements.hpp"
 #include "certify/statements/promised_share.hpp"
 #include "plumb/certify/judged_proofs.hpp"
-#include "tool/trial/moving_cases.hpp"
+#include "lab/trial/moving_cases.hpp"
 
 namespace plumb::query::moving {
 namespace {
 
-using tool::moving_cases::Case, tool::moving_cases::Kind;
+using lab::moving_cases::Case, lab::moving_cases::Kind;
 using Listening = SweptFloats<BoundListener>;
 
 /// What a mutant has wrong.
@@ -62,7 +62,7 @@ Tally tally_of(int count) {
   for (const Kind kind : {Kind::any, Kind::planted, Kind::double_root, Kind::parallel}) {
     for (int i = 0; i < count; ++i) {
       Entropy entropy(2033, static_cast<std::uint64_t>(i));
-      Case c = tool::moving_cases::make(kind, true, entropy);
+      Case c = lab::moving_cases::make(kind, true, entropy);
       for (auto* points : {&c.at_0, &c.at_1}) {
         for (Point3& p : *points) p = {p.x / 3, p.y / 7 + 1e3, std::ldexp(p.z / 5, i % 2 == 0 ? 0 : -200)};
       }
@@ -222,7 +222,7 @@ TEST(SweptSigns, WrongOperationsAreNoticed) {
 
 TEST(SweptSigns, BoundsAreTheGoldenOnes) {
   Entropy entropy(2034, 0);
-  const Case c = tool::moving_cases::make(Kind::any, true, entropy);
+  const Case c = lab::moving_cases::make(Kind::any, true, entropy);
   Listening w;
   const auto [side, cubic, piece, side_piece, steps] = coefficients<Mistake::none>(w, c, 0.25, 0.5);
   const auto golden = [&](const std::string& name, const auto& number) {
@@ -255,7 +255,7 @@ struct Coefficients {
 };
 TEST(SweptSigns, BoundsOfTheWholeTimeAreProved) {
   Entropy entropy(2034, 0);
-  const Case c = tool::moving_cases::make(Kind::any, true, entropy);
+  const Case c = lab::moving_cases::make(Kind::any, true, entropy);
   const std::vector<std::string> bounds = judged_bounds(Coefficients{}, c),
                                  scripts = judged_proofs("swept", Coefficients{}, c);
   EXPECT_EQ(scripts.size(), 5);  // the ends are alike, the others are made in other ways

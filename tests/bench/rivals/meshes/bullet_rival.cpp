@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bench/rivals/chart_rival.hpp"
-#include "tool/trial/mesh_questions.hpp"
+#include "lab/trial/mesh_questions.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include "bench/rivals/chart_rival.hpp"
-#include "tool/trial/mesh_questions.hpp"
+#include "lab/trial/mesh_questions.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "bench/rivals/chart_rival.hpp"
-#include "tool/trial/distance_tests.hpp"
-#include "tool/trial/mesh_questions.hpp"
+#include "lab/trial/distance_tests.hpp"
+#include "lab/trial/mesh_questions.hpp"
 
 namespace plumb::bench {
 namespace {

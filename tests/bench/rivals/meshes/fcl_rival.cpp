@@ -5,7 +5,7 @@
 #include <fcl/narrowphase/distance.h>
 
 #include "bench/rivals/chart_rival.hpp"
-#include "tool/trial/mesh_questions.hpp"
+#include "lab/trial/mesh_questions.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "bench/rivals/chart_rival.hpp"
 #include "plumb/figure/basic/simplex.hpp"
-#include "tool/trial/mesh_questions.hpp"
+#include "lab/trial/mesh_questions.hpp"
 
 namespace plumb::bench {
 
