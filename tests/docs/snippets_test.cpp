@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -52,6 +53,26 @@ TEST(Snippets, DotsStandForAnything) {
 constexpr auto faces =
     "#include <cmath>\n#include <plumb/degenerate.hpp>\n#include <plumb/figure.hpp>\n#include <plumb/predicates.hpp>\n"
     "#include <plumb/query.hpp>\n#include <plumb/space.hpp>\n#include <plumb/surface.hpp>\n";
+
+/// A block of statements says at its beginning what it includes.
+struct Parts {
+  std::string includes, statements;
+};
+Parts parts_of(const std::string& text) {
+  Parts parts;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const bool include = line.starts_with("#include ");
+    (include ? parts.includes : parts.statements) += line + '\n';
+    if (include) parts.statements += '\n';  // lines keep their numbers
+  }
+  return parts;
+}
+
+std::string as_function(const Document& document, const Block& block, const std::string& name) {
+  return "int " + name + "() {\n#line " + std::to_string(block.line) + " \"" + document.path.string() + "\"\n" +
+         parts_of(block.text).statements + "return 0;\n}\n";
+}
 
 /// Preset names of CMakePresets.json.
 bool is_preset(const std::string& name) {
@@ -157,7 +178,8 @@ class Documents : public testing::TestWithParam<fs::path> {
   // the compiler reads once for all pages.
   Outcome run_program(const Document& document, const Block& block) {
     const bool whole = is_whole(block);
-    main_ = whole ? block.text : faces + ("int main() {\n" + block.text + "}\n");
+    const Parts parts = parts_of(block.text);
+    main_ = whole ? block.text : parts.includes + "int main() {\n" + parts.statements + "}\n";
     write(folder_ / "main.cpp", main_);
     if (!whole) {
       if (!statements_) statements_ = build(statements_of(document), "statements", " -include '" + header() + "'");
@@ -179,8 +201,7 @@ class Documents : public testing::TestWithParam<fs::path> {
     for (const Block& block : document.blocks) {
       if (block.language != "cpp" || !is_run(block) || is_whole(block)) continue;
       const std::string line = std::to_string(block.line), name = "block_" + line;
-      all += "int " + name + "() {\n#line " + line + " \"" + document.path.string() + "\"\n" + block.text +
-             "return 0;\n}\n";
+      all += as_function(document, block, name);
       cases += "case " + line + ": return " + name + "();\n";
     }
     return all + "#include <cstdlib>\nint main(int, char** given) {\nswitch (std::atoi(given[1])) {\n" + cases +
@@ -240,6 +261,29 @@ TEST_P(Documents, RunsAsShown) {
       continue;
     }
     ran = false;
+  }
+}
+
+// With what it includes and no more: all blocks of all pages that include the same are one program, which is looked at
+// and not made.
+TEST(Snippets, NameTheHeadersThatTheyNeed) {
+  std::map<std::string, std::string> programs;
+  int number = 0;
+  for (const fs::path& path : document_paths()) {
+    const Document document = read_document(path);
+    for (const Block& block : document.blocks) {
+      if (block.language != "cpp" || !is_run(block) || is_whole(block)) continue;
+      const std::string includes = parts_of(block.text).includes;
+      EXPECT_NE(includes, "") << path.string() << ":" << block.line << " says not what it includes";
+      programs[includes] += as_function(document, block, "block_" + std::to_string(++number));
+    }
+  }
+  const Folder folder;
+  for (const auto& [includes, functions] : programs) {
+    write(folder / "blocks.cpp", includes + functions);
+    const Outcome looked =
+        tool::run(PLUMB_COMPILE " -fsyntax-only " PLUMB_INCLUDES " '" + (folder / "blocks.cpp") + "'");
+    EXPECT_EQ(looked.code, 0) << includes << looked.err;
   }
 }
 
