@@ -112,7 +112,7 @@ TEST(Bounds, BadInputIsNamed) {
   EXPECT_EQ(run(at + "$PLUMB bounds rod.obj --refined -1").code, 2);
   const Outcome only_json = run(at + "$PLUMB bounds rod.obj --placements 5 --json -");
   EXPECT_EQ(only_json.code, 0) << only_json.err;
-  EXPECT_EQ(json::parse(only_json.out)["meshes"][0]["name"], "rod.obj");
+  EXPECT_EQ(json::parse(only_json.out)["meshes"][0]["mesh"], "rod.obj");
 }
 
 TEST(Bounds, RatesTheEmbeddedPartWithoutAMesh) {

@@ -25,7 +25,7 @@ TEST(BvhCommand, SaysWhatTheLibrarySays) {
   const Folder folder;
   const json said = json::parse(run(in(folder) + "--method all --json - torus.obj").out);
   EXPECT_EQ(said.at("program"), "plumb bvh");
-  EXPECT_EQ(said.at("triangles"), 1600);
+  EXPECT_EQ(said.at("meshes")[0].at("triangles"), 1600);
   EXPECT_EQ(said.at("left_out"), json::array());
   ASSERT_EQ(said.at("trees").size(), bvh_methods.size());
   const TriangleMesh mesh = solids::torus(4, 1, 40, 20);

@@ -57,8 +57,8 @@ TEST(Convex, TakesHullsOfWhateverThereIs) {
             HasSubstr("needle.obj: 3 vertices, 1 triangles, not closed; hull of 2 vertices, not convex")));
   const json said = json::parse(run(at + "cube.obj needle.obj --json").out);
   EXPECT_EQ(said.at("distance"), 1.0);
-  EXPECT_EQ(said.at("hulls")[1].at("vertices"), (json{0, 1}));
-  EXPECT_EQ(said.at("nearest")[1].at("vertices"), (json{0}));
+  EXPECT_EQ(said.at("hulls")[1].at("vertex_numbers"), (json{0, 1}));
+  EXPECT_EQ(said.at("nearest")[1].at("vertex_numbers"), (json{0}));
   EXPECT_EQ(said.at("nearest")[1].at("point"), (json{5.0, 2.0, 2.0}));
 }
 

@@ -44,9 +44,9 @@ TEST(Distance, JsonNamesTheVerticesOfFeatures) {
   EXPECT_EQ(said.at("meshes")[1].at("mesh"), "floor.obj");
   const json &a = said.at("nearest")[0], &b = said.at("nearest")[1];
   EXPECT_EQ(a.at("feature"), "vertex");
-  EXPECT_EQ(a.at("vertices"), (json{0}));
+  EXPECT_EQ(a.at("vertex_numbers"), (json{0}));
   EXPECT_EQ(b.at("feature"), "face");
-  EXPECT_EQ(b.at("vertices"), (json{0, 1, 2}));
+  EXPECT_EQ(b.at("vertex_numbers"), (json{0, 1, 2}));
   EXPECT_EQ(b.at("point"), (json{3.0, 1.0, 0.0}));
 }
 

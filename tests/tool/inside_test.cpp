@@ -55,7 +55,7 @@ TEST(Inside, JsonHoldsTheSame) {
   const Folder folder;
   const json said = json::parse(run(in(folder) + "--point 7,0,0 --point 10,0,0.1 hollow.obj --json").out);
   EXPECT_EQ(said.at("program"), "plumb inside");
-  EXPECT_EQ(said.at("closed"), true);
+  EXPECT_EQ(said.at("meshes")[0].at("closed"), true);
   EXPECT_EQ(said.at("oriented"), true);
   const json& points = said.at("points");
   EXPECT_EQ(points[0].at("location"), "inside");

@@ -59,7 +59,7 @@ TEST(Intersect, JsonHoldsThePairsOfTheLibrary) {
   const auto expect_pairs = [&](const std::string& files, const std::vector<TrianglePair>& pairs) {
     const json said = json::parse(run("cd " + (folder / "") + " && $PLUMB intersect --common --json - " + files).out);
     EXPECT_EQ(said.at("program"), "plumb intersect");
-    EXPECT_EQ(said.at("found"), true);
+    EXPECT_EQ(said.at("meet"), true);
     ASSERT_EQ(said.at("pairs").size(), pairs.size());
     std::size_t overlapping = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -69,7 +69,7 @@ TEST(Intersect, JsonHoldsThePairsOfTheLibrary) {
       EXPECT_EQ(pair.at("a"), pairs[i].a);
       EXPECT_EQ(pair.at("b"), pairs[i].b);
       EXPECT_EQ(pair.at("relation"), overlaps ? "overlapping" : "touching");
-      const std::size_t points = pair.at("in_common").at("points").size();
+      const std::size_t points = pair.at("in_common").at("corners").size();
       const std::string kind = pair.at("in_common").at("kind");
       EXPECT_EQ(kind, points == 1 ? "point" : points == 2 ? "segment" : "polygon");
     }

@@ -91,7 +91,7 @@ std::vector<Pair> pairs_by_hand(const Rows& a, const Rows& b, bool one_set) {
 
 std::vector<Pair> pairs_in(const json& said) {
   std::vector<Pair> pairs;
-  for (const json& p : said.at("pairs")) pairs.emplace_back(p[0], p[1]);
+  for (const json& p : said.at("box_pairs")) pairs.emplace_back(p[0], p[1]);
   std::ranges::sort(pairs);
   return pairs;
 }
@@ -166,7 +166,7 @@ TEST(Pairs, AreTheSameByEveryMethodAndNumberOfThreads) {
     }
   }
   const json counts = json::parse(run(at(folder, "pairs") + "boxes.csv --no-touching --count --json").out);
-  EXPECT_FALSE(counts.contains("pairs"));
+  EXPECT_FALSE(counts.contains("box_pairs"));
   EXPECT_FALSE(counts.contains("touching"));
 }
 

@@ -193,34 +193,34 @@ TEST(Plan, TextJsonAndChartAgree) {
       EXPECT_GE(row["greatest_move"], move);
       move = row["greatest_move"];
       double listed = 0;
-      for (const json& mesh : row["meshes"]) listed += static_cast<double>(mesh["merged"].size());
+      for (const json& mesh : row["damage"]) listed += static_cast<double>(mesh["merged_pairs"].size());
       EXPECT_EQ(row["merged"], listed);
     }
   }
-  ASSERT_EQ(j["bounds"].size(), 2);
-  for (const json& b : j["bounds"]) {
+  ASSERT_EQ(j["bound_plans"].size(), 2);
+  for (const json& b : j["bound_plans"]) {
     double least = b["without_ns"];
     least = HUGE_VAL;
     for (const json& kind : b["kinds"]) least = std::min(least, kind["query_ns"].get<double>());
     EXPECT_EQ(b["with_ns"], least);
     EXPECT_EQ(b["take"], b["with_ns"] < b["without_ns"] ? b["chosen"] : json("none"));
   }
-  ASSERT_EQ(j["trees"].size(), 2);
-  EXPECT_EQ(j["trees"][1]["mesh"], "long.off");
-  for (const json& t : j["trees"]) {
+  ASSERT_EQ(j["tree_plans"].size(), 2);
+  EXPECT_EQ(j["tree_plans"][1]["mesh"], "long.off");
+  for (const json& t : j["tree_plans"]) {
     EXPECT_GT(t["ray_ns_without"], 0);
     EXPECT_EQ(t["trees"].size(), planned_methods().size());
     for (const json& tree : t["trees"]) EXPECT_EQ(tree["contradictions"], 0) << tree;
     EXPECT_EQ(t["choices"][0]["from_rays"], 0);
   }
-  ASSERT_EQ(j["tree_volumes"].size(), 2);
-  for (const json& v : j["tree_volumes"]) {
+  ASSERT_EQ(j["volume_plans"].size(), 2);
+  for (const json& v : j["volume_plans"]) {
     ASSERT_EQ(v["kinds"].size(), 4);
     EXPECT_TRUE(v["left_out"].empty());
     double least = HUGE_VAL;
     for (const json& kind : v["kinds"]) {
       EXPECT_FALSE(kind["contradicts"]) << kind;
-      EXPECT_EQ(kind["pairs"], v["kinds"][0]["pairs"]);
+      EXPECT_EQ(kind["meeting_pairs"], v["kinds"][0]["meeting_pairs"]);
       least = std::min(least, kind["query_ms"].get<double>());
       if (kind["kind"] == v["chosen"]) {
         EXPECT_EQ(kind["query_ms"], least);
@@ -341,7 +341,7 @@ TEST(Plan, AnswersForWhateverCanBeRead) {
                 AllOf(HasSubstr("</svg>"), Not(HasSubstr("\"nan")), Not(HasSubstr("\"inf"))));
     const json j = json::parse(content(folder / "m.json"), nullptr, false);
     ASSERT_FALSE(j.is_discarded());
-    for (const json& v : j["tree_volumes"]) {
+    for (const json& v : j["volume_plans"]) {
       EXPECT_EQ(v["kinds"].size() + v["left_out"].size(), v["kinds"].empty() ? 0u : 4u);
       for (const json& kind : v["kinds"]) EXPECT_FALSE(kind["contradicts"]) << mesh << kind;
     }

@@ -87,10 +87,10 @@ TEST(Section, JsonHoldsContoursNestedAndCorners) {
     EXPECT_EQ(hole.at("parent"), hole_first ? 1 : 0);
     EXPECT_EQ(outer.at("area"), 400.0);
     EXPECT_EQ(hole.at("area"), -100.0);
-    EXPECT_EQ(outer.at("corners").size(), outer.at("edges").size());
+    EXPECT_EQ(outer.at("corners").size(), outer.at("cut_edges").size());
   }
   EXPECT_EQ(report.at("planes")[0].at("normal"), (json{0, 0, 1}));
-  EXPECT_TRUE(report.at("planes")[1].contains("points"));
+  EXPECT_TRUE(report.at("planes")[1].contains("three_points"));
   EXPECT_TRUE(section_of("--below --plane z=10 " + (folder / "cube.obj")).at("planes")[0].at("contours").empty());
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "plumb/certify/environment.hpp"
 #include "tool/mesh/sample_part.hpp"
+#include "tool/terminal/origin.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/progress.hpp"
 
@@ -96,13 +96,10 @@ std::string bounds_total(std::span<const MeshBounds> meshes, const Style& style)
 }
 
 nlohmann::json bounds_json(std::span<const MeshBounds> meshes) {
-  nlohmann::json all{{"program", "plumb bounds"},
-                     {"version", check_environment().version},
-                     {"compiler", check_environment().compiler},
-                     {"meshes", nlohmann::json::array()},
-                     {"medians", nlohmann::json::array()}};
+  nlohmann::json all = origin_json("plumb bounds");
+  all["meshes"] = all["medians"] = nlohmann::json::array();
   for (const MeshBounds& m : meshes) {
-    nlohmann::json j{{"name", m.name},
+    nlohmann::json j{{"mesh", m.name},
                      {"vertices", m.vertices},
                      {"hull_vertices", m.ratings.lattice.size()},
                      {"hull_share", m.ratings.hull_share},

@@ -91,8 +91,7 @@ std::string bvh_text(const BvhReport& r, const Style& style) {
 
 nlohmann::json bvh_json(const BvhReport& r) {
   using nlohmann::json;
-  json said = origin_json("plumb bvh");
-  said.update(mesh_json(r.mesh));
+  json said = report_on("plumb bvh", {&r.mesh, 1});
   said["split_share"] = r.split_share;
   json& trees = said["trees"] = json::array();
   for (const BuiltTree& t : r.trees) {

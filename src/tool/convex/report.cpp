@@ -82,16 +82,15 @@ nlohmann::json convex_json(const ConvexReport& r) {
   json said = origin_json("plumb convex"), hulls = json::array(), nearest = json::array(), steps = json::array();
   for (const HullOfMesh& h : r.hulls) {
     json hull = mesh_json(h.asked);
-    hull["mesh_vertices"] = hull["vertices"];
-    hull["vertices"] = h.hull.vertices;
+    hull["vertex_numbers"] = h.hull.vertices;
     hull["dimension"] = h.hull.dimension;
-    hull["convex"] = !h.why;
+    hull["is_convex"] = !h.why;
     if (h.why) hull["flaw"] = *h.why;
     hulls.push_back(std::move(hull));
   }
   for (const std::size_t which : {0U, 1U}) {
     nearest.push_back({{"point", triple(which == 0 ? r.nearest.closest.on_a : r.nearest.closest.on_b)},
-                       {"vertices", nearest_corners(r, which)}});
+                       {"vertex_numbers", nearest_corners(r, which)}});
   }
   for (const GjkStep& step : r.steps) {
     json pairs = json::array();
@@ -99,7 +98,7 @@ nlohmann::json convex_json(const ConvexReport& r) {
       const auto& [a, b] = step.simplex.corners[i];
       pairs.push_back({r.hulls[0].hull.vertices[a], r.hulls[1].hull.vertices[b]});
     }
-    steps.push_back({{"vertices", std::move(pairs)}, {"square", step.square}});
+    steps.push_back({{"vertex_numbers", std::move(pairs)}, {"square", step.square}});
   }
   said.update({{"hulls", std::move(hulls)},
                {"relation", name_of(r.proof.claim)},

@@ -64,15 +64,13 @@ std::string distance_text(const DistanceReport& report, const Style& style) {
 
 nlohmann::json distance_json(const DistanceReport& report) {
   using nlohmann::json;
-  json meshes = json::array(), ends = json::array();
-  for (const AskedMesh& mesh : report.meshes) meshes.push_back(mesh_json(mesh));
-  json said = origin_json("plumb distance");
-  said.update({{"meshes", std::move(meshes)}, {"distance", nullptr}, {"meet", nullptr}});
+  json ends = json::array(), said = report_on("plumb distance", report.meshes);
+  said.update({{"distance", nullptr}, {"meet", nullptr}});
   if (!report.nearest) return said;
   for (const NearEnd& end : near_ends(report)) {
     ends.push_back({{"triangle", end.triangle},
                     {"feature", feature_word(end.feature)},
-                    {"vertices", end.vertices},
+                    {"vertex_numbers", end.vertices},
                     {"point", {end.point.x, end.point.y, end.point.z}}});
   }
   said["distance"] = report.nearest->closest.distance;

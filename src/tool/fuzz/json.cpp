@@ -28,7 +28,7 @@ json json_of(const FuzzReport& r, const SortOfFailure& found) {
           {"degenerate", f.degenerate},
           {"repeated", f.repeated},
           {"given", printable(words(r.kind, f.given))},
-          {"exact", words(r.kind, f.exact)},
+          {"right", words(r.kind, f.exact)},
           {"numbers", std::move(numbers)},
           {"decimal", decimal_text(r.kind, f.smallest)},
           {"case", case_line(r.kind, f.smallest)},
@@ -56,7 +56,7 @@ json fuzz_json(const FuzzReport& r) {
                                {"asked", t.asked},
                                {"wrong", t.wrong},
                                {"failed", t.failed},
-                               {"degenerate", t.degenerate},
+                               {"degenerate_cases", t.degenerate},
                                {"unsure", t.unsure},
                                {"passed_over", t.passed_over}});
   }

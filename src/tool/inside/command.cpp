@@ -79,8 +79,7 @@ nlohmann::json inside_json(const InsideReport& report) {
                       {"location", word_of(report.locations[i])},
                       {"winding_number", report.windings[i] ? json(*report.windings[i]) : json()}});
   }
-  json said = origin_json("plumb inside");
-  said.update(mesh_json(report.mesh));
+  json said = report_on("plumb inside", {&report.mesh, 1});
   said["oriented"] = report.oriented;
   said["points"] = std::move(points);
   return said;

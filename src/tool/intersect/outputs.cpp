@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "tool/intersect/command.hpp"
-#include "tool/terminal/origin.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -9,9 +8,9 @@ namespace {
 using nlohmann::json;
 
 json in_common_json(const Intersection3& common) {
-  json points = json::array();
-  for (const Point3& p : approximate(common)) points.push_back({p.x, p.y, p.z});
-  return {{"kind", word_of(common.kind)}, {"points", std::move(points)}};
+  json corners = json::array();
+  for (const Point3& p : approximate(common)) corners.push_back({p.x, p.y, p.z});
+  return {{"kind", word_of(common.kind)}, {"corners", std::move(corners)}};
 }
 
 /// Those of one side that do so in a pair.
@@ -31,10 +30,8 @@ void append(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& m
 }  // namespace
 
 json intersect_json(const IntersectReport& r) {
-  json meshes = json::array();
-  for (const AskedMesh& mesh : r.meshes) meshes.push_back(mesh_json(mesh));
-  json said = origin_json("plumb intersect");
-  said.update({{"meshes", std::move(meshes)}, {"found", r.many() != 0}});
+  json said = report_on("plumb intersect", r.meshes);
+  said["meet"] = r.many() != 0;
   if (r.complete) {
     said["overlapping"] = r.found.overlapping;
     if (!r.overlapping) said["touching"] = r.found.touching;

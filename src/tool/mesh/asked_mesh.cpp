@@ -7,6 +7,7 @@
 
 #include "plumb/query/ray/parity.hpp"
 #include "plumb/surface/triangulate.hpp"
+#include "tool/terminal/origin.hpp"
 
 namespace plumb::tool {
 
@@ -41,6 +42,13 @@ nlohmann::json mesh_json(const AskedMesh& asked) {
           {"vertices", asked.mesh.vertices.size()},
           {"triangles", asked.mesh.triangles.size()},
           {"closed", asked.closed}};
+}
+
+nlohmann::json report_on(const std::string& program, std::span<const AskedMesh> meshes) {
+  nlohmann::json report = origin_json(program);
+  nlohmann::json& all = report["meshes"] = nlohmann::json::array();
+  for (const AskedMesh& mesh : meshes) all.push_back(mesh_json(mesh));
+  return report;
 }
 
 std::string_view feature_word(Feature feature) {

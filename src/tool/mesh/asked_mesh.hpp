@@ -8,6 +8,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ std::string mesh_line(const AskedMesh& asked, const Style& style);
 
 /// mesh (its name), vertices, triangles, closed.
 nlohmann::json mesh_json(const AskedMesh& asked);
+
+/// The report of a command on meshes: what every report begins with, and `meshes`.
+nlohmann::json report_on(const std::string& program, std::span<const AskedMesh> meshes);
 
 /// "vertex", "edge" or "face", of a triangle.
 std::string_view feature_word(Feature feature);

@@ -19,8 +19,8 @@ std::string set_line(const PointInput& set, std::string_view one, std::string_vi
 }
 
 nlohmann::json set_json(const PointInput& set) {
-  nlohmann::json said = set.mesh ? mesh_json(*set.mesh) : nlohmann::json{{"file", set.name}, {"inexact", set.inexact}};
-  said.update({{"points", set.size()}, {"dimension", set.is_planar ? 2 : 3}});
+  nlohmann::json said = set.mesh ? mesh_json(*set.mesh) : nlohmann::json{{"file", set.name}, {"inexact_decimals", set.inexact}};
+  said.update({{"size", set.size()}, {"dimension", set.is_planar ? 2 : 3}});
   return said;
 }
 
@@ -51,7 +51,7 @@ std::string nearest_text(const NearestReport& r, bool all, const Style& style) {
 nlohmann::json nearest_json(const NearestReport& r) {
   using nlohmann::json;
   json said = origin_json("plumb nearest");
-  said.update({{"points", set_json(r.points)}, {"queries", set_json(r.queries)}, {"ties", r.ties}});
+  said.update({{"point_set", set_json(r.points)}, {"query_set", set_json(r.queries)}, {"ties", r.ties}});
   said["k"] = r.k ? json(*r.k) : json();
   said["within"] = r.radius ? json(*r.radius) : json();
   said["build_ms"] = r.build_ms;

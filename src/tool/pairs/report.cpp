@@ -53,8 +53,8 @@ nlohmann::json pairs_json(const PairsReport& r, bool with_pairs) {
   using nlohmann::json;
   json sets = json::array();
   for (const BoxInput& set : r.sets) {
-    json said = set.mesh ? mesh_json(*set.mesh) : json{{"file", set.name}, {"inexact", set.inexact}};
-    said.update({{"boxes", set.size()}, {"dimension", set.is_planar ? 2 : 3}});
+    json said = set.mesh ? mesh_json(*set.mesh) : json{{"file", set.name}, {"inexact_decimals", set.inexact}};
+    said.update({{"size", set.size()}, {"dimension", set.is_planar ? 2 : 3}});
     sets.push_back(std::move(said));
   }
   json said = origin_json("plumb pairs");
@@ -65,7 +65,7 @@ nlohmann::json pairs_json(const PairsReport& r, bool with_pairs) {
   said["overlapping"] = r.overlap;
   if (r.touching) said["touching"] = r.touch;
   if (!with_pairs || !r.pairs) return said;
-  json& pairs = said["pairs"] = json::array();
+  json& pairs = said["box_pairs"] = json::array();
   for (const BoxPair& p : *r.pairs) pairs.push_back({p.a, p.b});
   return said;
 }

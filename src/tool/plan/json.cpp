@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/catalog.hpp"
-#include "plumb/certify/environment.hpp"
 #include "tool/plan/command.hpp"
 #include "tool/plan/lattice_savings.hpp"
+#include "tool/terminal/origin.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -36,16 +36,16 @@ json json_of(const ScenePlanRow& row) {
   j["merged"] = row.merged();
   j["collapsed"] = row.collapsed();
   j["turned_over"] = row.turned_over();
-  j["meshes"] = json::array();
+  j["damage"] = json::array();
   for (const SnapDamage& d : row.damage) {
     const auto listed = [](const auto& list) {
       return json(
           std::vector(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(std::min(list.size(), most_listed))));
     };
-    j["meshes"].push_back({{"lattice", json_of(d.lattice)},
-                           {"merged", listed(d.merged)},
-                           {"collapsed", listed(d.collapsed)},
-                           {"turned_over", listed(d.turned_over)}});
+    j["damage"].push_back({{"lattice", json_of(d.lattice)},
+                           {"merged_pairs", listed(d.merged)},
+                           {"collapsed_triangles", listed(d.collapsed)},
+                           {"turned_triangles", listed(d.turned_over)}});
   }
   return j;
 }
@@ -91,8 +91,8 @@ json json_of(const VolumePlan& plan) {
                           {"build_ms", t.build_ms},
                           {"query_ms", t.query_ms},
                           {"volume_tests", t.work.volume_tests},
-                          {"triangle_pairs", t.work.triangle_pairs},
-                          {"pairs", t.work.pairs},
+                          {"triangle_tests", t.work.triangle_pairs},
+                          {"meeting_pairs", t.work.pairs},
                           {"contradicts", t.contradicts}});
   }
   j["left_out"] = plan.left_out;
@@ -103,23 +103,17 @@ json json_of(const VolumePlan& plan) {
 }  // namespace
 
 json plan_json(const ScenePlan& scene) {
-  json all{{"program", "plumb plan"},
-           {"version", check_environment().version},
-           {"compiler", check_environment().compiler},
-           {"lattice", json_of(scene.lattice())},
-           {"meshes", json::array()},
-           {"classics", json::array()},
-           {"predicates", json::array()},
-           {"lattices", json::array()},
-           {"bounds", json::array()},
-           {"trees", json::array()},
-           {"tree_volumes", json::array()}};
+  json all = origin_json("plumb plan");
+  all["lattice"] = json_of(scene.lattice());
+  for (const char* const list :
+       {"meshes", "classics", "predicates", "lattices", "bound_plans", "tree_plans", "volume_plans"})
+    all[list] = json::array();
   for (std::size_t i = 0; i < scene.names.size(); ++i) {
     json alone = json::array();
     for (const CatalogEntry& e : classics())
       alone.push_back(
           {{"predicate", e.name}, {"plan", to_string(arithmetic_of(e.planned_bits, scene.lattices[i].bits))}});
-    all["meshes"].push_back({{"name", scene.names[i]},
+    all["meshes"].push_back({{"mesh", scene.names[i]},
                              {"vertices", scene.vertices[i]},
                              {"triangles", scene.triangles[i]},
                              {"lattice", json_of(scene.lattices[i])},
@@ -137,12 +131,12 @@ json plan_json(const ScenePlan& scene) {
         {{"predicate", e.name}, {"plan", to_string(arithmetic_of(e.planned_bits, scene.lattice().bits))}});
   }
   for (const ScenePlanRow& row : scene.rows) all["lattices"].push_back(json_of(row));
-  for (const BoundPlan& b : scene.bounds) all["bounds"].push_back(json_of(b));
+  for (const BoundPlan& b : scene.bounds) all["bound_plans"].push_back(json_of(b));
   for (std::size_t i = 0; i < scene.trees.size(); ++i) {
-    all["trees"].push_back(json_of(scene.trees[i]));
-    all["trees"].back()["mesh"] = scene.names[i];
-    all["tree_volumes"].push_back(json_of(scene.volumes[i]));
-    all["tree_volumes"].back()["mesh"] = scene.names[i];
+    all["tree_plans"].push_back(json_of(scene.trees[i]));
+    all["tree_plans"].back()["mesh"] = scene.names[i];
+    all["volume_plans"].push_back(json_of(scene.volumes[i]));
+    all["volume_plans"].back()["mesh"] = scene.names[i];
   }
   return all;
 }

@@ -92,8 +92,7 @@ nlohmann::json ray_json(const RayReport& report) {
                     {"exact", ray.exact},
                     {"hits", std::move(hits)}});
   }
-  json said = origin_json("plumb ray");
-  said.update(mesh_json(report.mesh));
+  json said = report_on("plumb ray", {&report.mesh, 1});
   said["rays"] = std::move(rays);
   return said;
 }

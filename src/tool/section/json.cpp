@@ -17,7 +17,7 @@ json plane_json(const NamedPlane& plane) {
     said["offset"] = given->offset;
   } else {
     const auto& [a, b, c] = std::get<ThreePointPlane3>(plane.plane);
-    said["points"] = {point(a), point(b), point(c)};
+    said["three_points"] = {point(a), point(b), point(c)};
   }
   return said;
 }
@@ -48,7 +48,7 @@ json section_json(const SectionReport& report) {
                           {"area", report.measured[i][k].area},
                           {"length", report.measured[i][k].length},
                           {"corners", std::move(corners)},
-                          {"edges", std::move(edges)}});
+                          {"cut_edges", std::move(edges)}});
     }
     json said = plane_json(report.planes[i]);
     said.update({{"contours", std::move(contours)},
@@ -61,9 +61,10 @@ json section_json(const SectionReport& report) {
   }
   const bool above = report.sections.empty() || report.sections.front().on_plane == OnPlane::above;
   json said = origin_json("plumb section");
-  said.update({{"mesh", report.mesh_name},
-               {"vertices", report.mesh.vertices.size()},
-               {"triangles", report.mesh.triangles.size()},
+  said.update({{"meshes",
+                {{{"mesh", report.mesh_name},
+                  {"vertices", report.mesh.vertices.size()},
+                  {"triangles", report.mesh.triangles.size()}}}},
                {"vertices_in_a_plane_count_as", above ? "above" : "below"},
                {"planes", std::move(planes)}});
   return said;

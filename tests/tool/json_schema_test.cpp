@@ -1,0 +1,126 @@
+// Reports as JSON: every command that writes one writes what docs/plumb.schema.json says, on meshes that are closed and open,
+// meet and do not, on tables of boxes and points, with few options and with many; and a misspelt member is noticed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tool/run_program.hpp"
+
+namespace plumb::tool {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string schema = PLUMB_SOURCE_DIR "/docs/plumb.schema.json";
+
+/// Debian's Python has the validator: python3-jsonschema.
+Outcome validated(const std::string& files) {
+  return run("/usr/bin/python3 " PLUMB_SOURCE_DIR "/tests/tool/validate_report.py " + schema + " " + files);
+}
+
+/// A cube, one moved away, one that crosses the first, an open square, a flat sliver; boxes and points.
+void put_inputs(const Folder& folder) {
+  const auto cube = [&](const std::string& name, double x) {
+    std::ofstream out(folder / name);
+    for (const char* const at : {"0 0", "1 0", "1 1", "0 1"}) {
+      const std::string y = std::string(at).substr(0, 1), z = std::string(at).substr(2);
+      out << "v " << x << ' ' << y << ' ' << z << "\nv " << x + 1 << ' ' << y << ' ' << z << '\n';
+    }
+    out << "f 1 3 4 2\nf 7 8 6 5\nf 1 2 8 7\nf 5 6 4 3\nf 1 7 5 3\nf 2 4 6 8\n";
+  };
+  cube("cube.obj", 0);
+  cube("far.obj", 30);
+  cube("crossing.obj", 0.5);
+  std::ofstream(folder / "open.obj") << "v 0 0 0\nv 0.1 0 0\nv 0.1 0.3 0\nv 0 0.3 0.1\nf 1 2 3\nf 1 3 4\n";
+  std::ofstream(folder / "sliver.off") << "OFF\n3 1 0\n0 0 0\n0.1 0.1 0.1\n0.3 0.3 0.3\n3 0 1 2\n";
+  std::ofstream(folder / "boxes.csv") << "0,0,0,1,1,1\n0.5,0.5,0.5,2,2,2\n1,0,0,2,1,1\n";
+  std::ofstream(folder / "flat_boxes.csv") << "0,0,1,1\n0.1,0.1,2,2\n";
+  std::ofstream(folder / "points.csv") << "0,0,0\n1,1,1\n0.1,0,0\n1,0,0\n";
+  std::ofstream(folder / "probes.txt") << "0.5 0.5 0.5\n0 0 0\n2 2 2\n";
+}
+
+/// By command, what it is asked.
+const std::map<std::string, std::vector<std::string>>& asked() {
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"bounds", {"cube.obj open.obj --placements 20", "sliver.off --placements 5"}},
+      {"bvh", {"cube.obj", "open.obj --method linear", "cube.obj --split-share 0.5"}},
+      {"check",
+       {"cube.obj open.obj sliver.off", "--verify cube.obj crossing.obj", "--all open.obj"}},
+      {"convex", {"cube.obj far.obj", "cube.obj crossing.obj", "cube.obj open.obj", "cube.obj cube.obj"}},
+      {"distance", {"cube.obj far.obj", "cube.obj crossing.obj"}},
+      {"inside",
+       {"--point 0.5,0.5,0.5 --point 0.1,0,0 cube.obj", "--points probes.txt cube.obj", "--point 1,2,3 open.obj"}},
+      {"intersect",
+       {"cube.obj", "cube.obj far.obj", "cube.obj crossing.obj", "cube.obj crossing.obj --common",
+        "cube.obj crossing.obj --overlapping", "cube.obj crossing.obj --first", "cube.obj crossing.obj --count"}},
+      {"nearest", {"points.csv points.csv", "-k 3 points.csv points.csv --ties", "--within 1 points.csv cube.obj"}},
+      {"pairs", {"boxes.csv", "boxes.csv boxes.csv --no-touching", "flat_boxes.csv --count", "cube.obj far.obj"}},
+      {"plan", {"cube.obj open.obj --placements 5", "sliver.off cube.obj --all --placements 5"}},
+      {"ray",
+       {"--ray 0.5,0.5,5,0,0,-1 cube.obj", "--ray 0.1,0.5,5,0,0,1 --all cube.obj", "--segment 0,0,9,0,0,8 cube.obj"}},
+      {"section", {"--plane z=0.5 cube.obj", "--plane z=0 --plane x=0.1 cube.obj", "--plane 1,1,1,0.5 open.obj"}},
+  };
+  return all;
+}
+
+TEST(JsonSchema, SaysWhatEveryCommandWrites) {
+  const Folder folder;
+  put_inputs(folder);
+  for (const std::string& command : commands()) {
+    if (run("$PLUMB help " + command).out.find("--json") == std::string::npos) continue;
+    ASSERT_TRUE(asked().contains(command)) << command << " writes JSON that nobody looks at here";
+    std::string files;
+    int number = 0;
+    for (const std::string& arguments : asked().at(command)) {
+      const std::string file = folder / (command + std::to_string(number++) + ".json");
+      const Outcome o = run("cd " + (folder / "") + " && $PLUMB " + command + " -q " + arguments + " --json " + file);
+      ASSERT_LE(o.code, 1) << command << ' ' << arguments << ": " << o.err;
+      files += file + ' ';
+    }
+    const Outcome checked = validated(files);
+    EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
+  }
+}
+
+// Every object of it: a member too many, one misspelt, one of another type.
+TEST(JsonSchema, RefusesWhatItDoesNotName) {
+  const Folder folder;
+  put_inputs(folder);
+  for (const std::string command : {"intersect cube.obj crossing.obj --common", "nearest points.csv points.csv",
+                                    "section --plane z=0.5 cube.obj"}) {
+    const json right = json::parse(run("cd " + (folder / "") + " && $PLUMB " + command + " --json").out);
+    std::string files;
+    int made = 0;
+    const auto keep = [&](const json& wrong) {
+      const std::string file = folder / ("wrong" + std::to_string(made++) + ".json");
+      std::ofstream(file) << wrong;
+      files += file + ' ';
+    };
+    for (const auto& at : right.flatten().items()) {
+      const json::json_pointer place(at.key()), around = place.parent_pointer();
+      if (!right.at(around).is_object()) continue;
+      json misspelt = right, other = right;
+      misspelt.at(around).erase(place.back());
+      misspelt.at(around)[place.back() + "_"] = at.value();
+      other[place] = json{{"nobody", 1}};
+      keep(misspelt);
+      keep(other);
+    }
+    ASSERT_GT(made, 20);
+    const Outcome checked = validated(files);
+    EXPECT_EQ(checked.code, 1) << checked.err;
+    for (int i = 0; i < made; ++i)
+      EXPECT_THAT(checked.out, HasSubstr("wrong" + std::to_string(i) + ".json")) << command;
+  }
+  std::ofstream(folder / "nobody.json") << R"({"program": "plumb nobody"})";
+  EXPECT_EQ(validated(folder / "nobody.json").code, 1);
+}
+
+}  // namespace
+}  // namespace plumb::tool
