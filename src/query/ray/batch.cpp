@@ -125,4 +125,12 @@ std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleMesh& mesh
   return first_hit(ray, triangle_batch(mesh), rule);
 }
 
+bool hits(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule) {
+  require_mesh("hits", mesh);
+  return std::ranges::any_of(mesh.triangles, [&](const auto& corners) {
+    const auto& [a, b, c] = corners;
+    return hits(ray, Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, rule);
+  });
+}
+
 }  // namespace plumb

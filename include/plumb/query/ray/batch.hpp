@@ -38,5 +38,6 @@ struct NumberedHit {
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& many, HitRule rule = HitRule::closed);
 /// Of a mesh; for more than one ray make a TriangleBatch of it.
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule = HitRule::closed);
+bool hits(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule = HitRule::closed);
 
 }  // namespace plumb
