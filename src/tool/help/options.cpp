@@ -49,8 +49,9 @@ int write_pages(const fs::path& folder, const CLI::App& program, const std::vect
           fmt::format("cannot write into {}: {}", printable((folder / name).parent_path().string()), error.message()));
     files.push_back({folder / name, text});
   }
-  keep_files(files);
   say(fmt::format("{} files in {}\n", files.size(), printable(folder.string())));
+  flush_output();
+  keep_files(files);
   return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "plumb/certify/environment.hpp"
 #include "tool/manual/command.hpp"
 #include "tool/manual/parsed_options.hpp"
+#include "tool/terminal/out_of_memory.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -160,6 +161,7 @@ int leave_with_reader() {
 }  // namespace
 
 int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try {
+  end_without_memory(argc, argv);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is learned of where output is written, not by sudden death
   std::signal(SIGXFSZ, SIG_IGN);  // and so of a file that may not grow so large (ulimit -f)
   Program program(rivals);
@@ -178,7 +180,8 @@ int run_program(int argc, char** argv, std::span<const trial::Rival> rivals) try
 } catch (const ReaderLeft&) {
   return leave_with_reader();
 } catch (const std::bad_alloc&) {
-  return refuse("out of memory");
+  say_out_of_memory();
+  return 2;
 } catch (const std::exception& e) {
   return refuse(e.what());
 }
