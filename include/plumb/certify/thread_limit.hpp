@@ -9,12 +9,14 @@
 // Cost: none.  In the library plumb::batch.
 #pragma once
 
+#include <cstddef>
+
 namespace plumb {
 
 class ThreadLimit {
  public:
   /// 0: as many as this process may run at once.
-  explicit ThreadLimit(unsigned most);
+  explicit ThreadLimit(std::size_t most);
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;
   ~ThreadLimit();

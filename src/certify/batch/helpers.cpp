@@ -163,7 +163,9 @@ unsigned set_thread_limit(unsigned most) { return most_threads.exchange(most); }
 
 namespace plumb {
 
-ThreadLimit::ThreadLimit(unsigned most) : threads_(0), before_(certify::batch::set_thread_limit(most)) {
+ThreadLimit::ThreadLimit(std::size_t most)
+    : threads_(0),
+      before_(certify::batch::set_thread_limit(static_cast<unsigned>(std::min<std::size_t>(most, 1 << 16)))) {
   threads_ = certify::batch::thread_limit();
 }
 
