@@ -108,7 +108,7 @@ void write_inputs(const std::string& folder) {
   }
   for (const auto& [name, at] : {std::pair("part", 0.0), std::pair("near", 0.4), std::pair("far", 7.0)}) {
     std::ofstream mesh(folder + "/" + name + ".obj");
-    constexpr int n = 60;  // a bumpy ring
+    constexpr int n = 40;  // a bumpy ring
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < n; ++k) {
         const double u = 6.283185307179586 * i / n, v = 6.283185307179586 * k / n, r = 2 + std::cos(v) * 0.7;
@@ -159,7 +159,7 @@ TEST_P(OutOfMemory, EndsWith2AndLeavesWhatWas) {
   const std::ptrdiff_t floor = static_cast<std::ptrdiff_t>(floor_of_program(place));
   int done = 0, refused = 0;
   // From what suffices down to the floor, by steps that grow with what is above it.
-  for (std::ptrdiff_t above = 1 << 19; above > 64; above = above * 7 / 10) {
+  for (std::ptrdiff_t above = 1 << 19; above > 64; above = above * 6 / 10) {
     write_old(writer, place);
     SCOPED_TRACE(std::to_string(floor + above) + " KiB");
     const Ended ended = run(writer.words, place, static_cast<std::uint64_t>(floor + above));

@@ -1,6 +1,6 @@
 #include "certify/batch/all_threads.hpp"
 
-#include "certify/batch/helpers.hpp"
+#include "certify/batch/shared_work.hpp"
 
 namespace plumb::certify::batch {
 

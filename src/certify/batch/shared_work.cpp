@@ -1,4 +1,4 @@
-#include "certify/batch/helpers.hpp"
+#include "certify/batch/shared_work.hpp"
 
 #include <pthread.h>
 #include <sched.h>
