@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/surface/triangulate.hpp"
 #include "plumb/surface/write_mesh.hpp"
 #include "tool/check/report.hpp"
@@ -11,7 +12,6 @@
 #include "tool/mesh/inputs.hpp"
 #include "tool/mesh/sample_part.hpp"
 #include "tool/terminal/output_files.hpp"
-#include "tool/terminal/thread_limit.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -115,8 +115,9 @@ int run_check(const CheckOptions& options) {
   }
   if (options.chart) outputs.write("--chart", chart_svg(checks));
   if (!all_good) return 2;
+  const bool fails = any_wrong(checks, options.fail_on_wrong) || any_defect(checks, options.fail_on_defect);
   outputs.keep();
-  return any_wrong(checks, options.fail_on_wrong) || any_defect(checks, options.fail_on_defect) ? 1 : 0;
+  return fails ? 1 : 0;
 }
 
 }  // namespace plumb::tool

@@ -27,7 +27,8 @@ void hits(const AnyRay& ray, const TriangleBatch& many, std::span<std::uint8_t> 
 void hits(const AnyRay& ray, const BoxBatch& many, std::span<std::uint8_t> out);
 
 /// The numbers of all that are hit, ascending.
-std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule = HitRule::closed);
+std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule = HitRule::closed,
+                                    std::vector<std::uint32_t> rows = {});
 
 struct NumberedHit {
   std::uint32_t index;
