@@ -5,6 +5,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "tool/mesh/inputs.hpp"
+#include "tool/rows/column_names.hpp"
 #include "tool/rows/decimal_rows.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/terminal.hpp"
@@ -25,9 +26,11 @@ NamedPoint read_point(const std::string& words, const std::string& what) {
 }
 
 std::vector<NamedPoint> parse_points(std::string_view text, const std::string& name) {
+  constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
   std::vector<NamedPoint> points;
   DecimalRows rows(text, name);
   while (rows.next()) {
+    if (points.empty() && !rows.header().empty()) require_column_names(rows.header(), names, name);
     const DecimalRow& row = rows.row();
     points.push_back({fmt::format("{}", fmt::join(row.words, ",")), point_of(row.values, rows.place()), row.exact});
   }

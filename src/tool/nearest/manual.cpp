@@ -24,8 +24,10 @@ file.)"},
 CSV
        A point on a line, as two numbers in the plane or three in space,
        with commas, semicolons or blanks between them. Empty lines, what
-       follows '#' and a header are passed over. A number stands for its
-       nearest double, and it is said how many are none.
+       follows '#' and a header are passed over; a header that names x,
+       y or z has no other names and the order x, y, z, or it is
+       refused. A number stands for its nearest double, and it is said
+       how many are none.
 .npy
        An array of NumPy of the shape (n, 2) or (n, 3), of float64 or
        float32, in either byte order.

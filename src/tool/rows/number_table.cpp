@@ -7,6 +7,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "surface/text_lines.hpp"
+#include "tool/rows/column_names.hpp"
 #include "tool/rows/decimal_rows.hpp"
 #include "tool/rows/npy.hpp"
 #include "tool/terminal/mesh_name.hpp"
@@ -25,14 +26,16 @@ bool is_length(std::size_t length, const RowMeaning& meaning) {
   return length == meaning.plane.size() || length == meaning.space.size();
 }
 
+std::span<const std::string_view> names_of(std::size_t length, const RowMeaning& meaning) {
+  return length == meaning.plane.size() ? meaning.plane : meaning.space;
+}
+
 void require_finite(const NumberTable& table, const RowMeaning& meaning) {
   for (std::size_t i = 0; i < table.values.size(); ++i) {
     const double x = table.values[i];
     if (x - x == 0) continue;
-    const std::span<const std::string_view> names =
-        table.columns == meaning.plane.size() ? meaning.plane : meaning.space;
     throw Error(fmt::format("{}: {} is {}, not a real number; give a finite one", table.place_of(i / table.columns),
-                            names[i % table.columns], x));
+                            names_of(table.columns, meaning)[i % table.columns], x));
   }
 }
 
@@ -78,6 +81,8 @@ NumberTable parse_table(std::string_view text, const std::string& name, const Ro
     if (table.columns != 0 && length != table.columns)
       throw Error(fmt::format("{}: this has {} numbers, and line {} has {}; a file holds {} in the plane or in space",
                               rows.place(), length, table.lines.front(), table.columns, meaning.many));
+    if (table.columns == 0 && !rows.header().empty())
+      require_column_names(rows.header(), names_of(length, meaning), name);
     table.columns = length;
     table.values.insert(table.values.end(), row.values.begin(), row.values.end());
     table.lines.push_back(row.line);

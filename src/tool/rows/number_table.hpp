@@ -1,8 +1,9 @@
 // Which rows of numbers, all of one length, does a file hold?  A CSV, an array of NumPy, or a mesh to take them from.
 //
 // Laws: (1) what a file is, its content says, and where that is text its name: one that is a mesh by its ending or its
-// content is read as a mesh, all else as CSV.  (2) All rows are as long as one of the lengths asked for, and all their
-// numbers are finite; what is not throws Error, which names the file and the row.
+// content is read as a mesh, all else as CSV.  (2) All rows are as long as one of the lengths asked for, all their
+// numbers are finite, and a header that names them has them in that order (tool/rows/column_names.hpp); what is not
+// throws Error, which names the file and the row.
 // Source: tool/rows/decimal_rows.hpp, tool/rows/npy.hpp, plumb/surface/read_mesh.hpp.
 // Cost: that of reading.
 #pragma once
