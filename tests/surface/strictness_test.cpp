@@ -224,5 +224,16 @@ TEST(Strictness, CountsThatAreWrongAndWhatFollowsThemAreReadLeniently) {
         << broken;
 }
 
+TEST(Strictness, WhatFollowsAGlbIsReadLeniently) {
+  const std::string document =
+      R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36}]})";
+  const std::string glb = surface_test::glb_of(
+      document, std::string(12, '\0') + raw(1.0F) + std::string(12, '\0') + raw(1.0F) + std::string(4, '\0'));
+  expect_passed_over({glb + "!", MeshFormat::gltf, 1, "behind the last chunk", 1, {}, glb.size(), "1 byte"},
+                     Strictness::lenient);
+}
+
 }  // namespace
 }  // namespace plumb
