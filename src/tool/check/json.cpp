@@ -39,7 +39,16 @@ json json_of(const Comparison& c) {
   return j;
 }
 
+json json_of(const PassedOver& p) {
+  json j{{"what", p.what}, {"count", p.count}, {"first", p.first}};
+  if (p.line) j["line"] = *p.line;
+  if (p.byte) j["byte"] = *p.byte;
+  return j;
+}
+
 json json_of(const LoadReport& l) {
+  json passed_over = json::array();
+  for (const PassedOver& p : l.passed_over) passed_over.push_back(json_of(p));
   return {{"format", name_of(l.format)},
           {"encoding", name_of(l.encoding)},
           {"bytes", l.bytes},
@@ -53,6 +62,7 @@ json json_of(const LoadReport& l) {
           {"decimals", l.decimals},
           {"inexact_decimals", l.inexact_decimals},
           {"largest_move", l.largest_move},
+          {"passed_over", std::move(passed_over)},
           {"unit", l.unit},
           {"parts", l.parts},
           {"transformed_coordinates", l.transformed},

@@ -9,14 +9,17 @@ Manual check_manual() {
           {{"DESCRIPTION", R"(
 Reads each MESH (OBJ, OFF, STL, PLY, 3MF, glTF; text or binary; also
 packed by gzip), every mesh in a folder and the folders in it, or
-standard input where MESH is '-'. Of each it opens with a verdict in
-four lines: what surface the mesh is, what is wrong with it, which
-methods then take which signs wrong, and what to do about both. Each
-line is printed as soon as it is known. The tables follow: the mesh's
-size, its lattice (the largest power of two that divides every
-coordinate, and how many bits the coordinates then take), repeated
-vertices, triangles of exactly zero area and non-manifold edges, then
-the decisions.
+standard input where MESH is '-'. Text that has no meaning in a mesh's
+format is passed over and told; --strict refuses it, and --lenient
+reads files that break their format a little.
+
+Of each it opens with a verdict in four lines: what surface the mesh is,
+what is wrong with it, which methods then take which signs wrong, and
+what to do about both. Each line is printed as soon as it is known. The
+tables follow: the mesh's size, its lattice (the largest power of two
+that divides every coordinate, and how many bits the coordinates then
+take), repeated vertices, triangles of exactly zero area and non-
+manifold edges, then the decisions.
 
 Of the surface is said, and decided exactly, whether it is
 

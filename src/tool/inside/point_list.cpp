@@ -7,6 +7,7 @@
 #include "tool/mesh/inputs.hpp"
 #include "tool/rows/column_names.hpp"
 #include "tool/rows/decimal_rows.hpp"
+#include "tool/rows/packed_rows.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/terminal.hpp"
 
@@ -37,8 +38,11 @@ std::vector<NamedPoint> parse_points(std::string_view text, const std::string& n
   return points;
 }
 
-std::vector<NamedPoint> read_points(const std::string& file) {
-  return parse_points(bytes_of_input(file), printable(name_of_input(file)));
+std::vector<NamedPoint> read_points(const std::string& file, const ReadOptions& reading) {
+  const std::string bytes = bytes_of_input(file), name = printable(name_of_input(file));
+  require_no_archive(name, bytes);
+  const std::optional<std::string> unpacked = unpacked_rows(bytes, name, reading);
+  return parse_points(unpacked ? *unpacked : bytes, name);
 }
 
 }  // namespace plumb::tool

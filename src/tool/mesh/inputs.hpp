@@ -24,7 +24,9 @@ struct MeshArguments {
   std::vector<std::string> words;             // files, folders, "-"
   std::optional<std::uint32_t> unpacked_mib;  // what a packed mesh may unpack to, and parts may make
   bool points_too = false;                    // vertices without faces will do
+  bool strict = false, lenient = false;       // one of them at the most
 
+  /// Throws Error where it is both strict and lenient.
   [[nodiscard]] ReadOptions reading() const;
 };
 

@@ -31,8 +31,13 @@ CSV
 .npy
        An array of NumPy of the shape (n, 2) or (n, 3), of float64 or
        float32, in either byte order.
-A mesh, as `plumb check` reads it
-       Its vertices.)"},
+.xyz
+       Text as above, in space; what follows the first three numbers of
+       a line, a normal or a color, is passed over.
+A mesh or a cloud of points (PLY, OBJ, OFF), as `plumb check` reads it
+       Its vertices; no face is needed.
+Each of them packed by gzip
+       As points.csv.gz; what other packers make is refused.)"},
        {"OUTPUTS", R"(
 --out writes the points' numbers as an array of int64, --distances the
 distances as one of float64, both of the shape (queries, N). With --ties

@@ -29,7 +29,9 @@ CSV
        An array of NumPy of the shape (n, 4) or (n, 6), of float64 or
        float32, in either byte order. The shape (0, 4) is an empty set.
 A mesh, as `plumb check` reads it
-       The boxes of its triangles.)"},
+       The boxes of its triangles.
+Each of them packed by gzip
+       As boxes.csv.gz; what other packers make is refused.)"},
            {"OUTPUTS", R"(
 --all lists the pairs, --json has them as well. --out writes them as an
 array of int64 of the shape (m, 2): the numbers of a and of b. Where
