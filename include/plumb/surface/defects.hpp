@@ -10,8 +10,8 @@
 // is close where another point of a vertex is nearer than the length; equal points are no others.  (5) Lists ascend;
 // exact, and the same on every number of threads.
 // A length that is NaN or infinite throws NonFinite, a negative one InvalidShape.
-// Source: RTCD 12.1, 12.2, 12.3.
-// Cost: non_manifold_vertices linear; vertices_on_edges a descent for each vertex; coincident_triangles a sort;
+// Source: RTCD 12.1, 12.3.
+// Cost: non_manifold_vertices linear; vertices_on_edges a descent for each vertex; coincident_triangles first_equal, and linear but for heaps;
 // close_vertices a k-d tree and a search for each vertex, whatever the length.
 #pragma once
 
@@ -44,6 +44,8 @@ struct CoincidentTriangle {
 };
 
 std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh);
+/// With first_equal(mesh.vertices), for who has it.
+std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh, std::span<const std::uint32_t> first);
 
 struct CloseVertex {
   std::uint32_t vertex;   // that a triangle names, the first of its point

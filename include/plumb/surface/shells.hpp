@@ -24,9 +24,9 @@
 // exact, and depends on the mesh alone, not on threads.
 // Shells that pass through one another by edges and vertices only, between what law 4 looks at, are told to meet.
 // A triangle that names no vertex throws InvalidShape, NaN and infinity NonFinite.
-// Source: RTCD 12.3, 12.4, 5.4.3; Zhou et al. 2016 for cells at edges of many triangles.
+// Source: RTCD 5.4.3, 12.3; Zhou et al. 2016 for cells at edges of many triangles.
 // Cost: that of a tree and of its pairs of triangles that meet (plumb/space/pairs/mesh_pairs.hpp); n log n for edges;
-// 0.1 us a triangle for volumes; a descent for each shell where there are several, for each vertex of those that touch or
+// 0.3 us a triangle for volumes; a descent for each shell where there are several, for each vertex of those that touch or
 // cross another, and for each of their triangles that does.  Memory: a word for each pair of shells that cross.
 #pragma once
 

@@ -1,6 +1,7 @@
 #include "plumb/surface/defects.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "plumb/arith/error.hpp"
@@ -9,8 +10,9 @@
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/kd_tree/nearest_point.hpp"
 #include "space/bvh/blocks.hpp"
-#include "surface/disjoint_sets.hpp"
-#include "surface/mesh_corner.hpp"
+#include "surface/topology/disjoint_sets.hpp"
+#include "surface/topology/mesh_corner.hpp"
+#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb {
 namespace {
@@ -19,6 +21,7 @@ using surface::names_a_vertex_twice;
 using surface::place_of;
 
 constexpr std::size_t vertices_of_block = 1024;
+constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
 /// Is the point on the segment, and neither of its ends?
 bool is_strictly_between(const Point3& a, const Point3& p, const Point3& b) {
@@ -114,36 +117,45 @@ std::vector<VertexOnEdge> vertices_on_edges(const MeshEdges& edges, const Bvh& b
   return joined(found);
 }
 
-std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh) {
+std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh, std::span<const std::uint32_t> first) {
   struct Placed {
-    std::array<std::uint32_t, 3> points;  // by their first vertices, ascending
+    std::array<std::uint32_t, 2> others;  // beside the least, ascending
     std::uint32_t triangle;
-    bool turned;  // against their order
-    auto order() const { return std::tie(points, triangle); }
+    bool turned;  // against that order
+    [[nodiscard]] auto order() const { return std::tie(others, triangle); }
   };
-  const std::vector<std::uint32_t> first = first_equal(mesh.vertices);
-  std::vector<Placed> placed;
-  placed.reserve(mesh.triangles.size());
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const auto& [i, j, k] = mesh.triangles[f];
-    const std::uint32_t a = first[i], b = first[j], c = first[k];
-    if (names_a_vertex_twice({a, b, c})) continue;
-    Placed p{{a, b, c}, f, (a > b) != ((b > c) != (a > c))};
-    std::ranges::sort(p.points);
-    placed.push_back(p);
-  }
-  std::ranges::sort(placed, {}, &Placed::order);
+  const auto points = [&](std::uint32_t t) {
+    const auto& [i, j, k] = mesh.triangles[t];
+    return TriangleMesh::Triangle{first[i], first[j], first[k]};
+  };
+  std::vector<std::uint32_t> least(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < least.size(); ++t)
+    least[t] = names_a_vertex_twice(points(t)) ? none : std::ranges::min(points(t));
+  const surface::TriangleLists at_point(least, first.size());
   std::vector<CoincidentTriangle> found;
-  const Placed* of_points = nullptr;
-  for (const Placed& p : placed) {
-    if (of_points == nullptr || of_points->points != p.points) {
-      of_points = &p;
-    } else {
-      found.push_back({p.triangle, of_points->triangle, p.turned != of_points->turned});
+  std::vector<Placed> placed;
+  for (std::uint32_t v = 0; v < first.size(); ++v) {
+    placed.clear();
+    for (const std::uint32_t t : at_point[v]) {
+      TriangleMesh::Triangle p = points(t);
+      std::ranges::rotate(p, std::ranges::find(p, v));
+      placed.push_back({{std::min(p[1], p[2]), std::max(p[1], p[2])}, t, p[1] > p[2]});
+    }
+    std::ranges::sort(placed, {}, &Placed::order);
+    const Placed* first_placed = nullptr;
+    for (const Placed& p : placed) {
+      if (first_placed == nullptr || first_placed->others != p.others) {
+        first_placed = &p;
+      } else {
+        found.push_back({p.triangle, first_placed->triangle, p.turned != first_placed->turned});
+      }
     }
   }
   std::ranges::sort(found, {}, &CoincidentTriangle::triangle);
   return found;
+}
+std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh) {
+  return coincident_triangles(mesh, first_equal(mesh.vertices));
 }
 
 std::vector<CloseVertex> close_vertices(const TriangleMesh& mesh, double length, Execution execution) {

@@ -6,12 +6,12 @@
 #include "plumb/predicates.hpp"
 #include "space/bvh/slot_triangles.hpp"
 #include "space/pairs/pair_search.hpp"
-#include "surface/disjoint_sets.hpp"
-#include "surface/internal_walls.hpp"
-#include "surface/mesh_corner.hpp"
-#include "surface/shell_nesting.hpp"
-#include "surface/signed_volume.hpp"
-#include "surface/triangle_lists.hpp"
+#include "surface/topology/disjoint_sets.hpp"
+#include "surface/topology/internal_walls.hpp"
+#include "surface/topology/mesh_corner.hpp"
+#include "surface/topology/shell_nesting.hpp"
+#include "surface/topology/signed_volume.hpp"
+#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "surface/shell_nesting.hpp"
+#include "surface/topology/shell_nesting.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -7,8 +7,8 @@
 #include "query/ray/crossings.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/ray/along_x.hpp"
-#include "surface/rational_crossing.hpp"
-#include "surface/triangle_lists.hpp"
+#include "surface/topology/middle_crossing.hpp"
+#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb::surface {
 namespace {
@@ -84,9 +84,8 @@ class Look {
       const auto& [a, b, c] = mesh_.triangles[place.number];
       const Triangle3 own{mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]};
       const Aabb3 box = box_around(own);
-      const RationalPoint3 p = middle_of(own);
       descend_along(place.shell, space::AlongX(bvh_.tree.frame, box.min, box.max),
-                    [&](const Triangle3& t) { return crossing_of(t, p); });
+                    [&](const Triangle3& t) { return crossing_from_middle(own, t); });
     }
     add_to(place.shell, sights);
   }

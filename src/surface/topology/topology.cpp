@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "plumb/certify/direction.hpp"
-#include "surface/mesh_corner.hpp"
+#include "surface/topology/mesh_corner.hpp"
 
 namespace plumb {
 namespace {

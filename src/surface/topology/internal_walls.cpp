@@ -1,12 +1,12 @@
-#include "surface/internal_walls.hpp"
+#include "surface/topology/internal_walls.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "plumb/predicates.hpp"
-#include "surface/disjoint_sets.hpp"
-#include "surface/signed_volume.hpp"
-#include "surface/triangle_lists.hpp"
+#include "surface/topology/disjoint_sets.hpp"
+#include "surface/topology/signed_volume.hpp"
+#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb::surface {
 namespace {
