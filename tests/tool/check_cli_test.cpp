@@ -77,12 +77,13 @@ TEST(Check, OpensWithAVerdictOfFourLines) {
   const std::vector<std::string> lines = lines_of(embedded().out);
   ASSERT_GT(lines.size(), 6U);
   EXPECT_EQ(lines[0], "embedded flange");
-  EXPECT_EQ(
-      lines[1],
-      "  surface     not closed, oriented, touching itself (67 vertices lie where another is: triangles that meet "
-      "there share none, and touch), with degenerate triangles");
+  EXPECT_EQ(lines[1],
+            "  surface     2 shells, not closed, oriented, touching itself (67 vertices lie where another is: "
+            "triangles that meet "
+            "there share none, and touch), with degenerate triangles");
   EXPECT_EQ(lines[2],
-            "  wrong       12 triangles of zero area; 67 repeated vertices; 133 open edges; "
+            "  wrong       12 triangles of zero area; 67 repeated vertices; 6 vertices on edges (T-junctions); 133 "
+            "open edges; "
             "1 edge of more than two faces; 575 pairs of triangles that touch");
   EXPECT_THAT(lines[3], AllOf(StartsWith("  in floats   wrong signs in 153,641 decisions: float32 "),
                               HasSubstr("double "), HasSubstr("; none: interval")));
@@ -297,6 +298,50 @@ TEST(Check, ChecksEveryMeshInAFolder) {
   EXPECT_EQ(bad.code, 2);
   EXPECT_THAT(bad.err, HasSubstr("bad.obj:1: "));
   EXPECT_THAT(bad.out, HasSubstr("all 4 meshes"));
+}
+
+TEST(Check, ReportsOnAFolderOfWhichSomeCannotBeRead) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "parts");
+  put(folder / "parts/a.obj", triangle);
+  put(folder / "parts/b.obj", "f 1 2 3\n");
+  put(folder / "parts/c.stl", "");
+  put(folder / "parts/d.obj", triangle);
+  const std::string check = "cd " + (folder / "") + " && $PLUMB check ";
+  const Outcome brief = run(check + "--brief parts");
+  EXPECT_EQ(brief.code, 2);
+  const std::vector<std::string> lines = lines_of(brief.out);
+  ASSERT_EQ(lines.size(), 4U);
+  const std::string open =
+      ": not closed, oriented, free of self-intersections, free of degenerate triangles; 3 open edges";
+  EXPECT_EQ(lines[0], "parts/a.obj" + open);
+  EXPECT_THAT(lines[1], StartsWith("parts/b.obj: not read: parts/b.obj:1: "));
+  EXPECT_THAT(lines[2], StartsWith("parts/c.stl: not read: "));
+  EXPECT_EQ(lines[3], "parts/d.obj" + open);
+
+  const Outcome whole = run(check + "parts --json report.json --chart chart.svg");
+  EXPECT_EQ(whole.code, 2);
+  EXPECT_THAT(whole.out, HasSubstr("\n2 meshes were not read\n  parts/b.obj:1: "));
+  const json report = json::parse(content(folder / "report.json"));
+  EXPECT_EQ(report.at("meshes").size(), 2U);
+  EXPECT_EQ(report.at("not_read").size(), 2U);
+  EXPECT_EQ(report.at("not_read")[0].at("name"), "parts/b.obj");
+  EXPECT_THAT(std::string(report.at("not_read")[0].at("error")), StartsWith("parts/b.obj:1: "));
+  EXPECT_THAT(content(folder / "chart.svg"), StartsWith("<svg"));
+  // What is named and cannot be read is another thing: nothing is replaced then.
+  EXPECT_EQ(run(check + "parts missing.obj --json report.json --brief").code, 2);
+  EXPECT_EQ(json::parse(content(folder / "report.json")), report);
+}
+
+TEST(Check, TellsARatioOfTimesOnlyWhereItWasMeasured) {
+  const Folder folder;
+  write_mesh(folder / "few.obj", sheet(6));
+  write_mesh(folder / "many.obj", sheet(30));
+  const auto advice = [&](const char* file) {
+    return std::string(report_of(folder / file).at("meshes").at(0).at("verdict").at("advice"));
+  };
+  EXPECT_THAT(advice("few.obj"), AllOf(HasSubstr("exact"), Not(HasSubstr("times the time"))));
+  EXPECT_THAT(advice("many.obj"), HasSubstr("times the time of double"));
 }
 
 TEST(Check, RefusesAFolderWithoutMeshes) {

@@ -83,14 +83,53 @@ json json_of(const MeshStatistics& m) {
           {"zero_area_triangles", m.zero_area_faces}};
 }
 
-json json_of(const SurfaceCheck& s) {
-  return {{"closed", s.closed},
+/// Of more shells the rest is left out: of a mesh without shared vertices every triangle is one.
+constexpr std::size_t most_shells = 1000;
+
+json json_of(std::size_t number, const Shell& s) {
+  return {{"shell", number},
+          {"first_triangle", s.first_triangle},
+          {"triangles", s.triangles},
+          {"closed", s.closed},
           {"oriented", s.oriented},
-          {"inside_out", s.inside_out},
-          {"self_intersecting", s.meets_itself()},
-          {"touching_pairs", s.met.touching},
-          {"overlapping_pairs", s.met.overlapping},
-          {"degenerate_triangles", s.degenerate}};
+          {"volume", s.volume ? json(*s.volume) : json()},
+          {"volume_sign", static_cast<int>(s.volume_sign)},
+          {"depth", s.depth},
+          {"parent", s.parent ? json(*s.parent) : json()},
+          {"inside_out", s.inside_out()},
+          {"internal_wall", s.wall},
+          {"meets_another", s.meets},
+          {"crosses_another", s.crosses}};
+}
+
+json shells_of(const SurfaceCheck& s) {
+  json shells = json::array();
+  for (const std::size_t i : shown_shells(s, most_shells)) shells.push_back(json_of(i, s.shells[i]));
+  return shells;
+}
+
+json json_of(const SurfaceCheck& s) {
+  json j{{"closed", s.closed},
+         {"oriented", s.oriented},
+         {"inside_out", s.inside_out()},
+         {"self_intersecting", s.meets_itself()},
+         {"touching_pairs", s.met.touching},
+         {"overlapping_pairs", s.met.overlapping},
+         {"degenerate_triangles", s.degenerate},
+         {"shells", s.shells.size()},
+         {"closed_shells", s.closed_shells},
+         {"inside_out_shells", s.inside_out_shells},
+         {"crossing_shells", s.crossing_shells},
+         {"internal_walls", s.internal_walls},
+         {"non_manifold_vertices", s.non_manifold_vertices},
+         {"vertices_on_edges", s.vertices_on_edges},
+         {"duplicate_triangles", s.duplicate_triangles},
+         {"opposite_triangles", s.opposite_triangles}};
+  if (s.nearer_than) {
+    j["nearer_than"] = *s.nearer_than;
+    j["close_vertices"] = s.close_vertices;
+  }
+  return j;
 }
 
 json json_of(const Lattice& lattice) { return {{"exponent", lattice.exponent}, {"bits", lattice.bits}}; }
@@ -103,6 +142,7 @@ json json_of(const MeshCheck& c) {
            {"floats", float_verdict(c)},
            {"advice", advice(c)}}},
          {"surface", json_of(c.surface)},
+         {"shells", shells_of(c.surface)},
          {"statistics", json_of(c.statistics)},
          {"bent_faces", c.bent_faces},
          {"lattice", json_of(c.lattice)},
@@ -139,9 +179,11 @@ json environment(unsigned threads) {
 
 }  // namespace
 
-json json_report(std::span<const MeshCheck> checks, std::span<const std::string> passed_over, unsigned threads) {
+json json_report(std::span<const MeshCheck> checks, const ReportInputs& inputs, unsigned threads) {
   json j{{"program", "plumb check"}, {"environment", environment(threads)}, {"meshes", json::array()}};
-  j["passed_over"] = passed_over;
+  j["passed_over"] = inputs.passed_over;
+  j["not_read"] = json::array();
+  for (const UnreadMesh& m : inputs.unread) j["not_read"].push_back({{"name", m.name}, {"error", m.why}});
   for (const MeshCheck& c : checks) j["meshes"].push_back(json_of(c));
   return j;
 }

@@ -197,11 +197,12 @@ void check_mesh(const TriangleMesh& mesh, const CheckSettings& settings, MeshChe
                 const CheckWatcher& watcher) {
   const MeshEdges edges = find_edges(mesh);
   check.statistics = mesh_statistics(mesh, edges);
-  check.surface = check_surface(mesh, edges, check.statistics, check.name);
+  check.surface = check_surface(mesh, edges, check.statistics, check.name, settings.nearer_than);
   check.lattice = lattice_of(coordinates_of(mesh));
   const MeshDecisions decisions(mesh, edges);
   check.edges = decisions.edge_answers();
   if (watcher) watcher(CheckStep::mesh);
+  if (!settings.decisions) return;
   const Lattice lattice = decisions.lattice();
   for (std::size_t k = 0; k < kinds.size(); ++k)
     if (decisions.count(static_cast<Kind>(k)) > settings.asked_of_kind())

@@ -161,16 +161,21 @@ PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOp
   return told(file, report, [&](LoadReport* load) { return read_polygon_mesh(file, load, options); });
 }
 
-bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take) {
+bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,
+               const std::function<void(UnreadMesh)>& refuse) {
   bool good = inputs.faults.empty();
-  for (const MeshFileError& e : inputs.faults) complain(e.what());
+  const auto refused = [&](const std::string& name, const char* why) {
+    complain(why);
+    if (refuse) refuse({name, why});
+    good = false;
+  };
+  for (const MeshFileError& e : inputs.faults) refused(e.file, e.what());
   for (const std::string& file : inputs.files) {
     InputMesh input{name_of_input(file), {}, {}};
     try {
       input.mesh = read_input(file, &input.load, options);
     } catch (const Error& e) {
-      complain(e.what());
-      good = false;
+      refused(input.name, e.what());
       continue;
     }
     take(std::move(input));
