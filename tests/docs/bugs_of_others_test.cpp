@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <ostream>
 #include <set>
 
 #include "docs/bugs_of_others/case.hpp"
@@ -31,6 +32,8 @@ std::vector<Kind> kinds() {
 struct Row {
   std::string heading, report, address, answer;
   std::size_t line = 0;
+
+  friend std::ostream& operator<<(std::ostream& out, const Row& row) { return out << row.report; }
 };
 
 std::string trimmed(const std::string& cell) {
@@ -57,7 +60,7 @@ std::vector<Row> rows() {
 TEST(BugsOfOthers, HasAtLeastFortyRowsWithTheirSources) {
   const std::vector<Row> all = rows();
   EXPECT_GE(all.size(), 40u);
-  std::set<std::string> seen;
+  std::set<std::string> seen, projects;
   for (const Row& row : all) {
     const std::size_t hash = row.report.find('#');
     ASSERT_NE(hash, std::string::npos) << page.string() << ":" << row.line;
@@ -65,7 +68,13 @@ TEST(BugsOfOthers, HasAtLeastFortyRowsWithTheirSources) {
     EXPECT_TRUE(row.address == place + "/issues/" + number || row.address == place + "/pull/" + number)
         << page.string() << ":" << row.line << ": " << row.address;
     EXPECT_TRUE(seen.insert(row.report).second) << page.string() << ":" << row.line << ": " << row.report << " again";
+    projects.insert(place);
   }
+  const std::string counted = R"(([0-9]+) public reports [^.]* of ([0-9]+) other projects)";
+  const std::vector<Match> told = matches_of(text_of(page), counted);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].first, std::to_string(all.size()));
+  EXPECT_EQ(told[0].second, std::to_string(projects.size()));
 }
 
 TEST(BugsOfOthers, EachRowHasItsCaseAndEachCaseItsRow) {

@@ -8,6 +8,7 @@
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/rounded_points.hpp"
 #include "plumb/query/penetration/penetration.hpp"
+#include "plumb/query/penetration/penetration_bounds.hpp"
 #include "plumb/query/section/intersection.hpp"
 #include "plumb/query/section/intersection2.hpp"
 #include "plumb/query/section/intersection_result.hpp"
@@ -95,6 +96,45 @@ constexpr std::array cases{
            }
            EXPECT_EQ(proved(Capsule3{{0, 0.5, 0}, {0, 1.5, 0}, 0.5}, ground), "touching");
            return std::to_string(met) + " of 200 meet";
+         }},
+    Case{"dimforge/parry#34",
+         [] {
+           const Circle2 ball{{1, 1}, 1};
+           EXPECT_EQ(proved(Sphere3{{1, 1, 0}, 1}, Aabb3{{-1, -1, 0}, {1, 1, 0}}), "overlapping");
+           return told(relate(ball, Aabb2{{-1, -1}, {1, 1}}));
+         }},
+    Case{"dimforge/parry#415",
+         [] {
+           const Segment2 s{{60, 10}, {10, 0}};
+           EXPECT_EQ(proved(in_space(s), Aabb3{{40, -50, 0}, {60, 150, 0}}), "overlapping");
+           return told(relate(s, Aabb2{{40, -50}, {60, 150}}));
+         }},
+    Case{"dimforge/parry#315",
+         [] {
+           const Aabb3 left{{0, 0, 0}, {1, 1, 1}}, right{{1, 0, 0}, {2, 1, 1}};
+           const std::optional<Penetration> p = penetration(left, right);
+           return proved(left, right) + ", " + told(p->depth) + " deep along " +
+                  told(Point3{p->direction.x, p->direction.y, p->direction.z});
+         }},
+    Case{"dimforge/parry#396",
+         [] {
+           const PenetrationBounds p =
+               penetration(Cylinder3{{0, -50, 0}, {0, 50, 0}, 100}, Cylinder3{{0, -1.5, 0}, {0, 1.5, 0}, 1});
+           EXPECT_LE(p.lower, 51.5);
+           EXPECT_GT(p.lower, 51.499999);
+           return "at most " + told(p.upper) + " deep";
+         }},
+    Case{"davideberly/GeometricTools#29",
+         [] {
+           const double h = 0.203217 / 2;
+           const Point3 o{0.490062, 0.516011, 0.705511};
+           const Vector3 d{0.357778, 0.00360225, 0.9338};
+           const Cylinder3 can{
+               {o.x - h * d.x, o.y - h * d.y, o.z - h * d.z}, {o.x + h * d.x, o.y + h * d.y, o.z + h * d.z}, 0.130149};
+           EXPECT_EQ(proved(Capsule3{can.a, can.b, can.radius},
+                            Aabb3{{0.168216, 0.389476, 0.0822103}, {0.291133, 0.452832, 0.194713}}),
+                     "disjoint");  // which holds the cylinder
+           return told(relate(can, Aabb3{{0.168216, 0.389476, 0.0822103}, {0.291133, 0.452832, 0.194713}}));
          }},
     Case{"danfis/libccd#25",
          [] {

@@ -6,6 +6,8 @@
 #include "docs/bugs_of_others/case.hpp"
 #include "docs/bugs_of_others/proved.hpp"
 #include "plumb/predicates.hpp"
+#include "plumb/query/closest/pairs.hpp"
+#include "plumb/query/section/intersection.hpp"
 #include "plumb/query/section/intersection2.hpp"
 #include "plumb/query/section/intersection_result.hpp"
 
@@ -102,6 +104,17 @@ constexpr std::array cases{
     Case{"godotengine/godot#86651",
          [] {
            return crossing({{585, 95}, {581, 98}}, {{585, 105}, {585, 45}});
+         }},
+    Case{"Ramarren/cl-geometry#3",
+         [] {
+           return proved_flat(Segment2{{0, 0}, {50, 50}}, Segment2{{51, 51}, {100, 100}});
+         }},
+    Case{"lace/polliwog#216",
+         [] {
+           const Line3 lower{{1, 0, 0}, {-1, 1, 0}}, upper{{0, 0, 1}, {1, 1, 0}};
+           EXPECT_TRUE(intersection(lower, upper).empty());
+           EXPECT_EQ(squared_distance_exact(lower, upper), Rational(1));
+           return told(relate(lower, upper));
          }},
     Case{"RiSearcher/GeometRi.CSharp#15",
          [] {

@@ -81,6 +81,14 @@ constexpr std::array cases{
           const Posed<Aabb3> plate{{{-1.375, -3, -0.025}, {1.375, 3, 0.025}}, {identity_pose.columns, {1.625, 0, 0.5}}};
           return with_points(plate, small);
         }},
+    Case{"dimforge/parry#431",
+         [] {
+           const double x = -5.573167F;
+           const Aabb2 a{{-1, -1}, {1, 1}}, b{{x - 1, -2}, {x + 1, 2}};
+           EXPECT_EQ(distance(a, b), distance(b, a));
+           EXPECT_EQ(squared_distance_exact(a, b), (Rational(-1) - Rational(x + 1)) * (Rational(-1) - Rational(x + 1)));
+           return told(distance(a, b));
+         }},
     Case{"godotengine/godot#55383",
          [] {
            return proved_distance(Segment3{{0, -2.5, 0}, {0, 2.5, 0}},

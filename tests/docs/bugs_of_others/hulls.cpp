@@ -113,6 +113,10 @@ constexpr std::array cases{
                         {0.6483512013657207, 0.6362081037667116},
                         {0.417255810423433, 0.44728479764485624}});
          }},
+    Case{"scipy/scipy#14185",
+         [] {
+           return hull({{0, 1}, {1, 1e4 + 1}, {2, 1e8 + 1}, {2, -1}, {0, -1}});
+         }},
     Case{"dimforge/parry#165",
          [] {
            const std::vector<Point3> one{{1, 2, 3}};

@@ -61,6 +61,18 @@ constexpr std::array cases{
            const Translating<Aabb2> moving{{{0, 0}, {2, 2}}, {5, 0}};
            return told_time(first_contact(moving, Triangle2{{1, 1}, {4, 1}, {4, 4}}));
          }},
+    Case{"NVIDIAGameWorks/PhysX#597",
+         [] {
+           const Triangle3 t{{7.33294010F, 79.6109009F, -26.9337997F},
+                             {7.61456013F, 80.2574005F, -27.3008995F},
+                             {7.33294010F, 80.2574005F, -26.9337997F}};
+           const double half = 0.340350509F, way = 0.149537891F, x = 7.74110079F, y = 80.8543167F, z = -27.2595482F;
+           const Capsule3 upright{{x, y - half, z}, {x, y + half, z}, 0.265350759F};
+           const Vector3 by{-0.929564953F * way, -0.0281119142F * way, 0.367584974F * way};
+           const std::optional<Contact> contact = first_contact(Translating{upright, by}, t);
+           EXPECT_NEAR(contact->time * way, 0.0944127962, 1e-4);  // as the report expects it
+           return told_time(contact);
+         }},
     Case{"jrouwe/JoltPhysics#886",
          [] {
            const Triangle3 sliver{{14.5536213F, 10.5973721F, -0.00600051880F},

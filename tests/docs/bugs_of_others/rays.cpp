@@ -59,6 +59,12 @@ constexpr std::array cases{
          [] {
            return told_hit(first_hit(Ray2{{0, 0}, {1, 0}}, Segment2{{10, 10}, {10, 10}}));
          }},
+    Case{"libgdx/libgdx#4901",
+         [] {
+           const Triangle3 thin{{100, 200, 300}, {400, 500, 600}, {400, 500, 600}};
+           EXPECT_EQ(told_hit(first_hit(Ray3{{10, 20, 30}, {90, 180, 270}}, thin)), "t 1 at (100, 200, 300)");
+           return told_hit(first_hit(Ray3{{10, 20, 30}, {0, -1, 0}}, thin));
+         }},
     Case{"svenstaro/bvh#140",
          [] {
            const double least = 5.693442e-39F, slope = 0.70710677F;
